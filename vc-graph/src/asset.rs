@@ -1,0 +1,294 @@
+//! Shapes as plain data: physics makes colliders of them, render makes meshes.
+
+use std::sync::Arc;
+
+use nalgebra::{Point3, Vector3};
+use serde::{Deserialize, Serialize};
+
+use crate::Pose;
+use crate::geometry::is_finite;
+
+/// Position of an [`Asset`] in its [`AssetLibrary`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct AssetId(pub u32);
+
+/// A solid shape, centred on its own origin unless said otherwise; metres.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Shape {
+    /// A box.
+    Box {
+        /// Half lengths along X, Y and Z.
+        half: Vector3<f32>,
+    },
+    /// A box with rounded edges; `half` is the outer size.
+    RoundedBox {
+        /// Half lengths along X, Y and Z, rounding included.
+        half: Vector3<f32>,
+        /// Radius of the edges.
+        radius: f32,
+    },
+    /// A cylinder along Z.
+    Cylinder {
+        /// Radius.
+        radius: f32,
+        /// Half its height.
+        half_height: f32,
+    },
+    /// A cone along Z, its tip up.
+    Cone {
+        /// Radius of the base.
+        radius: f32,
+        /// Half its height.
+        half_height: f32,
+    },
+    /// A capsule along Z.
+    Capsule {
+        /// Radius.
+        radius: f32,
+        /// Half the length of the straight part.
+        half_height: f32,
+    },
+    /// A sphere.
+    Sphere {
+        /// Radius.
+        radius: f32,
+    },
+    /// The convex hull of points.
+    Hull {
+        /// Its points.
+        points: Vec<Point3<f32>>,
+    },
+    /// A profile turned around Z.
+    Lathe {
+        /// Radius and height of each point of the profile, bottom to top.
+        profile: Vec<(f32, f32)>,
+    },
+    /// An outline in the XY plane drawn up along Z from zero.
+    Extrusion {
+        /// The outline, counter-clockwise.
+        outline: Vec<(f32, f32)>,
+        /// How far up.
+        height: f32,
+    },
+    /// A closed triangle mesh.
+    Mesh {
+        /// Its vertices.
+        vertices: Vec<Point3<f32>>,
+        /// Its triangles, counter-clockwise seen from outside.
+        triangles: Vec<[u32; 3]>,
+    },
+}
+
+/// What a part is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Material {
+    /// Its name, `oak`.
+    pub name: Arc<str>,
+    /// Linear RGB reflectance.
+    pub colour: [f32; 3],
+    /// Density, kilograms per cubic metre.
+    pub density: f32,
+    /// Coulomb friction coefficient.
+    pub friction: f32,
+    /// Coefficient of restitution, 0 to 1.
+    pub restitution: f32,
+    /// Surface roughness, 0 (mirror) to 1 (matt).
+    pub roughness: f32,
+    /// How metallic, 0 to 1.
+    pub metallic: f32,
+    /// How much light passes, 0 to 1.
+    pub transmission: f32,
+    /// Light it gives when on, watts per square metre and steradian.
+    pub emission: [f32; 3],
+}
+
+/// How a moving part moves against the asset.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joint {
+    /// Turning or sliding.
+    pub kind: JointKind,
+    /// A point of the axis, in the asset's frame, metres.
+    pub anchor: Point3<f32>,
+    /// Direction of the axis, unit length, in the asset's frame.
+    pub axis: Vector3<f32>,
+    /// Least and greatest position: radians or metres; closed is zero.
+    pub limits: (f32, f32),
+}
+
+/// Kind of a [`Joint`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum JointKind {
+    /// Turns around its axis.
+    Hinge,
+    /// Slides along its axis.
+    Slide,
+}
+
+/// One part of an asset.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    /// Its name, `drawer_2`.
+    pub name: Arc<str>,
+    /// Its shape.
+    pub shape: Shape,
+    /// Its material, in the library's list.
+    pub material: u32,
+    /// Where it is in the asset's frame, its joint at zero.
+    pub pose: Pose,
+    /// How it moves, if it does.
+    pub joint: Option<Joint>,
+}
+
+/// An object's shape. Origin at the centre of its base, X towards its front.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Asset {
+    /// Its name, `chair_17`.
+    pub name: Arc<str>,
+    /// Its parts.
+    pub parts: Vec<Part>,
+}
+
+/// Assets and materials that scenes share.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct AssetLibrary {
+    materials: Vec<Material>,
+    assets: Vec<Arc<Asset>>,
+}
+
+/// What is wrong with an asset.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AssetError {
+    /// A part uses a material that is not in the library.
+    #[error("part `{part}` uses material {material}, the library has {count}")]
+    NoSuchMaterial {
+        /// Which part.
+        part: Arc<str>,
+        /// Which material.
+        material: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// A measure is not finite, negative or zero where it must not be.
+    #[error("part `{0}` has a measure that is not finite or not positive")]
+    BadMeasure(Arc<str>),
+    /// A mesh's triangle names a vertex it does not have.
+    #[error("part `{0}` has a triangle with a vertex that does not exist")]
+    BadTriangle(Arc<str>),
+    /// A joint's axis has no length or its limits are swapped.
+    #[error("part `{0}` has a joint without axis or with its limits swapped")]
+    BadJoint(Arc<str>),
+}
+
+impl AssetLibrary {
+    /// Adds a material and returns its position.
+    pub fn add_material(&mut self, material: Material) -> u32 {
+        self.materials.push(material);
+        self.materials.len() as u32 - 1
+    }
+
+    /// Adds an asset after checking it.
+    ///
+    /// # Errors
+    /// [`AssetError`] names the part.
+    pub fn add(&mut self, asset: Asset) -> Result<AssetId, AssetError> {
+        asset.parts.iter().try_for_each(|part| self.check(part))?;
+        self.assets.push(Arc::new(asset));
+        Ok(AssetId(self.assets.len() as u32 - 1))
+    }
+
+    /// The asset at a position.
+    pub fn get(&self, id: AssetId) -> Option<&Arc<Asset>> {
+        self.assets.get(id.0 as usize)
+    }
+
+    /// The material at a position.
+    pub fn material(&self, index: u32) -> Option<&Material> {
+        self.materials.get(index as usize)
+    }
+
+    /// Number of assets.
+    pub fn len(&self) -> usize {
+        self.assets.len()
+    }
+
+    /// Whether there are no assets.
+    pub fn is_empty(&self) -> bool {
+        self.assets.is_empty()
+    }
+
+    fn check(&self, part: &Part) -> Result<(), AssetError> {
+        let (name, count) = (part.name.clone(), self.materials.len());
+        if part.material as usize >= count {
+            return Err(AssetError::NoSuchMaterial { part: name, material: part.material, count });
+        }
+        if !is_finite(&part.pose) || !part.shape.measures_are_positive() {
+            return Err(AssetError::BadMeasure(name));
+        }
+        if !part.shape.triangles_exist() {
+            return Err(AssetError::BadTriangle(name));
+        }
+        match part.joint {
+            Some(joint) if !joint.is_sound() => Err(AssetError::BadJoint(name)),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Joint {
+    fn is_sound(&self) -> bool {
+        (self.axis.norm() - 1.0).abs() < 1e-3 && self.limits.0 <= self.limits.1
+    }
+}
+
+impl Shape {
+    fn measures_are_positive(&self) -> bool {
+        let positive = |v: f32| v.is_finite() && v > 0.0;
+        let finite = |p: &Point3<f32>| p.iter().all(|v| v.is_finite());
+        match self {
+            Self::Box { half } => half.iter().copied().all(positive),
+            Self::RoundedBox { half, radius } => half.iter().all(|&h| positive(h) && h >= *radius) && positive(*radius),
+            Self::Cylinder { radius, half_height } | Self::Cone { radius, half_height } => {
+                positive(*radius) && positive(*half_height)
+            }
+            Self::Capsule { radius, half_height } => positive(*radius) && *half_height >= 0.0,
+            Self::Sphere { radius } => positive(*radius),
+            Self::Hull { points } => points.len() >= 4 && points.iter().all(finite),
+            Self::Lathe { profile } => profile.len() >= 2 && profile.iter().all(|(r, z)| *r >= 0.0 && z.is_finite()),
+            Self::Extrusion { outline, height } => outline.len() >= 3 && positive(*height),
+            Self::Mesh { vertices, .. } => vertices.iter().all(finite),
+        }
+    }
+
+    fn triangles_exist(&self) -> bool {
+        match self {
+            Self::Mesh { vertices, triangles } => triangles.iter().flatten().all(|&v| (v as usize) < vertices.len()),
+            _ => true,
+        }
+    }
+
+    /// Smallest and largest corner in the shape's own frame, metres.
+    pub fn extent(&self) -> (Point3<f32>, Point3<f32>) {
+        let around = |half: Vector3<f32>| (Point3::from(-half), Point3::from(half));
+        let round = |radius: f32, half: f32| around(Vector3::new(radius, radius, half));
+        match self {
+            Self::Box { half } | Self::RoundedBox { half, .. } => around(*half),
+            Self::Cylinder { radius, half_height } | Self::Cone { radius, half_height } => round(*radius, *half_height),
+            Self::Capsule { radius, half_height } => round(*radius, half_height + radius),
+            Self::Sphere { radius } => round(*radius, *radius),
+            Self::Hull { points } => corners(points.iter().copied()),
+            Self::Lathe { profile } => corners(profile.iter().flat_map(|&(r, z)| [Point3::new(-r, -r, z), Point3::new(r, r, z)])),
+            Self::Extrusion { outline, height } => {
+                corners(outline.iter().flat_map(|&(x, y)| [Point3::new(x, y, 0.0), Point3::new(x, y, *height)]))
+            }
+            Self::Mesh { vertices, .. } => corners(vertices.iter().copied()),
+        }
+    }
+}
+
+fn corners(points: impl Iterator<Item = Point3<f32>>) -> (Point3<f32>, Point3<f32>) {
+    let empty = (Point3::from([f32::INFINITY; 3]), Point3::from([f32::NEG_INFINITY; 3]));
+    points.fold(empty, |(low, high), p| (low.inf(&p), high.sup(&p)))
+}

@@ -1,0 +1,154 @@
+//! Building a scene.
+
+use std::sync::Arc;
+
+use crate::asset::AssetLibrary;
+use crate::class::ClassTable;
+use crate::node::{Draft, Kind, Link};
+use crate::{Edge, EditError, NodeId, Place, Relation, SceneGraph};
+
+/// Builds a [`SceneGraph`], node by node or in bulk.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, State};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+/// let graph = scene.build();
+/// assert_eq!(graph.hidden_in(milk), Some(fridge)); // fridges start closed
+/// assert!(graph.validate().is_empty());
+/// # Ok::<(), vc_graph::EditError>(())
+/// ```
+#[derive(Debug)]
+pub struct SceneBuilder {
+    graph: SceneGraph,
+}
+
+impl SceneBuilder {
+    /// A scene that goes by the built-in classes.
+    pub fn new(name: impl Into<Arc<str>>) -> Self {
+        Self::with_classes(name, ClassTable::builtin())
+    }
+
+    /// A scene that goes by a class table of your own.
+    pub fn with_classes(name: impl Into<Arc<str>>, classes: Arc<ClassTable>) -> Self {
+        Self { graph: SceneGraph::new(name, classes) }
+    }
+
+    /// Sets the shapes the nodes point into.
+    pub fn assets(&mut self, assets: Arc<AssetLibrary>) -> &mut Self {
+        self.graph.assets = assets;
+        self
+    }
+
+    /// Adds a node that is nowhere yet: a room, or what is placed later.
+    ///
+    /// # Errors
+    /// As [`Edit::add`](crate::Edit::add).
+    pub fn add(&mut self, draft: Draft) -> Result<NodeId, EditError> {
+        let mut edit = self.graph.edit();
+        let id = edit.add(draft)?;
+        edit.commit();
+        Ok(id)
+    }
+
+    /// Adds a node with a number of your own.
+    ///
+    /// # Errors
+    /// As [`Edit::add_with_id`](crate::Edit::add_with_id).
+    pub fn add_with_id(&mut self, id: NodeId, draft: Draft) -> Result<NodeId, EditError> {
+        let mut edit = self.graph.edit();
+        edit.add_with_id(id, draft)?;
+        edit.commit();
+        Ok(id)
+    }
+
+    /// Adds a node in a room or inside a container.
+    ///
+    /// # Errors
+    /// As [`Edit::add`](crate::Edit::add) and [`Edit::place`](crate::Edit::place).
+    pub fn add_in(&mut self, container: NodeId, draft: Draft) -> Result<NodeId, EditError> {
+        let relation = match self.graph.node(container).ok_or(EditError::NoSuchNode(container))?.kind() {
+            Kind::Room => Relation::InRoom,
+            _ => Relation::Inside,
+        };
+        self.add_at(Place { relation, at: container }, draft)
+    }
+
+    /// Adds a node on a surface.
+    ///
+    /// # Errors
+    /// As [`Edit::add`](crate::Edit::add) and [`Edit::place`](crate::Edit::place).
+    pub fn add_on(&mut self, surface: NodeId, draft: Draft) -> Result<NodeId, EditError> {
+        self.add_at(Place { relation: Relation::On, at: surface }, draft)
+    }
+
+    fn add_at(&mut self, place: Place, draft: Draft) -> Result<NodeId, EditError> {
+        let mut edit = self.graph.edit();
+        let id = edit.add(draft)?;
+        match place.relation {
+            Relation::InRoom => edit.move_to_room(id, place.at)?,
+            _ => edit.place(id, place)?,
+        }
+        edit.commit();
+        Ok(id)
+    }
+
+    /// Begins an edit of what has been built so far.
+    pub fn edit(&mut self) -> crate::Edit<'_> {
+        self.graph.edit()
+    }
+
+    /// The scene as built so far.
+    pub fn graph(&self) -> &SceneGraph {
+        &self.graph
+    }
+
+    /// Adds many relations at once, as a file lists them: no invariant is
+    /// enforced, [`SceneGraph::validate`] lists what is wrong.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`] for an edge that ends nowhere; then none is added.
+    pub fn link_all(&mut self, edges: &[Edge]) -> Result<(), EditError> {
+        for edge in edges {
+            for id in [edge.from, edge.to] {
+                self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
+            }
+        }
+        for &edge in edges {
+            self.push(edge);
+        }
+        self.sort_links();
+        Ok(())
+    }
+
+    /// Appends both ends of an edge; the lists are sorted afterwards, once.
+    fn push(&mut self, edge: Edge) {
+        let back = edge.reversed();
+        if let Some(node) = self.graph.nodes.get_mut(edge.from) {
+            node.out.push(Link { relation: edge.relation, node: edge.to });
+        }
+        if let Some(node) = self.graph.nodes.get_mut(edge.to) {
+            let links = if edge.relation.is_symmetric() { &mut node.out } else { &mut node.inc };
+            links.push(Link { relation: edge.relation, node: back.to });
+        }
+    }
+
+    fn sort_links(&mut self) {
+        let ids: Vec<NodeId> = self.graph.nodes().map(crate::Node::id).collect();
+        for id in ids {
+            if let Some(node) = self.graph.nodes.get_mut(id) {
+                for links in [&mut node.out, &mut node.inc] {
+                    links.sort_unstable();
+                    links.dedup();
+                }
+            }
+        }
+    }
+
+    /// The finished scene.
+    pub fn build(self) -> SceneGraph {
+        self.graph
+    }
+}

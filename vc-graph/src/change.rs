@@ -1,0 +1,177 @@
+//! Change sets: what an edit did, to be applied elsewhere or undone.
+
+use std::sync::Arc;
+
+use crate::node::Node;
+use crate::{Edge, NodeId, Pose, SceneGraph, StateSet};
+
+/// One reversible change of a scene.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Change {
+    /// A node without relations came into being.
+    Add(Arc<Node>),
+    /// A node without relations went away.
+    Remove(Arc<Node>),
+    /// A node's states changed.
+    States {
+        /// Whose.
+        id: NodeId,
+        /// States it had.
+        before: StateSet,
+        /// States it has.
+        after: StateSet,
+    },
+    /// A node moved.
+    Pose {
+        /// Which.
+        id: NodeId,
+        /// Pose it had.
+        before: Option<Pose>,
+        /// Pose it has.
+        after: Option<Pose>,
+    },
+    /// What is in a node to pour changed.
+    Contents {
+        /// Which.
+        id: NodeId,
+        /// Class of what was in it.
+        before: Option<Arc<str>>,
+        /// Class of what is in it.
+        after: Option<Arc<str>>,
+    },
+    /// A relation began.
+    Link(Edge),
+    /// A relation ended.
+    Unlink(Edge),
+}
+
+impl Change {
+    fn inverse(&self) -> Self {
+        match self.clone() {
+            Self::Add(node) => Self::Remove(node),
+            Self::Remove(node) => Self::Add(node),
+            Self::States { id, before, after } => Self::States { id, before: after, after: before },
+            Self::Pose { id, before, after } => Self::Pose { id, before: after, after: before },
+            Self::Contents { id, before, after } => Self::Contents { id, before: after, after: before },
+            Self::Link(edge) => Self::Unlink(edge),
+            Self::Unlink(edge) => Self::Link(edge),
+        }
+    }
+
+    /// Whether the graph is in the state this change starts from.
+    fn fits(&self, graph: &SceneGraph) -> bool {
+        match self {
+            Self::Add(node) => graph.node(node.id).is_none(),
+            Self::Remove(node) => graph.node(node.id) == Some(node),
+            Self::States { id, before, .. } => graph.node(*id).is_some_and(|n| n.states == *before),
+            Self::Pose { id, before, .. } => graph.node(*id).is_some_and(|n| n.pose == *before),
+            Self::Contents { id, before, .. } => graph.node(*id).is_some_and(|n| n.contents == *before),
+            Self::Link(e) => graph.node(e.from).is_some() && graph.node(e.to).is_some() && !graph.has(*e),
+            Self::Unlink(e) => graph.has(*e),
+        }
+    }
+
+    pub(crate) fn write(&self, graph: &mut SceneGraph) {
+        match self {
+            Self::Add(node) => graph.insert(node.clone()),
+            Self::Remove(node) => {
+                graph.take(node.id);
+            }
+            Self::States { id, after, .. } => {
+                if let Some(node) = graph.nodes.get_mut(*id) {
+                    node.states = *after;
+                }
+            }
+            Self::Pose { id, after, .. } => graph.set_pose(*id, *after),
+            Self::Contents { id, after, .. } => {
+                if let Some(node) = graph.nodes.get_mut(*id) {
+                    node.contents.clone_from(after);
+                }
+            }
+            Self::Link(edge) => {
+                graph.link(*edge);
+            }
+            Self::Unlink(edge) => {
+                graph.unlink(*edge);
+            }
+        }
+    }
+}
+
+/// A sequence of changes, as one edit or action made them.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, State};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let mut graph = scene.build();
+/// let before = graph.clone();
+///
+/// let mut edit = graph.edit();
+/// edit.enter_state(fridge, State::Open)?;
+/// let changes = edit.commit();
+/// assert_ne!(graph, before);
+/// changes.undo(&mut graph)?;
+/// assert_eq!(graph, before);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ChangeSet {
+    pub(crate) changes: Vec<Change>,
+}
+
+/// A change set met a graph that is not the one it was made on.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("change {index} of {total} does not fit this graph, nothing was changed: {change:?}")]
+pub struct Misfit {
+    /// Which change, counted from zero.
+    pub index: usize,
+    /// How many changes there were.
+    pub total: usize,
+    /// The change itself.
+    pub change: Box<Change>,
+}
+
+impl ChangeSet {
+    /// The changes, in order.
+    pub fn changes(&self) -> &[Change] {
+        &self.changes
+    }
+
+    /// Whether nothing changed.
+    pub fn is_empty(&self) -> bool {
+        self.changes.is_empty()
+    }
+
+    /// The changes that undo this set.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        Self { changes: self.changes.iter().rev().map(Change::inverse).collect() }
+    }
+
+    /// Makes the changes on a graph that is as it was before them.
+    ///
+    /// # Errors
+    /// [`Misfit`] if the graph is another; then it is left as it was.
+    pub fn apply(&self, graph: &mut SceneGraph) -> Result<(), Misfit> {
+        for (index, change) in self.changes.iter().enumerate() {
+            if !change.fits(graph) {
+                self.changes[..index].iter().rev().for_each(|c| c.inverse().write(graph));
+                let change = Box::new(change.clone());
+                return Err(Misfit { index, total: self.changes.len(), change });
+            }
+            change.write(graph);
+        }
+        Ok(())
+    }
+
+    /// Undoes the changes on a graph that is as it was after them.
+    ///
+    /// # Errors
+    /// [`Misfit`] if the graph is another; then it is left as it was.
+    pub fn undo(&self, graph: &mut SceneGraph) -> Result<(), Misfit> {
+        self.inverse().apply(graph)
+    }
+}

@@ -1,0 +1,248 @@
+//! Object classes: what kinds of things there are, what one can do with them, how
+//! big they are and where people keep them.
+//!
+//! The built-in table is read from text files compiled into the crate; see
+//! [`ClassTable::parse`] for the format, in which users add their own classes.
+
+mod name;
+mod parse;
+
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock};
+
+use crate::vocabulary::vocabulary;
+use crate::{PropertySet, Relation, StateSet};
+
+pub use parse::{ClassError, ClassProblem};
+
+vocabulary! {
+    /// What sort of thing a class is.
+    Category, "category" {
+        /// A room or outdoor region.
+        Room = "room",
+        /// Floors, walls, ceilings and what is built in.
+        Structure = "structure",
+        /// A door between rooms.
+        Door = "door",
+        /// A window.
+        Window = "window",
+        /// Furniture.
+        Furniture = "furniture",
+        /// A household machine.
+        Appliance = "appliance",
+        /// Electronics.
+        Electronics = "electronics",
+        /// A lamp.
+        Lamp = "lamp",
+        /// Decoration.
+        Decor = "decor",
+        /// A small thing.
+        Prop = "prop",
+        /// Food and drink.
+        Food = "food",
+        /// Clothing.
+        Clothing = "clothing",
+        /// A plant.
+        Plant = "plant",
+        /// An animal.
+        Animal = "animal",
+        /// A toy or game.
+        Toy = "toy",
+        /// Sports gear.
+        Sport = "sport",
+        /// What stands outdoors.
+        Outdoor = "outdoor",
+        /// A vehicle.
+        Vehicle = "vehicle",
+        /// A person.
+        Character = "character",
+        /// An abstract class that others are kinds of.
+        Group = "group",
+    }
+}
+
+vocabulary! {
+    /// A kind of place in or on an object.
+    SlotKind, "slot" {
+        /// A shelf board.
+        Shelf = "shelf",
+        /// A drawer.
+        Drawer = "drawer",
+        /// A space behind a door or under a lid.
+        Compartment = "compartment",
+        /// An open bowl or tub.
+        Basin = "basin",
+        /// A hook to hang things on.
+        Hook = "hook",
+        /// A rack for many of a kind.
+        Rack = "rack",
+        /// A rod for hangers.
+        Rod = "rod",
+        /// A place to sit.
+        Seat = "seat",
+        /// A place to lie.
+        Lie = "lie",
+        /// A hob's cooking place.
+        Burner = "burner",
+        /// A pocket.
+        Pocket = "pocket",
+        /// A place for exactly one thing.
+        Slot = "slot",
+    }
+}
+
+/// Which relation takes up which kind of place.
+pub(crate) const OCCUPANCY: [(Relation, SlotKind); 2] =
+    [(Relation::SittingOn, SlotKind::Seat), (Relation::LyingOn, SlotKind::Lie)];
+
+/// A number of places of one kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct Slot {
+    /// What kind of place.
+    pub kind: SlotKind,
+    /// How many of them.
+    pub number: u32,
+}
+
+/// A closed range of a measure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// Least sensible value.
+    pub low: f32,
+    /// Largest sensible value.
+    pub high: f32,
+}
+
+impl Range {
+    /// Middle of the range.
+    pub fn middle(self) -> f32 {
+        f32::midpoint(self.low, self.high)
+    }
+}
+
+/// A place where people keep things of a class.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kept {
+    /// Class of the room; `None` for any room.
+    pub room: Option<Arc<str>>,
+    /// On or inside which class; `None` for standing in the room itself.
+    pub at: Option<(Relation, Arc<str>)>,
+    /// Relative weight, at least 1.
+    pub weight: u32,
+}
+
+/// What is known about a class of objects.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Class {
+    /// The class's name, `coffee_table`.
+    pub name: Arc<str>,
+    /// Classes it is a kind of, `table`.
+    pub parents: Vec<Arc<str>>,
+    /// Other names of the same class.
+    pub aliases: Vec<Arc<str>>,
+    /// What sort of thing it is.
+    pub category: Category,
+    /// What can be done with it.
+    pub affordances: PropertySet,
+    /// Depth, width and height, metres; `None` for groups.
+    pub size: Option<[Range; 3]>,
+    /// Mass, kilograms; `None` for groups and rooms.
+    pub mass: Option<Range>,
+    /// States it starts in.
+    pub starts: StateSet,
+    /// Places in or on it.
+    pub slots: Arc<[Slot]>,
+    /// Where people keep it.
+    pub kept: Vec<Kept>,
+    /// Position in the table.
+    index: usize,
+}
+
+impl Class {
+    /// Typical depth, width and height, metres.
+    pub fn typical_size(&self) -> Option<nalgebra::Vector3<f32>> {
+        self.size.map(|s| nalgebra::Vector3::from(s.map(Range::middle)))
+    }
+}
+
+/// All known classes, found by name in any usual spelling.
+///
+/// ```
+/// use vc_graph::{ClassTable, Property};
+/// let classes = ClassTable::builtin();
+/// let table = classes.get("SM_Coffee_Table_03").ok_or("unknown")?;
+/// assert_eq!(&*table.name, "coffee_table");
+/// assert!(table.affordances.contains(Property::Surface));
+/// assert!(classes.is_a("coffeetable", "table"));
+/// # Ok::<(), &str>(())
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct ClassTable {
+    classes: Vec<Class>,
+    by_name: HashMap<String, usize>,
+    /// For each class all its kinds, itself included, by position.
+    kinds: Vec<Vec<usize>>,
+}
+
+/// The text of the built-in table, by theme.
+const BUILTIN: &[(&str, &str)] = &[
+    ("groups.txt", include_str!("../../data/classes/groups.txt")),
+    ("rooms.txt", include_str!("../../data/classes/rooms.txt")),
+    ("structure.txt", include_str!("../../data/classes/structure.txt")),
+    ("furniture.txt", include_str!("../../data/classes/furniture.txt")),
+    ("appliances.txt", include_str!("../../data/classes/appliances.txt")),
+    ("kitchenware.txt", include_str!("../../data/classes/kitchenware.txt")),
+    ("household.txt", include_str!("../../data/classes/household.txt")),
+    ("food.txt", include_str!("../../data/classes/food.txt")),
+    ("tech.txt", include_str!("../../data/classes/tech.txt")),
+    ("play.txt", include_str!("../../data/classes/play.txt")),
+    ("garden.txt", include_str!("../../data/classes/garden.txt")),
+    ("vehicles.txt", include_str!("../../data/classes/vehicles.txt")),
+];
+
+impl ClassTable {
+    /// The built-in classes, read once per process (about a millisecond).
+    pub fn builtin() -> Arc<Self> {
+        static TABLE: LazyLock<Arc<ClassTable>> = LazyLock::new(|| {
+            let table = parse::parse(ClassTable::default(), BUILTIN);
+            // A test reads the built-in text and shows its errors.
+            Arc::new(table.unwrap_or_default())
+        });
+        TABLE.clone()
+    }
+
+    /// Number of classes.
+    pub fn len(&self) -> usize {
+        self.classes.len()
+    }
+
+    /// Whether the table knows nothing.
+    pub fn is_empty(&self) -> bool {
+        self.classes.is_empty()
+    }
+
+    /// All classes, in the order they were written.
+    pub fn iter(&self) -> impl Iterator<Item = &Class> {
+        self.classes.iter()
+    }
+
+    /// The class of a name, in any usual spelling: case, `_`, `-` and spaces do
+    /// not matter, nor do engine prefixes and numbers (`SM_Coffee_Table_03`); of a
+    /// longer name the part counts that is a class (`SM_Glass_Milk` is milk).
+    pub fn get(&self, name: &str) -> Option<&Class> {
+        name::candidates(name).find_map(|c| self.by_name.get(&c)).map(|&i| &self.classes[i])
+    }
+
+    /// The class and all its kinds.
+    pub fn kinds_of(&self, class: &Class) -> impl Iterator<Item = &Class> {
+        self.kinds[class.index].iter().map(|&i| &self.classes[i])
+    }
+
+    /// Whether a class is another or a kind of it.
+    pub fn is_a(&self, name: &str, ancestor: &str) -> bool {
+        match (self.get(name), self.get(ancestor)) {
+            (Some(class), Some(ancestor)) => self.kinds[ancestor.index].contains(&class.index),
+            _ => crate::vocabulary::same_word(name, ancestor),
+        }
+    }
+}

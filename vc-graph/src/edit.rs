@@ -1,0 +1,348 @@
+//! Edits that keep a scene's invariants.
+
+use std::sync::Arc;
+
+use crate::geometry::is_finite;
+use crate::node::{Draft, Kind};
+use crate::{Change, ChangeSet, Edge, Label, NodeId, Place, Pose, Relation, SceneGraph, State, StateSet};
+
+/// Why an edit was refused; the graph is as it was before that call.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum EditError {
+    /// There is no such node.
+    #[error("there is no node {0} in this scene")]
+    NoSuchNode(NodeId),
+    /// A node number is taken.
+    #[error("node {0} exists already; give the new node another number")]
+    Duplicate(NodeId),
+    /// The last node number has been used.
+    #[error("all node numbers are used up")]
+    NumbersExhausted,
+    /// A thing would rest on itself.
+    #[error("{thing} cannot rest at {at}: {at} itself rests on or in {thing}")]
+    SupportCycle {
+        /// What was to be placed.
+        thing: Label,
+        /// Where.
+        at: Label,
+    },
+    /// A node cannot play this part.
+    #[error("{node} is no {needed}")]
+    WrongKind {
+        /// The node.
+        node: Label,
+        /// What it should have been.
+        needed: &'static str,
+    },
+    /// The agent's hands are full.
+    #[error("{agent} has no free hand")]
+    HandsFull {
+        /// Who.
+        agent: Label,
+    },
+    /// A relation of this kind is not set by hand.
+    #[error("`{0}` says where a thing is; use `place`, `hold` or `move_to_room`")]
+    NotFree(Relation),
+    /// A room can only go when it is empty.
+    #[error("{room} still contains {count} nodes, {first} among them; move or remove them first")]
+    RoomNotEmpty {
+        /// The room.
+        room: Label,
+        /// How many nodes are in it.
+        count: usize,
+        /// One of them.
+        first: Label,
+    },
+    /// A pose is not a pose.
+    #[error("the pose of {0} is not finite")]
+    NotFinite(Label),
+}
+
+/// An edit in progress. [`Edit::commit`] keeps it and returns what it did;
+/// dropping it undoes everything.
+///
+/// It keeps: one support chain without cycles for what it moves, an object in at
+/// most one hand, states without opposites, and a room for all that moves.
+#[derive(Debug)]
+pub struct Edit<'g> {
+    graph: &'g mut SceneGraph,
+    changes: Vec<Change>,
+}
+
+impl<'g> Edit<'g> {
+    pub(crate) fn new(graph: &'g mut SceneGraph) -> Self {
+        Self { graph, changes: Vec::new() }
+    }
+
+    /// The graph as it is now.
+    pub fn graph(&self) -> &SceneGraph {
+        self.graph
+    }
+
+    /// Keeps the edit.
+    pub fn commit(mut self) -> ChangeSet {
+        ChangeSet { changes: std::mem::take(&mut self.changes) }
+    }
+
+    fn make(&mut self, change: Change) {
+        change.write(self.graph);
+        self.changes.push(change);
+    }
+
+    fn check(&self, id: NodeId) -> Result<(), EditError> {
+        self.graph.node(id).map(|_| ()).ok_or(EditError::NoSuchNode(id))
+    }
+
+    fn check_kind(&self, id: NodeId, kind: Kind, needed: &'static str) -> Result<(), EditError> {
+        let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
+        if node.kind() == kind { Ok(()) } else { Err(EditError::WrongKind { node: node.label(), needed }) }
+    }
+
+    /// Adds a node that is nowhere yet, with the next number.
+    ///
+    /// # Errors
+    /// [`EditError::NumbersExhausted`], [`EditError::NotFinite`].
+    pub fn add(&mut self, draft: Draft) -> Result<NodeId, EditError> {
+        if self.graph.next == u32::MAX {
+            return Err(EditError::NumbersExhausted);
+        }
+        self.add_with_id(NodeId(self.graph.next), draft)
+    }
+
+    /// Adds a node that is nowhere yet, with a number of your own.
+    ///
+    /// # Errors
+    /// [`EditError::Duplicate`], [`EditError::NotFinite`].
+    pub fn add_with_id(&mut self, id: NodeId, draft: Draft) -> Result<NodeId, EditError> {
+        if self.graph.node(id).is_some() {
+            return Err(EditError::Duplicate(id));
+        }
+        let node = draft.into_node(id, &self.graph.classes);
+        if node.pose.as_ref().is_some_and(|p| !is_finite(p)) {
+            return Err(EditError::NotFinite(node.label()));
+        }
+        self.make(Change::Add(Arc::new(node)));
+        Ok(id)
+    }
+
+    /// Removes a node; what rested on it stays in its room.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`], [`EditError::RoomNotEmpty`].
+    pub fn remove(&mut self, id: NodeId) -> Result<(), EditError> {
+        let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
+        if let Some(first) = self.graph.in_room(id).next() {
+            let (room, first) = (node.label(), self.graph.label(first));
+            return Err(EditError::RoomNotEmpty { room, count: self.graph.in_room(id).count(), first });
+        }
+        let out = node.out.iter().map(|l| Edge::new(id, l.relation, l.node));
+        let inc = node.inc.iter().map(|l| Edge::new(l.node, l.relation, id));
+        let edges: Vec<Edge> = out.chain(inc).collect();
+        for edge in edges {
+            self.unlink(edge);
+        }
+        if let Some(bare) = self.graph.nodes.get(id).cloned() {
+            self.make(Change::Remove(bare));
+        }
+        Ok(())
+    }
+
+    /// Enters a state; its opposites end.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`].
+    pub fn enter_state(&mut self, id: NodeId, state: State) -> Result<(), EditError> {
+        let before = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?.states();
+        self.set_states(id, before.entering(state))
+    }
+
+    /// Leaves a state.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`].
+    pub fn leave_state(&mut self, id: NodeId, state: State) -> Result<(), EditError> {
+        let before = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?.states();
+        self.set_states(id, before.without(state))
+    }
+
+    fn set_states(&mut self, id: NodeId, after: StateSet) -> Result<(), EditError> {
+        let before = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?.states();
+        if before != after {
+            self.make(Change::States { id, before, after });
+        }
+        Ok(())
+    }
+
+    /// Says what is in a node to pour; `None` empties it.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`].
+    pub fn fill(&mut self, id: NodeId, contents: Option<Arc<str>>) -> Result<(), EditError> {
+        let before = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?.contents.clone();
+        let state = if contents.is_some() { State::Filled } else { State::Empty };
+        self.make(Change::Contents { id, before, after: contents });
+        self.enter_state(id, state)
+    }
+
+    /// Moves a node and nothing else.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`], [`EditError::NotFinite`].
+    pub fn set_pose(&mut self, id: NodeId, pose: Option<Pose>) -> Result<(), EditError> {
+        let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
+        if pose.as_ref().is_some_and(|p| !is_finite(p)) {
+            return Err(EditError::NotFinite(node.label()));
+        }
+        if node.pose != pose {
+            let before = node.pose;
+            self.make(Change::Pose { id, before, after: pose });
+        }
+        Ok(())
+    }
+
+    /// Moves a node with all that rests on, in or with it.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`], [`EditError::NotFinite`].
+    pub fn carry_to(&mut self, id: NodeId, pose: Pose) -> Result<(), EditError> {
+        let Some(old) = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?.pose else {
+            return self.set_pose(id, Some(pose));
+        };
+        let motion = pose * old.inverse();
+        for part in self.graph.carried_with(id) {
+            let now = self.graph.node(part).and_then(|n| n.pose);
+            let moved = now.map(|p| if part == id { pose } else { motion * p });
+            self.set_pose(part, moved)?;
+        }
+        Ok(())
+    }
+
+    /// Adds a relation that does not say where a thing is: near, facing, under,
+    /// touching, between.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`], [`EditError::NotFree`].
+    pub fn relate(&mut self, edge: Edge) -> Result<(), EditError> {
+        use Relation::{HoldsLeft, HoldsRight, InRoom};
+        let places = [InRoom, HoldsRight, HoldsLeft];
+        if places.contains(&edge.relation) || Relation::places().contains(&edge.relation) {
+            return Err(EditError::NotFree(edge.relation));
+        }
+        self.check(edge.from)?;
+        self.check(edge.to)?;
+        self.link(edge);
+        Ok(())
+    }
+
+    /// Ends relations of some kinds that start at a node.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`].
+    pub fn unrelate(&mut self, id: NodeId, relations: &[Relation]) -> Result<(), EditError> {
+        let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
+        let chosen = node.out.iter().filter(|l| relations.contains(&l.relation));
+        let edges: Vec<Edge> = chosen.map(|l| Edge::new(id, l.relation, l.node)).collect();
+        edges.into_iter().for_each(|edge| self.unlink(edge));
+        Ok(())
+    }
+
+    /// Puts a thing on, in or with another: it leaves where it was and comes, with
+    /// all that rests on it, to the other's room.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`], [`EditError::SupportCycle`].
+    pub fn place(&mut self, id: NodeId, place: Place) -> Result<(), EditError> {
+        self.check(place.at)?;
+        if id == place.at || self.graph.rests_at(place.at, id) {
+            let (thing, at) = (self.graph.label(id), self.graph.label(place.at));
+            return Err(EditError::SupportCycle { thing, at });
+        }
+        self.detach(id)?;
+        self.link(Edge::new(id, place.relation, place.at));
+        match self.graph.room_of(place.at) {
+            Some(room) => self.move_to_room(id, room),
+            None => Ok(()),
+        }
+    }
+
+    /// Puts a thing into an agent's free hand, the right one first. Holding what
+    /// it holds already changes nothing.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`], [`EditError::WrongKind`], [`EditError::HandsFull`],
+    /// [`EditError::SupportCycle`].
+    pub fn hold(&mut self, agent: NodeId, id: NodeId) -> Result<(), EditError> {
+        self.check_kind(agent, Kind::Agent, "agent")?;
+        self.check(id)?;
+        if self.graph.holder(id).is_some_and(|p| p.at == agent) {
+            return Ok(());
+        }
+        let full = EditError::HandsFull { agent: self.graph.label(agent) };
+        let hand = self.graph.free_hand(agent).ok_or(full)?;
+        if id == agent || self.graph.rests_at(agent, id) {
+            let (thing, at) = (self.graph.label(id), self.graph.label(agent));
+            return Err(EditError::SupportCycle { thing, at });
+        }
+        self.detach(id)?;
+        self.link(Edge::new(agent, hand, id));
+        match self.graph.room_of(agent) {
+            Some(room) => self.move_to_room(id, room),
+            None => Ok(()),
+        }
+    }
+
+    /// Takes a thing off, out of and away from whatever it is at; it stays in its
+    /// room.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`].
+    pub fn detach(&mut self, id: NodeId) -> Result<(), EditError> {
+        self.check(id)?;
+        if let Some(hold) = self.graph.holder(id) {
+            self.unlink(Edge::new(hold.at, hold.relation, id));
+        }
+        self.unrelate(id, Relation::places())?;
+        self.unrelate(id, &[Relation::Under, Relation::Touching])
+    }
+
+    /// Brings a node, with all that rests on it, into a room.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`], [`EditError::WrongKind`].
+    pub fn move_to_room(&mut self, id: NodeId, room: NodeId) -> Result<(), EditError> {
+        self.check(id)?;
+        self.check_kind(room, Kind::Room, "room")?;
+        if self.graph.room_of(id) == Some(room) && self.graph.resting_at(id).next().is_none() {
+            return Ok(());
+        }
+        for part in self.graph.carried_with(id) {
+            let edge = Edge::new(part, Relation::InRoom, room);
+            if !self.graph.has(edge) {
+                self.unrelate(part, &[Relation::InRoom])?;
+                self.link(edge);
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds an edge whatever its kind; the callers keep the invariants.
+    pub(crate) fn link(&mut self, edge: Edge) {
+        if !self.graph.has(edge) {
+            self.make(Change::Link(edge));
+        }
+    }
+
+    pub(crate) fn unlink(&mut self, edge: Edge) {
+        if self.graph.has(edge) {
+            self.make(Change::Unlink(edge));
+        }
+    }
+}
+
+impl Drop for Edit<'_> {
+    fn drop(&mut self) {
+        let undo = ChangeSet { changes: std::mem::take(&mut self.changes) }.inverse();
+        undo.changes.iter().for_each(|change| change.write(self.graph));
+    }
+}

@@ -1,0 +1,100 @@
+//! Poses and boxes.
+
+use nalgebra::{Isometry3, Point3, Vector3};
+
+/// Where a node is and how it is turned: metres, right-handed, Z up, X forward,
+/// Y left.
+pub type Pose = Isometry3<f32>;
+
+/// Which axes a node's box is aligned with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Frame {
+    /// The node's own axes: the box turns with it.
+    Object,
+    /// The world's axes, whatever the node's rotation.
+    World,
+}
+
+/// The box around a node, relative to its pose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// From the pose's origin to the centre of the box, in `frame`, metres.
+    pub offset: Vector3<f32>,
+    /// Half the box's length along each axis of `frame`, metres.
+    pub half: Vector3<f32>,
+    /// Whose axes the box is aligned with.
+    pub frame: Frame,
+}
+
+impl Bounds {
+    /// A box standing on the node's origin, aligned with the node: `size` is its
+    /// full depth (X), width (Y) and height (Z) in metres.
+    pub fn standing(size: Vector3<f32>) -> Self {
+        let half = size / 2.0;
+        Self { offset: Vector3::new(0.0, 0.0, half.z), half, frame: Frame::Object }
+    }
+
+    /// A world-aligned box centred on the node's origin.
+    pub fn centred(size: Vector3<f32>) -> Self {
+        Self { offset: Vector3::zeros(), half: size / 2.0, frame: Frame::World }
+    }
+
+    /// The world-aligned box that contains this one at `pose`.
+    pub fn aabb(&self, pose: &Pose) -> Aabb {
+        let (offset, half) = match self.frame {
+            Frame::World => (self.offset, self.half),
+            Frame::Object => {
+                let turn = pose.rotation.to_rotation_matrix();
+                (pose.rotation * self.offset, turn.matrix().abs() * self.half)
+            }
+        };
+        let centre = Point3::from(pose.translation.vector + offset);
+        Aabb { min: centre - half, max: centre + half }
+    }
+
+    /// Full depth, width and height, metres.
+    pub fn size(&self) -> Vector3<f32> {
+        self.half * 2.0
+    }
+
+    /// Volume in cubic metres.
+    pub fn volume(&self) -> f32 {
+        8.0 * self.half.x * self.half.y * self.half.z
+    }
+}
+
+/// A box aligned with the world's axes, metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Aabb {
+    /// Smallest corner.
+    pub min: Point3<f32>,
+    /// Largest corner.
+    pub max: Point3<f32>,
+}
+
+impl Aabb {
+    /// Middle of the box.
+    pub fn centre(&self) -> Point3<f32> {
+        nalgebra::center(&self.min, &self.max)
+    }
+
+    /// The point of the box nearest to `point` (itself when it is inside).
+    pub fn nearest(&self, point: &Point3<f32>) -> Point3<f32> {
+        Point3::from(point.coords.sup(&self.min.coords).inf(&self.max.coords))
+    }
+
+    /// Distance from a point to the box, zero inside, metres.
+    pub fn distance(&self, point: &Point3<f32>) -> f32 {
+        nalgebra::distance(&self.nearest(point), point)
+    }
+
+    /// Whether the box contains the point, borders included.
+    pub fn contains(&self, point: &Point3<f32>) -> bool {
+        self.nearest(point) == *point
+    }
+}
+
+/// Whether every number of a pose is finite.
+pub(crate) fn is_finite(pose: &Pose) -> bool {
+    pose.translation.vector.iter().chain(pose.rotation.coords.iter()).all(|v| v.is_finite())
+}

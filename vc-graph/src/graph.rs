@@ -1,0 +1,429 @@
+//! The scene graph: nodes, their relations, and the questions one asks of them.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use nalgebra::Point3;
+
+use crate::asset::AssetLibrary;
+use crate::class::ClassTable;
+use crate::grid::Grid;
+use crate::node::{Kind, Link, Node};
+use crate::store::Store;
+use crate::vocabulary::folded;
+use crate::{Edge, Edit, Label, NodeId, Relation};
+
+/// How near is near: within reach of an agent's step and arm, metres.
+/// VirtualHome's CLOSE uses the same figure.
+pub const NEAR: f32 = 1.5;
+
+/// Rooms, agents and objects with their states, poses and relations.
+///
+/// Cloning shares everything until one of the two is edited, so a search may
+/// clone freely. Iteration is always in the order of node numbers. Build one
+/// with [`SceneBuilder`](crate::SceneBuilder) or read one with
+/// [`format`](crate::format); change it with [`SceneGraph::edit`] or, as an agent
+/// would, with [`Simulator`](crate::Simulator).
+///
+/// ```
+/// use vc_graph::{Draft, Relation, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let graph = scene.build();
+/// assert_eq!(graph.room_of(apple), Some(kitchen));
+/// assert_eq!(graph.of_class("table"), [table]); // a kitchen table is a table
+/// assert_eq!(graph.label(apple).to_string(), "apple.3");
+/// # Ok::<(), vc_graph::EditError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct SceneGraph {
+    pub(crate) name: Arc<str>,
+    pub(crate) classes: Arc<ClassTable>,
+    pub(crate) assets: Arc<AssetLibrary>,
+    pub(crate) nodes: Store<Node>,
+    pub(crate) by_class: Arc<BTreeMap<Arc<str>, Vec<NodeId>>>,
+    pub(crate) rooms: Arc<Vec<NodeId>>,
+    pub(crate) agents: Arc<Vec<NodeId>>,
+    pub(crate) grid: Arc<Grid>,
+    pub(crate) next: u32,
+}
+
+/// Where a thing is: on, in, held by or worn by what.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Place {
+    /// On, inside, worn by, sitting on, lying on, or one of the holding hands.
+    pub relation: Relation,
+    /// What it is on, in or with.
+    pub at: NodeId,
+}
+
+impl SceneGraph {
+    /// An empty scene that knows the classes of a table.
+    pub fn new(name: impl Into<Arc<str>>, classes: Arc<ClassTable>) -> Self {
+        Self {
+            name: name.into(),
+            classes,
+            assets: Arc::default(),
+            nodes: Store::default(),
+            by_class: Arc::default(),
+            rooms: Arc::default(),
+            agents: Arc::default(),
+            grid: Arc::default(),
+            next: 1,
+        }
+    }
+
+    /// The scene's name, `Apartment_0`.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The classes the scene goes by.
+    pub fn classes(&self) -> &Arc<ClassTable> {
+        &self.classes
+    }
+
+    /// The shapes its nodes point into.
+    pub fn assets(&self) -> &Arc<AssetLibrary> {
+        &self.assets
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether there are no nodes.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The node of a number.
+    pub fn node(&self, id: NodeId) -> Option<&Node> {
+        self.nodes.get(id).map(Arc::as_ref)
+    }
+
+    /// All nodes.
+    pub fn nodes(&self) -> impl Iterator<Item = &Node> {
+        self.nodes.iter().map(Arc::as_ref)
+    }
+
+    /// Class and number of a node, for people; the class of a missing one is `?`.
+    pub fn label(&self, id: NodeId) -> Label {
+        self.node(id).map_or_else(|| Label { class: "?".into(), id }, Node::label)
+    }
+
+    /// The rooms.
+    pub fn rooms(&self) -> &[NodeId] {
+        &self.rooms
+    }
+
+    /// The agents.
+    pub fn agents(&self) -> &[NodeId] {
+        &self.agents
+    }
+
+    /// Nodes of a class, of its kinds (`table` finds kitchen tables) or of another
+    /// spelling of it. Costs a look-up for each kind of the class.
+    pub fn of_class(&self, class: &str) -> Vec<NodeId> {
+        let mut found: Vec<NodeId> = match self.classes.get(class) {
+            Some(class) => {
+                self.classes.kinds_of(class).filter_map(|kind| self.by_class.get(&kind.name)).flatten().copied().collect()
+            }
+            None => self.by_class.get(folded(class).collect::<String>().as_str()).cloned().unwrap_or_default(),
+        };
+        found.sort_unstable();
+        found
+    }
+
+    /// What is in a room, wherever in it.
+    pub fn in_room(&self, room: NodeId) -> impl Iterator<Item = NodeId> + '_ {
+        self.relating(Relation::InRoom, room)
+    }
+
+    /// The room a node is in; a room is in itself.
+    pub fn room_of(&self, id: NodeId) -> Option<NodeId> {
+        let node = self.node(id)?;
+        match node.kind() {
+            Kind::Room => Some(id),
+            _ => node.out(Relation::InRoom).next(),
+        }
+    }
+
+    /// Nodes whose position is within `radius` metres of a point, borders
+    /// included, by a grid: the cost grows with what is found, not with the scene.
+    pub fn within(&self, centre: Point3<f32>, radius: f32) -> Vec<NodeId> {
+        self.grid.within(centre, radius)
+    }
+
+    /// Where a relation leads from a node.
+    pub fn related(&self, from: NodeId, relation: Relation) -> impl Iterator<Item = NodeId> + '_ {
+        self.node(from).into_iter().flat_map(move |n| n.out(relation))
+    }
+
+    /// Where a relation comes from that ends at a node.
+    pub fn relating(&self, relation: Relation, to: NodeId) -> impl Iterator<Item = NodeId> + '_ {
+        self.node(to).into_iter().flat_map(move |n| n.inc(relation))
+    }
+
+    /// Whether a relation holds as an edge of the graph.
+    pub fn has(&self, edge: Edge) -> bool {
+        self.node(edge.from).is_some_and(|n| n.has(edge.relation, edge.to))
+    }
+
+    /// All relations, by start, kind and end; symmetric ones occur both ways.
+    pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
+        self.nodes().flat_map(|n| n.out.iter().map(|l| Edge::new(n.id, l.relation, l.node)))
+    }
+
+    /// What an agent holds, the right hand first.
+    pub fn held(&self, agent: NodeId) -> impl Iterator<Item = NodeId> + '_ {
+        Relation::hands().into_iter().flat_map(move |hand| self.related(agent, hand))
+    }
+
+    /// The hand an agent has free, the right one first.
+    pub fn free_hand(&self, agent: NodeId) -> Option<Relation> {
+        Relation::hands().into_iter().find(|&hand| self.related(agent, hand).next().is_none())
+    }
+
+    /// Who holds a thing, and in which hand.
+    pub fn holder(&self, id: NodeId) -> Option<Place> {
+        let held_by = |hand| self.relating(hand, id).next().map(|at| Place { relation: hand, at });
+        Relation::hands().into_iter().find_map(held_by)
+    }
+
+    /// Everything a node directly rests on, in or with.
+    pub fn places(&self, id: NodeId) -> impl Iterator<Item = Place> + '_ {
+        let resting = Relation::places().iter().flat_map(move |&relation| {
+            self.related(id, relation).map(move |at| Place { relation, at })
+        });
+        self.holder(id).into_iter().chain(resting)
+    }
+
+    /// The nearest thing a node rests on, in or with: of several containers the
+    /// innermost. `None` for what stands in the room itself.
+    pub fn place(&self, id: NodeId) -> Option<Place> {
+        let depth = |p: &Place| self.related(p.at, Relation::Inside).count();
+        let mut best: Option<(usize, Place)> = None;
+        for place in self.places(id) {
+            let rank = depth(&place) + if place.relation == Relation::Inside { 0 } else { 1000 };
+            if best.is_none_or(|(r, _)| rank > r) {
+                best = Some((rank, place));
+            }
+        }
+        best.map(|(_, place)| place)
+    }
+
+    /// What directly rests on, in or with a node, or is held by it.
+    pub fn resting_at(&self, id: NodeId) -> impl Iterator<Item = NodeId> + '_ {
+        let resting = Relation::places().iter().flat_map(move |&relation| self.relating(relation, id));
+        resting.chain(self.held(id))
+    }
+
+    /// The node and all that moves with it, itself first.
+    pub fn carried_with(&self, id: NodeId) -> Vec<NodeId> {
+        let mut all = vec![id];
+        let mut next = 0;
+        while let Some(&node) = all.get(next) {
+            next += 1;
+            for child in self.resting_at(node) {
+                if !all.contains(&child) {
+                    all.push(child);
+                }
+            }
+        }
+        all
+    }
+
+    /// What a node rests on, in or with, directly or through other things,
+    /// nearest first.
+    pub fn support_chain(&self, id: NodeId) -> Vec<NodeId> {
+        let mut chain = Vec::new();
+        self.climb(id, &mut chain, &mut |_| false);
+        chain
+    }
+
+    /// Walks up from a node until `stop` says so; tolerates cyclic data.
+    fn climb(&self, id: NodeId, seen: &mut Vec<NodeId>, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
+        for place in self.places(id) {
+            if seen.contains(&place.at) {
+                continue;
+            }
+            seen.push(place.at);
+            if stop(place) {
+                return Some(place.at);
+            }
+            if let Some(found) = self.climb(place.at, seen, stop) {
+                return Some(found);
+            }
+        }
+        None
+    }
+
+    /// The closed container that hides a node, if one does: nearest first.
+    pub fn hidden_in(&self, id: NodeId) -> Option<NodeId> {
+        let closed = |p: Place| p.relation == Relation::Inside && self.node(p.at).is_some_and(Node::hides_contents);
+        self.climb(id, &mut Vec::new(), &mut { closed })
+    }
+
+    /// Whether something rests on `at`, directly or through other things.
+    pub fn rests_at(&self, id: NodeId, at: NodeId) -> bool {
+        self.climb(id, &mut Vec::new(), &mut |p| p.at == at).is_some()
+    }
+
+    /// Whether an agent is near a thing: it holds or wears it or rests on it; the
+    /// graph says so, directly or through one thing near both (VirtualHome's
+    /// rule); the thing rests on or in something near; or, where poses are known
+    /// and the room is the same, its box is within [`NEAR`] metres.
+    pub fn near(&self, agent: NodeId, id: NodeId) -> bool {
+        let (Some(body), Some(node)) = (self.node(agent), self.node(id)) else { return false };
+        if node.affords(crate::Property::BodyPart) || body.has(Relation::Near, id) {
+            return true;
+        }
+        if node.kind() == Kind::Room {
+            return self.room_of(agent) == Some(id);
+        }
+        if body.out(Relation::Near).any(|n| node.has(Relation::Near, n)) {
+            return true;
+        }
+        let at_hand = |p: Place| p.at == agent || body.has(Relation::Near, p.at);
+        self.climb(id, &mut Vec::new(), &mut { at_hand }).is_some()
+            || self.rests_at(agent, id)
+            || self.within_reach(body, node)
+    }
+
+    fn within_reach(&self, agent: &Node, node: &Node) -> bool {
+        self.room_of(agent.id) == self.room_of(node.id)
+            && self.distance(agent.id, node.id).is_some_and(|d| d <= NEAR)
+    }
+
+    /// Distance over the floor from a node's position to another's box (to its
+    /// position, if it has no box), metres; `None` without poses.
+    pub fn distance(&self, from: NodeId, to: NodeId) -> Option<f32> {
+        let start = self.node(from)?.position()?;
+        let target = self.node(to)?;
+        let nearest = match target.aabb() {
+            Some(aabb) => aabb.nearest(&start),
+            None => target.position()?,
+        };
+        Some((nearest - start).xy().norm())
+    }
+
+    /// Whether an agent faces a thing, directly or through one thing that does
+    /// (a computer screen it sits before faces the same way).
+    pub fn facing(&self, agent: NodeId, id: NodeId) -> bool {
+        self.has(Edge::new(agent, Relation::Facing, id))
+            || self.related(agent, Relation::Facing).any(|n| self.has(Edge::new(n, Relation::Facing, id)))
+    }
+
+    /// Begins an edit that keeps the graph's invariants.
+    pub fn edit(&mut self) -> Edit<'_> {
+        Edit::new(self)
+    }
+}
+
+/// The primitive writes that edits and change sets are made of. Each keeps both
+/// ends of a relation and all indexes in step, and nothing else.
+impl SceneGraph {
+    pub(crate) fn insert(&mut self, node: Arc<Node>) {
+        let (id, kind, class) = (node.id, node.kind(), node.class().clone());
+        if let Some(at) = node.position() {
+            Arc::make_mut(&mut self.grid).insert(id, at);
+        }
+        add_sorted(Arc::make_mut(&mut self.by_class).entry(class).or_default(), id);
+        match kind {
+            Kind::Room => add_sorted(Arc::make_mut(&mut self.rooms), id),
+            Kind::Agent => add_sorted(Arc::make_mut(&mut self.agents), id),
+            Kind::Object => {}
+        }
+        self.next = self.next.max(id.0.saturating_add(1));
+        self.nodes.insert(id, node);
+    }
+
+    /// Takes out a node that has no relations left.
+    pub(crate) fn take(&mut self, id: NodeId) -> Option<Arc<Node>> {
+        let node = self.nodes.remove(id)?;
+        if let Some(at) = node.position() {
+            Arc::make_mut(&mut self.grid).remove(id, at);
+        }
+        let by_class = Arc::make_mut(&mut self.by_class);
+        if let Some(ids) = by_class.get_mut(node.class()) {
+            remove_sorted(ids, id);
+            if ids.is_empty() {
+                by_class.remove(node.class());
+            }
+        }
+        match node.kind() {
+            Kind::Room => remove_sorted(Arc::make_mut(&mut self.rooms), id),
+            Kind::Agent => remove_sorted(Arc::make_mut(&mut self.agents), id),
+            Kind::Object => {}
+        }
+        Some(node)
+    }
+
+    /// Adds an edge; `false` if it was there or an end is missing.
+    pub(crate) fn link(&mut self, edge: Edge) -> bool {
+        if self.node(edge.from).is_none() || self.node(edge.to).is_none() || self.has(edge) {
+            return false;
+        }
+        self.each_end(edge, |links, link| add_sorted(links, link));
+        true
+    }
+
+    /// Removes an edge; `false` if it was not there.
+    pub(crate) fn unlink(&mut self, edge: Edge) -> bool {
+        if !self.has(edge) {
+            return false;
+        }
+        self.each_end(edge, |links, link| remove_sorted(links, link));
+        true
+    }
+
+    fn each_end(&mut self, edge: Edge, write: impl Fn(&mut Vec<Link>, Link)) {
+        if let Some(node) = self.nodes.get_mut(edge.from) {
+            write(&mut node.out, Link { relation: edge.relation, node: edge.to });
+        }
+        let back = Link { relation: edge.relation, node: edge.from };
+        match self.nodes.get_mut(edge.to) {
+            Some(node) if edge.relation.is_symmetric() => write(&mut node.out, back),
+            Some(node) => write(&mut node.inc, back),
+            None => {}
+        }
+    }
+
+    pub(crate) fn set_pose(&mut self, id: NodeId, pose: Option<crate::Pose>) {
+        let Some(node) = self.nodes.get_mut(id) else { return };
+        let old = node.position();
+        node.pose = pose;
+        let new = node.position();
+        let grid = Arc::make_mut(&mut self.grid);
+        if let Some(at) = old {
+            grid.remove(id, at);
+        }
+        if let Some(at) = new {
+            grid.insert(id, at);
+        }
+    }
+}
+
+fn add_sorted<T: Ord>(items: &mut Vec<T>, item: T) {
+    if let Err(position) = items.binary_search(&item) {
+        items.insert(position, item);
+    }
+}
+
+fn remove_sorted<T: Ord>(items: &mut Vec<T>, item: T) {
+    if let Ok(position) = items.binary_search(&item) {
+        items.remove(position);
+    }
+}
+
+/// Scenes are equal when they are the same scene: same name, same nodes, same
+/// relations. How they came to be does not matter.
+impl PartialEq for SceneGraph {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name && self.len() == other.len() && self.nodes.iter().eq(other.nodes.iter())
+    }
+}

@@ -1,0 +1,45 @@
+#![doc = include_str!("../FRONT.md")]
+
+mod action;
+pub mod asset;
+mod builder;
+mod change;
+pub mod class;
+mod digest;
+mod edit;
+mod geometry;
+pub mod goal;
+mod graph;
+mod grid;
+mod id;
+mod node;
+mod observe;
+mod property;
+mod relation;
+pub mod rule;
+mod simulator;
+mod state;
+mod store;
+mod validate;
+mod vocabulary;
+
+pub use action::{Action, ActionError, Verb};
+pub use asset::{Asset, AssetId, AssetLibrary};
+pub use builder::SceneBuilder;
+pub use change::{Change, ChangeSet, Misfit};
+pub use class::{Class, ClassError, ClassTable};
+pub use digest::Digest;
+pub use edit::{Edit, EditError};
+pub use geometry::{Aabb, Bounds, Frame, Pose};
+pub use goal::Goal;
+pub use graph::{NEAR, Place, SceneGraph};
+pub use id::{BadLabel, Label, NodeId};
+pub use node::{Draft, Kind, Node, Spec};
+pub use observe::{Observation, Scope};
+pub use property::{Property, PropertySet};
+pub use relation::{Edge, Relation};
+pub use rule::{Condition, Effect, Refusal, Rule};
+pub use simulator::{Event, History, Simulator};
+pub use state::{State, StateSet};
+pub use validate::Violation;
+pub use vocabulary::{Set, UnknownWord, Word};

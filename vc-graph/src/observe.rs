@@ -1,0 +1,161 @@
+//! What an agent can see.
+
+use std::sync::Arc;
+
+use crate::node::Kind;
+use crate::{Edge, Node, NodeId, Place, Relation, SceneGraph};
+
+/// How far an observation reaches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Scope {
+    /// The agent's room, as the thesis's belief uses it.
+    Room,
+    /// A radius around the agent, metres; needs poses.
+    Radius(f32),
+    /// Everything, closed containers included: full knowledge.
+    Whole,
+}
+
+/// What an agent sees: a snapshot that shares its nodes with the scene.
+///
+/// By room and by radius one sees what is there and not inside anything closed,
+/// and always all rooms, oneself, and what one holds and wears. Relations are seen
+/// when both ends are.
+#[derive(Debug, Clone)]
+pub struct Observation {
+    agent: NodeId,
+    scope: Scope,
+    room: Option<NodeId>,
+    nodes: Vec<Arc<Node>>,
+}
+
+impl SceneGraph {
+    /// What an agent sees. Costs a look at each node in reach.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Scope};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// assert!(!graph.observe(me, Scope::Room).sees(milk)); // the fridge is closed
+    /// assert!(graph.observe(me, Scope::Whole).sees(milk));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn observe(&self, agent: NodeId, scope: Scope) -> Observation {
+        let room = self.room_of(agent);
+        let mut seen: Vec<NodeId> = match scope {
+            Scope::Whole => self.nodes().map(Node::id).collect(),
+            Scope::Room => room.into_iter().flat_map(|r| self.in_room(r)).filter(|&id| self.open_to_view(id)).collect(),
+            Scope::Radius(radius) => self.seen_within(agent, radius),
+        };
+        if scope != Scope::Whole {
+            seen.extend_from_slice(self.rooms());
+            seen.extend(self.carried_with(agent).into_iter().filter(|&id| self.open_to_view(id)));
+            seen.sort_unstable();
+            seen.dedup();
+        }
+        let nodes = seen.into_iter().filter_map(|id| self.nodes.get(id)).cloned().collect();
+        Observation { agent, scope, room, nodes }
+    }
+
+    fn open_to_view(&self, id: NodeId) -> bool {
+        self.hidden_in(id).is_none()
+    }
+
+    fn seen_within(&self, agent: NodeId, radius: f32) -> Vec<NodeId> {
+        let Some(centre) = self.node(agent).and_then(Node::position) else { return Vec::new() };
+        self.within(centre, radius).into_iter().filter(|&id| self.open_to_view(id)).collect()
+    }
+}
+
+impl Observation {
+    /// Who observes.
+    pub fn agent(&self) -> NodeId {
+        self.agent
+    }
+
+    /// How far the observation reaches.
+    pub fn scope(&self) -> Scope {
+        self.scope
+    }
+
+    /// The room the agent is in.
+    pub fn room(&self) -> Option<NodeId> {
+        self.room
+    }
+
+    /// Everything seen, in number order.
+    pub fn ids(&self) -> impl Iterator<Item = NodeId> + '_ {
+        self.nodes.iter().map(|n| n.id())
+    }
+
+    /// Number of nodes seen.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether nothing is seen.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// Whether a node is seen.
+    pub fn sees(&self, id: NodeId) -> bool {
+        self.get(id).is_some()
+    }
+
+    /// A node that is seen: its states, pose and what it is. Its relations are
+    /// found in [`Observation::relations`].
+    pub fn get(&self, id: NodeId) -> Option<&Node> {
+        let position = self.nodes.binary_search_by_key(&id, |n| n.id()).ok()?;
+        Some(&self.nodes[position])
+    }
+
+    /// All nodes seen, in number order.
+    pub fn nodes(&self) -> impl Iterator<Item = &Node> {
+        self.nodes.iter().map(Arc::as_ref)
+    }
+
+    /// The relations whose both ends are seen.
+    pub fn relations(&self) -> impl Iterator<Item = Edge> + '_ {
+        let edges = self.nodes().flat_map(|n| n.out.iter().map(|l| Edge::new(n.id, l.relation, l.node)));
+        edges.filter(|e| self.sees(e.to))
+    }
+
+    /// Where a seen thing is seen to be: on, in, worn or held by what.
+    pub fn places(&self, id: NodeId) -> impl Iterator<Item = Place> + '_ {
+        let node = self.get(id);
+        let resting = Relation::places().iter().flat_map(move |&relation| {
+            let targets = node.into_iter().flat_map(move |n| n.out(relation));
+            targets.map(move |at| Place { relation, at })
+        });
+        let held = Relation::hands().into_iter().flat_map(move |relation| {
+            let holders = node.into_iter().flat_map(move |n| n.inc(relation));
+            holders.map(move |at| Place { relation, at })
+        });
+        held.chain(resting).filter(|p| self.sees(p.at))
+    }
+
+    /// The room a seen thing is in.
+    pub fn room_of(&self, id: NodeId) -> Option<NodeId> {
+        let node = self.get(id)?;
+        if node.kind() == Kind::Room { Some(id) } else { node.out(Relation::InRoom).next() }
+    }
+
+    /// The seen part as a scene of its own.
+    pub fn to_graph(&self, of: &SceneGraph) -> SceneGraph {
+        let mut part = SceneGraph::new(of.name.clone(), of.classes.clone());
+        part.assets = of.assets.clone();
+        for node in &self.nodes {
+            let mut node = Node::clone(node);
+            node.out.retain(|l| self.sees(l.node));
+            node.inc.retain(|l| self.sees(l.node));
+            part.insert(Arc::new(node));
+        }
+        part
+    }
+}

@@ -1,0 +1,567 @@
+//! What actions need.
+
+use crate::class::SlotKind;
+use crate::node::{Kind, Node};
+use crate::rule::effect::Role;
+use crate::validate::{carries, encloses};
+use crate::{Action, Edge, EditError, Label, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
+
+/// Something an action needs. `T` is the role of a thing in the rule table, or the
+/// thing itself when the condition is [grounded](Condition::ground).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Condition<T = NodeId> {
+    /// The thing has a property.
+    Affords(T, Property),
+    /// The thing is in a state.
+    In(T, State),
+    /// The thing is not in a state.
+    NotIn(T, State),
+    /// The agent is near the thing, see [`SceneGraph::near`].
+    Near(T),
+    /// The thing is in a room or is one: one can go there.
+    Reachable(T),
+    /// The thing is not inside anything closed.
+    Accessible(T),
+    /// The thing can be picked up.
+    Graspable(T),
+    /// No other agent holds the thing, and the agent does not rest on it.
+    NotElsewhereHeld(T),
+    /// The agent has a free hand.
+    FreeHand,
+    /// The agent has a free hand, or the thing is in one of its hands.
+    FreeHandOrHolding(T),
+    /// The agent holds the thing.
+    Holding(T),
+    /// The agent holds something.
+    HoldingSomething,
+    /// The agent holds something that has a property.
+    HoldingKind(Property),
+    /// Things can be put on it.
+    Carries(T),
+    /// Things can be put in it.
+    Encloses(T),
+    /// If it opens, it is open.
+    Accepts(T),
+    /// The first has room on or in the second, where sizes are known.
+    Fits(T, T),
+    /// What the held thing was taken from is near, and open if need be.
+    OriginNear(T),
+    /// The agent stands.
+    Upright,
+    /// The agent stands, or is near the thing.
+    UprightOrNear(T),
+    /// The agent sits or lies.
+    AtRest,
+    /// The agent does not sit.
+    NotSitting,
+    /// The agent does not lie.
+    NotLying,
+    /// There is a free place to sit.
+    SeatFree(T),
+    /// There is a free place to lie.
+    BedFree(T),
+    /// There is a free seat in the vehicle.
+    SeatInside(T),
+    /// The agent is in a vehicle.
+    Aboard,
+    /// The agent is in this vehicle.
+    AboardOf(T),
+    /// The agent faces the thing.
+    Facing(T),
+    /// The thing is in the agent's room.
+    SameRoom(T),
+    /// The agent wears the thing.
+    Worn(T),
+    /// It can be eaten, or something on it can.
+    Edible(T),
+    /// It can be drunk, or something can be in it to drink.
+    Potable(T),
+    /// It can be poured.
+    Liquid(T),
+    /// Liquids can be poured into it, or onto it.
+    Receives(T),
+    /// It is food that can be cut.
+    Cuttable(T),
+    /// It is on or in a heater that is on, directly or in a pot.
+    OnHeat(T),
+    /// It moves when pushed or pulled.
+    Mobile(T),
+    /// It gives when squeezed.
+    Soft(T),
+    /// One can type on it.
+    Typable(T),
+    /// It is a person.
+    Personal(T),
+    /// A relation holds between two things. No verb needs it as such; goals do.
+    Related(T, Relation, T),
+}
+
+/// Why an action is refused. Every refusal names the things and says what is
+/// missing.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// There is no such thing.
+    #[error("there is no node {0} in this scene")]
+    NoSuchThing(NodeId),
+    /// The one who is to act is no agent.
+    #[error("{0} is no agent and cannot act")]
+    NoAgent(Label),
+    /// Too few things are named.
+    #[error("`{verb}` takes {takes} things, {given} are given")]
+    Arity {
+        /// The verb.
+        verb: Verb,
+        /// How many it takes.
+        takes: usize,
+        /// How many there are.
+        given: usize,
+    },
+    /// The thing does not afford it.
+    #[error("{0} is not {1}")]
+    NotAfforded(Label, &'static str),
+    /// The thing is not in the state.
+    #[error("{0} is not {1}")]
+    NotInState(Label, State),
+    /// The thing is in the state.
+    #[error("{0} is {1}")]
+    InState(Label, State),
+    /// The thing is not near.
+    #[error("not near: {thing} is {}", far(*.distance))]
+    NotNear {
+        /// The thing.
+        thing: Label,
+        /// How far away, metres, where poses are known.
+        distance: Option<f32>,
+    },
+    /// The thing is nowhere one could go.
+    #[error("{0} is in no room: there is no way to it")]
+    NoWay(Label),
+    /// The thing is in something closed.
+    #[error("{thing} is inside {inside}, which is closed")]
+    Hidden {
+        /// The thing.
+        thing: Label,
+        /// What it is inside.
+        inside: Label,
+    },
+    /// Both hands are full.
+    #[error("no free hand: both hold something")]
+    NoFreeHand,
+    /// The agent does not hold the thing.
+    #[error("{0} is not in hand")]
+    NotHeld(Label),
+    /// The agent's hands are empty.
+    #[error("nothing is in hand")]
+    EmptyHands,
+    /// The agent holds nothing of the kind.
+    #[error("nothing in hand is a {0}")]
+    NoTool(Property),
+    /// Another agent holds the thing.
+    #[error("{by} holds {thing}")]
+    HeldByOther {
+        /// The thing.
+        thing: Label,
+        /// Who holds it.
+        by: Label,
+    },
+    /// The agent would carry what it rests on.
+    #[error("one rests on {0} oneself")]
+    RestingOnIt(Label),
+    /// The container is closed.
+    #[error("{0} is closed")]
+    Shut(Label),
+    /// There is no room for it.
+    #[error("{thing} does not fit: {at} {why}")]
+    DoesNotFit {
+        /// What was to be put there.
+        thing: Label,
+        /// Where.
+        at: Label,
+        /// What is in the way.
+        why: &'static str,
+    },
+    /// The agent sits or lies.
+    #[error("one must stand up first")]
+    NotUpright,
+    /// The agent does neither sit nor lie.
+    #[error("one neither sits nor lies")]
+    NotAtRest,
+    /// The agent is in that posture already.
+    #[error("one is {0} already")]
+    PostureAlready(State),
+    /// All places are taken.
+    #[error("all {places} places on {seat} are taken")]
+    Occupied {
+        /// What one would sit or lie on.
+        seat: Label,
+        /// How many places it has.
+        places: u32,
+    },
+    /// The agent is in no vehicle, or in another.
+    #[error("one is not in {0}")]
+    NotAboard(String),
+    /// The agent does not face the thing.
+    #[error("one does not face {0}; turn to it first")]
+    NotFacing(Label),
+    /// The thing is in another room.
+    #[error("{thing} is in {room}, another room")]
+    OtherRoom {
+        /// The thing.
+        thing: Label,
+        /// The room it is in.
+        room: Label,
+    },
+    /// The agent does not wear the thing.
+    #[error("one does not wear {0}")]
+    NotWorn(Label),
+    /// Nothing heats the thing.
+    #[error("{0} is not on or in anything hot that is switched on")]
+    NoHeat(Label),
+    /// The relation does not hold.
+    #[error("not: {0} {1} {2}")]
+    NotRelated(Label, Relation, Label),
+    /// The effects could not be carried out.
+    #[error(transparent)]
+    Edit(#[from] EditError),
+}
+
+fn far(distance: Option<f32>) -> String {
+    distance.map_or_else(|| "too far away".into(), |d| format!("{d:.1} m away"))
+}
+
+/// Whether the action's agent and things exist and are as many as the verb takes.
+pub(super) fn check_things(graph: &SceneGraph, agent: NodeId, action: &Action) -> Option<Refusal> {
+    let Some(body) = graph.node(agent) else { return Some(Refusal::NoSuchThing(agent)) };
+    if body.kind() != Kind::Agent {
+        return Some(Refusal::NoAgent(body.label()));
+    }
+    let (verb, takes, given) = (action.verb, action.verb.arity(), action.things().count());
+    if takes != given {
+        return Some(Refusal::Arity { verb, takes, given });
+    }
+    action.things().find(|&id| graph.node(id).is_none()).map(Refusal::NoSuchThing)
+}
+
+impl Condition<Role> {
+    /// The condition on the things of an action; `None` if the action lacks one.
+    pub fn ground(self, action: &Action) -> Option<Condition> {
+        use Condition as C;
+        let of = |role: Role| role.of(action);
+        Some(match self {
+            C::Affords(t, p) => C::Affords(of(t)?, p),
+            C::In(t, s) => C::In(of(t)?, s),
+            C::NotIn(t, s) => C::NotIn(of(t)?, s),
+            C::Near(t) => C::Near(of(t)?),
+            C::Reachable(t) => C::Reachable(of(t)?),
+            C::Accessible(t) => C::Accessible(of(t)?),
+            C::Graspable(t) => C::Graspable(of(t)?),
+            C::NotElsewhereHeld(t) => C::NotElsewhereHeld(of(t)?),
+            C::FreeHand => C::FreeHand,
+            C::FreeHandOrHolding(t) => C::FreeHandOrHolding(of(t)?),
+            C::Holding(t) => C::Holding(of(t)?),
+            C::HoldingSomething => C::HoldingSomething,
+            C::HoldingKind(p) => C::HoldingKind(p),
+            C::Carries(t) => C::Carries(of(t)?),
+            C::Encloses(t) => C::Encloses(of(t)?),
+            C::Accepts(t) => C::Accepts(of(t)?),
+            C::Fits(t, u) => C::Fits(of(t)?, of(u)?),
+            C::OriginNear(t) => C::OriginNear(of(t)?),
+            C::Upright => C::Upright,
+            C::UprightOrNear(t) => C::UprightOrNear(of(t)?),
+            C::AtRest => C::AtRest,
+            C::NotSitting => C::NotSitting,
+            C::NotLying => C::NotLying,
+            C::SeatFree(t) => C::SeatFree(of(t)?),
+            C::BedFree(t) => C::BedFree(of(t)?),
+            C::SeatInside(t) => C::SeatInside(of(t)?),
+            C::Aboard => C::Aboard,
+            C::AboardOf(t) => C::AboardOf(of(t)?),
+            C::Facing(t) => C::Facing(of(t)?),
+            C::SameRoom(t) => C::SameRoom(of(t)?),
+            C::Worn(t) => C::Worn(of(t)?),
+            C::Edible(t) => C::Edible(of(t)?),
+            C::Potable(t) => C::Potable(of(t)?),
+            C::Liquid(t) => C::Liquid(of(t)?),
+            C::Receives(t) => C::Receives(of(t)?),
+            C::Cuttable(t) => C::Cuttable(of(t)?),
+            C::OnHeat(t) => C::OnHeat(of(t)?),
+            C::Mobile(t) => C::Mobile(of(t)?),
+            C::Soft(t) => C::Soft(of(t)?),
+            C::Typable(t) => C::Typable(of(t)?),
+            C::Personal(t) => C::Personal(of(t)?),
+            C::Related(t, r, u) => C::Related(of(t)?, r, of(u)?),
+        })
+    }
+}
+
+/// Classes besides clothes that can be squeezed.
+const SOFT: &[&str] = &[
+    "toothpaste", "shampoo", "food_peanut_butter", "dish_soap", "soap", "bar_soap", "towel", "rag", "paper", "sponge",
+    "lemon", "check", "condiment_bottle", "cleaning_solution", "washing_sponge", "lotion_bottle",
+];
+
+impl Condition {
+    /// Whether the condition holds for an agent.
+    pub fn holds(&self, graph: &SceneGraph, agent: NodeId) -> bool {
+        self.check(graph, agent).is_ok()
+    }
+
+    /// Whether the condition holds for an agent, and if not, why.
+    ///
+    /// # Errors
+    /// The [`Refusal`] an action that needs it meets.
+    pub fn check(&self, graph: &SceneGraph, agent: NodeId) -> Result<(), Refusal> {
+        let scene = Scene { graph, agent, body: find(graph, agent)? };
+        match *self {
+            Self::Affords(t, p) => scene.affords(t, &[p]),
+            Self::In(t, s) => require(find(graph, t)?.is(s), || Refusal::NotInState(graph.label(t), s)),
+            Self::NotIn(t, s) => require(!find(graph, t)?.is(s), || Refusal::InState(graph.label(t), s)),
+            Self::Near(t) => scene.near(t),
+            Self::Reachable(t) => require(graph.room_of(t).is_some(), || Refusal::NoWay(graph.label(t))),
+            Self::Accessible(t) => scene.accessible(t),
+            Self::Graspable(t) => scene.graspable(t),
+            Self::NotElsewhereHeld(t) => scene.not_elsewhere_held(t),
+            Self::FreeHand => require(graph.free_hand(agent).is_some(), || Refusal::NoFreeHand),
+            Self::FreeHandOrHolding(t) => {
+                require(graph.free_hand(agent).is_some() || scene.holds(t), || Refusal::NoFreeHand)
+            }
+            Self::Holding(t) => require(scene.holds(t), || Refusal::NotHeld(graph.label(t))),
+            Self::HoldingSomething => require(graph.held(agent).next().is_some(), || Refusal::EmptyHands),
+            Self::HoldingKind(p) => scene.holds_tool(p),
+            Self::Carries(t) => require(carries(find(graph, t)?), || Refusal::NotAfforded(graph.label(t), "a surface")),
+            Self::Encloses(t) => {
+                require(encloses(find(graph, t)?), || Refusal::NotAfforded(graph.label(t), "a container"))
+            }
+            Self::Accepts(t) => require(!find(graph, t)?.hides_contents(), || Refusal::Shut(graph.label(t))),
+            Self::Fits(t, at) => fits(graph, t, at),
+            Self::OriginNear(t) => scene.origin_near(t),
+            Self::Upright => require(!scene.at_rest(), || Refusal::NotUpright),
+            Self::UprightOrNear(t) => require(!scene.at_rest() || graph.near(agent, t), || Refusal::NotUpright),
+            Self::AtRest => require(scene.at_rest(), || Refusal::NotAtRest),
+            Self::NotSitting => scene.not_yet(State::Sitting),
+            Self::NotLying => scene.not_yet(State::Lying),
+            Self::SeatFree(t) => free_place(graph, t, Relation::SittingOn, SlotKind::Seat),
+            Self::BedFree(t) => free_place(graph, t, Relation::LyingOn, SlotKind::Lie),
+            Self::SeatInside(t) => scene.seat_inside(t),
+            Self::Aboard => require(vehicle_of(graph, agent).is_some(), || Refusal::NotAboard("any vehicle".into())),
+            Self::AboardOf(t) => {
+                require(vehicle_of(graph, agent) == Some(t), || Refusal::NotAboard(graph.label(t).to_string()))
+            }
+            Self::Facing(t) => require(graph.facing(agent, t), || Refusal::NotFacing(graph.label(t))),
+            Self::SameRoom(t) => scene.same_room(t),
+            Self::Worn(t) => {
+                let worn = graph.related(t, Relation::WornBy).any(|by| by == agent);
+                require(worn, || Refusal::NotWorn(graph.label(t)))
+            }
+            Self::Edible(t) => scene.edible(t),
+            Self::Potable(t) => scene.affords(t, &[Property::Drinkable, Property::Recipient]),
+            Self::Liquid(t) => scene.liquid(t),
+            Self::Receives(t) => scene.receives(t),
+            Self::Cuttable(t) => scene.affords(t, &[Property::Eatable]).and(scene.affords(t, &[Property::Cuttable])),
+            Self::OnHeat(t) => scene.on_heat(t),
+            Self::Mobile(t) => scene.affords(t, &[Property::Movable, Property::Graspable, Property::Sittable]),
+            Self::Soft(t) => scene.soft(t),
+            Self::Typable(t) => scene.typable(t),
+            Self::Personal(t) => {
+                let node = find(graph, t)?;
+                let person = node.kind() == Kind::Agent || node.affords(Property::Person);
+                require(person, || Refusal::NotAfforded(node.label(), "a person"))
+            }
+            Self::Related(t, relation, u) => {
+                let refusal = || Refusal::NotRelated(graph.label(t), relation, graph.label(u));
+                require(graph.has(Edge::new(t, relation, u)), refusal)
+            }
+        }
+    }
+}
+
+fn require(holds: bool, refusal: impl FnOnce() -> Refusal) -> Result<(), Refusal> {
+    if holds { Ok(()) } else { Err(refusal()) }
+}
+
+fn find(graph: &SceneGraph, id: NodeId) -> Result<&Node, Refusal> {
+    graph.node(id).ok_or(Refusal::NoSuchThing(id))
+}
+
+/// The vehicle an agent is in.
+pub(super) fn vehicle_of(graph: &SceneGraph, agent: NodeId) -> Option<NodeId> {
+    let drivable = |id: &NodeId| graph.node(*id).is_some_and(|n| n.affords(Property::Drivable));
+    graph.related(agent, Relation::Inside).find(drivable)
+}
+
+/// A graph seen by an agent.
+struct Scene<'a> {
+    graph: &'a SceneGraph,
+    agent: NodeId,
+    body: &'a Node,
+}
+
+impl Scene<'_> {
+    fn affords(&self, id: NodeId, any: &[Property]) -> Result<(), Refusal> {
+        let node = find(self.graph, id)?;
+        let word = any.first().map_or("", |p| crate::vocabulary::Word::as_str(*p));
+        require(any.iter().any(|&p| node.affords(p)), || Refusal::NotAfforded(node.label(), word))
+    }
+
+    fn holds(&self, id: NodeId) -> bool {
+        Relation::hands().into_iter().any(|hand| self.body.has(hand, id))
+    }
+
+    fn at_rest(&self) -> bool {
+        self.body.is(State::Sitting) || self.body.is(State::Lying)
+    }
+
+    fn not_yet(&self, posture: State) -> Result<(), Refusal> {
+        require(!self.body.is(posture), || Refusal::PostureAlready(posture))
+    }
+
+    fn near(&self, id: NodeId) -> Result<(), Refusal> {
+        let refusal = || {
+            let distance = self.graph.distance(self.agent, id);
+            Refusal::NotNear { thing: self.graph.label(id), distance }
+        };
+        require(self.graph.near(self.agent, id), refusal)
+    }
+
+    fn accessible(&self, id: NodeId) -> Result<(), Refusal> {
+        match self.graph.hidden_in(id) {
+            Some(inside) => {
+                let (thing, inside) = (self.graph.label(id), self.graph.label(inside));
+                Err(Refusal::Hidden { thing, inside })
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn graspable(&self, id: NodeId) -> Result<(), Refusal> {
+        let node = find(self.graph, id)?;
+        // Water is scooped up; VirtualHome's programs grab it.
+        let scooped = &**node.class() == "water";
+        require(scooped || node.affords(Property::Graspable), || Refusal::NotAfforded(node.label(), "graspable"))
+    }
+
+    fn not_elsewhere_held(&self, id: NodeId) -> Result<(), Refusal> {
+        if let Some(place) = self.graph.holder(id).filter(|p| p.at != self.agent) {
+            let (thing, by) = (self.graph.label(id), self.graph.label(place.at));
+            return Err(Refusal::HeldByOther { thing, by });
+        }
+        require(!self.graph.rests_at(self.agent, id), || Refusal::RestingOnIt(self.graph.label(id)))
+    }
+
+    fn holds_tool(&self, property: Property) -> Result<(), Refusal> {
+        let tool = |id| self.graph.node(id).is_some_and(|n| n.affords(property));
+        require(self.graph.held(self.agent).any(tool), || Refusal::NoTool(property))
+    }
+
+    fn origin_near(&self, id: NodeId) -> Result<(), Refusal> {
+        let Some(origin) = origin(self.graph, id) else { return Ok(()) };
+        fits(self.graph, id, origin.at)?;
+        self.accessible(origin.at)?;
+        if origin.relation == Relation::Inside && find(self.graph, origin.at)?.hides_contents() {
+            return Err(Refusal::Shut(self.graph.label(origin.at)));
+        }
+        self.near(origin.at)
+    }
+
+    fn seat_inside(&self, id: NodeId) -> Result<(), Refusal> {
+        let places = find(self.graph, id)?.slots(SlotKind::Seat).max(1);
+        let agent = |n: &NodeId| self.graph.node(*n).is_some_and(|n| n.kind() == Kind::Agent);
+        let taken = self.graph.relating(Relation::Inside, id).filter(agent).count();
+        require(taken < places as usize, || Refusal::Occupied { seat: self.graph.label(id), places })
+    }
+
+    fn same_room(&self, id: NodeId) -> Result<(), Refusal> {
+        let room = self.graph.room_of(id).ok_or_else(|| Refusal::NoWay(self.graph.label(id)))?;
+        let refusal = || Refusal::OtherRoom { thing: self.graph.label(id), room: self.graph.label(room) };
+        require(self.graph.room_of(self.agent) == Some(room), refusal)
+    }
+
+    fn edible(&self, id: NodeId) -> Result<(), Refusal> {
+        let eatable = |n: NodeId| self.graph.node(n).is_some_and(|n| n.affords(Property::Eatable));
+        let on_it = eatable(id) || self.graph.resting_at(id).any(eatable);
+        require(on_it, || Refusal::NotAfforded(self.graph.label(id), "eatable"))
+    }
+
+    fn liquid(&self, id: NodeId) -> Result<(), Refusal> {
+        let node = find(self.graph, id)?;
+        let full = node.contents().is_some();
+        if full { Ok(()) } else { self.affords(id, &[Property::Pourable, Property::Drinkable]) }
+    }
+
+    fn receives(&self, id: NodeId) -> Result<(), Refusal> {
+        let node = find(self.graph, id)?;
+        let takes = [Property::Recipient, Property::BodyPart, Property::Wiper].into_iter().any(|p| node.affords(p));
+        require(takes, || Refusal::NotAfforded(node.label(), "a recipient"))
+    }
+
+    fn on_heat(&self, id: NodeId) -> Result<(), Refusal> {
+        let hot = |id: &NodeId| self.graph.node(*id).is_some_and(|n| n.affords(Property::Heater) && n.is(State::On));
+        let heated = self.graph.support_chain(id).iter().any(hot);
+        require(heated, || Refusal::NoHeat(self.graph.label(id)))
+    }
+
+    fn soft(&self, id: NodeId) -> Result<(), Refusal> {
+        let node = find(self.graph, id)?;
+        let known = SOFT.iter().any(|&name| crate::vocabulary::same_word(name, node.class()));
+        let soft = known || [Property::Wearable, Property::Wiper, Property::Cream].into_iter().any(|p| node.affords(p));
+        require(soft, || Refusal::NotAfforded(node.label(), "soft"))
+    }
+
+    fn typable(&self, id: NodeId) -> Result<(), Refusal> {
+        let node = find(self.graph, id)?;
+        let keys = &**node.class() == "keyboard" || node.affords(Property::Switchable);
+        require(keys, || Refusal::NotAfforded(node.label(), "something to type on"))
+    }
+}
+
+fn free_place(graph: &SceneGraph, id: NodeId, relation: Relation, kind: SlotKind) -> Result<(), Refusal> {
+    let places = find(graph, id)?.slots(kind).max(1);
+    let taken = graph.relating(relation, id).count();
+    require(taken < places as usize, || Refusal::Occupied { seat: graph.label(id), places })
+}
+
+/// Where a held thing was taken from.
+pub(super) fn origin(graph: &SceneGraph, id: NodeId) -> Option<Place> {
+    let off = graph.related(id, Relation::TakenOff).next().map(|at| Place { relation: Relation::On, at });
+    off.or_else(|| graph.related(id, Relation::TakenOut).next().map(|at| Place { relation: Relation::Inside, at }))
+}
+
+/// Whether a thing has room on or in another, where the sizes of both are known:
+/// into a container it must go in some turn, with what is in it already; a thing
+/// must be able to stand on a surface at all.
+fn fits(graph: &SceneGraph, id: NodeId, at: NodeId) -> Result<(), Refusal> {
+    let (thing, target) = (find(graph, id)?, find(graph, at)?);
+    let no = |why| Err(Refusal::DoesNotFit { thing: thing.label(), at: target.label(), why });
+    if id == at || graph.rests_at(at, id) {
+        return no("rests on or in it");
+    }
+    let places = target.slots(SlotKind::Slot);
+    if places > 0 && graph.relating(Relation::Inside, at).filter(|&n| n != id).count() >= places as usize {
+        return no("has no free slot");
+    }
+    let (Some(size), Some(space)) = (thing.spec().bounds, target.spec().bounds) else { return Ok(()) };
+    let (size_sorted, space_sorted) = (sorted(size.size()), sorted(space.size()));
+    let encloses_it = size_sorted.iter().zip(space_sorted).all(|(s, room)| *s <= room + 0.02);
+    if !encloses_it && encloses(target) && !carries_only(target) {
+        return no("is too small");
+    }
+    let inside = |n: NodeId| graph.node(n).and_then(|n| n.spec().bounds).map_or(0.0, |b| b.volume());
+    let used: f32 = graph.relating(Relation::Inside, at).filter(|&n| n != id).map(inside).sum();
+    if used + size.volume() > space.volume() && encloses(target) && !carries_only(target) {
+        return no("is full");
+    }
+    Ok(())
+}
+
+/// Whether a node is a surface in the first place, so that things may overhang.
+fn carries_only(node: &Node) -> bool {
+    node.affords(Property::Surface)
+}
+
+fn sorted(size: nalgebra::Vector3<f32>) -> [f32; 3] {
+    let mut all = [size.x, size.y, size.z];
+    all.sort_unstable_by(f32::total_cmp);
+    all
+}

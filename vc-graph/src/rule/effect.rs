@@ -1,0 +1,340 @@
+//! What actions do.
+
+use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
+
+use crate::node::Kind;
+use crate::rule::condition::{origin, vehicle_of};
+use crate::{Action, Edge, Edit, EditError, NodeId, Place, Pose, Relation, SceneGraph, State};
+
+/// Which thing of an action a rule speaks of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// The first thing: what is grabbed, opened, put.
+    X,
+    /// The second thing: where it is put.
+    Y,
+}
+
+impl Role {
+    pub(super) fn of(self, action: &Action) -> Option<NodeId> {
+        match self {
+            Self::X => action.object,
+            Self::Y => action.target,
+        }
+    }
+}
+
+/// Something an action does. `T` as in [`Condition`](super::Condition).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Effect<T> {
+    /// The thing enters a state.
+    Enter(T, State),
+    /// The agent enters a state.
+    EnterOwn(State),
+    /// The agent leaves a state.
+    LeaveOwn(State),
+    /// The agent goes there and takes along what it holds.
+    GoTo(T),
+    /// The agent goes there unless it is near.
+    Approach(T),
+    /// The agent faces the thing and nothing else.
+    Face(T),
+    /// The thing is in the agent's hand.
+    Hold(T),
+    /// The first is on the second.
+    PutOn(T, T),
+    /// The first is inside the second.
+    PutInto(T, T),
+    /// The thing is where it was taken from.
+    PutWhereItWas(T),
+    /// The thing is in the room, on nothing in particular.
+    LetGo(T),
+    /// The agent sits on the thing.
+    SitOn(T),
+    /// The agent lies on the thing.
+    LieOn(T),
+    /// The agent stands.
+    StandUp,
+    /// Some of the first is in the second.
+    PourInto(T, T),
+    /// The thing is filled with water.
+    FillWithWater(T),
+    /// The agent wears the thing.
+    PutOnBody(T),
+    /// The agent is inside the vehicle.
+    Board(T),
+    /// The agent is outside its vehicle.
+    Alight,
+    /// The first, with all in it, is where the second is.
+    DriveTo(T, T),
+}
+
+impl Effect<Role> {
+    /// The effect on the things of an action; `None` if the action lacks one.
+    pub fn ground(self, action: &Action) -> Option<Effect<NodeId>> {
+        use Effect as E;
+        let of = |role: Role| role.of(action);
+        Some(match self {
+            E::Enter(t, s) => E::Enter(of(t)?, s),
+            E::EnterOwn(s) => E::EnterOwn(s),
+            E::LeaveOwn(s) => E::LeaveOwn(s),
+            E::GoTo(t) => E::GoTo(of(t)?),
+            E::Approach(t) => E::Approach(of(t)?),
+            E::Face(t) => E::Face(of(t)?),
+            E::Hold(t) => E::Hold(of(t)?),
+            E::PutOn(t, u) => E::PutOn(of(t)?, of(u)?),
+            E::PutInto(t, u) => E::PutInto(of(t)?, of(u)?),
+            E::PutWhereItWas(t) => E::PutWhereItWas(of(t)?),
+            E::LetGo(t) => E::LetGo(of(t)?),
+            E::SitOn(t) => E::SitOn(of(t)?),
+            E::LieOn(t) => E::LieOn(of(t)?),
+            E::StandUp => E::StandUp,
+            E::PourInto(t, u) => E::PourInto(of(t)?, of(u)?),
+            E::FillWithWater(t) => E::FillWithWater(of(t)?),
+            E::PutOnBody(t) => E::PutOnBody(of(t)?),
+            E::Board(t) => E::Board(of(t)?),
+            E::Alight => E::Alight,
+            E::DriveTo(t, u) => E::DriveTo(of(t)?, of(u)?),
+        })
+    }
+}
+
+/// How far from a thing an agent stops, metres.
+const STAND_OFF: f32 = 0.4;
+/// Height of a hand above the floor, and how far in front of the body, metres.
+const HAND: Vector3<f32> = Vector3::new(0.3, 0.0, 1.0);
+
+/// Carries an effect out. Poses, where the scene has them, follow roughly: bodies
+/// and exact geometry are vc-physics' business.
+pub(super) fn carry_out(edit: &mut Edit<'_>, agent: NodeId, effect: Effect<NodeId>) -> Result<(), EditError> {
+    match effect {
+        Effect::Enter(id, state) => edit.enter_state(id, state),
+        Effect::EnterOwn(state) => edit.enter_state(agent, state),
+        Effect::LeaveOwn(state) => edit.leave_state(agent, state),
+        Effect::GoTo(id) => go_to(edit, agent, id),
+        Effect::Approach(id) if edit.graph().near(agent, id) => {
+            edit.unrelate(agent, &[Relation::Facing])?;
+            edit.relate(Edge::new(agent, Relation::Near, id))
+        }
+        Effect::Approach(id) => go_to(edit, agent, id),
+        Effect::Face(id) => {
+            edit.unrelate(agent, &[Relation::Facing])?;
+            edit.relate(Edge::new(agent, Relation::Facing, id))
+        }
+        Effect::Hold(id) => hold(edit, agent, id),
+        Effect::PutOn(id, at) => put(edit, agent, id, Place { relation: Relation::On, at }),
+        Effect::PutInto(id, at) => put(edit, agent, id, Place { relation: Relation::Inside, at }),
+        Effect::PutWhereItWas(id) => match origin(edit.graph(), id) {
+            Some(place) => put(edit, agent, id, place),
+            None => let_go(edit, id),
+        },
+        Effect::LetGo(id) => let_go(edit, id),
+        Effect::SitOn(id) => rest_on(edit, agent, id, Relation::SittingOn, State::Sitting),
+        Effect::LieOn(id) => rest_on(edit, agent, id, Relation::LyingOn, State::Lying),
+        Effect::StandUp => stand_up(edit, agent),
+        Effect::PourInto(id, into) => pour(edit, agent, id, into),
+        Effect::FillWithWater(id) => edit.fill(id, Some("water".into())),
+        Effect::PutOnBody(id) => {
+            forget_origin(edit, id)?;
+            edit.place(id, Place { relation: Relation::WornBy, at: agent })
+        }
+        Effect::Board(id) => {
+            edit.place(agent, Place { relation: Relation::Inside, at: id })?;
+            edit.enter_state(agent, State::Sitting)
+        }
+        Effect::Alight => alight(edit, agent),
+        Effect::DriveTo(vehicle, to) => drive(edit, vehicle, to),
+    }
+}
+
+const NEARNESS: [Relation; 5] =
+    [Relation::Near, Relation::NearFront, Relation::NearBack, Relation::NearLeft, Relation::NearRight];
+
+/// Leaves what was near, and comes near what it goes to: the thing, what it is
+/// inside or on, and what is inside it, as in VirtualHome.
+fn go_to(edit: &mut Edit<'_>, agent: NodeId, id: NodeId) -> Result<(), EditError> {
+    edit.unrelate(agent, &NEARNESS)?;
+    edit.unrelate(agent, &[Relation::Facing])?;
+    let held: Vec<NodeId> = edit.graph().held(agent).collect();
+    let Some(room) = edit.graph().room_of(id) else { return Ok(()) };
+    if edit.graph().room_of(agent) != Some(room) {
+        edit.move_to_room(agent, room)?;
+    }
+    let mut near = held.clone();
+    if room != id {
+        near.push(id);
+        near.extend(edit.graph().related(id, Relation::Inside));
+        near.extend(edit.graph().related(id, Relation::On));
+        if edit.graph().node(id).is_some_and(|n| n.affords(crate::Property::Openable)) {
+            near.extend(edit.graph().relating(Relation::Inside, id));
+        }
+    }
+    for thing in held {
+        edit.unrelate(thing, &NEARNESS)?;
+        edit.unrelate(thing, &[Relation::Facing, Relation::PouredInto])?;
+    }
+    for thing in near.into_iter().filter(|&thing| thing != agent) {
+        edit.relate(Edge::new(agent, Relation::Near, thing))?;
+    }
+    match stand_point(edit.graph(), agent, id) {
+        Some(pose) => edit.carry_to(agent, pose),
+        None => Ok(()),
+    }
+}
+
+/// A pose on the floor before a thing, or in the middle of a room, facing it.
+fn stand_point(graph: &SceneGraph, agent: NodeId, id: NodeId) -> Option<Pose> {
+    let body = graph.node(agent)?;
+    let (from, target) = (body.position()?, graph.node(id)?);
+    let aabb = target.aabb();
+    let centre = aabb.map_or_else(|| target.position(), |b| Some(b.centre()))?;
+    if target.kind() == Kind::Room {
+        return Some(facing(Point3::new(centre.x, centre.y, from.z), centre - from));
+    }
+    let nearest = aabb.map_or(centre, |b| b.nearest(&from));
+    let away = Vector3::new(from.x - nearest.x, from.y - nearest.y, 0.0);
+    let back = away.try_normalize(1e-3).unwrap_or_else(Vector3::x);
+    let gap = away.norm().min(STAND_OFF);
+    let spot = Point3::new(nearest.x, nearest.y, from.z) + back * gap;
+    Some(facing(spot, centre - spot))
+}
+
+fn facing(at: Point3<f32>, towards: Vector3<f32>) -> Pose {
+    let yaw = towards.y.atan2(towards.x);
+    let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
+    Isometry3::from_parts(Translation3::from(at.coords), turn)
+}
+
+fn hold(edit: &mut Edit<'_>, agent: NodeId, id: NodeId) -> Result<(), EditError> {
+    if edit.graph().holder(id).is_some_and(|p| p.at == agent) {
+        return Ok(());
+    }
+    let origin = edit.graph().place(id);
+    edit.unrelate(id, &NEARNESS)?;
+    edit.unrelate(id, &[Relation::PouredInto])?;
+    edit.hold(agent, id)?;
+    edit.relate(Edge::new(agent, Relation::Near, id))?;
+    forget_origin(edit, id)?;
+    if let Some(Place { relation, at }) = origin {
+        let kept = match relation {
+            Relation::On => Some(Relation::TakenOff),
+            Relation::Inside => Some(Relation::TakenOut),
+            _ => None,
+        };
+        if let Some(kept) = kept {
+            edit.relate(Edge::new(id, kept, at))?;
+            edit.relate(Edge::new(agent, Relation::Near, at))?;
+        }
+    }
+    match edit.graph().node(agent).and_then(|n| n.pose()).copied() {
+        Some(pose) => edit.carry_to(id, pose * Translation3::from(HAND)),
+        None => Ok(()),
+    }
+}
+
+fn forget_origin(edit: &mut Edit<'_>, id: NodeId) -> Result<(), EditError> {
+    edit.unrelate(id, &[Relation::TakenOff, Relation::TakenOut])
+}
+
+fn put(edit: &mut Edit<'_>, agent: NodeId, id: NodeId, place: Place) -> Result<(), EditError> {
+    forget_origin(edit, id)?;
+    edit.place(id, place)?;
+    edit.relate(Edge::new(agent, Relation::Near, place.at))?;
+    edit.relate(Edge::new(id, Relation::Near, place.at))?;
+    match rest_pose(edit.graph(), id, place) {
+        Some(pose) => edit.carry_to(id, pose),
+        None => Ok(()),
+    }
+}
+
+/// Where a thing comes to rest, roughly: in the middle of the top, or of the
+/// inside.
+fn rest_pose(graph: &SceneGraph, id: NodeId, place: Place) -> Option<Pose> {
+    let node = graph.node(id)?;
+    let aabb = graph.node(place.at)?.aabb()?;
+    let (centre, pose) = (aabb.centre(), node.pose()?);
+    let floor = if place.relation == Relation::On { aabb.max.z } else { aabb.min.z + 0.01 };
+    let base = node.aabb().map_or(0.0, |b| pose.translation.z - b.min.z);
+    let spot = Translation3::new(centre.x, centre.y, floor + base);
+    Some(Isometry3::from_parts(spot, pose.rotation))
+}
+
+fn let_go(edit: &mut Edit<'_>, id: NodeId) -> Result<(), EditError> {
+    forget_origin(edit, id)?;
+    edit.detach(id)?;
+    let Some(node) = edit.graph().node(id) else { return Ok(()) };
+    let floor = edit.graph().room_of(id).and_then(|r| edit.graph().node(r)?.aabb()).map(|b| b.min.z);
+    match (node.pose().copied(), node.aabb(), floor) {
+        (Some(mut pose), Some(aabb), Some(floor)) => {
+            pose.translation.z += floor - aabb.min.z;
+            edit.carry_to(id, pose)
+        }
+        _ => Ok(()),
+    }
+}
+
+fn rest_on(
+    edit: &mut Edit<'_>,
+    agent: NodeId,
+    seat: NodeId,
+    relation: Relation,
+    posture: State,
+) -> Result<(), EditError> {
+    edit.place(agent, Place { relation, at: seat })?;
+    edit.enter_state(agent, posture)?;
+    if relation == Relation::SittingOn {
+        let faced: Vec<NodeId> = edit.graph().related(seat, Relation::Facing).collect();
+        for thing in faced {
+            edit.relate(Edge::new(agent, Relation::Facing, thing))?;
+        }
+    }
+    Ok(())
+}
+
+fn stand_up(edit: &mut Edit<'_>, agent: NodeId) -> Result<(), EditError> {
+    let seats: Vec<NodeId> = edit.graph().places(agent).map(|p| p.at).collect();
+    edit.detach(agent)?;
+    for state in [State::Sitting, State::Lying, State::Asleep] {
+        edit.leave_state(agent, state)?;
+    }
+    seats.into_iter().try_for_each(|seat| edit.relate(Edge::new(agent, Relation::Near, seat)))
+}
+
+/// What is poured fills the vessel. Water is the liquid itself: it leaves the hand
+/// and is inside; of a bottle only the relation `poured_into` tells.
+fn pour(edit: &mut Edit<'_>, agent: NodeId, id: NodeId, into: NodeId) -> Result<(), EditError> {
+    let Some(node) = edit.graph().node(id) else { return Ok(()) };
+    let (class, vessel) = (node.class().clone(), node.contents().cloned());
+    edit.fill(into, Some(vessel.clone().unwrap_or_else(|| class.clone())))?;
+    if &*class == "water" {
+        return put(edit, agent, id, Place { relation: Relation::Inside, at: into });
+    }
+    if vessel.is_some() {
+        edit.fill(id, None)?;
+    }
+    edit.relate(Edge::new(id, Relation::PouredInto, into))
+}
+
+fn alight(edit: &mut Edit<'_>, agent: NodeId) -> Result<(), EditError> {
+    let vehicle = vehicle_of(edit.graph(), agent);
+    stand_up(edit, agent)?;
+    vehicle.map_or(Ok(()), |v| edit.relate(Edge::new(agent, Relation::Near, v)))
+}
+
+fn drive(edit: &mut Edit<'_>, vehicle: NodeId, to: NodeId) -> Result<(), EditError> {
+    edit.detach(vehicle)?;
+    edit.unrelate(vehicle, &NEARNESS)?;
+    if let Some(room) = edit.graph().room_of(to) {
+        edit.move_to_room(vehicle, room)?;
+        if room != to {
+            edit.relate(Edge::new(vehicle, Relation::Near, to))?;
+        }
+    }
+    let spot = edit.graph().node(to).and_then(|n| n.pose()).map(|p| p.translation);
+    let pose = edit.graph().node(vehicle).and_then(|n| n.pose()).copied();
+    match (spot, pose) {
+        (Some(spot), Some(pose)) => edit.carry_to(vehicle, Isometry3::from_parts(spot, pose.rotation)),
+        _ => Ok(()),
+    }
+}

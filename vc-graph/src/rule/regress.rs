@@ -1,0 +1,165 @@
+//! The rule table read backwards: which actions would bring a condition about.
+
+use crate::rule::condition::{Condition, origin};
+use crate::rule::effect::{Effect, Role};
+use crate::rule::table::RULES;
+use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
+
+/// Actions whose effects make a condition true for an agent, most direct first.
+/// What an action needs in turn is not looked at: regress through its
+/// [`preconditions`](super::preconditions).
+///
+/// Empty when no action helps: an apple does not become a surface.
+///
+/// ```
+/// use vc_graph::{rule, Condition, Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let graph = scene.build();
+/// let how = rule::regress::achievers(&graph, me, &Condition::Accessible(milk));
+/// assert_eq!(how[0].describe(&graph).to_string(), "open fridge.2");
+/// # Ok::<(), vc_graph::EditError>(())
+/// ```
+pub fn achievers(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action> {
+    match *want {
+        Condition::Accessible(id) => match graph.hidden_in(id) {
+            Some(container) => achievers(graph, agent, &Condition::In(container, State::Open)),
+            None => Vec::new(),
+        },
+        Condition::Accepts(id) => achievers(graph, agent, &Condition::In(id, State::Open)),
+        Condition::FreeHand => put_downs(graph, agent),
+        Condition::FreeHandOrHolding(_) => put_downs(graph, agent),
+        Condition::HoldingSomething => grabs(graph, agent, |_| true),
+        Condition::HoldingKind(p) => grabs(graph, agent, |id| graph.node(id).is_some_and(|n| n.affords(p))),
+        Condition::OriginNear(id) => match origin(graph, id) {
+            Some(Place { relation: Relation::Inside, at }) if graph.near(agent, at) => {
+                achievers(graph, agent, &Condition::In(at, State::Open))
+            }
+            Some(place) => achievers(graph, agent, &Condition::Near(place.at)),
+            None => Vec::new(),
+        },
+        Condition::OnHeat(id) => heat(graph, agent, id),
+        Condition::AtRest => rests(graph, agent),
+        Condition::Related(id, Relation::Inside | Relation::InRoom, room) if graph.rooms().contains(&room) => {
+            into_room(graph, agent, id, room)
+        }
+        _ => RULES.iter().filter_map(|rule| by_effect(graph, agent, rule.verb, want)).collect(),
+    }
+}
+
+/// The action of a verb that has an effect that makes the condition true.
+fn by_effect(graph: &SceneGraph, agent: NodeId, verb: Verb, want: &Condition) -> Option<Action> {
+    let bound = verb.rule().does.iter().find_map(|e| binding(*e, want, agent))?;
+    let action = match bound {
+        Bound::Nothing => Action::zero(verb),
+        Bound::One(Role::X, id) => Action::one(verb, id),
+        Bound::One(Role::Y, _) => return None,
+        Bound::Two(id, at) => Action::two(verb, id, at),
+    };
+    let target = match (verb, verb.arity(), action.target) {
+        (Verb::Fill, _, None) => running_water(graph),
+        (_, 2, None) => return None,
+        _ => action.target,
+    };
+    Action::with(verb, &action.object.into_iter().chain(target).collect::<Vec<_>>()).ok()
+}
+
+fn running_water(graph: &SceneGraph) -> Option<NodeId> {
+    let sources = |on: bool| {
+        let fits = move |n: &&crate::Node| n.affords(Property::WaterSource) && n.is(State::On) == on;
+        graph.nodes().find(fits).map(crate::Node::id)
+    };
+    sources(true).or_else(|| sources(false))
+}
+
+enum Bound {
+    Nothing,
+    One(Role, NodeId),
+    Two(NodeId, NodeId),
+}
+
+/// How an effect's roles must be filled for it to make a condition true.
+fn binding(effect: Effect<Role>, want: &Condition, agent: NodeId) -> Option<Bound> {
+    use Bound::{Nothing, One, Two};
+    use Condition as C;
+    match (effect, *want) {
+        (Effect::Enter(role, s), C::In(id, wanted)) if s == wanted => Some(One(role, id)),
+        (Effect::Enter(role, s), C::NotIn(id, unwanted)) if s.opposites().contains(unwanted) => Some(One(role, id)),
+        (Effect::FillWithWater(role), C::In(id, State::Filled)) => Some(One(role, id)),
+        (Effect::EnterOwn(s), C::In(id, wanted)) if id == agent && s == wanted => Some(Nothing),
+        (Effect::GoTo(role), C::Near(id) | C::SameRoom(id)) => Some(One(role, id)),
+        (Effect::GoTo(role), C::Related(who, Relation::Near, id)) if who == agent => Some(One(role, id)),
+        (Effect::Hold(role), C::Holding(id)) => Some(One(role, id)),
+        (Effect::Hold(role), C::Related(who, Relation::HoldsRight | Relation::HoldsLeft, id)) if who == agent => {
+            Some(One(role, id))
+        }
+        (Effect::PutOn(..), C::Related(id, Relation::On, at)) if at != agent && id != agent => Some(Two(id, at)),
+        (Effect::PutInto(..), C::Related(id, Relation::Inside, at)) if id != agent => Some(Two(id, at)),
+        (Effect::PourInto(..), C::Related(id, Relation::PouredInto, into)) => Some(Two(id, into)),
+        (Effect::PutOnBody(role), C::Worn(id)) => Some(One(role, id)),
+        (Effect::PutOnBody(role), C::Related(id, Relation::WornBy, who)) if who == agent => Some(One(role, id)),
+        (Effect::Face(role), C::Facing(id)) => Some(One(role, id)),
+        (Effect::Face(role), C::Related(who, Relation::Facing, id)) if who == agent => Some(One(role, id)),
+        (Effect::SitOn(role), C::Related(who, Relation::SittingOn, id)) if who == agent => Some(One(role, id)),
+        (Effect::LieOn(role), C::Related(who, Relation::LyingOn, id)) if who == agent => Some(One(role, id)),
+        (Effect::StandUp, C::Upright | C::NotSitting | C::NotLying | C::UprightOrNear(_)) => Some(Nothing),
+        (Effect::Board(role), C::AboardOf(id)) => Some(One(role, id)),
+        (Effect::Board(role), C::Related(who, Relation::Inside, id)) if who == agent => Some(One(role, id)),
+        _ => None,
+    }
+}
+
+/// Ways to free a hand: put something on a surface at hand, or drop it.
+fn put_downs(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
+    let surface = |id: &NodeId| graph.node(*id).is_some_and(|n| n.affords(Property::Surface));
+    let mut near: Vec<NodeId> = graph.related(agent, Relation::Near).filter(surface).collect();
+    near.retain(|&id| !graph.rests_at(id, agent) && graph.hidden_in(id).is_none());
+    let held: Vec<NodeId> = graph.held(agent).collect();
+    let place = |&id: &NodeId| near.first().map(|&at| Action::two(Verb::Place, id, at));
+    held.iter().filter_map(place).chain(held.iter().map(|&id| Action::one(Verb::Drop, id))).collect()
+}
+
+/// Ways to have something of a kind in hand: what is near first.
+fn grabs(graph: &SceneGraph, agent: NodeId, kind: impl Fn(NodeId) -> bool) -> Vec<Action> {
+    let graspable = |n: &&crate::Node| n.affords(Property::Graspable) && kind(n.id());
+    let mut found: Vec<NodeId> = graph.nodes().filter(graspable).map(crate::Node::id).collect();
+    let room = graph.room_of(agent);
+    found.sort_by_key(|&id| (!graph.near(agent, id), graph.room_of(id) != room, graph.hidden_in(id).is_some()));
+    found.into_iter().map(|id| Action::one(Verb::Grab, id)).collect()
+}
+
+/// Ways to be seated or lying.
+fn rests(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
+    let seat = |n: &&crate::Node| n.affords(Property::Sittable) || n.affords(Property::Lieable);
+    let mut found: Vec<&crate::Node> = graph.nodes().filter(seat).collect();
+    let room = graph.room_of(agent);
+    found.sort_by_key(|n| (!graph.near(agent, n.id()), graph.room_of(n.id()) != room));
+    let verb = |n: &crate::Node| if n.affords(Property::Sittable) { Verb::Sit } else { Verb::Lie };
+    found.into_iter().map(|n| Action::one(verb(n), n.id())).collect()
+}
+
+/// Ways to have something on heat: switch on what it is on, or put it there.
+fn heat(graph: &SceneGraph, agent: NodeId, id: NodeId) -> Vec<Action> {
+    let heats = |n: &NodeId| graph.node(*n).is_some_and(|n| n.affords(Property::Heater));
+    if let Some(heater) = graph.support_chain(id).into_iter().find(|n| heats(n)) {
+        return achievers(graph, agent, &Condition::In(heater, State::On));
+    }
+    let heaters = graph.nodes().map(crate::Node::id).filter(heats);
+    heaters.flat_map(|at| [Action::two(Verb::Place, id, at), Action::two(Verb::PutIn, id, at)]).collect()
+}
+
+/// Ways to be in a room: walk there, or carry it there and put it down.
+fn into_room(graph: &SceneGraph, agent: NodeId, id: NodeId, room: NodeId) -> Vec<Action> {
+    if id == agent {
+        return vec![Action::one(Verb::Walk, room)];
+    }
+    let carried = graph.holder(id).is_some_and(|p| p.at == agent);
+    match (carried, graph.room_of(agent) == Some(room)) {
+        (false, _) => vec![Action::one(Verb::Grab, id)],
+        (true, false) => vec![Action::one(Verb::Walk, room)],
+        (true, true) => vec![Action::one(Verb::Drop, id)],
+    }
+}

@@ -1,0 +1,103 @@
+//! What an object can be: open, on, clean, ...
+
+use crate::vocabulary::{Set, vocabulary};
+
+vocabulary! {
+    /// A state an object or agent can be in. Opposites exclude each other, see
+    /// [`State::opposites`].
+    State, "state" {
+        /// Its door, lid or cover is open.
+        Open = "open",
+        /// Its door, lid or cover is closed.
+        Closed = "closed",
+        /// It runs or shines.
+        On = "on",
+        /// It does not run.
+        Off = "off",
+        /// Nothing sticks to it.
+        Clean = "clean",
+        /// It needs washing or wiping.
+        Dirty = "dirty",
+        /// Its plug is in a socket.
+        PluggedIn = "plugged_in",
+        /// Its plug is out.
+        PluggedOut = "plugged_out",
+        /// The agent sits.
+        Sitting = "sitting",
+        /// The agent lies.
+        Lying = "lying",
+        /// The agent sleeps.
+        Asleep = "asleep",
+        /// It is hot to the touch.
+        Hot = "hot",
+        /// It is cold to the touch.
+        Cold = "cold",
+        /// It has been cooked.
+        Cooked = "cooked",
+        /// It can be cooked and has not been.
+        Raw = "raw",
+        /// It has been cut up.
+        Sliced = "sliced",
+        /// It is broken.
+        Broken = "broken",
+        /// It is folded.
+        Folded = "folded",
+        /// It is spread out.
+        Unfolded = "unfolded",
+        /// It is wet.
+        Wet = "wet",
+        /// It is dry.
+        Dry = "dry",
+        /// There is something to pour in it, see `Node::contents`.
+        Filled = "filled",
+        /// It holds nothing to pour.
+        Empty = "empty",
+    }
+}
+
+/// A set of [`State`]s.
+pub type StateSet = Set<State>;
+
+/// Groups of states of which an object has at most one.
+const EXCLUSIVE: &[&[State]] = &[
+    &[State::Open, State::Closed],
+    &[State::On, State::Off],
+    &[State::Clean, State::Dirty],
+    &[State::PluggedIn, State::PluggedOut],
+    &[State::Sitting, State::Lying],
+    &[State::Hot, State::Cold],
+    &[State::Cooked, State::Raw],
+    &[State::Folded, State::Unfolded],
+    &[State::Wet, State::Dry],
+    &[State::Filled, State::Empty],
+];
+
+impl State {
+    /// The states that end when this one begins.
+    ///
+    /// ```
+    /// use vc_graph::State;
+    /// assert!(State::Open.opposites().contains(State::Closed));
+    /// assert!(State::Broken.opposites().is_empty());
+    /// ```
+    pub fn opposites(self) -> StateSet {
+        let group = EXCLUSIVE.iter().find(|group| group.contains(&self));
+        group.map_or(StateSet::EMPTY, |g| StateSet::of(g).without(self))
+    }
+}
+
+impl StateSet {
+    /// This set with the state entered: its opposites end.
+    #[must_use]
+    pub fn entering(self, state: State) -> Self {
+        self.minus(state.opposites()).with(state)
+    }
+
+    /// The groups of opposites of which the set has more than one.
+    pub fn conflicts(self) -> impl Iterator<Item = StateSet> {
+        EXCLUSIVE.iter().filter_map(move |group| {
+            let both: StateSet = group.iter().copied().filter(|&s| self.contains(s)).collect();
+            (both.len() > 1).then_some(both)
+        })
+    }
+}

@@ -1,0 +1,91 @@
+//! A persistent map from node number to node, in number order.
+//!
+//! Nodes live in chunks of sixteen behind `Arc`s: cloning copies one pointer for
+//! every sixteen numbers, an edit copies one chunk of pointers and one node, and
+//! looking up is two array accesses where numbers are dense.
+
+use std::sync::Arc;
+
+use crate::NodeId;
+
+const BITS: u32 = 4;
+const SIZE: usize = 1 << BITS;
+
+type Chunk<T> = [Option<Arc<T>>; SIZE];
+
+#[derive(Debug, Clone)]
+pub(crate) struct Store<T> {
+    /// Sorted by the chunk's number; dense scenes have `chunks[i].0 == i`.
+    chunks: Vec<(u32, Arc<Chunk<T>>)>,
+    len: usize,
+}
+
+impl<T> Default for Store<T> {
+    fn default() -> Self {
+        Self { chunks: Vec::new(), len: 0 }
+    }
+}
+
+fn split(id: NodeId) -> (u32, usize) {
+    (id.0 >> BITS, id.0 as usize & (SIZE - 1))
+}
+
+impl<T> Store<T> {
+    pub(crate) fn len(&self) -> usize {
+        self.len
+    }
+
+    fn find(&self, chunk: u32) -> Result<usize, usize> {
+        match self.chunks.get(chunk as usize) {
+            Some(&(number, _)) if number == chunk => Ok(chunk as usize),
+            _ => self.chunks.binary_search_by_key(&chunk, |&(number, _)| number),
+        }
+    }
+
+    pub(crate) fn get(&self, id: NodeId) -> Option<&Arc<T>> {
+        let (chunk, offset) = split(id);
+        let position = self.find(chunk).ok()?;
+        self.chunks[position].1[offset].as_ref()
+    }
+
+    /// All values, in number order.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &Arc<T>> {
+        self.chunks.iter().flat_map(|(_, chunk)| chunk.iter().flatten())
+    }
+
+    pub(crate) fn remove(&mut self, id: NodeId) -> Option<Arc<T>> {
+        let (chunk, offset) = split(id);
+        let position = self.find(chunk).ok()?;
+        self.chunks[position].1[offset].as_ref()?;
+        let cells = Arc::make_mut(&mut self.chunks[position].1);
+        let removed = cells[offset].take();
+        if cells.iter().all(Option::is_none) {
+            self.chunks.remove(position);
+        }
+        self.len -= usize::from(removed.is_some());
+        removed
+    }
+
+    /// Puts a value at a number, returning what was there.
+    pub(crate) fn insert(&mut self, id: NodeId, value: Arc<T>) -> Option<Arc<T>> {
+        let (chunk, offset) = split(id);
+        let position = self.find(chunk).unwrap_or_else(|position| {
+            self.chunks.insert(position, (chunk, Arc::new([const { None }; SIZE])));
+            position
+        });
+        let old = Arc::make_mut(&mut self.chunks[position].1)[offset].replace(value);
+        self.len += usize::from(old.is_none());
+        old
+    }
+}
+
+impl<T: Clone> Store<T> {
+    /// The value at a number, for editing: copied first if a clone shares it.
+    pub(crate) fn get_mut(&mut self, id: NodeId) -> Option<&mut T> {
+        let (chunk, offset) = split(id);
+        let position = self.find(chunk).ok()?;
+        self.chunks[position].1[offset].as_ref()?;
+        let cell = Arc::make_mut(&mut self.chunks[position].1)[offset].as_mut()?;
+        Some(Arc::make_mut(cell))
+    }
+}

@@ -1,0 +1,181 @@
+//! What is wrong with a scene: every violation, with the nodes it concerns.
+
+use std::fmt;
+
+use crate::geometry::is_finite;
+use crate::node::{Kind, Node};
+use crate::{Label, Property, Relation, SceneGraph, StateSet};
+
+/// One thing that is wrong with a scene.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Violation {
+    /// Things rest on each other in a circle.
+    SupportCycle(Vec<Label>),
+    /// A node that is no room is in none.
+    NoRoom(Label),
+    /// A node is in several rooms.
+    SeveralRooms(Label, Vec<Label>),
+    /// A room is in a room.
+    RoomInRoom(Label, Label),
+    /// A thing is held more than once.
+    HeldTwice(Label, Vec<Label>),
+    /// One hand holds several things.
+    HandFull(Label, Relation, Vec<Label>),
+    /// Something that is no agent holds something.
+    HeldByNoAgent(Label, Label),
+    /// A node is in states that exclude each other.
+    ExclusiveStates(Label, StateSet),
+    /// A thing is in another room than what it rests on.
+    RoomApart(Label, Label),
+    /// Something rests on a thing that is no surface.
+    NotASurface(Label, Label),
+    /// Something is inside a thing that is no container.
+    NotAContainer(Label, Label),
+    /// A pose or box is not finite, or a box has no size.
+    BadGeometry(Label),
+    /// More sit or lie on it than have place.
+    OverCapacity(Label, usize, u32),
+}
+
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::SupportCycle(ids) => write!(f, "{} rest on each other in a circle", list(ids)),
+            Self::NoRoom(id) => write!(f, "{id} is in no room"),
+            Self::SeveralRooms(id, rooms) => write!(f, "{id} is in several rooms: {}", list(rooms)),
+            Self::RoomInRoom(inner, outer) => write!(f, "room {inner} is in room {outer}"),
+            Self::HeldTwice(id, by) => write!(f, "{id} is held more than once: by {}", list(by)),
+            Self::HandFull(agent, hand, ids) => write!(f, "{agent} {hand} several things: {}", list(ids)),
+            Self::HeldByNoAgent(by, id) => write!(f, "{by}, which is no agent, holds {id}"),
+            Self::ExclusiveStates(id, states) => write!(f, "{id} is at once {states}"),
+            Self::RoomApart(id, at) => write!(f, "{id} is in another room than {at}, where it rests"),
+            Self::NotASurface(id, at) => write!(f, "{id} is on {at}, which is no surface"),
+            Self::NotAContainer(id, at) => write!(f, "{id} is inside {at}, which is no container"),
+            Self::BadGeometry(id) => write!(f, "{id} has a pose or box that is not finite, or a box without size"),
+            Self::OverCapacity(id, n, places) => write!(f, "{n} agents are on {id}, which has place for {places}"),
+        }
+    }
+}
+
+fn list(labels: &[Label]) -> String {
+    labels.iter().map(Label::to_string).collect::<Vec<_>>().join(", ")
+}
+
+impl SceneGraph {
+    /// Every violation of a sound scene, in the order of node numbers; empty when
+    /// all is well. Files made by others often have some: a reader keeps them as
+    /// they are, and the transition rule copes.
+    ///
+    /// Costs a walk over all nodes and their places.
+    pub fn validate(&self) -> Vec<Violation> {
+        let mut found = self.support_cycles();
+        for node in self.nodes() {
+            self.check_room(node, &mut found);
+            self.check_hands(node, &mut found);
+            self.check_place(node, &mut found);
+            self.check_itself(node, &mut found);
+        }
+        found
+    }
+
+    fn labels(&self, ids: impl IntoIterator<Item = crate::NodeId>) -> Vec<Label> {
+        ids.into_iter().map(|id| self.label(id)).collect()
+    }
+
+    fn check_room(&self, node: &Node, found: &mut Vec<Violation>) {
+        let rooms = self.labels(node.out(Relation::InRoom));
+        match (node.kind(), rooms.as_slice()) {
+            (Kind::Room, []) | (_, [_]) if node.kind() != Kind::Room || rooms.is_empty() => {}
+            (Kind::Room, _) => found.extend(rooms.into_iter().map(|r| Violation::RoomInRoom(node.label(), r))),
+            (_, []) => found.push(Violation::NoRoom(node.label())),
+            _ => found.push(Violation::SeveralRooms(node.label(), rooms)),
+        }
+    }
+
+    fn check_hands(&self, node: &Node, found: &mut Vec<Violation>) {
+        for hand in Relation::hands() {
+            let held = self.labels(node.out(hand));
+            if held.len() > 1 {
+                found.push(Violation::HandFull(node.label(), hand, held.clone()));
+            }
+            if node.kind() != Kind::Agent {
+                found.extend(held.into_iter().map(|h| Violation::HeldByNoAgent(node.label(), h)));
+            }
+        }
+        let holders = self.labels(Relation::hands().into_iter().flat_map(|hand| node.inc(hand)));
+        if holders.len() > 1 {
+            found.push(Violation::HeldTwice(node.label(), holders));
+        }
+    }
+
+    fn check_place(&self, node: &Node, found: &mut Vec<Violation>) {
+        let room = self.room_of(node.id());
+        for place in self.places(node.id()) {
+            let Some(at) = self.node(place.at) else { continue };
+            if self.room_of(place.at) != room {
+                found.push(Violation::RoomApart(node.label(), at.label()));
+            }
+            if place.relation == Relation::On && node.kind() == Kind::Object && !carries(at) {
+                found.push(Violation::NotASurface(node.label(), at.label()));
+            }
+            if place.relation == Relation::Inside && !encloses(at) {
+                found.push(Violation::NotAContainer(node.label(), at.label()));
+            }
+        }
+    }
+
+    fn check_itself(&self, node: &Node, found: &mut Vec<Violation>) {
+        found.extend(node.states().conflicts().map(|s| Violation::ExclusiveStates(node.label(), s)));
+        let sound_box = node.spec().bounds.is_none_or(|b| b.half.iter().all(|h| h.is_finite() && *h >= 0.0));
+        if !sound_box || node.pose().is_some_and(|p| !is_finite(p)) {
+            found.push(Violation::BadGeometry(node.label()));
+        }
+        for (relation, kind) in crate::class::OCCUPANCY {
+            let (here, places) = (node.inc(relation).count(), node.slots(kind));
+            if here > places.max(1) as usize {
+                found.push(Violation::OverCapacity(node.label(), here, places));
+            }
+        }
+    }
+
+    /// Each circle of the support relation once, by depth-first search.
+    fn support_cycles(&self) -> Vec<Violation> {
+        let mut done = std::collections::BTreeSet::new();
+        let mut found = Vec::new();
+        for node in self.nodes() {
+            let mut path = vec![(node.id(), self.places(node.id()).collect::<Vec<_>>())];
+            while let Some((id, open)) = path.last_mut() {
+                let id = *id;
+                match open.pop() {
+                    None => {
+                        done.insert(id);
+                        path.pop();
+                    }
+                    Some(next) if done.contains(&next.at) => {}
+                    Some(next) => match path.iter().position(|(p, _)| *p == next.at) {
+                        Some(start) => {
+                            let circle = self.labels(path[start..].iter().map(|(p, _)| *p));
+                            found.push(Violation::SupportCycle(circle));
+                        }
+                        None => path.push((next.at, self.places(next.at).collect())),
+                    },
+                }
+            }
+        }
+        found
+    }
+}
+
+/// Whether things may rest on a node: surfaces, and seats and beds, on which
+/// people put things too.
+pub(crate) fn carries(node: &Node) -> bool {
+    use Property::{Container, Heater, Lieable, Recipient, Sittable, Surface};
+    [Surface, Sittable, Lieable, Container, Recipient, Heater].into_iter().any(|p| node.affords(p))
+}
+
+/// Whether things may be in a node.
+pub(crate) fn encloses(node: &Node) -> bool {
+    use Property::{Container, Drivable, Openable, Recipient};
+    [Container, Recipient, Openable, Drivable].into_iter().any(|p| node.affords(p))
+}

@@ -1,0 +1,212 @@
+//! Closed word lists (states, affordances, verbs, ...) and small sets of them.
+
+use std::fmt;
+use std::hash::Hash;
+use std::marker::PhantomData;
+
+/// A closed vocabulary: an enum whose variants each have one written word.
+pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
+    /// What a word of this vocabulary is called in messages ("state", "verb").
+    const WHAT: &'static str;
+    /// Every word, in declaration order.
+    const ALL: &'static [Self];
+    /// Position in [`Word::ALL`].
+    fn index(self) -> usize;
+    /// The written form: lower case, words joined by `_`.
+    fn as_str(self) -> &'static str;
+
+    /// Finds the word for a spelling, ignoring case, spaces, `_` and `-`.
+    ///
+    /// # Errors
+    /// [`UnknownWord`] names the vocabulary and lists what is allowed.
+    fn parse(text: &str) -> Result<Self, UnknownWord> {
+        let found = Self::ALL.iter().find(|w| same_word(w.as_str(), text));
+        found.copied().ok_or_else(|| UnknownWord {
+            what: Self::WHAT,
+            word: clip(text),
+            allowed: Self::ALL.iter().map(|w| w.as_str()).collect::<Vec<_>>().join(" "),
+        })
+    }
+}
+
+/// A word that is not in its vocabulary.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("unknown {what} `{word}`; use one of: {allowed}")]
+pub struct UnknownWord {
+    /// Which vocabulary was asked.
+    pub what: &'static str,
+    /// The spelling that was not found (clipped to a readable length).
+    pub word: String,
+    /// Everything that would have been accepted.
+    pub allowed: String,
+}
+
+/// Shortens hostile or huge text for a message.
+pub(crate) fn clip(text: &str) -> String {
+    const LIMIT: usize = 60;
+    match text.char_indices().nth(LIMIT) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// Letters and digits of a spelling, lower case: what matching compares.
+pub(crate) fn folded(text: &str) -> impl Iterator<Item = char> + '_ {
+    text.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase)
+}
+
+/// Whether two spellings are the same word up to case and separators.
+pub(crate) fn same_word(a: &str, b: &str) -> bool {
+    folded(a).eq(folded(b))
+}
+
+/// A set of words of one vocabulary, as a bit mask (64 words at most).
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Set<W> {
+    bits: u64,
+    word: PhantomData<W>,
+}
+
+impl<W: Word> Set<W> {
+    /// The empty set.
+    pub const EMPTY: Self = Self { bits: 0, word: PhantomData };
+
+    /// The set of the given words.
+    pub fn of(words: &[W]) -> Self {
+        words.iter().copied().collect()
+    }
+
+    /// Whether the word is in the set.
+    pub fn contains(self, word: W) -> bool {
+        self.bits & mask(word) != 0
+    }
+
+    /// Whether any word of `other` is in this set.
+    pub fn intersects(self, other: Self) -> bool {
+        self.bits & other.bits != 0
+    }
+
+    /// This set with the word added.
+    #[must_use]
+    pub fn with(self, word: W) -> Self {
+        Self { bits: self.bits | mask(word), ..self }
+    }
+
+    /// This set without the word.
+    #[must_use]
+    pub fn without(self, word: W) -> Self {
+        Self { bits: self.bits & !mask(word), ..self }
+    }
+
+    /// Words in either set.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self { bits: self.bits | other.bits, ..self }
+    }
+
+    /// Words of this set that are not in `other`.
+    #[must_use]
+    pub fn minus(self, other: Self) -> Self {
+        Self { bits: self.bits & !other.bits, ..self }
+    }
+
+    /// Whether there is no word in the set.
+    pub fn is_empty(self) -> bool {
+        self.bits == 0
+    }
+
+    /// Number of words.
+    pub fn len(self) -> usize {
+        self.bits.count_ones() as usize
+    }
+
+    /// The words, in declaration order.
+    pub fn iter(self) -> impl Iterator<Item = W> {
+        W::ALL.iter().copied().filter(move |&w| self.contains(w))
+    }
+
+    /// The raw mask: bit `i` is [`Word::ALL`]`[i]`.
+    pub fn bits(self) -> u64 {
+        self.bits
+    }
+}
+
+fn mask<W: Word>(word: W) -> u64 {
+    1 << word.index()
+}
+
+impl<W: Word> Default for Set<W> {
+    fn default() -> Self {
+        Self::EMPTY
+    }
+}
+
+impl<W: Word> FromIterator<W> for Set<W> {
+    fn from_iter<I: IntoIterator<Item = W>>(words: I) -> Self {
+        words.into_iter().fold(Self::EMPTY, Self::with)
+    }
+}
+
+impl<W: Word> fmt::Debug for Set<W> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_set().entries(self.iter().map(W::as_str)).finish()
+    }
+}
+
+impl<W: Word> fmt::Display for Set<W> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, word) in self.iter().enumerate() {
+            let gap = if i == 0 { "" } else { " " };
+            write!(f, "{gap}{}", word.as_str())?;
+        }
+        Ok(())
+    }
+}
+
+/// Declares a vocabulary: the enum, its words, `Display`, `FromStr` and serde.
+macro_rules! vocabulary {
+    ($(#[$meta:meta])* $name:ident, $what:literal {
+        $($(#[$vmeta:meta])* $variant:ident = $word:literal),* $(,)?
+    }) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[repr(u8)]
+        pub enum $name { $($(#[$vmeta])* $variant),* }
+
+        impl $crate::vocabulary::Word for $name {
+            const WHAT: &'static str = $what;
+            const ALL: &'static [Self] = &[$(Self::$variant),*];
+            fn index(self) -> usize { self as usize }
+            fn as_str(self) -> &'static str {
+                match self { $(Self::$variant => $word),* }
+            }
+        }
+
+        impl std::fmt::Display for $name {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.pad($crate::vocabulary::Word::as_str(*self))
+            }
+        }
+
+        impl std::str::FromStr for $name {
+            type Err = $crate::vocabulary::UnknownWord;
+            fn from_str(text: &str) -> Result<Self, Self::Err> {
+                $crate::vocabulary::Word::parse(text)
+            }
+        }
+
+        impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+                s.serialize_str($crate::vocabulary::Word::as_str(*self))
+            }
+        }
+
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+                let text = <std::borrow::Cow<'de, str>>::deserialize(d)?;
+                $crate::vocabulary::Word::parse(&text).map_err(serde::de::Error::custom)
+            }
+        }
+    };
+}
+pub(crate) use vocabulary;

@@ -1,0 +1,4 @@
+//! Objects and apartments from a seed.
+//!
+//! This crate is reserved: nothing is built here yet, and nothing is public.
+//! `ARCHITECTURE.md` says what it will hold.
