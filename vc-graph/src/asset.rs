@@ -6,6 +6,7 @@ use nalgebra::{Point3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::Pose;
+use crate::format::serial;
 use crate::geometry::is_finite;
 
 /// Position of an [`Asset`] in its [`AssetLibrary`].
@@ -14,17 +15,20 @@ use crate::geometry::is_finite;
 pub struct AssetId(pub u32);
 
 /// A solid shape, centred on its own origin unless said otherwise; metres.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Shape {
     /// A box.
     Box {
         /// Half lengths along X, Y and Z.
+        #[serde(with = "serial::vector")]
         half: Vector3<f32>,
     },
     /// A box with rounded edges; `half` is the outer size.
     RoundedBox {
         /// Half lengths along X, Y and Z, rounding included.
+        #[serde(with = "serial::vector")]
         half: Vector3<f32>,
         /// Radius of the edges.
         radius: f32,
@@ -58,6 +62,7 @@ pub enum Shape {
     /// The convex hull of points.
     Hull {
         /// Its points.
+        #[serde(with = "serial::points")]
         points: Vec<Point3<f32>>,
     },
     /// A profile turned around Z.
@@ -75,6 +80,7 @@ pub enum Shape {
     /// A closed triangle mesh.
     Mesh {
         /// Its vertices.
+        #[serde(with = "serial::points")]
         vertices: Vec<Point3<f32>>,
         /// Its triangles, counter-clockwise seen from outside.
         triangles: Vec<[u32; 3]>,
@@ -82,7 +88,7 @@ pub enum Shape {
 }
 
 /// What a part is made of.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Material {
     /// Its name, `oak`.
     pub name: Arc<str>,
@@ -105,20 +111,23 @@ pub struct Material {
 }
 
 /// How a moving part moves against the asset.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Joint {
     /// Turning or sliding.
     pub kind: JointKind,
     /// A point of the axis, in the asset's frame, metres.
+    #[serde(with = "serial::point")]
     pub anchor: Point3<f32>,
     /// Direction of the axis, unit length, in the asset's frame.
+    #[serde(with = "serial::vector")]
     pub axis: Vector3<f32>,
     /// Least and greatest position: radians or metres; closed is zero.
     pub limits: (f32, f32),
 }
 
 /// Kind of a [`Joint`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum JointKind {
     /// Turns around its axis.
     Hinge,
@@ -127,7 +136,7 @@ pub enum JointKind {
 }
 
 /// One part of an asset.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Part {
     /// Its name, `drawer_2`.
     pub name: Arc<str>,
@@ -136,13 +145,14 @@ pub struct Part {
     /// Its material, in the library's list.
     pub material: u32,
     /// Where it is in the asset's frame, its joint at zero.
+    #[serde(with = "serial::pose")]
     pub pose: Pose,
     /// How it moves, if it does.
     pub joint: Option<Joint>,
 }
 
 /// An object's shape. Origin at the centre of its base, X towards its front.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Asset {
     /// Its name, `chair_17`.
     pub name: Arc<str>,

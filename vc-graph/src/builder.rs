@@ -36,6 +36,11 @@ impl SceneBuilder {
         Self { graph: SceneGraph::new(name, classes) }
     }
 
+    /// Goes on building a scene.
+    pub fn of(graph: SceneGraph) -> Self {
+        Self { graph }
+    }
+
     /// Sets the shapes the nodes point into.
     pub fn assets(&mut self, assets: Arc<AssetLibrary>) -> &mut Self {
         self.graph.assets = assets;

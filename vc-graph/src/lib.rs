@@ -7,6 +7,7 @@ mod change;
 pub mod class;
 mod digest;
 mod edit;
+pub mod format;
 mod geometry;
 pub mod goal;
 mod graph;

@@ -1,0 +1,149 @@
+//! Data of the Embodied Agent Interface: programs with the graphs before and
+//! after, and goals.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+use super::virtualhome::{EnvironmentGraph, RelationType};
+use super::{FormatError, Problem, Source};
+use crate::goal::{Goal, Predicate, Term};
+use crate::vocabulary::clip;
+use crate::{Action, NodeId, Relation, State, Verb, Word};
+
+/// A program with the graph it starts from and the one it should end in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// Its identifier, `file101_2`.
+    pub id: String,
+    /// Its title, `Work`.
+    pub title: String,
+    /// What to do.
+    pub actions: Vec<Action>,
+    /// Graph before.
+    pub initial: EnvironmentGraph,
+    /// Graph after, as VirtualHome's simulator left it.
+    pub last: EnvironmentGraph,
+}
+
+#[derive(Deserialize)]
+struct RecordFile {
+    id: String,
+    #[serde(default)]
+    title: String,
+    program: Vec<String>,
+    init_graph: EnvironmentGraph,
+    final_graph: EnvironmentGraph,
+}
+
+/// Reads one line of a JSON Lines file of programs.
+///
+/// # Errors
+/// [`FormatError`] with field and what was expected.
+pub fn read_record(line: &str) -> Result<Record, FormatError> {
+    let source = Source { format: "EAI program", text: line };
+    let file: RecordFile = source.json()?;
+    let action = |(i, text): (usize, &String)| {
+        text.parse().map_err(|e| source.error(format!("program[{i}]"), Problem::Action(e)))
+    };
+    let actions = file.program.iter().enumerate().map(action).collect::<Result<_, _>>()?;
+    Ok(Record { id: file.id, title: file.title, actions, initial: file.init_graph, last: file.final_graph })
+}
+
+/// A goal by states, edges and actions, and as a formula.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Task {
+    /// Its title, `Wash hands`.
+    pub title: String,
+    /// States and relations at the end, and what must have been done.
+    pub goal: Goal,
+    /// The formula that says the same with an order, where there is one.
+    pub formula: Option<Goal>,
+}
+
+#[derive(Deserialize)]
+struct TaskFile {
+    #[serde(default)]
+    title: String,
+    vh_goal: GoalFile,
+    #[serde(default)]
+    tl_goal: Option<String>,
+}
+
+#[derive(Deserialize)]
+struct GoalFile {
+    #[serde(default)]
+    actions: Vec<String>,
+    #[serde(default)]
+    goal: Vec<PartFile>,
+}
+
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum PartFile {
+    State { id: u32, class_name: String, state: String },
+    Edge { from_id: u32, relation_type: RelationType, to_id: u32 },
+}
+
+/// Reads goals: an object from identifiers to tasks.
+///
+/// # Errors
+/// [`FormatError`] with field and what was expected.
+pub fn read_tasks(text: &str) -> Result<BTreeMap<String, Task>, FormatError> {
+    let source = Source { format: "EAI goals", text };
+    let file: BTreeMap<String, TaskFile> = source.json()?;
+    let mut tasks = BTreeMap::new();
+    for (id, task) in file {
+        let goal = task.vh_goal.goal().map_err(|problem| source.error(format!("{id}.vh_goal"), problem))?;
+        let formula = task.tl_goal.as_deref().map(Goal::from_eai).transpose();
+        let formula = formula.map_err(|e| source.error(format!("{id}.tl_goal"), Problem::Goal(e)))?;
+        tasks.insert(id, Task { title: task.title, goal, formula });
+    }
+    Ok(tasks)
+}
+
+impl GoalFile {
+    fn goal(&self) -> Result<Goal, Problem> {
+        let done = self.actions.iter().map(|words| done(words));
+        let held = self.goal.iter().map(PartFile::goal);
+        let mut parts = done.chain(held).collect::<Result<Vec<_>, _>>()?;
+        Ok(if parts.len() == 1 { parts.remove(0) } else { Goal::And(parts) })
+    }
+}
+
+/// `TOUCH|PUSH`: one of these was done, to anything.
+fn done(words: &str) -> Result<Goal, Problem> {
+    let read = |word: &str| {
+        let unknown = || Verb::parse(word).map_err(Problem::Word);
+        let verb = Verb::from_virtualhome(word).map_or_else(unknown, Ok)?;
+        Ok(Goal::literal(Predicate::Did(verb), vec![Term::Anything; verb.arity()]))
+    };
+    let mut parts = words.split('|').map(read).collect::<Result<Vec<Goal>, Problem>>()?;
+    Ok(if parts.len() == 1 { parts.remove(0) } else { Goal::Or(parts) })
+}
+
+impl PartFile {
+    fn goal(&self) -> Result<Goal, Problem> {
+        match self {
+            Self::State { id, class_name, state } => {
+                let state = State::parse(state)?;
+                let node = Term::Node(Some(clip(class_name)), NodeId(*id));
+                Ok(Goal::literal(Predicate::State(state), vec![node]))
+            }
+            Self::Edge { from_id, relation_type, to_id } => {
+                let relation = match relation_type {
+                    RelationType::On => Relation::On,
+                    RelationType::Inside => Relation::Inside,
+                    RelationType::Between => Relation::Between,
+                    RelationType::Close => Relation::Near,
+                    RelationType::Facing => Relation::Facing,
+                    RelationType::HoldsRh => Relation::HoldsRight,
+                    RelationType::HoldsLh => Relation::HoldsLeft,
+                    RelationType::Sitting => Relation::SittingOn,
+                };
+                let terms = [*from_id, *to_id].map(|id| Term::Node(None, NodeId(id))).to_vec();
+                Ok(Goal::literal(Predicate::Relation(relation), terms))
+            }
+        }
+    }
+}

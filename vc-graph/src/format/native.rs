@@ -1,0 +1,248 @@
+//! Our own scene JSON: complete, versioned, the same bytes for the same scene.
+//!
+//! ```json
+//! {"virtualcity": 1, "name": "flat",
+//!  "nodes": [
+//!   {"id": 1, "class": "kitchen", "category": "room"},
+//!   {"id": 2, "class": "apple", "category": "food", "affordances": ["graspable", "eatable"],
+//!    "states": ["clean"], "pose": {"position": [1, 2, 0.75], "rotation": [0, 0, 0, 1]}}],
+//!  "edges": [[2, "in_room", 1]]}
+//! ```
+//!
+//! One node and one edge a line. Metres, kilograms, right-handed, Z up, X forward;
+//! quaternions x, y, z, w.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::serial::{BoundsFile, PoseFile};
+use super::{FormatError, Problem, Source};
+use crate::class::Slot;
+use crate::node::{Kind, Node, Spec};
+use crate::{
+    Asset, AssetId, AssetLibrary, ClassTable, Edge, EditError, NodeId, PropertySet, Relation, SceneBuilder, SceneGraph,
+    Set, StateSet, Word, asset::Material,
+};
+
+/// The version this program writes, and the latest it reads.
+pub const VERSION: u32 = 1;
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    virtualcity: u32,
+    name: String,
+    nodes: Vec<NodeFile>,
+    edges: Vec<(NodeId, Relation, NodeId)>,
+    #[serde(default)]
+    materials: Vec<Material>,
+    #[serde(default)]
+    assets: Vec<Asset>,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct NodeFile {
+    id: NodeId,
+    class: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    spelling: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
+    category: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    kind: Option<KindFile>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    properties: Option<Vec<crate::Property>>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    affordances: Vec<crate::Property>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    states: Vec<crate::State>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pose: Option<PoseFile>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    bounds: Option<BoundsFile>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    scale: Option<[f32; 3]>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    slots: Vec<Slot>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    contents: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    asset: Option<AssetId>,
+}
+
+#[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum KindFile {
+    Room,
+    Agent,
+    Object,
+}
+
+/// Reads a scene.
+///
+/// ```
+/// use vc_graph::{format::native, ClassTable, Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// scene.add(Draft::new("kitchen"))?;
+/// let graph = scene.build();
+/// let text = native::write(&graph);
+/// assert_eq!(native::read(&text, &ClassTable::builtin())?, graph);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`FormatError`]: not this format, a newer version, numbers that occur twice,
+/// edges that lead nowhere, poses that are none.
+pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
+    let source = Source { format: "virtualcity scene", text };
+    let file: File = source.json()?;
+    if file.virtualcity > VERSION {
+        return Err(source.error("virtualcity".into(), Problem::Version(file.virtualcity, VERSION)));
+    }
+    let mut graph = SceneGraph::new(file.name.as_str(), classes.clone());
+    graph.assets = Arc::new(library(&source, file.materials, file.assets)?);
+    for (index, node) in file.nodes.into_iter().enumerate() {
+        let at = |field: &str| format!("nodes[{index}]{field}");
+        if graph.node(node.id).is_some() {
+            return Err(source.error(at(".id"), EditError::Duplicate(node.id)));
+        }
+        let node = node.into_node().map_err(|field| source.error(at(field), Problem::Number(field[1..].to_owned())))?;
+        graph.insert(Arc::new(node));
+    }
+    let edges: Vec<Edge> = file.edges.into_iter().map(|(from, relation, to)| Edge { from, relation, to }).collect();
+    for (index, edge) in edges.iter().enumerate() {
+        for id in [edge.from, edge.to] {
+            if graph.node(id).is_none() {
+                return Err(source.error(format!("edges[{index}]"), EditError::NoSuchNode(id)));
+            }
+        }
+    }
+    let mut builder = SceneBuilder::of(graph);
+    builder.link_all(&edges).map_err(|e| source.error("edges".into(), e))?;
+    Ok(builder.build())
+}
+
+fn library(source: &Source<'_>, materials: Vec<Material>, assets: Vec<Asset>) -> Result<AssetLibrary, FormatError> {
+    let mut library = AssetLibrary::default();
+    for material in materials {
+        library.add_material(material);
+    }
+    for (index, asset) in assets.into_iter().enumerate() {
+        library.add(asset).map_err(|e| source.error(format!("assets[{index}]"), e))?;
+    }
+    Ok(library)
+}
+
+/// Writes a scene; equal scenes give equal bytes.
+pub fn write(graph: &SceneGraph) -> String {
+    let mut text = format!("{{\"virtualcity\": {VERSION}, \"name\": {},\n", json(&graph.name()));
+    let library = graph.assets();
+    let materials: Vec<&Material> = (0..).map_while(|i| library.material(i)).collect();
+    let assets: Vec<&Arc<Asset>> = (0..library.len() as u32).filter_map(|i| library.get(AssetId(i))).collect();
+    list(&mut text, "nodes", graph.nodes().map(|n| json(&NodeFile::from(n))));
+    text.push_str(",\n");
+    // A symmetric relation is written once.
+    let once = graph.edges().filter(|e| !e.relation.is_symmetric() || e.from <= e.to);
+    list(&mut text, "edges", once.map(|e| json(&(e.from, e.relation, e.to))));
+    if !materials.is_empty() || !assets.is_empty() {
+        text.push_str(",\n");
+        list(&mut text, "materials", materials.into_iter().map(json));
+        text.push_str(",\n");
+        list(&mut text, "assets", assets.into_iter().map(|a| json(&**a)));
+    }
+    text.push_str("}\n");
+    text
+}
+
+/// JSON of one of our own plain types, which always has one.
+fn json<T: Serialize + ?Sized>(value: &T) -> String {
+    serde_json::to_string(value).unwrap_or_default()
+}
+
+fn list(text: &mut String, key: &str, items: impl Iterator<Item = String>) {
+    let _ = write!(text, " \"{key}\": [");
+    for (index, item) in items.enumerate() {
+        let _ = write!(text, "{}\n  {item}", if index == 0 { "" } else { "," });
+    }
+    text.push(']');
+}
+
+fn words<W: Word>(set: Set<W>) -> Vec<W> {
+    set.iter().collect()
+}
+
+impl From<&Node> for NodeFile {
+    fn from(node: &Node) -> Self {
+        let spec = node.spec();
+        let kind = match spec.kind {
+            Kind::Room => KindFile::Room,
+            Kind::Agent => KindFile::Agent,
+            Kind::Object => KindFile::Object,
+        };
+        Self {
+            id: node.id(),
+            class: spec.class.to_string(),
+            spelling: (spec.spelling != spec.class).then(|| spec.spelling.to_string()),
+            name: spec.name.as_deref().map(str::to_owned),
+            category: spec.category.to_string(),
+            kind: (kind != KindFile::Object).then_some(kind),
+            properties: (spec.properties != spec.affordances).then(|| words(spec.properties)),
+            affordances: words(spec.affordances),
+            states: words(node.states()),
+            pose: node.pose().map(PoseFile::from),
+            bounds: spec.bounds.as_ref().map(BoundsFile::from),
+            scale: Some(spec.scale.into()).filter(|&s: &[f32; 3]| s != [1.0; 3]),
+            slots: spec.slots.to_vec(),
+            contents: node.contents().map(|c| c.to_string()),
+            asset: spec.asset,
+        }
+    }
+}
+
+impl NodeFile {
+    /// The node, or the field that is wrong.
+    fn into_node(self) -> Result<Node, &'static str> {
+        let affordances: PropertySet = self.affordances.into_iter().collect();
+        let kind = match (self.kind, self.category.as_str()) {
+            (Some(KindFile::Room), _) | (None, "room" | "Rooms") => Kind::Room,
+            (Some(KindFile::Agent), _) | (None, "character" | "Characters") => Kind::Agent,
+            _ => Kind::Object,
+        };
+        let scale = self.scale.unwrap_or([1.0; 3]);
+        if !scale.iter().all(|v| v.is_finite()) {
+            return Err(".scale");
+        }
+        let class: Arc<str> = self.class.into();
+        let spec = Spec {
+            spelling: self.spelling.map_or_else(|| class.clone(), Into::into),
+            class,
+            name: self.name.map(Into::into),
+            category: self.category.into(),
+            kind,
+            properties: self.properties.map_or(affordances, |p| p.into_iter().collect()),
+            affordances,
+            bounds: self.bounds.map(|b| b.bounds().ok_or(".bounds")).transpose()?,
+            scale: scale.into(),
+            slots: self.slots.into(),
+            asset: self.asset,
+        };
+        let states: StateSet = self.states.into_iter().collect();
+        let pose = self.pose.map(|p| p.pose().ok_or(".pose")).transpose()?;
+        let contents = self.contents.map(Into::into);
+        Ok(Node { id: self.id, spec: Arc::new(spec), states, pose, contents, out: Vec::new(), inc: Vec::new() })
+    }
+}
+
+/// How many nodes there are of each class, for listings.
+pub fn inventory(graph: &SceneGraph) -> BTreeMap<Arc<str>, usize> {
+    let mut counts = BTreeMap::new();
+    for node in graph.nodes() {
+        *counts.entry(node.class().clone()).or_default() += 1;
+    }
+    counts
+}

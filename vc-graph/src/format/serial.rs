@@ -1,0 +1,106 @@
+//! How poses and vectors are written: plain arrays.
+
+use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use serde::{Deserialize, Serialize};
+
+use crate::{Bounds, Frame, Pose};
+
+/// A pose: position in metres, rotation as quaternion x, y, z, w.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PoseFile {
+    position: [f32; 3],
+    rotation: [f32; 4],
+}
+
+impl From<&Pose> for PoseFile {
+    fn from(pose: &Pose) -> Self {
+        Self { position: pose.translation.vector.into(), rotation: pose.rotation.coords.into() }
+    }
+}
+
+impl PoseFile {
+    /// The pose, if its numbers are finite and its rotation has unit length.
+    pub(super) fn pose(&self) -> Option<Pose> {
+        let rotation = Quaternion::from(nalgebra::Vector4::from(self.rotation));
+        let unit = (rotation.norm() - 1.0).abs() < 1e-3;
+        let finite = self.position.iter().all(|v| v.is_finite());
+        // Kept to the bit: normalising would change what was written.
+        let rotation = UnitQuaternion::new_unchecked(rotation);
+        (unit && finite).then(|| Isometry3::from_parts(Translation3::from(Vector3::from(self.position)), rotation))
+    }
+}
+
+/// A box.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct BoundsFile {
+    offset: [f32; 3],
+    half: [f32; 3],
+    #[serde(default, skip_serializing_if = "is_false")]
+    world: bool,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
+fn is_false(value: &bool) -> bool {
+    !value
+}
+
+impl From<&Bounds> for BoundsFile {
+    fn from(bounds: &Bounds) -> Self {
+        Self { offset: bounds.offset.into(), half: bounds.half.into(), world: bounds.frame == Frame::World }
+    }
+}
+
+impl BoundsFile {
+    pub(super) fn bounds(&self) -> Option<Bounds> {
+        let sound = self.offset.iter().all(|v| v.is_finite()) && self.half.iter().all(|v| v.is_finite() && *v >= 0.0);
+        let frame = if self.world { Frame::World } else { Frame::Object };
+        sound.then(|| Bounds { offset: self.offset.into(), half: self.half.into(), frame })
+    }
+}
+
+/// `#[serde(with)]` for a vector.
+pub(crate) mod vector {
+    use super::{Deserialize, Serialize, Vector3};
+    pub(crate) fn serialize<S: serde::Serializer>(v: &Vector3<f32>, s: S) -> Result<S::Ok, S::Error> {
+        <[f32; 3]>::from(*v).serialize(s)
+    }
+    pub(crate) fn deserialize<'de, D: serde::Deserializer<'de>>(d: D) -> Result<Vector3<f32>, D::Error> {
+        <[f32; 3]>::deserialize(d).map(Vector3::from)
+    }
+}
+
+/// `#[serde(with)]` for a point.
+pub(crate) mod point {
+    use super::{Deserialize, Point3, Serialize};
+    pub(crate) fn serialize<S: serde::Serializer>(p: &Point3<f32>, s: S) -> Result<S::Ok, S::Error> {
+        [p.x, p.y, p.z].serialize(s)
+    }
+    pub(crate) fn deserialize<'de, D: serde::Deserializer<'de>>(d: D) -> Result<Point3<f32>, D::Error> {
+        <[f32; 3]>::deserialize(d).map(Point3::from)
+    }
+}
+
+/// `#[serde(with)]` for a list of points.
+pub(crate) mod points {
+    use super::{Deserialize, Point3, Serialize};
+    pub(crate) fn serialize<S: serde::Serializer>(points: &[Point3<f32>], s: S) -> Result<S::Ok, S::Error> {
+        points.iter().map(|p| [p.x, p.y, p.z]).collect::<Vec<_>>().serialize(s)
+    }
+    pub(crate) fn deserialize<'de, D: serde::Deserializer<'de>>(d: D) -> Result<Vec<Point3<f32>>, D::Error> {
+        Ok(Vec::<[f32; 3]>::deserialize(d)?.into_iter().map(Point3::from).collect())
+    }
+}
+
+/// `#[serde(with)]` for a pose.
+pub(crate) mod pose {
+    use super::{Deserialize, Pose, PoseFile, Serialize};
+    pub(crate) fn serialize<S: serde::Serializer>(pose: &Pose, s: S) -> Result<S::Ok, S::Error> {
+        PoseFile::from(pose).serialize(s)
+    }
+    pub(crate) fn deserialize<'de, D: serde::Deserializer<'de>>(d: D) -> Result<Pose, D::Error> {
+        let bad = || serde::de::Error::custom("a pose has finite numbers and a rotation of unit length");
+        PoseFile::deserialize(d)?.pose().ok_or_else(bad)
+    }
+}

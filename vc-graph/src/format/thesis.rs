@@ -1,0 +1,313 @@
+//! The thesis's scene JSON (its Listing 1), both ways.
+//!
+//! One key, the environment's name, over a list of objects:
+//!
+//! ```json
+//! {"Apartment_0": [
+//!   {"conatiner": 0, "id": 7, "name": "SM_Glass", "relation": ["SM_Glass supported by SM_L_Table"],
+//!    "state": ["Clean"], "transform": ["X=120 Y=-40 Z=75", "P=0 Y=90 R=0", "X=1 Y=1 Z=1"]}]}
+//! ```
+//!
+//! - `conatiner` is the original's spelling; `container` is read as well.
+//! - Transforms are Unreal's: centimetres, left-handed, Z up, pitch, yaw and roll
+//!   in degrees. They are converted here and nowhere else.
+//! - Locations are those of the centre of an object's base, and its size is its
+//!   class's typical size times the scale.
+//! - The class is found in the name, `SM_Coffee_Table_03`. Rooms are objects of a
+//!   room class; agents are of class `character`.
+//! - In a relation, `NAME.ID` says which object is meant where several share a
+//!   name; a bare name means the nearest of them.
+//! - An object that is said to be in no room is in that of its support, else in
+//!   the room whose box contains it.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use serde::{Deserialize, Serialize};
+
+use super::{FormatError, Problem, Source};
+use crate::class::{Slot, SlotKind};
+use crate::node::Kind;
+use crate::vocabulary::clip;
+use crate::{
+    Bounds, ClassTable, Draft, Edge, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, StateSet, Word,
+};
+
+#[derive(Serialize, Deserialize)]
+struct ObjectFile {
+    #[serde(rename = "conatiner", alias = "container", default)]
+    containers: u32,
+    id: u32,
+    name: String,
+    #[serde(default)]
+    relation: Vec<String>,
+    #[serde(default)]
+    state: Vec<String>,
+    transform: [String; 3],
+}
+
+/// How relations are written.
+const PHRASES: &[(&str, Relation)] = &[
+    ("supported by", Relation::On),
+    ("inside", Relation::Inside),
+    ("under", Relation::Under),
+    ("between", Relation::Between),
+    ("facing", Relation::Facing),
+    ("touching", Relation::Touching),
+    ("near front of", Relation::NearFront),
+    ("near back of", Relation::NearBack),
+    ("near left of", Relation::NearLeft),
+    ("near right of", Relation::NearRight),
+    ("near", Relation::Near),
+    ("worn by", Relation::WornBy),
+    ("sitting on", Relation::SittingOn),
+    ("lying on", Relation::LyingOn),
+    ("holds in right hand", Relation::HoldsRight),
+    ("holds in left hand", Relation::HoldsLeft),
+    ("poured into", Relation::PouredInto),
+    ("taken off", Relation::TakenOff),
+    ("taken out of", Relation::TakenOut),
+];
+
+/// Reads a scene.
+///
+/// # Errors
+/// [`FormatError`]: not this format, numbers or states that are none, relations to
+/// objects that do not exist.
+pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
+    let source = Source { format: "thesis scene", text };
+    let file: HashMap<String, Vec<ObjectFile>> = source.json()?;
+    let number = file.len();
+    let mut environments = file.into_iter();
+    let (Some((name, objects)), None) = (environments.next(), environments.next()) else {
+        let message = format!("expected one key, the environment's name, over a list of objects; found {number} keys");
+        return Err(source.error(String::new(), Problem::Shape(message)));
+    };
+    let mut scene = SceneBuilder::with_classes(name.as_str(), classes.clone());
+    let at = |index: usize, field: &str| format!("{name}[{index}].{field}");
+    for (index, object) in objects.iter().enumerate() {
+        let draft = object.draft(classes).map_err(|(field, problem)| source.error(at(index, field), problem))?;
+        let added = scene.add_with_id(NodeId(object.id), draft);
+        added.map_err(|e| source.error(at(index, "id"), e))?;
+    }
+    let names = Names::of(&objects);
+    let mut edges = Vec::new();
+    for (index, object) in objects.iter().enumerate() {
+        for text in &object.relation {
+            let edge = names.edge(scene.graph(), object, text);
+            edges.push(edge.map_err(|problem| source.error(at(index, "relation"), problem))?);
+        }
+    }
+    scene.link_all(&edges).map_err(|e| source.error(name.clone(), e))?;
+    find_rooms(&mut scene).map_err(|e| source.error(name.clone(), e))?;
+    Ok(scene.build())
+}
+
+/// Writes a scene. What the format has no word for is not written: what a vessel
+/// is filled with, properties, boxes and assets.
+pub fn write(graph: &SceneGraph) -> String {
+    let mut by_name: HashMap<String, usize> = HashMap::new();
+    for node in graph.nodes() {
+        *by_name.entry(name_of(node)).or_default() += 1;
+    }
+    let reference = |node: &Node| {
+        let name = name_of(node);
+        if by_name.get(&name).is_some_and(|&n| n > 1) { format!("{name}.{}", node.id().0) } else { name }
+    };
+    let objects = graph.nodes().map(|node| {
+        let object = ObjectFile::of(graph, node, &reference);
+        serde_json::to_string(&object).unwrap_or_default()
+    });
+    let name = serde_json::to_string(graph.name()).unwrap_or_default();
+    format!("{{{name}: [\n{}\n]}}\n", objects.collect::<Vec<_>>().join(",\n"))
+}
+
+fn name_of(node: &Node) -> String {
+    node.spec().name.as_ref().unwrap_or(&node.spec().spelling).to_string()
+}
+
+impl ObjectFile {
+    fn draft(&self, classes: &ClassTable) -> Result<Draft, (&'static str, Problem)> {
+        let numbers = |index: usize, keys: [&str; 3]| {
+            fields(&self.transform[index], keys).ok_or_else(|| {
+                let wanted = keys.map(|k| format!("{k}=0")).join(" ");
+                let message = format!("expected `{wanted}`, found `{}`", clip(&self.transform[index]));
+                ("transform", Problem::Shape(message))
+            })
+        };
+        let location = numbers(0, ["X", "Y", "Z"])?;
+        let rotation = numbers(1, ["P", "Y", "R"])?;
+        let scale = numbers(2, ["X", "Y", "Z"])?.map(|v| v as f32);
+        let states = self.state.iter().map(|word| State::parse(word)).collect::<Result<StateSet, _>>();
+        let class = classes.get(&self.name);
+        let size = class.and_then(crate::Class::typical_size);
+        let scale = Vector3::from(scale);
+        Ok(Draft {
+            class: class.map_or_else(|| self.name.clone(), |c| c.name.to_string()),
+            name: Some(self.name.clone()),
+            states: Some(states.map_err(|e| ("state", Problem::Word(e)))?),
+            pose: Some(from_unreal(location, rotation)),
+            bounds: size.map(|s| Bounds::standing(s.component_mul(&scale.abs()))),
+            scale: Some(scale),
+            slots: self.slots(class),
+            ..Draft::default()
+        })
+    }
+
+    /// The class's places, unless the file counts other ones.
+    fn slots(&self, class: Option<&crate::Class>) -> Option<Vec<Slot>> {
+        let known = class.map_or(0, |c| storage(&c.slots));
+        (self.containers > 0 && self.containers != known).then(|| {
+            let seats = class.into_iter().flat_map(|c| c.slots.iter().copied()).filter(|s| !stores(s.kind));
+            let counted = Slot { kind: SlotKind::Compartment, number: self.containers };
+            seats.chain([counted]).collect()
+        })
+    }
+
+    fn of(graph: &SceneGraph, node: &Node, reference: &impl Fn(&Node) -> String) -> Self {
+        let own = reference(node);
+        let relation = node.out.iter().filter_map(|link| {
+            let to = graph.node(link.node)?;
+            let relation = if link.relation == Relation::InRoom { Relation::Inside } else { link.relation };
+            let phrase = PHRASES.iter().find(|(_, r)| *r == relation)?.0;
+            Some(format!("{own} {phrase} {}", reference(to)))
+        });
+        Self {
+            containers: storage(&node.spec().slots),
+            id: node.id().0,
+            name: name_of(node),
+            relation: relation.collect(),
+            state: node.states().iter().map(|s| titled(s.as_str())).collect(),
+            transform: to_unreal(node.pose().unwrap_or(&Pose::identity()), node.spec().scale),
+        }
+    }
+}
+
+/// `plugged_in` as `Plugged_In`.
+fn titled(word: &str) -> String {
+    let parts = word.split('_').map(|p| p[..1].to_uppercase() + &p[1..]);
+    parts.collect::<Vec<_>>().join("_")
+}
+
+/// Whether a kind of place counts as a container.
+fn stores(kind: SlotKind) -> bool {
+    matches!(kind, SlotKind::Shelf | SlotKind::Drawer | SlotKind::Compartment | SlotKind::Basin)
+}
+
+fn storage(slots: &[Slot]) -> u32 {
+    slots.iter().filter(|s| stores(s.kind)).fold(0, |sum, s| sum.saturating_add(s.number))
+}
+
+/// `X=1 Y=2 Z=3`: the three numbers, if they are of a sensible size.
+fn fields(text: &str, keys: [&str; 3]) -> Option<[f64; 3]> {
+    let mut parts = text.split_whitespace();
+    let mut next = |key: &str| {
+        let (found, number) = parts.next()?.split_once('=')?;
+        let number: f64 = number.parse().ok().filter(|v: &f64| v.abs() < 1e9)?;
+        found.eq_ignore_ascii_case(key).then_some(number)
+    };
+    let [a, b, c] = keys;
+    let all = [next(a)?, next(b)?, next(c)?];
+    parts.next().is_none().then_some(all)
+}
+
+/// Unreal's axes to ours: Y changes sign, and with it the turns around X's
+/// neighbours. Rotations apply roll, then pitch, then yaw.
+fn from_unreal([x, y, z]: [f64; 3], [pitch, yaw, roll]: [f64; 3]) -> Pose {
+    let turn = UnitQuaternion::from_euler_angles(roll.to_radians(), -pitch.to_radians(), -yaw.to_radians());
+    let place = Vector3::new(x / 100.0, -y / 100.0, z / 100.0).cast::<f32>();
+    Isometry3::from_parts(Translation3::from(place), turn.cast())
+}
+
+fn to_unreal(pose: &Pose, scale: Vector3<f32>) -> [String; 3] {
+    let place = pose.translation.vector.map(|v| decimal(v) * 100.0);
+    let (roll, pitch, yaw) = pose.rotation.cast::<f64>().euler_angles();
+    let degrees = |v: f64| tidy(v.to_degrees(), 4);
+    [
+        format!("X={} Y={} Z={}", tidy(place.x, 8), tidy(-place.y, 8), tidy(place.z, 8)),
+        format!("P={} Y={} R={}", degrees(-pitch), degrees(-yaw), degrees(roll)),
+        format!("X={} Y={} Z={}", scale.x, scale.y, scale.z),
+    ]
+}
+
+/// The shortest decimal that means this single-precision number.
+fn decimal(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or_else(|_| f64::from(value))
+}
+
+/// A number without trailing zeros and without minus zero.
+fn tidy(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" || text.is_empty() { "0".to_owned() } else { text.to_owned() }
+}
+
+/// Which objects a name can mean.
+struct Names<'f> {
+    by_name: HashMap<&'f str, Vec<u32>>,
+}
+
+impl<'f> Names<'f> {
+    fn of(objects: &'f [ObjectFile]) -> Self {
+        let mut by_name: HashMap<&str, Vec<u32>> = HashMap::new();
+        for object in objects {
+            by_name.entry(&object.name).or_default().push(object.id);
+        }
+        Self { by_name }
+    }
+
+    fn edge(&self, graph: &SceneGraph, object: &ObjectFile, text: &str) -> Result<Edge, Problem> {
+        let phrase = |(phrase, relation): &(&str, Relation)| {
+            let (from, to) = text.split_once(&format!(" {phrase} "))?;
+            Some((from.trim(), *relation, to.trim()))
+        };
+        let Some((from, relation, to)) = PHRASES.iter().find_map(phrase) else {
+            let message = format!("expected a relation such as `A supported by B`, found `{}`", clip(text));
+            return Err(Problem::Shape(message));
+        };
+        if from != object.name && from != format!("{}.{}", object.name, object.id) {
+            let message = format!("expected a relation of {}, found one of `{}`", clip(&object.name), clip(from));
+            return Err(Problem::Shape(message));
+        }
+        let (from, to) = (NodeId(object.id), self.find(graph, NodeId(object.id), to)?);
+        let into_room = relation == Relation::Inside && graph.node(to).is_some_and(|n| n.kind() == Kind::Room);
+        Ok(Edge { from, relation: if into_room { Relation::InRoom } else { relation }, to })
+    }
+
+    fn find(&self, graph: &SceneGraph, from: NodeId, name: &str) -> Result<NodeId, Problem> {
+        let exact = name.rsplit_once('.').and_then(|(name, id)| {
+            let id = id.parse().ok()?;
+            self.by_name.get(name).filter(|ids| ids.contains(&id)).map(|_| NodeId(id))
+        });
+        if let Some(id) = exact {
+            return Ok(id);
+        }
+        let ids = self.by_name.get(name).into_iter().flatten().map(|&id| NodeId(id)).filter(|&id| id != from);
+        let far = |id: &NodeId| graph.distance(from, *id).map_or(u32::MAX, |d| (d * 1e3) as u32);
+        ids.min_by_key(far).ok_or_else(|| Problem::NoSuchName(clip(name)))
+    }
+}
+
+/// Gives a room to every object that is said to be in none.
+fn find_rooms(scene: &mut SceneBuilder) -> Result<(), crate::EditError> {
+    let graph = scene.graph();
+    let lost: Vec<NodeId> =
+        graph.nodes().filter(|n| n.kind() != Kind::Room && graph.room_of(n.id()).is_none()).map(Node::id).collect();
+    let found: Vec<(NodeId, NodeId)> = lost.iter().filter_map(|&id| Some((id, room_around(graph, id)?))).collect();
+    let mut edit = scene.edit();
+    for (id, room) in found {
+        edit.link(Edge::new(id, Relation::InRoom, room));
+    }
+    edit.commit();
+    Ok(())
+}
+
+fn room_around(graph: &SceneGraph, id: NodeId) -> Option<NodeId> {
+    let supported = graph.support_chain(id).into_iter().find_map(|at| graph.room_of(at));
+    supported.or_else(|| {
+        let at = graph.node(id)?.position()?;
+        let contains = |room: &&NodeId| graph.node(**room).and_then(Node::aabb).is_some_and(|b| b.contains(&at));
+        graph.rooms().iter().find(contains).copied()
+    })
+}

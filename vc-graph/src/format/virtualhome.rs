@@ -1,0 +1,293 @@
+//! VirtualHome's environment graphs, both ways.
+//!
+//! | VirtualHome | here |
+//! |---|---|
+//! | `bounding_box`, metres, left-handed, Y up | pose at its centre and a world-aligned box, Y and Z swapped |
+//! | `obj_transform` (from version 2 on) | pose; the box stays world-aligned |
+//! | `INSIDE` a room | [`Relation::InRoom`]; `INSIDE` anything else, [`Relation::Inside`] |
+//! | `ON`, from a character that sits or lies | [`Relation::SittingOn`], [`Relation::LyingOn`] |
+//! | `ON` a character | [`Relation::WornBy`] |
+//! | `CLOSE`, written both ways | [`Relation::Near`], symmetric |
+//!
+//! Reading and writing again keeps every node, state, property and edge that the
+//! format has. What it has no word for is not written: contents, where a held
+//! thing was taken from, touching, directions, our own properties.
+
+use std::sync::Arc;
+
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use serde::{Deserialize, Serialize};
+
+use super::{FormatError, Problem, Source};
+use crate::node::Kind;
+use crate::vocabulary::clip;
+use crate::{
+    Bounds, ClassTable, Draft, Edge, EditError, Frame, Node, NodeId, Pose, Property, PropertySet, Relation,
+    SceneBuilder, SceneGraph, State, StateSet, UnknownWord, Word,
+};
+
+/// An environment graph as the file has it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EnvironmentGraph {
+    /// Its nodes.
+    pub nodes: Vec<EnvironmentNode>,
+    /// Its relations.
+    pub edges: Vec<EnvironmentEdge>,
+}
+
+/// A node as the file has it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EnvironmentNode {
+    /// Number.
+    pub id: u32,
+    /// `Rooms`, `Furniture`, `Props`, ...
+    #[serde(default)]
+    pub category: String,
+    /// Class.
+    pub class_name: String,
+    /// Unity's name of the model.
+    #[serde(default)]
+    pub prefab_name: Option<String>,
+    /// Version 2: position, rotation and scale.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub obj_transform: Option<Transform>,
+    /// Axis-aligned box.
+    #[serde(default)]
+    pub bounding_box: Option<BoundingBox>,
+    /// `GRABBABLE`, `CAN_OPEN`, ...
+    #[serde(default)]
+    pub properties: Vec<String>,
+    /// `CLOSED`, `OFF`, ...
+    #[serde(default)]
+    pub states: Vec<String>,
+}
+
+/// An axis-aligned box, metres, left-handed, Y up.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct BoundingBox {
+    /// Its centre.
+    pub center: [f32; 3],
+    /// Its full size.
+    pub size: [f32; 3],
+}
+
+/// A Unity transform.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Transform {
+    /// Metres.
+    pub position: [f32; 3],
+    /// Quaternion x, y, z, w.
+    pub rotation: [f32; 4],
+    /// Along each axis.
+    pub scale: [f32; 3],
+}
+
+/// A relation as the file has it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct EnvironmentEdge {
+    /// Where it starts.
+    pub from_id: u32,
+    /// What it is.
+    pub relation_type: RelationType,
+    /// Where it leads.
+    pub to_id: u32,
+}
+
+/// VirtualHome's relations.
+#[allow(missing_docs, reason = "the names are VirtualHome's; the module says what they mean here")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "SCREAMING_SNAKE_CASE")]
+pub enum RelationType {
+    On,
+    Inside,
+    Between,
+    Close,
+    Facing,
+    HoldsRh,
+    HoldsLh,
+    Sitting,
+}
+
+/// Reads an environment graph.
+///
+/// # Errors
+/// [`FormatError`]: not this format, unknown states or properties, numbers that
+/// occur twice, edges that lead nowhere.
+pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
+    let source = Source { format: "VirtualHome graph", text };
+    let file: EnvironmentGraph = source.json()?;
+    file.build("VirtualHome", classes).map_err(|(field, problem)| source.error(field, problem))
+}
+
+/// Writes an environment graph: nodes by number, edges by start, kind and end.
+pub fn write(graph: &SceneGraph) -> String {
+    serde_json::to_string(&EnvironmentGraph::of(graph)).unwrap_or_default()
+}
+
+type Wrong = (String, Problem);
+
+impl EnvironmentGraph {
+    /// The scene.
+    ///
+    /// # Errors
+    /// The field and what is wrong with it.
+    pub fn build(&self, name: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, (String, Problem)> {
+        let mut scene = SceneBuilder::with_classes(name, classes.clone());
+        for (index, node) in self.nodes.iter().enumerate() {
+            let draft = node.draft().map_err(|(field, problem)| (format!("nodes[{index}].{field}"), problem))?;
+            let added = scene.add_with_id(NodeId(node.id), draft);
+            added.map_err(|e| (format!("nodes[{index}].id"), Problem::Edit(e)))?;
+        }
+        let mut edges = Vec::with_capacity(self.edges.len());
+        for (index, edge) in self.edges.iter().enumerate() {
+            let read = edge.read(scene.graph()).map_err(|e| (format!("edges[{index}]"), Problem::Edit(e)));
+            edges.push(read?);
+        }
+        scene.link_all(&edges).map_err(|e| ("edges".to_owned(), Problem::Edit(e)))?;
+        Ok(scene.build())
+    }
+
+    /// A scene as the format has it.
+    pub fn of(graph: &SceneGraph) -> Self {
+        let mut edges: Vec<EnvironmentEdge> = graph.edges().filter_map(EnvironmentEdge::of).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        Self { nodes: graph.nodes().map(EnvironmentNode::of).collect(), edges }
+    }
+}
+
+/// Swaps Y and Z: left-handed Y up to right-handed Z up, and back.
+fn swap(v: [f32; 3]) -> Vector3<f32> {
+    Vector3::new(v[0], v[2], v[1])
+}
+
+fn swap_back(v: Vector3<f32>) -> [f32; 3] {
+    [v.x, v.z, v.y]
+}
+
+impl Transform {
+    fn pose(&self) -> Pose {
+        let [x, y, z, w] = self.rotation;
+        let turn = UnitQuaternion::new_unchecked(Quaternion::new(w, -x, -z, -y));
+        Isometry3::from_parts(Translation3::from(swap(self.position)), turn)
+    }
+
+    fn of(node: &Node, pose: &Pose) -> Self {
+        let q = pose.rotation.coords;
+        Self {
+            position: swap_back(pose.translation.vector),
+            rotation: [-q.x, -q.z, -q.y, q.w],
+            scale: swap_back(node.spec().scale),
+        }
+    }
+}
+
+fn sound(numbers: &[f32]) -> bool {
+    numbers.iter().all(|v| v.is_finite() && v.abs() < 1e7)
+}
+
+impl EnvironmentNode {
+    fn draft(&self) -> Result<Draft, Wrong> {
+        let mut draft = Draft::new(&*self.class_name);
+        draft.category = Some(self.category.clone());
+        draft.name.clone_from(&self.prefab_name);
+        draft.properties = Some(self.properties()?);
+        draft.states = Some(self.states()?);
+        let number = |field: &str, v: &dyn std::fmt::Debug| (field.to_owned(), Problem::Number(clip(&format!("{v:?}"))));
+        if let Some(t) = &self.obj_transform {
+            if !sound(&t.position) || !sound(&t.scale) || !sound(&t.rotation) {
+                return Err(number("obj_transform", t));
+            }
+            draft.pose = Some(t.pose());
+            draft.scale = Some(swap(t.scale));
+        }
+        if let Some(b) = &self.bounding_box {
+            if !sound(&b.center) || !sound(&b.size) {
+                return Err(number("bounding_box", b));
+            }
+            let centre = swap(b.center);
+            let pose = *draft.pose.get_or_insert_with(|| Isometry3::from_parts(centre.into(), UnitQuaternion::identity()));
+            let offset = centre - pose.translation.vector;
+            draft.bounds = Some(Bounds { offset, half: swap(b.size) / 2.0, frame: Frame::World });
+        }
+        Ok(draft)
+    }
+
+    fn properties(&self) -> Result<PropertySet, Wrong> {
+        let read = |(i, word): (usize, &String)| {
+            let unknown = || Problem::Shape(format!("unknown property `{}`; VirtualHome's are SURFACES, GRABBABLE, ...", clip(word)));
+            Property::from_virtualhome(word).ok_or_else(|| (format!("properties[{i}]"), unknown()))
+        };
+        self.properties.iter().enumerate().map(read).collect()
+    }
+
+    fn states(&self) -> Result<StateSet, Wrong> {
+        let at = |i: usize, e: UnknownWord| (format!("states[{i}]"), Problem::Word(e));
+        self.states.iter().enumerate().map(|(i, word)| State::parse(word).map_err(|e| at(i, e))).collect()
+    }
+
+    fn of(node: &Node) -> Self {
+        let spec = node.spec();
+        let turned = |pose: &&Pose| {
+            // Version 1 has boxes only: no turn, and the pose is the box's centre.
+            spec.bounds.is_none_or(|b| b.offset != Vector3::zeros()) || pose.rotation != UnitQuaternion::identity()
+        };
+        Self {
+            id: node.id().0,
+            category: spec.category.to_string(),
+            class_name: spec.spelling.to_string(),
+            prefab_name: spec.name.as_deref().map(str::to_owned),
+            obj_transform: node.pose().filter(turned).map(|pose| Transform::of(node, pose)),
+            bounding_box: node.aabb().map(|b| bounding_box(node, &b)),
+            properties: spec.properties.iter().filter_map(Property::virtualhome).map(str::to_owned).collect(),
+            states: node.states().iter().map(|s| s.as_str().to_uppercase()).collect(),
+        }
+    }
+}
+
+fn bounding_box(node: &Node, aabb: &crate::Aabb) -> BoundingBox {
+    match (node.spec().bounds, node.pose()) {
+        // The numbers that were read, not their sums and differences.
+        (Some(b), Some(pose)) if b.frame == Frame::World => BoundingBox {
+            center: swap_back(pose.translation.vector + b.offset),
+            size: swap_back(b.half * 2.0),
+        },
+        _ => BoundingBox { center: swap_back(aabb.centre().coords), size: swap_back(aabb.max - aabb.min) },
+    }
+}
+
+impl EnvironmentEdge {
+    fn read(&self, graph: &SceneGraph) -> Result<Edge, EditError> {
+        let node = |id| graph.node(NodeId(id)).ok_or(EditError::NoSuchNode(NodeId(id)));
+        let (from, to) = (node(self.from_id)?, node(self.to_id)?);
+        let relation = match (self.relation_type, from.kind(), to.kind()) {
+            (RelationType::Inside, _, Kind::Room) => Relation::InRoom,
+            (RelationType::Inside, ..) => Relation::Inside,
+            (RelationType::Sitting, ..) => Relation::SittingOn,
+            (RelationType::On, Kind::Agent, _) if from.is(State::Sitting) => Relation::SittingOn,
+            (RelationType::On, Kind::Agent, _) if from.is(State::Lying) => Relation::LyingOn,
+            (RelationType::On, _, Kind::Agent) => Relation::WornBy,
+            (RelationType::On, ..) => Relation::On,
+            (RelationType::Between, ..) => Relation::Between,
+            (RelationType::Close, ..) => Relation::Near,
+            (RelationType::Facing, ..) => Relation::Facing,
+            (RelationType::HoldsRh, ..) => Relation::HoldsRight,
+            (RelationType::HoldsLh, ..) => Relation::HoldsLeft,
+        };
+        Ok(Edge::new(from.id(), relation, to.id()))
+    }
+
+    fn of(edge: Edge) -> Option<Self> {
+        let relation_type = match edge.relation {
+            Relation::On | Relation::SittingOn | Relation::LyingOn | Relation::WornBy => RelationType::On,
+            Relation::Inside | Relation::InRoom | Relation::PouredInto => RelationType::Inside,
+            Relation::Between => RelationType::Between,
+            Relation::Near => RelationType::Close,
+            Relation::Facing => RelationType::Facing,
+            Relation::HoldsRight => RelationType::HoldsRh,
+            Relation::HoldsLeft => RelationType::HoldsLh,
+            _ => return None,
+        };
+        Some(Self { from_id: edge.from.0, relation_type, to_id: edge.to.0 })
+    }
+}
