@@ -1,1 +1,2 @@
-//! x
+//! VirtualCity.
+pub use vc_graph as graph;

@@ -166,7 +166,12 @@ impl<'g> Edit<'g> {
         self.set_states(id, before.without(state))
     }
 
-    fn set_states(&mut self, id: NodeId, after: StateSet) -> Result<(), EditError> {
+    /// Sets all states at once, as seen; the states given should not exclude each
+    /// other.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`].
+    pub fn set_states(&mut self, id: NodeId, after: StateSet) -> Result<(), EditError> {
         let before = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?.states();
         if before != after {
             self.make(Change::States { id, before, after });
@@ -264,6 +269,27 @@ impl<'g> Edit<'g> {
             Some(room) => self.move_to_room(id, room),
             None => Ok(()),
         }
+    }
+
+    /// Puts a thing where it has been seen, which may be several places at once (on
+    /// a board and in the cupboard), none, or a hand.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`], [`EditError::SupportCycle`], [`EditError::WrongKind`].
+    pub fn place_as_seen(&mut self, id: NodeId, places: &[Place], room: Option<NodeId>) -> Result<(), EditError> {
+        let cyclic = |p: &&Place| id == p.at || self.graph.rests_at(p.at, id);
+        if let Some(place) = places.iter().find(cyclic) {
+            let (thing, at) = (self.graph.label(id), self.graph.label(place.at));
+            return Err(EditError::SupportCycle { thing, at });
+        }
+        places.iter().try_for_each(|p| self.check(p.at))?;
+        self.detach(id)?;
+        for place in places {
+            let held = Relation::hands().contains(&place.relation);
+            let edge = Edge::new(id, place.relation, place.at);
+            self.link(if held { edge.reversed() } else { edge });
+        }
+        room.map_or(Ok(()), |room| self.move_to_room(id, room))
     }
 
     /// Puts a thing into an agent's free hand, the right one first. Holding what

@@ -275,17 +275,13 @@ fn kind_of(class: Option<&Class>, category: &str) -> Kind {
 }
 
 /// What a node affords. Where the author lists properties, only the author says
-/// what opens, switches and plugs in, by property or by a written state; the
-/// class table adds the rest, which authors often leave out.
+/// what opens, switches and plugs in; the class table adds the rest, which authors
+/// often leave out. VirtualHome's windows open although it does not say so: there
+/// a written state and the class table decide together.
 fn affordances(written: Option<PropertySet>, known: PropertySet, states: StateSet) -> PropertySet {
     use Property::{Openable, Plug, Switchable};
     let Some(written) = written else { return known };
-    let mut all = written.union(known.minus(PropertySet::of(&[Openable, Plug, Switchable])));
-    if states.contains(State::Open) || states.contains(State::Closed) {
-        all = all.with(Openable);
-    }
-    if states.contains(State::On) || states.contains(State::Off) {
-        all = all.with(Switchable);
-    }
-    all
+    let all = written.union(known.minus(PropertySet::of(&[Openable, Plug, Switchable])));
+    let opens = states.contains(State::Open) || states.contains(State::Closed);
+    if opens && known.contains(Openable) { all.with(Openable) } else { all }
 }

@@ -126,6 +126,12 @@ impl Observation {
         edges.filter(|e| self.sees(e.to))
     }
 
+    /// The relations of a kind that start at a seen node and end at one.
+    pub fn related(&self, from: NodeId, relation: Relation) -> impl Iterator<Item = Edge> + '_ {
+        let targets = self.get(from).into_iter().flat_map(move |n| n.out(relation));
+        targets.filter(|&to| self.sees(to)).map(move |to| Edge::new(from, relation, to))
+    }
+
     /// Where a seen thing is seen to be: on, in, worn or held by what.
     pub fn places(&self, id: NodeId) -> impl Iterator<Item = Place> + '_ {
         let node = self.get(id);

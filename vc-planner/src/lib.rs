@@ -1,1 +1,14 @@
-//! x
+//! Belief, regression planner and agents for household goals.
+mod agent;
+mod belief;
+mod episode;
+mod known;
+mod plan;
+mod subgoal;
+
+pub use agent::{Agent, Decision};
+pub use belief::{Belief, Learned};
+pub use episode::{Episode, Step, Summary, run_episode};
+pub use known::Known;
+pub use plan::{Horizon, Plan, plan};
+pub use subgoal::{Subgoal, Unreachable, Want};

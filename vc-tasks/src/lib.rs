@@ -1,1 +1,31 @@
-//! x
+//! Household tasks: what is to be done, whether it makes sense in a scene, and how
+//! it came out.
+//!
+//! A [`Task`] is a goal with a title and a limit of steps. [`Task::obstacles`] says
+//! why a goal cannot make sense in a scene before anybody tries, an [`Outcome`]
+//! says how an attempt ended, and [`household`] is a list of everyday tasks.
+//!
+//! ```
+//! use vc_graph::{Draft, SceneBuilder};
+//! use vc_tasks::Task;
+//!
+//! let mut scene = SceneBuilder::new("flat");
+//! let kitchen = scene.add(Draft::new("kitchen"))?;
+//! scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+//! scene.add_in(kitchen, Draft::new("character"))?;
+//! let task = Task::new("breakfast", "On(apple, kitchen_table), 2".parse()?);
+//! let why: Vec<String> = task.obstacles(&scene.build()).iter().map(|o| o.to_string()).collect();
+//! assert_eq!(why, ["`On(apple, kitchen_table), 2` needs 2 of `apple`, the scene has 0"]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! This is the first slice of the crate: the further goal languages, benchmark
+//! tasks and initial environments of `ARCHITECTURE.md` are not here yet.
+
+mod household;
+mod obstacle;
+mod task;
+
+pub use household::household;
+pub use obstacle::Obstacle;
+pub use task::{Outcome, Task, TaskError};

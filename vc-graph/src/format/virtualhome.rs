@@ -10,8 +10,8 @@
 //! | `CLOSE`, written both ways | [`Relation::Near`], symmetric |
 //!
 //! Reading and writing again keeps every node, state, property and edge that the
-//! format has. What it has no word for is not written: contents, where a held
-//! thing was taken from, touching, directions, our own properties.
+//! format has. What it has no word for is not written: our further states and
+//! properties, contents, where a held thing was taken from, touching, directions.
 
 use std::sync::Arc;
 
@@ -156,6 +156,20 @@ impl EnvironmentGraph {
     }
 }
 
+/// The states VirtualHome has; its tools refuse any other.
+const STATES: [State; 10] = [
+    State::Open,
+    State::Closed,
+    State::On,
+    State::Off,
+    State::Clean,
+    State::Dirty,
+    State::PluggedIn,
+    State::PluggedOut,
+    State::Sitting,
+    State::Lying,
+];
+
 /// Swaps Y and Z: left-handed Y up to right-handed Z up, and back.
 fn swap(v: [f32; 3]) -> Vector3<f32> {
     Vector3::new(v[0], v[2], v[1])
@@ -240,7 +254,7 @@ impl EnvironmentNode {
             obj_transform: node.pose().filter(turned).map(|pose| Transform::of(node, pose)),
             bounding_box: node.aabb().map(|b| bounding_box(node, &b)),
             properties: spec.properties.iter().filter_map(Property::virtualhome).map(str::to_owned).collect(),
-            states: node.states().iter().map(|s| s.as_str().to_uppercase()).collect(),
+            states: node.states().iter().filter(|s| STATES.contains(s)).map(|s| s.as_str().to_uppercase()).collect(),
         }
     }
 }

@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use crate::node::Kind;
 use crate::rule::condition::{origin, vehicle_of};
-use crate::{Action, Edge, Edit, EditError, NodeId, Place, Pose, Relation, SceneGraph, State};
+use crate::{Action, Edge, Edit, EditError, NodeId, Place, Pose, Property, Relation, SceneGraph, State};
 
 /// Which thing of an action a rule speaks of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -133,7 +133,7 @@ pub(super) fn carry_out(edit: &mut Edit<'_>, agent: NodeId, effect: Effect<NodeI
         Effect::SitOn(id) => rest_on(edit, agent, id, Relation::SittingOn, State::Sitting),
         Effect::LieOn(id) => rest_on(edit, agent, id, Relation::LyingOn, State::Lying),
         Effect::StandUp => stand_up(edit, agent),
-        Effect::PourInto(id, into) => pour(edit, agent, id, into),
+        Effect::PourInto(id, into) => pour(edit, id, into),
         Effect::FillWithWater(id) => edit.fill(id, Some("water".into())),
         Effect::PutOnBody(id) => {
             forget_origin(edit, id)?;
@@ -151,8 +151,7 @@ pub(super) fn carry_out(edit: &mut Edit<'_>, agent: NodeId, effect: Effect<NodeI
 const NEARNESS: [Relation; 5] =
     [Relation::Near, Relation::NearFront, Relation::NearBack, Relation::NearLeft, Relation::NearRight];
 
-/// Leaves what was near, and comes near what it goes to: the thing, what it is
-/// inside or on, and what is inside it, as in VirtualHome.
+/// Leaves what was near and comes near what it goes to, taking along what it holds.
 fn go_to(edit: &mut Edit<'_>, agent: NodeId, id: NodeId) -> Result<(), EditError> {
     edit.unrelate(agent, &NEARNESS)?;
     edit.unrelate(agent, &[Relation::Facing])?;
@@ -164,15 +163,11 @@ fn go_to(edit: &mut Edit<'_>, agent: NodeId, id: NodeId) -> Result<(), EditError
     let mut near = held.clone();
     if room != id {
         near.push(id);
-        near.extend(edit.graph().related(id, Relation::Inside));
-        near.extend(edit.graph().related(id, Relation::On));
-        if edit.graph().node(id).is_some_and(|n| n.affords(crate::Property::Openable)) {
-            near.extend(edit.graph().relating(Relation::Inside, id));
-        }
+        near.extend(at_hand_with(edit.graph(), id));
     }
     for thing in held {
         edit.unrelate(thing, &NEARNESS)?;
-        edit.unrelate(thing, &[Relation::Facing, Relation::PouredInto])?;
+        edit.unrelate(thing, &[Relation::Facing])?;
     }
     for thing in near.into_iter().filter(|&thing| thing != agent) {
         edit.relate(Edge::new(agent, Relation::Near, thing))?;
@@ -181,6 +176,16 @@ fn go_to(edit: &mut Edit<'_>, agent: NodeId, id: NodeId) -> Result<(), EditError
         Some(pose) => edit.carry_to(agent, pose),
         None => Ok(()),
     }
+}
+
+/// What one comes near with a thing: what is on it, what is inside it unless it is
+/// closed, and what it is inside.
+fn at_hand_with(graph: &SceneGraph, id: NodeId) -> Vec<NodeId> {
+    let openable = |id: &NodeId| graph.node(*id).is_some_and(|n| n.affords(Property::Openable));
+    let shut = graph.node(id).is_none_or(crate::Node::hides_contents);
+    let inside = graph.relating(Relation::Inside, id).filter(|_| openable(&id) && !shut);
+    let around = graph.related(id, Relation::Inside);
+    graph.relating(Relation::On, id).chain(inside).chain(around).collect()
 }
 
 /// A pose on the floor before a thing, or in the middle of a room, facing it.
@@ -212,7 +217,6 @@ fn hold(edit: &mut Edit<'_>, agent: NodeId, id: NodeId) -> Result<(), EditError>
     }
     let origin = edit.graph().place(id);
     edit.unrelate(id, &NEARNESS)?;
-    edit.unrelate(id, &[Relation::PouredInto])?;
     edit.hold(agent, id)?;
     edit.relate(Edge::new(agent, Relation::Near, id))?;
     forget_origin(edit, id)?;
@@ -303,12 +307,12 @@ fn stand_up(edit: &mut Edit<'_>, agent: NodeId) -> Result<(), EditError> {
 
 /// What is poured fills the vessel. Water is the liquid itself: it leaves the hand
 /// and is inside; of a bottle only the relation `poured_into` tells.
-fn pour(edit: &mut Edit<'_>, agent: NodeId, id: NodeId, into: NodeId) -> Result<(), EditError> {
+fn pour(edit: &mut Edit<'_>, id: NodeId, into: NodeId) -> Result<(), EditError> {
     let Some(node) = edit.graph().node(id) else { return Ok(()) };
     let (class, vessel) = (node.class().clone(), node.contents().cloned());
     edit.fill(into, Some(vessel.clone().unwrap_or_else(|| class.clone())))?;
     if &*class == "water" {
-        return put(edit, agent, id, Place { relation: Relation::Inside, at: into });
+        return edit.place(id, Place { relation: Relation::Inside, at: into });
     }
     if vessel.is_some() {
         edit.fill(id, None)?;

@@ -2,10 +2,12 @@
 
 use crate::rule::condition::{Condition, origin};
 use crate::rule::effect::{Effect, Role};
+use crate::rule::preconditions;
 use crate::rule::table::RULES;
 use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
 
-/// Actions whose effects make a condition true for an agent, most direct first.
+/// Actions whose effects make a condition true for an agent, those first that need
+/// least in addition.
 /// What an action needs in turn is not looked at: regress through its
 /// [`preconditions`](super::preconditions).
 ///
@@ -24,6 +26,18 @@ use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
 /// # Ok::<(), vc_graph::EditError>(())
 /// ```
 pub fn achievers(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action> {
+    let mut found = candidates(graph, agent, want);
+    let unmet = |a: &Action| preconditions(a).iter().filter(|c| !c.holds(graph, agent)).count();
+    if found.len() > 1 && found.len() < MANY {
+        found.sort_by_cached_key(unmet);
+    }
+    found
+}
+
+/// From so many candidates on, weighing them costs more than trying.
+const MANY: usize = 16;
+
+fn candidates(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action> {
     match *want {
         Condition::Accessible(id) => match graph.hidden_in(id) {
             Some(container) => achievers(graph, agent, &Condition::In(container, State::Open)),
@@ -42,7 +56,10 @@ pub fn achievers(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Act
             None => Vec::new(),
         },
         Condition::OnHeat(id) => heat(graph, agent, id),
-        Condition::AtRest => rests(graph, agent),
+        Condition::AtRest => rests(graph, agent, None),
+        Condition::In(id, posture @ (State::Sitting | State::Lying)) if id == agent => {
+            rests(graph, agent, Some(posture))
+        }
         Condition::Related(id, Relation::Inside | Relation::InRoom, room) if graph.rooms().contains(&room) => {
             into_room(graph, agent, id, room)
         }
@@ -112,14 +129,17 @@ fn binding(effect: Effect<Role>, want: &Condition, agent: NodeId) -> Option<Boun
     }
 }
 
-/// Ways to free a hand: put something on a surface at hand, or drop it.
+/// Ways to free a hand: put something on a surface at hand, else on one in the
+/// room, else drop it.
 fn put_downs(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     let surface = |id: &NodeId| graph.node(*id).is_some_and(|n| n.affords(Property::Surface));
-    let mut near: Vec<NodeId> = graph.related(agent, Relation::Near).filter(surface).collect();
-    near.retain(|&id| !graph.rests_at(id, agent) && graph.hidden_in(id).is_none());
+    let usable = |id: &NodeId| surface(id) && !graph.rests_at(*id, agent) && graph.hidden_in(*id).is_none();
+    let near = graph.related(agent, Relation::Near).filter(usable);
+    let there = graph.room_of(agent).into_iter().flat_map(|room| graph.in_room(room)).filter(usable);
+    let at: Vec<NodeId> = near.chain(there).take(3).collect();
     let held: Vec<NodeId> = graph.held(agent).collect();
-    let place = |&id: &NodeId| near.first().map(|&at| Action::two(Verb::Place, id, at));
-    held.iter().filter_map(place).chain(held.iter().map(|&id| Action::one(Verb::Drop, id))).collect()
+    let place = |at: &NodeId| held.iter().map(|&id| Action::two(Verb::Place, id, *at)).collect::<Vec<_>>();
+    at.iter().flat_map(place).chain(held.iter().map(|&id| Action::one(Verb::Drop, id))).collect()
 }
 
 /// Ways to have something of a kind in hand: what is near first.
@@ -131,14 +151,21 @@ fn grabs(graph: &SceneGraph, agent: NodeId, kind: impl Fn(NodeId) -> bool) -> Ve
     found.into_iter().map(|id| Action::one(Verb::Grab, id)).collect()
 }
 
-/// Ways to be seated or lying.
-fn rests(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
-    let seat = |n: &&crate::Node| n.affords(Property::Sittable) || n.affords(Property::Lieable);
-    let mut found: Vec<&crate::Node> = graph.nodes().filter(seat).collect();
+/// Ways to be seated or lying: where one is already first.
+fn rests(graph: &SceneGraph, agent: NodeId, posture: Option<State>) -> Vec<Action> {
+    let postures = [(State::Sitting, Property::Sittable, Verb::Sit), (State::Lying, Property::Lieable, Verb::Lie)];
     let room = graph.room_of(agent);
-    found.sort_by_key(|n| (!graph.near(agent, n.id()), graph.room_of(n.id()) != room));
-    let verb = |n: &crate::Node| if n.affords(Property::Sittable) { Verb::Sit } else { Verb::Lie };
-    found.into_iter().map(|n| Action::one(verb(n), n.id())).collect()
+    let mut found = Vec::new();
+    for (state, property, verb) in postures {
+        if posture.is_none_or(|p| p == state) {
+            let fit = graph.nodes().filter(|n| n.affords(property));
+            found.extend(fit.map(|n| (n.id(), Action::one(verb, n.id()))));
+        }
+    }
+    found.sort_by_cached_key(|&(id, _)| {
+        (!graph.rests_at(agent, id), !graph.near(agent, id), graph.room_of(id) != room)
+    });
+    found.into_iter().map(|(_, action)| action).collect()
 }
 
 /// Ways to have something on heat: switch on what it is on, or put it there.

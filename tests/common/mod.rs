@@ -1,0 +1,28 @@
+//! Where the shared test data is, and how it is read.
+
+use std::io::Read;
+use std::path::PathBuf;
+
+/// The folder of shared data: `VC_DATA`, or `../shared/data` beside the project.
+/// Prints that a test is skipped when there is neither.
+pub fn data() -> Option<PathBuf> {
+    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/data");
+    let folder = std::env::var_os("VC_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from);
+    if folder.is_dir() {
+        return Some(folder);
+    }
+    eprintln!("SKIPPED: no shared data at {}; set VC_DATA to where it is", folder.display());
+    None
+}
+
+/// A text file, unpacked if its name ends in `.gz`.
+pub fn text(path: &str) -> Option<String> {
+    let path = data()?.join(path);
+    let bytes = std::fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    if path.extension().is_none_or(|e| e != "gz") {
+        return Some(String::from_utf8(bytes).unwrap());
+    }
+    let mut text = String::new();
+    flate2::read::GzDecoder::new(&bytes[..]).read_to_string(&mut text).unwrap();
+    Some(text)
+}

@@ -1,0 +1,324 @@
+//! What an agent believes about a scene it sees only in part.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use vc_graph::{
+    Action, ChangeSet, Edge, Kind, Node, NodeId, Observation, Place, Property, Relation, SceneGraph, State, StateSet,
+    rule,
+};
+
+use crate::Known;
+
+/// Where things are, as far as an agent knows, and for the others a guess.
+///
+/// It is told the plan of the home when it moves in: the rooms, the fixed things
+/// and which movable things exist. It is not told where the movable ones are, nor
+/// what is open or on. For each of them every place, that is every surface and
+/// container and the floor of each room, is equally likely until it has been seen
+/// without the thing (the thesis's section 4.3). The guess is a sample, kept until
+/// an observation proves it false; when every place has been seen without it, the
+/// belief widens to all places again, because something was moved meanwhile.
+///
+/// Updating costs a look at each node seen and at each thing still missing.
+#[derive(Debug, Clone)]
+pub struct Belief {
+    agent: NodeId,
+    /// The sampled state: what is known, and guesses for the rest.
+    graph: SceneGraph,
+    known: Known,
+    /// Where things can be; `seen` says which of them have been looked at.
+    places: Vec<Place>,
+    seen: Vec<bool>,
+    /// Things not yet found, with the place of their guess.
+    missing: Vec<(NodeId, usize)>,
+    last: Option<Observation>,
+    /// Nodes whose guess the agent's own last action has changed.
+    touched: Vec<NodeId>,
+    widened: usize,
+    rng: ChaCha8Rng,
+}
+
+/// What an observation taught.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Learned {
+    /// Things seen for the first time.
+    pub found: Vec<NodeId>,
+    /// Things whose guessed place was proved false.
+    pub disproved: Vec<NodeId>,
+}
+
+impl Belief {
+    /// The belief of an agent that knows only the plan of a home. `graph` is the
+    /// true scene: rooms and fixed things are taken from it, the places of movable
+    /// things and all states are forgotten.
+    pub fn of_newcomer(graph: &SceneGraph, agent: NodeId, seed: u64) -> Self {
+        let mut belief = Self::with(graph, agent, seed);
+        belief.places = places(graph);
+        belief.seen = vec![false; belief.places.len()];
+        let held: Vec<NodeId> = graph.carried_with(agent);
+        let movable = |n: &&Node| n.kind() == Kind::Object && n.affords(Property::Graspable) && !held.contains(&n.id());
+        let hidden: Vec<NodeId> = graph.nodes().filter(movable).map(Node::id).collect();
+        belief.forget(&hidden);
+        for id in hidden {
+            let place = belief.sample();
+            belief.missing.push((id, place));
+            belief.suppose(id, place);
+        }
+        let seen_before = graph.nodes().filter(|n| n.kind() == Kind::Room).map(Node::id);
+        belief.known = seen_before.chain(held).collect();
+        belief
+    }
+
+    /// The belief of an agent that knows everything.
+    pub fn of_resident(graph: &SceneGraph, agent: NodeId) -> Self {
+        let mut belief = Self::with(graph, agent, 0);
+        belief.known = graph.nodes().map(Node::id).collect();
+        belief
+    }
+
+    fn with(graph: &SceneGraph, agent: NodeId, seed: u64) -> Self {
+        Self {
+            agent,
+            graph: graph.clone(),
+            known: Known::default(),
+            places: Vec::new(),
+            seen: Vec::new(),
+            missing: Vec::new(),
+            last: None,
+            touched: Vec::new(),
+            widened: 0,
+            rng: ChaCha8Rng::seed_from_u64(seed),
+        }
+    }
+
+    /// The sampled state: a whole scene in which the agent can plan.
+    pub fn graph(&self) -> &SceneGraph {
+        &self.graph
+    }
+
+    /// The sampled state, for a planner to try actions on and take them back.
+    pub(crate) fn graph_mut(&mut self) -> &mut SceneGraph {
+        &mut self.graph
+    }
+
+    /// What the agent has seen.
+    pub fn known(&self) -> &Known {
+        &self.known
+    }
+
+    /// How often everything had been searched and the belief widened.
+    pub fn widened(&self) -> usize {
+        self.widened
+    }
+
+    /// The places where something not yet found can be, all equally likely.
+    pub fn possible_places(&self) -> impl Iterator<Item = Place> + '_ {
+        self.places.iter().zip(&self.seen).filter(|(_, seen)| !**seen).map(|(place, _)| *place)
+    }
+
+    /// How likely a thing is at a place, 0 to 1.
+    pub fn probability(&self, id: NodeId, place: Place) -> f64 {
+        if !self.missing.iter().any(|&(m, _)| m == id) {
+            return f64::from(u8::from(self.graph.places(id).any(|p| p == place)));
+        }
+        let open = self.possible_places().count();
+        if self.possible_places().any(|p| p == place) { 1.0 / open as f64 } else { 0.0 }
+    }
+
+    /// Expects what an action of the agent's own does.
+    pub fn expect(&mut self, action: &Action) {
+        let changes = rule::step(&mut self.graph, self.agent, action);
+        self.touched = changes.as_ref().map(touched).unwrap_or_default();
+    }
+
+    /// Takes in what the agent sees.
+    pub fn observe(&mut self, seen: &Observation) -> Learned {
+        let mut learned = Learned::default();
+        self.take_over(seen, &mut learned);
+        self.look_at_places(seen);
+        self.missing.retain(|(id, _)| !seen.sees(*id));
+        self.resample(&mut learned);
+        self.last = Some(seen.clone());
+        learned
+    }
+
+    /// Brings the sampled state in line with what is seen.
+    fn take_over(&mut self, seen: &Observation, learned: &mut Learned) {
+        let last = self.last.take();
+        for node in seen.nodes() {
+            let id = node.id();
+            // Snapshots share unchanged nodes: the same node need not be compared.
+            let same = last.as_ref().and_then(|l| l.get(id)).is_some_and(|old| std::ptr::eq(old, node));
+            if same && !self.touched.contains(&id) {
+                continue;
+            }
+            if self.known.insert(id) && node.kind() != Kind::Room {
+                learned.found.push(id);
+            }
+            self.take_over_node(seen, node);
+        }
+        self.take_over_agent(seen);
+    }
+
+    fn take_over_node(&mut self, seen: &Observation, node: &Node) {
+        let id = node.id();
+        let Some(believed) = self.graph.node(id) else { return };
+        let states = node.states();
+        let moved = !self.graph.places(id).eq(seen.places(id)) || self.graph.room_of(id) != seen.room_of(id);
+        if believed.states() == states && !moved && believed.pose() == node.pose() && believed.contents() == node.contents() {
+            return;
+        }
+        let places: Vec<Place> = if moved { seen.places(id).collect() } else { Vec::new() };
+        let (pose, contents) = (node.pose().copied(), node.contents().cloned());
+        let mut edit = self.graph.edit();
+        // What is seen is sound; where two sightings contradict the later one wins.
+        let _ = edit.set_states(id, states);
+        let _ = edit.set_pose(id, pose);
+        if edit.graph().node(id).is_some_and(|n| n.contents() != contents.as_ref()) {
+            let _ = edit.fill(id, contents);
+        }
+        if moved {
+            let _ = edit.place_as_seen(id, &places, seen.room_of(id));
+        }
+        edit.commit();
+    }
+
+    /// What the agent itself is near and faces.
+    fn take_over_agent(&mut self, seen: &Observation) {
+        let kinds = [Relation::Near, Relation::Facing];
+        let links = |graph: &SceneGraph, agent: NodeId| -> Vec<Edge> {
+            kinds.iter().flat_map(|&r| graph.related(agent, r).map(move |to| Edge::new(agent, r, to))).collect()
+        };
+        let now: Vec<Edge> = kinds.iter().flat_map(|&r| seen.related(self.agent, r)).collect();
+        if links(&self.graph, self.agent) == now {
+            return;
+        }
+        let mut edit = self.graph.edit();
+        let _ = edit.unrelate(self.agent, &kinds);
+        for edge in now {
+            let _ = edit.relate(edge);
+        }
+        edit.commit();
+    }
+
+    /// Notes which places are in view now.
+    fn look_at_places(&mut self, seen: &Observation) {
+        if self.missing.is_empty() {
+            return;
+        }
+        for (place, looked) in self.places.iter().zip(&mut self.seen) {
+            *looked = *looked || in_view(seen, place);
+        }
+    }
+
+    fn resample(&mut self, learned: &mut Learned) {
+        for index in 0..self.missing.len() {
+            let (id, place) = self.missing[index];
+            if self.seen[place] {
+                let place = self.sample();
+                self.missing[index].1 = place;
+                self.suppose(id, place);
+                learned.disproved.push(id);
+            }
+        }
+    }
+
+    /// A place that has not been looked at; all again, when none is left.
+    fn sample(&mut self) -> usize {
+        let open = self.seen.iter().filter(|seen| !**seen).count();
+        if open == 0 {
+            self.seen.fill(false);
+            self.widened += 1;
+        }
+        let open: Vec<usize> = (0..self.places.len()).filter(|&i| !self.seen[i]).collect();
+        let draw = self.rng.next_u64() % open.len().max(1) as u64;
+        open.get(draw as usize).copied().unwrap_or(0)
+    }
+
+    fn suppose(&mut self, id: NodeId, place: usize) {
+        let Some(place) = self.places.get(place).copied() else { return };
+        let mut edit = self.graph.edit();
+        let _ = match place.relation {
+            Relation::InRoom => edit.detach(id).and_then(|()| edit.move_to_room(id, place.at)),
+            _ => edit.place(id, place),
+        };
+        edit.commit();
+    }
+
+    /// Forgets where things are and what state anything is in.
+    fn forget(&mut self, hidden: &[NodeId]) {
+        let states: Vec<(NodeId, StateSet)> =
+            self.graph.nodes().filter(|n| n.kind() == Kind::Object).map(|n| (n.id(), presumed(n))).collect();
+        let near = [Relation::Near, Relation::NearFront, Relation::NearBack, Relation::NearLeft, Relation::NearRight];
+        let mut edit = self.graph.edit();
+        for (id, states) in states {
+            let _ = edit.set_states(id, states);
+        }
+        for &id in hidden {
+            let _ = edit.detach(id);
+            let _ = edit.unrelate(id, &near);
+            let _ = edit.unrelate(id, &[Relation::Facing, Relation::PouredInto]);
+            let _ = edit.set_pose(id, None);
+        }
+        edit.commit();
+    }
+}
+
+/// What is presumed of an object before it has been seen: closed and off.
+fn presumed(node: &Node) -> StateSet {
+    let mut states = node.states();
+    for (property, state) in [(Property::Openable, State::Closed), (Property::Switchable, State::Off)] {
+        if node.affords(property) {
+            states = states.entering(state);
+        }
+    }
+    states
+}
+
+/// Every surface, every container, and the floor of every room.
+fn places(graph: &SceneGraph) -> Vec<Place> {
+    let mut places = Vec::new();
+    for node in graph.nodes() {
+        let mut add = |relation| places.push(Place { relation, at: node.id() });
+        match node.kind() {
+            Kind::Room => add(Relation::InRoom),
+            Kind::Agent => {}
+            Kind::Object => {
+                let fixed = !node.affords(Property::Graspable);
+                let surface = [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(|p| node.affords(p));
+                if surface && fixed {
+                    add(Relation::On);
+                }
+                if node.affords(Property::Container) && fixed {
+                    add(Relation::Inside);
+                }
+            }
+        }
+    }
+    places
+}
+
+/// Whether a place can be seen to hold what it holds.
+fn in_view(seen: &Observation, place: &Place) -> bool {
+    match place.relation {
+        Relation::InRoom => seen.room() == Some(place.at),
+        Relation::Inside => seen.get(place.at).is_some_and(|n| !n.hides_contents()),
+        _ => seen.sees(place.at),
+    }
+}
+
+/// The nodes a change set is about.
+fn touched(changes: &ChangeSet) -> Vec<NodeId> {
+    use vc_graph::Change;
+    let mut all: Vec<NodeId> = Vec::new();
+    for change in changes.changes() {
+        match change {
+            Change::States { id, .. } | Change::Pose { id, .. } | Change::Contents { id, .. } => all.push(*id),
+            Change::Link(e) | Change::Unlink(e) => all.extend([e.from, e.to]),
+            _ => {}
+        }
+    }
+    all.sort_unstable();
+    all.dedup();
+    all
+}

@@ -1,0 +1,50 @@
+//! Which nodes an agent has seen.
+
+use vc_graph::NodeId;
+
+/// A set of nodes, kept as bits by number.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Known {
+    bits: Vec<u64>,
+    /// Numbers too large for bits.
+    rest: Vec<NodeId>,
+}
+
+/// Numbers below this are kept as bits: 512 KiB at most.
+const DENSE: u32 = 1 << 22;
+
+impl Known {
+    /// Whether a node has been seen.
+    pub fn contains(&self, id: NodeId) -> bool {
+        if id.0 >= DENSE {
+            return self.rest.binary_search(&id).is_ok();
+        }
+        self.bits.get(id.0 as usize / 64).is_some_and(|word| word >> (id.0 % 64) & 1 == 1)
+    }
+
+    /// Adds a node; `false` if it was there.
+    pub fn insert(&mut self, id: NodeId) -> bool {
+        if id.0 >= DENSE {
+            let Err(position) = self.rest.binary_search(&id) else { return false };
+            self.rest.insert(position, id);
+            return true;
+        }
+        let word = id.0 as usize / 64;
+        if word >= self.bits.len() {
+            self.bits.resize(word + 1, 0);
+        }
+        let before = self.bits[word];
+        self.bits[word] |= 1 << (id.0 % 64);
+        before != self.bits[word]
+    }
+}
+
+impl FromIterator<NodeId> for Known {
+    fn from_iter<I: IntoIterator<Item = NodeId>>(ids: I) -> Self {
+        let mut known = Self::default();
+        for id in ids {
+            known.insert(id);
+        }
+        known
+    }
+}

@@ -1,0 +1,462 @@
+//! From a goal to the things that are still to be brought about.
+
+use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Quantified, Situation, Term};
+use vc_graph::{Action, Condition, Node, NodeId, Property, Relation, SceneGraph, State, Verb, Word};
+
+use crate::Known;
+
+/// Something to bring about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Want {
+    /// A condition on the scene.
+    Hold(Condition),
+    /// An action to have been done.
+    Do(Action),
+    /// A thing to be seen: the goal seems to hold of it, but only by guess.
+    See(NodeId),
+}
+
+/// One open part of a goal: any of its options settles it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Subgoal {
+    /// What settles it, cheapest first.
+    pub options: Vec<Want>,
+}
+
+/// Why a goal cannot be reached.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Unreachable {
+    /// The scene lacks what a part of the goal is about.
+    #[error("nothing in this scene can satisfy `{0}`")]
+    NoInstance(String),
+    /// No sequence of actions that was tried brings a part about.
+    #[error("no actions were found that bring about any of: {0}")]
+    NoPlan(String),
+    /// What has been done cannot be undone.
+    #[error("`{0}` has been done and cannot be undone")]
+    Irrevocable(String),
+    /// Every place has been searched more than once.
+    #[error("everything has been searched {0} times and something is still missing")]
+    Searched(usize),
+}
+
+/// A goal seen by an agent that knows only a part.
+pub(crate) struct View<'a> {
+    pub(crate) now: Situation<'a>,
+    pub(crate) known: &'a Known,
+}
+
+/// Variables and what they stand for.
+type Bindings<'g> = Vec<(&'g str, NodeId)>;
+
+type Found = Result<Vec<Subgoal>, Unreachable>;
+
+impl View<'_> {
+    fn graph(&self) -> &SceneGraph {
+        self.now.graph
+    }
+
+    /// The open parts of a goal, in the order in which to go about them; none when
+    /// the goal is known to hold.
+    pub(crate) fn subgoals(&self, goal: &Goal) -> Found {
+        let mut found = self.open(goal, &mut Vec::new())?;
+        found.sort_by_key(|s| s.options.first().map_or(u8::MAX, |w| self.stage(w)));
+        Ok(found)
+    }
+
+    fn open<'g>(&self, goal: &'g Goal, bound: &mut Bindings<'g>) -> Found {
+        match goal {
+            Goal::Literal(literal) => self.at_least(goal, literal, 1, bound),
+            Goal::Count { literal, comparison, number } => self.count(goal, literal, *comparison, *number as usize, bound),
+            Goal::And(parts) => {
+                let all: Result<Vec<_>, _> = parts.iter().map(|p| self.open(p, bound)).collect();
+                Ok(all?.concat())
+            }
+            Goal::Or(parts) => self.any(goal, parts.iter().map(|p| self.open(p, bound)).collect()),
+            Goal::Not(part) => self.not(part, bound),
+            Goal::ForAll(q) => {
+                let each = self.range(q).into_iter().map(|id| bind(q, id, bound, |b| self.open(&q.body, b)));
+                Ok(each.collect::<Result<Vec<_>, _>>()?.concat())
+            }
+            Goal::Exists(q) => {
+                let each = self.range(q).into_iter().map(|id| bind(q, id, bound, |b| self.open(&q.body, b))).collect();
+                self.any(goal, each)
+            }
+            Goal::Then(parts) => self.in_order(parts, bound),
+            _ => Err(Unreachable::NoPlan(goal.to_string())),
+        }
+    }
+
+    fn range(&self, q: &Quantified) -> Vec<NodeId> {
+        match &q.class {
+            Some(class) => self.graph().of_class(class),
+            None => self.now.candidates(&Term::Anything),
+        }
+    }
+
+    /// One of several ways: the one with least to do; single steps are pooled.
+    fn any(&self, goal: &Goal, ways: Vec<Found>) -> Found {
+        let mut possible: Vec<Vec<Subgoal>> = ways.into_iter().flatten().collect();
+        possible.sort_by_key(Vec::len);
+        match possible.first() {
+            None => Err(Unreachable::NoInstance(goal.to_string())),
+            Some(way) if way.len() == 1 => {
+                let single = possible.into_iter().take_while(|w| w.len() == 1);
+                let mut options: Vec<Want> = single.flatten().flat_map(|s| s.options).collect();
+                options.sort_by_cached_key(|w| self.cost(w));
+                Ok(vec![Subgoal { options }])
+            }
+            Some(way) => Ok(way.clone()),
+        }
+    }
+
+    /// The first part of a sequence that does not hold after those before it.
+    fn in_order<'g>(&self, parts: &'g [Goal], bound: &mut Bindings<'g>) -> Found {
+        let mut start = 0;
+        for (index, part) in parts.iter().enumerate() {
+            let events = self.now.events;
+            let stretch = |end: usize| Situation { events: &events[start..end], ..self.now };
+            let ends = if index + 1 == parts.len() { events.len()..=events.len() } else { start..=events.len() };
+            let mut open = Ok(Vec::new());
+            let mut met = None;
+            for end in ends {
+                open = View { now: stretch(end), known: self.known }.open(part, bound);
+                if open.as_ref().is_ok_and(Vec::is_empty) {
+                    met = Some(end);
+                    break;
+                }
+            }
+            match met {
+                Some(end) => start = end,
+                None => return open,
+            }
+        }
+        Ok(Vec::new())
+    }
+
+    /// A goal that must not hold.
+    fn not<'g>(&self, part: &'g Goal, bound: &mut Bindings<'g>) -> Found {
+        match part {
+            Goal::Literal(literal) => self.at_most(part, literal, 0, bound),
+            Goal::Count { literal, comparison: Comparison::AtLeast, number } => {
+                self.at_most(part, literal, (*number as usize).saturating_sub(1), bound)
+            }
+            Goal::Count { literal, comparison: Comparison::AtMost, number } => {
+                self.at_least(part, literal, *number as usize + 1, bound)
+            }
+            Goal::Count { literal, number, .. } => {
+                let more = self.at_least(part, literal, *number as usize + 1, bound);
+                let fewer = match *number {
+                    0 => Err(Unreachable::NoInstance(part.to_string())),
+                    n => self.at_most(part, literal, n as usize - 1, bound),
+                };
+                self.any(part, vec![fewer, more])
+            }
+            Goal::Not(inner) => self.open(inner, bound),
+            Goal::And(parts) | Goal::Then(parts) => {
+                let ways = parts.iter().map(|p| self.not(p, bound)).collect();
+                self.any(part, ways)
+            }
+            Goal::Or(parts) => {
+                let all: Result<Vec<_>, _> = parts.iter().map(|p| self.not(p, bound)).collect();
+                Ok(all?.concat())
+            }
+            Goal::ForAll(q) => {
+                let ways = self.range(q).into_iter().map(|id| bind(q, id, bound, |b| self.not(&q.body, b))).collect();
+                self.any(part, ways)
+            }
+            Goal::Exists(q) => {
+                let each = self.range(q).into_iter().map(|id| bind(q, id, bound, |b| self.not(&q.body, b)));
+                Ok(each.collect::<Result<Vec<_>, _>>()?.concat())
+            }
+            _ => Err(Unreachable::NoPlan(part.to_string())),
+        }
+    }
+
+    fn count(&self, goal: &Goal, literal: &Literal, comparison: Comparison, number: usize, bound: &Bindings<'_>) -> Found {
+        let fewer = || self.at_most(goal, literal, number, bound);
+        let more = || self.at_least(goal, literal, number, bound);
+        match comparison {
+            Comparison::AtLeast => more(),
+            Comparison::AtMost => fewer(),
+            Comparison::Exactly => Ok([fewer()?, more()?].concat()),
+        }
+    }
+
+    /// So many different things must satisfy a literal.
+    fn at_least(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
+        let choices = self.choices(literal, bound);
+        let mut met = 0;
+        let mut options: Vec<(NodeId, Vec<Want>)> = Vec::new();
+        for (counted, things) in &choices {
+            let holds = |t: &&[Option<NodeId>; 2]| self.now.holds(literal.predicate, **t);
+            match things.iter().find(holds) {
+                Some(t) if self.is_known(literal, t) => met += 1,
+                Some(t) => options.push((*counted, self.to_see(literal, t))),
+                None => options.push((*counted, things.iter().flat_map(|t| self.wants(literal.predicate, *t)).collect())),
+            }
+        }
+        if choices.is_empty() && self.now.holds(literal.predicate, [None, None]) {
+            return Ok(Vec::new());
+        }
+        if choices.is_empty() && literal.terms.is_empty() {
+            let wants = self.wants(literal.predicate, [None, None]);
+            return Ok(vec![Subgoal { options: wants }]);
+        }
+        if choices.len() < number {
+            return Err(Unreachable::NoInstance(goal.to_string()));
+        }
+        let missing = number.saturating_sub(met);
+        let mut options: Vec<Want> = options.into_iter().flat_map(|(_, wants)| wants).collect();
+        options.sort_by_cached_key(|w| self.cost(w));
+        if missing > 0 && options.is_empty() {
+            return Err(Unreachable::NoPlan(goal.to_string()));
+        }
+        // One subgoal for all that are missing: after each the rest is counted anew.
+        Ok((missing > 0).then_some(Subgoal { options }).into_iter().collect())
+    }
+
+    /// At most so many things may satisfy a literal.
+    fn at_most(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
+        let mut holding = Vec::new();
+        let mut unseen = Vec::new();
+        for (_, things) in self.choices(literal, bound) {
+            for t in things {
+                if self.now.holds(literal.predicate, t) {
+                    holding.push(t);
+                } else if !self.is_known(literal, &t) {
+                    unseen.extend(self.to_see(literal, &t));
+                }
+            }
+        }
+        let excess = holding.len().saturating_sub(number);
+        if excess > 0 {
+            let mut options: Vec<Want> = holding.iter().flat_map(|t| self.undo(literal.predicate, *t)).collect();
+            options.sort_by_cached_key(|w| self.cost(w));
+            let irrevocable = options.is_empty();
+            return if irrevocable { Err(Unreachable::Irrevocable(goal.to_string())) } else { Ok(vec![Subgoal { options }]) };
+        }
+        let subgoal = |want| Subgoal { options: vec![want] };
+        Ok(unseen.into_iter().map(subgoal).collect())
+    }
+
+    /// For each thing that counts, the choices of all things with it.
+    fn choices(&self, literal: &Literal, bound: &Bindings<'_>) -> Vec<(NodeId, Vec<[Option<NodeId>; 2]>)> {
+        let lists: Vec<Vec<NodeId>> =
+            literal.terms.iter().enumerate().map(|(i, t)| self.candidates(literal.predicate, i, t, bound)).collect();
+        let counted = literal.counted().unwrap_or(0);
+        let Some(first) = lists.get(counted) else { return Vec::new() };
+        let others = lists.get(1 - counted).filter(|_| lists.len() > 1);
+        let pair = |a: NodeId| match others {
+            None => vec![[Some(a), None]],
+            Some(others) if counted == 0 => others.iter().map(|&b| [Some(a), Some(b)]).collect(),
+            Some(others) => others.iter().map(|&b| [Some(b), Some(a)]).collect(),
+        };
+        first.iter().map(|&a| (a, pair(a))).collect()
+    }
+
+    fn candidates(&self, predicate: Predicate, position: usize, term: &Term, bound: &Bindings<'_>) -> Vec<NodeId> {
+        match (term, predicate) {
+            (Term::Variable(name), _) => {
+                bound.iter().rev().find(|(n, _)| n == name).map(|&(_, id)| id).into_iter().collect()
+            }
+            (Term::Anything, Predicate::Did(verb)) => self.fit_for(verb, position),
+            _ => self.now.candidates(term),
+        }
+    }
+
+    /// The things a verb can be done to, by what they are.
+    fn fit_for(&self, verb: Verb, position: usize) -> Vec<NodeId> {
+        let fits = |node: &&Node| {
+            let id = node.id();
+            let probe = if position == 0 { Action::one(verb, id) } else { Action { verb, object: None, target: Some(id) } };
+            let needs = vc_graph::rule::preconditions(&probe);
+            needs.iter().filter(|c| is_lasting(c)).all(|c| c.holds(self.graph(), self.now.agent))
+        };
+        self.graph().nodes().filter(|n| n.kind() == vc_graph::Kind::Object).filter(fits).map(Node::id).collect()
+    }
+
+    fn is_known(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> bool {
+        matches!(literal.predicate, Predicate::Did(_)) || things.iter().flatten().all(|&id| self.known.contains(id))
+    }
+
+    /// What to look at to be sure of a literal.
+    fn to_see(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> Vec<Want> {
+        if matches!(literal.predicate, Predicate::Did(_)) {
+            return Vec::new();
+        }
+        things.iter().flatten().filter(|&&id| !self.known.contains(id)).take(1).map(|&id| Want::See(id)).collect()
+    }
+
+    /// What would make a predicate true of things.
+    fn wants(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<Want> {
+        let me = self.now.agent;
+        let hold = |c| vec![Want::Hold(c)];
+        match (predicate, things) {
+            (Predicate::State(state), [Some(id), _]) => hold(Condition::In(id, state)),
+            (Predicate::Holds, [Some(agent), Some(id)]) if agent == me => hold(Condition::Holding(id)),
+            (Predicate::Relation(relation), [Some(from), Some(to)]) => self.wants_relation(from, relation, to),
+            (Predicate::Did(verb), [object, target]) => {
+                let things: Vec<NodeId> = object.into_iter().chain(target).collect();
+                Action::with(verb, &things).map(Want::Do).into_iter().collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    fn wants_relation(&self, from: NodeId, relation: Relation, to: NodeId) -> Vec<Want> {
+        let me = self.now.agent;
+        let room = self.graph().rooms().contains(&to);
+        let related = |relation| vec![Want::Hold(Condition::Related(from, relation, to))];
+        if from == to {
+            return Vec::new();
+        }
+        match relation {
+            Relation::On if from == me => {
+                let node = self.graph().node(to);
+                let affords = |p| node.is_some_and(|n| n.affords(p));
+                let lie = affords(Property::Lieable).then_some(Relation::LyingOn);
+                let sit = affords(Property::Sittable).then_some(Relation::SittingOn);
+                lie.into_iter().chain(sit).flat_map(related).collect()
+            }
+            Relation::On if to == me => vec![Want::Hold(Condition::Worn(from))],
+            Relation::Inside | Relation::InRoom if room => related(Relation::InRoom),
+            Relation::Near if from == me && room => vec![Want::Hold(Condition::Related(me, Relation::InRoom, to))],
+            Relation::Near if from == me => vec![Want::Hold(Condition::Near(to))],
+            Relation::Facing if from == me => vec![Want::Hold(Condition::Facing(to))],
+            _ => related(relation),
+        }
+    }
+
+    /// What would make a predicate false of things.
+    fn undo(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<Want> {
+        let me = self.now.agent;
+        match (predicate, things) {
+            (Predicate::State(State::Sitting | State::Lying), [Some(id), _]) if id == me => {
+                vec![Want::Hold(Condition::Upright)]
+            }
+            (Predicate::State(state), [Some(id), _]) => {
+                state.opposites().iter().map(|s| Want::Hold(Condition::In(id, s))).collect()
+            }
+            (Predicate::Holds, [_, Some(id)]) => vec![Want::Do(Action::one(Verb::Drop, id))],
+            (Predicate::Relation(relation), [Some(from), Some(to)]) => match relation {
+                Relation::HoldsRight | Relation::HoldsLeft => vec![Want::Do(Action::one(Verb::Drop, to))],
+                Relation::SittingOn | Relation::LyingOn => vec![Want::Hold(Condition::Upright)],
+                Relation::On | Relation::Inside if from == me => vec![Want::Hold(Condition::Upright)],
+                Relation::On | Relation::Inside | Relation::WornBy | Relation::InRoom => {
+                    vec![Want::Hold(Condition::Holding(from))]
+                }
+                _ => Vec::new(),
+            },
+            _ => Vec::new(),
+        }
+    }
+
+    /// When in the sequence of subgoals to go about a want: things are carried and
+    /// looked for first, doors closed and machines switched on when that is done,
+    /// and only then does one sit down, turn to something and watch it.
+    fn stage(&self, want: &Want) -> u8 {
+        let me = self.now.agent;
+        match want {
+            Want::See(_) => 0,
+            Want::Hold(Condition::Related(from, Relation::On | Relation::Inside | Relation::InRoom, _)) if *from != me => 1,
+            Want::Hold(Condition::In(id, State::Sitting | State::Lying)) if *id == me => 7,
+            Want::Hold(Condition::In(_, State::Open)) => 2,
+            Want::Hold(Condition::In(_, State::Closed)) => 3,
+            Want::Hold(Condition::In(_, State::On)) => 4,
+            Want::Hold(Condition::In(..)) => 2,
+            Want::Hold(Condition::Holding(_)) => 5,
+            Want::Hold(Condition::Related(_, Relation::HoldsRight | Relation::HoldsLeft, _)) => 5,
+            Want::Do(action) => self.stage_of(action.verb),
+            Want::Hold(Condition::Near(_)) => 6,
+            Want::Hold(Condition::Related(_, Relation::InRoom, _)) => 6,
+            Want::Hold(Condition::Related(_, Relation::SittingOn | Relation::LyingOn, _)) => 7,
+            Want::Hold(Condition::Facing(_)) => 8,
+            Want::Hold(_) => 4,
+        }
+    }
+
+    fn stage_of(&self, verb: Verb) -> u8 {
+        match verb {
+            Verb::LookAt | Verb::PointAt | Verb::Watch => 9,
+            Verb::Sleep | Verb::WakeUp => 9,
+            Verb::Eat | Verb::Drink | Verb::Read => 5,
+            _ => 4,
+        }
+    }
+
+    /// Roughly how far away it is to bring something about.
+    fn cost(&self, want: &Want) -> u32 {
+        match want {
+            Want::See(id) => self.way(*id) + 1,
+            Want::Do(action) => action.things().map(|id| self.way(id)).sum(),
+            Want::Hold(condition) => match *condition {
+                Condition::Related(from, _, to) => self.way(from) + self.way(to),
+                Condition::In(id, _)
+                | Condition::Holding(id)
+                | Condition::Near(id)
+                | Condition::Facing(id)
+                | Condition::Worn(id) => self.way(id),
+                _ => 0,
+            },
+        }
+    }
+
+    /// Roughly how many actions it takes to have a thing at hand.
+    fn way(&self, id: NodeId) -> u32 {
+        let (graph, me) = (self.graph(), self.now.agent);
+        if id == me || graph.holder(id).is_some_and(|p| p.at == me) {
+            return 0;
+        }
+        let far = if graph.near(me, id) {
+            1
+        } else if graph.room_of(id) == graph.room_of(me) {
+            2
+        } else {
+            4
+        };
+        far + u32::from(graph.hidden_in(id).is_some()) + 3 * u32::from(!self.known.contains(id))
+    }
+}
+
+fn bind<'g, T>(q: &'g Quantified, id: NodeId, bound: &mut Bindings<'g>, with: impl FnOnce(&mut Bindings<'g>) -> T) -> T {
+    bound.push((&q.variable, id));
+    let result = with(bound);
+    bound.pop();
+    result
+}
+
+/// Conditions that no action changes: what things are.
+fn is_lasting(condition: &Condition) -> bool {
+    use Condition as C;
+    matches!(
+        condition,
+        C::Affords(..)
+            | C::Graspable(_)
+            | C::Carries(_)
+            | C::Encloses(_)
+            | C::Edible(_)
+            | C::Potable(_)
+            | C::Liquid(_)
+            | C::Receives(_)
+            | C::Cuttable(_)
+            | C::Mobile(_)
+            | C::Soft(_)
+            | C::Typable(_)
+            | C::Personal(_)
+            | C::Reachable(_)
+    )
+}
+
+impl std::fmt::Display for Want {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Hold(Condition::Related(from, relation, to)) => write!(f, "{from} {} {to}", relation.as_str()),
+            Self::Hold(condition) => write!(f, "{condition:?}"),
+            Self::Do(action) => write!(f, "{action}"),
+            Self::See(id) => write!(f, "see {id}"),
+        }
+    }
+}

@@ -1,0 +1,17 @@
+//! Everyday tasks.
+
+use crate::Task;
+
+/// The text of the list.
+const TEXT: &str = include_str!("../data/household.txt");
+
+/// A fixed list of everyday tasks for homes of any origin. Not every one makes
+/// sense in every scene: ask [`Task::obstacles`].
+///
+/// ```
+/// assert!(vc_tasks::household().len() >= 40);
+/// ```
+pub fn household() -> Vec<Task> {
+    // A test reads the list and shows its errors.
+    Task::read_list(TEXT).unwrap_or_default()
+}

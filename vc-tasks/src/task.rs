@@ -1,0 +1,86 @@
+//! Tasks and how they end.
+
+use serde::{Deserialize, Serialize};
+use vc_graph::Goal;
+use vc_graph::goal::GoalError;
+
+/// Something to be done in a scene.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Task {
+    /// What it is called, `set the table`.
+    pub title: String,
+    /// What is to hold at the end.
+    pub goal: Goal,
+    /// After how many actions an attempt is over.
+    #[serde(default = "default_limit")]
+    pub step_limit: usize,
+}
+
+/// Steps an attempt may take unless a task says otherwise. The thesis stops after
+/// 100 and Watch-And-Help after 250; a search that samples places uniformly needs
+/// more in its worst cases.
+const STEP_LIMIT: usize = 500;
+
+fn default_limit() -> usize {
+    STEP_LIMIT
+}
+
+/// How an attempt ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// The goal holds in the true scene.
+    Won,
+    /// The agent stopped, and the goal does not hold.
+    Lost,
+    /// The step limit was reached first.
+    TimedOut,
+    /// The agent's action was refused and it had no other.
+    Aborted,
+}
+
+/// Where a list of tasks is wrong.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TaskError {
+    /// A line is not `title: goal`.
+    #[error("line {0}: a task is written `title: goal`")]
+    NoTitle(usize),
+    /// A goal is not one.
+    #[error("line {line}: {error}")]
+    Goal {
+        /// Line, counted from one.
+        line: usize,
+        /// What is wrong with it.
+        error: GoalError,
+    },
+}
+
+impl Task {
+    /// A task with the usual step limit.
+    pub fn new(title: impl Into<String>, goal: Goal) -> Self {
+        Self { title: title.into(), goal, step_limit: STEP_LIMIT }
+    }
+
+    /// Reads a list of tasks: one a line, `title: goal`; `#` starts a comment line.
+    ///
+    /// ```
+    /// let tasks = vc_tasks::Task::read_list("# mornings\nbreakfast: On(apple, table)\n")?;
+    /// assert_eq!(tasks[0].title, "breakfast");
+    /// # Ok::<(), vc_tasks::TaskError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TaskError`] with the line.
+    pub fn read_list(text: &str) -> Result<Vec<Self>, TaskError> {
+        let lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
+        let tasks = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+        tasks.map(|(line, text)| Self::read_line(line, text)).collect()
+    }
+
+    fn read_line(line: usize, text: &str) -> Result<Self, TaskError> {
+        let (title, goal) = text.split_once(':').ok_or(TaskError::NoTitle(line))?;
+        let goal = goal.parse().map_err(|error| TaskError::Goal { line, error })?;
+        Ok(Self::new(title.trim(), goal))
+    }
+}
