@@ -3,7 +3,7 @@
 use vc_graph::{Action, Event, Goal, History, NodeId, Observation, SceneGraph};
 
 use crate::plan::{Horizon, plan_in_belief};
-use crate::subgoal::Unreachable;
+use crate::subgoal::{Unreachable, Want};
 use crate::{Belief, Learned, Plan};
 
 /// After so many searches of everything an agent gives up.
@@ -56,6 +56,8 @@ pub struct Agent {
     belief: Belief,
     history: History,
     horizon: Horizon,
+    /// What it is in the middle of: kept until settled, or proved no longer open.
+    pursued: Option<Want>,
 }
 
 impl Agent {
@@ -70,7 +72,7 @@ impl Agent {
     }
 
     fn with(id: NodeId, goal: Goal, belief: Belief) -> Self {
-        Self { id, goal, belief, history: History::default(), horizon: Horizon::NextSubgoal }
+        Self { id, goal, belief, history: History::default(), horizon: Horizon::NextSubgoal, pursued: None }
     }
 
     /// Makes it plan to the goal each time, not only to the next subgoal.
@@ -99,7 +101,8 @@ impl Agent {
         if self.belief.widened() > PATIENCE {
             return Decision::GiveUp(Unreachable::Searched(self.belief.widened()));
         }
-        let plan = plan_in_belief(&mut self.belief, self.id, &self.goal, self.history.events(), self.horizon);
+        let plan = plan_in_belief(&mut self.belief, self.id, &self.goal, self.history.events(), self.horizon, self.pursued);
+        self.pursued = plan.as_ref().ok().and_then(|p| p.wants.first()).map(|(want, _)| *want);
         match plan {
             Ok(plan) => match plan.actions.first() {
                 Some(&action) => Decision::Act(action, plan),

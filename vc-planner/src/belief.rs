@@ -96,9 +96,10 @@ impl Belief {
         &self.graph
     }
 
-    /// The sampled state, for a planner to try actions on and take them back.
-    pub(crate) fn graph_mut(&mut self) -> &mut SceneGraph {
-        &mut self.graph
+    /// The sampled state, for a planner to try actions on and take them back, and
+    /// what of it is known.
+    pub(crate) fn sampled_and_known(&mut self) -> (&mut SceneGraph, &Known) {
+        (&mut self.graph, &self.known)
     }
 
     /// What the agent has seen.
@@ -275,13 +276,17 @@ fn presumed(node: &Node) -> StateSet {
     states
 }
 
-/// Every surface, every container, and the floor of every room.
+/// Every fixed surface and container, floors included; of a room without a floor
+/// the room itself.
 fn places(graph: &SceneGraph) -> Vec<Place> {
+    let floors = graph.of_class("floor");
+    let bare = |room: NodeId| !floors.iter().any(|&f| graph.room_of(f) == Some(room));
     let mut places = Vec::new();
     for node in graph.nodes() {
         let mut add = |relation| places.push(Place { relation, at: node.id() });
         match node.kind() {
-            Kind::Room => add(Relation::InRoom),
+            Kind::Room if bare(node.id()) => add(Relation::InRoom),
+            Kind::Room => {}
             Kind::Agent => {}
             Kind::Object => {
                 let fixed = !node.affords(Property::Graspable);

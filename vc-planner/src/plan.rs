@@ -1,9 +1,9 @@
 //! The regression planner: backwards from what is wanted to what can be done now.
 
 use vc_graph::goal::{Goal, Situation};
-use vc_graph::{Action, ChangeSet, Condition, Event, NodeId, SceneGraph, rule};
+use vc_graph::{Action, ChangeSet, Condition, Event, NodeId, Property, SceneGraph, Verb, rule};
 
-use crate::subgoal::{Unreachable, View, Want};
+use crate::subgoal::{Hints, Unreachable, View, Want};
 use crate::{Belief, Known};
 
 /// How many actions a plan may hold, tried ones included.
@@ -69,10 +69,11 @@ pub fn plan(
     history: &vc_graph::History,
 ) -> Result<Plan, Unreachable> {
     let known: Known = graph.nodes().map(vc_graph::Node::id).collect();
-    Search::new(graph, agent, &known, history.events()).run(goal, Horizon::Goal)
+    Search::new(graph, agent, &known, history.events(), goal).run(goal, Horizon::Goal, None)
 }
 
-/// Plans for an agent in the state it believes in.
+/// Plans for an agent in the state it believes in. What it pursued before it goes
+/// on pursuing, if that is still open.
 ///
 /// # Errors
 /// As [`plan`].
@@ -82,9 +83,10 @@ pub(crate) fn plan_in_belief(
     goal: &Goal,
     events: &[Event],
     horizon: Horizon,
+    pursued: Option<Want>,
 ) -> Result<Plan, Unreachable> {
-    let known = belief.known().clone();
-    Search::new(belief.graph_mut(), agent, &known, events).run(goal, horizon)
+    let (graph, known) = belief.sampled_and_known();
+    Search::new(graph, agent, known, events, goal).run(goal, horizon, pursued)
 }
 
 /// A search in progress, which tries actions on the graph and takes them back.
@@ -92,6 +94,7 @@ struct Search<'a> {
     graph: &'a mut SceneGraph,
     agent: NodeId,
     known: &'a Known,
+    hints: Hints,
     events: Vec<Event>,
     done_before: usize,
     trail: Vec<ChangeSet>,
@@ -99,35 +102,48 @@ struct Search<'a> {
     /// about itself is no help.
     open: Vec<Condition>,
     budget: usize,
+    /// The plan ends here: what comes next depends on what is seen.
+    cut: bool,
 }
 
 impl<'a> Search<'a> {
-    fn new(graph: &'a mut SceneGraph, agent: NodeId, known: &'a Known, events: &[Event]) -> Self {
-        let done_before = events.len();
-        let (trail, open) = (Vec::new(), Vec::new());
-        Self { graph, agent, known, events: events.to_vec(), done_before, trail, open, budget: BUDGET }
+    fn new(graph: &'a mut SceneGraph, agent: NodeId, known: &'a Known, events: &[Event], goal: &Goal) -> Self {
+        Self {
+            graph,
+            agent,
+            known,
+            hints: Hints::of(goal),
+            events: events.to_vec(),
+            done_before: events.len(),
+            trail: Vec::new(),
+            open: Vec::new(),
+            budget: BUDGET,
+            cut: false,
+        }
     }
 
-    fn run(mut self, goal: &Goal, horizon: Horizon) -> Result<Plan, Unreachable> {
-        let result = self.work(goal, horizon);
+    fn run(mut self, goal: &Goal, horizon: Horizon, pursued: Option<Want>) -> Result<Plan, Unreachable> {
+        let result = self.work(goal, horizon, pursued);
         self.rewind(0);
         result
     }
 
     fn view(&self) -> View<'_> {
-        View { now: Situation { graph: self.graph, agent: self.agent, events: &self.events }, known: self.known }
+        let now = Situation { graph: self.graph, agent: self.agent, events: &self.events };
+        View { now, known: self.known, hints: &self.hints }
     }
 
-    fn work(&mut self, goal: &Goal, horizon: Horizon) -> Result<Plan, Unreachable> {
+    fn work(&mut self, goal: &Goal, horizon: Horizon, mut pursued: Option<Want>) -> Result<Plan, Unreachable> {
         let mut wants = Vec::new();
         loop {
             let subgoals = self.view().subgoals(goal)?;
-            if subgoals.is_empty() || (horizon == Horizon::NextSubgoal && !self.trail.is_empty()) {
+            if self.cut || subgoals.is_empty() || (horizon == Horizon::NextSubgoal && !self.trail.is_empty()) {
                 return Ok(Plan { actions: self.actions(), wants });
             }
             let before = self.trail.len();
-            let options = subgoals.iter().flat_map(|s| s.options.iter().take(OPTIONS));
-            let Some(want) = options.copied().find(|want| self.settle(want)) else {
+            let options = || subgoals.iter().flat_map(|s| s.options.iter().take(OPTIONS));
+            let kept = pursued.take().filter(|want| options().any(|o| o == want));
+            let Some(want) = kept.into_iter().chain(options().copied()).find(|want| self.settle(want)) else {
                 let open = subgoals.iter().filter_map(|s| s.options.first()).take(3).map(|w| self.describe(w));
                 return Err(Unreachable::NoPlan(open.collect::<Vec<_>>().join("; ")));
             };
@@ -164,6 +180,7 @@ impl<'a> Search<'a> {
         };
         if !settled {
             self.rewind(mark);
+            self.cut = false;
         }
         settled
     }
@@ -174,7 +191,7 @@ impl<'a> Search<'a> {
             return self.achieve(&Condition::Accessible(id));
         }
         let room = self.graph.room_of(id);
-        let walk = room.map(|room| Action::one(vc_graph::Verb::Walk, room));
+        let walk = room.map(|room| Action::one(Verb::Walk, room));
         walk.is_some_and(|walk| self.act(&walk))
     }
 
@@ -188,12 +205,12 @@ impl<'a> Search<'a> {
         }
         let mark = self.trail.len();
         self.open.push(*want);
-        let candidates = rule::regress::achievers(self.graph, self.agent, want);
+        let candidates = self.ways(want);
         let mut achieved = false;
         for action in candidates {
             // Some conditions take several actions: an object that is to be in
             // another room is grabbed, carried there and put down.
-            achieved = self.act(&action) && (want.holds(self.graph, self.agent) || self.go_on(want));
+            achieved = self.act(&action) && (self.cut || want.holds(self.graph, self.agent) || self.go_on(want));
             if achieved || self.budget == 0 {
                 break;
             }
@@ -206,16 +223,36 @@ impl<'a> Search<'a> {
         achieved
     }
 
+    /// Actions that bring a condition about. What can be anywhere and has not been
+    /// seen cannot be walked up to: one goes to the place where it is believed to
+    /// be. On the floor of a room that is the room, and only there can one see on.
+    fn ways(&mut self, want: &Condition) -> Vec<Action> {
+        match *want {
+            Condition::Near(id) if self.is_missing(id) => {
+                let room = || self.graph.room_of(id).filter(|&r| Some(r) != self.graph.room_of(self.agent));
+                let place = self.graph.place(id).map(|p| p.at);
+                self.cut = place.is_none() && room().is_some();
+                place.or_else(room).map(|at| Action::one(Verb::Walk, at)).into_iter().collect()
+            }
+            _ => rule::regress::achievers(self.graph, self.agent, want),
+        }
+    }
+
+    /// Whether a thing is one that can be anywhere, and where it is is a guess.
+    fn is_missing(&self, id: NodeId) -> bool {
+        !self.known.contains(id) && self.graph.node(id).is_some_and(|n| n.affords(Property::Graspable))
+    }
+
     /// Goes on with a condition that an action has brought nearer.
     fn go_on(&mut self, want: &Condition) -> bool {
         for _ in 0..ROUNDS {
-            let Some(action) = rule::regress::achievers(self.graph, self.agent, want).into_iter().next() else {
+            let Some(action) = self.ways(want).into_iter().next() else {
                 return false;
             };
             if !self.act(&action) {
                 return false;
             }
-            if want.holds(self.graph, self.agent) {
+            if self.cut || want.holds(self.graph, self.agent) {
                 return true;
             }
         }
@@ -235,11 +272,11 @@ impl<'a> Search<'a> {
                     self.rewind(mark);
                     return false;
                 }
-                if self.trail.len() - mark > 4 * DEPTH {
+                if self.cut || self.trail.len() - mark > 4 * DEPTH {
                     break;
                 }
             }
-            if self.step(action) {
+            if self.cut || self.step(action) {
                 return true;
             }
         }

@@ -46,7 +46,42 @@ pub enum Unreachable {
 pub(crate) struct View<'a> {
     pub(crate) now: Situation<'a>,
     pub(crate) known: &'a Known,
+    pub(crate) hints: &'a Hints,
 }
+
+/// What the whole goal says about how to go about its parts.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Hints {
+    /// The nodes it names: who is to hold a novel and to read something reads it.
+    named: Vec<NodeId>,
+    /// It wants the agent to lie.
+    lying: bool,
+}
+
+impl Hints {
+    pub(crate) fn of(goal: &Goal) -> Self {
+        let mut hints = Self::default();
+        hints.gather(goal);
+        hints
+    }
+
+    fn gather(&mut self, goal: &Goal) {
+        match goal {
+            Goal::Literal(literal) | Goal::Count { literal, .. } => {
+                self.lying |= literal.predicate == Predicate::State(State::Lying);
+                let node = |t: &Term| if let Term::Node(_, id) = t { Some(*id) } else { None };
+                self.named.extend(literal.terms.iter().filter_map(node));
+            }
+            Goal::And(parts) | Goal::Or(parts) | Goal::Then(parts) => parts.iter().for_each(|p| self.gather(p)),
+            Goal::Not(part) => self.gather(part),
+            Goal::ForAll(q) | Goal::Exists(q) => self.gather(&q.body),
+            _ => {}
+        }
+    }
+}
+
+/// What it costs to do something to a thing the goal does not name.
+const UNNAMED: u32 = 20;
 
 /// Variables and what they stand for.
 type Bindings<'g> = Vec<(&'g str, NodeId)>;
@@ -122,7 +157,7 @@ impl View<'_> {
             let mut open = Ok(Vec::new());
             let mut met = None;
             for end in ends {
-                open = View { now: stretch(end), known: self.known }.open(part, bound);
+                open = View { now: stretch(end), known: self.known, hints: self.hints }.open(part, bound);
                 if open.as_ref().is_ok_and(Vec::is_empty) {
                     met = Some(end);
                     break;
@@ -319,7 +354,8 @@ impl View<'_> {
                 let affords = |p| node.is_some_and(|n| n.affords(p));
                 let lie = affords(Property::Lieable).then_some(Relation::LyingOn);
                 let sit = affords(Property::Sittable).then_some(Relation::SittingOn);
-                lie.into_iter().chain(sit).flat_map(related).collect()
+                let (first, second) = if self.hints.lying { (lie, sit) } else { (sit, lie) };
+                first.into_iter().chain(second).flat_map(related).collect()
             }
             Relation::On if to == me => vec![Want::Hold(Condition::Worn(from))],
             Relation::Inside | Relation::InRoom if room => related(Relation::InRoom),
@@ -362,7 +398,7 @@ impl View<'_> {
         match want {
             Want::See(_) => 0,
             Want::Hold(Condition::Related(from, Relation::On | Relation::Inside | Relation::InRoom, _)) if *from != me => 1,
-            Want::Hold(Condition::In(id, State::Sitting | State::Lying)) if *id == me => 7,
+            Want::Hold(Condition::In(id, State::Sitting | State::Lying)) if *id == me => 8,
             Want::Hold(Condition::In(_, State::Open)) => 2,
             Want::Hold(Condition::In(_, State::Closed)) => 3,
             Want::Hold(Condition::In(_, State::On)) => 4,
@@ -373,15 +409,14 @@ impl View<'_> {
             Want::Hold(Condition::Near(_)) => 6,
             Want::Hold(Condition::Related(_, Relation::InRoom, _)) => 6,
             Want::Hold(Condition::Related(_, Relation::SittingOn | Relation::LyingOn, _)) => 7,
-            Want::Hold(Condition::Facing(_)) => 8,
+            Want::Hold(Condition::Facing(_)) => 9,
             Want::Hold(_) => 4,
         }
     }
 
     fn stage_of(&self, verb: Verb) -> u8 {
         match verb {
-            Verb::LookAt | Verb::PointAt | Verb::Watch => 9,
-            Verb::Sleep | Verb::WakeUp => 9,
+            Verb::LookAt | Verb::PointAt | Verb::Watch | Verb::Sleep | Verb::WakeUp => 10,
             Verb::Eat | Verb::Drink | Verb::Read => 5,
             _ => 4,
         }
@@ -391,7 +426,10 @@ impl View<'_> {
     fn cost(&self, want: &Want) -> u32 {
         match want {
             Want::See(id) => self.way(*id) + 1,
-            Want::Do(action) => action.things().map(|id| self.way(id)).sum(),
+            Want::Do(action) => {
+                let named = |id| self.hints.named.is_empty() || self.hints.named.contains(&id);
+                action.things().map(|id| self.way(id) + UNNAMED * u32::from(!named(id))).sum()
+            }
             Want::Hold(condition) => match *condition {
                 Condition::Related(from, _, to) => self.way(from) + self.way(to),
                 Condition::In(id, _)

@@ -48,12 +48,16 @@ impl fmt::Display for Obstacle {
 
 impl Task {
     /// Why the goal makes no sense in a scene; empty if it does. Looks at the
-    /// parts that must hold, not at alternatives and negations.
+    /// parts that must hold, not at negations; of alternatives one must do.
     pub fn obstacles(&self, graph: &SceneGraph) -> Vec<Obstacle> {
-        let mut found = Vec::new();
-        look(&self.goal, graph, &mut found);
-        found
+        obstacles(&self.goal, graph)
     }
+}
+
+fn obstacles(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
+    let mut found = Vec::new();
+    look(goal, graph, &mut found);
+    found
 }
 
 fn look(goal: &Goal, graph: &SceneGraph, found: &mut Vec<Obstacle>) {
@@ -63,6 +67,12 @@ fn look(goal: &Goal, graph: &SceneGraph, found: &mut Vec<Obstacle>) {
             look_at(goal, literal, *number as usize, graph, found);
         }
         Goal::And(parts) | Goal::Then(parts) => parts.iter().for_each(|p| look(p, graph, found)),
+        Goal::Or(parts) => {
+            let each: Vec<Vec<Obstacle>> = parts.iter().map(|p| obstacles(p, graph)).collect();
+            if each.iter().all(|o| !o.is_empty()) {
+                found.extend(each.into_iter().flatten());
+            }
+        }
         Goal::Exists(q) | Goal::ForAll(q) => {
             if let Some(class) = &q.class {
                 require(goal, class, 1, graph, found, |_| true, "");

@@ -528,37 +528,36 @@ pub(super) fn origin(graph: &SceneGraph, id: NodeId) -> Option<Place> {
     off.or_else(|| graph.related(id, Relation::TakenOut).next().map(|at| Place { relation: Relation::Inside, at }))
 }
 
-/// Whether a thing has room on or in another, where the sizes of both are known:
-/// into a container it must go in some turn, with what is in it already; a thing
-/// must be able to stand on a surface at all.
+/// Whether a thing has room on or in another, where the sizes of both are known.
+/// What has a lid must take the thing in some turn, with what is in it already;
+/// out of what is open at the top things may stick; surfaces may be overhung.
 fn fits(graph: &SceneGraph, id: NodeId, at: NodeId) -> Result<(), Refusal> {
     let (thing, target) = (find(graph, id)?, find(graph, at)?);
     let no = |why| Err(Refusal::DoesNotFit { thing: thing.label(), at: target.label(), why });
     if id == at || graph.rests_at(at, id) {
         return no("rests on or in it");
     }
-    let places = target.slots(SlotKind::Slot);
-    if places > 0 && graph.relating(Relation::Inside, at).filter(|&n| n != id).count() >= places as usize {
+    let inside = || graph.relating(Relation::Inside, at).filter(|&n| n != id);
+    let slots = target.slots(SlotKind::Slot);
+    if slots > 0 && inside().count() >= slots as usize {
         return no("has no free slot");
     }
     let (Some(size), Some(space)) = (thing.spec().bounds, target.spec().bounds) else { return Ok(()) };
-    let (size_sorted, space_sorted) = (sorted(size.size()), sorted(space.size()));
-    let encloses_it = size_sorted.iter().zip(space_sorted).all(|(s, room)| *s <= room + 0.02);
-    if !encloses_it && encloses(target) && !carries_only(target) {
-        return no("is too small");
+    if target.affords(Property::Surface) || !target.affords(Property::Openable) {
+        return Ok(());
     }
-    let inside = |n: NodeId| graph.node(n).and_then(|n| n.spec().bounds).map_or(0.0, |b| b.volume());
-    let used: f32 = graph.relating(Relation::Inside, at).filter(|&n| n != id).map(inside).sum();
-    if used + size.volume() > space.volume() && encloses(target) && !carries_only(target) {
-        return no("is full");
+    let taken = |n: NodeId| graph.node(n).and_then(|n| n.spec().bounds).map_or(0.0, |b| b.volume());
+    match () {
+        () if sorted(size.size()).iter().zip(sorted(space.size())).any(|(s, room)| *s > room + SLACK) => {
+            no("is too small")
+        }
+        () if inside().map(taken).sum::<f32>() + size.volume() > space.volume() => no("is full"),
+        () => Ok(()),
     }
-    Ok(())
 }
 
-/// Whether a node is a surface in the first place, so that things may overhang.
-fn carries_only(node: &Node) -> bool {
-    node.affords(Property::Surface)
-}
+/// By how much a box may be larger than the space its shape still fits, metres.
+const SLACK: f32 = 0.02;
 
 fn sorted(size: nalgebra::Vector3<f32>) -> [f32; 3] {
     let mut all = [size.x, size.y, size.z];

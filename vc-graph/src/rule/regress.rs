@@ -56,6 +56,9 @@ fn candidates(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action
             None => Vec::new(),
         },
         Condition::OnHeat(id) => heat(graph, agent, id),
+        Condition::Related(who, hand @ (Relation::HoldsRight | Relation::HoldsLeft), id) if who == agent => {
+            into_hand(graph, agent, hand, id)
+        }
         Condition::AtRest => rests(graph, agent, None),
         Condition::In(id, posture @ (State::Sitting | State::Lying)) if id == agent => {
             rests(graph, agent, Some(posture))
@@ -110,9 +113,6 @@ fn binding(effect: Effect<Role>, want: &Condition, agent: NodeId) -> Option<Boun
         (Effect::GoTo(role), C::Near(id) | C::SameRoom(id)) => Some(One(role, id)),
         (Effect::GoTo(role), C::Related(who, Relation::Near, id)) if who == agent => Some(One(role, id)),
         (Effect::Hold(role), C::Holding(id)) => Some(One(role, id)),
-        (Effect::Hold(role), C::Related(who, Relation::HoldsRight | Relation::HoldsLeft, id)) if who == agent => {
-            Some(One(role, id))
-        }
         (Effect::PutOn(..), C::Related(id, Relation::On, at)) if at != agent && id != agent => Some(Two(id, at)),
         (Effect::PutInto(..), C::Related(id, Relation::Inside, at)) if id != agent => Some(Two(id, at)),
         (Effect::PourInto(..), C::Related(id, Relation::PouredInto, into)) => Some(Two(id, into)),
@@ -140,6 +140,17 @@ fn put_downs(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     let held: Vec<NodeId> = graph.held(agent).collect();
     let place = |at: &NodeId| held.iter().map(|&id| Action::two(Verb::Place, id, *at)).collect::<Vec<_>>();
     at.iter().flat_map(place).chain(held.iter().map(|&id| Action::one(Verb::Drop, id))).collect()
+}
+
+/// Ways to have a thing in one hand rather than the other: that hand must be free,
+/// the right one is filled first, and what is in the wrong hand is put down.
+fn into_hand(graph: &SceneGraph, agent: NodeId, hand: Relation, id: NodeId) -> Vec<Action> {
+    let occupied = graph.related(agent, hand).next();
+    let wrong = graph.held(agent).find(|&held| held == id || Some(held) == occupied);
+    match wrong {
+        Some(held) => put_downs(graph, agent).into_iter().filter(|a| a.object == Some(held)).collect(),
+        None => vec![Action::one(Verb::Grab, id)],
+    }
 }
 
 /// Ways to have something of a kind in hand: what is near first.
