@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 /// The folder of shared data: `VC_DATA`, or `../shared/data` beside the project.
 /// Prints that a test is skipped when there is neither.
-pub fn data() -> Option<PathBuf> {
+pub(crate) fn data() -> Option<PathBuf> {
     let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/data");
     let folder = std::env::var_os("VC_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from);
     if folder.is_dir() {
@@ -16,7 +16,7 @@ pub fn data() -> Option<PathBuf> {
 }
 
 /// A text file, unpacked if its name ends in `.gz`.
-pub fn text(path: &str) -> Option<String> {
+pub(crate) fn text(path: &str) -> Option<String> {
     let path = data()?.join(path);
     let bytes = std::fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
     if path.extension().is_none_or(|e| e != "gz") {

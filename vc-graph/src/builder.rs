@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use crate::asset::AssetLibrary;
 use crate::class::ClassTable;
-use crate::node::{Draft, Kind, Link};
+use crate::bulk;
+use crate::node::{Draft, Kind};
 use crate::{Edge, EditError, NodeId, Place, Relation, SceneGraph};
 
 /// Builds a [`SceneGraph`], node by node or in bulk.
@@ -52,10 +53,8 @@ impl SceneBuilder {
     /// # Errors
     /// As [`Edit::add`](crate::Edit::add).
     pub fn add(&mut self, draft: Draft) -> Result<NodeId, EditError> {
-        let mut edit = self.graph.edit();
-        let id = edit.add(draft)?;
-        edit.commit();
-        Ok(id)
+        let id = crate::edit::next_id(&self.graph)?;
+        self.add_with_id(id, draft)
     }
 
     /// Adds a node with a number of your own.
@@ -63,9 +62,8 @@ impl SceneBuilder {
     /// # Errors
     /// As [`Edit::add_with_id`](crate::Edit::add_with_id).
     pub fn add_with_id(&mut self, id: NodeId, draft: Draft) -> Result<NodeId, EditError> {
-        let mut edit = self.graph.edit();
-        edit.add_with_id(id, draft)?;
-        edit.commit();
+        let node = crate::edit::make_node(&self.graph, id, draft)?;
+        self.graph.insert(Arc::new(node));
         Ok(id)
     }
 
@@ -116,40 +114,12 @@ impl SceneBuilder {
     /// # Errors
     /// [`EditError::NoSuchNode`] for an edge that ends nowhere; then none is added.
     pub fn link_all(&mut self, edges: &[Edge]) -> Result<(), EditError> {
-        for edge in edges {
-            for id in [edge.from, edge.to] {
-                self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
-            }
-        }
-        for &edge in edges {
-            self.push(edge);
-        }
-        self.sort_links();
-        Ok(())
+        self.link_each(edges).map_err(|(_, id)| EditError::NoSuchNode(id))
     }
 
-    /// Appends both ends of an edge; the lists are sorted afterwards, once.
-    fn push(&mut self, edge: Edge) {
-        let back = edge.reversed();
-        if let Some(node) = self.graph.nodes.get_mut(edge.from) {
-            node.out.push(Link { relation: edge.relation, node: edge.to });
-        }
-        if let Some(node) = self.graph.nodes.get_mut(edge.to) {
-            let links = if edge.relation.is_symmetric() { &mut node.out } else { &mut node.inc };
-            links.push(Link { relation: edge.relation, node: back.to });
-        }
-    }
-
-    fn sort_links(&mut self) {
-        let ids: Vec<NodeId> = self.graph.nodes().map(crate::Node::id).collect();
-        for id in ids {
-            if let Some(node) = self.graph.nodes.get_mut(id) {
-                for links in [&mut node.out, &mut node.inc] {
-                    links.sort_unstable();
-                    links.dedup();
-                }
-            }
-        }
+    /// As [`Self::link_all`]; an edge that ends nowhere is told by its position.
+    pub(crate) fn link_each(&mut self, edges: &[Edge]) -> Result<(), (usize, NodeId)> {
+        bulk::link(&mut self.graph, edges)
     }
 
     /// The finished scene.

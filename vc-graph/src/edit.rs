@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::geometry::is_finite;
-use crate::node::{Draft, Kind};
+use crate::node::{Draft, Kind, Node};
 use crate::{Change, ChangeSet, Edge, Label, NodeId, Place, Pose, Relation, SceneGraph, State, StateSet};
 
 /// Why an edit was refused; the graph is as it was before that call.
@@ -104,10 +104,7 @@ impl<'g> Edit<'g> {
     /// # Errors
     /// [`EditError::NumbersExhausted`], [`EditError::NotFinite`].
     pub fn add(&mut self, draft: Draft) -> Result<NodeId, EditError> {
-        if self.graph.next == u32::MAX {
-            return Err(EditError::NumbersExhausted);
-        }
-        self.add_with_id(NodeId(self.graph.next), draft)
+        self.add_with_id(next_id(self.graph)?, draft)
     }
 
     /// Adds a node that is nowhere yet, with a number of your own.
@@ -115,13 +112,7 @@ impl<'g> Edit<'g> {
     /// # Errors
     /// [`EditError::Duplicate`], [`EditError::NotFinite`].
     pub fn add_with_id(&mut self, id: NodeId, draft: Draft) -> Result<NodeId, EditError> {
-        if self.graph.node(id).is_some() {
-            return Err(EditError::Duplicate(id));
-        }
-        let node = draft.into_node(id, &self.graph.classes);
-        if node.pose.as_ref().is_some_and(|p| !is_finite(p)) {
-            return Err(EditError::NotFinite(node.label()));
-        }
+        let node = make_node(self.graph, id, draft)?;
         self.make(Change::Add(Arc::new(node)));
         Ok(id)
     }
@@ -354,14 +345,14 @@ impl<'g> Edit<'g> {
 
     /// Adds an edge whatever its kind; the callers keep the invariants.
     pub(crate) fn link(&mut self, edge: Edge) {
-        if !self.graph.has(edge) {
-            self.make(Change::Link(edge));
+        if self.graph.link(edge) {
+            self.changes.push(Change::Link(edge));
         }
     }
 
     pub(crate) fn unlink(&mut self, edge: Edge) {
-        if self.graph.has(edge) {
-            self.make(Change::Unlink(edge));
+        if self.graph.unlink(edge) {
+            self.changes.push(Change::Unlink(edge));
         }
     }
 }
@@ -371,4 +362,19 @@ impl Drop for Edit<'_> {
         let undo = ChangeSet { changes: std::mem::take(&mut self.changes) }.inverse();
         undo.changes.iter().for_each(|change| change.write(self.graph));
     }
+}
+
+/// The number the next node gets.
+pub(crate) fn next_id(graph: &SceneGraph) -> Result<NodeId, EditError> {
+    if graph.next == u32::MAX { Err(EditError::NumbersExhausted) } else { Ok(NodeId(graph.next)) }
+}
+
+/// A node for a graph that does not have its number yet.
+pub(crate) fn make_node(graph: &SceneGraph, id: NodeId, draft: Draft) -> Result<Node, EditError> {
+    if graph.node(id).is_some() {
+        return Err(EditError::Duplicate(id));
+    }
+    let node = draft.into_node(id, &graph.classes);
+    let finite = node.pose.as_ref().is_none_or(is_finite);
+    if finite { Ok(node) } else { Err(EditError::NotFinite(node.label())) }
 }

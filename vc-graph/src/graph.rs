@@ -190,16 +190,14 @@ impl SceneGraph {
 
     /// Who holds a thing, and in which hand.
     pub fn holder(&self, id: NodeId) -> Option<Place> {
-        let held_by = |hand| self.relating(hand, id).next().map(|at| Place { relation: hand, at });
-        Relation::hands().into_iter().find_map(held_by)
+        self.node(id)?.holders().next()
     }
 
     /// Everything a node directly rests on, in or with.
     pub fn places(&self, id: NodeId) -> impl Iterator<Item = Place> + '_ {
-        let resting = Relation::places().iter().flat_map(move |&relation| {
-            self.related(id, relation).map(move |at| Place { relation, at })
-        });
-        self.holder(id).into_iter().chain(resting)
+        let node = self.node(id);
+        let holders = node.into_iter().flat_map(Node::holders);
+        holders.chain(node.into_iter().flat_map(Node::resting))
     }
 
     /// The nearest thing a node rests on, in or with: of several containers the
@@ -218,8 +216,7 @@ impl SceneGraph {
 
     /// What directly rests on, in or with a node, or is held by it.
     pub fn resting_at(&self, id: NodeId) -> impl Iterator<Item = NodeId> + '_ {
-        let resting = Relation::places().iter().flat_map(move |&relation| self.relating(relation, id));
-        resting.chain(self.held(id))
+        self.node(id).into_iter().flat_map(Node::carried)
     }
 
     /// The node and all that moves with it, itself first.
@@ -241,21 +238,27 @@ impl SceneGraph {
     /// nearest first.
     pub fn support_chain(&self, id: NodeId) -> Vec<NodeId> {
         let mut chain = Vec::new();
-        self.climb(id, &mut chain, &mut |_| false);
+        self.climb(id, &mut |place| {
+            chain.push(place.at);
+            false
+        });
         chain
     }
 
     /// Walks up from a node until `stop` says so; tolerates cyclic data.
-    fn climb(&self, id: NodeId, seen: &mut Vec<NodeId>, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
+    fn climb(&self, id: NodeId, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
+        self.climb_past(id, &mut Seen::default(), stop)
+    }
+
+    fn climb_past(&self, id: NodeId, seen: &mut Seen, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
         for place in self.places(id) {
-            if seen.contains(&place.at) {
+            if !seen.add(place.at) {
                 continue;
             }
-            seen.push(place.at);
             if stop(place) {
                 return Some(place.at);
             }
-            if let Some(found) = self.climb(place.at, seen, stop) {
+            if let Some(found) = self.climb_past(place.at, seen, stop) {
                 return Some(found);
             }
         }
@@ -265,12 +268,12 @@ impl SceneGraph {
     /// The closed container that hides a node, if one does: nearest first.
     pub fn hidden_in(&self, id: NodeId) -> Option<NodeId> {
         let closed = |p: Place| p.relation == Relation::Inside && self.node(p.at).is_some_and(Node::hides_contents);
-        self.climb(id, &mut Vec::new(), &mut { closed })
+        self.climb(id, &mut { closed })
     }
 
     /// Whether something rests on `at`, directly or through other things.
     pub fn rests_at(&self, id: NodeId, at: NodeId) -> bool {
-        self.climb(id, &mut Vec::new(), &mut |p| p.at == at).is_some()
+        self.climb(id, &mut |p| p.at == at).is_some()
     }
 
     /// Whether an agent is near a thing: it holds or wears it or rests on it; the
@@ -289,7 +292,7 @@ impl SceneGraph {
             return true;
         }
         let at_hand = |p: Place| p.at == agent || body.has(Relation::Near, p.at);
-        self.climb(id, &mut Vec::new(), &mut { at_hand }).is_some()
+        self.climb(id, &mut { at_hand }).is_some()
             || self.rests_at(agent, id)
             || self.within_reach(body, node)
     }
@@ -365,32 +368,27 @@ impl SceneGraph {
 
     /// Adds an edge; `false` if it was there or an end is missing.
     pub(crate) fn link(&mut self, edge: Edge) -> bool {
-        if self.node(edge.from).is_none() || self.node(edge.to).is_none() || self.has(edge) {
+        if self.node(edge.to).is_none() || self.has(edge) {
             return false;
         }
-        self.each_end(edge, |links, link| add_sorted(links, link));
-        true
+        self.each_end(edge, add_sorted)
     }
 
     /// Removes an edge; `false` if it was not there.
     pub(crate) fn unlink(&mut self, edge: Edge) -> bool {
-        if !self.has(edge) {
-            return false;
-        }
-        self.each_end(edge, |links, link| remove_sorted(links, link));
-        true
+        self.has(edge) && self.each_end(edge, remove_sorted)
     }
 
-    fn each_end(&mut self, edge: Edge, write: impl Fn(&mut Vec<Link>, Link)) {
-        if let Some(node) = self.nodes.get_mut(edge.from) {
-            write(&mut node.out, Link { relation: edge.relation, node: edge.to });
-        }
+    fn each_end(&mut self, edge: Edge, write: fn(&mut Vec<Link>, Link)) -> bool {
+        let Some(node) = self.nodes.get_mut(edge.from) else { return false };
+        write(&mut node.out, Link { relation: edge.relation, node: edge.to });
         let back = Link { relation: edge.relation, node: edge.from };
         match self.nodes.get_mut(edge.to) {
             Some(node) if edge.relation.is_symmetric() => write(&mut node.out, back),
             Some(node) => write(&mut node.inc, back),
             None => {}
         }
+        true
     }
 
     pub(crate) fn set_pose(&mut self, id: NodeId, pose: Option<crate::Pose>) {
@@ -405,6 +403,32 @@ impl SceneGraph {
         if let Some(at) = new {
             grid.insert(id, at);
         }
+    }
+}
+
+/// The few nodes met on a way up, without an allocation as long as they are few.
+#[derive(Default)]
+struct Seen {
+    few: [Option<NodeId>; 6],
+    many: Vec<NodeId>,
+}
+
+impl Seen {
+    /// Adds a node; `false` if it was met before.
+    fn add(&mut self, id: NodeId) -> bool {
+        for place in &mut self.few {
+            match place {
+                Some(met) if *met == id => return false,
+                Some(_) => {}
+                None => {
+                    *place = Some(id);
+                    return true;
+                }
+            }
+        }
+        let new = !self.many.contains(&id);
+        self.many.push(id);
+        new
     }
 }
 

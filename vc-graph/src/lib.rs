@@ -3,6 +3,7 @@
 mod action;
 pub mod asset;
 mod builder;
+mod bulk;
 mod change;
 pub mod class;
 mod digest;

@@ -135,15 +135,8 @@ impl Observation {
     /// Where a seen thing is seen to be: on, in, worn or held by what.
     pub fn places(&self, id: NodeId) -> impl Iterator<Item = Place> + '_ {
         let node = self.get(id);
-        let resting = Relation::places().iter().flat_map(move |&relation| {
-            let targets = node.into_iter().flat_map(move |n| n.out(relation));
-            targets.map(move |at| Place { relation, at })
-        });
-        let held = Relation::hands().into_iter().flat_map(move |relation| {
-            let holders = node.into_iter().flat_map(move |n| n.inc(relation));
-            holders.map(move |at| Place { relation, at })
-        });
-        held.chain(resting).filter(|p| self.sees(p.at))
+        let holders = node.into_iter().flat_map(Node::holders);
+        holders.chain(node.into_iter().flat_map(Node::resting)).filter(|p| self.sees(p.at))
     }
 
     /// The room a seen thing is in.

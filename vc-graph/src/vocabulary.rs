@@ -20,7 +20,8 @@ pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
     /// # Errors
     /// [`UnknownWord`] names the vocabulary and lists what is allowed.
     fn parse(text: &str) -> Result<Self, UnknownWord> {
-        let found = Self::ALL.iter().find(|w| same_word(w.as_str(), text));
+        let exact = Self::ALL.iter().find(|w| w.as_str() == text);
+        let found = exact.or_else(|| Self::ALL.iter().find(|w| same_word(w.as_str(), text)));
         found.copied().ok_or_else(|| UnknownWord {
             what: Self::WHAT,
             word: clip(text),

@@ -1,6 +1,6 @@
 //! An agent that pursues a goal in a scene of which it sees only a part.
 
-use vc_graph::{Action, Event, Goal, History, NodeId, Observation, SceneGraph};
+use vc_graph::{Action, Event, Goal, History, NodeId, Observation, Place, SceneGraph, goal::Term};
 
 use crate::plan::{Horizon, plan_in_belief};
 use crate::subgoal::{Unreachable, Want};
@@ -53,6 +53,8 @@ pub enum Decision {
 pub struct Agent {
     id: NodeId,
     goal: Goal,
+    /// The things the goal is about.
+    concerns: Vec<NodeId>,
     belief: Belief,
     history: History,
     horizon: Horizon,
@@ -72,7 +74,8 @@ impl Agent {
     }
 
     fn with(id: NodeId, goal: Goal, belief: Belief) -> Self {
-        Self { id, goal, belief, history: History::default(), horizon: Horizon::NextSubgoal, pursued: None }
+        let concerns = concerns(&goal, belief.graph());
+        Self { id, goal, concerns, belief, history: History::default(), horizon: Horizon::NextSubgoal, pursued: None }
     }
 
     /// Makes it plan to the goal each time, not only to the next subgoal.
@@ -84,6 +87,14 @@ impl Agent {
     /// What it believes.
     pub fn belief(&self) -> &Belief {
         &self.belief
+    }
+
+    /// The things the goal is about whose place it can only guess, with the guess;
+    /// `None` for somewhere in a room.
+    pub fn guesses(&self) -> Vec<(NodeId, Option<Place>)> {
+        let graph = self.belief.graph();
+        let missing = self.concerns.iter().filter(|&&id| self.belief.is_missing(id));
+        missing.map(|&id| (id, graph.place(id))).collect()
     }
 
     /// What it pursues.
@@ -117,4 +128,16 @@ impl Agent {
         self.belief.expect(action);
         self.history.push(Event { agent: self.id, action: *action });
     }
+}
+
+/// The things the literals of a goal can be about.
+fn concerns(goal: &Goal, graph: &SceneGraph) -> Vec<NodeId> {
+    let mut found: Vec<NodeId> = goal.terms().iter().flat_map(|term| match term {
+        Term::Class(class) => graph.of_class(class),
+        Term::Node(_, id) => vec![*id],
+        _ => Vec::new(),
+    }).collect();
+    found.sort_unstable();
+    found.dedup();
+    found
 }

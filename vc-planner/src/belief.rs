@@ -117,9 +117,14 @@ impl Belief {
         self.places.iter().zip(&self.seen).filter(|(_, seen)| !**seen).map(|(place, _)| *place)
     }
 
+    /// Whether it is only guessed where a thing is.
+    pub fn is_missing(&self, id: NodeId) -> bool {
+        self.missing.iter().any(|&(missing, _)| missing == id)
+    }
+
     /// How likely a thing is at a place, 0 to 1.
     pub fn probability(&self, id: NodeId, place: Place) -> f64 {
-        if !self.missing.iter().any(|&(m, _)| m == id) {
+        if !self.is_missing(id) {
             return f64::from(u8::from(self.graph.places(id).any(|p| p == place)));
         }
         let open = self.possible_places().count();
@@ -226,14 +231,13 @@ impl Belief {
 
     /// A place that has not been looked at; all again, when none is left.
     fn sample(&mut self) -> usize {
-        let open = self.seen.iter().filter(|seen| !**seen).count();
-        if open == 0 {
+        if self.seen.iter().all(|&seen| seen) {
             self.seen.fill(false);
             self.widened += 1;
         }
-        let open: Vec<usize> = (0..self.places.len()).filter(|&i| !self.seen[i]).collect();
-        let draw = self.rng.next_u64() % open.len().max(1) as u64;
-        open.get(draw as usize).copied().unwrap_or(0)
+        let open = || self.seen.iter().enumerate().filter(|(_, seen)| !**seen).map(|(i, _)| i);
+        let draw = self.rng.next_u64() % open().count().max(1) as u64;
+        open().nth(draw as usize).unwrap_or(0)
     }
 
     fn suppose(&mut self, id: NodeId, place: usize) {

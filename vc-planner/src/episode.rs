@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use vc_graph::goal::Situation;
-use vc_graph::{Action, Digest, Label, NodeId, Refusal, Scope, Simulator};
+use vc_graph::{Action, Digest, Label, NodeId, Place, Refusal, Scope, Simulator};
 use vc_tasks::{Outcome, Task};
 
 use crate::{Agent, Decision};
@@ -18,6 +18,10 @@ pub struct Step {
     pub found: Vec<Label>,
     /// Things it no longer believes where it guessed them.
     pub disproved: Vec<Label>,
+    /// Where it guessed the missing things that the goal is about.
+    pub believed: Vec<String>,
+    /// Among how many places it guessed.
+    pub places: usize,
     /// What it meant to do, the first of which it did.
     pub plan: Vec<String>,
     /// What it did.
@@ -92,15 +96,25 @@ pub fn run_episode(
         let (room, found) = (seen.room().as_ref().map(label), learned.found.iter().map(label).collect());
         let disproved = learned.disproved.iter().map(label).collect();
         let described = action.describe(world.graph()).to_string();
+        let believed = agent.guesses().iter().map(|&(id, place)| guess(world, id, place)).collect();
+        let places = agent.belief().possible_places().count();
         let plan = plan.actions.iter().map(|a| a.describe(world.graph()).to_string()).collect();
         if let Err(refusals) = world.step(id, &action) {
             return end(world, id, task, Outcome::Aborted, number - 1, Some(refused(&described, &refusals)));
         }
         agent.did(&action);
         let digest = world.graph().digest().to_string();
-        watch(&Step { step: number, room, found, disproved, plan, action, described, digest });
+        watch(&Step { step: number, room, found, disproved, believed, places, plan, action, described, digest });
     }
     end(world, id, task, Outcome::TimedOut, task.step_limit, None)
+}
+
+fn guess(world: &Simulator, id: NodeId, place: Option<Place>) -> String {
+    let label = |id| world.graph().label(id);
+    match place {
+        Some(place) => format!("{} {} {}", label(id), place.relation, label(place.at)),
+        None => format!("{} in some room", label(id)),
+    }
 }
 
 fn refused(action: &str, refusals: &[Refusal]) -> String {

@@ -230,7 +230,10 @@ impl ClassTable {
     /// not matter, nor do engine prefixes and numbers (`SM_Coffee_Table_03`); of a
     /// longer name the part counts that is a class (`SM_Glass_Milk` is milk).
     pub fn get(&self, name: &str) -> Option<&Class> {
-        name::candidates(name).find_map(|c| self.by_name.get(&c)).map(|&i| &self.classes[i])
+        let plain = name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit());
+        let whole = plain.then(|| self.by_name.get(name)).flatten();
+        let found = whole.or_else(|| name::candidates(name).find_map(|c| self.by_name.get(&c)));
+        found.map(|&i| &self.classes[i])
     }
 
     /// The class and all its kinds.

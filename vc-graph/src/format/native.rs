@@ -115,15 +115,9 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
         graph.insert(Arc::new(node));
     }
     let edges: Vec<Edge> = file.edges.into_iter().map(|(from, relation, to)| Edge { from, relation, to }).collect();
-    for (index, edge) in edges.iter().enumerate() {
-        for id in [edge.from, edge.to] {
-            if graph.node(id).is_none() {
-                return Err(source.error(format!("edges[{index}]"), EditError::NoSuchNode(id)));
-            }
-        }
-    }
     let mut builder = SceneBuilder::of(graph);
-    builder.link_all(&edges).map_err(|e| source.error("edges".into(), e))?;
+    let nowhere = |(index, id)| source.error(format!("edges[{index}]"), EditError::NoSuchNode(id));
+    builder.link_each(&edges).map_err(nowhere)?;
     Ok(builder.build())
 }
 

@@ -144,8 +144,8 @@ impl ObjectFile {
         let size = class.and_then(crate::Class::typical_size);
         let scale = Vector3::from(scale);
         Ok(Draft {
-            class: class.map_or_else(|| self.name.clone(), |c| c.name.to_string()),
-            name: Some(self.name.clone()),
+            class: class.map_or_else(|| self.name.as_str().into(), |c| c.name.clone()),
+            name: Some(self.name.as_str().into()),
             states: Some(states.map_err(|e| ("state", Problem::Word(e)))?),
             pose: Some(from_unreal(location, rotation)),
             bounds: size.map(|s| Bounds::standing(s.component_mul(&scale.abs()))),

@@ -13,6 +13,7 @@
 //! format has. What it has no word for is not written: our further states and
 //! properties, contents, where a held thing was taken from, touching, directions.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
@@ -133,17 +134,15 @@ impl EnvironmentGraph {
     /// The field and what is wrong with it.
     pub fn build(&self, name: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, (String, Problem)> {
         let mut scene = SceneBuilder::with_classes(name, classes.clone());
+        let mut category = Arc::from("");
         for (index, node) in self.nodes.iter().enumerate() {
-            let draft = node.draft().map_err(|(field, problem)| (format!("nodes[{index}].{field}"), problem))?;
+            let draft = node.draft(&mut category).map_err(|(field, problem)| (format!("nodes[{index}].{field}"), problem))?;
             let added = scene.add_with_id(NodeId(node.id), draft);
             added.map_err(|e| (format!("nodes[{index}].id"), Problem::Edit(e)))?;
         }
-        let mut edges = Vec::with_capacity(self.edges.len());
-        for (index, edge) in self.edges.iter().enumerate() {
-            let read = edge.read(scene.graph()).map_err(|e| (format!("edges[{index}]"), Problem::Edit(e)));
-            edges.push(read?);
-        }
-        scene.link_all(&edges).map_err(|e| ("edges".to_owned(), Problem::Edit(e)))?;
+        let edges: Vec<Edge> = self.edges.iter().map(|edge| edge.read(scene.graph())).collect();
+        let linked = scene.link_each(&edges);
+        linked.map_err(|(index, id)| (format!("edges[{index}]"), Problem::Edit(EditError::NoSuchNode(id))))?;
         Ok(scene.build())
     }
 
@@ -169,6 +168,52 @@ const STATES: [State; 10] = [
     State::Sitting,
     State::Lying,
 ];
+
+/// In what two environment graphs differ.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Difference {
+    /// Nodes whose states differ: number, states here, states there.
+    pub states: Vec<(u32, Vec<String>, Vec<String>)>,
+    /// Nodes that only one of them has.
+    pub nodes: Vec<u32>,
+    /// Edges only this graph has.
+    pub added: Vec<EnvironmentEdge>,
+    /// Edges only the other has.
+    pub missing: Vec<EnvironmentEdge>,
+}
+
+impl Difference {
+    /// Whether the graphs are the same.
+    pub fn is_empty(&self) -> bool {
+        self.states.is_empty() && self.nodes.is_empty() && self.added.is_empty() && self.missing.is_empty()
+    }
+}
+
+impl EnvironmentGraph {
+    /// In what this graph differs from another; the order of nodes, states and
+    /// edges does not matter.
+    pub fn difference(&self, other: &Self) -> Difference {
+        let by_id = |g: &Self| -> BTreeMap<u32, BTreeSet<String>> {
+            g.nodes.iter().map(|n| (n.id, n.states.iter().cloned().collect())).collect()
+        };
+        let (here, there) = (by_id(self), by_id(other));
+        let states = here.iter().filter_map(|(id, states)| {
+            let others = there.get(id).filter(|o| *o != states)?;
+            Some((*id, states.iter().cloned().collect(), others.iter().cloned().collect()))
+        });
+        let one_sided = |a: &BTreeMap<u32, BTreeSet<String>>, b: &BTreeMap<u32, BTreeSet<String>>| {
+            a.keys().filter(|id| !b.contains_key(id)).copied().collect::<Vec<u32>>()
+        };
+        let edges = |g: &Self| g.edges.iter().copied().collect::<BTreeSet<EnvironmentEdge>>();
+        let (ours, theirs) = (edges(self), edges(other));
+        Difference {
+            states: states.collect(),
+            nodes: [one_sided(&here, &there), one_sided(&there, &here)].concat(),
+            added: ours.difference(&theirs).copied().collect(),
+            missing: theirs.difference(&ours).copied().collect(),
+        }
+    }
+}
 
 /// Swaps Y and Z: left-handed Y up to right-handed Z up, and back.
 fn swap(v: [f32; 3]) -> Vector3<f32> {
@@ -201,10 +246,14 @@ fn sound(numbers: &[f32]) -> bool {
 }
 
 impl EnvironmentNode {
-    fn draft(&self) -> Result<Draft, Wrong> {
+    /// The node; `category` is the last one's, which is often the same again.
+    fn draft(&self, category: &mut Arc<str>) -> Result<Draft, Wrong> {
         let mut draft = Draft::new(&*self.class_name);
-        draft.category = Some(self.category.clone());
-        draft.name.clone_from(&self.prefab_name);
+        if **category != *self.category {
+            *category = self.category.as_str().into();
+        }
+        draft.category = Some(category.clone());
+        draft.name = self.prefab_name.as_deref().map(Into::into);
         draft.properties = Some(self.properties()?);
         draft.states = Some(self.states()?);
         let number = |field: &str, v: &dyn std::fmt::Debug| (field.to_owned(), Problem::Number(clip(&format!("{v:?}"))));
@@ -271,24 +320,26 @@ fn bounding_box(node: &Node, aabb: &crate::Aabb) -> BoundingBox {
 }
 
 impl EnvironmentEdge {
-    fn read(&self, graph: &SceneGraph) -> Result<Edge, EditError> {
-        let node = |id| graph.node(NodeId(id)).ok_or(EditError::NoSuchNode(NodeId(id)));
-        let (from, to) = (node(self.from_id)?, node(self.to_id)?);
-        let relation = match (self.relation_type, from.kind(), to.kind()) {
-            (RelationType::Inside, _, Kind::Room) => Relation::InRoom,
-            (RelationType::Inside, ..) => Relation::Inside,
-            (RelationType::Sitting, ..) => Relation::SittingOn,
-            (RelationType::On, Kind::Agent, _) if from.is(State::Sitting) => Relation::SittingOn,
-            (RelationType::On, Kind::Agent, _) if from.is(State::Lying) => Relation::LyingOn,
-            (RelationType::On, _, Kind::Agent) => Relation::WornBy,
-            (RelationType::On, ..) => Relation::On,
-            (RelationType::Between, ..) => Relation::Between,
-            (RelationType::Close, ..) => Relation::Near,
-            (RelationType::Facing, ..) => Relation::Facing,
-            (RelationType::HoldsRh, ..) => Relation::HoldsRight,
-            (RelationType::HoldsLh, ..) => Relation::HoldsLeft,
+    /// The relation as we have it. Ends that do not exist are found out later.
+    fn read(&self, graph: &SceneGraph) -> Edge {
+        let (from, to) = (NodeId(self.from_id), NodeId(self.to_id));
+        let is = |id, kind| graph.node(id).is_some_and(|n| n.kind() == kind);
+        let in_state = |state| is(from, Kind::Agent) && graph.node(from).is_some_and(|n| n.is(state));
+        let relation = match self.relation_type {
+            RelationType::Inside if is(to, Kind::Room) => Relation::InRoom,
+            RelationType::Inside => Relation::Inside,
+            RelationType::Sitting => Relation::SittingOn,
+            RelationType::On if in_state(State::Sitting) => Relation::SittingOn,
+            RelationType::On if in_state(State::Lying) => Relation::LyingOn,
+            RelationType::On if is(to, Kind::Agent) => Relation::WornBy,
+            RelationType::On => Relation::On,
+            RelationType::Between => Relation::Between,
+            RelationType::Close => Relation::Near,
+            RelationType::Facing => Relation::Facing,
+            RelationType::HoldsRh => Relation::HoldsRight,
+            RelationType::HoldsLh => Relation::HoldsLeft,
         };
-        Ok(Edge::new(from.id(), relation, to.id()))
+        Edge::new(from, relation, to)
     }
 
     fn of(edge: Edge) -> Option<Self> {

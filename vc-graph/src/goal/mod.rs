@@ -14,7 +14,7 @@
 //!
 //! | predicate | holds when |
 //! |---|---|
-//! | `Open` `Closed` `On(x)` `Off` `Clean` `Dirty` `Cooked` ... | the thing is in that state |
+//! | `Open` `Closed` `SwitchedOn` `On(x)` `Clean` `Dirty` `Cooked` ... | the thing is in that state |
 //! | `On(x, y)` | x rests on y; also sits, lies or is worn on it |
 //! | `Inside(x, y)`, `In` | x is inside y, directly or on or in something inside it, or in room y |
 //! | `Near(x)`, `Walk(x)` | the agent is near x, or in room x |
@@ -166,6 +166,8 @@ impl fmt::Display for Term {
 impl fmt::Display for Literal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.predicate {
+            Predicate::State(State::On) => f.write_str("SwitchedOn(")?,
+            Predicate::State(State::Off) => f.write_str("SwitchedOff(")?,
             Predicate::State(state) => write!(f, "{}(", capitalised(state.as_str()))?,
             Predicate::Relation(relation) => write!(f, "{}(", capitalised(relation.as_str()))?,
             Predicate::Holds => write!(f, "Holds(")?,
@@ -250,6 +252,20 @@ impl Goal {
     /// A literal about given things.
     pub fn literal(predicate: Predicate, terms: Vec<Term>) -> Self {
         Self::Literal(Literal { predicate, terms })
+    }
+
+    /// The things the goal speaks of: the terms of its literals, and the classes its
+    /// variables range over.
+    pub fn terms(&self) -> Vec<Term> {
+        match self {
+            Self::Literal(literal) | Self::Count { literal, .. } => literal.terms.clone(),
+            Self::And(parts) | Self::Or(parts) | Self::Then(parts) => parts.iter().flat_map(Self::terms).collect(),
+            Self::Not(part) => part.terms(),
+            Self::ForAll(q) | Self::Exists(q) => {
+                let class = q.class.clone().map(Term::Class);
+                q.body.terms().into_iter().chain(class).collect()
+            }
+        }
     }
 
     /// The parts of a conjunction, or the goal itself.

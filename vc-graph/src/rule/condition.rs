@@ -91,6 +91,8 @@ pub enum Condition<T = NodeId> {
     Soft(T),
     /// One can type on it.
     Typable(T),
+    /// It is off, or one opens it while it runs: a fridge, an oven.
+    SafeToOpen(T),
     /// It is a person.
     Personal(T),
     /// A relation holds between two things. No verb needs it as such; goals do.
@@ -290,6 +292,7 @@ impl Condition<Role> {
             C::Mobile(t) => C::Mobile(of(t)?),
             C::Soft(t) => C::Soft(of(t)?),
             C::Typable(t) => C::Typable(of(t)?),
+            C::SafeToOpen(t) => C::SafeToOpen(of(t)?),
             C::Personal(t) => C::Personal(of(t)?),
             C::Related(t, r, u) => C::Related(of(t)?, r, of(u)?),
         })
@@ -364,6 +367,11 @@ impl Condition {
             Self::Mobile(t) => scene.affords(t, &[Property::Movable, Property::Graspable, Property::Sittable]),
             Self::Soft(t) => scene.soft(t),
             Self::Typable(t) => scene.typable(t),
+            Self::SafeToOpen(t) => {
+                let node = find(graph, t)?;
+                let harmless = node.affords(Property::Cooler) || node.affords(Property::Heater);
+                require(harmless || !node.is(State::On), || Refusal::InState(node.label(), State::On))
+            }
             Self::Personal(t) => {
                 let node = find(graph, t)?;
                 let person = node.kind() == Kind::Agent || node.affords(Property::Person);

@@ -21,6 +21,7 @@
 //!   hands;
 //! - a surface must be a surface, a container a container, and things must fit
 //!   where sizes are known;
+//! - fridges and ovens open while they are on;
 //! - seats are taken by people, not by the cushions on them.
 
 pub mod condition;

@@ -43,6 +43,7 @@ fn candidates(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action
             Some(container) => achievers(graph, agent, &Condition::In(container, State::Open)),
             None => Vec::new(),
         },
+        Condition::SafeToOpen(id) => achievers(graph, agent, &Condition::In(id, State::Off)),
         Condition::Accepts(id) => achievers(graph, agent, &Condition::In(id, State::Open)),
         Condition::FreeHand => put_downs(graph, agent),
         Condition::FreeHandOrHolding(_) => put_downs(graph, agent),

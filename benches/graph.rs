@@ -1,0 +1,118 @@
+//! What the scene graph costs: building, cloning, acting, observing, searching.
+//!
+//! The scene is VirtualHome's first where the shared data is there (`VC_DATA` or
+//! `../shared/data`), else the bundled apartment; `benches/README.md` has the
+//! peer's figures.
+
+#![allow(missing_docs, clippy::unwrap_used, reason = "benches stop where something is wrong")]
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use std::hint::black_box;
+
+use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use nalgebra::{Isometry3, Point3};
+use vc_graph::format::virtualhome::EnvironmentGraph;
+use vc_graph::format::{native, read_scene, virtualhome};
+use vc_graph::{Action, ClassTable, Draft, NodeId, SceneBuilder, SceneGraph, Scope, rule};
+
+fn scene() -> SceneGraph {
+    let bundled = include_str!("../examples/data/apartment.json").to_owned();
+    let text = common::text("virtualhome/scene1.json.gz").unwrap_or(bundled);
+    read_scene(&text, &ClassTable::builtin()).unwrap()
+}
+
+fn building(c: &mut Criterion) {
+    let graph = scene();
+    let (classes, text) = (ClassTable::builtin(), virtualhome::write(&graph));
+    let file: EnvironmentGraph = EnvironmentGraph::of(&graph);
+    let own = native::write(&graph);
+    c.bench_function("build from parsed nodes and edges", |b| b.iter(|| file.build("scene", &classes).unwrap()));
+    c.bench_function("read VirtualHome JSON", |b| b.iter(|| virtualhome::read(black_box(&text), &classes).unwrap()));
+    c.bench_function("read native JSON", |b| b.iter(|| native::read(black_box(&own), &classes).unwrap()));
+    c.bench_function("clone", |b| b.iter(|| graph.clone()));
+    c.bench_function("clone and step", |b| {
+        let (me, walk) = (graph.agents()[0], far_walk(&graph));
+        b.iter_batched(|| graph.clone(), |mut g| rule::step(&mut g, me, &walk).unwrap(), BatchSize::SmallInput);
+    });
+    c.bench_function("digest", |b| b.iter(|| graph.digest()));
+}
+
+/// A walk to something in another room.
+fn far_walk(graph: &SceneGraph) -> Action {
+    let here = graph.room_of(graph.agents()[0]);
+    let fridge = graph.of_class("fridge")[0];
+    let there = if graph.room_of(fridge) == here { graph.of_class("bed")[0] } else { fridge };
+    format!("walk #{}", there.0).parse().unwrap()
+}
+
+/// Ten actions that can be done over and over: back and forth to the fridge.
+fn script(graph: &SceneGraph) -> Vec<Action> {
+    let id = |class: &str| graph.of_class(class)[0].0;
+    let (fridge, plate, bed) = (id("fridge"), id("plate"), id("bed"));
+    let lines = [
+        format!("walk #{fridge}"),
+        format!("open #{fridge}"),
+        format!("walk #{plate}"),
+        format!("grab #{plate}"),
+        format!("walk #{fridge}"),
+        format!("put_in #{plate} #{fridge}"),
+        format!("grab #{plate}"),
+        format!("close #{fridge}"),
+        format!("walk #{bed}"),
+        format!("place #{plate} #{bed}"),
+    ];
+    lines.iter().map(|l| l.parse().unwrap()).collect()
+}
+
+fn acting(c: &mut Criterion) {
+    let mut graph = scene();
+    let (me, script) = (graph.agents()[0], script(&graph));
+    c.bench_function("ten actions in place", |b| {
+        b.iter(|| script.iter().for_each(|a| drop(rule::step(&mut graph, me, a).unwrap())));
+    });
+    c.bench_function("one refusal", |b| {
+        let far = Action::one(vc_graph::Verb::Grab, graph.of_class("fridge")[0]);
+        b.iter(|| rule::step(&mut graph, me, &far).unwrap_err());
+    });
+}
+
+fn observing(c: &mut Criterion) {
+    let graph = scene();
+    let me = graph.agents()[0];
+    c.bench_function("observe a room", |b| b.iter(|| graph.observe(me, Scope::Room)));
+    c.bench_function("observe a room, list all relations", |b| {
+        b.iter(|| graph.observe(me, Scope::Room).relations().collect::<Vec<_>>());
+    });
+    c.bench_function("observe a room, as a graph", |b| b.iter(|| graph.observe(me, Scope::Room).to_graph(&graph)));
+}
+
+/// A million nodes on a floor of a square kilometre.
+fn million() -> SceneGraph {
+    let mut scene = SceneBuilder::new("city");
+    for i in 0..1_000_000_u32 {
+        let at = Isometry3::translation((i % 1000) as f32, (i / 1000) as f32, 0.0);
+        scene.add(Draft::new("chair").at(at)).unwrap();
+    }
+    scene.build()
+}
+
+fn searching(c: &mut Criterion) {
+    let graph = million();
+    let (centre, radius) = (Point3::new(500.0, 500.0, 0.0), 15.0);
+    let scan = || -> Vec<NodeId> {
+        let near = |p: Point3<f32>| nalgebra::distance_squared(&p, &centre) <= radius * radius;
+        graph.nodes().filter(|n| n.position().is_some_and(near)).map(vc_graph::Node::id).collect()
+    };
+    assert_eq!(graph.within(centre, radius), scan());
+    let mut group = c.benchmark_group("radius in a million nodes");
+    group.bench_function(format!("grid, {} found", scan().len()), |b| b.iter(|| graph.within(centre, radius)));
+    group.sample_size(20).bench_function("linear scan", |b| b.iter(scan));
+    group.finish();
+    c.bench_function("look up one of a million", |b| b.iter(|| graph.node(black_box(NodeId(777_777)))));
+    c.bench_function("clone a million", |b| b.iter(|| graph.clone()));
+}
+
+criterion_group!(benches, building, acting, observing, searching);
+criterion_main!(benches);

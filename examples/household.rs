@@ -1,0 +1,205 @@
+//! An agent pursues a household goal, seeing only the room it stands in.
+//!
+//! `cargo run --release --example household` does the main job: the bundled
+//! apartment, three apples to the kitchen table, and the fridge closed at the end.
+//! `--scene FILE --goal TEXT` takes any scene and goal, `--list` shows what can be
+//! asked of a scene.
+
+mod support;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+use support::{Complaint, say};
+use vc_graph::format::read_scene;
+use vc_graph::goal::Situation;
+use vc_graph::{Action, ClassTable, Goal, Kind, Label, NodeId, SceneGraph, Scope, Simulator, Verb, Word};
+use vc_planner::{Agent, Episode, Horizon, Step, run_episode};
+use vc_tasks::{Outcome, Task};
+
+/// The hand-made apartment that comes with the project.
+const APARTMENT: &str = include_str!("data/apartment.json");
+
+/// An agent pursues a household goal, seeing only the room it stands in.
+#[derive(Parser)]
+struct Options {
+    /// A scene: the thesis's JSON, VirtualHome's environment graph or our own; .gz is unpacked.
+    #[arg(long)]
+    scene: Option<PathBuf>,
+    /// The goal, such as "Inside(plate, dishwasher), 2 & Closed(dishwasher)".
+    #[arg(long, default_value = "On(apple, kitchentable), 3 & Closed(fridge)")]
+    goal: String,
+    /// Show what can be asked of the scene, and stop.
+    #[arg(long)]
+    list: bool,
+    /// What the agent guesses by.
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+    /// Let the agent know everything from the start.
+    #[arg(long)]
+    full_knowledge: bool,
+    /// After how many actions to stop.
+    #[arg(long, default_value_t = 500)]
+    steps: usize,
+    /// Where to write the trajectory, as JSON Lines.
+    #[arg(long, default_value = "out/household.jsonl")]
+    out: PathBuf,
+}
+
+fn main() -> Result<(), Complaint> {
+    let options = Options::parse();
+    let classes = ClassTable::builtin();
+    let text = options.scene.as_deref().map_or_else(|| Ok(APARTMENT.to_owned()), support::read)?;
+    let scene = read_scene(&text, &classes).map_err(Complaint::new)?;
+    let Some(&me) = scene.agents().first() else {
+        return Err(Complaint::new("this scene has no agent: add an object of class `character`"));
+    };
+    if options.list {
+        list(&scene, me);
+        return Ok(());
+    }
+    let goal: Goal = options.goal.parse().map_err(Complaint::new)?;
+    let task = Task { title: "household".into(), goal, step_limit: options.steps };
+    let obstacles: Vec<String> = task.obstacles(&scene).iter().map(ToString::to_string).collect();
+    if !obstacles.is_empty() {
+        return Err(Complaint::new(format!("this goal makes no sense here:\n  {}", obstacles.join("\n  "))));
+    }
+    run(&options, &scene, me, &task)
+}
+
+fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result<(), Complaint> {
+    say!("scene  {}: {} rooms, {} nodes", scene.name(), scene.rooms().len(), scene.len());
+    say!("agent  {} in {}", scene.label(me), room(scene, me));
+    say!("goal   {}\n", task.goal);
+    let (agent, scope) = match options.full_knowledge {
+        true => (Agent::resident(scene, me, task.goal.clone()), Scope::Whole),
+        false => (Agent::newcomer(scene, me, task.goal.clone(), options.seed), Scope::Room),
+    };
+    let mut agent = agent.planning(Horizon::Goal);
+    let mut world = Simulator::new(scene.clone());
+    let mut record = Record::create(&options.out, scene, task, options.seed)?;
+    let mut failed = None;
+    let episode = run_episode(&mut world, me, &mut agent, task, scope, |step| {
+        show(step);
+        failed = record.line(step).err();
+    });
+    if let Some(error) = failed {
+        return Err(error);
+    }
+    record.line(&episode.summary())?;
+    verdict(scene, me, task, &world, &episode)?;
+    say!("trajectory written to {}", options.out.display());
+    Ok(())
+}
+
+fn room(scene: &SceneGraph, id: NodeId) -> String {
+    scene.room_of(id).map_or_else(|| "no room".into(), |r| scene.label(r).to_string())
+}
+
+fn show(step: &Step) {
+    let list = |labels: &[Label]| labels.iter().map(Label::to_string).collect::<Vec<_>>();
+    say!("{:>3}  in {}", step.step, step.room.as_ref().map_or_else(String::new, Label::to_string));
+    wrapped("saw", &summary(&list(&step.found)));
+    if !step.believed.is_empty() {
+        wrapped("believes", &format!("{} (each one of {} places)", summary(&step.believed), step.places));
+    }
+    wrapped("plans", &summary(&step.plan));
+    wrapped("does", &step.described);
+}
+
+/// The first few of a list, and how many more there are.
+fn summary(items: &[String]) -> String {
+    const SHOWN: usize = 8;
+    match items.len() {
+        0 => "nothing new".into(),
+        n if n <= SHOWN => items.join(", "),
+        n => format!("{} and {} more", items[..SHOWN].join(", "), n - SHOWN),
+    }
+}
+
+fn wrapped(what: &str, text: &str) {
+    const WIDTH: usize = 84;
+    let mut line = format!("     {what:<9}");
+    for word in text.split(' ') {
+        if line.chars().count() + word.chars().count() > WIDTH {
+            say!("{}", line.trim_end());
+            line = " ".repeat(14);
+        }
+        line.push_str(word);
+        line.push(' ');
+    }
+    say!("{}", line.trim_end());
+}
+
+/// Says how it went, after replaying the actions from the first scene.
+fn verdict(scene: &SceneGraph, me: NodeId, task: &Task, world: &Simulator, episode: &Episode) -> Result<(), Complaint> {
+    let mut again = Simulator::new(scene.clone());
+    for event in world.history().events() {
+        again.step(event.agent, &event.action).map_err(|r| Complaint::new(format!("replay refused: {}", r[0])))?;
+    }
+    let same = again.graph().digest() == episode.digest;
+    let holds = task.goal.holds(&Situation::new(again.graph(), me, again.history()));
+    say!("\n{:?} after {} actions, {:.0}% of the goal holds", episode.outcome, episode.steps, 100.0 * episode.score);
+    say!("replayed from the start: goal {}, scene {}", yes(holds, "holds", "does not hold"), yes(same, "identical", "DIFFERENT"));
+    match (episode.outcome, &episode.reason) {
+        (Outcome::Won, _) if holds && same => Ok(()),
+        (_, Some(reason)) => Err(Complaint::new(reason)),
+        _ => Err(Complaint::new("the goal was not reached")),
+    }
+}
+
+fn yes(condition: bool, then: &'static str, otherwise: &'static str) -> &'static str {
+    if condition { then } else { otherwise }
+}
+
+/// The trajectory: a line about the episode, one for each step, and the result.
+struct Record {
+    file: std::io::BufWriter<std::fs::File>,
+    path: PathBuf,
+}
+
+impl Record {
+    fn create(path: &Path, scene: &SceneGraph, task: &Task, seed: u64) -> Result<Self, Complaint> {
+        let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", path.display()));
+        if let Some(folder) = path.parent() {
+            std::fs::create_dir_all(folder).map_err(fail)?;
+        }
+        let file = std::io::BufWriter::new(std::fs::File::create(path).map_err(fail)?);
+        let mut record = Self { file, path: path.to_owned() };
+        let digest = scene.digest().to_string();
+        record.line(&serde_json::json!({"scene": scene.name(), "digest": digest, "goal": task.goal, "seed": seed}))?;
+        Ok(record)
+    }
+
+    fn line(&mut self, value: &impl serde::Serialize) -> Result<(), Complaint> {
+        let text = serde_json::to_string(value).map_err(Complaint::new)?;
+        let written = writeln!(self.file, "{text}").and_then(|()| self.file.flush());
+        written.map_err(|e| Complaint::new(format!("{}: {e}", self.path.display())))
+    }
+}
+
+/// Shows what is in a scene and what can be asked of it.
+fn list(scene: &SceneGraph, me: NodeId) {
+    say!("{}: {} rooms, {} nodes, agent {} in {}\n", scene.name(), scene.rooms().len(), scene.len(), scene.label(me), room(scene, me));
+    for &room in scene.rooms() {
+        let mut counts = std::collections::BTreeMap::new();
+        let things = scene.in_room(room).filter_map(|id| scene.node(id)).filter(|n| n.kind() == Kind::Object);
+        for node in things {
+            *counts.entry(node.class().clone()).or_insert(0) += 1;
+        }
+        let words = counts.iter().map(|(class, n)| if *n > 1 { format!("{class} x{n}") } else { class.to_string() });
+        say!("{}", scene.label(room));
+        wrapped("", &words.collect::<Vec<_>>().join(", "));
+    }
+    say!("\nverbs");
+    wrapped("", &Verb::ALL.iter().map(|v| v.as_str()).collect::<Vec<_>>().join(", "));
+    say!("\nwhat the agent could do where it is, among others");
+    let able = scene.nodes().flat_map(|n| [Verb::Walk, Verb::Grab, Verb::Open, Verb::SwitchOn, Verb::Sit].map(|v| Action::one(v, n.id())));
+    let able = able.filter(|a| vc_graph::rule::refusals(scene, me, a).is_empty() && a.verb != Verb::Walk);
+    wrapped("", &able.take(12).map(|a| a.describe(scene).to_string()).collect::<Vec<_>>().join(", "));
+    say!("\ngoals that make sense here, for --goal");
+    for task in vc_tasks::household().iter().filter(|t| t.obstacles(scene).is_empty()) {
+        say!("  {}", task.goal);
+    }
+}

@@ -1,0 +1,47 @@
+//! What the examples share: reading files, printing, and saying what went wrong.
+
+use std::fmt;
+use std::io::{Read, Write};
+use std::path::Path;
+
+/// Something went wrong, said to a person.
+pub(crate) struct Complaint(String);
+
+impl Complaint {
+    pub(crate) fn new(message: impl fmt::Display) -> Self {
+        Self(message.to_string())
+    }
+}
+
+// `main` prints its error with Debug.
+impl fmt::Debug for Complaint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+/// Reads a text file; one whose name ends in `.gz` is unpacked.
+pub(crate) fn read(path: &Path) -> Result<String, Complaint> {
+    let fail = |e: std::io::Error| Complaint(format!("{}: {e}", path.display()));
+    let file = std::fs::File::open(path).map_err(fail)?;
+    let mut text = String::new();
+    if path.extension().is_some_and(|e| e == "gz") {
+        flate2::read::GzDecoder::new(file).read_to_string(&mut text).map_err(fail)?;
+    } else {
+        std::io::BufReader::new(file).read_to_string(&mut text).map_err(fail)?;
+    }
+    Ok(text)
+}
+
+/// Prints a line; ends quietly when nobody reads any more, as `| head` does.
+pub(crate) fn say_line(line: fmt::Arguments<'_>) {
+    if writeln!(std::io::stdout(), "{line}").is_err() {
+        std::process::exit(0);
+    }
+}
+
+/// `println!` that does not panic on a closed pipe.
+macro_rules! say {
+    ($($text:tt)*) => { $crate::support::say_line(format_args!($($text)*)) };
+}
+pub(crate) use say;

@@ -1,0 +1,136 @@
+//! A flat made by hand: no poses, every class once unless said otherwise.
+
+use vc_graph::{
+    Action, ChangeSet, Draft, Edge, NodeId, Place, Refusal, Relation, SceneBuilder, SceneGraph, Simulator, State,
+};
+
+/// Rooms and what stands in them.
+const STANDING: &[(&str, &str)] = &[
+    ("kitchen", "kitchen_table fridge stove sink faucet chair cat water dishwasher"),
+    ("living_room", "sofa television coffee_table lamp computer rug"),
+    ("bedroom", "single_bed wardrobe"),
+    ("garage", "car workbench"),
+    ("street", "parasol"),
+];
+
+/// What is on what.
+const ON: &[(&str, &str)] = &[
+    ("cup", "kitchen_table"),
+    ("plate", "kitchen_table"),
+    ("knife", "kitchen_table"),
+    ("tray", "kitchen_table"),
+    ("bread", "plate"),
+    ("potato", "kitchen_table"),
+    ("frying_pan", "stove"),
+    ("sponge", "sink"),
+    ("book", "coffee_table"),
+    ("laptop", "coffee_table"),
+    ("guitar", "sofa"),
+    ("hammer", "workbench"),
+];
+
+/// What is in what.
+const IN: &[(&str, &str)] =
+    &[("milk", "fridge"), ("apple", "fridge"), ("shirt", "wardrobe"), ("towel", "wardrobe")];
+
+/// A flat with two people in the kitchen, `me` and `other`.
+#[derive(Clone)]
+pub(crate) struct Flat {
+    pub(crate) sim: Simulator,
+    pub(crate) me: NodeId,
+    pub(crate) other: NodeId,
+}
+
+impl Flat {
+    pub(crate) fn new() -> Self {
+        let mut scene = SceneBuilder::new("flat");
+        for (room, things) in STANDING {
+            let room = scene.add(Draft::new(*room)).unwrap();
+            for thing in things.split(' ') {
+                scene.add_in(room, Draft::new(thing)).unwrap();
+            }
+        }
+        let find = |scene: &SceneBuilder, class: &str| scene.graph().of_class(class)[0];
+        for (thing, at) in ON {
+            scene.add_on(find(&scene, at), Draft::new(*thing)).unwrap();
+        }
+        for (thing, at) in IN {
+            scene.add_in(find(&scene, at), Draft::new(*thing)).unwrap();
+        }
+        let kitchen = find(&scene, "kitchen");
+        let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
+        let other = scene.add_in(kitchen, Draft::new("character")).unwrap();
+        Self { sim: Simulator::new(scene.build()), me, other }
+    }
+
+    /// The flat after something has been done by `me`, step by step.
+    pub(crate) fn after(actions: &[&str]) -> Self {
+        let mut flat = Self::new();
+        flat.all(actions);
+        flat
+    }
+
+    pub(crate) fn graph(&self) -> &SceneGraph {
+        self.sim.graph()
+    }
+
+    /// The first thing of a class; `me` and `other` are the people.
+    pub(crate) fn id(&self, name: &str) -> NodeId {
+        match name {
+            "me" => self.me,
+            "other" => self.other,
+            class => *self.graph().of_class(class).first().unwrap_or_else(|| panic!("no {class} in the flat")),
+        }
+    }
+
+    /// `put_in milk fridge`, with classes for things.
+    pub(crate) fn action(&self, text: &str) -> Action {
+        let mut words = text.split(' ');
+        let verb = words.next().unwrap().parse().unwrap();
+        let things: Vec<NodeId> = words.map(|w| self.id(w)).collect();
+        Action::with(verb, &things).unwrap()
+    }
+
+    pub(crate) fn step(&mut self, text: &str) -> Result<ChangeSet, Vec<Refusal>> {
+        let (me, action) = (self.me, self.action(text));
+        self.sim.step(me, &action)
+    }
+
+    /// Does it, whoever is named first; panics with the refusals.
+    pub(crate) fn all(&mut self, actions: &[&str]) {
+        for text in actions {
+            let (who, text) = text.strip_prefix("other ").map_or((self.me, *text), |rest| (self.other, rest));
+            let action = self.action(text);
+            self.sim.step(who, &action).unwrap_or_else(|refusals| panic!("{text}: {}", plain(&refusals)));
+        }
+    }
+
+    pub(crate) fn has(&self, from: &str, relation: Relation, to: &str) -> bool {
+        self.graph().has(Edge::new(self.id(from), relation, self.id(to)))
+    }
+
+    pub(crate) fn is(&self, name: &str, state: State) -> bool {
+        self.graph().node(self.id(name)).unwrap().is(state)
+    }
+
+    pub(crate) fn place(&self, name: &str) -> Option<Place> {
+        self.graph().place(self.id(name))
+    }
+
+    /// Edits the scene behind everybody's back.
+    pub(crate) fn edit(&mut self, edit: impl FnOnce(&mut vc_graph::Edit<'_>)) {
+        let mut graph = self.graph().clone();
+        let mut change = graph.edit();
+        edit(&mut change);
+        change.commit();
+        self.sim = Simulator::new(graph);
+    }
+}
+
+/// Refusals as text, without the numbers of the nodes: `cup is not open`.
+pub(crate) fn plain(refusals: &[Refusal]) -> String {
+    let text = refusals.iter().map(Refusal::to_string).collect::<Vec<_>>().join("; ");
+    let mut parts = text.split('.');
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |all, part| all + part.trim_start_matches(|c: char| c.is_ascii_digit()))
+}
