@@ -141,7 +141,11 @@ fn verdict(scene: &SceneGraph, me: NodeId, task: &Task, world: &Simulator, episo
     let same = again.graph().digest() == episode.digest;
     let holds = task.goal.holds(&Situation::new(again.graph(), me, again.history()));
     say!("\n{:?} after {} actions, {:.0}% of the goal holds", episode.outcome, episode.steps, 100.0 * episode.score);
-    say!("replayed from the start: goal {}, scene {}", yes(holds, "holds", "does not hold"), yes(same, "identical", "DIFFERENT"));
+    say!(
+        "replayed from the start: goal {}, scene {}",
+        yes(holds, "holds", "does not hold"),
+        yes(same, "identical", "DIFFERENT")
+    );
     match (episode.outcome, &episode.reason) {
         (Outcome::Won, _) if holds && same => Ok(()),
         (_, Some(reason)) => Err(Complaint::new(reason)),
@@ -181,7 +185,14 @@ impl Record {
 
 /// Shows what is in a scene and what can be asked of it.
 fn list(scene: &SceneGraph, me: NodeId) {
-    say!("{}: {} rooms, {} nodes, agent {} in {}\n", scene.name(), scene.rooms().len(), scene.len(), scene.label(me), room(scene, me));
+    say!(
+        "{}: {} rooms, {} nodes, agent {} in {}\n",
+        scene.name(),
+        scene.rooms().len(),
+        scene.len(),
+        scene.label(me),
+        room(scene, me)
+    );
     for &room in scene.rooms() {
         let mut counts = std::collections::BTreeMap::new();
         let things = scene.in_room(room).filter_map(|id| scene.node(id)).filter(|n| n.kind() == Kind::Object);
@@ -195,7 +206,9 @@ fn list(scene: &SceneGraph, me: NodeId) {
     say!("\nverbs");
     wrapped("", &Verb::ALL.iter().map(|v| v.as_str()).collect::<Vec<_>>().join(", "));
     say!("\nwhat the agent could do where it is, among others");
-    let able = scene.nodes().flat_map(|n| [Verb::Walk, Verb::Grab, Verb::Open, Verb::SwitchOn, Verb::Sit].map(|v| Action::one(v, n.id())));
+    let able = scene
+        .nodes()
+        .flat_map(|n| [Verb::Walk, Verb::Grab, Verb::Open, Verb::SwitchOn, Verb::Sit].map(|v| Action::one(v, n.id())));
     let able = able.filter(|a| vc_graph::rule::refusals(scene, me, a).is_empty() && a.verb != Verb::Walk);
     wrapped("", &able.take(12).map(|a| a.describe(scene).to_string()).collect::<Vec<_>>().join(", "));
     say!("\ngoals that make sense here, for --goal");

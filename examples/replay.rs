@@ -60,7 +60,12 @@ fn main() -> Result<(), Complaint> {
     Ok(())
 }
 
-fn replay_records(text: &str, options: &Options, classes: &Arc<ClassTable>, tally: &mut Tally) -> Result<(), Complaint> {
+fn replay_records(
+    text: &str,
+    options: &Options,
+    classes: &Arc<ClassTable>,
+    tally: &mut Tally,
+) -> Result<(), Complaint> {
     let lines: Vec<&str> = text.lines().filter(|l| !l.trim().is_empty()).collect();
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} programs").map_err(Complaint::new)?;
     let bar = ProgressBar::new(lines.len() as u64).with_style(style);
@@ -124,13 +129,13 @@ fn execute(scene: SceneGraph, actions: &[Action]) -> Result<Run, Complaint> {
 fn describe(difference: &Difference, scene: &SceneGraph, all: bool) -> Vec<String> {
     let label = |id: u32| scene.label(NodeId(id)).to_string();
     let loose = |r: RelationType| matches!(r, RelationType::Close | RelationType::Facing);
-    let states = difference.states.iter().map(|(id, ours, theirs)| {
-        format!("{} is {}, expected {}", label(*id), ours.join(" "), theirs.join(" "))
-    });
+    let states = difference
+        .states
+        .iter()
+        .map(|(id, ours, theirs)| format!("{} is {}, expected {}", label(*id), ours.join(" "), theirs.join(" ")));
     let edges = [(&difference.added, "not expected"), (&difference.missing, "missing")];
     let edges = edges.into_iter().flat_map(|(edges, what)| edges.iter().map(move |e| (e, what)));
     let edges = edges.filter(|(e, _)| all || !loose(e.relation_type));
     let edges = edges.map(|(e, what)| format!("{what}: {} {:?} {}", label(e.from_id), e.relation_type, label(e.to_id)));
     states.chain(edges).collect()
 }
-

@@ -1,10 +1,18 @@
 //! Where the shared test data is, and how it is read.
 
+#![allow(dead_code, clippy::unwrap_used, reason = "each test file uses a part, and tests may unwrap")]
+
 use std::io::Read;
 use std::path::PathBuf;
 
+use vc_graph::format::read_scene;
+use vc_graph::{ClassTable, SceneGraph};
+
+/// VirtualHome's scenes in the shared data.
+pub(crate) const SCENES: [u32; 5] = [1, 2, 3, 5, 6];
+
 /// The folder of shared data: `VC_DATA`, or `../shared/data` beside the project.
-/// Prints that a test is skipped when there is neither.
+/// Says so when there is neither.
 pub(crate) fn data() -> Option<PathBuf> {
     let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/data");
     let folder = std::env::var_os("VC_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from);
@@ -15,7 +23,7 @@ pub(crate) fn data() -> Option<PathBuf> {
     None
 }
 
-/// A text file, unpacked if its name ends in `.gz`.
+/// A text file of the shared data, unpacked if its name ends in `.gz`.
 pub(crate) fn text(path: &str) -> Option<String> {
     let path = data()?.join(path);
     let bytes = std::fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
@@ -25,4 +33,15 @@ pub(crate) fn text(path: &str) -> Option<String> {
     let mut text = String::new();
     flate2::read::GzDecoder::new(&bytes[..]).read_to_string(&mut text).unwrap();
     Some(text)
+}
+
+/// One of VirtualHome's scenes.
+pub(crate) fn scene(number: u32) -> Option<SceneGraph> {
+    let text = text(&format!("virtualhome/scene{number}.json.gz"))?;
+    Some(read_scene(&text, &ClassTable::builtin()).unwrap())
+}
+
+/// The apartment that comes with the project.
+pub(crate) fn apartment() -> SceneGraph {
+    read_scene(include_str!("../../examples/data/apartment.json"), &ClassTable::builtin()).unwrap()
 }

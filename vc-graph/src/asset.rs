@@ -289,7 +289,9 @@ impl Shape {
             Self::Capsule { radius, half_height } => round(*radius, half_height + radius),
             Self::Sphere { radius } => round(*radius, *radius),
             Self::Hull { points } => corners(points.iter().copied()),
-            Self::Lathe { profile } => corners(profile.iter().flat_map(|&(r, z)| [Point3::new(-r, -r, z), Point3::new(r, r, z)])),
+            Self::Lathe { profile } => {
+                corners(profile.iter().flat_map(|&(r, z)| [Point3::new(-r, -r, z), Point3::new(r, r, z)]))
+            }
             Self::Extrusion { outline, height } => {
                 corners(outline.iter().flat_map(|&(x, y)| [Point3::new(x, y, 0.0), Point3::new(x, y, *height)]))
             }

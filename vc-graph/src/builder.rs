@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::asset::AssetLibrary;
-use crate::class::ClassTable;
 use crate::bulk;
+use crate::class::ClassTable;
 use crate::node::{Draft, Kind};
 use crate::{Edge, EditError, NodeId, Place, Relation, SceneGraph};
 

@@ -8,9 +8,21 @@ use crate::{Edge, NodeId, SceneGraph};
 /// the missing node are returned.
 pub(crate) fn link(graph: &mut SceneGraph, edges: &[Edge]) -> Result<(), (usize, NodeId)> {
     let ids: Vec<NodeId> = graph.nodes().map(crate::Node::id).collect();
+    let mut out = add(graph, &ids, edges)?;
+    if !out.is_symmetric(&ids) {
+        let symmetric = edges.iter().filter(|e| e.relation.is_symmetric());
+        let back: Vec<Edge> = symmetric.map(|e| e.reversed()).collect();
+        add(graph, &ids, &back)?;
+    }
+    Ok(())
+}
+
+/// Adds both ends of edges, of symmetric ones only the start, and returns the
+/// links by the node they start from.
+fn add(graph: &mut SceneGraph, ids: &[NodeId], edges: &[Edge]) -> Result<Lists, (usize, NodeId)> {
     let (mut out, mut inc) = (Lists::new(ids.len()), Lists::new(ids.len()));
     for (index, edge) in edges.iter().enumerate() {
-        let find = |id| position(&ids, id).ok_or((index, id));
+        let find = |id| position(ids, id).ok_or((index, id));
         out.count(find(edge.from)?);
         let end = find(edge.to)?;
         inc.count_if(end, !edge.relation.is_symmetric());
@@ -18,7 +30,7 @@ pub(crate) fn link(graph: &mut SceneGraph, edges: &[Edge]) -> Result<(), (usize,
     out.reserve();
     inc.reserve();
     for edge in edges {
-        let at = |id| position(&ids, id).unwrap_or(0);
+        let at = |id| position(ids, id).unwrap_or(0);
         out.put(at(edge.from), Link { relation: edge.relation, node: edge.to }.key());
         if !edge.relation.is_symmetric() {
             inc.put(at(edge.to), Link { relation: edge.relation, node: edge.from }.key());
@@ -32,11 +44,7 @@ pub(crate) fn link(graph: &mut SceneGraph, edges: &[Edge]) -> Result<(), (usize,
             merge(&mut node.inc, inc.of(index));
         }
     }
-    if !out.is_symmetric(&ids) {
-        let one_way: Vec<Edge> = edges.iter().filter(|e| e.relation.is_symmetric()).map(|e| e.reversed()).collect();
-        return link(graph, &one_way);
-    }
-    Ok(())
+    Ok(out)
 }
 
 /// Where a node stands among sorted numbers, which mostly have no gaps.

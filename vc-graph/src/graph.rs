@@ -129,9 +129,13 @@ impl SceneGraph {
     /// spelling of it. Costs a look-up for each kind of the class.
     pub fn of_class(&self, class: &str) -> Vec<NodeId> {
         let mut found: Vec<NodeId> = match self.classes.get(class) {
-            Some(class) => {
-                self.classes.kinds_of(class).filter_map(|kind| self.by_class.get(&kind.name)).flatten().copied().collect()
-            }
+            Some(class) => self
+                .classes
+                .kinds_of(class)
+                .filter_map(|kind| self.by_class.get(&kind.name))
+                .flatten()
+                .copied()
+                .collect(),
             None => self.by_class.get(folded(class).collect::<String>().as_str()).cloned().unwrap_or_default(),
         };
         found.sort_unstable();
@@ -292,14 +296,11 @@ impl SceneGraph {
             return true;
         }
         let at_hand = |p: Place| p.at == agent || body.has(Relation::Near, p.at);
-        self.climb(id, &mut { at_hand }).is_some()
-            || self.rests_at(agent, id)
-            || self.within_reach(body, node)
+        self.climb(id, &mut { at_hand }).is_some() || self.rests_at(agent, id) || self.within_reach(body, node)
     }
 
     fn within_reach(&self, agent: &Node, node: &Node) -> bool {
-        self.room_of(agent.id) == self.room_of(node.id)
-            && self.distance(agent.id, node.id).is_some_and(|d| d <= NEAR)
+        self.room_of(agent.id) == self.room_of(node.id) && self.distance(agent.id, node.id).is_some_and(|d| d <= NEAR)
     }
 
     /// Distance over the floor from a node's position to another's box (to its

@@ -84,9 +84,29 @@ pub type PropertySet = Set<Property>;
 
 /// VirtualHome's names, in the order of the variants.
 const VIRTUALHOME: [&str; 23] = [
-    "SURFACES", "GRABBABLE", "SITTABLE", "LIEABLE", "HANGABLE", "DRINKABLE", "EATABLE", "RECIPIENT",
-    "CUTTABLE", "POURABLE", "CAN_OPEN", "HAS_SWITCH", "READABLE", "LOOKABLE", "CONTAINERS",
-    "CLOTHES", "PERSON", "BODY_PART", "COVER_OBJECT", "HAS_PLUG", "HAS_PAPER", "MOVABLE", "CREAM",
+    "SURFACES",
+    "GRABBABLE",
+    "SITTABLE",
+    "LIEABLE",
+    "HANGABLE",
+    "DRINKABLE",
+    "EATABLE",
+    "RECIPIENT",
+    "CUTTABLE",
+    "POURABLE",
+    "CAN_OPEN",
+    "HAS_SWITCH",
+    "READABLE",
+    "LOOKABLE",
+    "CONTAINERS",
+    "CLOTHES",
+    "PERSON",
+    "BODY_PART",
+    "COVER_OBJECT",
+    "HAS_PLUG",
+    "HAS_PAPER",
+    "MOVABLE",
+    "CREAM",
 ];
 
 impl Property {

@@ -142,7 +142,10 @@ fn edits_refuse_what_cannot_be() {
     let before = graph.clone();
     let (none, on) = (NodeId(99), |at| Place { relation: Relation::On, at });
     let mut edit = graph.edit();
-    assert_eq!(edit.place(table, on(cup)).unwrap_err().to_string(), "kitchen_table.2 cannot rest at cup.3: cup.3 itself rests on or in kitchen_table.2");
+    assert_eq!(
+        edit.place(table, on(cup)).unwrap_err().to_string(),
+        "kitchen_table.2 cannot rest at cup.3: cup.3 itself rests on or in kitchen_table.2"
+    );
     assert!(matches!(edit.place(cup, on(cup)), Err(EditError::SupportCycle { .. })));
     assert_eq!(edit.place(cup, on(none)), Err(EditError::NoSuchNode(none)));
     assert_eq!(edit.add_with_id(cup, Draft::new("cup")), Err(EditError::Duplicate(cup)));
@@ -151,8 +154,14 @@ fn edits_refuse_what_cannot_be() {
     assert_eq!(edit.relate(Edge::new(cup, Relation::On, table)), Err(EditError::NotFree(Relation::On)));
     assert_eq!(edit.relate(Edge::new(cup, Relation::InRoom, kitchen)), Err(EditError::NotFree(Relation::InRoom)));
     assert_eq!(edit.relate(Edge::new(me, Relation::HoldsLeft, cup)), Err(EditError::NotFree(Relation::HoldsLeft)));
-    assert_eq!(edit.set_pose(cup, Some(Pose::translation(f32::NAN, 0.0, 0.0))).unwrap_err().to_string(), "the pose of cup.3 is not finite");
-    assert!(matches!(edit.add(Draft::new("cup").at(Pose::translation(f32::INFINITY, 0.0, 0.0))), Err(EditError::NotFinite(_))));
+    assert_eq!(
+        edit.set_pose(cup, Some(Pose::translation(f32::NAN, 0.0, 0.0))).unwrap_err().to_string(),
+        "the pose of cup.3 is not finite"
+    );
+    assert!(matches!(
+        edit.add(Draft::new("cup").at(Pose::translation(f32::INFINITY, 0.0, 0.0))),
+        Err(EditError::NotFinite(_))
+    ));
     for failing in [edit.remove(none), edit.detach(none), edit.enter_state(none, State::Open), edit.fill(none, None)] {
         assert_eq!(failing, Err(EditError::NoSuchNode(none)));
     }

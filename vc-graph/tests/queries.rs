@@ -75,11 +75,9 @@ fn hiding(graph: &SceneGraph, id: NodeId) -> BTreeSet<NodeId> {
 fn distance(graph: &SceneGraph, from: NodeId, to: NodeId) -> Option<f32> {
     let (start, node) = (graph.node(from)?.position()?, graph.node(to)?);
     let target = match node.aabb() {
-        Some(aabb) => Point3::new(
-            start.x.clamp(aabb.min.x, aabb.max.x),
-            start.y.clamp(aabb.min.y, aabb.max.y),
-            start.z,
-        ),
+        Some(aabb) => {
+            Point3::new(start.x.clamp(aabb.min.x, aabb.max.x), start.y.clamp(aabb.min.y, aabb.max.y), start.z)
+        }
         None => node.position()?,
     };
     Some((target.x - start.x).hypot(target.y - start.y))

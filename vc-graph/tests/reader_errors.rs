@@ -63,19 +63,49 @@ fn edges_that_lead_nowhere() {
     assert_eq!(error.problem, Problem::Edit(EditError::NoSuchNode(NodeId(99))));
     check(&error, 13, "edges[2]", "there is no node #99");
     check(&in_virtualhome(r#""to_id": 12}"#, r#""to_id": 99}"#), 11, "edges[1]", "there is no node #99");
-    check(&in_thesis("supported by SM_L_Table", "supported by SM_Bench"), 6, "Apartment_0[2].relation", "no object is called `SM_Bench`");
+    check(
+        &in_thesis("supported by SM_L_Table", "supported by SM_Bench"),
+        6,
+        "Apartment_0[2].relation",
+        "no object is called `SM_Bench`",
+    );
 }
 
 #[test]
 fn words_that_are_none() {
-    check(&in_native(r#"["sitting"]"#, r#"["siting"]"#), 7, "nodes[2].states[0]", "unknown state `siting`; use one of: open closed");
+    check(
+        &in_native(r#"["sitting"]"#, r#"["siting"]"#),
+        7,
+        "nodes[2].states[0]",
+        "unknown state `siting`; use one of: open closed",
+    );
     check(&in_native(r#""on", 2"#, r#""onto", 2"#), 13, "edges[2][1]", "unknown relation `onto`");
     check(&in_virtualhome(r#"["CLOSED"]"#, r#"["CLOSED", "AJAR"]"#), 4, "nodes[1].states[1]", "unknown state `AJAR`");
-    check(&in_virtualhome(r#"["CAN_OPEN","#, r#"["CAN_FLY","#), 4, "nodes[1].properties[0]", "unknown property `CAN_FLY`");
-    check(&in_virtualhome(r#""CLOSE", "to"#, r#""ONTOP", "to"#), 11, "edges[1].relation_type", "unknown variant `ONTOP`");
+    check(
+        &in_virtualhome(r#"["CAN_OPEN","#, r#"["CAN_FLY","#),
+        4,
+        "nodes[1].properties[0]",
+        "unknown property `CAN_FLY`",
+    );
+    check(
+        &in_virtualhome(r#""CLOSE", "to"#, r#""ONTOP", "to"#),
+        11,
+        "edges[1].relation_type",
+        "unknown variant `ONTOP`",
+    );
     check(&in_thesis(r#"["Clean"]"#, r#"["Cleanish"]"#), 6, "Apartment_0[2].state", "unknown state `Cleanish`");
-    check(&in_thesis("supported by", "hovers over"), 6, "Apartment_0[2].relation", "expected a relation such as `A supported by B`");
-    check(&in_thesis("SM_Glass supported", "SM_Cup supported"), 6, "Apartment_0[2].relation", "expected a relation of SM_Glass");
+    check(
+        &in_thesis("supported by", "hovers over"),
+        6,
+        "Apartment_0[2].relation",
+        "expected a relation such as `A supported by B`",
+    );
+    check(
+        &in_thesis("SM_Glass supported", "SM_Cup supported"),
+        6,
+        "Apartment_0[2].relation",
+        "expected a relation of SM_Glass",
+    );
 }
 
 #[test]
@@ -102,7 +132,7 @@ fn shapes_that_are_none() {
     check(&in_native(r#""material": 0"#, r#""material": 7"#), 16, "assets[0]", "uses material 7, the library has 1");
     check(&in_native(r#""axis": [0, 0, 1]"#, r#""axis": [0, 0, 0]"#), 16, "assets[0]", "a joint without axis");
     for (field, number) in [("colour", "[0.4"), ("density", "700"), ("emission", "[0,")] {
-        let bad = number.replace(|c: char| c.is_ascii_digit() || c == '.', "") ;
+        let bad = number.replace(|c: char| c.is_ascii_digit() || c == '.', "");
         let bad = if number.starts_with('[') { format!("[1e39{}", bad.trim_start_matches('[')) } else { "1e39".into() };
         let from = format!(r#""{field}": {number}"#);
         check(&in_native(&from, &format!(r#""{field}": {bad}"#)), 14, "materials[0]", "");
@@ -114,7 +144,10 @@ fn shapes_that_are_none() {
 fn newer_versions() {
     let error = in_native(r#""virtualcity": 1"#, r#""virtualcity": 2"#);
     assert_eq!(error.problem, Problem::Version(2, 1));
-    assert_eq!(error.to_string(), "virtualcity scene, field `virtualcity`: version 2 is newer than this program, which reads up to 1");
+    assert_eq!(
+        error.to_string(),
+        "virtualcity scene, field `virtualcity`: version 2 is newer than this program, which reads up to 1"
+    );
 }
 
 #[test]

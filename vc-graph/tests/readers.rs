@@ -48,8 +48,38 @@ fn look_at(graph: &SceneGraph) {
 type Cut = (prop::sample::Index, usize, u8, usize);
 
 const TOKENS: &[&str] = &[
-    "", "NaN", "1e400", "1e39", "-1", "4294967295", "4294967296", "null", "\"\"", "[]", "{}", "true", "0.5", "\\u0000",
-    "\u{fffd}", "\"", "[", "}", ",", ":", "(", ")", ".", "|", "?", "#", "é", "\n", "1:1", "not", "forall ?x.", "-0",
+    "",
+    "NaN",
+    "1e400",
+    "1e39",
+    "-1",
+    "4294967295",
+    "4294967296",
+    "null",
+    "\"\"",
+    "[]",
+    "{}",
+    "true",
+    "0.5",
+    "\\u0000",
+    "\u{fffd}",
+    "\"",
+    "[",
+    "}",
+    ",",
+    ":",
+    "(",
+    ")",
+    ".",
+    "|",
+    "?",
+    "#",
+    "é",
+    "\n",
+    "1:1",
+    "not",
+    "forall ?x.",
+    "-0",
 ];
 
 fn cuts() -> impl Strategy<Value = Vec<Cut>> {
@@ -128,7 +158,9 @@ fn documents_cut_short() {
 #[test]
 fn deep_nesting_is_refused() {
     let deep = |open: &str| open.repeat(10_000);
-    for open in ["[", "{\"a\":", "[{\"nodes\":", "(", "!", "!(", "not ", "forall ?x. ", "exists ?x: a. (", "a(", "|", "<("] {
+    for open in
+        ["[", "{\"a\":", "[{\"nodes\":", "(", "!", "!(", "not ", "forall ?x. ", "exists ?x: a. (", "a(", "|", "<("]
+    {
         read_all(&deep(open));
         read_all(&format!("{{\"virtualcity\": 1, \"name\": \"\", \"nodes\": {}", deep(open)));
         read_all(&format!("{{\"a\": {}", deep(open)));

@@ -25,7 +25,8 @@ fn predicate() -> impl Strategy<Value = Predicate> + Clone {
 
 /// A term; a variable only if one is bound, `?v0` being the outermost.
 fn term(bound: usize) -> BoxedStrategy<Term> {
-    let classes = prop::sample::select(vec!["apple", "kitchen_table", "SM_Cup_03", "coffee-table", "x1", "then", "not"]);
+    let classes =
+        prop::sample::select(vec!["apple", "kitchen_table", "SM_Cup_03", "coffee-table", "x1", "then", "not"]);
     let free = prop_oneof![
         classes.clone().prop_map(|c| Term::Class(c.to_owned())),
         (prop::option::of(classes), any::<u32>()).prop_map(|(c, id)| Term::Node(c.map(str::to_owned), NodeId(id))),

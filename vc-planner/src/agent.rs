@@ -112,7 +112,8 @@ impl Agent {
         if self.belief.widened() > PATIENCE {
             return Decision::GiveUp(Unreachable::Searched(self.belief.widened()));
         }
-        let plan = plan_in_belief(&mut self.belief, self.id, &self.goal, self.history.events(), self.horizon, self.pursued);
+        let plan =
+            plan_in_belief(&mut self.belief, self.id, &self.goal, self.history.events(), self.horizon, self.pursued);
         self.pursued = plan.as_ref().ok().and_then(|p| p.wants.first()).map(|(want, _)| *want);
         match plan {
             Ok(plan) => match plan.actions.first() {
@@ -132,11 +133,15 @@ impl Agent {
 
 /// The things the literals of a goal can be about.
 fn concerns(goal: &Goal, graph: &SceneGraph) -> Vec<NodeId> {
-    let mut found: Vec<NodeId> = goal.terms().iter().flat_map(|term| match term {
-        Term::Class(class) => graph.of_class(class),
-        Term::Node(_, id) => vec![*id],
-        _ => Vec::new(),
-    }).collect();
+    let mut found: Vec<NodeId> = goal
+        .terms()
+        .iter()
+        .flat_map(|term| match term {
+            Term::Class(class) => graph.of_class(class),
+            Term::Node(_, id) => vec![*id],
+            _ => Vec::new(),
+        })
+        .collect();
     found.sort_unstable();
     found.dedup();
     found

@@ -171,7 +171,11 @@ impl Belief {
         let Some(believed) = self.graph.node(id) else { return };
         let states = node.states();
         let moved = !self.graph.places(id).eq(seen.places(id)) || self.graph.room_of(id) != seen.room_of(id);
-        if believed.states() == states && !moved && believed.pose() == node.pose() && believed.contents() == node.contents() {
+        if believed.states() == states
+            && !moved
+            && believed.pose() == node.pose()
+            && believed.contents() == node.contents()
+        {
             return;
         }
         let places: Vec<Place> = if moved { seen.places(id).collect() } else { Vec::new() };
@@ -294,7 +298,8 @@ fn places(graph: &SceneGraph) -> Vec<Place> {
             Kind::Agent => {}
             Kind::Object => {
                 let fixed = !node.affords(Property::Graspable);
-                let surface = [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(|p| node.affords(p));
+                let surface =
+                    [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(|p| node.affords(p));
                 if surface && fixed {
                     add(Relation::On);
                 }

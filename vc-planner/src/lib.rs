@@ -1,4 +1,5 @@
-//! Belief, regression planner and agents for household goals.
+#![doc = include_str!("../FRONT.md")]
+
 mod agent;
 mod belief;
 mod episode;

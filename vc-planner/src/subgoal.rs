@@ -104,7 +104,9 @@ impl View<'_> {
     fn open<'g>(&self, goal: &'g Goal, bound: &mut Bindings<'g>) -> Found {
         match goal {
             Goal::Literal(literal) => self.at_least(goal, literal, 1, bound),
-            Goal::Count { literal, comparison, number } => self.count(goal, literal, *comparison, *number as usize, bound),
+            Goal::Count { literal, comparison, number } => {
+                self.count(goal, literal, *comparison, *number as usize, bound)
+            }
             Goal::And(parts) => {
                 let all: Result<Vec<_>, _> = parts.iter().map(|p| self.open(p, bound)).collect();
                 Ok(all?.concat())
@@ -210,7 +212,14 @@ impl View<'_> {
         }
     }
 
-    fn count(&self, goal: &Goal, literal: &Literal, comparison: Comparison, number: usize, bound: &Bindings<'_>) -> Found {
+    fn count(
+        &self,
+        goal: &Goal,
+        literal: &Literal,
+        comparison: Comparison,
+        number: usize,
+        bound: &Bindings<'_>,
+    ) -> Found {
         let fewer = || self.at_most(goal, literal, number, bound);
         let more = || self.at_least(goal, literal, number, bound);
         match comparison {
@@ -230,7 +239,9 @@ impl View<'_> {
             match things.iter().find(holds) {
                 Some(t) if self.is_known(literal, t) => met += 1,
                 Some(t) => options.push((*counted, self.to_see(literal, t))),
-                None => options.push((*counted, things.iter().flat_map(|t| self.wants(literal.predicate, *t)).collect())),
+                None => {
+                    options.push((*counted, things.iter().flat_map(|t| self.wants(literal.predicate, *t)).collect()))
+                }
             }
         }
         if choices.is_empty() && self.now.holds(literal.predicate, [None, None]) {
@@ -271,7 +282,11 @@ impl View<'_> {
             let mut options: Vec<Want> = holding.iter().flat_map(|t| self.undo(literal.predicate, *t)).collect();
             options.sort_by_cached_key(|w| self.cost(w));
             let irrevocable = options.is_empty();
-            return if irrevocable { Err(Unreachable::Irrevocable(goal.to_string())) } else { Ok(vec![Subgoal { options }]) };
+            return if irrevocable {
+                Err(Unreachable::Irrevocable(goal.to_string()))
+            } else {
+                Ok(vec![Subgoal { options }])
+            };
         }
         let subgoal = |want| Subgoal { options: vec![want] };
         Ok(unseen.into_iter().map(subgoal).collect())
@@ -306,7 +321,8 @@ impl View<'_> {
     fn fit_for(&self, verb: Verb, position: usize) -> Vec<NodeId> {
         let fits = |node: &&Node| {
             let id = node.id();
-            let probe = if position == 0 { Action::one(verb, id) } else { Action { verb, object: None, target: Some(id) } };
+            let probe =
+                if position == 0 { Action::one(verb, id) } else { Action { verb, object: None, target: Some(id) } };
             let needs = vc_graph::rule::preconditions(&probe);
             needs.iter().filter(|c| is_lasting(c)).all(|c| c.holds(self.graph(), self.now.agent))
         };
@@ -397,7 +413,11 @@ impl View<'_> {
         let me = self.now.agent;
         match want {
             Want::See(_) => 0,
-            Want::Hold(Condition::Related(from, Relation::On | Relation::Inside | Relation::InRoom, _)) if *from != me => 1,
+            Want::Hold(Condition::Related(from, Relation::On | Relation::Inside | Relation::InRoom, _))
+                if *from != me =>
+            {
+                1
+            }
             Want::Hold(Condition::In(id, State::Sitting | State::Lying)) if *id == me => 8,
             Want::Hold(Condition::In(_, State::Open)) => 2,
             Want::Hold(Condition::In(_, State::Closed)) => 3,
@@ -459,7 +479,12 @@ impl View<'_> {
     }
 }
 
-fn bind<'g, T>(q: &'g Quantified, id: NodeId, bound: &mut Bindings<'g>, with: impl FnOnce(&mut Bindings<'g>) -> T) -> T {
+fn bind<'g, T>(
+    q: &'g Quantified,
+    id: NodeId,
+    bound: &mut Bindings<'g>,
+    with: impl FnOnce(&mut Bindings<'g>) -> T,
+) -> T {
     bound.push((&q.variable, id));
     let result = with(bound);
     bound.pop();

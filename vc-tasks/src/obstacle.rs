@@ -102,13 +102,18 @@ fn demand(predicate: Predicate, position: usize) -> (Fits, &'static str) {
         (Predicate::Relation(Relation::On | Relation::Inside), 0) | (Predicate::Holds, 1) => {
             (|n| n.affords(Property::Graspable), "graspable")
         }
-        (Predicate::Relation(Relation::On), 1) => {
-            (|n| [Property::Surface, Property::Sittable, Property::Lieable, Property::Container, Property::Heater]
-                .into_iter().any(|p| n.affords(p)), "a surface")
-        }
-        (Predicate::Relation(Relation::Inside), 1) => {
-            (|n| n.kind() == vc_graph::Kind::Room || n.affords(Property::Container) || n.affords(Property::Recipient), "a container")
-        }
+        (Predicate::Relation(Relation::On), 1) => (
+            |n| {
+                [Property::Surface, Property::Sittable, Property::Lieable, Property::Container, Property::Heater]
+                    .into_iter()
+                    .any(|p| n.affords(p))
+            },
+            "a surface",
+        ),
+        (Predicate::Relation(Relation::Inside), 1) => (
+            |n| n.kind() == vc_graph::Kind::Room || n.affords(Property::Container) || n.affords(Property::Recipient),
+            "a container",
+        ),
         (Predicate::Relation(Relation::SittingOn), 1) => (|n| n.affords(Property::Sittable), "sittable"),
         (Predicate::Relation(Relation::LyingOn), 1) => (|n| n.affords(Property::Lieable), "lieable"),
         (Predicate::State(State::Open | State::Closed), 0) => (|n| n.affords(Property::Openable), "openable"),

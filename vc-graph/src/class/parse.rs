@@ -7,9 +7,8 @@ use super::{Category, Class, ClassTable, Kept, Range, Slot, SlotKind};
 use crate::vocabulary::{Set, Word, clip, folded};
 use crate::{Property, Relation, State};
 
-const COLUMNS: [&str; 10] = [
-    "name", "kind of", "aliases", "category", "affordances", "size", "mass", "starts", "slots", "kept",
-];
+const COLUMNS: [&str; 10] =
+    ["name", "kind of", "aliases", "category", "affordances", "size", "mass", "starts", "slots", "kept"];
 
 /// Where a class table is wrong.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

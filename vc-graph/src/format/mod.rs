@@ -39,7 +39,7 @@ pub struct FormatError {
     /// The field, as a path: `nodes[3].states[0]`.
     pub field: String,
     /// What is wrong there, and what was expected.
-    pub problem: Problem,
+    pub problem: Box<Problem>,
 }
 
 /// What is wrong with a file.
@@ -118,13 +118,13 @@ impl Source<'_> {
         };
         let message = plain.to_string();
         let message = message.split(" at line ").next().unwrap_or(&message).to_owned();
-        FormatError { format: self.format, line: Some(plain.line()), field, problem: Problem::Shape(message) }
+        FormatError { format: self.format, line: Some(plain.line()), field, problem: Box::new(Problem::Shape(message)) }
     }
 
     /// An error at a field; elements of lists, `nodes[3]`, are found in the text.
     pub(crate) fn error(&self, field: String, problem: impl Into<Problem>) -> FormatError {
         let line = element_line(self.text, &field);
-        FormatError { format: self.format, line, field, problem: problem.into() }
+        FormatError { format: self.format, line, field, problem: Box::new(problem.into()) }
     }
 }
 

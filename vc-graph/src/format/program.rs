@@ -37,7 +37,7 @@ pub fn read(text: &str) -> Result<Program, FormatError> {
         format: "program",
         line: Some(line + 1),
         field: String::new(),
-        problem,
+        problem: Box::new(problem),
     };
     if text.len() > LARGEST {
         return Err(fail(0, Problem::TooLarge(text.len())));

@@ -136,7 +136,8 @@ impl EnvironmentGraph {
         let mut scene = SceneBuilder::with_classes(name, classes.clone());
         let mut category = Arc::from("");
         for (index, node) in self.nodes.iter().enumerate() {
-            let draft = node.draft(&mut category).map_err(|(field, problem)| (format!("nodes[{index}].{field}"), problem))?;
+            let draft =
+                node.draft(&mut category).map_err(|(field, problem)| (format!("nodes[{index}].{field}"), problem))?;
             let added = scene.add_with_id(NodeId(node.id), draft);
             added.map_err(|e| (format!("nodes[{index}].id"), Problem::Edit(e)))?;
         }
@@ -256,7 +257,8 @@ impl EnvironmentNode {
         draft.name = self.prefab_name.as_deref().map(Into::into);
         draft.properties = Some(self.properties()?);
         draft.states = Some(self.states()?);
-        let number = |field: &str, v: &dyn std::fmt::Debug| (field.to_owned(), Problem::Number(clip(&format!("{v:?}"))));
+        let number =
+            |field: &str, v: &dyn std::fmt::Debug| (field.to_owned(), Problem::Number(clip(&format!("{v:?}"))));
         if let Some(t) = &self.obj_transform {
             if !sound(&t.position) || !sound(&t.scale) || !sound(&t.rotation) {
                 return Err(number("obj_transform", t));
@@ -269,7 +271,8 @@ impl EnvironmentNode {
                 return Err(number("bounding_box", b));
             }
             let centre = swap(b.center);
-            let pose = *draft.pose.get_or_insert_with(|| Isometry3::from_parts(centre.into(), UnitQuaternion::identity()));
+            let pose =
+                *draft.pose.get_or_insert_with(|| Isometry3::from_parts(centre.into(), UnitQuaternion::identity()));
             let offset = centre - pose.translation.vector;
             draft.bounds = Some(Bounds { offset, half: swap(b.size) / 2.0, frame: Frame::World });
         }
@@ -278,7 +281,9 @@ impl EnvironmentNode {
 
     fn properties(&self) -> Result<PropertySet, Wrong> {
         let read = |(i, word): (usize, &String)| {
-            let unknown = || Problem::Shape(format!("unknown property `{}`; VirtualHome's are SURFACES, GRABBABLE, ...", clip(word)));
+            let unknown = || {
+                Problem::Shape(format!("unknown property `{}`; VirtualHome's are SURFACES, GRABBABLE, ...", clip(word)))
+            };
             Property::from_virtualhome(word).ok_or_else(|| (format!("properties[{i}]"), unknown()))
         };
         self.properties.iter().enumerate().map(read).collect()
@@ -311,10 +316,9 @@ impl EnvironmentNode {
 fn bounding_box(node: &Node, aabb: &crate::Aabb) -> BoundingBox {
     match (node.spec().bounds, node.pose()) {
         // The numbers that were read, not their sums and differences.
-        (Some(b), Some(pose)) if b.frame == Frame::World => BoundingBox {
-            center: swap_back(pose.translation.vector + b.offset),
-            size: swap_back(b.half * 2.0),
-        },
+        (Some(b), Some(pose)) if b.frame == Frame::World => {
+            BoundingBox { center: swap_back(pose.translation.vector + b.offset), size: swap_back(b.half * 2.0) }
+        }
         _ => BoundingBox { center: swap_back(aabb.centre().coords), size: swap_back(aabb.max - aabb.min) },
     }
 }

@@ -60,9 +60,7 @@ impl<'a> Situation<'a> {
 fn related(graph: &SceneGraph, from: NodeId, relation: Relation, to: NodeId) -> bool {
     let edge = |relation| graph.has(Edge::new(from, relation, to));
     match relation {
-        Relation::On => {
-            [Relation::On, Relation::SittingOn, Relation::LyingOn, Relation::WornBy].into_iter().any(edge)
-        }
+        Relation::On => [Relation::On, Relation::SittingOn, Relation::LyingOn, Relation::WornBy].into_iter().any(edge),
         Relation::Inside | Relation::InRoom if graph.rooms().contains(&to) => {
             from != to && graph.room_of(from) == Some(to)
         }

@@ -322,7 +322,8 @@ impl Reader {
             terms.push(self.term()?);
         }
         let fail = |problem| GoalError { at: start, problem };
-        let predicate = self.predicate(&name, did, terms.len()).ok_or_else(|| fail(GoalProblem::Predicate(clip(&name))))?;
+        let predicate =
+            self.predicate(&name, did, terms.len()).ok_or_else(|| fail(GoalProblem::Predicate(clip(&name))))?;
         let takes = predicate.arity();
         if terms.len() + 1 == takes {
             match predicate {

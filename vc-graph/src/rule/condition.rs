@@ -301,8 +301,22 @@ impl Condition<Role> {
 
 /// Classes besides clothes that can be squeezed.
 const SOFT: &[&str] = &[
-    "toothpaste", "shampoo", "food_peanut_butter", "dish_soap", "soap", "bar_soap", "towel", "rag", "paper", "sponge",
-    "lemon", "check", "condiment_bottle", "cleaning_solution", "washing_sponge", "lotion_bottle",
+    "toothpaste",
+    "shampoo",
+    "food_peanut_butter",
+    "dish_soap",
+    "soap",
+    "bar_soap",
+    "towel",
+    "rag",
+    "paper",
+    "sponge",
+    "lemon",
+    "check",
+    "condiment_bottle",
+    "cleaning_solution",
+    "washing_sponge",
+    "lotion_bottle",
 ];
 
 impl Condition {

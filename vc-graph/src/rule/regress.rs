@@ -174,9 +174,8 @@ fn rests(graph: &SceneGraph, agent: NodeId, posture: Option<State>) -> Vec<Actio
             found.extend(fit.map(|n| (n.id(), Action::one(verb, n.id()))));
         }
     }
-    found.sort_by_cached_key(|&(id, _)| {
-        (!graph.rests_at(agent, id), !graph.near(agent, id), graph.room_of(id) != room)
-    });
+    found
+        .sort_by_cached_key(|&(id, _)| (!graph.rests_at(agent, id), !graph.near(agent, id), graph.room_of(id) != room));
     found.into_iter().map(|(_, action)| action).collect()
 }
 

@@ -39,6 +39,7 @@ const fn rule(
 }
 
 /// All rules, in the order of the verbs.
+#[rustfmt::skip]
 pub const RULES: &[Rule] = &[
     rule(Verb::Walk, 1, &[Reachable(X), Upright], &[GoTo(X)],
         "Walks to a room, or into the room of a thing and up to it. Doors do not block: one opens and closes them in passing. What was near is no longer."),

@@ -72,6 +72,5 @@ pub(crate) const CLASSES: &str = "# name | kind of | aliases | category | afford
     furniture | | | group | | | | | |\n\
     mug | | beaker, cup | prop | graspable | 0.1 0.1 0.1 | 0.3 | clean | | kitchen/on/rack:8 */in/rack:2\n";
 
-pub(crate) const ALL: &[&str] = &[
-    NATIVE, THESIS, VIRTUALHOME, PROGRAM, RECORD, TASKS, GOAL, EAI_GOAL, ACTION, NOTATION, LABEL, CLASSES,
-];
+pub(crate) const ALL: &[&str] =
+    &[NATIVE, THESIS, VIRTUALHOME, PROGRAM, RECORD, TASKS, GOAL, EAI_GOAL, ACTION, NOTATION, LABEL, CLASSES];

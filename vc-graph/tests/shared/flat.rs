@@ -30,8 +30,7 @@ const ON: &[(&str, &str)] = &[
 ];
 
 /// What is in what.
-const IN: &[(&str, &str)] =
-    &[("milk", "fridge"), ("apple", "fridge"), ("shirt", "wardrobe"), ("towel", "wardrobe")];
+const IN: &[(&str, &str)] = &[("milk", "fridge"), ("apple", "fridge"), ("shirt", "wardrobe"), ("towel", "wardrobe")];
 
 /// A flat with two people in the kitchen, `me` and `other`.
 #[derive(Clone)]

@@ -11,9 +11,32 @@ use vc_graph::{
 pub(crate) type Step = (usize, usize, usize, u8, [i16; 7]);
 
 pub(crate) const CLASSES: &[&str] = &[
-    "kitchen", "living_room", "bedroom", "character", "kitchen_table", "fridge", "sofa", "single_bed", "bookshelf",
-    "stove", "sink", "car", "chair", "cup", "plate", "apple", "tray", "box", "book", "shirt", "pot", "knife", "water",
-    "milk", "laptop", "gizmo",
+    "kitchen",
+    "living_room",
+    "bedroom",
+    "character",
+    "kitchen_table",
+    "fridge",
+    "sofa",
+    "single_bed",
+    "bookshelf",
+    "stove",
+    "sink",
+    "car",
+    "chair",
+    "cup",
+    "plate",
+    "apple",
+    "tray",
+    "box",
+    "book",
+    "shirt",
+    "pot",
+    "knife",
+    "water",
+    "milk",
+    "laptop",
+    "gizmo",
 ];
 
 pub(crate) fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
@@ -106,7 +129,10 @@ pub(crate) fn places_for(graph: &SceneGraph, id: NodeId, kind: Kind) -> Vec<Plac
     for node in graph.nodes().filter(|n| n.id() != id && n.kind() != Kind::Room && !graph.rests_at(n.id(), id)) {
         let mut offer = |yes: bool, relation| found.extend(yes.then_some(Place { relation, at: node.id() }));
         if kind == Kind::Agent {
-            offer(node.affords(Property::Sittable) && free(node, SlotKind::Seat, Relation::SittingOn), Relation::SittingOn);
+            offer(
+                node.affords(Property::Sittable) && free(node, SlotKind::Seat, Relation::SittingOn),
+                Relation::SittingOn,
+            );
             offer(node.affords(Property::Lieable) && free(node, SlotKind::Lie, Relation::LyingOn), Relation::LyingOn);
         } else {
             offer(node.affords(Property::Surface), Relation::On);
