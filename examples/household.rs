@@ -9,6 +9,7 @@ mod support;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Parser;
 use support::{Complaint, say};
@@ -30,6 +31,9 @@ struct Options {
     /// The goal, such as "Inside(plate, dishwasher), 2 & Closed(dishwasher)".
     #[arg(long, default_value = "On(apple, kitchentable), 3 & Closed(fridge)")]
     goal: String,
+    /// Classes of your own, in the format of `ClassTable::parse`.
+    #[arg(long)]
+    classes: Option<PathBuf>,
     /// Show what can be asked of the scene, and stop.
     #[arg(long)]
     list: bool,
@@ -49,7 +53,7 @@ struct Options {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    let classes = ClassTable::builtin();
+    let classes = classes(options.classes.as_deref())?;
     let text = options.scene.as_deref().map_or_else(|| Ok(APARTMENT.to_owned()), support::read)?;
     let scene = read_scene(&text, &classes).map_err(Complaint::new)?;
     let Some(&me) = scene.agents().first() else {
@@ -66,6 +70,14 @@ fn main() -> Result<(), Complaint> {
         return Err(Complaint::new(format!("this goal makes no sense here:\n  {}", obstacles.join("\n  "))));
     }
     run(&options, &scene, me, &task)
+}
+
+fn classes(own: Option<&Path>) -> Result<Arc<ClassTable>, Complaint> {
+    let builtin = ClassTable::builtin();
+    let Some(path) = own else { return Ok(builtin) };
+    let text = support::read(path)?;
+    let extended = builtin.extended(&path.display().to_string(), &text);
+    extended.map(Arc::new).map_err(Complaint::new)
 }
 
 fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result<(), Complaint> {
@@ -204,7 +216,9 @@ fn list(scene: &SceneGraph, me: NodeId) {
         wrapped("", &words.collect::<Vec<_>>().join(", "));
     }
     say!("\nverbs");
-    wrapped("", &Verb::ALL.iter().map(|v| v.as_str()).collect::<Vec<_>>().join(", "));
+    for verb in Verb::ALL {
+        say!("  {:<11} {}", verb.as_str(), verb.rule().about);
+    }
     say!("\nwhat the agent could do where it is, among others");
     let able = scene
         .nodes()

@@ -1,2 +1,44 @@
-//! VirtualCity.
+//! VirtualCity: a headless, deterministic simulator of homes for embodied-AI research.
+//!
+//! This crate is the front door. It re-exports the crates that do the work:
+//!
+//! | module | crate | what |
+//! |---|---|---|
+//! | [`graph`] | `vc-graph` | scenes, object classes, actions, goals, file formats |
+//! | [`tasks`] | `vc-tasks` | tasks, and how attempts at them end |
+//! | [`planner`] | `vc-planner` | belief, regression planner, agents, episodes |
+//!
+//! An agent that sees only its room brings the milk:
+//!
+//! ```
+//! use virtualcity::graph::{Draft, SceneBuilder, Scope, Simulator};
+//! use virtualcity::planner::{Agent, run_episode};
+//! use virtualcity::tasks::{Outcome, Task};
+//!
+//! let mut scene = SceneBuilder::new("flat");
+//! let kitchen = scene.add(Draft::new("kitchen"))?;
+//! let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+//! scene.add_in(fridge, Draft::new("milk"))?;
+//! let me = scene.add_in(kitchen, Draft::new("character"))?;
+//! let graph = scene.build();
+//!
+//! let task = Task::new("fetch the milk", "Holds(milk) & Closed(fridge)".parse()?);
+//! let mut agent = Agent::newcomer(&graph, me, task.goal.clone(), 7);
+//! let mut world = Simulator::new(graph);
+//! let episode = run_episode(&mut world, me, &mut agent, &task, Scope::Room, |_| {});
+//! assert_eq!(episode.outcome, Outcome::Won);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # What is not here yet
+//!
+//! The environment with its five endpoints (make, reset, render, observation, set
+//! action), batches, physics, pictures and generated homes. `vc-relations`,
+//! `vc-physics`, `vc-render` and `vc-procgen` are reserved names: nothing is built
+//! there, and this crate does not depend on them. Until then
+//! [`Simulator`](graph::Simulator) is the environment: symbolic, with poses that
+//! follow actions only roughly.
+
 pub use vc_graph as graph;
+pub use vc_planner as planner;
+pub use vc_tasks as tasks;

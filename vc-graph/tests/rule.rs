@@ -180,7 +180,10 @@ fn what_is_refused_and_why() {
 fn all_reasons_are_given_at_once() {
     let mut flat = after("walk book, grab book, walk guitar, grab guitar");
     let why = plain(&flat.step("grab apple").unwrap_err());
-    assert_eq!(why, "apple is inside fridge, which is closed; no free hand: both hold something; not near: apple is too far away");
+    assert_eq!(
+        why,
+        "apple is inside fridge, which is closed; no free hand: both hold something; not near: apple is too far away"
+    );
 }
 
 #[test]

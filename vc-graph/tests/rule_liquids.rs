@@ -19,7 +19,9 @@ fn what_is_poured_fills_the_vessel() {
     flat.all(&["grab cup", "drink cup", "walk frying_pan", "pour cup frying_pan"]);
     assert_eq!((contents(&flat, "cup"), contents(&flat, "frying_pan").as_deref()), (None, Some("milk")));
     assert!(flat.is("cup", State::Empty));
-    assert!(plain(&flat.step("pour cup sink").unwrap_err()).contains("cup is not pourable") || flat.is("cup", State::Empty));
+    assert!(
+        plain(&flat.step("pour cup sink").unwrap_err()).contains("cup is not pourable") || flat.is("cup", State::Empty)
+    );
 }
 
 #[test]

@@ -22,7 +22,8 @@ fn two_hands_hold_two_things() {
 
 #[test]
 fn a_tray_carries_what_is_on_it_to_another_room() {
-    let mut flat = Flat::after(&["walk kitchen_table", "grab plate", "place plate tray", "grab tray", "walk coffee_table"]);
+    let mut flat =
+        Flat::after(&["walk kitchen_table", "grab plate", "place plate tray", "grab tray", "walk coffee_table"]);
     let living_room = flat.id("living_room");
     for thing in ["tray", "plate", "bread"] {
         assert_eq!(flat.graph().room_of(flat.id(thing)), Some(living_room), "{thing}");
@@ -76,7 +77,8 @@ fn a_seat_in_hand_is_not_sat_on() {
 
 #[test]
 fn a_car_takes_all_in_it_along() {
-    let mut flat = Flat::after(&["walk workbench", "grab hammer", "walk car", "open car", "put_in hammer car", "close car"]);
+    let mut flat =
+        Flat::after(&["walk workbench", "grab hammer", "walk car", "open car", "put_in hammer car", "close car"]);
     flat.all(&["other walk car", "other enter car", "switch_on car", "enter car"]);
     assert!(flat.has("me", Relation::Inside, "car") && flat.is("me", State::Sitting));
     assert_eq!(why(&mut flat, "walk street"), "one must stand up first");

@@ -95,7 +95,8 @@ fn a_running_machine_keeps_its_plug() {
 
 #[test]
 fn a_hidden_screen_is_not_watched() {
-    let mut flat = Flat::after(&["walk laptop", "grab laptop", "walk wardrobe", "open wardrobe", "put_in laptop wardrobe"]);
+    let mut flat =
+        Flat::after(&["walk laptop", "grab laptop", "walk wardrobe", "open wardrobe", "put_in laptop wardrobe"]);
     flat.all(&["turn_to laptop", "watch laptop", "close wardrobe"]);
     assert_eq!(plain(&flat.step("watch laptop").unwrap_err()), "laptop is inside wardrobe, which is closed");
 }
@@ -127,7 +128,12 @@ fn things_must_fit_where_sizes_are_known() {
     let (kitchen, me) = (flat.id("kitchen"), flat.me);
     let mut ids = Vec::new();
     flat.edit(|edit| {
-        let drafts = [("box", size(0.4, 0.3, 0.3)), ("tray", size(0.39, 0.29, 0.29)), ("guitar", size(1.0, 0.1, 0.3)), ("ball", size(0.2, 0.2, 0.2))];
+        let drafts = [
+            ("box", size(0.4, 0.3, 0.3)),
+            ("tray", size(0.39, 0.29, 0.29)),
+            ("guitar", size(1.0, 0.1, 0.3)),
+            ("ball", size(0.2, 0.2, 0.2)),
+        ];
         for (class, bounds) in drafts {
             let id = edit.add(Draft::new(class).bounds(bounds).state(State::Open)).unwrap();
             edit.move_to_room(id, kitchen).unwrap();

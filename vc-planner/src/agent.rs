@@ -3,7 +3,7 @@
 use vc_graph::{Action, Event, Goal, History, NodeId, Observation, Place, SceneGraph, goal::Term};
 
 use crate::plan::{Horizon, plan_in_belief};
-use crate::subgoal::{Unreachable, Want};
+use crate::want::{Unreachable, Want};
 use crate::{Belief, Learned, Plan};
 
 /// After so many searches of everything an agent gives up.

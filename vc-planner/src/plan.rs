@@ -3,7 +3,9 @@
 use vc_graph::goal::{Goal, Situation};
 use vc_graph::{Action, ChangeSet, Condition, Event, NodeId, Property, SceneGraph, Verb, rule};
 
-use crate::subgoal::{Hints, Unreachable, View, Want};
+use crate::subgoal::View;
+use crate::want::{Unreachable, Want};
+use crate::weigh::Hints;
 use crate::{Belief, Known};
 
 /// How many actions a plan may hold, tried ones included.

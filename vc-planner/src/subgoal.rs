@@ -1,46 +1,11 @@
 //! From a goal to the things that are still to be brought about.
 
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Quantified, Situation, Term};
-use vc_graph::{Action, Condition, Node, NodeId, Property, Relation, SceneGraph, State, Verb, Word};
+use vc_graph::{Action, Condition, Node, NodeId, Property, Relation, SceneGraph, State, Verb};
 
 use crate::Known;
-
-/// Something to bring about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Want {
-    /// A condition on the scene.
-    Hold(Condition),
-    /// An action to have been done.
-    Do(Action),
-    /// A thing to be seen: the goal seems to hold of it, but only by guess.
-    See(NodeId),
-}
-
-/// One open part of a goal: any of its options settles it.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Subgoal {
-    /// What settles it, cheapest first.
-    pub options: Vec<Want>,
-}
-
-/// Why a goal cannot be reached.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum Unreachable {
-    /// The scene lacks what a part of the goal is about.
-    #[error("nothing in this scene can satisfy `{0}`")]
-    NoInstance(String),
-    /// No sequence of actions that was tried brings a part about.
-    #[error("no actions were found that bring about any of: {0}")]
-    NoPlan(String),
-    /// What has been done cannot be undone.
-    #[error("`{0}` has been done and cannot be undone")]
-    Irrevocable(String),
-    /// Every place has been searched more than once.
-    #[error("everything has been searched {0} times and something is still missing")]
-    Searched(usize),
-}
+use crate::want::{Subgoal, Unreachable, Want};
+use crate::weigh::Hints;
 
 /// A goal seen by an agent that knows only a part.
 pub(crate) struct View<'a> {
@@ -49,47 +14,13 @@ pub(crate) struct View<'a> {
     pub(crate) hints: &'a Hints,
 }
 
-/// What the whole goal says about how to go about its parts.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Hints {
-    /// The nodes it names: who is to hold a novel and to read something reads it.
-    named: Vec<NodeId>,
-    /// It wants the agent to lie.
-    lying: bool,
-}
-
-impl Hints {
-    pub(crate) fn of(goal: &Goal) -> Self {
-        let mut hints = Self::default();
-        hints.gather(goal);
-        hints
-    }
-
-    fn gather(&mut self, goal: &Goal) {
-        match goal {
-            Goal::Literal(literal) | Goal::Count { literal, .. } => {
-                self.lying |= literal.predicate == Predicate::State(State::Lying);
-                let node = |t: &Term| if let Term::Node(_, id) = t { Some(*id) } else { None };
-                self.named.extend(literal.terms.iter().filter_map(node));
-            }
-            Goal::And(parts) | Goal::Or(parts) | Goal::Then(parts) => parts.iter().for_each(|p| self.gather(p)),
-            Goal::Not(part) => self.gather(part),
-            Goal::ForAll(q) | Goal::Exists(q) => self.gather(&q.body),
-            _ => {}
-        }
-    }
-}
-
-/// What it costs to do something to a thing the goal does not name.
-const UNNAMED: u32 = 20;
-
 /// Variables and what they stand for.
 type Bindings<'g> = Vec<(&'g str, NodeId)>;
 
 type Found = Result<Vec<Subgoal>, Unreachable>;
 
 impl View<'_> {
-    fn graph(&self) -> &SceneGraph {
+    pub(crate) fn graph(&self) -> &SceneGraph {
         self.now.graph
     }
 
@@ -324,7 +255,7 @@ impl View<'_> {
             let probe =
                 if position == 0 { Action::one(verb, id) } else { Action { verb, object: None, target: Some(id) } };
             let needs = vc_graph::rule::preconditions(&probe);
-            needs.iter().filter(|c| is_lasting(c)).all(|c| c.holds(self.graph(), self.now.agent))
+            needs.iter().filter(|c| c.is_lasting()).all(|c| c.holds(self.graph(), self.now.agent))
         };
         self.graph().nodes().filter(|n| n.kind() == vc_graph::Kind::Object).filter(fits).map(Node::id).collect()
     }
@@ -405,78 +336,6 @@ impl View<'_> {
             _ => Vec::new(),
         }
     }
-
-    /// When in the sequence of subgoals to go about a want: things are carried and
-    /// looked for first, doors closed and machines switched on when that is done,
-    /// and only then does one sit down, turn to something and watch it.
-    fn stage(&self, want: &Want) -> u8 {
-        let me = self.now.agent;
-        match want {
-            Want::See(_) => 0,
-            Want::Hold(Condition::Related(from, Relation::On | Relation::Inside | Relation::InRoom, _))
-                if *from != me =>
-            {
-                1
-            }
-            Want::Hold(Condition::In(id, State::Sitting | State::Lying)) if *id == me => 8,
-            Want::Hold(Condition::In(_, State::Open)) => 2,
-            Want::Hold(Condition::In(_, State::Closed)) => 3,
-            Want::Hold(Condition::In(_, State::On)) => 4,
-            Want::Hold(Condition::In(..)) => 2,
-            Want::Hold(Condition::Holding(_)) => 5,
-            Want::Hold(Condition::Related(_, Relation::HoldsRight | Relation::HoldsLeft, _)) => 5,
-            Want::Do(action) => self.stage_of(action.verb),
-            Want::Hold(Condition::Near(_)) => 6,
-            Want::Hold(Condition::Related(_, Relation::InRoom, _)) => 6,
-            Want::Hold(Condition::Related(_, Relation::SittingOn | Relation::LyingOn, _)) => 7,
-            Want::Hold(Condition::Facing(_)) => 9,
-            Want::Hold(_) => 4,
-        }
-    }
-
-    fn stage_of(&self, verb: Verb) -> u8 {
-        match verb {
-            Verb::LookAt | Verb::PointAt | Verb::Watch | Verb::Sleep | Verb::WakeUp => 10,
-            Verb::Eat | Verb::Drink | Verb::Read => 5,
-            _ => 4,
-        }
-    }
-
-    /// Roughly how far away it is to bring something about.
-    fn cost(&self, want: &Want) -> u32 {
-        match want {
-            Want::See(id) => self.way(*id) + 1,
-            Want::Do(action) => {
-                let named = |id| self.hints.named.is_empty() || self.hints.named.contains(&id);
-                action.things().map(|id| self.way(id) + UNNAMED * u32::from(!named(id))).sum()
-            }
-            Want::Hold(condition) => match *condition {
-                Condition::Related(from, _, to) => self.way(from) + self.way(to),
-                Condition::In(id, _)
-                | Condition::Holding(id)
-                | Condition::Near(id)
-                | Condition::Facing(id)
-                | Condition::Worn(id) => self.way(id),
-                _ => 0,
-            },
-        }
-    }
-
-    /// Roughly how many actions it takes to have a thing at hand.
-    fn way(&self, id: NodeId) -> u32 {
-        let (graph, me) = (self.graph(), self.now.agent);
-        if id == me || graph.holder(id).is_some_and(|p| p.at == me) {
-            return 0;
-        }
-        let far = if graph.near(me, id) {
-            1
-        } else if graph.room_of(id) == graph.room_of(me) {
-            2
-        } else {
-            4
-        };
-        far + u32::from(graph.hidden_in(id).is_some()) + 3 * u32::from(!self.known.contains(id))
-    }
 }
 
 fn bind<'g, T>(
@@ -489,37 +348,4 @@ fn bind<'g, T>(
     let result = with(bound);
     bound.pop();
     result
-}
-
-/// Conditions that no action changes: what things are.
-fn is_lasting(condition: &Condition) -> bool {
-    use Condition as C;
-    matches!(
-        condition,
-        C::Affords(..)
-            | C::Graspable(_)
-            | C::Carries(_)
-            | C::Encloses(_)
-            | C::Edible(_)
-            | C::Potable(_)
-            | C::Liquid(_)
-            | C::Receives(_)
-            | C::Cuttable(_)
-            | C::Mobile(_)
-            | C::Soft(_)
-            | C::Typable(_)
-            | C::Personal(_)
-            | C::Reachable(_)
-    )
-}
-
-impl std::fmt::Display for Want {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Hold(Condition::Related(from, relation, to)) => write!(f, "{from} {} {to}", relation.as_str()),
-            Self::Hold(condition) => write!(f, "{condition:?}"),
-            Self::Do(action) => write!(f, "{action}"),
-            Self::See(id) => write!(f, "see {id}"),
-        }
-    }
 }

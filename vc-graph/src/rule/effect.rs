@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use crate::node::Kind;
-use crate::rule::condition::{origin, vehicle_of};
+use crate::rule::check::{origin, vehicle_of};
 use crate::{Action, Edge, Edit, EditError, NodeId, Place, Pose, Property, Relation, SceneGraph, State};
 
 /// Which thing of an action a rule speaks of.

@@ -1,7 +1,7 @@
 //! The transition rule: what every action needs and does, once.
 //!
-//! [`table`] lists the verbs; [`condition`] decides what they need, [`effect`]
-//! carries out what they do, [`regress`] reads the table backwards. Everybody goes
+//! [`table`] lists the verbs; [`condition`] says what they need and [`refusal`] why
+//! not, [`effect`] carries out what they do, [`regress`] reads the table backwards. Everybody goes
 //! by it: the planner regresses through it, tasks validate with it, and an
 //! environment with bodies checks with it before they move.
 //!
@@ -24,13 +24,16 @@
 //! - fridges and ovens open while they are on;
 //! - seats are taken by people, not by the cushions on them.
 
+mod check;
 pub mod condition;
 pub mod effect;
+pub mod refusal;
 pub mod regress;
 pub mod table;
 
-pub use condition::{Condition, Refusal};
+pub use condition::Condition;
 pub use effect::{Effect, Role};
+pub use refusal::Refusal;
 pub use table::Rule;
 
 use crate::{Action, ChangeSet, NodeId, SceneGraph};
@@ -54,7 +57,7 @@ pub fn effects(action: &Action) -> Vec<Effect<NodeId>> {
 
 /// Every reason why an agent cannot do an action now; empty if it can.
 pub fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refusal> {
-    if let Some(refusal) = condition::check_things(graph, agent, action) {
+    if let Some(refusal) = check::check_things(graph, agent, action) {
         return vec![refusal];
     }
     let needs = action.verb.rule().needs.iter().filter_map(|c| c.ground(action));

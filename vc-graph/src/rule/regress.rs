@@ -1,6 +1,7 @@
 //! The rule table read backwards: which actions would bring a condition about.
 
-use crate::rule::condition::{Condition, origin};
+use crate::rule::check::origin;
+use crate::rule::condition::Condition;
 use crate::rule::effect::{Effect, Role};
 use crate::rule::preconditions;
 use crate::rule::table::RULES;

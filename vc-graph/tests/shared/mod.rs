@@ -4,6 +4,7 @@
 pub(crate) mod documents;
 pub(crate) mod edits;
 pub(crate) mod flat;
+pub(crate) mod goals;
 pub(crate) mod scenes;
 
 use proptest::test_runner::{Config, RngSeed};

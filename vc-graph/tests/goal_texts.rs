@@ -1,0 +1,99 @@
+//! How goals are written: the thesis's way, forgiving names, errors that help.
+#![allow(clippy::unwrap_used)]
+
+use vc_graph::Goal;
+use vc_graph::goal::{Comparison, GoalError, GoalProblem};
+
+fn parse(text: &str) -> Goal {
+    text.parse().unwrap_or_else(|e| panic!("{text}: {e}"))
+}
+
+fn fail(text: &str) -> GoalError {
+    text.parse::<Goal>().expect_err(text)
+}
+
+#[test]
+fn the_thesis_writes_counts_after_literals() {
+    let goal = parse("On(apple, kitchentable), 3 & Closed(fridge)");
+    let [Goal::Count { literal, comparison: Comparison::AtLeast, number: 3 }, Goal::Literal(closed)] = goal.conjuncts() else {
+        panic!("{goal:?}")
+    };
+    assert_eq!((literal.to_string().as_str(), closed.to_string().as_str()), ("On(apple, kitchentable)", "Closed(fridge)"));
+    assert_eq!(parse("On(apple, table), 1"), parse("On(apple, table)"));
+    assert_eq!(parse("On(plate, table), 1, Sit(chair), 2"), parse("On(plate, table) & Sit(chair), 2"));
+    assert_eq!(parse("On(plate, table), Sit(chair)"), parse("On(plate, table) & Sit(chair)"));
+}
+
+#[test]
+fn the_same_goal_in_many_spellings() {
+    for (text, plain) in [
+        ("on(apple,table)", "On(apple, table)"),
+        ("ON ( apple , table )", "On(apple, table)"),
+        ("Close(fridge)", "Closed(fridge)"),
+        ("switched_on(lamp)", "On(lamp)"),
+        ("TurnOff(lamp)", "Off(lamp)"),
+        ("In(milk, fridge)", "Inside(milk, fridge)"),
+        ("Next_To(cup)", "Near(me, cup)"),
+        ("Grab(cup)", "Holds(me, cup)"),
+        ("Sit(sofa)", "SittingOn(me, sofa)"),
+        ("Wear(shirt)", "WornBy(shirt, me)"),
+        ("On(*, table)", "On(_, table)"),
+        ("did PUTIN(cup, sink)", "did put_in(cup, sink)"),
+        ("not Open(door) and Open(box) or Dirty(cup)", "!Open(door) & Open(box) | Dirty(cup)"),
+        ("Open(a) && Open(b) || Open(c)", "Open(a) & Open(b) | Open(c)"),
+        ("Open(a); Open(b)", "Open(a) & Open(b)"),
+        ("forall x: cup. Clean(x)", "forall ?x: cup. Clean(?x)"),
+        ("Open(cup.12), == 2", "Open(cup.12), = 2"),
+        ("(((Open(a))))", "Open(a)"),
+    ] {
+        assert_eq!(parse(text).to_string(), plain, "{text}");
+    }
+}
+
+#[test]
+fn formulas_of_the_embodied_agent_interface() {
+    for (text, plain) in [
+        ("ON(computer.417)", "On(computer.417)"),
+        ("ONTOP(cup.1, table.2) and INSIDE(milk.3, fridge.4)", "On(cup.1, table.2) & Inside(milk.3, fridge.4)"),
+        ("HOLDS_RH(character.65, cup.1)", "HoldsRight(me, cup.1)"),
+        ("NEXT_TO(character.65, cat.1000)", "Near(me, cat.1000)"),
+        ("FACING(character.65, tv.2) or not CLOSED(door.3)", "Facing(me, tv.2) | !Closed(door.3)"),
+        ("exists x0. (LOOKAT(x0)) then exists x1. (LIE(x1))", "(exists ?x0. did look_at(?x0)) then (exists ?x1. did lie(?x1))"),
+        ("forall x. (not ON(x) or CLEAN(x))", "forall ?x. !On(?x) | Clean(?x)"),
+    ] {
+        assert_eq!(Goal::from_eai(text).unwrap_or_else(|e| panic!("{text}: {e}")).to_string(), plain);
+    }
+}
+
+#[test]
+fn errors_say_where_and_what() {
+    for (text, shown) in [
+        ("On(breakfast, kitchen table)", "goal, character 23: expected `,` or `)`, found `table`"),
+        ("On(apple", "goal, character 9: expected `,` or `)`, found the end"),
+        ("", "goal, character 1: expected a predicate such as `On(apple, table)`, found the end"),
+        ("apple", "goal, character 6: expected `(` after the predicate, found the end"),
+        ("Open(door) Open(box)", "goal, character 12: expected `&`, `|`, `then` or the end, found `Open`"),
+        ("Open(door) & ", "goal, character 14: expected a predicate such as `On(apple, table)`, found the end"),
+        ("Open(door), many", "goal, character 11: expected `&`, `|`, `then` or the end, found `,`"),
+        ("Open(door), = many", "goal, character 15: expected a number, found `many`"),
+        ("Open(door), 99999999999", "goal, character 13: expected a number, found `99999999999`"),
+        ("Fly(bird)", "goal, character 1: unknown predicate `Fly`; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat)"),
+        ("Open(door, box)", "goal, character 1: `Open` takes 1 things, 2 are given"),
+        ("On(a, b, c)", "goal, character 1: `On` takes 2 things, 3 are given"),
+        ("Clean(?p)", "goal, character 7: no forall or exists binds the variable `?p`"),
+        ("forall ?p plate. Clean(?p)", "goal, character 11: expected `.` after the variable, found `plate`"),
+        ("Öffne(tür) @", "goal, character 12: expected a name, a number or one of `( ) , : . ! & |`, found `@`"),
+    ] {
+        assert_eq!(fail(text).to_string(), shown);
+    }
+}
+
+#[test]
+fn long_and_deep_goals_are_refused() {
+    let long = "Open(door) & ".repeat(6000);
+    assert_eq!(fail(&long).problem, GoalProblem::TooLong(long.len()));
+    let deep = |levels: usize| "(".repeat(levels) + "Open(x)" + &")".repeat(levels);
+    assert_eq!(fail(&deep(64)).problem, GoalProblem::TooDeep);
+    assert_eq!(parse(&deep(50)), parse("Open(x)"));
+    assert_eq!(fail(&("!".repeat(70) + "Open(x)")).problem, GoalProblem::TooDeep);
+}

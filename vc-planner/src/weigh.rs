@@ -1,0 +1,115 @@
+//! In which order to go about what is wanted, and what is nearest.
+
+use vc_graph::goal::{Goal, Predicate, Term};
+use vc_graph::{Condition, NodeId, Relation, State, Verb};
+
+use crate::subgoal::View;
+use crate::want::Want;
+
+/// What the whole goal says about how to go about its parts.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Hints {
+    /// The nodes it names: who is to hold a novel and to read something reads it.
+    named: Vec<NodeId>,
+    /// It wants the agent to lie.
+    pub(crate) lying: bool,
+}
+
+impl Hints {
+    pub(crate) fn of(goal: &Goal) -> Self {
+        let mut hints = Self::default();
+        hints.gather(goal);
+        hints
+    }
+
+    fn gather(&mut self, goal: &Goal) {
+        match goal {
+            Goal::Literal(literal) | Goal::Count { literal, .. } => {
+                self.lying |= literal.predicate == Predicate::State(State::Lying);
+                let node = |t: &Term| if let Term::Node(_, id) = t { Some(*id) } else { None };
+                self.named.extend(literal.terms.iter().filter_map(node));
+            }
+            Goal::And(parts) | Goal::Or(parts) | Goal::Then(parts) => parts.iter().for_each(|p| self.gather(p)),
+            Goal::Not(part) => self.gather(part),
+            Goal::ForAll(q) | Goal::Exists(q) => self.gather(&q.body),
+            _ => {}
+        }
+    }
+}
+
+/// What it costs to do something to a thing the goal does not name.
+const UNNAMED: u32 = 20;
+
+impl View<'_> {
+    /// When in the sequence of subgoals to go about a want: things are carried and
+    /// looked for first, doors closed and machines switched on when that is done,
+    /// and only then does one sit down, turn to something and watch it.
+    pub(crate) fn stage(&self, want: &Want) -> u8 {
+        let me = self.now.agent;
+        match want {
+            Want::See(_) => 0,
+            Want::Hold(Condition::Related(from, Relation::On | Relation::Inside | Relation::InRoom, _))
+                if *from != me =>
+            {
+                1
+            }
+            Want::Hold(Condition::In(id, State::Sitting | State::Lying)) if *id == me => 8,
+            Want::Hold(Condition::In(_, State::Open)) => 2,
+            Want::Hold(Condition::In(_, State::Closed)) => 3,
+            Want::Hold(Condition::In(_, State::On)) => 4,
+            Want::Hold(Condition::In(..)) => 2,
+            Want::Hold(Condition::Holding(_)) => 5,
+            Want::Hold(Condition::Related(_, Relation::HoldsRight | Relation::HoldsLeft, _)) => 5,
+            Want::Do(action) => self.stage_of(action.verb),
+            Want::Hold(Condition::Near(_)) => 6,
+            Want::Hold(Condition::Related(_, Relation::InRoom, _)) => 6,
+            Want::Hold(Condition::Related(_, Relation::SittingOn | Relation::LyingOn, _)) => 7,
+            Want::Hold(Condition::Facing(_)) => 9,
+            Want::Hold(_) => 4,
+        }
+    }
+
+    fn stage_of(&self, verb: Verb) -> u8 {
+        match verb {
+            Verb::LookAt | Verb::PointAt | Verb::Watch | Verb::Sleep | Verb::WakeUp => 10,
+            Verb::Eat | Verb::Drink | Verb::Read => 5,
+            _ => 4,
+        }
+    }
+
+    /// Roughly how far away it is to bring something about.
+    pub(crate) fn cost(&self, want: &Want) -> u32 {
+        match want {
+            Want::See(id) => self.way(*id) + 1,
+            Want::Do(action) => {
+                let named = |id| self.hints.named.is_empty() || self.hints.named.contains(&id);
+                action.things().map(|id| self.way(id) + UNNAMED * u32::from(!named(id))).sum()
+            }
+            Want::Hold(condition) => match *condition {
+                Condition::Related(from, _, to) => self.way(from) + self.way(to),
+                Condition::In(id, _)
+                | Condition::Holding(id)
+                | Condition::Near(id)
+                | Condition::Facing(id)
+                | Condition::Worn(id) => self.way(id),
+                _ => 0,
+            },
+        }
+    }
+
+    /// Roughly how many actions it takes to have a thing at hand.
+    fn way(&self, id: NodeId) -> u32 {
+        let (graph, me) = (self.graph(), self.now.agent);
+        if id == me || graph.holder(id).is_some_and(|p| p.at == me) {
+            return 0;
+        }
+        let far = if graph.near(me, id) {
+            1
+        } else if graph.room_of(id) == graph.room_of(me) {
+            2
+        } else {
+            4
+        };
+        far + u32::from(graph.hidden_in(id).is_some()) + 3 * u32::from(!self.known.contains(id))
+    }
+}
