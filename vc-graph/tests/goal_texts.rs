@@ -30,8 +30,8 @@ fn the_same_goal_in_many_spellings() {
         ("on(apple,table)", "On(apple, table)"),
         ("ON ( apple , table )", "On(apple, table)"),
         ("Close(fridge)", "Closed(fridge)"),
-        ("switched_on(lamp)", "On(lamp)"),
-        ("TurnOff(lamp)", "Off(lamp)"),
+        ("On(lamp)", "SwitchedOn(lamp)"),
+        ("TurnOff(lamp)", "SwitchedOff(lamp)"),
         ("In(milk, fridge)", "Inside(milk, fridge)"),
         ("Next_To(cup)", "Near(me, cup)"),
         ("Grab(cup)", "Holds(me, cup)"),
@@ -53,13 +53,13 @@ fn the_same_goal_in_many_spellings() {
 #[test]
 fn formulas_of_the_embodied_agent_interface() {
     for (text, plain) in [
-        ("ON(computer.417)", "On(computer.417)"),
+        ("ON(computer.417)", "SwitchedOn(computer.417)"),
         ("ONTOP(cup.1, table.2) and INSIDE(milk.3, fridge.4)", "On(cup.1, table.2) & Inside(milk.3, fridge.4)"),
         ("HOLDS_RH(character.65, cup.1)", "HoldsRight(me, cup.1)"),
         ("NEXT_TO(character.65, cat.1000)", "Near(me, cat.1000)"),
         ("FACING(character.65, tv.2) or not CLOSED(door.3)", "Facing(me, tv.2) | !Closed(door.3)"),
         ("exists x0. (LOOKAT(x0)) then exists x1. (LIE(x1))", "(exists ?x0. did look_at(?x0)) then (exists ?x1. did lie(?x1))"),
-        ("forall x. (not ON(x) or CLEAN(x))", "forall ?x. !On(?x) | Clean(?x)"),
+        ("forall x. (not ON(x) or CLEAN(x))", "forall ?x. !SwitchedOn(?x) | Clean(?x)"),
     ] {
         assert_eq!(Goal::from_eai(text).unwrap_or_else(|e| panic!("{text}: {e}")).to_string(), plain);
     }

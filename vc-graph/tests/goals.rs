@@ -122,7 +122,7 @@ fn scores_are_shares() {
     assert_eq!(score(&flat, "Open(fridge) & Open(wardrobe) & Clean(cup) & On(cup, _)"), 0.5);
     assert_eq!(score(&flat, "Open(fridge) | (Closed(fridge) & Open(wardrobe))"), 0.5);
     assert_eq!(score(&flat, "!Closed(fridge)"), 0.0);
-    assert_eq!(score(&flat, "forall ?f: food. Inside(?f, fridge)"), 0.4, "milk and apple; not bread, potato, water");
+    assert_eq!(score(&flat, "forall ?f: food. Inside(?f, fridge)"), 0.5, "milk and apple; not bread, potato");
 }
 
 #[test]
@@ -139,13 +139,13 @@ fn the_unmet_parts_are_named() {
 
 #[test]
 fn then_is_an_order() {
-    let flat = Flat::after(&["walk bread", "eat bread", "touch plate", "walk book", "touch book"]);
+    let flat = Flat::after(&["walk bread", "eat bread", "touch bread", "walk book", "touch book"]);
     let yes = [
         "did eat(bread) then did touch(book)",
         "did walk(bread) then did eat(bread) then did walk(book) then did touch(book)",
         "did touch(_) then did touch(_)",
         "did eat(bread) then Near(book)",
-        "(did touch(plate) & did eat(bread)) then did touch(book)",
+        "(did touch(bread) & did eat(bread)) then did touch(book)",
     ];
     let no = [
         "did touch(book) then did eat(bread)",

@@ -268,14 +268,20 @@ impl Belief {
             let _ = edit.unrelate(id, &near);
             let _ = edit.unrelate(id, &[Relation::Facing, Relation::PouredInto]);
             let _ = edit.set_pose(id, None);
+            if edit.graph().node(id).is_some_and(|n| n.contents().is_some()) {
+                let _ = edit.fill(id, None);
+            }
         }
         edit.commit();
     }
 }
 
-/// What is presumed of an object before it has been seen: closed and off.
+/// What is presumed of an object before it has been seen: closed, off and clean.
 fn presumed(node: &Node) -> StateSet {
     let mut states = node.states();
+    if states.contains(State::Dirty) {
+        states = states.entering(State::Clean);
+    }
     for (property, state) in [(Property::Openable, State::Closed), (Property::Switchable, State::Off)] {
         if node.affords(property) {
             states = states.entering(state);

@@ -118,6 +118,9 @@ fn demand(predicate: Predicate, position: usize) -> (Fits, &'static str) {
         (Predicate::Relation(Relation::LyingOn), 1) => (|n| n.affords(Property::Lieable), "lieable"),
         (Predicate::State(State::Open | State::Closed), 0) => (|n| n.affords(Property::Openable), "openable"),
         (Predicate::State(State::On | State::Off), 0) => (|n| n.affords(Property::Switchable), "switchable"),
+        (Predicate::State(State::Cooked), 0) => (|n| n.affords(Property::Cookable), "cookable"),
+        (Predicate::State(State::Sliced), 0) => (|n| n.affords(Property::Cuttable), "cuttable"),
+        (Predicate::State(State::Folded), 0) => (|n| n.affords(Property::Foldable), "foldable"),
         _ => any,
     }
 }

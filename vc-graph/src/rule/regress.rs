@@ -29,7 +29,9 @@ use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
 pub fn achievers(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action> {
     let mut found = candidates(graph, agent, want);
     let unmet = |a: &Action| preconditions(a).iter().filter(|c| !c.holds(graph, agent)).count();
-    if found.len() > 1 && found.len() < MANY {
+    // Dropping needs least, but putting down is better manners.
+    let mannered = matches!(want, Condition::FreeHand | Condition::FreeHandOrHolding(_));
+    if found.len() > 1 && found.len() < MANY && !mannered {
         found.sort_by_cached_key(unmet);
     }
     found

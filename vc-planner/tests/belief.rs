@@ -1,0 +1,143 @@
+//! What an agent believes: certain where it has looked, a guess elsewhere, and never
+//! more than it can know.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+use vc_graph::{Draft, NodeId, Place, Property, Relation, SceneBuilder, SceneGraph, Scope, Simulator, State};
+use vc_planner::{Agent, Belief, Decision};
+
+/// A flat of two rooms with closed cupboards; the apple is in the one of a number.
+struct Flat {
+    scene: SceneGraph,
+    me: NodeId,
+    apple: NodeId,
+    kitchen: NodeId,
+    cupboards: Vec<NodeId>,
+}
+
+fn flat(apple_in: usize) -> Flat {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let living = scene.add(Draft::new("living_room")).unwrap();
+    for room in [kitchen, living] {
+        scene.add_in(room, Draft::new("floor")).unwrap();
+    }
+    scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+    let rooms = [kitchen, kitchen, living, living];
+    let cupboards: Vec<NodeId> =
+        rooms.iter().map(|&room| scene.add_in(room, Draft::new("kitchen_cabinet")).unwrap()).collect();
+    let me = scene.add_in(living, Draft::new("character")).unwrap();
+    let apple = scene.add_in(cupboards[apple_in], Draft::new("apple")).unwrap();
+    Flat { scene: scene.build(), me, apple, kitchen, cupboards }
+}
+
+fn places(flat: &Flat) -> Vec<Place> {
+    let open = |p: Property, id: NodeId| flat.scene.node(id).unwrap().affords(p);
+    let all = flat.scene.nodes().map(vc_graph::Node::id);
+    all.flat_map(|id| {
+        let on = open(Property::Surface, id).then_some(Place { relation: Relation::On, at: id });
+        let inside = open(Property::Container, id).then_some(Place { relation: Relation::Inside, at: id });
+        on.into_iter().chain(inside)
+    })
+    .collect()
+}
+
+#[test]
+fn chances_sum_to_one_and_are_equal() {
+    let flat = flat(0);
+    let belief = Belief::of_newcomer(&flat.scene, flat.me, 1);
+    let chances: Vec<f64> = places(&flat).iter().map(|&p| belief.probability(flat.apple, p)).collect();
+    assert!((chances.iter().sum::<f64>() - 1.0).abs() < 1e-9, "{chances:?}");
+    assert!(chances.iter().all(|&c| c == 0.0 || (c - chances[0].max(chances[1])).abs() < 1e-9), "{chances:?}");
+}
+
+#[test]
+fn what_is_seen_empty_is_excluded_and_only_what_is_disproved_is_guessed_anew() {
+    for seed in 0..20 {
+        let flat = flat(0);
+        let mut world = Simulator::new(flat.scene.clone());
+        let mut belief = Belief::of_newcomer(&flat.scene, flat.me, seed);
+        belief.observe(&world.graph().observe(flat.me, Scope::Room));
+        for cupboard in [flat.cupboards[2], flat.cupboards[3]] {
+            let before = belief.graph().place(flat.apple);
+            for verb in ["walk", "open"] {
+                world.step(flat.me, &format!("{verb} {}", world.graph().label(cupboard)).parse().unwrap()).unwrap();
+            }
+            let learned = belief.observe(&world.graph().observe(flat.me, Scope::Room));
+            let here = Place { relation: Relation::Inside, at: cupboard };
+            assert_eq!(belief.probability(flat.apple, here), 0.0);
+            let disproved = before == Some(here);
+            assert_eq!(learned.disproved.contains(&flat.apple), disproved);
+            assert_eq!(belief.graph().place(flat.apple) == before, !disproved);
+        }
+    }
+}
+
+#[test]
+fn what_is_seen_is_certain() {
+    let flat = flat(2);
+    let mut world = Simulator::new(flat.scene.clone());
+    let mut belief = Belief::of_newcomer(&flat.scene, flat.me, 4);
+    for verb in ["walk", "open"] {
+        world.step(flat.me, &format!("{verb} {}", world.graph().label(flat.cupboards[2])).parse().unwrap()).unwrap();
+    }
+    let learned = belief.observe(&world.graph().observe(flat.me, Scope::Room));
+    assert!(learned.found.contains(&flat.apple));
+    assert_eq!(belief.graph().place(flat.apple), world.graph().place(flat.apple));
+    assert_eq!(belief.probability(flat.apple, world.graph().place(flat.apple).unwrap()), 1.0);
+    assert!(belief.graph().node(flat.cupboards[2]).unwrap().is(State::Open));
+}
+
+#[test]
+fn when_everything_is_disproved_the_belief_widens() {
+    let flat = flat(0);
+    let mut world = Simulator::new(flat.scene.clone());
+    let mut belief = Belief::of_newcomer(&flat.scene, flat.me, 9);
+    // All cupboards are opened while somebody carries the apple in front of the agent.
+    for (index, &cupboard) in flat.cupboards.iter().enumerate().rev() {
+        if index == 0 {
+            let mut scene = world.graph().clone();
+            let mut edit = scene.edit();
+            edit.place(flat.apple, Place { relation: Relation::Inside, at: flat.cupboards[3] }).unwrap();
+            edit.enter_state(flat.cupboards[3], State::Closed).unwrap();
+            edit.commit();
+            world = Simulator::new(scene);
+        }
+        for verb in ["walk", "open"] {
+            world.step(flat.me, &format!("{verb} {}", world.graph().label(cupboard)).parse().unwrap()).unwrap();
+        }
+        belief.observe(&world.graph().observe(flat.me, Scope::Room));
+    }
+    assert_eq!(belief.widened(), 1);
+    assert!(belief.is_missing(flat.apple));
+    assert!(belief.possible_places().count() > 0);
+}
+
+/// Two homes that differ only in what cannot be seen make the agent do the same
+/// until it sees the difference.
+#[test]
+fn agents_know_no_more_than_they_can_see() {
+    for seed in 0..10 {
+        let runs: Vec<Vec<String>> = [0, 1].iter().map(|&at| trail(&flat(at), seed)).collect();
+        let length = runs[0].iter().zip(&runs[1]).take_while(|(a, b)| a == b).count();
+        assert!(length >= 1, "{runs:?}");
+        // The first difference comes when one of the kitchen's cupboards is open.
+        assert!(runs[0][..length].iter().any(|a| a.starts_with("open kitchen_cabinet")), "{runs:?}");
+    }
+}
+
+fn trail(flat: &Flat, seed: u64) -> Vec<String> {
+    let mut world = Simulator::new(flat.scene.clone());
+    let goal = "On(apple, kitchen_table)".parse().unwrap();
+    let mut agent = Agent::newcomer(&flat.scene, flat.me, goal, seed);
+    let mut done = Vec::new();
+    loop {
+        agent.see(&world.graph().observe(flat.me, Scope::Room));
+        let Decision::Act(action, _) = agent.decide() else { break };
+        world.step(flat.me, &action).unwrap();
+        agent.did(&action);
+        done.push(action.describe(&flat.scene).to_string());
+    }
+    assert_eq!(world.graph().room_of(flat.apple), Some(flat.kitchen));
+    done
+}
