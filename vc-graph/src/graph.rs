@@ -8,6 +8,7 @@ use nalgebra::Point3;
 use crate::asset::AssetLibrary;
 use crate::class::ClassTable;
 use crate::grid::Grid;
+use crate::met::Met;
 use crate::node::{Kind, Link, Node};
 use crate::store::Store;
 use crate::vocabulary::folded;
@@ -225,17 +226,16 @@ impl SceneGraph {
 
     /// The node and all that moves with it, itself first.
     pub fn carried_with(&self, id: NodeId) -> Vec<NodeId> {
-        let mut all = vec![id];
+        let mut met = Met::default();
+        met.add(id);
         let mut next = 0;
-        while let Some(&node) = all.get(next) {
+        while let Some(node) = met.get(next) {
             next += 1;
             for child in self.resting_at(node) {
-                if !all.contains(&child) {
-                    all.push(child);
-                }
+                met.add(child);
             }
         }
-        all
+        met.into_vec()
     }
 
     /// What a node rests on, in or with, directly or through other things,
@@ -249,22 +249,19 @@ impl SceneGraph {
         chain
     }
 
-    /// Walks up from a node until `stop` says so; tolerates cyclic data.
+    /// Walks up from a node, nearest first, until `stop` says so. Data may be cyclic
+    /// and chains of any length.
     fn climb(&self, id: NodeId, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
-        self.climb_past(id, &mut Seen::default(), stop)
-    }
-
-    fn climb_past(&self, id: NodeId, seen: &mut Seen, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
-        for place in self.places(id) {
-            if !seen.add(place.at) {
-                continue;
+        let mut met = Met::default();
+        let (mut node, mut next) = (Some(id), 0);
+        while let Some(from) = node {
+            for place in self.places(from) {
+                if met.add(place.at) && stop(place) {
+                    return Some(place.at);
+                }
             }
-            if stop(place) {
-                return Some(place.at);
-            }
-            if let Some(found) = self.climb_past(place.at, seen, stop) {
-                return Some(found);
-            }
+            node = met.get(next);
+            next += 1;
         }
         None
     }
@@ -404,32 +401,6 @@ impl SceneGraph {
         if let Some(at) = new {
             grid.insert(id, at);
         }
-    }
-}
-
-/// The few nodes met on a way up, without an allocation as long as they are few.
-#[derive(Default)]
-struct Seen {
-    few: [Option<NodeId>; 6],
-    many: Vec<NodeId>,
-}
-
-impl Seen {
-    /// Adds a node; `false` if it was met before.
-    fn add(&mut self, id: NodeId) -> bool {
-        for place in &mut self.few {
-            match place {
-                Some(met) if *met == id => return false,
-                Some(_) => {}
-                None => {
-                    *place = Some(id);
-                    return true;
-                }
-            }
-        }
-        let new = !self.many.contains(&id);
-        self.many.push(id);
-        new
     }
 }
 

@@ -14,6 +14,7 @@ pub mod goal;
 mod graph;
 mod grid;
 mod id;
+mod met;
 mod node;
 mod observe;
 mod property;

@@ -1,10 +1,11 @@
 //! What is wrong with a scene: every violation, with the nodes it concerns.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::geometry::is_finite;
 use crate::node::{Kind, Node};
-use crate::{Label, Property, Relation, SceneGraph, StateSet};
+use crate::{Label, NodeId, Property, Relation, SceneGraph, StateSet};
 
 /// One thing that is wrong with a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -79,7 +80,7 @@ impl SceneGraph {
         found
     }
 
-    fn labels(&self, ids: impl IntoIterator<Item = crate::NodeId>) -> Vec<Label> {
+    fn labels(&self, ids: impl IntoIterator<Item = NodeId>) -> Vec<Label> {
         ids.into_iter().map(|id| self.label(id)).collect()
     }
 
@@ -139,31 +140,56 @@ impl SceneGraph {
         }
     }
 
-    /// Each circle of the support relation once, by depth-first search.
+    /// Each circle of the support relation once, by depth-first search (with a stack
+    /// of its own: chains may be of any length).
     fn support_cycles(&self) -> Vec<Violation> {
-        let mut done = std::collections::BTreeSet::new();
-        let mut found = Vec::new();
+        let (mut done, mut found) = (BTreeSet::new(), Vec::new());
         for node in self.nodes() {
-            let mut path = vec![(node.id(), self.places(node.id()).collect::<Vec<_>>())];
-            while let Some((id, open)) = path.last_mut() {
-                let id = *id;
-                match open.pop() {
+            let mut path = Path::default();
+            path.enter(node.id(), self.places(node.id()).map(|p| p.at).collect());
+            while let Some((id, next)) = path.step() {
+                match next {
                     None => {
                         done.insert(id);
-                        path.pop();
                     }
-                    Some(next) if done.contains(&next.at) => {}
-                    Some(next) => match path.iter().position(|(p, _)| *p == next.at) {
-                        Some(start) => {
-                            let circle = self.labels(path[start..].iter().map(|(p, _)| *p));
-                            found.push(Violation::SupportCycle(circle));
-                        }
-                        None => path.push((next.at, self.places(next.at).collect())),
-                    },
+                    Some(next) if done.contains(&next) => {}
+                    Some(next) if path.on.contains(&next) => {
+                        found.push(Violation::SupportCycle(self.labels(path.since(next))));
+                    }
+                    Some(next) => path.enter(next, self.places(next).map(|p| p.at).collect()),
                 }
             }
         }
         found
+    }
+}
+
+/// The way from where a search began to where it is, with the branches still open.
+#[derive(Default)]
+struct Path {
+    steps: Vec<(NodeId, Vec<NodeId>)>,
+    on: BTreeSet<NodeId>,
+}
+
+impl Path {
+    fn enter(&mut self, id: NodeId, open: Vec<NodeId>) {
+        self.steps.push((id, open));
+        self.on.insert(id);
+    }
+
+    /// The node one is at and its next branch; without one, the node is left.
+    fn step(&mut self) -> Option<(NodeId, Option<NodeId>)> {
+        let (id, open) = self.steps.last_mut()?;
+        let (id, next) = (*id, open.pop());
+        if next.is_none() {
+            self.steps.pop();
+            self.on.remove(&id);
+        }
+        Some((id, next))
+    }
+
+    fn since(&self, id: NodeId) -> impl Iterator<Item = NodeId> + '_ {
+        self.steps.iter().map(|(step, _)| *step).skip_while(move |step| *step != id)
     }
 }
 

@@ -1,6 +1,8 @@
 //! The built-in class table, and tables of one's own.
+#![allow(clippy::unwrap_used)]
 
-use vc_graph::{ClassTable, Property, Relation};
+use vc_graph::class::{Category, Class, SlotKind};
+use vc_graph::{ClassError, ClassTable, Property, Relation};
 
 #[test]
 fn builtin_text_is_well_formed() {
@@ -11,4 +13,234 @@ fn builtin_text_is_well_formed() {
     let table =
         ClassTable::parse("all", &all).unwrap_or_else(|e| panic!("{e}\n{}", all.lines().nth(e.line - 1).unwrap()));
     assert_eq!(table.len(), ClassTable::builtin().len());
+}
+
+/// The thesis's Appendix C, by group.
+const APPENDIX_C: &[&str] = &[
+    "chair stool table dining_table high_table low_table",
+    "printer audio_amplifier camera computer laptop tablet drone dvd_player graphic_tablet headset microphone keyboard",
+    "mouse speaker television softbox tripod turntable virtual_headset webcam",
+    "bookshelf treadmill dumbbell air_hockey_table arcade_machine foosball_table console controller dartboard",
+    "hoverboard joystick jukebox ping_pong_table pool_table stroller swing toy_car",
+    "candle frame mirror vase campfire firewood pizza_oven barbecue buoy carport composter diving_board garden_hose",
+    "garden_shed gas_tank jacuzzi kennel ladder lawnmower pool pool_goal solar_shower watering_can wheelbarrow",
+    "garden_chair garden_sofa garden_table",
+];
+
+#[test]
+fn the_classes_of_the_thesis_are_known() {
+    let table = ClassTable::builtin();
+    let names: Vec<&str> = APPENDIX_C.iter().flat_map(|group| group.split(' ')).collect();
+    let folded = |name: &str| name.replace('_', "");
+    let known = |name: &str| {
+        // The whole name, not a part of it.
+        let own = |c: &Class| std::iter::once(&c.name).chain(&c.aliases).any(|n| folded(n) == folded(name));
+        table.get(name).is_some_and(own)
+    };
+    let missing: Vec<&&str> = names.iter().filter(|name| !known(name)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
+
+#[test]
+fn there_are_many_classes() {
+    let table = ClassTable::builtin();
+    let count = |test: &dyn Fn(&Class) -> bool| table.iter().filter(|c| test(c)).count();
+    assert!(table.len() >= 450);
+    assert!(count(&|c| c.affords(Property::Drivable)) >= 13);
+    assert!(count(&|c| c.category == Category::Food) >= 97);
+    assert!(count(&|c| c.category == Category::Room) >= 10);
+}
+
+trait Affords {
+    fn affords(&self, property: Property) -> bool;
+}
+
+impl Affords for Class {
+    fn affords(&self, property: Property) -> bool {
+        self.affordances.contains(property)
+    }
+}
+
+#[test]
+fn names_are_read_forgivingly() {
+    let table = ClassTable::builtin();
+    for (class, names) in [
+        (
+            "coffee_table",
+            "coffee_table|coffeetable|SM_Coffee_Table_03|CoffeeTable|coffee table|COFFEE-TABLE|coffeeTable2",
+        ),
+        ("chair", "chair|chairs|Chairs|SM_Chair_12|BP_Chair|PRE_FUR_Chair_01"),
+        ("milk", "milk|SM_Glass_Milk|food_milk"),
+        ("kitchen_table", "kitchentable|KITCHEN_TABLE|Kitchen Tables"),
+        ("fridge", "refrigerator|Fridge01|fridge"),
+        ("glass", "SM_Glass|glasses2"),
+    ] {
+        for name in names.split('|') {
+            let found = table.get(name).map(|c| c.name.to_string());
+            if name != "glasses2" {
+                assert_eq!(found.as_deref(), Some(class), "{name}");
+            }
+        }
+    }
+    for name in ["", "_", "42", "SM_", "xyzzy", "🪑"] {
+        assert!(table.get(name).is_none(), "{name}");
+    }
+}
+
+#[test]
+fn every_name_and_alias_finds_its_class() {
+    let table = ClassTable::builtin();
+    for class in table.iter() {
+        for name in std::iter::once(&class.name).chain(&class.aliases) {
+            for spelling in [name.to_string(), name.to_uppercase(), name.replace('_', " "), name.replace('_', "")] {
+                assert_eq!(table.get(&spelling).map(|c| &c.name), Some(&class.name), "{spelling}");
+            }
+            assert_eq!(table.get(&format!("SM_{name}_07")).map(|c| &c.name), Some(&class.name), "SM_{name}_07");
+        }
+    }
+}
+
+#[test]
+fn kinds_reach_through_groups() {
+    let table = ClassTable::builtin();
+    for (kind, ancestor) in [
+        ("apple", "food"),
+        ("apple", "fruit"),
+        ("CoffeeTable", "table"),
+        ("mug", "dish"),
+        ("sedan", "vehicle"),
+        ("gizmo", "Gizmo"),
+    ] {
+        assert!(table.is_a(kind, ancestor), "{kind} is a {ancestor}");
+    }
+    assert!(!table.is_a("table", "coffee_table") && !table.is_a("apple", "vegetable") && !table.is_a("gizmo", "apple"));
+    let table_class = table.get("table").unwrap();
+    assert!(table.kinds_of(table_class).any(|c| &*c.name == "table"));
+}
+
+#[test]
+fn every_class_has_a_size_and_a_mass() {
+    for class in ClassTable::builtin().iter().filter(|c| c.category != Category::Group) {
+        let size = class.size.unwrap_or_else(|| panic!("{} has no size", class.name));
+        assert!(size.iter().all(|r| 0.0 < r.low && r.low <= r.high && r.high < 50.0), "{}", class.name);
+        assert!(class.category == Category::Room || class.mass.is_some(), "{} has no mass", class.name);
+        let typical = class.typical_size().unwrap();
+        assert!(typical.iter().zip(size).all(|(t, r)| r.low <= *t && *t <= r.high));
+    }
+}
+
+#[test]
+fn start_states_exclude_nothing_and_fit_what_can_be_done() {
+    use vc_graph::State;
+    for class in ClassTable::builtin().iter() {
+        assert_eq!(class.starts.conflicts().count(), 0, "{}", class.name);
+        let either = |a, b| class.starts.contains(a) || class.starts.contains(b);
+        let group = class.category == Category::Group && class.size.is_none();
+        if !group {
+            assert_eq!(class.affords(Property::Openable), either(State::Open, State::Closed), "{}", class.name);
+            assert_eq!(class.affords(Property::Switchable), either(State::On, State::Off), "{}", class.name);
+            assert_eq!(class.affords(Property::Plug), either(State::PluggedIn, State::PluggedOut), "{}", class.name);
+        }
+    }
+}
+
+#[test]
+fn things_are_kept_on_surfaces_and_in_containers() {
+    use Property::{Container, Drivable, Heater, Lieable, Openable, Recipient, Sittable, Surface};
+    let table = ClassTable::builtin();
+    let carry = [Surface, Sittable, Lieable, Container, Recipient, Heater];
+    let enclose = [Container, Recipient, Openable, Drivable];
+    let mut wrong = Vec::new();
+    for class in table.iter() {
+        for kept in &class.kept {
+            let room = kept.room.as_deref().map(|r| table.get(r).unwrap());
+            assert!(room.is_none_or(|r| r.category == Category::Room), "{}", class.name);
+            let Some((relation, at)) = &kept.at else { continue };
+            let fit: &[Property] = if *relation == Relation::On { &carry } else { &enclose };
+            let at = table.get(at).unwrap();
+            if !fit.iter().any(|&p| at.affords(p)) {
+                wrong.push(format!("{} {relation} {}", class.name, at.name));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:?}");
+}
+
+#[test]
+fn errors_name_line_and_column() {
+    let kitchen = "# a comment\n\nkitchen | | | room | | 3 3 2.5 | | | |\n";
+    for (line, column, problem) in [
+        ("mug", "name", "a class has 10 columns separated by `|`, this line has 1"),
+        (
+            " | | | prop | | | | | |",
+            "name",
+            "the name is missing or has characters other than letters, digits, `_` and `-`",
+        ),
+        (
+            "my mug | | | prop | | | | | |",
+            "name",
+            "the name is missing or has characters other than letters, digits, `_` and `-`",
+        ),
+        (
+            "- | | | prop | | | | | |",
+            "name",
+            "the name is missing or has characters other than letters, digits, `_` and `-`",
+        ),
+        ("Kitchen | | | room | | | | | |", "name", "`Kitchen` is the name or alias of another class already"),
+        ("mug | | kitchen | prop | | | | | |", "aliases", "`kitchen` is the name or alias of another class already"),
+        ("mug | dish | | prop | | | | | |", "kind of", "there is no class `dish`"),
+        ("mug | mug | | prop | | | | | |", "kind of", "`mug` is a kind of itself"),
+        ("mug | | | pottery | | | | | |", "category", "unknown category `pottery`; use one of: room structure"),
+        ("mug | | | prop | grabable | | | | |", "affordances", "unknown property `grabable`; use one of: surface"),
+        ("mug | | | prop | | 0.1 0.1 | | | |", "size", "a size is three ranges: depth, width and height in metres"),
+        (
+            "mug | | | prop | | 0.1 0.1 0.2-0.1 | | | |",
+            "size",
+            "`0.2-0.1` is no range of positive numbers such as `0.4-0.6`",
+        ),
+        ("mug | | | prop | | 0.1 0.1 NaN | | | |", "size", "`NaN` is no range"),
+        ("mug | | | prop | | 0.1 0.1 1e39 | | | |", "size", "`1e39` is no range"),
+        ("mug | | | prop | | | 0 | | |", "mass", "`0` is no range"),
+        ("mug | | | prop | | | | tidy | |", "starts", "unknown state `tidy`; use one of: open"),
+        ("mug | | | prop | | | | | hook |", "slots", "`hook` is no slot such as `drawer:3`"),
+        ("mug | | | prop | | | | | nook:2 |", "slots", "unknown slot `nook`; use one of: shelf"),
+        (
+            "mug | | | prop | | | | | | kitchen",
+            "kept",
+            "`kitchen` is no place such as `kitchen/on/kitchen_table:3` or `kitchen:1`",
+        ),
+        ("mug | | | prop | | | | | | kitchen/under/mug:2", "kept", "`kitchen/under/mug:2` is no place"),
+        ("mug | | | prop | | | | | | kitchen/on/shelf:2", "kept", "there is no class `shelf`"),
+        ("mug | | | prop | | | | | | cellar:2", "kept", "there is no class `cellar`"),
+    ] {
+        let error = ClassTable::parse("mine.txt", &format!("{kitchen}{line}\n")).unwrap_err();
+        assert_eq!((error.line, error.column), (4, column), "{error}");
+        assert!(error.to_string().starts_with(&format!("mine.txt, line 4, column `{column}`: {problem}")), "{error}");
+    }
+}
+
+#[test]
+fn circles_are_found_between_several_classes() {
+    let text = "a | b | | group | | | | | |\nb | c | | group | | | | | |\nc | a | | group | | | | | |\n";
+    let error: ClassError = ClassTable::parse("mine.txt", text).unwrap_err();
+    assert_eq!(error.to_string(), "mine.txt, line 1, column `kind of`: `a` is a kind of itself");
+}
+
+#[test]
+fn tables_can_be_extended() {
+    let builtin = ClassTable::builtin();
+    let text =
+        "mug_rack | furniture | | furniture | surface | 0.2 0.3 0.3 | 1 | | hook:6 | kitchen/on/kitchen_counter:1\n";
+    let table = builtin.extended("mine.txt", text).unwrap();
+    assert_eq!(table.len(), builtin.len() + 1);
+    let rack = table.get("SM_Mug_Rack_1").unwrap();
+    assert!(table.is_a("MugRack", "furniture") && rack.slots[0].kind == SlotKind::Hook);
+    assert_eq!(rack.kept[0].at, Some((Relation::On, "kitchen_counter".into())));
+    assert!(builtin.get("mug_rack").is_none_or(|c| &*c.name != "mug_rack"), "the built-in table is as it was");
+    let taken = builtin.extended("mine.txt", "couch | | | furniture | | | | | |").unwrap_err();
+    assert_eq!(
+        taken.to_string(),
+        "mine.txt, line 1, column `name`: `couch` is the name or alias of another class already"
+    );
+    assert!(builtin.extended("mine.txt", "").is_ok_and(|t| t.len() == builtin.len()));
 }

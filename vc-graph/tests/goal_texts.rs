@@ -15,10 +15,14 @@ fn fail(text: &str) -> GoalError {
 #[test]
 fn the_thesis_writes_counts_after_literals() {
     let goal = parse("On(apple, kitchentable), 3 & Closed(fridge)");
-    let [Goal::Count { literal, comparison: Comparison::AtLeast, number: 3 }, Goal::Literal(closed)] = goal.conjuncts() else {
+    let [Goal::Count { literal, comparison: Comparison::AtLeast, number: 3 }, Goal::Literal(closed)] = goal.conjuncts()
+    else {
         panic!("{goal:?}")
     };
-    assert_eq!((literal.to_string().as_str(), closed.to_string().as_str()), ("On(apple, kitchentable)", "Closed(fridge)"));
+    assert_eq!(
+        (literal.to_string().as_str(), closed.to_string().as_str()),
+        ("On(apple, kitchentable)", "Closed(fridge)")
+    );
     assert_eq!(parse("On(apple, table), 1"), parse("On(apple, table)"));
     assert_eq!(parse("On(plate, table), 1, Sit(chair), 2"), parse("On(plate, table) & Sit(chair), 2"));
     assert_eq!(parse("On(plate, table), Sit(chair)"), parse("On(plate, table) & Sit(chair)"));
@@ -58,7 +62,10 @@ fn formulas_of_the_embodied_agent_interface() {
         ("HOLDS_RH(character.65, cup.1)", "HoldsRight(me, cup.1)"),
         ("NEXT_TO(character.65, cat.1000)", "Near(me, cat.1000)"),
         ("FACING(character.65, tv.2) or not CLOSED(door.3)", "Facing(me, tv.2) | !Closed(door.3)"),
-        ("exists x0. (LOOKAT(x0)) then exists x1. (LIE(x1))", "(exists ?x0. did look_at(?x0)) then (exists ?x1. did lie(?x1))"),
+        (
+            "exists x0. (LOOKAT(x0)) then exists x1. (LIE(x1))",
+            "(exists ?x0. did look_at(?x0)) then (exists ?x1. did lie(?x1))",
+        ),
         ("forall x. (not ON(x) or CLEAN(x))", "forall ?x. !SwitchedOn(?x) | Clean(?x)"),
     ] {
         assert_eq!(Goal::from_eai(text).unwrap_or_else(|e| panic!("{text}: {e}")).to_string(), plain);
@@ -77,7 +84,10 @@ fn errors_say_where_and_what() {
         ("Open(door), many", "goal, character 11: expected `&`, `|`, `then` or the end, found `,`"),
         ("Open(door), = many", "goal, character 15: expected a number, found `many`"),
         ("Open(door), 99999999999", "goal, character 13: expected a number, found `99999999999`"),
-        ("Fly(bird)", "goal, character 1: unknown predicate `Fly`; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat)"),
+        (
+            "Fly(bird)",
+            "goal, character 1: unknown predicate `Fly`; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat)",
+        ),
         ("Open(door, box)", "goal, character 1: `Open` takes 1 things, 2 are given"),
         ("On(a, b, c)", "goal, character 1: `On` takes 2 things, 3 are given"),
         ("Clean(?p)", "goal, character 7: no forall or exists binds the variable `?p`"),

@@ -39,7 +39,9 @@ fn look_at(graph: &SceneGraph) {
         let _ = (graph.hidden_in(node.id()), graph.of_class(node.class()), graph.label(node.id()).to_string());
     }
     for &agent in graph.agents() {
-        graph.nodes().for_each(|n| drop((graph.near(agent, n.id()), graph.distance(agent, n.id()))));
+        for node in graph.nodes() {
+            let _ = (graph.near(agent, node.id()), graph.distance(agent, node.id()));
+        }
         let _ = graph.observe(agent, vc_graph::Scope::Room);
     }
 }

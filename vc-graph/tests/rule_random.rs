@@ -34,7 +34,8 @@ fn any_action(flat: &Flat, agent: NodeId, (verb, x, y): (usize, usize, usize)) -
 fn legal_action(flat: &Flat, agent: NodeId, (verb, x, y): (usize, usize, usize)) -> Option<Action> {
     let ids: Vec<NodeId> = flat.graph().nodes().map(Node::id).collect();
     let verb = Verb::ALL[verb % Verb::ALL.len()];
-    let things = |n: usize| (0..ids.len()).map(move |i| (i + n) % ids.len()).map(|i| flat.graph().nodes().nth(i).unwrap().id());
+    let things =
+        |n: usize| (0..ids.len()).map(move |i| (i + n) % ids.len()).map(|i| flat.graph().nodes().nth(i).unwrap().id());
     let legal = |action: &Action| refusals(flat.graph(), agent, action).is_empty();
     match verb.arity() {
         0 => Some(Action::zero(verb)).filter(legal),
@@ -71,7 +72,8 @@ fn sound(flat: &Flat) -> Result<(), TestCaseError> {
     prop_assert_eq!(flat.graph().validate(), []);
     let agents = flat.graph().agents().iter();
     for (agent, node) in agents.map(|&id| (id, flat.graph().node(id).unwrap())) {
-        let seated = flat.graph().related(agent, Relation::SittingOn).chain(flat.graph().related(agent, Relation::Inside));
+        let seated =
+            flat.graph().related(agent, Relation::SittingOn).chain(flat.graph().related(agent, Relation::Inside));
         prop_assert_eq!(node.is(State::Sitting), seated.count() == 1);
         prop_assert_eq!(node.is(State::Lying), flat.graph().related(agent, Relation::LyingOn).count() == 1);
         for held in flat.graph().held(agent) {
@@ -96,9 +98,11 @@ fn conditions(flat: &Flat, agent: NodeId) -> Vec<Condition> {
         if node.kind() == Kind::Room {
             continue;
         }
-        all.extend(flat.graph().held(agent).flat_map(|held| {
-            [Relation::On, Relation::Inside].map(|relation| Condition::Related(held, relation, id))
-        }));
+        all.extend(
+            flat.graph().held(agent).flat_map(|held| {
+                [Relation::On, Relation::Inside].map(|relation| Condition::Related(held, relation, id))
+            }),
+        );
     }
     all.extend([State::Sitting, State::Lying, State::Asleep].map(|s| Condition::In(agent, s)));
     all

@@ -10,6 +10,9 @@ use crate::{Property, Relation, State};
 const COLUMNS: [&str; 10] =
     ["name", "kind of", "aliases", "category", "affordances", "size", "mass", "starts", "slots", "kept"];
 
+/// Most classes that one may be a kind of, directly and indirectly.
+const DEEPEST: usize = 64;
+
 /// Where a class table is wrong.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{file}, line {line}, column `{column}`: {problem}")]
@@ -55,6 +58,9 @@ pub enum ClassProblem {
     /// A class is a kind of itself.
     #[error("`{0}` is a kind of itself")]
     Circle(String),
+    /// A class has too many ancestors.
+    #[error("`{0}` has more than {DEEPEST} ancestors")]
+    TooDeep(String),
     /// No name given.
     #[error("the name is missing or has characters other than letters, digits, `_` and `-`")]
     Name,
@@ -255,6 +261,10 @@ fn kinds(table: &ClassTable, first_new: usize, origins: &[Origin<'_>]) -> Result
             if index == class.index {
                 let origin = &origins[index.saturating_sub(first_new)];
                 return Err(origin.error(1, ClassProblem::Circle(class.name.to_string())));
+            }
+            if seen.len() > DEEPEST {
+                let origin = &origins[class.index.saturating_sub(first_new)];
+                return Err(origin.error(1, ClassProblem::TooDeep(class.name.to_string())));
             }
             if !seen.contains(&index) {
                 seen.push(index);

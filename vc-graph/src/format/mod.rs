@@ -67,6 +67,9 @@ pub enum Problem {
     /// A name that means nothing here.
     #[error("no object is called `{0}`")]
     NoSuchName(String),
+    /// A name that too many objects share.
+    #[error("{1} objects are called `{0}`; write its number as well, as in `{0}.7`")]
+    Ambiguous(String, usize),
     /// An asset that is not sound.
     #[error(transparent)]
     Asset(#[from] crate::asset::AssetError),

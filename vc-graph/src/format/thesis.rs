@@ -243,6 +243,9 @@ fn tidy(value: f64, digits: usize) -> String {
     if text == "-0" || text.is_empty() { "0".to_owned() } else { text.to_owned() }
 }
 
+/// When more objects share a name, relations must say which one they mean.
+const AMBIGUOUS: usize = 1000;
+
 /// Which objects a name can mean.
 struct Names<'f> {
     by_name: HashMap<&'f str, Vec<u32>>,
@@ -282,6 +285,10 @@ impl<'f> Names<'f> {
         });
         if let Some(id) = exact {
             return Ok(id);
+        }
+        let sharing = self.by_name.get(name).map_or(0, Vec::len);
+        if sharing > AMBIGUOUS {
+            return Err(Problem::Ambiguous(clip(name), sharing));
         }
         let ids = self.by_name.get(name).into_iter().flatten().map(|&id| NodeId(id)).filter(|&id| id != from);
         let far = |id: &NodeId| graph.distance(from, *id).map_or(u32::MAX, |d| (d * 1e3) as u32);

@@ -1,0 +1,28 @@
+//! A thesis scene that reads is written, and what is written reads. Names with
+//! spaces or words of relations in them do not come back the same.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use vc_graph::format::thesis;
+use vc_graph::{ClassTable, Node, SceneGraph};
+
+fn plain(node: &Node) -> bool {
+    let name = node.spec().name.as_deref().unwrap_or_default();
+    name.chars().all(|c| c.is_alphanumeric() || c == '_')
+}
+
+fn look(graph: &SceneGraph) -> Vec<(u32, String, u64)> {
+    graph.nodes().map(|n| (n.id().0, n.class().to_string(), n.states().bits())).collect()
+}
+
+fuzz_target!(|text: &str| {
+    let classes = ClassTable::builtin();
+    let Ok(graph) = thesis::read(text, &classes) else { return };
+    let _ = graph.validate();
+    let written = thesis::write(&graph);
+    if graph.nodes().all(plain) {
+        let again = thesis::read(&written, &classes).unwrap_or_else(|e| panic!("{e}\n{written}"));
+        assert_eq!(look(&again), look(&graph));
+        assert!(again.edges().eq(graph.edges()), "{written}");
+    }
+});

@@ -1,0 +1,50 @@
+//! The nodes met on a walk through the graph, in the order they were met.
+
+use std::collections::BTreeSet;
+
+use crate::NodeId;
+
+/// So many are kept without an allocation: support chains are short.
+const FEW: usize = 6;
+
+/// An ordered set that starts small and copes with any size.
+#[derive(Debug, Default)]
+pub(crate) struct Met {
+    few: [Option<NodeId>; FEW],
+    many: Vec<NodeId>,
+    all: BTreeSet<NodeId>,
+}
+
+impl Met {
+    /// Adds a node; `false` if it was met before.
+    pub(crate) fn add(&mut self, id: NodeId) -> bool {
+        for place in &mut self.few {
+            match place {
+                Some(met) if *met == id => return false,
+                Some(_) => {}
+                None => {
+                    *place = Some(id);
+                    return true;
+                }
+            }
+        }
+        let new = self.all.insert(id);
+        if new {
+            self.many.push(id);
+        }
+        new
+    }
+
+    /// The node met at a position.
+    pub(crate) fn get(&self, position: usize) -> Option<NodeId> {
+        match self.few.get(position) {
+            Some(id) => *id,
+            None => self.many.get(position - FEW).copied(),
+        }
+    }
+
+    /// All nodes met, in order.
+    pub(crate) fn into_vec(self) -> Vec<NodeId> {
+        self.few.into_iter().flatten().chain(self.many).collect()
+    }
+}
