@@ -34,7 +34,7 @@ fn check(error: &FormatError, line: usize, field: &str, text: &str) {
 
 #[test]
 fn malformed_json() {
-    check(&in_native(r#""name": "flat""#, r#""name" "flat""#), 1, "name", "expected `:`");
+    check(&in_native(r#""id": 2,"#, r#""id": two,"#), 4, "nodes[1].id", "expected ident");
     check(&in_thesis(r#""id": 2,"#, r#""id": two,"#), 4, "Apartment_0[1].id", "expected ident");
     check(&in_virtualhome(r#""id": 12,"#, r#""id": "twelve","#), 4, "nodes[1].id", "invalid type: string");
     let nothing = native::read("", &ClassTable::builtin()).unwrap_err();
@@ -44,7 +44,7 @@ fn malformed_json() {
 #[test]
 fn missing_and_unknown_fields() {
     check(&in_native(r#""class": "cup","#, ""), 9, "nodes[3]", "missing field `class`");
-    check(&in_native(r#""contents""#, r#""content""#), 9, "nodes[3].content", "unknown field `content`");
+    check(&in_native(r#""contents""#, r#""content""#), 8, "nodes[3].content", "unknown field `content`");
     check(&in_virtualhome(r#""class_name": "fridge", "#, ""), 7, "nodes[1]", "missing field `class_name`");
 }
 
@@ -131,13 +131,30 @@ fn shapes_that_are_none() {
     check(&in_native(r#""radius": 0.04"#, r#""radius": 0"#), 16, "assets[0]", "part `body` has a measure");
     check(&in_native(r#""material": 0"#, r#""material": 7"#), 16, "assets[0]", "uses material 7, the library has 1");
     check(&in_native(r#""axis": [0, 0, 1]"#, r#""axis": [0, 0, 0]"#), 16, "assets[0]", "a joint without axis");
-    for (field, number) in [("colour", "[0.4"), ("density", "700"), ("emission", "[0,")] {
-        let bad = number.replace(|c: char| c.is_ascii_digit() || c == '.', "");
-        let bad = if number.starts_with('[') { format!("[1e39{}", bad.trim_start_matches('[')) } else { "1e39".into() };
-        let from = format!(r#""{field}": {number}"#);
-        check(&in_native(&from, &format!(r#""{field}": {bad}"#)), 14, "materials[0]", "");
+}
+
+#[test]
+fn shapes_without_end() {
+    let cylinder = r#"{"cylinder": {"radius": 0.04, "half_height": 0.05}}"#;
+    for shape in [
+        r#"{"lathe": {"profile": [[1e39, 0], [1, 1]]}}"#,
+        r#"{"extrusion": {"outline": [[0, 0], [1e39, 0], [0, 1]], "height": 1}}"#,
+        r#"{"capsule": {"radius": 1, "half_height": 1e39}}"#,
+        r#"{"hull": {"points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1e39]]}}"#,
+    ] {
+        let read = native::read(&changed(NATIVE, cylinder, shape), &ClassTable::builtin());
+        assert!(read.is_err(), "{shape} is read");
     }
     check(&in_native(r#""limits": [0, 1.5]"#, r#""limits": [0, 1e39]"#), 16, "assets[0]", "");
+}
+
+#[test]
+fn materials_that_are_none() {
+    for (from, to) in
+        [("[0.4, 0.3", "[1e39, 0.3"), ("700", "1e39"), ("700", "-1e39"), (r#""friction": 0.5"#, r#""friction": 1e39"#)]
+    {
+        check(&in_native(from, to), 14, "materials[0]", "");
+    }
 }
 
 #[test]

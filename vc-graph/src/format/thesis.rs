@@ -15,6 +15,8 @@
 //!   class's typical size times the scale.
 //! - The class is found in the name, `SM_Coffee_Table_03`. Rooms are objects of a
 //!   room class; agents are of class `character`.
+//! - States add to those the class starts in: what opens is closed and what switches
+//!   is off, unless the file says otherwise.
 //! - In a relation, `NAME.ID` says which object is meant where several share a
 //!   name; a bare name means the nearest of them.
 //! - An object that is said to be in no room is in that of its support, else in
@@ -30,9 +32,7 @@ use super::{FormatError, Problem, Source};
 use crate::class::{Slot, SlotKind};
 use crate::node::Kind;
 use crate::vocabulary::clip;
-use crate::{
-    Bounds, ClassTable, Draft, Edge, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, StateSet, Word,
-};
+use crate::{Bounds, ClassTable, Draft, Edge, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Word};
 
 #[derive(Serialize, Deserialize)]
 struct ObjectFile {
@@ -139,14 +139,15 @@ impl ObjectFile {
         let location = numbers(0, ["X", "Y", "Z"])?;
         let rotation = numbers(1, ["P", "Y", "R"])?;
         let scale = numbers(2, ["X", "Y", "Z"])?.map(|v| v as f32);
-        let states = self.state.iter().map(|word| State::parse(word)).collect::<Result<StateSet, _>>();
+        let states = self.state.iter().map(|word| State::parse(word)).collect::<Result<Vec<State>, _>>();
         let class = classes.get(&self.name);
         let size = class.and_then(crate::Class::typical_size);
         let scale = Vector3::from(scale);
         Ok(Draft {
             class: class.map_or_else(|| self.name.as_str().into(), |c| c.name.clone()),
             name: Some(self.name.as_str().into()),
-            states: Some(states.map_err(|e| ("state", Problem::Word(e)))?),
+            // On top of those its class starts in: closed and off, unless said here.
+            entering: states.map_err(|e| ("state", Problem::Word(e)))?,
             pose: Some(from_unreal(location, rotation)),
             bounds: size.map(|s| Bounds::standing(s.component_mul(&scale.abs()))),
             scale: Some(scale),

@@ -342,7 +342,12 @@ impl Reader {
 
     fn term(&mut self) -> Result<Term, GoalError> {
         let unbound_at = self.at();
-        let name = self.name("a thing: a class, `cup.12`, `me`, `?x` or `_`")?;
+        let mut name = self.name("a thing: a class, `cup.12`, `me`, `?x` or `_`")?;
+        // `kitchen table` is written in two words as well.
+        while let Some(Token::Name(more)) = self.peek() {
+            name = format!("{name}_{more}");
+            self.next += 1;
+        }
         let variable = name.trim_start_matches('?');
         if self.bound.iter().any(|b| b == variable) {
             return Ok(Term::Variable(variable.to_owned()));

@@ -14,7 +14,7 @@ pub enum Condition<T = NodeId> {
     In(T, State),
     /// The thing is not in a state.
     NotIn(T, State),
-    /// The agent is near the thing, see [`SceneGraph::near`].
+    /// The agent is near the thing, see [`SceneGraph::near`](crate::SceneGraph::near).
     Near(T),
     /// The thing is in a room or is one: one can go there.
     Reachable(T),

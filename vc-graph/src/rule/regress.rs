@@ -10,7 +10,7 @@ use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
 /// Actions whose effects make a condition true for an agent, those first that need
 /// least in addition.
 /// What an action needs in turn is not looked at: regress through its
-/// [`preconditions`](super::preconditions).
+/// [`preconditions`].
 ///
 /// Empty when no action helps: an apple does not become a surface.
 ///
