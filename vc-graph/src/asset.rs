@@ -181,6 +181,9 @@ pub enum AssetError {
         /// How many there are.
         count: usize,
     },
+    /// A material has a figure that cannot be.
+    #[error("material `{0}` has a figure that is not finite or negative, or no density")]
+    BadMaterial(Arc<str>),
     /// A measure is not finite, negative or zero where it must not be.
     #[error("part `{0}` has a measure that is not finite or not positive")]
     BadMeasure(Arc<str>),
@@ -193,10 +196,16 @@ pub enum AssetError {
 }
 
 impl AssetLibrary {
-    /// Adds a material and returns its position.
-    pub fn add_material(&mut self, material: Material) -> u32 {
+    /// Adds a material after checking it, and returns its position.
+    ///
+    /// # Errors
+    /// [`AssetError::BadMaterial`].
+    pub fn add_material(&mut self, material: Material) -> Result<u32, AssetError> {
+        if !material.is_sound() {
+            return Err(AssetError::BadMaterial(material.name));
+        }
         self.materials.push(material);
-        self.materials.len() as u32 - 1
+        Ok(self.materials.len() as u32 - 1)
     }
 
     /// Adds an asset after checking it.
@@ -247,9 +256,19 @@ impl AssetLibrary {
     }
 }
 
+impl Material {
+    fn is_sound(&self) -> bool {
+        let single = [self.friction, self.restitution, self.roughness, self.metallic, self.transmission];
+        let mut all = self.colour.iter().chain(&self.emission).chain(&single);
+        all.all(|v| v.is_finite() && *v >= 0.0) && self.density.is_finite() && self.density > 0.0
+    }
+}
+
 impl Joint {
     fn is_sound(&self) -> bool {
-        (self.axis.norm() - 1.0).abs() < 1e-3 && self.limits.0 <= self.limits.1
+        let unit = (self.axis.norm() - 1.0).abs() < 1e-3;
+        let (low, high) = self.limits;
+        unit && low <= high && low.is_finite() && high.is_finite() && self.anchor.iter().all(|v| v.is_finite())
     }
 }
 
@@ -263,11 +282,18 @@ impl Shape {
             Self::Cylinder { radius, half_height } | Self::Cone { radius, half_height } => {
                 positive(*radius) && positive(*half_height)
             }
-            Self::Capsule { radius, half_height } => positive(*radius) && *half_height >= 0.0,
+            Self::Capsule { radius, half_height } => {
+                positive(*radius) && (positive(*half_height) || *half_height == 0.0)
+            }
             Self::Sphere { radius } => positive(*radius),
             Self::Hull { points } => points.len() >= 4 && points.iter().all(finite),
-            Self::Lathe { profile } => profile.len() >= 2 && profile.iter().all(|(r, z)| *r >= 0.0 && z.is_finite()),
-            Self::Extrusion { outline, height } => outline.len() >= 3 && positive(*height),
+            Self::Lathe { profile } => {
+                profile.len() >= 2 && profile.iter().all(|(r, z)| r.is_finite() && *r >= 0.0 && z.is_finite())
+            }
+            Self::Extrusion { outline, height } => {
+                let plane = outline.iter().all(|(x, y)| x.is_finite() && y.is_finite());
+                outline.len() >= 3 && plane && positive(*height)
+            }
             Self::Mesh { vertices, .. } => vertices.iter().all(finite),
         }
     }

@@ -85,7 +85,13 @@ fn feed(hash: &mut Fnv, node: &Node) {
     }
     if let Some(bounds) = &spec.bounds {
         bounds.offset.iter().chain(bounds.half.iter()).for_each(|v| hash.real(*v));
+        hash.number(bounds.frame as u64);
     }
+    spec.scale.iter().for_each(|v| hash.real(*v));
+    for slot in spec.slots.iter() {
+        hash.number((slot.kind as u64) << 32 | u64::from(slot.number));
+    }
+    hash.number(spec.asset.map_or(u64::MAX, |asset| u64::from(asset.0)));
     hash.number(node.out.len() as u64);
     for link in &node.out {
         hash.number((link.relation as u64) << 32 | u64::from(link.node.0));

@@ -44,6 +44,9 @@ pub enum EditError {
     /// A relation of this kind is not set by hand.
     #[error("`{0}` says where a thing is; use `place`, `hold` or `move_to_room`")]
     NotFree(Relation),
+    /// A relation of this kind does not say where a thing is.
+    #[error("`{0}` says not what a thing rests on, in or with; use `relate`, `hold` or `move_to_room`")]
+    NotAPlace(Relation),
     /// A room can only go when it is empty.
     #[error("{room} still contains {count} nodes, {first} among them; move or remove them first")]
     RoomNotEmpty {
@@ -97,6 +100,12 @@ impl<'g> Edit<'g> {
     fn check_kind(&self, id: NodeId, kind: Kind, needed: &'static str) -> Result<(), EditError> {
         let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
         if node.kind() == kind { Ok(()) } else { Err(EditError::WrongKind { node: node.label(), needed }) }
+    }
+
+    fn check_movable(&self, id: NodeId) -> Result<(), EditError> {
+        let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
+        let needed = "thing that can be in a room";
+        if node.kind() == Kind::Room { Err(EditError::WrongKind { node: node.label(), needed }) } else { Ok(()) }
     }
 
     /// Adds a node that is nowhere yet, with the next number.
@@ -247,9 +256,14 @@ impl<'g> Edit<'g> {
     /// all that rests on it, to the other's room.
     ///
     /// # Errors
-    /// [`EditError::NoSuchNode`], [`EditError::SupportCycle`].
+    /// [`EditError::NoSuchNode`], [`EditError::NotAPlace`], [`EditError::WrongKind`],
+    /// [`EditError::SupportCycle`].
     pub fn place(&mut self, id: NodeId, place: Place) -> Result<(), EditError> {
         self.check(place.at)?;
+        self.check_movable(id)?;
+        if !Relation::places().contains(&place.relation) {
+            return Err(EditError::NotAPlace(place.relation));
+        }
         if id == place.at || self.graph.rests_at(place.at, id) {
             let (thing, at) = (self.graph.label(id), self.graph.label(place.at));
             return Err(EditError::SupportCycle { thing, at });
@@ -257,7 +271,7 @@ impl<'g> Edit<'g> {
         self.detach(id)?;
         self.link(Edge::new(id, place.relation, place.at));
         match self.graph.room_of(place.at) {
-            Some(room) => self.move_to_room(id, room),
+            Some(room) => self.bring(id, room),
             None => Ok(()),
         }
     }
@@ -280,7 +294,7 @@ impl<'g> Edit<'g> {
             let edge = Edge::new(id, place.relation, place.at);
             self.link(if held { edge.reversed() } else { edge });
         }
-        room.map_or(Ok(()), |room| self.move_to_room(id, room))
+        room.map_or(Ok(()), |room| self.bring(id, room))
     }
 
     /// Puts a thing into an agent's free hand, the right one first. Holding what
@@ -304,7 +318,7 @@ impl<'g> Edit<'g> {
         self.detach(id)?;
         self.link(Edge::new(agent, hand, id));
         match self.graph.room_of(agent) {
-            Some(room) => self.move_to_room(id, room),
+            Some(room) => self.bring(id, room),
             None => Ok(()),
         }
     }
@@ -323,12 +337,24 @@ impl<'g> Edit<'g> {
         self.unrelate(id, &[Relation::Under, Relation::Touching])
     }
 
-    /// Brings a node, with all that rests on it, into a room.
+    /// Brings a node, with all that rests on it, into a room. What it rested on in
+    /// another room it leaves behind.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`], [`EditError::WrongKind`].
     pub fn move_to_room(&mut self, id: NodeId, room: NodeId) -> Result<(), EditError> {
-        self.check(id)?;
+        self.check_movable(id)?;
+        self.check_kind(room, Kind::Room, "room")?;
+        let elsewhere = |p: Place| self.graph.room_of(p.at) != Some(room);
+        if self.graph.places(id).any(elsewhere) {
+            self.detach(id)?;
+        }
+        self.bring(id, room)
+    }
+
+    /// As [`Edit::move_to_room`], with the node where it is.
+    fn bring(&mut self, id: NodeId, room: NodeId) -> Result<(), EditError> {
+        self.check_movable(id)?;
         self.check_kind(room, Kind::Room, "room")?;
         if self.graph.room_of(id) == Some(room) && self.graph.resting_at(id).next().is_none() {
             return Ok(());

@@ -38,7 +38,7 @@ pub const NEAR: f32 = 1.5;
 /// assert_eq!(graph.label(apple).to_string(), "apple.3");
 /// # Ok::<(), vc_graph::EditError>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct SceneGraph {
     pub(crate) name: Arc<str>,
     pub(crate) classes: Arc<ClassTable>,
@@ -413,6 +413,14 @@ fn add_sorted<T: Ord>(items: &mut Vec<T>, item: T) {
 fn remove_sorted<T: Ord>(items: &mut Vec<T>, item: T) {
     if let Ok(position) = items.binary_search(&item) {
         items.remove(position);
+    }
+}
+
+/// Says what scene it is; to see all of it, write it in some format.
+impl std::fmt::Debug for SceneGraph {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let digest = self.digest();
+        write!(f, "SceneGraph({}, {} nodes, digest {digest})", self.name, self.len())
     }
 }
 

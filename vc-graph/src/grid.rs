@@ -71,6 +71,9 @@ impl Grid {
     /// Nodes whose position is within `radius` of `centre`, in number order.
     pub(crate) fn within(&self, centre: Point3<f32>, radius: f32) -> Vec<NodeId> {
         let mut found = Vec::new();
+        if radius < 0.0 || radius.is_nan() {
+            return found;
+        }
         let near = |e: &&Entry| nalgebra::distance_squared(&e.at, &centre) <= radius * radius;
         let mut scan = |entries: &Arc<Vec<Entry>>| found.extend(entries.iter().filter(near).map(|e| e.id));
         let (low, high) = (centre.map(|v| v - radius), centre.map(|v| v + radius));

@@ -159,7 +159,7 @@ impl Node {
 
     /// How many places of a kind it has.
     pub fn slots(&self, kind: SlotKind) -> u32 {
-        self.spec.slots.iter().filter(|s| s.kind == kind).map(|s| s.number).sum()
+        self.spec.slots.iter().filter(|s| s.kind == kind).fold(0, |sum, s| sum.saturating_add(s.number))
     }
 
     /// Whether it is closed and what is inside therefore hidden.

@@ -120,7 +120,7 @@ impl SceneGraph {
             if place.relation == Relation::On && node.kind() == Kind::Object && !carries(at) {
                 found.push(Violation::NotASurface(node.label(), at.label()));
             }
-            if place.relation == Relation::Inside && !encloses(at) {
+            if place.relation == Relation::Inside && !encloses(at) && !soaks(at) {
                 found.push(Violation::NotAContainer(node.label(), at.label()));
             }
         }
@@ -198,6 +198,11 @@ impl Path {
 pub(crate) fn carries(node: &Node) -> bool {
     use Property::{Container, Heater, Lieable, Recipient, Sittable, Surface};
     [Surface, Sittable, Lieable, Container, Recipient, Heater].into_iter().any(|p| node.affords(p))
+}
+
+/// Whether a node takes up what is poured on it: a sponge, hands.
+pub(crate) fn soaks(node: &Node) -> bool {
+    node.affords(Property::Wiper) || node.affords(Property::BodyPart)
 }
 
 /// Whether things may be in a node.

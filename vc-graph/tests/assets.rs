@@ -50,7 +50,7 @@ fn shapes() -> Vec<Shape> {
 #[test]
 fn a_scene_keeps_its_shapes() {
     let mut library = AssetLibrary::default();
-    library.add_material(oak());
+    library.add_material(oak()).unwrap();
     let mut parts: Vec<Part> = shapes().into_iter().map(part).collect();
     parts[0].joint = Some(hinge(Vector3::z(), (0.0, 1.6)));
     let cabinet = library.add(Asset { name: "cabinet_1".into(), parts }).unwrap();
@@ -79,7 +79,7 @@ fn extents_enclose_the_shape() {
 #[test]
 fn unsound_parts_are_refused_by_name() {
     let mut library = AssetLibrary::default();
-    library.add_material(oak());
+    library.add_material(oak()).unwrap();
     let mut add = |part: Part| library.add(Asset { name: "bad".into(), parts: vec![part] }).unwrap_err();
     let ball = || part(Shape::Sphere { radius: 0.1 });
     assert_eq!(add(Part { material: 7, ..ball() }).to_string(), "part `part` uses material 7, the library has 1");

@@ -153,7 +153,7 @@ fn digest_tells_every_difference() {
 fn native_keeps_assets_and_materials() {
     let asset: Asset = serde_asset();
     let mut library = AssetLibrary::default();
-    library.add_material(material());
+    library.add_material(material()).unwrap();
     library.add(asset).unwrap();
     let mut scene = SceneBuilder::new("with shapes");
     scene.assets(std::sync::Arc::new(library.clone()));

@@ -95,7 +95,7 @@ fn older_virtualhome_numbers_name_the_instance_after_the_dot() {
 
 #[test]
 fn deep_goals_read_back() {
-    let text = "Open(door) & forall ?x. ".repeat(40) + "Open(?x)";
+    let text = "Open(door) & forall ?x. ".repeat(25) + "Open(?x)";
     let goal: Goal = text.parse().unwrap();
     assert_eq!(goal.to_string().parse(), Ok(goal));
 }

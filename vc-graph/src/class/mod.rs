@@ -176,7 +176,7 @@ impl Class {
 /// assert!(classes.is_a("coffeetable", "table"));
 /// # Ok::<(), &str>(())
 /// ```
-#[derive(Debug, Clone, Default)]
+#[derive(Clone, Default)]
 pub struct ClassTable {
     classes: Vec<Class>,
     by_name: HashMap<String, usize>,
@@ -199,6 +199,13 @@ const BUILTIN: &[(&str, &str)] = &[
     ("garden.txt", include_str!("../../data/classes/garden.txt")),
     ("vehicles.txt", include_str!("../../data/classes/vehicles.txt")),
 ];
+
+/// Says how many classes there are: the table is too long for a message.
+impl std::fmt::Debug for ClassTable {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "ClassTable({} classes)", self.len())
+    }
+}
 
 impl ClassTable {
     /// The built-in classes, read once per process (about a millisecond).
@@ -234,6 +241,12 @@ impl ClassTable {
         let whole = plain.then(|| self.by_name.get(name)).flatten();
         let found = whole.or_else(|| name::candidates(name).find_map(|c| self.by_name.get(&c)));
         found.map(|&i| &self.classes[i])
+    }
+
+    /// The class of a name up to case and separators; nothing is guessed.
+    pub(crate) fn exact(&self, name: &str) -> Option<&Class> {
+        let key: String = crate::vocabulary::folded(name).collect();
+        self.by_name.get(&key).map(|&i| &self.classes[i])
     }
 
     /// The class and all its kinds.

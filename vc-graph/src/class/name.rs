@@ -17,6 +17,20 @@ pub(super) fn candidates(name: &str) -> impl Iterator<Item = String> {
 }
 
 fn parts(name: &str) -> Vec<String> {
+    let mut found = with_singular(unnumbered(name));
+    found.extend(spans(name));
+    found
+}
+
+/// The name without an engine's prefixes and numbers: `SM_3D_Printer_02` as
+/// `3dprinter`.
+fn unnumbered(name: &str) -> String {
+    let pieces = name.split(|c: char| !c.is_alphanumeric()).map(|piece| folded(piece).collect::<String>());
+    pieces.filter(|p| !NOISE.contains(&p.as_str()) && !p.chars().all(|c| c.is_ascii_digit())).collect()
+}
+
+/// Runs of words of a name, longer before shorter and later before earlier.
+fn spans(name: &str) -> Vec<String> {
     let words = words(name);
     let meaning: Vec<&str> = words.iter().map(String::as_str).filter(|w| !NOISE.contains(w)).collect();
     if meaning.len() > LONGEST {

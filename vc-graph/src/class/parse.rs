@@ -154,13 +154,17 @@ fn parse_class(line: &str, origin: &Origin<'_>, index: usize) -> Result<Class, C
     let Ok(columns) = <[&str; 10]>::try_from(columns.as_slice()) else {
         return Err(origin.error(0, ClassProblem::Columns(columns.len())));
     };
-    if columns[0].is_empty() || !columns[0].chars().all(crate::id::is_class_char) {
+    if !is_name(columns[0]) {
         return Err(origin.error(0, ClassProblem::Name));
+    }
+    let aliases: Vec<&str> = columns[2].split([' ', ',']).filter(|a| !a.is_empty()).collect();
+    if !aliases.iter().all(|a| is_name(a)) {
+        return Err(origin.error(2, ClassProblem::Name));
     }
     Ok(Class {
         name: columns[0].into(),
         parents: columns[1].split_whitespace().map(Arc::from).collect(),
-        aliases: columns[2].split([' ', ',']).filter(|a| !a.is_empty()).map(Arc::from).collect(),
+        aliases: aliases.into_iter().map(Arc::from).collect(),
         category: Category::parse(columns[3]).map_err(|e| origin.error(3, e))?,
         affordances: words::<Property>(columns[4]).map_err(|e| origin.error(4, e))?,
         size: size(columns[5]).map_err(|e| origin.error(5, e))?,
@@ -170,6 +174,11 @@ fn parse_class(line: &str, origin: &Origin<'_>, index: usize) -> Result<Class, C
         kept: list(columns[9], kept).map_err(|e| origin.error(9, e))?,
         index,
     })
+}
+
+/// Whether a class can be found by a name.
+fn is_name(name: &str) -> bool {
+    name.chars().any(char::is_alphanumeric) && name.chars().all(crate::id::is_class_char)
 }
 
 fn list<T>(text: &str, item: impl Fn(&str) -> Result<T, ClassProblem>) -> Result<Vec<T>, ClassProblem> {

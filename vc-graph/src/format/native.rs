@@ -22,6 +22,7 @@ use super::serial::{BoundsFile, PoseFile};
 use super::{FormatError, Problem, Source};
 use crate::class::Slot;
 use crate::node::{Kind, Node, Spec};
+use crate::vocabulary::folded;
 use crate::{
     Asset, AssetId, AssetLibrary, ClassTable, Edge, EditError, NodeId, PropertySet, Relation, SceneBuilder, SceneGraph,
     Set, StateSet, Word, asset::Material,
@@ -83,6 +84,15 @@ enum KindFile {
     Object,
 }
 
+/// The kind of a node that says nothing but its category.
+fn implied(category: &str) -> KindFile {
+    match category {
+        "room" | "Rooms" => KindFile::Room,
+        "character" | "Characters" => KindFile::Agent,
+        _ => KindFile::Object,
+    }
+}
+
 /// Reads a scene.
 ///
 /// ```
@@ -111,7 +121,8 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
         if graph.node(node.id).is_some() {
             return Err(source.error(at(".id"), EditError::Duplicate(node.id)));
         }
-        let node = node.into_node().map_err(|field| source.error(at(field), Problem::Number(field[1..].to_owned())))?;
+        let node =
+            node.into_node(classes).map_err(|field| source.error(at(field), Problem::Number(field[1..].to_owned())))?;
         graph.insert(Arc::new(node));
     }
     let edges: Vec<Edge> = file.edges.into_iter().map(|(from, relation, to)| Edge { from, relation, to }).collect();
@@ -123,8 +134,8 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
 
 fn library(source: &Source<'_>, materials: Vec<Material>, assets: Vec<Asset>) -> Result<AssetLibrary, FormatError> {
     let mut library = AssetLibrary::default();
-    for material in materials {
-        library.add_material(material);
+    for (index, material) in materials.into_iter().enumerate() {
+        library.add_material(material).map_err(|e| source.error(format!("materials[{index}]"), e))?;
     }
     for (index, asset) in assets.into_iter().enumerate() {
         library.add(asset).map_err(|e| source.error(format!("assets[{index}]"), e))?;
@@ -184,7 +195,7 @@ impl From<&Node> for NodeFile {
             spelling: (spec.spelling != spec.class).then(|| spec.spelling.to_string()),
             name: spec.name.as_deref().map(str::to_owned),
             category: spec.category.to_string(),
-            kind: (kind != KindFile::Object).then_some(kind),
+            kind: (kind != implied(&spec.category)).then_some(kind),
             properties: (spec.properties != spec.affordances).then(|| words(spec.properties)),
             affordances: words(spec.affordances),
             states: words(node.states()),
@@ -200,21 +211,22 @@ impl From<&Node> for NodeFile {
 
 impl NodeFile {
     /// The node, or the field that is wrong.
-    fn into_node(self) -> Result<Node, &'static str> {
+    fn into_node(self, classes: &ClassTable) -> Result<Node, &'static str> {
         let affordances: PropertySet = self.affordances.into_iter().collect();
-        let kind = match (self.kind, self.category.as_str()) {
-            (Some(KindFile::Room), _) | (None, "room" | "Rooms") => Kind::Room,
-            (Some(KindFile::Agent), _) | (None, "character" | "Characters") => Kind::Agent,
-            _ => Kind::Object,
+        let kind = match self.kind.unwrap_or_else(|| implied(&self.category)) {
+            KindFile::Room => Kind::Room,
+            KindFile::Agent => Kind::Agent,
+            KindFile::Object => Kind::Object,
         };
         let scale = self.scale.unwrap_or([1.0; 3]);
         if !scale.iter().all(|v| v.is_finite()) {
             return Err(".scale");
         }
-        let class: Arc<str> = self.class.into();
+        let spelled: Arc<str> = self.class.into();
+        let unknown = || Arc::from(folded(&spelled).collect::<String>());
         let spec = Spec {
-            spelling: self.spelling.map_or_else(|| class.clone(), Into::into),
-            class,
+            class: classes.exact(&spelled).map_or_else(unknown, |c| c.name.clone()),
+            spelling: self.spelling.map_or(spelled, Into::into),
             name: self.name.map(Into::into),
             category: self.category.into(),
             kind,

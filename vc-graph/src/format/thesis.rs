@@ -47,6 +47,29 @@ struct ObjectFile {
     transform: [String; 3],
 }
 
+/// The file's keys and what is under them; a map would drop a key that occurs twice.
+struct Environments(Vec<(String, Vec<ObjectFile>)>);
+
+impl<'de> Deserialize<'de> for Environments {
+    fn deserialize<D: serde::Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        struct Entries;
+        impl<'de> serde::de::Visitor<'de> for Entries {
+            type Value = Environments;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("an object with one key, the environment's name, over a list of objects")
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, mut map: A) -> Result<Environments, A::Error> {
+                let mut entries = Vec::new();
+                while let Some(entry) = map.next_entry()? {
+                    entries.push(entry);
+                }
+                Ok(Environments(entries))
+            }
+        }
+        d.deserialize_map(Entries)
+    }
+}
+
 /// How relations are written.
 const PHRASES: &[(&str, Relation)] = &[
     ("supported by", Relation::On),
@@ -77,7 +100,7 @@ const PHRASES: &[(&str, Relation)] = &[
 /// objects that do not exist.
 pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
     let source = Source { format: "thesis scene", text };
-    let file: HashMap<String, Vec<ObjectFile>> = source.json()?;
+    let Environments(file) = source.json()?;
     let number = file.len();
     let mut environments = file.into_iter();
     let (Some((name, objects)), None) = (environments.next(), environments.next()) else {
@@ -113,7 +136,12 @@ pub fn write(graph: &SceneGraph) -> String {
     }
     let reference = |node: &Node| {
         let name = name_of(node);
-        if by_name.get(&name).is_some_and(|&n| n > 1) { format!("{name}.{}", node.id().0) } else { name }
+        // A dot in a name would be taken for the one before a number.
+        if name.contains('.') || by_name.get(&name).is_some_and(|&n| n > 1) {
+            format!("{name}.{}", node.id().0)
+        } else {
+            name
+        }
     };
     let objects = graph.nodes().map(|node| {
         let object = ObjectFile::of(graph, node, &reference);
@@ -262,18 +290,14 @@ impl<'f> Names<'f> {
     }
 
     fn edge(&self, graph: &SceneGraph, object: &ObjectFile, text: &str) -> Result<Edge, Problem> {
-        let phrase = |(phrase, relation): &(&str, Relation)| {
-            let (from, to) = text.split_once(&format!(" {phrase} "))?;
-            Some((from.trim(), *relation, to.trim()))
-        };
-        let Some((from, relation, to)) = PHRASES.iter().find_map(phrase) else {
-            let message = format!("expected a relation such as `A supported by B`, found `{}`", clip(text));
-            return Err(Problem::Shape(message));
-        };
-        if from != object.name && from != format!("{}.{}", object.name, object.id) {
-            let message = format!("expected a relation of {}, found one of `{}`", clip(&object.name), clip(from));
-            return Err(Problem::Shape(message));
-        }
+        let numbered = format!("{}.{}", object.name, object.id);
+        let rest = [&numbered, &object.name].into_iter().find_map(|own| {
+            let rest = text.strip_prefix(own.as_str())?.strip_prefix(' ')?;
+            PHRASES
+                .iter()
+                .find_map(|(phrase, relation)| Some((*relation, rest.strip_prefix(phrase)?.strip_prefix(' ')?)))
+        });
+        let Some((relation, to)) = rest else { return Err(no_relation(object, text)) };
         let (from, to) = (NodeId(object.id), self.find(graph, NodeId(object.id), to)?);
         let into_room = relation == Relation::Inside && graph.node(to).is_some_and(|n| n.kind() == Kind::Room);
         Ok(Edge { from, relation: if into_room { Relation::InRoom } else { relation }, to })
@@ -297,6 +321,14 @@ impl<'f> Names<'f> {
     }
 }
 
+fn no_relation(object: &ObjectFile, text: &str) -> Problem {
+    let other = PHRASES.iter().find_map(|(phrase, _)| text.split_once(&format!(" {phrase} ")));
+    Problem::Shape(match other {
+        Some((from, _)) => format!("expected a relation of {}, found one of `{}`", clip(&object.name), clip(from)),
+        None => format!("expected a relation such as `A supported by B`, found `{}`", clip(text)),
+    })
+}
+
 /// Gives a room to every object that is said to be in none.
 fn find_rooms(scene: &mut SceneBuilder) -> Result<(), crate::EditError> {
     let graph = scene.graph();
@@ -312,10 +344,12 @@ fn find_rooms(scene: &mut SceneBuilder) -> Result<(), crate::EditError> {
 }
 
 fn room_around(graph: &SceneGraph, id: NodeId) -> Option<NodeId> {
-    let supported = graph.support_chain(id).into_iter().find_map(|at| graph.room_of(at));
-    supported.or_else(|| {
+    let by_box = |id: NodeId| {
         let at = graph.node(id)?.position()?;
         let contains = |room: &&NodeId| graph.node(**room).and_then(Node::aabb).is_some_and(|b| b.contains(&at));
         graph.rooms().iter().find(contains).copied()
-    })
+    };
+    let supports = graph.support_chain(id);
+    let supported = supports.into_iter().find_map(|at| graph.room_of(at).or_else(|| by_box(at)));
+    supported.or_else(|| by_box(id))
 }

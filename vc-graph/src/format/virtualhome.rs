@@ -149,7 +149,7 @@ impl EnvironmentGraph {
 
     /// A scene as the format has it.
     pub fn of(graph: &SceneGraph) -> Self {
-        let mut edges: Vec<EnvironmentEdge> = graph.edges().filter_map(EnvironmentEdge::of).collect();
+        let mut edges: Vec<EnvironmentEdge> = graph.edges().filter_map(|e| EnvironmentEdge::of(graph, e)).collect();
         edges.sort_unstable();
         edges.dedup();
         Self { nodes: graph.nodes().map(EnvironmentNode::of).collect(), edges }
@@ -297,8 +297,10 @@ impl EnvironmentNode {
     fn of(node: &Node) -> Self {
         let spec = node.spec();
         let turned = |pose: &&Pose| {
-            // Version 1 has boxes only: no turn, and the pose is the box's centre.
-            spec.bounds.is_none_or(|b| b.offset != Vector3::zeros()) || pose.rotation != UnitQuaternion::identity()
+            // Version 1 has boxes only: no turn, no scale, the pose is the box's centre.
+            spec.bounds.is_none_or(|b| b.offset != Vector3::zeros())
+                || pose.rotation != UnitQuaternion::identity()
+                || spec.scale != Vector3::repeat(1.0)
         };
         Self {
             id: node.id().0,
@@ -346,8 +348,11 @@ impl EnvironmentEdge {
         Edge::new(from, relation, to)
     }
 
-    fn of(edge: Edge) -> Option<Self> {
+    fn of(graph: &SceneGraph, edge: Edge) -> Option<Self> {
+        let sits = || graph.node(edge.from).is_some_and(|n| n.is(State::Sitting));
         let relation_type = match edge.relation {
+            // Without the state, `ON` would be read as lying about.
+            Relation::SittingOn if !sits() => RelationType::Sitting,
             Relation::On | Relation::SittingOn | Relation::LyingOn | Relation::WornBy => RelationType::On,
             Relation::Inside | Relation::InRoom | Relation::PouredInto => RelationType::Inside,
             Relation::Between => RelationType::Between,

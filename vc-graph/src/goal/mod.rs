@@ -254,6 +254,16 @@ impl Goal {
         Self::Literal(Literal { predicate, terms })
     }
 
+    /// How many parts are within parts; 1 for a literal.
+    pub fn depth(&self) -> usize {
+        1 + match self {
+            Self::Literal(_) | Self::Count { .. } => 0,
+            Self::And(parts) | Self::Or(parts) | Self::Then(parts) => parts.iter().map(Self::depth).max().unwrap_or(0),
+            Self::Not(part) => part.depth(),
+            Self::ForAll(q) | Self::Exists(q) => q.body.depth(),
+        }
+    }
+
     /// The things the goal speaks of: the terms of its literals, and the classes its
     /// variables range over.
     pub fn terms(&self) -> Vec<Term> {

@@ -8,8 +8,11 @@ use crate::{NodeId, Relation, State, Verb};
 
 /// Longest goal that is read, bytes.
 const LONGEST: usize = 64 * 1024;
-/// Deepest nesting that is read.
-const DEEPEST: usize = 64;
+/// Deepest goal that is read: parts within parts.
+const DEEPEST: usize = 60;
+/// Deepest nesting in the text: a goal that is written may have a bracket for each
+/// part.
+const NESTED: usize = 2 * DEEPEST + 2;
 
 /// Where a goal is wrong.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -98,6 +101,7 @@ fn read(text: &str, dialect: Dialect) -> Result<Goal, GoalError> {
     let mut reader = Reader { tokens, next: 0, end: text.chars().count() + 1, dialect, bound: Vec::new(), depth: 0 };
     let goal = reader.goal()?;
     match reader.peek() {
+        None if goal.depth() > DEEPEST => Err(GoalError { at: 1, problem: GoalProblem::TooDeep }),
         None => Ok(goal),
         Some(_) => Err(reader.expected("`&`, `|`, `then` or the end")),
     }
@@ -207,15 +211,9 @@ impl Reader {
     }
 
     fn goal(&mut self) -> Result<Goal, GoalError> {
-        self.depth += 1;
-        if self.depth > DEEPEST {
-            return Err(self.error(GoalProblem::TooDeep));
-        }
-        let goal = self.list(&["then"], Goal::Then, |r| {
+        self.list(&["then"], Goal::Then, |r| {
             r.list(&["|", "||", "or"], Goal::Or, |r| r.list(&["&", "&&", ";", "and"], Goal::And, Self::unary))
-        });
-        self.depth -= 1;
-        goal
+        })
     }
 
     fn list(
@@ -242,14 +240,18 @@ impl Reader {
     }
 
     fn unary(&mut self) -> Result<Goal, GoalError> {
+        self.depth += 1;
+        if self.depth > NESTED {
+            return Err(self.error(GoalProblem::TooDeep));
+        }
+        let goal = self.simple();
+        self.depth -= 1;
+        goal
+    }
+
+    fn simple(&mut self) -> Result<Goal, GoalError> {
         if self.take(&["!", "not"]) {
-            self.depth += 1;
-            if self.depth > DEEPEST {
-                return Err(self.error(GoalProblem::TooDeep));
-            }
-            let part = self.unary();
-            self.depth -= 1;
-            return Ok(Goal::Not(Box::new(part?)));
+            return Ok(Goal::Not(Box::new(self.unary()?)));
         }
         if self.take(&["forall"]) {
             return self.quantified().map(Goal::ForAll);
@@ -272,8 +274,12 @@ impl Reader {
     }
 
     fn quantified(&mut self) -> Result<Quantified, GoalError> {
+        let not_a_variable = self.expected("a variable such as `?x`");
         let name = self.name("a variable such as `?x`")?;
-        let variable = name.trim_start_matches('?').to_owned();
+        let variable = name.strip_prefix('?').unwrap_or(&name).to_owned();
+        if variable.is_empty() || !variable.chars().all(is_name) {
+            return Err(not_a_variable);
+        }
         let class = if self.take(&[":"]) { Some(self.name("a class")?) } else { None };
         self.demand(".", "`.` after the variable")?;
         self.bound.push(variable.clone());

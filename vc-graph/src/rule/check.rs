@@ -4,7 +4,7 @@ use crate::class::SlotKind;
 use crate::node::{Kind, Node};
 use crate::rule::condition::Condition;
 use crate::rule::refusal::Refusal;
-use crate::validate::{carries, encloses};
+use crate::validate::{carries, encloses, soaks};
 use crate::{Action, Edge, NodeId, Place, Property, Relation, SceneGraph, State};
 
 /// Whether the action's agent and things exist and are as many as the verb takes.
@@ -17,7 +17,11 @@ pub(super) fn check_things(graph: &SceneGraph, agent: NodeId, action: &Action) -
     if takes != given {
         return Some(Refusal::Arity { verb, takes, given });
     }
-    action.things().find(|&id| graph.node(id).is_none()).map(Refusal::NoSuchThing)
+    if let Some(missing) = action.things().find(|&id| graph.node(id).is_none()) {
+        return Some(Refusal::NoSuchThing(missing));
+    }
+    let itself = action.object.filter(|_| action.object == action.target);
+    itself.map(|id| Refusal::WithItself(graph.label(id)))
 }
 
 /// Classes besides clothes that can be squeezed.
@@ -190,6 +194,10 @@ impl Scene<'_> {
             let (thing, by) = (self.graph.label(id), self.graph.label(place.at));
             return Err(Refusal::HeldByOther { thing, by });
         }
+        if let Some(by) = self.graph.related(id, Relation::WornBy).find(|&by| by != self.agent) {
+            let (thing, by) = (self.graph.label(id), self.graph.label(by));
+            return Err(Refusal::WornByOther { thing, by });
+        }
         require(!self.graph.rests_at(self.agent, id), || Refusal::RestingOnIt(self.graph.label(id)))
     }
 
@@ -235,8 +243,7 @@ impl Scene<'_> {
 
     fn receives(&self, id: NodeId) -> Result<(), Refusal> {
         let node = find(self.graph, id)?;
-        let takes = [Property::Recipient, Property::BodyPart, Property::Wiper].into_iter().any(|p| node.affords(p));
-        require(takes, || Refusal::NotAfforded(node.label(), "a recipient"))
+        require(soaks(node) || node.affords(Property::Recipient), || Refusal::NotAfforded(node.label(), "a recipient"))
     }
 
     fn on_heat(&self, id: NodeId) -> Result<(), Refusal> {

@@ -22,7 +22,7 @@ pub enum Condition<T = NodeId> {
     Accessible(T),
     /// The thing can be picked up.
     Graspable(T),
-    /// No other agent holds the thing, and the agent does not rest on it.
+    /// No other agent holds or wears the thing, and the agent does not rest on it.
     NotElsewhereHeld(T),
     /// The agent has a free hand.
     FreeHand,

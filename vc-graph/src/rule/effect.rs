@@ -153,21 +153,13 @@ const NEARNESS: [Relation; 5] =
 
 /// Leaves what was near and comes near what it goes to, taking along what it holds.
 fn go_to(edit: &mut Edit<'_>, agent: NodeId, id: NodeId) -> Result<(), EditError> {
-    edit.unrelate(agent, &NEARNESS)?;
-    edit.unrelate(agent, &[Relation::Facing])?;
-    let held: Vec<NodeId> = edit.graph().held(agent).collect();
     let Some(room) = edit.graph().room_of(id) else { return Ok(()) };
-    if edit.graph().room_of(agent) != Some(room) {
-        edit.move_to_room(agent, room)?;
-    }
-    let mut near = held.clone();
+    leave_behind(edit, agent);
+    edit.move_to_room(agent, room)?;
+    let mut near: Vec<NodeId> = edit.graph().held(agent).collect();
     if room != id {
         near.push(id);
         near.extend(at_hand_with(edit.graph(), id));
-    }
-    for thing in held {
-        edit.unrelate(thing, &NEARNESS)?;
-        edit.unrelate(thing, &[Relation::Facing])?;
     }
     for thing in near.into_iter().filter(|&thing| thing != agent) {
         edit.relate(Edge::new(agent, Relation::Near, thing))?;
@@ -176,6 +168,22 @@ fn go_to(edit: &mut Edit<'_>, agent: NodeId, id: NodeId) -> Result<(), EditError
         Some(pose) => edit.carry_to(agent, pose),
         None => Ok(()),
     }
+}
+
+/// Ends nearness between what moves with a node and what stays, and what it faced.
+fn leave_behind(edit: &mut Edit<'_>, id: NodeId) {
+    let moved = edit.graph().carried_with(id);
+    let mut ended = Vec::new();
+    for &part in &moved {
+        let Some(node) = edit.graph().node(part) else { continue };
+        let stays = |id: NodeId| !moved.contains(&id);
+        for relation in NEARNESS {
+            ended.extend(node.out(relation).filter(|&to| stays(to)).map(|to| Edge::new(part, relation, to)));
+            ended.extend(node.inc(relation).filter(|&from| stays(from)).map(|from| Edge::new(from, relation, part)));
+        }
+        ended.extend(node.out(Relation::Facing).map(|to| Edge::new(part, Relation::Facing, to)));
+    }
+    ended.into_iter().for_each(|edge| edit.unlink(edge));
 }
 
 /// What one comes near with a thing: what is on it, what is inside it unless it is
@@ -328,7 +336,7 @@ fn alight(edit: &mut Edit<'_>, agent: NodeId) -> Result<(), EditError> {
 
 fn drive(edit: &mut Edit<'_>, vehicle: NodeId, to: NodeId) -> Result<(), EditError> {
     edit.detach(vehicle)?;
-    edit.unrelate(vehicle, &NEARNESS)?;
+    leave_behind(edit, vehicle);
     if let Some(room) = edit.graph().room_of(to) {
         edit.move_to_room(vehicle, room)?;
         if room != to {

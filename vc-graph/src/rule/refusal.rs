@@ -13,6 +13,9 @@ pub enum Refusal {
     /// The one who is to act is no agent.
     #[error("{0} is no agent and cannot act")]
     NoAgent(Label),
+    /// One thing is named twice.
+    #[error("{0} is to be put on, in or with itself")]
+    WithItself(Label),
     /// Too few things are named.
     #[error("`{verb}` takes {takes} things, {given} are given")]
     Arity {
@@ -69,6 +72,14 @@ pub enum Refusal {
         /// The thing.
         thing: Label,
         /// Who holds it.
+        by: Label,
+    },
+    /// Another agent wears the thing.
+    #[error("{by} wears {thing}")]
+    WornByOther {
+        /// The thing.
+        thing: Label,
+        /// Who wears it.
         by: Label,
     },
     /// The agent would carry what it rests on.
