@@ -28,9 +28,15 @@ fn building(c: &mut Criterion) {
     let (classes, text) = (ClassTable::builtin(), virtualhome::write(&graph));
     let file: EnvironmentGraph = EnvironmentGraph::of(&graph);
     let own = native::write(&graph);
-    c.bench_function("build from parsed nodes and edges", |b| b.iter(|| file.build("scene", &classes).unwrap()));
-    c.bench_function("read VirtualHome JSON", |b| b.iter(|| virtualhome::read(black_box(&text), &classes).unwrap()));
-    c.bench_function("read native JSON", |b| b.iter(|| native::read(black_box(&own), &classes).unwrap()));
+    c.bench_function("build from parsed nodes and edges", |b| {
+        b.iter_with_large_drop(|| file.build("scene", &classes).unwrap())
+    });
+    c.bench_function("read VirtualHome JSON", |b| {
+        b.iter_with_large_drop(|| virtualhome::read(black_box(&text), &classes).unwrap())
+    });
+    c.bench_function("read native JSON", |b| {
+        b.iter_with_large_drop(|| native::read(black_box(&own), &classes).unwrap())
+    });
     c.bench_function("clone", |b| b.iter(|| graph.clone()));
     c.bench_function("clone and step", |b| {
         let (me, walk) = (graph.agents()[0], far_walk(&graph));

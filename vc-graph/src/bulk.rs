@@ -2,7 +2,7 @@
 //! each node's short list.
 
 use crate::node::Link;
-use crate::{Edge, NodeId, SceneGraph};
+use crate::{Edge, NodeId, Relation, SceneGraph};
 
 /// Adds edges to a graph; all or, if one ends nowhere, none: then its position and
 /// the missing node are returned.
@@ -31,9 +31,9 @@ fn add(graph: &mut SceneGraph, ids: &[NodeId], edges: &[Edge]) -> Result<Lists, 
     inc.reserve();
     for edge in edges {
         let at = |id| position(ids, id).unwrap_or(0);
-        out.put(at(edge.from), Link { relation: edge.relation, node: edge.to }.key());
+        out.put(at(edge.from), Link::new(edge.relation, edge.to));
         if !edge.relation.is_symmetric() {
-            inc.put(at(edge.to), Link { relation: edge.relation, node: edge.from }.key());
+            inc.put(at(edge.to), Link::new(edge.relation, edge.from));
         }
     }
     out.sort();
@@ -54,10 +54,10 @@ fn position(ids: &[NodeId], id: NodeId) -> Option<usize> {
 }
 
 /// Adds sorted links to a sorted list.
-fn merge(links: &mut Vec<Link>, more: &[u64]) {
+fn merge(links: &mut Vec<Link>, more: &[Link]) {
     let was_empty = links.is_empty();
     links.reserve_exact(more.len());
-    links.extend(more.iter().map(|&key| Link::from_key(key)));
+    links.extend_from_slice(more);
     if !was_empty {
         links.sort_unstable();
     }
@@ -70,12 +70,12 @@ struct Lists {
     starts: Vec<u32>,
     /// Where its next link goes.
     next: Vec<u32>,
-    keys: Vec<u64>,
+    links: Vec<Link>,
 }
 
 impl Lists {
     fn new(nodes: usize) -> Self {
-        Self { starts: vec![0; nodes + 1], next: Vec::new(), keys: Vec::new() }
+        Self { starts: vec![0; nodes + 1], next: Vec::new(), links: Vec::new() }
     }
 
     fn count(&mut self, node: usize) {
@@ -93,24 +93,24 @@ impl Lists {
             *start = sum;
         }
         self.next = self.starts.clone();
-        self.keys = vec![0; sum as usize];
+        self.links = vec![Link::new(Relation::On, NodeId(0)); sum as usize];
     }
 
-    fn put(&mut self, node: usize, key: u64) {
+    fn put(&mut self, node: usize, link: Link) {
         let next = &mut self.next[node];
-        self.keys[*next as usize] = key;
+        self.links[*next as usize] = link;
         *next += 1;
     }
 
     fn sort(&mut self) {
         for ends in self.starts.windows(2) {
-            self.keys[ends[0] as usize..ends[1] as usize].sort_unstable();
+            self.links[ends[0] as usize..ends[1] as usize].sort_unstable();
         }
         self.next.copy_from_slice(&self.starts);
     }
 
-    fn of(&self, node: usize) -> &[u64] {
-        &self.keys[self.starts[node] as usize..self.starts[node + 1] as usize]
+    fn of(&self, node: usize) -> &[Link] {
+        &self.links[self.starts[node] as usize..self.starts[node + 1] as usize]
     }
 
     /// Whether every symmetric link has its counterpart. Nodes are visited in
@@ -118,12 +118,12 @@ impl Lists {
     fn is_symmetric(&mut self, ids: &[NodeId]) -> bool {
         for (node, &id) in ids.iter().enumerate() {
             for index in self.starts[node]..self.starts[node + 1] {
-                let link = Link::from_key(self.keys[index as usize]);
-                if !link.relation.is_symmetric() {
+                let link = self.links[index as usize];
+                if !link.relation().is_symmetric() {
                     continue;
                 }
-                let back = Link { relation: link.relation, node: id }.key();
-                let other = position(ids, link.node);
+                let back = Link::new(link.relation(), id);
+                let other = position(ids, link.node());
                 if !other.is_some_and(|other| self.advance(other, back)) {
                     return false;
                 }
@@ -134,13 +134,13 @@ impl Lists {
 
     /// Moves a node's cursor on to a link; `false` if it is not there. Links of
     /// one relation come in order, so the cursor only goes back for another one.
-    fn advance(&mut self, node: usize, key: u64) -> bool {
+    fn advance(&mut self, node: usize, link: Link) -> bool {
         let end = self.starts[node + 1];
         let cursor = &mut self.next[node];
-        while *cursor < end && self.keys[*cursor as usize] < key {
+        while *cursor < end && self.links[*cursor as usize] < link {
             *cursor += 1;
         }
-        let found = *cursor < end && self.keys[*cursor as usize] == key;
-        found || self.of(node).binary_search(&key).is_ok()
+        let found = *cursor < end && self.links[*cursor as usize] == link;
+        found || self.of(node).binary_search(&link).is_ok()
     }
 }

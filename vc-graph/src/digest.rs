@@ -94,6 +94,6 @@ fn feed(hash: &mut Fnv, node: &Node) {
     hash.number(spec.asset.map_or(u64::MAX, |asset| u64::from(asset.0)));
     hash.number(node.out.len() as u64);
     for link in &node.out {
-        hash.number((link.relation as u64) << 32 | u64::from(link.node.0));
+        hash.number((link.relation() as u64) << 32 | u64::from(link.node().0));
     }
 }

@@ -136,8 +136,8 @@ impl<'g> Edit<'g> {
             let (room, first) = (node.label(), self.graph.label(first));
             return Err(EditError::RoomNotEmpty { room, count: self.graph.in_room(id).count(), first });
         }
-        let out = node.out.iter().map(|l| Edge::new(id, l.relation, l.node));
-        let inc = node.inc.iter().map(|l| Edge::new(l.node, l.relation, id));
+        let out = node.out.iter().map(|l| Edge::new(id, l.relation(), l.node()));
+        let inc = node.inc.iter().map(|l| Edge::new(l.node(), l.relation(), id));
         let edges: Vec<Edge> = out.chain(inc).collect();
         for edge in edges {
             self.unlink(edge);
@@ -246,8 +246,8 @@ impl<'g> Edit<'g> {
     /// [`EditError::NoSuchNode`].
     pub fn unrelate(&mut self, id: NodeId, relations: &[Relation]) -> Result<(), EditError> {
         let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
-        let chosen = node.out.iter().filter(|l| relations.contains(&l.relation));
-        let edges: Vec<Edge> = chosen.map(|l| Edge::new(id, l.relation, l.node)).collect();
+        let chosen = node.out.iter().filter(|l| relations.contains(&l.relation()));
+        let edges: Vec<Edge> = chosen.map(|l| Edge::new(id, l.relation(), l.node())).collect();
         edges.into_iter().for_each(|edge| self.unlink(edge));
         Ok(())
     }

@@ -180,7 +180,7 @@ impl SceneGraph {
 
     /// All relations, by start, kind and end; symmetric ones occur both ways.
     pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
-        self.nodes().flat_map(|n| n.out.iter().map(|l| Edge::new(n.id, l.relation, l.node)))
+        self.nodes().flat_map(|n| n.out.iter().map(|l| Edge::new(n.id, l.relation(), l.node())))
     }
 
     /// What an agent holds, the right hand first.
@@ -379,8 +379,8 @@ impl SceneGraph {
 
     fn each_end(&mut self, edge: Edge, write: fn(&mut Vec<Link>, Link)) -> bool {
         let Some(node) = self.nodes.get_mut(edge.from) else { return false };
-        write(&mut node.out, Link { relation: edge.relation, node: edge.to });
-        let back = Link { relation: edge.relation, node: edge.from };
+        write(&mut node.out, Link::new(edge.relation, edge.to));
+        let back = Link::new(edge.relation, edge.from);
         match self.nodes.get_mut(edge.to) {
             Some(node) if edge.relation.is_symmetric() => write(&mut node.out, back),
             Some(node) => write(&mut node.inc, back),

@@ -122,7 +122,7 @@ impl Observation {
 
     /// The relations whose both ends are seen.
     pub fn relations(&self) -> impl Iterator<Item = Edge> + '_ {
-        let edges = self.nodes().flat_map(|n| n.out.iter().map(|l| Edge::new(n.id, l.relation, l.node)));
+        let edges = self.nodes().flat_map(|n| n.out.iter().map(|l| Edge::new(n.id, l.relation(), l.node())));
         edges.filter(|e| self.sees(e.to))
     }
 
@@ -151,8 +151,8 @@ impl Observation {
         part.assets = of.assets.clone();
         for node in &self.nodes {
             let mut node = Node::clone(node);
-            node.out.retain(|l| self.sees(l.node));
-            node.inc.retain(|l| self.sees(l.node));
+            node.out.retain(|l| self.sees(l.node()));
+            node.inc.retain(|l| self.sees(l.node()));
             part.insert(Arc::new(node));
         }
         part

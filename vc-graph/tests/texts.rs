@@ -101,6 +101,17 @@ fn deep_goals_read_back() {
 }
 
 #[test]
+fn odd_classes_read_back() {
+    for text in
+        ["forall ?q. Inside(p, v ?q)", "On(ch #a.65, b)", "On(p *u, b)", "On(kitchen table, b)", "On(#pple?, b)"]
+    {
+        if let Ok(goal) = text.parse::<Goal>() {
+            assert_eq!(goal.to_string().parse(), Ok(goal), "{text}");
+        }
+    }
+}
+
+#[test]
 fn odd_variables_read_back() {
     for text in ["forall #12. Open(#12)", "forall *. Open(*)", "exists x.1. Open(x.1)", "exists ?. Open(?)"] {
         if let Ok(goal) = text.parse::<Goal>() {

@@ -197,8 +197,8 @@ impl ObjectFile {
     fn of(graph: &SceneGraph, node: &Node, reference: &impl Fn(&Node) -> String) -> Self {
         let own = reference(node);
         let relation = node.out.iter().filter_map(|link| {
-            let to = graph.node(link.node)?;
-            let relation = if link.relation == Relation::InRoom { Relation::Inside } else { link.relation };
+            let to = graph.node(link.node())?;
+            let relation = if link.relation() == Relation::InRoom { Relation::Inside } else { link.relation() };
             let phrase = PHRASES.iter().find(|(_, r)| *r == relation)?.0;
             Some(format!("{own} {phrase} {}", reference(to)))
         });
