@@ -8,29 +8,53 @@ use crate::{Edge, NodeId, Relation, SceneGraph};
 /// the missing node are returned.
 pub(crate) fn link(graph: &mut SceneGraph, edges: &[Edge]) -> Result<(), (usize, NodeId)> {
     let ids: Vec<NodeId> = graph.nodes().map(crate::Node::id).collect();
-    let mut out = add(graph, &ids, edges)?;
-    if !out.is_symmetric(&ids) {
+    let (first, count) = (ids.first().map_or(0, |id| id.0), ids.len());
+    let dense = ids.last().is_none_or(|last| (last.0 - first) as usize + 1 == count);
+    if dense {
+        // Numbers without gaps, as most scenes have them, are positions already.
+        let position = |id: NodeId| Some(id.0.wrapping_sub(first) as usize).filter(|&p| p < count);
+        link_at(graph, &ids, edges, position)
+    } else {
+        link_at(graph, &ids, edges, |id| ids.binary_search(&id).ok())
+    }
+}
+
+fn link_at(
+    graph: &mut SceneGraph,
+    ids: &[NodeId],
+    edges: &[Edge],
+    position: impl Fn(NodeId) -> Option<usize> + Copy,
+) -> Result<(), (usize, NodeId)> {
+    let mut out = add(graph, ids, edges, position)?;
+    if !out.is_symmetric(ids, position) {
         let symmetric = edges.iter().filter(|e| e.relation.is_symmetric());
         let back: Vec<Edge> = symmetric.map(|e| e.reversed()).collect();
-        add(graph, &ids, &back)?;
+        add(graph, ids, &back, position)?;
     }
     Ok(())
 }
 
 /// Adds both ends of edges, of symmetric ones only the start, and returns the
 /// links by the node they start from.
-fn add(graph: &mut SceneGraph, ids: &[NodeId], edges: &[Edge]) -> Result<Lists, (usize, NodeId)> {
+fn add(
+    graph: &mut SceneGraph,
+    ids: &[NodeId],
+    edges: &[Edge],
+    position: impl Fn(NodeId) -> Option<usize>,
+) -> Result<Lists, (usize, NodeId)> {
     let (mut out, mut inc) = (Lists::new(ids.len()), Lists::new(ids.len()));
     for (index, edge) in edges.iter().enumerate() {
-        let find = |id| position(ids, id).ok_or((index, id));
+        let find = |id| position(id).ok_or((index, id));
         out.count(find(edge.from)?);
         let end = find(edge.to)?;
-        inc.count_if(end, !edge.relation.is_symmetric());
+        if !edge.relation.is_symmetric() {
+            inc.count(end);
+        }
     }
     out.reserve();
     inc.reserve();
     for edge in edges {
-        let at = |id| position(ids, id).unwrap_or(0);
+        let at = |id| position(id).unwrap_or(0);
         out.put(at(edge.from), Link::new(edge.relation, edge.to));
         if !edge.relation.is_symmetric() {
             inc.put(at(edge.to), Link::new(edge.relation, edge.from));
@@ -45,12 +69,6 @@ fn add(graph: &mut SceneGraph, ids: &[NodeId], edges: &[Edge]) -> Result<Lists, 
         }
     }
     Ok(out)
-}
-
-/// Where a node stands among sorted numbers, which mostly have no gaps.
-fn position(ids: &[NodeId], id: NodeId) -> Option<usize> {
-    let guess = id.0.wrapping_sub(ids.first()?.0) as usize;
-    if ids.get(guess) == Some(&id) { Some(guess) } else { ids.binary_search(&id).ok() }
 }
 
 /// Adds sorted links to a sorted list.
@@ -82,10 +100,6 @@ impl Lists {
         self.starts[node + 1] += 1;
     }
 
-    fn count_if(&mut self, node: usize, counts: bool) {
-        self.starts[node + 1] += u32::from(counts);
-    }
-
     fn reserve(&mut self) {
         let mut sum = 0;
         for start in &mut self.starts {
@@ -113,18 +127,25 @@ impl Lists {
         &self.links[self.starts[node] as usize..self.starts[node + 1] as usize]
     }
 
-    /// Whether every symmetric link has its counterpart. Nodes are visited in
-    /// order, so the counterparts of a node's links occur in order as well.
-    fn is_symmetric(&mut self, ids: &[NodeId]) -> bool {
+    /// Whether every symmetric link has its counterpart, in one pass: nodes come in
+    /// order, so each finds the links to smaller ones ticked off already and ticks
+    /// off its own at the larger ones. Of nodes with two kinds of symmetric links
+    /// it says no, which costs the caller time and nothing else.
+    fn is_symmetric(&mut self, ids: &[NodeId], position: impl Fn(NodeId) -> Option<usize>) -> bool {
+        let first = Link::new(Relation::Touching, NodeId(0));
+        for node in 0..ids.len() {
+            self.next[node] += self.of(node).partition_point(|&link| link < first) as u32;
+        }
         for (node, &id) in ids.iter().enumerate() {
-            for index in self.starts[node]..self.starts[node + 1] {
+            for index in self.next[node]..self.starts[node + 1] {
                 let link = self.links[index as usize];
                 if !link.relation().is_symmetric() {
-                    continue;
+                    break;
                 }
-                let back = Link::new(link.relation(), id);
-                let other = position(ids, link.node());
-                if !other.is_some_and(|other| self.advance(other, back)) {
+                let to_larger = link.node() > id;
+                let counterpart = Link::new(link.relation(), id);
+                let other = position(link.node()).filter(|_| to_larger);
+                if link.node() != id && !other.is_some_and(|other| self.tick_off(other, counterpart)) {
                     return false;
                 }
             }
@@ -132,15 +153,11 @@ impl Lists {
         true
     }
 
-    /// Moves a node's cursor on to a link; `false` if it is not there. Links of
-    /// one relation come in order, so the cursor only goes back for another one.
-    fn advance(&mut self, node: usize, link: Link) -> bool {
-        let end = self.starts[node + 1];
-        let cursor = &mut self.next[node];
-        while *cursor < end && self.links[*cursor as usize] < link {
-            *cursor += 1;
-        }
-        let found = *cursor < end && self.links[*cursor as usize] == link;
-        found || self.of(node).binary_search(&link).is_ok()
+    /// Passes over a node's next link if it is this one.
+    fn tick_off(&mut self, node: usize, link: Link) -> bool {
+        let next = &mut self.next[node];
+        let found = *next < self.starts[node + 1] && self.links[*next as usize] == link;
+        *next += u32::from(found);
+        found
     }
 }

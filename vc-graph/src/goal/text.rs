@@ -350,7 +350,11 @@ impl Reader {
         let unbound_at = self.at();
         let mut name = self.name("a thing: a class, `cup.12`, `me`, `?x` or `_`")?;
         // `kitchen table` is written in two words as well.
-        while let Some(Token::Name(more)) = self.peek() {
+        let plain = |word: &str| word.chars().all(is_name);
+        while let Some(Token::Name(more)) = self.peek().filter(|_| plain(&name)) {
+            if !plain(more) {
+                break;
+            }
             name = format!("{name}_{more}");
             self.next += 1;
         }
