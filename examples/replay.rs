@@ -34,6 +34,8 @@ struct Options {
 struct Tally {
     programs: usize,
     executable: usize,
+    /// Programs whose expected result is known, and those that came out so.
+    compared: usize,
     same: usize,
 }
 
@@ -56,7 +58,10 @@ fn main() -> Result<(), Complaint> {
             say!("{}: {}", file.display(), run.verdict());
         }
     }
-    say!("\n{} programs, {} executable, {} with the expected result", tally.programs, tally.executable, tally.same);
+    say!("\n{} programs, {} executable", tally.programs, tally.executable);
+    if tally.compared > 0 {
+        say!("{} of {} compared have the expected result", tally.same, tally.compared);
+    }
     Ok(())
 }
 
@@ -80,6 +85,7 @@ fn replay_records(
         let shown = describe(&difference, &run.scene, options.all);
         tally.programs += 1;
         tally.executable += usize::from(run.refused.is_none());
+        tally.compared += 1;
         tally.same += usize::from(run.refused.is_none() && shown.is_empty());
         bar.suspend(|| {
             say!("{} {}: {}", record.id, record.title, run.verdict());
