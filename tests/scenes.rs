@@ -67,6 +67,23 @@ fn every_class_of_the_scenes_is_known() {
     }
 }
 
+/// All that occurs in the programs' scenes: what is said to be known is what it is
+/// called, not something guessed from a part of its name.
+#[test]
+fn every_class_of_the_programs_is_known() {
+    let Some(text) = common::text("eai/programs_dev.jsonl.gz") else { return };
+    let classes = ClassTable::builtin();
+    let records = text.lines().map(|line| vc_graph::format::eai::read_record(line).unwrap());
+    let names: BTreeSet<String> = records.flat_map(|r| r.initial.nodes.into_iter().map(|n| n.class_name)).collect();
+    let same = |a: &str, b: &str| a.replace(['_', '-'], "").eq_ignore_ascii_case(&b.replace(['_', '-'], ""));
+    let called = |class: &vc_graph::Class, name: &str| {
+        same(&class.name, name) || class.aliases.iter().any(|alias| same(alias, name))
+    };
+    let unknown: Vec<&String> = names.iter().filter(|n| !classes.get(n).is_some_and(|c| called(c, n))).collect();
+    assert!(names.len() > 200, "{}", names.len());
+    assert!(unknown.is_empty(), "{unknown:?}");
+}
+
 /// What is wrong with other people's scenes is listed, not refused.
 #[test]
 fn violations_of_the_scenes_are_of_known_kinds() {

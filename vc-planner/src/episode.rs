@@ -81,32 +81,40 @@ pub fn run_episode(
     scope: Scope,
     mut watch: impl FnMut(&Step),
 ) -> Episode {
-    for number in 1.. {
+    let mut done = 0;
+    let (outcome, reason) = loop {
         let seen = world.graph().observe(id, scope);
         let learned = agent.see(&seen);
         let (action, plan) = match agent.decide() {
-            Decision::Act(_, _) if number > task.step_limit => {
-                return end(world, id, task, Outcome::TimedOut, number - 1, Some("step limit reached".into()));
+            Decision::Act(..) if done == task.step_limit => {
+                break (Outcome::TimedOut, Some("step limit reached".into()));
             }
             Decision::Act(action, plan) => (action, plan),
-            Decision::Done => return end(world, id, task, Outcome::Lost, number - 1, None),
-            Decision::GiveUp(why) => return end(world, id, task, Outcome::Lost, number - 1, Some(why.to_string())),
+            Decision::Done => break (Outcome::Lost, None),
+            Decision::GiveUp(why) => break (Outcome::Lost, Some(why.to_string())),
         };
         let label = |&id: &NodeId| world.graph().label(id);
-        let (room, found) = (seen.room().as_ref().map(label), learned.found.iter().map(label).collect());
-        let disproved = learned.disproved.iter().map(label).collect();
-        let described = action.describe(world.graph()).to_string();
-        let believed = agent.guesses().iter().map(|&(id, place)| guess(world, id, place)).collect();
-        let places = agent.belief().possible_places().count();
-        let plan = plan.actions.iter().map(|a| a.describe(world.graph()).to_string()).collect();
+        let mut step = Step {
+            step: done + 1,
+            room: seen.room().as_ref().map(label),
+            found: learned.found.iter().map(label).collect(),
+            disproved: learned.disproved.iter().map(label).collect(),
+            believed: agent.guesses().iter().map(|&(id, place)| guess(world, id, place)).collect(),
+            places: agent.belief().possible_places().count(),
+            plan: plan.actions.iter().map(|a| a.describe(world.graph()).to_string()).collect(),
+            action,
+            described: action.describe(world.graph()).to_string(),
+            digest: String::new(),
+        };
         if let Err(refusals) = world.step(id, &action) {
-            return end(world, id, task, Outcome::Aborted, number - 1, Some(refused(&described, &refusals)));
+            break (Outcome::Aborted, Some(refused(&step.described, &refusals)));
         }
         agent.did(&action);
-        let digest = world.graph().digest().to_string();
-        watch(&Step { step: number, room, found, disproved, believed, places, plan, action, described, digest });
-    }
-    end(world, id, task, Outcome::TimedOut, task.step_limit, None)
+        step.digest = world.graph().digest().to_string();
+        watch(&step);
+        done += 1;
+    };
+    end(world, id, task, outcome, done, reason)
 }
 
 fn guess(world: &Simulator, id: NodeId, place: Option<Place>) -> String {

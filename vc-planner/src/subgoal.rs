@@ -162,37 +162,36 @@ impl View<'_> {
 
     /// So many different things must satisfy a literal.
     fn at_least(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
+        if literal.terms.is_empty() {
+            let done = self.now.holds(literal.predicate, [None, None]);
+            let options = self.wants(literal.predicate, [None, None]);
+            return Ok((!done).then_some(Subgoal { options }).into_iter().collect());
+        }
         let choices = self.choices(literal, bound);
-        let mut met = 0;
-        let mut options: Vec<(NodeId, Vec<Want>)> = Vec::new();
-        for (counted, things) in &choices {
-            let holds = |t: &&[Option<NodeId>; 2]| self.now.holds(literal.predicate, **t);
-            match things.iter().find(holds) {
-                Some(t) if self.is_known(literal, t) => met += 1,
-                Some(t) => options.push((*counted, self.to_see(literal, t))),
-                None => {
-                    options.push((*counted, things.iter().flat_map(|t| self.wants(literal.predicate, *t)).collect()))
-                }
-            }
-        }
-        if choices.is_empty() && self.now.holds(literal.predicate, [None, None]) {
-            return Ok(Vec::new());
-        }
-        if choices.is_empty() && literal.terms.is_empty() {
-            let wants = self.wants(literal.predicate, [None, None]);
-            return Ok(vec![Subgoal { options: wants }]);
-        }
         if choices.len() < number {
             return Err(Unreachable::NoInstance(goal.to_string()));
         }
-        let missing = number.saturating_sub(met);
-        let mut options: Vec<Want> = options.into_iter().flat_map(|(_, wants)| wants).collect();
-        options.sort_by_cached_key(|w| self.cost(w));
-        if missing > 0 && options.is_empty() {
+        let mut met = 0;
+        let mut options: Vec<Want> = Vec::new();
+        for (_, things) in &choices {
+            let holding = || things.iter().filter(|t| self.now.holds(literal.predicate, **t));
+            if holding().any(|t| self.is_known(literal, t)) {
+                met += 1;
+            } else if let Some(guessed) = holding().next() {
+                options.extend(self.to_see(literal, guessed));
+            } else {
+                options.extend(things.iter().flat_map(|t| self.wants(literal.predicate, *t)));
+            }
+        }
+        if met >= number {
+            return Ok(Vec::new());
+        }
+        if options.is_empty() {
             return Err(Unreachable::NoPlan(goal.to_string()));
         }
+        options.sort_by_cached_key(|w| self.cost(w));
         // One subgoal for all that are missing: after each the rest is counted anew.
-        Ok((missing > 0).then_some(Subgoal { options }).into_iter().collect())
+        Ok(vec![Subgoal { options }])
     }
 
     /// At most so many things may satisfy a literal.

@@ -12,7 +12,6 @@
 //! One node and one edge a line. Metres, kilograms, right-handed, Z up, X forward;
 //! quaternions x, y, z, w.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -242,13 +241,4 @@ impl NodeFile {
         let contents = self.contents.map(Into::into);
         Ok(Node { id: self.id, spec: Arc::new(spec), states, pose, contents, out: Vec::new(), inc: Vec::new() })
     }
-}
-
-/// How many nodes there are of each class, for listings.
-pub fn inventory(graph: &SceneGraph) -> BTreeMap<Arc<str>, usize> {
-    let mut counts = BTreeMap::new();
-    for node in graph.nodes() {
-        *counts.entry(node.class().clone()).or_default() += 1;
-    }
-    counts
 }

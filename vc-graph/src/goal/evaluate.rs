@@ -15,7 +15,7 @@ pub struct Situation<'a> {
 }
 
 /// Things chosen for the terms of a literal; unused places are `None`.
-pub type Term3 = [Option<NodeId>; 2];
+pub type Things = [Option<NodeId>; 2];
 
 /// Variables bound so far, innermost last.
 type Bindings<'g> = Vec<(&'g str, NodeId)>;
@@ -39,7 +39,7 @@ impl<'a> Situation<'a> {
 
     /// Whether a predicate holds of things. For what was done, `None` stands for
     /// anything.
-    pub fn holds(&self, predicate: Predicate, things: Term3) -> bool {
+    pub fn holds(&self, predicate: Predicate, things: Things) -> bool {
         match (predicate, things) {
             (Predicate::State(state), [Some(id), _]) => self.graph.node(id).is_some_and(|n| n.is(state)),
             (Predicate::Holds, [Some(agent), Some(id)]) => self.graph.held(agent).any(|h| h == id),

@@ -35,7 +35,7 @@ use std::fmt;
 use crate::vocabulary::Word;
 use crate::{NodeId, Relation, State, Verb};
 
-pub use evaluate::{Situation, Term3};
+pub use evaluate::{Situation, Things};
 pub use text::{GoalError, GoalProblem};
 
 /// A goal.
