@@ -65,9 +65,11 @@ pub enum Shape {
         #[serde(with = "serial::points")]
         points: Vec<Point3<f32>>,
     },
-    /// A profile turned around Z.
+    /// A profile turned around Z: a line along the surface from below and outside to
+    /// above and inside. Where it starts or ends off the axis a flat disc closes it,
+    /// so a cup is `[(r, 0), (r, h), (r - t, h), (r - t, t)]`.
     Lathe {
-        /// Radius and height of each point of the profile, bottom to top.
+        /// Radius and height of each point of the profile.
         profile: Vec<(f32, f32)>,
     },
     /// An outline in the XY plane drawn up along Z from zero.
@@ -135,7 +137,7 @@ pub enum JointKind {
     Slide,
 }
 
-/// One part of an asset.
+/// One part of an asset. Parts whose joints are equal move together, as one link.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Part {
     /// Its name, `drawer_2`.
@@ -151,6 +153,38 @@ pub struct Part {
     pub joint: Option<Joint>,
 }
 
+/// How a [`Surface`] holds things.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Hold {
+    /// They rest on it: relation `on`.
+    On,
+    /// They rest on it within walls or under a roof: relation `inside`.
+    Inside,
+    /// They hang from its centre: relation `on`.
+    Hook,
+}
+
+/// A place of an asset where things are kept: a level rectangle and the room above
+/// it, or a hook.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Surface {
+    /// Its name, `shelf_2`.
+    pub name: Arc<str>,
+    /// How it holds things.
+    pub hold: Hold,
+    /// Middle of the rectangle that carries, in the asset's frame, joints at zero.
+    #[serde(with = "serial::point")]
+    pub centre: Point3<f32>,
+    /// Half lengths along the asset's X and Y, metres.
+    pub half: (f32, f32),
+    /// Free height above it (below it for a hook), metres; `None` where nothing of
+    /// the asset is above.
+    pub clearance: Option<f32>,
+    /// The joint it moves with, if it does: a drawer's.
+    pub joint: Option<Joint>,
+}
+
 /// An object's shape. Origin at the centre of its base, X towards its front.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Asset {
@@ -158,6 +192,31 @@ pub struct Asset {
     pub name: Arc<str>,
     /// Its parts.
     pub parts: Vec<Part>,
+    /// Where it holds things.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub surfaces: Vec<Surface>,
+    /// What physics goes by, where that is not the parts: convex pieces that move
+    /// with the joints they name. Empty where the parts themselves will do.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub collision: Vec<Part>,
+}
+
+impl Asset {
+    /// Smallest and largest corner of all parts, in the asset's frame, joints at
+    /// zero, metres; exact for parts turned by right angles, else a little more.
+    pub fn extent(&self) -> Option<(Point3<f32>, Point3<f32>)> {
+        self.parts.iter().map(Part::extent).reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))
+    }
+}
+
+impl Part {
+    /// Smallest and largest corner, in the asset's frame, metres.
+    pub fn extent(&self) -> (Point3<f32>, Point3<f32>) {
+        let (low, high) = self.shape.extent();
+        let half = self.pose.rotation.to_rotation_matrix().matrix().abs() * ((high - low) / 2.0);
+        let centre = self.pose * nalgebra::center(&low, &high);
+        (centre - half, centre + half)
+    }
 }
 
 /// Assets and materials that scenes share.
@@ -190,6 +249,9 @@ pub enum AssetError {
     /// A mesh's triangle names a vertex it does not have.
     #[error("part `{0}` has a triangle with a vertex that does not exist")]
     BadTriangle(Arc<str>),
+    /// A surface's measure is not finite or is negative.
+    #[error("surface `{0}` has a measure that is not finite or is negative")]
+    BadSurface(Arc<str>),
     /// A joint's axis has no length or its limits are swapped.
     #[error("part `{0}` has a joint without axis or with its limits swapped")]
     BadJoint(Arc<str>),
@@ -213,8 +275,19 @@ impl AssetLibrary {
     /// # Errors
     /// [`AssetError`] names the part.
     pub fn add(&mut self, asset: Asset) -> Result<AssetId, AssetError> {
-        asset.parts.iter().try_for_each(|part| self.check(part))?;
-        self.assets.push(Arc::new(asset));
+        self.share(Arc::new(asset))
+    }
+
+    /// Adds an asset that others share.
+    ///
+    /// # Errors
+    /// As [`Self::add`].
+    pub fn share(&mut self, asset: Arc<Asset>) -> Result<AssetId, AssetError> {
+        asset.parts.iter().chain(&asset.collision).try_for_each(|part| self.check(part))?;
+        if let Some(bad) = asset.surfaces.iter().find(|s| !s.is_sound()) {
+            return Err(AssetError::BadSurface(bad.name.clone()));
+        }
+        self.assets.push(asset);
         Ok(AssetId(self.assets.len() as u32 - 1))
     }
 
@@ -264,8 +337,17 @@ impl Material {
     }
 }
 
-impl Joint {
+impl Surface {
     fn is_sound(&self) -> bool {
+        let length = |v: f32| v.is_finite() && v >= 0.0;
+        let finite = self.centre.iter().all(|v| v.is_finite());
+        let joint = self.joint.is_none_or(Joint::is_sound);
+        finite && joint && length(self.half.0) && length(self.half.1) && self.clearance.is_none_or(length)
+    }
+}
+
+impl Joint {
+    fn is_sound(self) -> bool {
         let unit = (self.axis.norm() - 1.0).abs() < 1e-3;
         let (low, high) = self.limits;
         unit && low <= high && low.is_finite() && high.is_finite() && self.anchor.iter().all(|v| v.is_finite())

@@ -53,7 +53,7 @@ fn a_scene_keeps_its_shapes() {
     library.add_material(oak()).unwrap();
     let mut parts: Vec<Part> = shapes().into_iter().map(part).collect();
     parts[0].joint = Some(hinge(Vector3::z(), (0.0, 1.6)));
-    let cabinet = library.add(Asset { name: "cabinet_1".into(), parts }).unwrap();
+    let cabinet = library.add(Asset { name: "cabinet_1".into(), parts, ..Asset::default() }).unwrap();
     let mut scene = SceneBuilder::new("flat");
     scene.assets(Arc::new(library));
     let kitchen = scene.add(Draft::new("kitchen")).unwrap();
@@ -80,7 +80,7 @@ fn extents_enclose_the_shape() {
 fn unsound_parts_are_refused_by_name() {
     let mut library = AssetLibrary::default();
     library.add_material(oak()).unwrap();
-    let mut add = |part: Part| library.add(Asset { name: "bad".into(), parts: vec![part] }).unwrap_err();
+    let mut add = |part: Part| library.add(Asset { name: "bad".into(), parts: vec![part], ..Asset::default() }).unwrap_err();
     let ball = || part(Shape::Sphere { radius: 0.1 });
     assert_eq!(add(Part { material: 7, ..ball() }).to_string(), "part `part` uses material 7, the library has 1");
     assert!(matches!(add(part(Shape::Sphere { radius: f32::NAN })), AssetError::BadMeasure(_)));

@@ -188,7 +188,7 @@ fn serde_asset() -> Asset {
     };
     let shape = Shape::Lathe { profile: vec![(0.03, 0.0), (0.04, 0.1)] };
     let part = Part { name: "lid".into(), shape, material: 0, pose: vc_graph::Pose::identity(), joint: Some(joint) };
-    Asset { name: "mug_1".into(), parts: vec![part] }
+    Asset { name: "mug_1".into(), parts: vec![part], ..Asset::default() }
 }
 
 #[test]

@@ -1,0 +1,119 @@
+//! Randomness: one seed, a sub-seed for everything that is chosen, and the stream
+//! of a seed.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng as _, SeedableRng};
+use serde::{Deserialize, Serialize};
+
+/// What everything random comes from. The same seed gives the same result on every
+/// machine; sub-seeds by label and index make each choice independent of how many
+/// others were made before it.
+///
+/// ```
+/// use vc_graph::Seed;
+/// let kitchen = Seed(42).child("room").nth(2);
+/// assert_eq!(kitchen.stream().below(100), kitchen.stream().below(100));
+/// assert_ne!(kitchen, Seed(42).child("room").nth(3));
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Seed(pub u64);
+
+impl Seed {
+    /// The sub-seed of a label.
+    #[must_use]
+    pub fn child(self, label: &str) -> Self {
+        // FNV-1a over the label, from the seed.
+        let hash = label.bytes().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3));
+        Self(mix(self.0 ^ mix(hash)))
+    }
+
+    /// The sub-seed of a number.
+    #[must_use]
+    pub fn nth(self, index: u64) -> Self {
+        Self(mix(self.0.rotate_left(32) ^ mix(index.wrapping_add(1))))
+    }
+
+    /// The random numbers that come from this seed.
+    pub fn stream(self) -> Stream {
+        Stream { numbers: ChaCha8Rng::seed_from_u64(self.0) }
+    }
+}
+
+/// The finaliser of splitmix64 (Steele, Lea and Flood 2014): a bijection that
+/// spreads every bit over all others.
+fn mix(value: u64) -> u64 {
+    let v = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let v = (v ^ (v >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let v = (v ^ (v >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    v ^ (v >> 31)
+}
+
+/// A stream of random numbers (ChaCha with eight rounds): the same on every machine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stream {
+    numbers: ChaCha8Rng,
+}
+
+impl Stream {
+    /// A number from 0 up to 1, 1 excluded.
+    pub fn unit(&mut self) -> f32 {
+        // 24 bits are what an f32 holds exactly.
+        (self.numbers.next_u32() >> 8) as f32 / (1 << 24) as f32
+    }
+
+    /// A number from `low` to `high`; `low` where the range is empty.
+    pub fn between(&mut self, low: f32, high: f32) -> f32 {
+        low + self.unit() * (high - low).max(0.0)
+    }
+
+    /// A whole number below `count`; zero where there is none.
+    pub fn below(&mut self, count: usize) -> usize {
+        // The high half of a product: no modulo bias worth mentioning below 2^32.
+        ((u64::from(self.numbers.next_u32()) * count as u64) >> 32) as usize
+    }
+
+    /// A whole number from `low` to `high`, both included.
+    pub fn count(&mut self, low: usize, high: usize) -> usize {
+        low + self.below(high.saturating_sub(low) + 1)
+    }
+
+    /// True with a probability.
+    pub fn chance(&mut self, probability: f32) -> bool {
+        self.unit() < probability
+    }
+
+    /// One of several, all equally likely; `None` of none.
+    pub fn pick<'a, T>(&mut self, of: &'a [T]) -> Option<&'a T> {
+        of.get(self.below(of.len()))
+    }
+
+    /// The position of one of several weights; zero weights are never chosen, and
+    /// nothing is where no weight is positive.
+    pub fn weighted(&mut self, weights: impl Iterator<Item = f32> + Clone) -> Option<usize> {
+        let total: f32 = weights.clone().map(|w| w.max(0.0)).sum();
+        let mut left = self.unit() * total;
+        let mut last = None;
+        for (index, weight) in weights.enumerate().filter(|(_, w)| *w > 0.0) {
+            last = Some(index);
+            left -= weight;
+            if left < 0.0 {
+                break;
+            }
+        }
+        last
+    }
+
+    /// A normally distributed number (sum of twelve uniform ones, so never more than
+    /// six standard deviations off).
+    pub fn normal(&mut self, mean: f32, deviation: f32) -> f32 {
+        mean + deviation * ((0..12).map(|_| self.unit()).sum::<f32>() - 6.0)
+    }
+
+    /// Puts a list in random order.
+    pub fn shuffle<T>(&mut self, list: &mut [T]) {
+        for last in (1..list.len()).rev() {
+            list.swap(last, self.below(last + 1));
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! To be filled.
+
+use super::Generator;
+
+pub(super) const GENERATORS: &[Generator] = &[];

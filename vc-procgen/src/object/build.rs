@@ -1,0 +1,290 @@
+//! Building an asset part by part: the vocabulary that class generators are
+//! written in.
+
+use std::f32::consts::FRAC_PI_2;
+use std::sync::Arc;
+
+use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
+use vc_graph::asset::{Hold, Joint, JointKind, Part, Shape, Surface};
+use vc_graph::{Asset, Pose, Stream};
+
+use crate::material::Mat;
+use crate::style::Style;
+
+/// A point or direction, metres.
+pub(crate) type P = [f32; 3];
+
+/// One of the three axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+/// An asset in the making. Origin at the centre of the base, X to the front, Y to
+/// the left, Z up; metres. What is built stays within `size`.
+pub(crate) struct Build<'a> {
+    /// Class that is made: generators of several classes look here.
+    pub(crate) class: &'a str,
+    /// Largest depth (X), width (Y) and height (Z).
+    pub(crate) size: Vector3<f32>,
+    /// Materials by the part they play.
+    pub(crate) style: &'a Style,
+    /// Where choices come from.
+    pub(crate) rng: Stream,
+    asset: Asset,
+    joint: Option<Joint>,
+    frame: Pose,
+}
+
+impl<'a> Build<'a> {
+    pub(crate) fn new(class: &'a str, size: Vector3<f32>, style: &'a Style, rng: Stream) -> Self {
+        let asset = Asset { name: class.into(), ..Asset::default() };
+        Self { class, size, style, rng, asset, joint: None, frame: Pose::identity() }
+    }
+
+    /// The finished asset, moved so that its origin is the centre of its base.
+    pub(crate) fn finish(self) -> Asset {
+        let mut asset = self.asset;
+        let Some((low, high)) = asset.extent() else { return asset };
+        let shift = Vector3::new(-(low.x + high.x) / 2.0, -(low.y + high.y) / 2.0, -low.z);
+        let moved = Translation3::from(shift);
+        asset.parts.iter_mut().for_each(|p| {
+            p.pose = moved * p.pose;
+            shift_joint(&mut p.joint, shift);
+        });
+        asset.surfaces.iter_mut().for_each(|s| {
+            s.centre += shift;
+            shift_joint(&mut s.joint, shift);
+        });
+        asset
+    }
+
+    /// Names the asset: a book's title, a poster's motif.
+    pub(crate) fn name(&mut self, name: &str) {
+        self.asset.name = name.into();
+    }
+
+    // --- where and how
+
+    /// Builds in a frame moved by `offset` and turned by `yaw` around Z.
+    pub(crate) fn at(&mut self, offset: P, yaw: f32, build: impl FnOnce(&mut Self)) {
+        self.posed(Isometry3::new(Vector3::from(offset), Vector3::z() * yaw), build);
+    }
+
+    /// Builds in a frame of its own, given in the current one.
+    pub(crate) fn posed(&mut self, pose: Pose, build: impl FnOnce(&mut Self)) {
+        let outer = self.frame;
+        self.frame = outer * pose;
+        build(self);
+        self.frame = outer;
+    }
+
+    /// What is built turns around `axis` through `anchor`, from 0 to `most` radians.
+    pub(crate) fn hinge(&mut self, anchor: P, axis: P, most: f32, build: impl FnOnce(&mut Self)) {
+        self.jointed(JointKind::Hinge, anchor, axis, (0.0, most), build);
+    }
+
+    /// What is built slides along `axis`, from 0 to `most` metres.
+    pub(crate) fn slide(&mut self, axis: P, most: f32, build: impl FnOnce(&mut Self)) {
+        self.jointed(JointKind::Slide, [0.0; 3], axis, (0.0, most), build);
+    }
+
+    /// What is built moves as one link of its own.
+    pub(crate) fn jointed(
+        &mut self,
+        kind: JointKind,
+        anchor: P,
+        axis: P,
+        limits: (f32, f32),
+        build: impl FnOnce(&mut Self),
+    ) {
+        let outer = self.joint;
+        let axis = self.frame.rotation * Vector3::from(axis).normalize();
+        self.joint = Some(Joint { kind, anchor: self.frame * Point3::from(anchor), axis, limits });
+        build(self);
+        self.joint = outer;
+    }
+
+    // --- solids
+
+    /// A box between two corners.
+    pub(crate) fn block(&mut self, name: &str, low: P, high: P, mat: Mat) {
+        let (centre, half) = between(low, high);
+        self.push(name, Shape::Box { half }, Isometry3::from_parts(centre.into(), UnitQuaternion::identity()), mat);
+    }
+
+    /// A box with rounded edges between two corners; the radius is cut to what fits.
+    pub(crate) fn soft(&mut self, name: &str, low: P, high: P, radius: f32, mat: Mat) {
+        let (centre, half) = between(low, high);
+        let radius = radius.min(half.min() * 0.98);
+        let pose = Isometry3::from_parts(centre.into(), UnitQuaternion::identity());
+        self.push(name, Shape::RoundedBox { half, radius }, pose, mat);
+    }
+
+    /// A cylinder standing on `base`.
+    pub(crate) fn cylinder(&mut self, name: &str, base: P, radius: f32, height: f32, mat: Mat) {
+        let half_height = height / 2.0;
+        self.push(name, Shape::Cylinder { radius, half_height }, up(base, half_height), mat);
+    }
+
+    /// A cone standing on `base`, its tip up.
+    pub(crate) fn cone(&mut self, name: &str, base: P, radius: f32, height: f32, mat: Mat) {
+        let half_height = height / 2.0;
+        self.push(name, Shape::Cone { radius, half_height }, up(base, half_height), mat);
+    }
+
+    /// A ball.
+    pub(crate) fn ball(&mut self, name: &str, centre: P, radius: f32, mat: Mat) {
+        self.push(name, Shape::Sphere { radius }, up(centre, 0.0), mat);
+    }
+
+    /// A cylinder from one point to another.
+    pub(crate) fn rod(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat) {
+        let (pose, half_height) = along(from, to);
+        self.push(name, Shape::Cylinder { radius, half_height }, pose, mat);
+    }
+
+    /// A round-ended bar from one point to another; the ends stick out by the radius.
+    pub(crate) fn bar(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat) {
+        let (pose, half_height) = along(from, to);
+        self.push(name, Shape::Capsule { radius, half_height }, pose, mat);
+    }
+
+    /// Round-ended bars through several points: a tap's spout, a bent tube.
+    pub(crate) fn pipe(&mut self, name: &str, points: &[P], radius: f32, mat: Mat) {
+        points.windows(2).for_each(|pair| self.bar(name, pair[0], pair[1], radius, mat));
+    }
+
+    /// A profile of (radius, height) turned around the vertical through `base`; see
+    /// [`Shape::Lathe`].
+    pub(crate) fn lathe(&mut self, name: &str, base: P, profile: &[(f32, f32)], mat: Mat) {
+        self.push(name, Shape::Lathe { profile: profile.to_vec() }, up(base, 0.0), mat);
+    }
+
+    /// A profile turned around an axis that points from `from` towards `to`.
+    pub(crate) fn lathe_along(&mut self, name: &str, from: P, to: P, profile: &[(f32, f32)], mat: Mat) {
+        let (mut pose, _) = along(from, to);
+        pose.translation = Vector3::from(from).into();
+        self.push(name, Shape::Lathe { profile: profile.to_vec() }, pose, mat);
+    }
+
+    /// An outline drawn along an axis from `base` by `length`. The outline is in
+    /// (y, z) for X, (x, z) for Y and (x, y) for Z, relative to `base`, either way
+    /// round.
+    pub(crate) fn prism(&mut self, name: &str, axis: Axis, base: P, outline: &[(f32, f32)], length: f32, mat: Mat) {
+        let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
+        let (columns, swap) = match axis {
+            Axis::X => ([y, z, x], false),
+            Axis::Y => ([z, x, y], true),
+            Axis::Z => ([x, y, z], false),
+        };
+        let mut outline: Vec<(f32, f32)> = outline.iter().map(|&(a, b)| if swap { (b, a) } else { (a, b) }).collect();
+        if signed_area(&outline) < 0.0 {
+            outline.reverse();
+        }
+        let turn = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns));
+        let pose = Isometry3::from_parts(Vector3::from(base).into(), UnitQuaternion::from_rotation_matrix(&turn));
+        self.push(name, Shape::Extrusion { outline, height: length }, pose, mat);
+    }
+
+    /// A block whose bottom and top rectangles differ: half lengths of both.
+    pub(crate) fn taper(&mut self, name: &str, base: P, bottom: (f32, f32), top: (f32, f32), height: f32, mat: Mat) {
+        let corners = |(x, y): (f32, f32), z: f32| [[x, y, z], [-x, y, z], [-x, -y, z], [x, -y, z]];
+        let points = corners(bottom, 0.0).into_iter().chain(corners(top, height));
+        let points: Vec<P> = points.map(|p| [p[0] + base[0], p[1] + base[1], p[2] + base[2]]).collect();
+        self.hull(name, &points, mat);
+    }
+
+    /// The convex hull of points.
+    pub(crate) fn hull(&mut self, name: &str, points: &[P], mat: Mat) {
+        let points = points.iter().map(|&p| Point3::from(p)).collect();
+        self.push(name, Shape::Hull { points }, Pose::identity(), mat);
+    }
+
+    /// A closed triangle mesh.
+    pub(crate) fn mesh(&mut self, name: &str, vertices: &[P], triangles: Vec<[u32; 3]>, mat: Mat) {
+        let vertices = vertices.iter().map(|&p| Point3::from(p)).collect();
+        self.push(name, Shape::Mesh { vertices, triangles }, Pose::identity(), mat);
+    }
+
+    fn push(&mut self, name: &str, shape: Shape, pose: Pose, mat: Mat) {
+        let part = Part { name: name.into(), shape, material: mat.0, pose: self.frame * pose, joint: self.joint };
+        self.asset.parts.push(part);
+    }
+
+    // --- places to keep things
+
+    /// A rectangle that carries things, open above.
+    pub(crate) fn top(&mut self, name: &str, centre: P, half: (f32, f32)) {
+        self.surface(name, Hold::On, centre, half, None);
+    }
+
+    /// A rectangle that carries things, with something of the asset above.
+    pub(crate) fn ledge(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32) {
+        self.surface(name, Hold::On, centre, half, Some(clearance));
+    }
+
+    /// A rectangle within walls: a shelf in a cupboard, the bottom of a drawer.
+    pub(crate) fn inside(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32) {
+        self.surface(name, Hold::Inside, centre, half, Some(clearance));
+    }
+
+    /// A point things hang from, with so much room below.
+    pub(crate) fn hook(&mut self, name: &str, at: P, drop: f32) {
+        self.surface(name, Hold::Hook, at, (0.0, 0.0), Some(drop));
+    }
+
+    /// A rectangle keeps its axes: frames turned by other than right angles do not
+    /// carry surfaces.
+    fn surface(&mut self, name: &str, hold: Hold, centre: P, half: (f32, f32), clearance: Option<f32>) {
+        let size = self.frame.rotation * Vector3::new(half.0, half.1, 0.0);
+        let half = (size.x.abs(), size.y.abs());
+        let centre = self.frame * Point3::from(centre);
+        let name: Arc<str> = name.into();
+        self.asset.surfaces.push(Surface { name, hold, centre, half, clearance, joint: self.joint });
+    }
+
+    // --- chance
+
+    /// A number between two.
+    pub(crate) fn vary(&mut self, low: f32, high: f32) -> f32 {
+        self.rng.between(low, high)
+    }
+
+    /// One of several materials, or other small things.
+    pub(crate) fn one<T: Copy>(&mut self, of: &[T]) -> T {
+        of[self.rng.below(of.len())]
+    }
+}
+
+fn shift_joint(joint: &mut Option<Joint>, shift: Vector3<f32>) {
+    if let Some(joint) = joint.as_mut().filter(|j| j.kind == JointKind::Hinge) {
+        joint.anchor += shift;
+    }
+}
+
+fn between(low: P, high: P) -> (Vector3<f32>, Vector3<f32>) {
+    let (low, high) = (Vector3::from(low), Vector3::from(high));
+    ((low + high) / 2.0, (high - low) / 2.0)
+}
+
+fn up(base: P, by: f32) -> Pose {
+    Isometry3::translation(base[0], base[1], base[2] + by)
+}
+
+/// The pose whose Z runs from one point to the other, at their middle, and half
+/// their distance.
+fn along(from: P, to: P) -> (Pose, f32) {
+    let (from, to) = (Vector3::from(from), Vector3::from(to));
+    let way = to - from;
+    let turn = UnitQuaternion::rotation_between(&Vector3::z(), &way)
+        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 2.0 * FRAC_PI_2));
+    (Isometry3::from_parts(((from + to) / 2.0).into(), turn), way.norm() / 2.0)
+}
+
+fn signed_area(outline: &[(f32, f32)]) -> f32 {
+    let next = outline.iter().cycle().skip(1);
+    outline.iter().zip(next).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f32>() / 2.0
+}

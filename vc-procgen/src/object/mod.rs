@@ -1,0 +1,158 @@
+//! Parametric objects: from a class, a size, a style and a seed to an asset.
+//!
+//! Each family of classes has a module with a table of [`Generator`]s. A generator
+//! is a function that builds parts; nothing is loaded.
+
+mod build;
+mod joinery;
+// families
+mod bath;
+mod bed;
+mod book;
+mod clothes;
+mod cooker;
+mod decor;
+mod food;
+mod furnishing;
+mod games;
+mod garden;
+mod kitchenware;
+mod lamp;
+mod pack;
+mod park;
+mod plant;
+mod play;
+mod seat;
+mod sport;
+mod storage;
+mod street;
+mod structure;
+mod table;
+mod tech;
+mod textile;
+mod tool;
+mod vehicle;
+mod yard;
+
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+use nalgebra::Vector3;
+use vc_graph::{Asset, Bounds, ClassTable, Frame, Seed};
+
+use crate::style::Style;
+use build::Build;
+
+/// Makes the objects of one class.
+#[derive(Debug, Clone, Copy)]
+pub struct Generator {
+    /// The class, as in the class table.
+    pub class: &'static str,
+    /// Where it belongs.
+    pub realm: Realm,
+    /// How many instances the [catalogue](crate::catalogue) shows.
+    pub instances: usize,
+    make: fn(&mut Build<'_>),
+}
+
+/// Where objects of a class belong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Realm {
+    /// In buildings.
+    Indoor,
+    /// In gardens, streets and parks.
+    Outdoor,
+}
+
+const fn indoor(class: &'static str, instances: usize, make: fn(&mut Build<'_>)) -> Generator {
+    Generator { class, realm: Realm::Indoor, instances, make }
+}
+
+const fn outdoor(class: &'static str, instances: usize, make: fn(&mut Build<'_>)) -> Generator {
+    Generator { class, realm: Realm::Outdoor, instances, make }
+}
+
+const FAMILIES: &[&[Generator]] = &[
+    seat::GENERATORS,
+    table::GENERATORS,
+    bed::GENERATORS,
+    storage::GENERATORS,
+    cooker::GENERATORS,
+    bath::GENERATORS,
+    furnishing::GENERATORS,
+    lamp::GENERATORS,
+    structure::GENERATORS,
+    kitchenware::GENERATORS,
+    food::GENERATORS,
+    pack::GENERATORS,
+    tech::GENERATORS,
+    book::GENERATORS,
+    decor::GENERATORS,
+    plant::GENERATORS,
+    textile::GENERATORS,
+    clothes::GENERATORS,
+    tool::GENERATORS,
+    sport::GENERATORS,
+    games::GENERATORS,
+    play::GENERATORS,
+    garden::GENERATORS,
+    yard::GENERATORS,
+    park::GENERATORS,
+    street::GENERATORS,
+    vehicle::GENERATORS,
+];
+
+/// All generators, by family.
+pub fn generators() -> impl Iterator<Item = &'static Generator> {
+    FAMILIES.iter().copied().flatten()
+}
+
+/// The generator of a class.
+pub fn generator(class: &str) -> Option<&'static Generator> {
+    static BY_CLASS: LazyLock<HashMap<&'static str, &'static Generator>> =
+        LazyLock::new(|| generators().map(|g| (g.class, g)).collect());
+    BY_CLASS.get(class).copied()
+}
+
+/// An asset of a class, with its size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Object {
+    /// The class.
+    pub class: &'static str,
+    /// Parts and surfaces.
+    pub asset: Asset,
+    /// Depth, width and height, metres.
+    pub size: Vector3<f32>,
+}
+
+impl Object {
+    /// The box around the object, relative to its pose.
+    pub fn bounds(&self) -> Bounds {
+        let half = self.size / 2.0;
+        Bounds { offset: Vector3::new(0.0, 0.0, half.z), half, frame: Frame::Object }
+    }
+}
+
+impl Generator {
+    /// An instance of the class's usual size.
+    pub fn object(&self, style: &Style, seed: Seed) -> Object {
+        self.sized(usual_size(self.class, seed), style, seed)
+    }
+
+    /// An instance no larger than `size` (depth, width, height in metres).
+    pub fn sized(&self, size: Vector3<f32>, style: &Style, seed: Seed) -> Object {
+        let mut build = Build::new(self.class, size, style, seed.child("object").stream());
+        (self.make)(&mut build);
+        let asset = build.finish();
+        let size = asset.extent().map_or(size, |(low, high)| high - low);
+        Object { class: self.class, asset, size }
+    }
+}
+
+/// A size from the class's usual range.
+fn usual_size(class: &str, seed: Seed) -> Vector3<f32> {
+    static CLASSES: LazyLock<std::sync::Arc<ClassTable>> = LazyLock::new(ClassTable::builtin);
+    let mut rng = seed.child("size").stream();
+    let ranges = CLASSES.get(class).and_then(|c| c.size);
+    ranges.map_or_else(|| Vector3::repeat(0.3), |r| r.map(|r| rng.between(r.low, r.high)).into())
+}
