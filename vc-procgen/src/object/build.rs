@@ -36,17 +36,27 @@ pub(crate) struct Build<'a> {
     asset: Asset,
     joint: Option<Joint>,
     frame: Pose,
+    anchored: bool,
 }
 
 impl<'a> Build<'a> {
     pub(crate) fn new(class: &'a str, size: Vector3<f32>, style: &'a Style, rng: Stream) -> Self {
         let asset = Asset { name: class.into(), ..Asset::default() };
-        Self { class, size, style, rng, asset, joint: None, frame: Pose::identity() }
+        Self { class, size, style, rng, asset, joint: None, frame: Pose::identity(), anchored: false }
+    }
+
+    /// Keeps the origin where it is: a door's is the middle of its wall, whatever
+    /// its handles do.
+    pub(crate) fn anchored(&mut self) {
+        self.anchored = true;
     }
 
     /// The finished asset, moved so that its origin is the centre of its base.
     pub(crate) fn finish(self) -> Asset {
         let mut asset = self.asset;
+        if self.anchored {
+            return asset;
+        }
         let Some((low, high)) = asset.extent() else { return asset };
         let shift = Vector3::new(-(low.x + high.x) / 2.0, -(low.y + high.y) / 2.0, -low.z);
         let moved = Translation3::from(shift);

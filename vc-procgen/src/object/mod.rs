@@ -121,15 +121,14 @@ pub struct Object {
     pub class: &'static str,
     /// Parts and surfaces.
     pub asset: Asset,
-    /// Depth, width and height, metres.
-    pub size: Vector3<f32>,
+    /// The box around all parts, relative to the object's pose.
+    pub bounds: Bounds,
 }
 
 impl Object {
-    /// The box around the object, relative to its pose.
-    pub fn bounds(&self) -> Bounds {
-        let half = self.size / 2.0;
-        Bounds { offset: Vector3::new(0.0, 0.0, half.z), half, frame: Frame::Object }
+    /// Depth, width and height, metres.
+    pub fn size(&self) -> Vector3<f32> {
+        self.bounds.size()
     }
 }
 
@@ -144,8 +143,12 @@ impl Generator {
         let mut build = Build::new(self.class, size, style, seed.child("object").stream());
         (self.make)(&mut build);
         let asset = build.finish();
-        let size = asset.extent().map_or(size, |(low, high)| high - low);
-        Object { class: self.class, asset, size }
+        let bounds = asset.extent().map_or(Bounds::standing(size), |(low, high)| Bounds {
+            offset: nalgebra::center(&low, &high).coords,
+            half: (high - low) / 2.0,
+            frame: Frame::Object,
+        });
+        Object { class: self.class, asset, bounds }
     }
 }
 
