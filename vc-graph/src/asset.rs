@@ -65,9 +65,11 @@ pub enum Shape {
         #[serde(with = "serial::points")]
         points: Vec<Point3<f32>>,
     },
-    /// A profile turned around Z: a line along the surface from below and outside to
-    /// above and inside. Where it starts or ends off the axis a flat disc closes it,
-    /// so a cup is `[(r, 0), (r, h), (r - t, h), (r - t, t)]`.
+    /// A profile turned around Z. The profile follows the surface from its bottom
+    /// and outside to its top and inside, the solid on its left: a beaker is
+    /// `[(r, 0), (r, h), (r - t, h), (r - t, t)]`. Where it starts or ends off the
+    /// axis, a flat disc closes it to the axis; where it ends in the point it
+    /// started from, it is a ring. Backwards is as good.
     Lathe {
         /// Radius and height of each point of the profile.
         profile: Vec<(f32, f32)>,
@@ -355,7 +357,7 @@ impl Joint {
 }
 
 impl Shape {
-    fn measures_are_positive(&self) -> bool {
+    pub(crate) fn measures_are_positive(&self) -> bool {
         let positive = |v: f32| v.is_finite() && v > 0.0;
         let finite = |p: &Point3<f32>| p.iter().all(|v| v.is_finite());
         match self {

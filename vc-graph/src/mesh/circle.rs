@@ -1,0 +1,80 @@
+//! Corners of regular polygons. The standard library's sine may differ in its last
+//! bit from one machine to the next; a series of products and sums does not.
+
+use std::f64::consts::TAU;
+
+const LEAST: usize = 8;
+const MOST: usize = 64;
+
+/// How many corners a circle needs for its chords to stay within `tolerance`.
+pub(super) fn corners(radius: f32, tolerance: f32) -> usize {
+    let sagitta = |n: usize| f64::from(radius) * (1.0 - turn(1, 2 * n).0);
+    (LEAST..MOST).step_by(4).find(|&n| sagitta(n) <= f64::from(tolerance)).unwrap_or(MOST)
+}
+
+/// Cosine and sine of `n` evenly spaced angles; `n` is a multiple of four, and the
+/// quarters are exact mirror images.
+pub(super) fn circle(n: usize) -> Vec<(f64, f64)> {
+    (0..n)
+        .map(|k| {
+            let (c, s) = turn(k % (n / 4), n);
+            [(c, s), (-s, c), (-c, -s), (s, -c)][k / (n / 4) % 4]
+        })
+        .collect()
+}
+
+/// Cosine and sine of `k / n` of a turn, at most a quarter.
+fn turn(k: usize, n: usize) -> (f64, f64) {
+    let angle = |k: f64| TAU * k / n as f64;
+    if 8 * k <= n {
+        (cosine(angle(k as f64)), sine(angle(k as f64)))
+    } else {
+        let rest = angle(n as f64 / 4.0 - k as f64);
+        (sine(rest), cosine(rest))
+    }
+}
+
+/// Taylor's series; exact to the last bit or two up to an eighth of a turn.
+fn series(angle: f64, first: f64, start: f64) -> f64 {
+    let mut term = first;
+    let mut sum = first;
+    let mut n = start;
+    for _ in 0..9 {
+        term *= -angle * angle / (n * (n + 1.0));
+        sum += term;
+        n += 2.0;
+    }
+    sum
+}
+
+fn sine(angle: f64) -> f64 {
+    series(angle, angle, 2.0)
+}
+
+fn cosine(angle: f64) -> f64 {
+    series(angle, 1.0, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn agrees_with_the_standard_library() {
+        for n in (LEAST..=MOST).step_by(4) {
+            for (k, (c, s)) in circle(n).into_iter().enumerate() {
+                let (sin, cos) = (TAU * k as f64 / n as f64).sin_cos();
+                assert!((c - cos).abs() < 4e-15 && (s - sin).abs() < 4e-15, "{k} of {n}");
+            }
+        }
+    }
+
+    #[test]
+    fn corners_keep_within_the_tolerance() {
+        assert_eq!(corners(1.0, 10.0), LEAST);
+        assert_eq!(corners(1.0, 0.0), MOST);
+        assert_eq!(corners(1.0, f32::NAN), MOST);
+        let n = corners(1.0, 0.02) as f64;
+        assert!(1.0 - (TAU / 2.0 / n).cos() <= 0.02 && 1.0 - (TAU / 2.0 / (n - 4.0)).cos() > 0.02);
+    }
+}
