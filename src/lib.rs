@@ -7,6 +7,7 @@
 //! | [`graph`] | `vc-graph` | scenes, object classes, actions, goals, file formats |
 //! | [`tasks`] | `vc-tasks` | tasks, and how attempts at them end |
 //! | [`planner`] | `vc-planner` | belief, regression planner, agents, episodes |
+//! | `procgen` | `vc-procgen` | generated objects, pictures of them (feature `procgen`, on by default) |
 //!
 //! An agent that sees only its room brings the milk:
 //!
@@ -33,12 +34,14 @@
 //! # What is not here yet
 //!
 //! The environment with its five endpoints (make, reset, render, observation, set
-//! action), batches, physics, pictures and generated homes. `vc-relations`,
-//! `vc-physics`, `vc-render` and `vc-procgen` are reserved names: nothing is built
-//! there, and this crate does not depend on them. Until then
+//! action), batches, physics, camera pictures and generated homes. `vc-relations`,
+//! `vc-physics` and `vc-render` are reserved names: nothing is built there, and this
+//! crate does not depend on them. Until then
 //! [`Simulator`](graph::Simulator) is the environment: symbolic, with poses that
 //! follow actions only roughly.
 
 pub use vc_graph as graph;
 pub use vc_planner as planner;
+#[cfg(feature = "procgen")]
+pub use vc_procgen as procgen;
 pub use vc_tasks as tasks;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::Pose;
@@ -127,6 +127,23 @@ pub struct Joint {
     pub axis: Vector3<f32>,
     /// Least and greatest position: radians or metres; closed is zero.
     pub limits: (f32, f32),
+}
+
+impl Joint {
+    /// How far what moves has moved from zero at a position (radians or metres), in
+    /// the asset's frame: a part at `pose` is then at `joint.motion(position) * pose`.
+    pub fn motion(&self, position: f32) -> Pose {
+        match self.kind {
+            JointKind::Slide => {
+                Pose::translation(self.axis.x * position, self.axis.y * position, self.axis.z * position)
+            }
+            JointKind::Hinge => {
+                let turn = UnitQuaternion::new(self.axis * position);
+                let held = self.anchor.coords - turn * self.anchor.coords;
+                Pose::from_parts(held.into(), turn)
+            }
+        }
+    }
 }
 
 /// Kind of a [`Joint`].

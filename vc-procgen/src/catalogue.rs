@@ -1,0 +1,119 @@
+//! Every class's objects, counted and told apart.
+
+use vc_graph::asset::{Part, Shape};
+use vc_graph::{Digest, Pose, Seed};
+
+use crate::Style;
+use crate::object::{Generator, Object, generators};
+
+/// One object of the catalogue.
+#[derive(Debug, Clone)]
+pub struct Instance {
+    /// What made it.
+    pub generator: &'static Generator,
+    /// Its number within the class, from zero.
+    pub index: usize,
+    /// The materials it is made in.
+    pub style: Style,
+    /// The object.
+    pub object: Object,
+}
+
+impl Generator {
+    /// The catalogue's instance of this class with a number: of the class's usual
+    /// size, in a style of its own. Any number will do, beyond `instances` too.
+    pub fn instance(&'static self, seed: Seed, index: usize) -> Instance {
+        let seed = seed.child(self.class).nth(index as u64);
+        let style = Style::from_seed(seed);
+        Instance { generator: self, index, style, object: self.object(&style, seed) }
+    }
+}
+
+/// All objects of the catalogue of a seed: for every generator as many as it says,
+/// by family.
+///
+/// Costs the making of one object, some microseconds, at each step.
+///
+/// ```
+/// use std::collections::HashSet;
+/// use vc_graph::Seed;
+/// use vc_procgen::catalogue;
+///
+/// let tables = catalogue::instances(Seed(1)).filter(|i| i.generator.class == "dining_table");
+/// let shapes: HashSet<_> = tables.map(|i| i.object.shape_key()).collect();
+/// assert!(shapes.len() >= 37);
+/// ```
+pub fn instances(seed: Seed) -> impl Iterator<Item = Instance> {
+    generators().flat_map(move |g| (0..g.instances).map(move |i| g.instance(seed, i)))
+}
+
+impl Object {
+    /// A digest of what the object's shape looks like, whatever it is made of: two
+    /// objects that share it are the same thing in other colours.
+    ///
+    /// Measures count in steps of a centimetre, or of a twentieth of the object's
+    /// largest measure where that is less; names and order of parts count too.
+    pub fn shape_key(&self) -> Digest {
+        let step = (self.size().max() * 0.05).min(0.01);
+        let mut key = Key { hash: 0xcbf2_9ce4_8422_2325, step };
+        key.text(self.class);
+        self.asset.parts.iter().for_each(|p| key.part(p));
+        Digest(key.hash)
+    }
+}
+
+/// FNV-1a over words, with measures rounded.
+struct Key {
+    hash: u64,
+    step: f32,
+}
+
+impl Key {
+    fn number(&mut self, number: u64) {
+        let mixed = (self.hash ^ number).wrapping_mul(0x0000_0100_0000_01b3);
+        self.hash = mixed ^ (mixed >> 32);
+    }
+
+    fn text(&mut self, text: &str) {
+        text.bytes().for_each(|b| self.number(u64::from(b)));
+    }
+
+    fn rounded(&mut self, value: f32, step: f32) {
+        self.number((value / step).round() as i64 as u64);
+    }
+
+    fn measures(&mut self, values: impl IntoIterator<Item = f32>) {
+        values.into_iter().for_each(|v| self.rounded(v, self.step));
+    }
+
+    fn part(&mut self, part: &Part) {
+        self.text(&part.name);
+        self.pose(&part.pose);
+        self.shape(&part.shape);
+    }
+
+    fn pose(&mut self, pose: &Pose) {
+        self.measures(pose.translation.vector.iter().copied());
+        let turn = pose.rotation.to_rotation_matrix();
+        turn.matrix().iter().for_each(|v| self.rounded(*v, 0.05));
+    }
+
+    fn shape(&mut self, shape: &Shape) {
+        let (low, high) = shape.extent();
+        self.measures((high - low).iter().copied());
+        match shape {
+            Shape::Hull { points } => self.measures(points.iter().flat_map(|p| [p.x, p.y, p.z])),
+            Shape::Mesh { vertices, .. } => self.measures(vertices.iter().flat_map(|p| [p.x, p.y, p.z])),
+            Shape::Lathe { profile: pairs } | Shape::Extrusion { outline: pairs, .. } => {
+                self.measures(pairs.iter().flat_map(|&(a, b)| [a, b]));
+            }
+            // The others are their extent, but a cone is no cylinder.
+            Shape::Cone { .. } => self.number(1),
+            Shape::Cylinder { .. } => self.number(2),
+            Shape::Capsule { .. } => self.number(3),
+            Shape::Sphere { .. } => self.number(4),
+            Shape::RoundedBox { radius, .. } => self.measures([*radius]),
+            _ => self.number(5),
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! Pixels, and PNG files of them.
+
+/// A picture: rows from the top, three bytes (sRGB) for each pixel.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Image {
+    /// Pixels in a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Red, green, blue of each pixel.
+    pub rgb: Vec<u8>,
+}
+
+/// A picture cannot be made.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PictureError {
+    /// A side is zero, or larger than 32,767 pixels.
+    #[error("a picture cannot be {width} by {height} pixels")]
+    Size {
+        /// Pixels in a row.
+        width: usize,
+        /// Rows.
+        height: usize,
+    },
+    /// The encoder refused.
+    #[error("png: {0}")]
+    Encode(String),
+}
+
+impl Image {
+    /// A picture of one colour (sRGB bytes).
+    pub fn new(width: usize, height: usize, colour: [u8; 3]) -> Self {
+        Self { width, height, rgb: colour.repeat(width * height) }
+    }
+
+    /// The colour of a pixel, counted from the top left; none outside.
+    pub fn pixel(&self, x: usize, y: usize) -> Option<[u8; 3]> {
+        let at = 3 * (y * self.width + x);
+        let inside = x < self.width && y < self.height;
+        inside.then(|| self.rgb.get(at..at + 3)?.try_into().ok()).flatten()
+    }
+
+    /// Copies another picture into this one, its top left pixel to (`left`, `top`);
+    /// what does not fit is cut off.
+    pub fn paste(&mut self, left: usize, top: usize, other: &Self) {
+        let wide = other.width.min(self.width.saturating_sub(left)) * 3;
+        for y in 0..other.height.min(self.height.saturating_sub(top)) {
+            let from = y * other.width * 3;
+            let to = ((top + y) * self.width + left) * 3;
+            self.rgb[to..to + wide].copy_from_slice(&other.rgb[from..from + wide]);
+        }
+    }
+
+    /// The picture as a PNG file.
+    ///
+    /// # Errors
+    /// [`PictureError`] if it has no pixels or not as many as it says.
+    pub fn to_png(&self) -> Result<Vec<u8>, PictureError> {
+        let fail = |e: png::EncodingError| PictureError::Encode(e.to_string());
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, self.width as u32, self.height as u32);
+        encoder.set_color(png::ColorType::Rgb);
+        let mut writer = encoder.write_header().map_err(fail)?;
+        writer.write_image_data(&self.rgb).map_err(fail)?;
+        writer.finish().map_err(fail)?;
+        Ok(file)
+    }
+}

@@ -1,0 +1,222 @@
+//! Irregular plans: rooms grown on a coarse grid from the outer walls inwards; what
+//! they leave is the living room, which every room opens to.
+//!
+//! After Lopes, Tutenel, Smelik, de Kraker and Bidarra, "A constrained growth method
+//! for procedural floor plan generation" (2010), with rejection instead of repair.
+
+use vc_graph::Stream;
+
+use super::programme::Programme;
+use super::{Layout, Rect, Room, RoomKind};
+
+/// Side of a grid square, cells.
+const SQUARE: i32 = 6;
+/// Squares of a passage one walks through with ease.
+const PASSAGE: usize = 4;
+
+/// Grows the rooms; `None` after several hundred failed attempts.
+pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Layout> {
+    if programme.wishes.len() > 9 {
+        return None;
+    }
+    (0..300).find_map(|_| attempt(programme, rng))
+}
+
+/// Which room owns each square.
+struct Grid {
+    width: usize,
+    depth: usize,
+    owner: Vec<Option<usize>>,
+}
+
+/// A rectangle of squares, its far corner excluded.
+#[derive(Clone, Copy)]
+struct Patch {
+    x0: usize,
+    y0: usize,
+    x1: usize,
+    y1: usize,
+}
+
+impl Patch {
+    fn area(self) -> usize {
+        (self.x1 - self.x0) * (self.y1 - self.y0)
+    }
+
+    fn squares(self) -> impl Iterator<Item = (usize, usize)> {
+        (self.y0..self.y1).flat_map(move |y| (self.x0..self.x1).map(move |x| (x, y)))
+    }
+}
+
+fn attempt(programme: &Programme, rng: &mut Stream) -> Option<Layout> {
+    let squares = |index: usize| {
+        let side = programme.wishes[index].area.sqrt() + 0.1;
+        (side * side * 400.0 / (SQUARE * SQUARE) as f32).round() as usize
+    };
+    let total: usize = (0..programme.wishes.len()).map(squares).sum::<usize>() + 20 * programme.wishes.len();
+    let depth = ((total as f32).sqrt() * rng.between(0.8, 1.1)) as usize;
+    let width = total.div_ceil(depth.max(1));
+    let mut grid = Grid { width, depth, owner: vec![None; width * depth] };
+    let mut order: Vec<usize> = (1..programme.wishes.len()).collect();
+    rng.shuffle(&mut order);
+    // Rooms with windows first, bathrooms of a bedroom after it.
+    order.sort_by_key(|&i| match programme.wishes[i].kind {
+        RoomKind::Bedroom | RoomKind::Kids => 0,
+        RoomKind::Kitchen | RoomKind::Study => 1,
+        _ => 2,
+    });
+    let mut patches = vec![None; programme.wishes.len()];
+    for index in order {
+        let wish = programme.wishes[index];
+        let least = ((wish.kind.least_side() + 2 + SQUARE - 1) / SQUARE).max(4) as usize;
+        let by = wish.of.and_then(|b| patches[b]);
+        let patch = (0..12).find_map(|_| grid.grow(squares(index), least, wish.kind, by, rng))?;
+        patch.squares().for_each(|(x, y)| grid.owner[y * width + x] = Some(index));
+        patches[index] = Some(patch);
+    }
+    grid.is_sound(&patches, programme)?;
+    let mut rooms: Vec<Room> =
+        programme.wishes.iter().map(|w| Room { kind: w.kind, rects: Vec::new(), of: w.of }).collect();
+    for (room, patch) in rooms.iter_mut().zip(&patches) {
+        room.rects.extend(patch.map(rect));
+    }
+    rooms[0].rects = grid.rest();
+    let living = rooms[0].area();
+    let sound = living <= programme.wishes[0].area * 1.7 && rooms.iter().all(|r| r.widest() >= r.kind.least_side());
+    sound.then_some(Layout { rooms, facades: [false, true, true, true] })
+}
+
+impl Grid {
+    fn is_free(&self, patch: Patch) -> bool {
+        patch.x1 <= self.width
+            && patch.y1 <= self.depth
+            && patch.squares().all(|(x, y)| self.owner[y * self.width + x].is_none())
+    }
+
+    /// A rectangle grown from a seed side by side: from a windowed outer wall for
+    /// rooms that need one, from the wall of `by` for its bathroom, else anywhere.
+    fn grow(&self, area: usize, least: usize, kind: RoomKind, by: Option<Patch>, rng: &mut Stream) -> Option<Patch> {
+        let (x0, y0) = match by {
+            Some(b) => match rng.below(4) {
+                0 => (b.x0.checked_sub(least)?, rng.count(b.y0, b.y1.saturating_sub(least))),
+                1 => (b.x1, rng.count(b.y0, b.y1.saturating_sub(least))),
+                2 => (rng.count(b.x0, b.x1.saturating_sub(least)), b.y0.checked_sub(least)?),
+                _ => (rng.count(b.x0, b.x1.saturating_sub(least)), b.y1),
+            },
+            None => {
+                let (right, top) = (self.width.checked_sub(least)?, self.depth.checked_sub(least)?);
+                match rng.below(3) {
+                    0 => (rng.below(right + 1), 0),
+                    1 => (rng.below(right + 1), top),
+                    _ => (if kind.is_bedroom() { right } else { right * rng.below(2) }, rng.below(top + 1)),
+                }
+            }
+        };
+        let mut patch = Patch { x0, y0, x1: x0 + least, y1: y0 + least };
+        if !self.is_free(patch) {
+            return None;
+        }
+        let mut sides = [0, 1, 2, 3];
+        while patch.area() < area {
+            rng.shuffle(&mut sides);
+            let grown = sides.iter().filter_map(|&s| patch.extended(s)).find(|&p| self.is_free(p) && p.is_round())?;
+            patch = grown;
+        }
+        Some(patch)
+    }
+
+    /// Whether what is left is one piece, nowhere a sliver, and every room touches
+    /// it (a bathroom of a bedroom touches that).
+    fn is_sound(&self, patches: &[Option<Patch>], programme: &Programme) -> Option<()> {
+        let block = |x: usize, y: usize| {
+            self.is_free(Patch { x0: x, y0: y, x1: x + PASSAGE, y1: y + PASSAGE }).then_some((x, y))
+        };
+        let start = (0..self.width * self.depth).find_map(|i| block(i % self.width, i / self.width))?;
+        let mut seen = vec![false; self.width * self.depth];
+        let mut covered = vec![false; self.width * self.depth];
+        let mut open = vec![start];
+        seen[start.1 * self.width + start.0] = true;
+        while let Some((x, y)) = open.pop() {
+            let patch = Patch { x0: x, y0: y, x1: x + PASSAGE, y1: y + PASSAGE };
+            patch.squares().for_each(|(x, y)| covered[y * self.width + x] = true);
+            let steps = [(x + 1, y), (x.wrapping_sub(1), y), (x, y + 1), (x, y.wrapping_sub(1))];
+            for (x, y) in steps.into_iter().filter(|&(x, y)| x < self.width && y < self.depth) {
+                if !seen[y * self.width + x] && block(x, y).is_some() {
+                    seen[y * self.width + x] = true;
+                    open.push((x, y));
+                }
+            }
+        }
+        let whole = self.owner.iter().zip(&covered).all(|(owner, covered)| owner.is_some() || *covered);
+        let reached = patches.iter().enumerate().all(|(index, patch)| {
+            let Some(patch) = patch else { return true };
+            let owner = programme.wishes[index].of;
+            self.touch(*patch, owner) >= PASSAGE + 1
+        });
+        (whole && reached).then_some(())
+    }
+
+    /// Longest stretch of a patch's sides that lies against a room, or against what
+    /// is left.
+    fn touch(&self, patch: Patch, other: Option<usize>) -> usize {
+        let at = |x: usize, y: usize| x < self.width && y < self.depth && self.owner[y * self.width + x] == other;
+        let longest = |cells: &mut dyn Iterator<Item = bool>| {
+            let mut run = 0;
+            cells.map(|hit| { run = if hit { run + 1 } else { 0 }; run }).max().unwrap_or(0)
+        };
+        let rows = [patch.y0.wrapping_sub(1), patch.y1];
+        let columns = [patch.x0.wrapping_sub(1), patch.x1];
+        let level = rows.map(|y| longest(&mut (patch.x0..patch.x1).map(|x| at(x, y))));
+        let upright = columns.map(|x| longest(&mut (patch.y0..patch.y1).map(|y| at(x, y))));
+        level.into_iter().chain(upright).max().unwrap_or(0)
+    }
+
+    /// What is left, as few rectangles as a greedy sweep finds.
+    fn rest(&self) -> Vec<Rect> {
+        let mut taken: Vec<bool> = self.owner.iter().map(Option::is_some).collect();
+        let mut rects = Vec::new();
+        for y in 0..self.depth {
+            for x in 0..self.width {
+                let free = |x: usize, y: usize, taken: &[bool]| x < self.width && y < self.depth && !taken[y * self.width + x];
+                if !free(x, y, &taken) {
+                    continue;
+                }
+                let mut x1 = x;
+                while free(x1, y, &taken) {
+                    x1 += 1;
+                }
+                let mut y1 = y;
+                while (x..x1).all(|x| free(x, y1, &taken)) {
+                    y1 += 1;
+                }
+                let patch = Patch { x0: x, y0: y, x1, y1 };
+                patch.squares().for_each(|(x, y)| taken[y * self.width + x] = true);
+                rects.push(rect(patch));
+            }
+        }
+        rects
+    }
+}
+
+impl Patch {
+    /// One square larger on a side.
+    fn extended(self, side: usize) -> Option<Self> {
+        match side {
+            0 => Some(Self { x0: self.x0.checked_sub(1)?, ..self }),
+            1 => Some(Self { x1: self.x1 + 1, ..self }),
+            2 => Some(Self { y0: self.y0.checked_sub(1)?, ..self }),
+            _ => Some(Self { y1: self.y1 + 1, ..self }),
+        }
+    }
+
+    /// Neither side more than nine fifths of the other.
+    fn is_round(self) -> bool {
+        let (w, d) = (self.x1 - self.x0, self.y1 - self.y0);
+        5 * w.max(d) <= 9 * w.min(d)
+    }
+}
+
+fn rect(patch: Patch) -> Rect {
+    let cell = |v: usize| v as i32 * SQUARE;
+    Rect { x0: cell(patch.x0), y0: cell(patch.y0), x1: cell(patch.x1), y1: cell(patch.y1) }
+}

@@ -1,0 +1,266 @@
+//! Floor plans: rooms, walls, doors and windows.
+//!
+//! Plans live on a grid of five centimetres. A room's *gross* rectangles run to the
+//! middle of its walls, so that neighbours share lines; its *net* area, which one can
+//! walk on, is half a partition (one cell) smaller on every side.
+
+mod edges;
+mod growth;
+mod openings;
+mod programme;
+mod rect;
+mod spine;
+mod studio;
+mod topology;
+
+pub use edges::Edge;
+pub use openings::{Opening, OpeningKind};
+pub use programme::{Programme, Wish};
+pub use rect::Rect;
+pub use topology::Topology;
+
+use vc_graph::{Seed, Stream};
+
+use crate::Specification;
+use crate::error::Impossible;
+
+/// Cells of the plan's grid per metre.
+pub const CELLS: f32 = 20.0;
+
+/// Cells to metres.
+pub fn metres(cells: i32) -> f32 {
+    cells as f32 / CELLS
+}
+
+/// Metres to the nearest cell.
+pub(crate) fn cells(metres: f32) -> i32 {
+    (metres * CELLS).round() as i32
+}
+
+/// What a room is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum RoomKind {
+    /// Living room, often with the dining place.
+    Living,
+    /// Kitchen, closed or open to the living room.
+    Kitchen,
+    /// Bedroom of one or two grown-ups.
+    Bedroom,
+    /// A child's bedroom.
+    Kids,
+    /// Bathroom with toilet, basin and shower or bath.
+    Bathroom,
+    /// Toilet and hand basin.
+    Wc,
+    /// Hall or corridor.
+    Hall,
+    /// Study.
+    Study,
+    /// Laundry.
+    Laundry,
+    /// Store room or walk-in closet.
+    Storage,
+    /// Balcony: outside the walls.
+    Balcony,
+}
+
+impl RoomKind {
+    /// The room's class in the class table.
+    pub fn class(self) -> &'static str {
+        match self {
+            Self::Living => "living_room",
+            Self::Kitchen => "kitchen",
+            Self::Bedroom => "bedroom",
+            Self::Kids => "kids_room",
+            Self::Bathroom | Self::Wc => "bathroom",
+            Self::Hall => "hallway",
+            Self::Study => "home_office",
+            Self::Laundry => "laundry_room",
+            Self::Storage => "storage_room",
+            Self::Balcony => "balcony",
+        }
+    }
+
+    /// The name people use.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Living => "Living room",
+            Self::Kitchen => "Kitchen",
+            Self::Bedroom => "Bedroom",
+            Self::Kids => "Child's room",
+            Self::Bathroom => "Bathroom",
+            Self::Wc => "WC",
+            Self::Hall => "Hall",
+            Self::Study => "Study",
+            Self::Laundry => "Laundry",
+            Self::Storage => "Storage",
+            Self::Balcony => "Balcony",
+        }
+    }
+
+    /// Whether people sleep there.
+    pub fn is_bedroom(self) -> bool {
+        matches!(self, Self::Bedroom | Self::Kids)
+    }
+
+    /// Whether water runs there and its floor is tiled.
+    pub fn is_wet(self) -> bool {
+        matches!(self, Self::Kitchen | Self::Bathroom | Self::Wc | Self::Laundry)
+    }
+}
+
+/// A room of a plan.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Room {
+    /// What it is for.
+    pub kind: RoomKind,
+    /// Its gross rectangles, which do not overlap and hang together.
+    pub rects: Vec<Rect>,
+    /// The bedroom it belongs to alone: an en-suite bathroom's.
+    pub of: Option<usize>,
+}
+
+/// Rooms in place, and which sides of the building have windows: west, east, south,
+/// north.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Layout {
+    rooms: Vec<Room>,
+    facades: [bool; 4],
+}
+
+impl Room {
+    /// A room of one rectangle.
+    pub(crate) fn new(kind: RoomKind, rect: Rect) -> Self {
+        Self { kind, rects: vec![rect], of: None }
+    }
+
+    /// Short side of the roundest rectangle that lies inside it, cells.
+    pub(crate) fn widest(&self) -> i32 {
+        self.net().iter().map(Rect::short).max().unwrap_or(0)
+    }
+
+    /// Its area between the middles of its walls, square metres.
+    pub fn gross_area(&self) -> f32 {
+        self.rects.iter().map(|r| r.area()).sum()
+    }
+
+    /// The rectangle around it.
+    pub fn hull(&self) -> Rect {
+        self.rects.iter().copied().reduce(Rect::around).unwrap_or_default()
+    }
+
+    /// Its net rectangles: what is inside the walls. They cover the net area and may
+    /// overlap where two gross rectangles meet.
+    pub fn net(&self) -> Vec<Rect> {
+        let mut net: Vec<Rect> = self.rects.iter().map(|r| r.grown(-1)).collect();
+        for (i, a) in self.rects.iter().enumerate() {
+            for b in &self.rects[i + 1..] {
+                // The seam between two rectangles is no wall.
+                net.extend(a.seam(b).map(|s| s.grown(-1)).filter(|s| !s.is_empty()));
+            }
+        }
+        net
+    }
+
+    /// Its net area in square metres.
+    pub fn area(&self) -> f32 {
+        rect::union_area(&self.net())
+    }
+
+    /// Whether a net point (in cells) is in the room.
+    pub fn contains(&self, x: f32, y: f32) -> bool {
+        self.net().iter().any(|r| r.holds(x, y))
+    }
+}
+
+/// A floor plan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// The scheme by which it was laid out.
+    pub scheme: Scheme,
+    /// Its rooms; balconies come last.
+    pub rooms: Vec<Room>,
+    /// Doors, passages and windows.
+    pub openings: Vec<Opening>,
+    /// Which sides of the building look outside and may have windows: west, east,
+    /// south, north.
+    pub facades: [bool; 4],
+    /// Thickness of outer walls outside the gross line, cells.
+    pub shell: i32,
+    /// Height of the ceiling, metres.
+    pub ceiling: f32,
+}
+
+/// How a plan is laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Scheme {
+    /// One main room with a bathroom.
+    Studio,
+    /// Rooms with windows on one side, wet rooms along the landing.
+    Bar,
+    /// Rooms on both sides of a corridor.
+    Corridor,
+    /// Rooms around a broad hall.
+    CentralHall,
+    /// Kitchen and living in one; the entrance leads into them.
+    OpenPlan,
+    /// Two wings.
+    LPlan,
+    /// Rooms grown on a coarse grid.
+    Irregular,
+}
+
+impl Plan {
+    /// A plan for a programme.
+    ///
+    /// Tries schemes with seeded rejection until one holds the programme; a few
+    /// microseconds to a few hundred.
+    ///
+    /// # Errors
+    /// [`Impossible`] says which wish cannot be met.
+    pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
+        let programme = Programme::draw(specification, seed)?;
+        let mut rng = seed.child("plan").stream();
+        for scheme in programme.schemes(&mut rng) {
+            if let Some(plan) = Self::attempt(&programme, scheme, &mut rng) {
+                return Ok(plan);
+            }
+        }
+        Err(Impossible::NoPlan { rooms: programme.wishes.len(), area: programme.area() })
+    }
+
+    fn attempt(programme: &Programme, scheme: Scheme, rng: &mut Stream) -> Option<Self> {
+        let layout = match scheme {
+            Scheme::Studio => studio::lay_out(programme, rng),
+            Scheme::Irregular => growth::lay_out(programme, rng),
+            _ => spine::lay_out(programme, scheme, rng),
+        };
+        let Layout { mut rooms, mut facades } = layout?;
+        rect::turn(&mut rooms, &mut facades, rng.below(8));
+        let shell = rng.count(4, 6) as i32;
+        let ceiling = (rng.between(2.45, 2.75) * 20.0).round() / 20.0;
+        let mut plan = Self { scheme, rooms, openings: Vec::new(), facades, shell, ceiling };
+        openings::open(&mut plan, programme, rng)?;
+        Some(plan)
+    }
+
+    /// Where rooms meet each other and the outside.
+    pub fn edges(&self) -> Vec<Edge> {
+        edges::edges(&self.rooms)
+    }
+
+    /// The rectangle around all rooms, balconies included.
+    pub fn hull(&self) -> Rect {
+        self.rooms.iter().map(Room::hull).reduce(Rect::around).unwrap_or_default()
+    }
+
+    /// Net area of all rooms but balconies, square metres.
+    pub fn area(&self) -> f32 {
+        self.rooms.iter().filter(|r| r.kind != RoomKind::Balcony).map(Room::area).sum()
+    }
+
+    /// Doors and passages of a room.
+    pub fn doors_of(&self, room: usize) -> impl Iterator<Item = &Opening> {
+        self.openings.iter().filter(move |o| o.kind != OpeningKind::Window && o.touches(room))
+    }
+}

@@ -1,0 +1,467 @@
+//! Plans along a spine: two bands of rooms with a hall between them.
+//!
+//! The south band ends in the living room; the other rooms stand side by side in
+//! both. Bathrooms and stores are cut out of a room's corner, which makes that room
+//! an L. Widths follow in closed form from areas and depths; the living room takes
+//! up what is left. A candidate costs a microsecond or two, so that many are drawn
+//! and the first is taken whose rooms meet as the programme says.
+
+use vc_graph::Stream;
+
+use super::programme::{Programme, Wish};
+use super::{Layout, Rect, Room, RoomKind, Scheme, Topology, cells};
+
+/// Candidates drawn before the best so far is taken.
+const TRIES: usize = 400;
+/// Least stretch of wall for a door with its frame, cells.
+const DOOR: i32 = 24;
+
+/// A corner of a cell given to a service room.
+#[derive(Debug, Clone, Copy)]
+struct Notch {
+    wish: usize,
+    width: i32,
+    depth: i32,
+    /// At the window side, so only to be reached from the cell itself.
+    outside: bool,
+}
+
+/// A main room in a band, with what is cut out of its west and east corners.
+#[derive(Debug, Clone)]
+struct Cell {
+    /// The room; `None` for a bay of the hall.
+    wish: Option<usize>,
+    notches: [Option<Notch>; 2],
+    x: i32,
+    width: i32,
+}
+
+/// The hall strip and the depths of the bands.
+struct Frame {
+    south: i32,
+    hall: i32,
+    north: i32,
+    /// Where the hall begins and ends along the spine.
+    from: i32,
+    to: i32,
+    /// Length of the whole.
+    length: i32,
+    /// Length of the north band's rooms; beyond them is living room or outside.
+    reach: i32,
+}
+
+/// The best plan of several hundred candidates; `None` if none was sound.
+pub(super) fn lay_out(programme: &Programme, scheme: Scheme, rng: &mut Stream) -> Option<Layout> {
+    let count = |f: fn(RoomKind) -> bool| programme.wishes.iter().filter(|w| f(w.kind)).count();
+    let (bedrooms, baths) = (count(RoomKind::is_bedroom), count(|k| k == RoomKind::Bathroom));
+    let kitchen = count(|k| k == RoomKind::Kitchen) > 0;
+    let mut best: Option<(usize, Layout)> = None;
+    let mut scale = 1.0;
+    for _ in 0..TRIES {
+        let Some(layout) = (Draft { programme, scheme, scale }).attempt(rng) else { continue };
+        let area: f32 = layout.rooms.iter().map(Room::area).sum();
+        let off = programme.wished_area.map_or(0.0, |wished| {
+            scale *= (wished / area).powf(0.6);
+            (area / wished - 1.0).abs()
+        });
+        if off > 0.1 {
+            continue;
+        }
+        let missed = Topology::of(&layout.rooms).differences(programme.topology, bedrooms, baths, kitchen);
+        let cost = missed + if off > 0.03 { 10 } else { 0 };
+        if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+            best = Some((cost, layout));
+        }
+        if cost == 0 {
+            break;
+        }
+    }
+    best.map(|(_, layout)| layout)
+}
+
+struct Draft<'a> {
+    programme: &'a Programme,
+    scheme: Scheme,
+    scale: f32,
+}
+
+impl Draft<'_> {
+    fn attempt(&self, rng: &mut Stream) -> Option<Layout> {
+        let shallow = self.scheme == Scheme::Bar;
+        let hall = match self.scheme {
+            Scheme::CentralHall => rng.count(32, 44),
+            _ => rng.count(23, 28),
+        } as i32;
+        let depths = if self.programme.area() < 45.0 { (66, 92) } else { (72, 98) };
+        let south = rng.count(depths.0, depths.1) as i32;
+        let north = if shallow { rng.count(39, 52) } else { rng.count(depths.0, depths.1) } as i32;
+        let (mut souths, mut norths) = self.assign(shallow, rng);
+        self.cut(&mut souths, &mut norths, (south, north), shallow, rng)?;
+        let mut frame = Frame { south, hall, north, from: 0, to: 0, length: 0, reach: 0 };
+        self.measure(&mut souths, &mut norths, &mut frame, shallow, rng)?;
+        let taker = self.fit_hall(&souths, &norths, &mut frame, rng)?;
+        let layout = self.build(&souths, &norths, &frame, taker, shallow, rng);
+        self.is_sound(&layout.rooms).then_some(layout)
+    }
+
+    fn wish(&self, index: usize) -> Wish {
+        self.programme.wishes[index]
+    }
+
+    /// Area between wall middles, square cells.
+    fn gross(&self, index: usize) -> f32 {
+        let side = (self.wish(index).area * self.scale).sqrt() + 0.1;
+        side * side * 400.0
+    }
+
+    /// Deals the main rooms to the bands, west to east; the living room comes last
+    /// in the south.
+    fn assign(&self, shallow: bool, rng: &mut Stream) -> (Vec<Cell>, Vec<Cell>) {
+        let (mut souths, mut norths) = (Vec::new(), Vec::new());
+        let mut load = [self.wish(0).area, 0.0];
+        let mut mains: Vec<usize> = (1..self.programme.wishes.len())
+            .filter(|&i| self.wish(i).kind.is_bedroom() || self.wish(i).kind == RoomKind::Study)
+            .collect();
+        rng.shuffle(&mut mains);
+        let kitchen = (1..self.programme.wishes.len()).find(|&i| self.wish(i).kind == RoomKind::Kitchen);
+        // Where the kitchen goes: by the living room, at the east end opposite, or anywhere opposite.
+        let place = if self.programme.open_kitchen { rng.below(2) } else { rng.below(3) };
+        if kitchen.is_some() && place > 0 {
+            load[1] += kitchen.map_or(0.0, |k| self.wish(k).area);
+        } else {
+            load[0] += kitchen.map_or(0.0, |k| self.wish(k).area);
+        }
+        for main in mains {
+            let north = !shallow && (load[1] + rng.between(-8.0, 8.0) < load[0]);
+            load[usize::from(north)] += self.wish(main).area;
+            if north { &mut norths } else { &mut souths }.push(Cell::of(main));
+        }
+        match (kitchen, place) {
+            (Some(k), 0) => souths.push(Cell::of(k)),
+            (Some(k), 1) => norths.push(Cell::of(k)),
+            (Some(k), _) => norths.insert(rng.below(norths.len() + 1), Cell::of(k)),
+            _ => {}
+        }
+        souths.push(Cell::of(0));
+        (souths, norths)
+    }
+
+    /// Gives every service room a corner of a cell, or a cell of its own in a
+    /// shallow band.
+    fn cut(
+        &self,
+        souths: &mut [Cell],
+        norths: &mut Vec<Cell>,
+        depths: (i32, i32),
+        shallow: bool,
+        rng: &mut Stream,
+    ) -> Option<()> {
+        for index in 1..self.programme.wishes.len() {
+            let wish = self.wish(index);
+            if !is_service(wish.kind) {
+                continue;
+            }
+            if shallow && wish.of.is_none() {
+                norths.insert(rng.below(norths.len() + 1), Cell::of(index));
+                continue;
+            }
+            let owner = wish.of;
+            let mut hosts: Vec<(bool, usize, usize)> = Vec::new();
+            for (north, band) in [(false, &*souths), (true, &**norths)] {
+                for (at, cell) in band.iter().enumerate() {
+                    let fits = match (owner, cell.wish) {
+                        (Some(owner), Some(main)) => owner == main,
+                        (None, Some(main)) => main != 0 && !is_service(self.wish(main).kind),
+                        _ => false,
+                    };
+                    let deep = !(shallow && north);
+                    hosts.extend((0..2).filter(|&s| fits && deep && cell.notches[s].is_none()).map(|s| (north, at, s)));
+                }
+            }
+            self.prefer(wish.kind, souths, norths, &mut hosts);
+            let &(north, at, side) = rng.pick(&hosts)?;
+            let depth = if north { depths.1 } else { depths.0 };
+            let notch = self.notch(index, depth, owner.is_some() && rng.chance(0.4), rng)?;
+            let band = if north { &mut norths[..] } else { &mut *souths };
+            band[at].notches[side] = Some(notch);
+        }
+        Some(())
+    }
+
+    /// Keeps the corners next to a bathroom, or next to the kitchen, or away from
+    /// them, as the programme says, where there are any.
+    fn prefer(&self, kind: RoomKind, souths: &[Cell], norths: &[Cell], hosts: &mut Vec<(bool, usize, usize)>) {
+        if kind != RoomKind::Bathroom {
+            return;
+        }
+        let topology = self.programme.topology;
+        let kind_of = |wish: usize| self.wish(wish).kind;
+        let meets = |&(north, at, side): &(bool, usize, usize), what: RoomKind| {
+            let band = if north { norths } else { souths };
+            let beside = if side == 0 { at.checked_sub(1) } else { Some(at + 1) };
+            let main = |c: &Cell| c.wish.is_some_and(|w| kind_of(w) == what);
+            let facing = |c: &Cell| c.notches[1 - side].is_some_and(|n| kind_of(n.wish) == what);
+            (what == RoomKind::Kitchen && main(&band[at])) || beside.and_then(|b| band.get(b)).is_some_and(|c| main(c) || facing(c))
+        };
+        for (what, wanted) in [(RoomKind::Kitchen, topology.bath_kitchen), (RoomKind::Bathroom, topology.bath_bath)] {
+            let fit: Vec<_> = hosts.iter().copied().filter(|h| meets(h, what) == wanted).collect();
+            if !fit.is_empty() {
+                *hosts = fit;
+            }
+        }
+    }
+
+    fn notch(&self, index: usize, band: i32, outside: bool, rng: &mut Stream) -> Option<Notch> {
+        let area = self.gross(index);
+        let width = match self.wish(index).kind {
+            RoomKind::Wc => rng.count(20, 24),
+            RoomKind::Storage => rng.count(22, 32),
+            _ => rng.count(32, 42),
+        } as i32;
+        let depth = (area / width as f32).round() as i32;
+        (depth >= 22 && depth <= band - 18).then_some(Notch { wish: index, width, depth, outside })
+    }
+
+    /// Widths in closed form, and positions.
+    fn measure(
+        &self,
+        souths: &mut [Cell],
+        norths: &mut Vec<Cell>,
+        frame: &mut Frame,
+        shallow: bool,
+        rng: &mut Stream,
+    ) -> Option<()> {
+        let bands = [(&mut *souths, frame.south), (&mut norths[..], frame.north)];
+        for (band, depth) in bands {
+            for cell in band {
+                let Some(main) = cell.wish else { continue };
+                let notches = cell.notches.iter().flatten();
+                let area = self.gross(main) + notches.clone().map(|n| (n.width * n.depth) as f32).sum::<f32>();
+                let passage = notches.filter(|n| !n.outside).map(|n| n.width).sum::<i32>() + DOOR;
+                cell.width = ((area / depth as f32).round() as i32).max(passage).max(least_width(self.wish(main).kind));
+            }
+        }
+        let fixed: i32 = souths.iter().rev().skip(1).map(|c| c.width).sum();
+        let living = souths.last()?.width;
+        let mut north: i32 = norths.iter().map(|c| c.width).sum();
+        if shallow && rng.chance(0.6) {
+            let width = rng.count(25, 34) as i32;
+            norths.insert(rng.below(norths.len() + 1), Cell { wish: None, notches: [None; 2], x: 0, width });
+            north += width;
+        }
+        let bears = |width: i32| width >= living * 4 / 5 && width <= living * 5 / 4;
+        let mut width = living;
+        if bears(north - fixed) {
+            width = north - fixed;
+        } else {
+            let spare = fixed + living - north;
+            let cut = matches!(self.scheme, Scheme::LPlan | Scheme::OpenPlan | Scheme::Bar);
+            if spare <= 0 || !cut || spare < 30 || north == 0 {
+                return None;
+            }
+            if self.scheme != Scheme::LPlan {
+                // The living room reaches through: less of it in the south.
+                let through = spare as f32 * frame.north as f32 / (frame.south + frame.north) as f32;
+                width = (living - through as i32).max(60);
+                if fixed + width - north < 30 {
+                    return None;
+                }
+            }
+        }
+        if let Some(last) = souths.last_mut() {
+            last.width = width;
+        }
+        frame.length = fixed + width;
+        frame.reach = north;
+        for band in [souths, &mut norths[..]] {
+            let mut x = 0;
+            for cell in band {
+                cell.x = x;
+                x += cell.width;
+            }
+        }
+        Some(())
+    }
+
+    /// Where the hall runs, and whether the first cell of the south (`false`) or
+    /// north (`true`) band takes the strip west of it.
+    fn fit_hall(&self, souths: &[Cell], norths: &[Cell], frame: &mut Frame, rng: &mut Stream) -> Option<Option<bool>> {
+        let length = frame.length;
+        let bay = norths.iter().any(|c| c.wish.is_none());
+        let (open_west, open_east) = match self.scheme {
+            Scheme::OpenPlan => (rng.chance(0.6), true),
+            _ if bay => (rng.chance(0.5), rng.chance(0.7)),
+            _ => {
+                let west = rng.chance(0.5);
+                (west, !west)
+            }
+        };
+        let first = |band: &[Cell]| {
+            band.first().is_some_and(|c| {
+                let main = c.wish.is_some_and(|w| w != 0 && !is_service(self.wish(w).kind));
+                main && c.notches[0].is_none_or(|n| n.outside)
+            })
+        };
+        let takers: Vec<bool> = [false, true].into_iter().filter(|&n| first(if n { norths } else { souths })).collect();
+        let taker = if open_west { rng.pick(&takers).copied() } else { None };
+        let mut low = length;
+        let mut high = 0;
+        for (north, cells) in [(false, souths), (true, norths)] {
+            for (at, cell) in cells.iter().enumerate() {
+                if cell.wish == Some(0) {
+                    continue;
+                }
+                let kitchen = cell.wish.is_some_and(|w| self.wish(w).kind == RoomKind::Kitchen);
+                for (from, to, main) in cell.frontages() {
+                    if !(main && at == 0 && taker == Some(north)) {
+                        low = low.min(to - DOOR);
+                    }
+                    // A kitchen may open to the living room's part of the strip.
+                    if !(main && kitchen && open_east) {
+                        high = high.max(from + DOOR);
+                    }
+                }
+            }
+        }
+        frame.from = if taker.is_some() && low >= 22 { low } else { 0 };
+        high = (high + rng.below(8) as i32).max(frame.from + DOOR);
+        let living = souths.last()?;
+        let strip = length - high.max(frame.from);
+        frame.to = if open_east && strip >= 24 && length - living.x.max(high) >= DOOR { high } else { length };
+        // Where the north band ends early the strip's rest is the living room's.
+        if frame.to > frame.reach && frame.reach < length {
+            if !open_east || high > frame.reach {
+                return None;
+            }
+            frame.to = frame.reach.max(high);
+        }
+        (self.scheme != Scheme::OpenPlan || frame.to < length).then_some(taker.filter(|_| frame.from > 0))
+    }
+
+    fn build(
+        &self,
+        souths: &[Cell],
+        norths: &[Cell],
+        frame: &Frame,
+        taker: Option<bool>,
+        shallow: bool,
+        rng: &mut Stream,
+    ) -> Layout {
+        let mut rooms: Vec<Room> =
+            self.programme.wishes.iter().map(|w| Room { kind: w.kind, rects: Vec::new(), of: w.of }).collect();
+        let (hall_low, hall_high) = (frame.south, frame.south + frame.hall);
+        let mut hall = vec![Rect { x0: frame.from, x1: frame.to, y0: hall_low, y1: hall_high }];
+        for (north, band) in [(false, souths), (true, norths)] {
+            // v counts from the hall outwards.
+            let depth = if north { frame.north } else { frame.south };
+            let rect = |x0: i32, x1: i32, v0: i32, v1: i32| match north {
+                false => Rect { x0, x1, y0: hall_low - v1, y1: hall_low - v0 },
+                true => Rect { x0, x1, y0: hall_high + v0, y1: hall_high + v1 },
+            };
+            for (at, cell) in band.iter().enumerate() {
+                let Some(main) = cell.wish else {
+                    hall.push(rect(cell.x, cell.x + cell.width, 0, depth));
+                    continue;
+                };
+                cell.carve(main, depth, &mut rooms, &rect);
+                if at == 0 && taker == Some(north) {
+                    rooms[main].rects.push(Rect { x0: 0, x1: frame.from, y0: hall_low, y1: hall_high });
+                }
+            }
+        }
+        if frame.to < frame.length {
+            rooms[0].rects.push(Rect { x0: frame.to, x1: frame.length, y0: hall_low, y1: hall_high });
+        }
+        if frame.reach < frame.length && self.scheme != Scheme::LPlan {
+            let top = hall_high + frame.north;
+            rooms[0].rects.push(Rect { x0: frame.reach, x1: frame.length, y0: hall_high, y1: top });
+        }
+        rooms.push(Room { kind: RoomKind::Hall, rects: hall, of: None });
+        let facades = [rng.chance(0.3), rng.chance(0.4), true, !shallow];
+        Layout { rooms, facades }
+    }
+
+    /// Whether every room is as large and as wide as it must be.
+    fn is_sound(&self, rooms: &[Room]) -> bool {
+        rooms.iter().enumerate().all(|(index, room)| {
+            let (area, short) = (room.area(), room.widest());
+            match self.programme.wishes.get(index) {
+                Some(wish) => {
+                    let (least, most) = if wish.kind == RoomKind::Living { (0.75, 1.35) } else { (0.78, 1.3) };
+                    let wished = wish.area * self.scale;
+                    area >= wished * least && area <= wished * most && short >= room.kind.least_side()
+                }
+                None => area <= 4.0 + 0.11 * self.programme.area() * self.scale,
+            }
+        })
+    }
+}
+
+impl Cell {
+    fn of(wish: usize) -> Self {
+        Self { wish: Some(wish), notches: [None; 2], x: 0, width: 0 }
+    }
+
+    /// Stretches along the hall that need a door each, and whether it is the main
+    /// room's.
+    fn frontages(&self) -> impl Iterator<Item = (i32, i32, bool)> {
+        let [left, right] = self.notches.map(|n| n.filter(|n| !n.outside));
+        let (from, to) = (self.x, self.x + self.width);
+        let low = from + left.map_or(0, |n| n.width);
+        let high = to - right.map_or(0, |n| n.width);
+        let notches = [left.map(|_| (from, low, false)), right.map(|_| (high, to, false))];
+        std::iter::once((low, high, true)).chain(notches.into_iter().flatten())
+    }
+
+    /// The rectangles of the main room and of what is cut out of it.
+    fn carve(&self, main: usize, depth: i32, rooms: &mut [Room], rect: &impl Fn(i32, i32, i32, i32) -> Rect) {
+        let (from, to) = (self.x, self.x + self.width);
+        // Columns of the cell: both notches, and what is between them.
+        let low = from + self.notches[0].map_or(0, |n| n.width);
+        let high = to - self.notches[1].map_or(0, |n| n.width);
+        let columns = [(from, low, self.notches[0]), (low, high, None), (high, to, self.notches[1])];
+        for (x0, x1, notch) in columns.into_iter().filter(|(x0, x1, _)| x0 < x1) {
+            let Some(notch) = notch else {
+                rooms[main].rects.push(rect(x0, x1, 0, depth));
+                continue;
+            };
+            let (cut, rest) = match notch.outside {
+                true => ((depth - notch.depth, depth), (0, depth - notch.depth)),
+                false => ((0, notch.depth), (notch.depth, depth)),
+            };
+            rooms[notch.wish].rects.push(rect(x0, x1, cut.0, cut.1));
+            rooms[main].rects.push(rect(x0, x1, rest.0, rest.1));
+        }
+    }
+}
+
+fn is_service(kind: RoomKind) -> bool {
+    matches!(kind, RoomKind::Bathroom | RoomKind::Wc | RoomKind::Storage | RoomKind::Laundry)
+}
+
+/// Least width of a cell in a band, cells.
+fn least_width(kind: RoomKind) -> i32 {
+    match kind {
+        RoomKind::Living => 60,
+        RoomKind::Wc => 20,
+        RoomKind::Storage => 24,
+        _ => kind.least_side() + 2,
+    }
+}
+
+impl RoomKind {
+    /// Least net side of the largest square-ish part, cells.
+    pub(super) fn least_side(self) -> i32 {
+        match self {
+            Self::Living => cells(2.9),
+            Self::Bedroom => cells(2.6),
+            Self::Kids => cells(2.3),
+            Self::Kitchen => cells(1.9),
+            Self::Study => cells(2.1),
+            Self::Bathroom => cells(1.5),
+            Self::Laundry => cells(1.5),
+            Self::Wc | Self::Storage | Self::Hall => cells(0.9),
+            Self::Balcony => cells(0.8),
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! Which kinds of room share a wall: what is drawn for a plan, and what came out.
+
+use vc_graph::Stream;
+
+use super::{Room, RoomKind, edges};
+
+/// Whether rooms of two kinds share a wall somewhere in the plan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Topology {
+    /// Two bedrooms.
+    pub bedroom_bedroom: bool,
+    /// Two bathrooms.
+    pub bath_bath: bool,
+    /// A bedroom and the kitchen.
+    pub bedroom_kitchen: bool,
+    /// A bathroom and the kitchen.
+    pub bath_kitchen: bool,
+}
+
+/// Shortest stretch that counts as a shared wall, cells.
+const CONTACT: i32 = 6;
+
+impl Topology {
+    /// How real plans lie: shares of plans in which the kinds share a wall.
+    pub(super) fn draw(rng: &mut Stream) -> Self {
+        Self {
+            bedroom_bedroom: rng.chance(0.62),
+            bath_bath: rng.chance(0.53),
+            bedroom_kitchen: rng.chance(0.36),
+            bath_kitchen: rng.chance(0.36),
+        }
+    }
+
+    /// How the rooms of a plan lie.
+    pub fn of(rooms: &[Room]) -> Self {
+        let mut found = Self::default();
+        for edge in edges::edges(rooms).iter().filter(|e| e.length() >= CONTACT) {
+            let (Some(a), Some(b)) = (edge.low, edge.high) else { continue };
+            let (a, b) = (rooms[a].kind, rooms[b].kind);
+            let pair = |f: fn(RoomKind) -> bool, g: fn(RoomKind) -> bool| (f(a) && g(b)) || (f(b) && g(a));
+            let bath = |k| k == RoomKind::Bathroom;
+            let kitchen = |k| k == RoomKind::Kitchen;
+            found.bedroom_bedroom |= pair(RoomKind::is_bedroom, RoomKind::is_bedroom);
+            found.bath_bath |= pair(bath, bath);
+            found.bedroom_kitchen |= pair(RoomKind::is_bedroom, kitchen);
+            found.bath_kitchen |= pair(bath, kitchen);
+        }
+        found
+    }
+
+    /// In how many respects two differ, counting those that can differ at all.
+    pub(super) fn differences(self, other: Self, bedrooms: usize, baths: usize, kitchen: bool) -> usize {
+        usize::from(bedrooms > 1 && self.bedroom_bedroom != other.bedroom_bedroom)
+            + usize::from(baths > 1 && self.bath_bath != other.bath_bath)
+            + usize::from(kitchen && self.bedroom_kitchen != other.bedroom_kitchen)
+            + usize::from(kitchen && self.bath_kitchen != other.bath_kitchen)
+    }
+}

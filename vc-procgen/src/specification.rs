@@ -1,0 +1,71 @@
+//! What a user may wish for.
+
+use crate::Style;
+use crate::error::Impossible;
+
+/// Wishes for an apartment; what is not wished for is drawn from the seed.
+///
+/// ```
+/// use vc_procgen::Specification;
+/// let two_bedrooms = Specification { bedrooms: Some(2), area: Some(70.0), ..Specification::default() };
+/// assert!(two_bedrooms.check().is_ok());
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Specification {
+    /// Bedrooms, 0 (a studio) to 6.
+    pub bedrooms: Option<usize>,
+    /// Bathrooms, 1 to 4 and at most one more than bedrooms.
+    pub bathrooms: Option<usize>,
+    /// Whether the kitchen is open to the living room.
+    pub open_kitchen: Option<bool>,
+    /// Whether there is a study.
+    pub study: Option<bool>,
+    /// Whether there is a laundry.
+    pub laundry: Option<bool>,
+    /// Whether there is a store room.
+    pub storage: Option<bool>,
+    /// Whether there is a separate toilet.
+    pub wc: Option<bool>,
+    /// Balconies, 0 to 3.
+    pub balconies: Option<usize>,
+    /// Net area of all rooms but balconies, square metres, 15 to 400.
+    pub area: Option<f32>,
+    /// The look.
+    pub style: Option<Style>,
+    /// How many small things lie about, 0 (tidy and bare) to 1; 0.6 if not wished.
+    pub clutter: Option<f32>,
+}
+
+impl Specification {
+    /// A studio: one room for living, sleeping and cooking.
+    pub fn studio() -> Self {
+        Self { bedrooms: Some(0), ..Self::default() }
+    }
+
+    /// An apartment with so many bedrooms.
+    pub fn with_bedrooms(bedrooms: usize) -> Self {
+        Self { bedrooms: Some(bedrooms), ..Self::default() }
+    }
+
+    /// Whether every figure is within its range.
+    ///
+    /// # Errors
+    /// [`Impossible::OutOfRange`] names the figure.
+    pub fn check(&self) -> Result<(), Impossible> {
+        let count = |what, value: Option<usize>, low, high| range(what, value.map(|v| v as f32), low, high);
+        count("bedrooms", self.bedrooms, 0.0, 6.0)?;
+        let most = self.bedrooms.map_or(4.0, |b| (b as f32 + 1.0).min(4.0));
+        count("bathrooms", self.bathrooms, 1.0, most)?;
+        count("balconies", self.balconies, 0.0, 3.0)?;
+        range("area", self.area, 15.0, 400.0)?;
+        range("clutter", self.clutter, 0.0, 1.0)
+    }
+}
+
+fn range(what: &'static str, value: Option<f32>, low: f32, high: f32) -> Result<(), Impossible> {
+    match value {
+        // Written so that NaN fails too.
+        Some(value) if !(value >= low && value <= high) => Err(Impossible::OutOfRange { what, value, low, high }),
+        _ => Ok(()),
+    }
+}
