@@ -1,8 +1,9 @@
 //! Triangles of a polygon: ears cut off one by one.
 //!
-//! Every corner of the outline stays a corner of a triangle, even one in the middle
-//! of a straight edge, so that caps fit walls without a gap; libraries for drawing
-//! leave such corners out. O'Rourke, Computational Geometry in C, chapter 1.
+//! An outline of `n` corners always gives `n - 2` triangles that use all of them, even
+//! a corner in the middle of a straight edge and even where the outline touches or
+//! crosses itself, so that caps fit walls without a gap. O'Rourke, Computational
+//! Geometry in C, chapter 1.
 
 use robust::{Coord, orient2d};
 

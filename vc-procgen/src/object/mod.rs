@@ -5,6 +5,8 @@
 
 mod build;
 mod joinery;
+mod mirror;
+mod solids;
 // families
 mod bath;
 mod bed;
@@ -42,6 +44,8 @@ use vc_graph::{Asset, Bounds, ClassTable, Frame, Seed};
 
 use crate::style::Style;
 use build::Build;
+
+pub(crate) use solids::Solids;
 
 /// Makes the objects of one class.
 #[derive(Debug, Clone, Copy)]

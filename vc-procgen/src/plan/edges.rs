@@ -49,7 +49,7 @@ impl Edge {
 /// position.
 ///
 /// Costs the square of the number of distinct coordinates, some microseconds.
-pub(super) fn edges(rooms: &[Room]) -> Vec<Edge> {
+pub(crate) fn edges(rooms: &[Room]) -> Vec<Edge> {
     let rects = || rooms.iter().enumerate().flat_map(|(i, r)| r.rects.iter().map(move |rect| (i, *rect)));
     let xs = coordinates(rects().flat_map(|(_, r)| [r.x0, r.x1]));
     let ys = coordinates(rects().flat_map(|(_, r)| [r.y0, r.y1]));

@@ -162,7 +162,13 @@ impl Grid {
         let at = |x: usize, y: usize| x < self.width && y < self.depth && self.owner[y * self.width + x] == other;
         let longest = |cells: &mut dyn Iterator<Item = bool>| {
             let mut run = 0;
-            cells.map(|hit| { run = if hit { run + 1 } else { 0 }; run }).max().unwrap_or(0)
+            cells
+                .map(|hit| {
+                    run = if hit { run + 1 } else { 0 };
+                    run
+                })
+                .max()
+                .unwrap_or(0)
         };
         let rows = [patch.y0.wrapping_sub(1), patch.y1];
         let columns = [patch.x0.wrapping_sub(1), patch.x1];
@@ -177,7 +183,8 @@ impl Grid {
         let mut rects = Vec::new();
         for y in 0..self.depth {
             for x in 0..self.width {
-                let free = |x: usize, y: usize, taken: &[bool]| x < self.width && y < self.depth && !taken[y * self.width + x];
+                let free =
+                    |x: usize, y: usize, taken: &[bool]| x < self.width && y < self.depth && !taken[y * self.width + x];
                 if !free(x, y, &taken) {
                     continue;
                 }

@@ -14,9 +14,11 @@ mod studio;
 mod topology;
 
 pub use edges::Edge;
+pub(crate) use edges::edges as edges_of;
 pub use openings::{Opening, OpeningKind};
 pub use programme::{Programme, Wish};
 pub use rect::Rect;
+pub(crate) use rect::covers;
 pub use topology::Topology;
 
 use vc_graph::{Seed, Stream};

@@ -216,18 +216,13 @@ impl Opener<'_> {
     }
 
     /// A door to one of the rooms that are fit.
-    fn door(
-        &mut self,
-        room: usize,
-        fit: impl Fn(usize, RoomKind) -> bool,
-        width: i32,
-        rng: &mut Stream,
-    ) -> Option<()> {
+    fn door(&mut self, room: usize, fit: impl Fn(usize, RoomKind) -> bool, width: i32, rng: &mut Stream) -> Option<()> {
         let mut walls: Vec<&Edge> = self.edges.iter().collect();
         walls.retain(|e| e.length() >= width + 4 && e.beyond(room).is_some_and(|o| fit(o, self.kind(o))));
         rng.shuffle(&mut walls);
         // Small wet rooms have no place for a leaf: it opens outwards.
-        let small = matches!(self.kind(room), RoomKind::Bathroom | RoomKind::Wc | RoomKind::Storage | RoomKind::Laundry);
+        let small =
+            matches!(self.kind(room), RoomKind::Bathroom | RoomKind::Wc | RoomKind::Storage | RoomKind::Laundry);
         let outward = small && self.rooms[room].area() < 6.5;
         for way in [outward, !outward] {
             for edge in &walls {
@@ -339,11 +334,16 @@ fn balcony(plan: &Plan, edge: &Edge, openings: &[Opening], rng: &mut Stream) -> 
         return None;
     }
     let index = plan.rooms.len();
-    let mut door = Opening::on(edge, OpeningKind::BalconyDoor, from + CORNER + 1 + rng.below(spare as usize + 1) as i32, width);
+    let mut door =
+        Opening::on(edge, OpeningKind::BalconyDoor, from + CORNER + 1 + rng.below(spare as usize + 1) as i32, width);
     // Balcony doors open into the room.
     door.opens_high = edge.high.is_some();
     door.hinge_low = rng.chance(0.5);
-    if outwards { door.high = Some(index) } else { door.low = Some(index) }
+    if outwards {
+        door.high = Some(index)
+    } else {
+        door.low = Some(index)
+    }
     let clash = openings.iter().any(|o| {
         let ways = [o.before(true, 4), o.before(false, 4)];
         door.swing().is_some_and(|s| o.swing().is_some_and(|t| t.overlaps(&s)) || ways.iter().any(|w| w.overlaps(&s)))

@@ -192,7 +192,8 @@ impl Programme {
         ];
         let first = rng.weighted(weights.iter().map(|w| w.1)).unwrap_or(0);
         let mut order = vec![weights[first].0; 6];
-        let rest = [Scheme::OpenPlan, Scheme::Corridor, Scheme::LPlan, Scheme::CentralHall, Scheme::Bar, Scheme::Irregular];
+        let rest =
+            [Scheme::OpenPlan, Scheme::Corridor, Scheme::LPlan, Scheme::CentralHall, Scheme::Bar, Scheme::Irregular];
         order.extend(rest.into_iter().flat_map(|s| [s; 4]));
         order
     }

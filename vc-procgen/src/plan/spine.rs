@@ -201,7 +201,8 @@ impl Draft<'_> {
             let beside = if side == 0 { at.checked_sub(1) } else { Some(at + 1) };
             let main = |c: &Cell| c.wish.is_some_and(|w| kind_of(w) == what);
             let facing = |c: &Cell| c.notches[1 - side].is_some_and(|n| kind_of(n.wish) == what);
-            (what == RoomKind::Kitchen && main(&band[at])) || beside.and_then(|b| band.get(b)).is_some_and(|c| main(c) || facing(c))
+            (what == RoomKind::Kitchen && main(&band[at]))
+                || beside.and_then(|b| band.get(b)).is_some_and(|c| main(c) || facing(c))
         };
         for (what, wanted) in [(RoomKind::Kitchen, topology.bath_kitchen), (RoomKind::Bathroom, topology.bath_bath)] {
             let fit: Vec<_> = hosts.iter().copied().filter(|h| meets(h, what) == wanted).collect();

@@ -1,0 +1,16 @@
+//! A model that reads is one that a library takes and that writes and reads again.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use vc_graph::AssetLibrary;
+use vc_procgen::gltf::{self, Options};
+
+fuzz_target!(|file: &[u8]| {
+    let options = Options { hulls: 0, ..Options::default() };
+    let Ok(model) = gltf::read(file, &options) else { return };
+    let mut library = AssetLibrary::default();
+    let Ok(id) = model.add_to(&mut library) else { return };
+    let Some(asset) = library.get(id) else { return };
+    let Ok(written) = gltf::asset(asset, &library) else { return };
+    let _ = gltf::read(&written, &options);
+});

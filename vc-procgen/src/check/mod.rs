@@ -1,0 +1,224 @@
+//! Whether an apartment is sound: every violation, with what it concerns.
+
+mod overlap;
+
+use std::fmt;
+
+use crate::apartment::Apartment;
+use crate::furnish::{Item, Rest};
+use crate::plan::{OpeningKind, RoomKind};
+use crate::reach::Reach;
+
+pub(crate) use overlap::{collisions, related};
+
+/// One thing that is wrong with an apartment. Items go by their position in
+/// [`Apartment::items`], rooms by that in the plan.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Violation {
+    /// Two solids share space.
+    Overlap(Named, Named),
+    /// A thing is not within its room.
+    Outside(Named, usize),
+    /// A thing hangs in the air, or sinks into what it rests on: by so many metres.
+    Unsupported(Named, f32),
+    /// Nobody gets into a room.
+    UnreachableRoom(usize, RoomKind),
+    /// Nobody reaches a thing.
+    Unreachable(Named),
+    /// Something stands where a door's leaf swings or before a way.
+    BlockedDoor(usize, Named),
+    /// A room lacks what makes it one.
+    Incomplete(usize, RoomKind, &'static str),
+    /// One gets to a bedroom only through another bedroom or a bathroom, or through a
+    /// bathroom to any room.
+    Passage(usize, RoomKind),
+}
+
+/// An item, by position and class.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Named {
+    /// Position in [`Apartment::items`].
+    pub item: usize,
+    /// Its class.
+    pub class: &'static str,
+}
+
+impl fmt::Display for Named {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.class, self.item)
+    }
+}
+
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Overlap(a, b) => write!(f, "{a} and {b} share space"),
+            Self::Outside(a, room) => write!(f, "{a} is not within room {room}"),
+            Self::Unsupported(a, by) => write!(f, "{a} is {by:.3} m off what it rests on"),
+            Self::UnreachableRoom(room, kind) => write!(f, "nobody gets into the {} (room {room})", kind.title()),
+            Self::Unreachable(a) => write!(f, "nobody reaches {a}"),
+            Self::BlockedDoor(door, a) => write!(f, "{a} is in the way of opening {door}"),
+            Self::Incomplete(room, kind, what) => write!(f, "the {} (room {room}) has no {what}", kind.title()),
+            Self::Passage(room, kind) => {
+                write!(f, "the {} (room {room}) is reached only through a private room", kind.title())
+            }
+        }
+    }
+}
+
+impl Apartment {
+    /// Every violation of a sound apartment; those that [`Apartment::generate`]
+    /// returns have none.
+    ///
+    /// Costs about a millisecond.
+    pub fn check(&self) -> Vec<Violation> {
+        let mut found = Vec::new();
+        let items = &self.items;
+        let pairs = collisions(items);
+        found.extend(pairs.into_iter().map(|(a, b)| Violation::Overlap(self.named(a), self.named(b))));
+        found.extend((0..items.len()).filter_map(|i| self.outside(i)));
+        found.extend((0..items.len()).filter_map(|i| self.unsupported(i)));
+        found.extend(self.blocked());
+        let reach = Reach::of(&self.plan, items);
+        for (index, room) in self.plan.rooms.iter().enumerate() {
+            if !reach.enters(&self.plan, index) {
+                found.push(Violation::UnreachableRoom(index, room.kind));
+            }
+            let missing = missing(room.kind, self.is_studio(), items.iter().filter(|i| i.room == index));
+            found.extend(missing.into_iter().map(|what| Violation::Incomplete(index, room.kind, what)));
+        }
+        let unreached = (0..items.len()).filter(|&i| is_used(&items[i]) && !reach.touches(&items[i].area()));
+        found.extend(unreached.map(|i| Violation::Unreachable(self.named(i))));
+        found.extend(self.passages());
+        found
+    }
+
+    fn named(&self, item: usize) -> Named {
+        Named { item, class: self.items[item].object.class }
+    }
+
+    fn is_studio(&self) -> bool {
+        !self.plan.rooms.iter().any(|r| r.kind.is_bedroom())
+    }
+
+    /// What is part of the building reaches beyond its room; all else does not.
+    fn outside(&self, index: usize) -> Option<Violation> {
+        let item = &self.items[index];
+        if item.rest == Rest::Built {
+            return None;
+        }
+        let area = item.area();
+        let (low, high) = item.corners();
+        let slack = 1e-3;
+        let net: Vec<_> =
+            self.plan.rooms[item.room].net().iter().map(|r| crate::furnish::Area::of(r).grown(slack)).collect();
+        let corners = [(area.x0, area.y0), (area.x0, area.y1), (area.x1, area.y0), (area.x1, area.y1)];
+        let inside = |&(x, y): &(f32, f32)| net.iter().any(|n| x >= n.x0 && x <= n.x1 && y >= n.y0 && y <= n.y1);
+        let upright = low.z > -slack && high.z < self.plan.ceiling + slack;
+        (!corners.iter().all(inside) || !upright).then(|| Violation::Outside(self.named(index), item.room))
+    }
+
+    /// Whether a thing's base is where what it rests on carries.
+    fn unsupported(&self, index: usize) -> Option<Violation> {
+        let item = &self.items[index];
+        let base = item.corners().0.z;
+        let off = match item.rest {
+            Rest::Floor => base,
+            Rest::On(at, surface) | Rest::Inside(at, surface) => {
+                let below = &self.items[at];
+                let surface = below.object.asset.surfaces.get(surface)?;
+                let carrier = below.pose * surface.centre;
+                match surface.hold {
+                    vc_graph::asset::Hold::Hook => item.corners().1.z - carrier.z,
+                    _ => base - carrier.z,
+                }
+            }
+            _ => 0.0,
+        };
+        (off.abs() > 0.004).then(|| Violation::Unsupported(self.named(index), off))
+    }
+
+    fn blocked(&self) -> Vec<Violation> {
+        let mut found = Vec::new();
+        for (door, opening) in self.plan.openings.iter().enumerate().filter(|(_, o)| o.is_way()) {
+            let swing = opening.swing().into_iter();
+            let zones: Vec<_> = swing.chain([opening.before(true, 5), opening.before(false, 5)]).collect();
+            for (index, item) in self.items.iter().enumerate() {
+                let (low, high) = item.corners();
+                let stands = item.rest != Rest::Built && low.z < 2.0 && high.z > 0.03;
+                let area = item.area();
+                let inside = opening.touches(item.room);
+                if stands && inside && zones.iter().any(|z| crate::furnish::Area::of(z).grown(-0.03).overlaps(&area)) {
+                    found.push(Violation::BlockedDoor(door, self.named(index)));
+                }
+            }
+        }
+        found
+    }
+
+    /// Rooms that are only reached through a bedroom or a bathroom; a bedroom's own
+    /// bathroom, store or balcony may be.
+    fn passages(&self) -> Vec<Violation> {
+        let rooms = &self.plan.rooms;
+        let private =
+            |i: usize| rooms[i].kind.is_bedroom() || matches!(rooms[i].kind, RoomKind::Bathroom | RoomKind::Wc);
+        let ways: Vec<_> = self.plan.openings.iter().filter(|o| o.is_way()).collect();
+        let mut seen = vec![false; rooms.len()];
+        let entrance = ways.iter().find(|o| o.kind == OpeningKind::Entrance);
+        let mut open: Vec<usize> = entrance.and_then(|o| o.low.or(o.high)).into_iter().collect();
+        while let Some(room) = open.pop() {
+            if std::mem::replace(&mut seen[room], true) || private(room) {
+                continue;
+            }
+            open.extend(ways.iter().filter(|o| o.touches(room)).filter_map(|o| o.beyond(room)));
+        }
+        let bound = |i: usize| rooms[i].of.is_some() || rooms[i].kind == RoomKind::Balcony;
+        (0..rooms.len()).filter(|&i| !seen[i] && !bound(i)).map(|i| Violation::Passage(i, rooms[i].kind)).collect()
+    }
+}
+
+/// Whether somebody wants to use a thing: not the building, nor what hangs high.
+pub(crate) fn is_used(item: &Item) -> bool {
+    let openable = matches!(item.object.class, "door" | "main_door" | "balcony_door" | "window");
+    openable || !matches!(item.rest, Rest::Built | Rest::Ceiling)
+}
+
+/// What a room of a kind lacks.
+pub(crate) fn missing<'a>(
+    kind: RoomKind,
+    studio: bool,
+    items: impl Iterator<Item = &'a Item> + Clone,
+) -> Vec<&'static str> {
+    let has = |classes: &[&str]| items.clone().any(|i| classes.contains(&i.object.class));
+    let mut needs: Vec<(&'static str, &[&str])> = Vec::new();
+    let bed: (&'static str, &[&str]) = ("bed", &["double_bed", "single_bed", "kids_bed", "bed"]);
+    let kitchen: [(&'static str, &[&str]); 4] = [
+        ("sink", &["kitchen_sink"]),
+        ("hob", &["stove", "hob"]),
+        ("fridge", &["fridge"]),
+        ("worktop", &["kitchen_cabinet", "kitchen_counter"]),
+    ];
+    match kind {
+        RoomKind::Bedroom | RoomKind::Kids => needs.extend([bed, ("wardrobe", &["wardrobe"][..])]),
+        RoomKind::Kitchen => needs.extend(kitchen),
+        RoomKind::Bathroom => needs.extend([
+            ("toilet", &["toilet"][..]),
+            ("basin", &["washbasin"][..]),
+            ("shower or bath", &["shower", "bathtub"][..]),
+        ]),
+        RoomKind::Wc => needs.extend([("toilet", &["toilet"][..]), ("basin", &["washbasin"][..])]),
+        RoomKind::Living => {
+            needs.push(("seat", &["sofa", "armchair", "loveseat"]));
+            needs.push(("table", &["coffee_table", "dining_table", "side_table", "tv_stand"]));
+            if studio {
+                needs.push(bed);
+                needs.extend(kitchen);
+            }
+        }
+        RoomKind::Study => needs.push(("desk", &["desk"])),
+        RoomKind::Laundry => needs.push(("washing machine", &["washing_machine"])),
+        _ => {}
+    }
+    needs.into_iter().filter(|(_, classes)| !has(classes)).map(|(what, _)| what).collect()
+}

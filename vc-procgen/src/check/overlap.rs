@@ -1,0 +1,103 @@
+//! Which items share space: boxes of parts against boxes of parts.
+
+use nalgebra::{Isometry3, Point3, Vector3};
+use vc_graph::asset::Part;
+
+use crate::furnish::{Item, Rest};
+
+/// How deep solids may touch before they count as sharing space, metres.
+const TOUCH: f32 = 0.002;
+
+/// Pairs of items that share space. Pairs of which one rests on or in the other are
+/// left out: surfaces keep them apart. Parts of the building may meet.
+///
+/// Costs a sweep along X and a test of parts where boxes overlap.
+pub(crate) fn collisions(items: &[Item]) -> Vec<(usize, usize)> {
+    let boxes: Vec<(Point3<f32>, Point3<f32>)> = items.iter().map(Item::corners).collect();
+    let mut order: Vec<usize> = (0..items.len()).collect();
+    order.sort_by(|&a, &b| boxes[a].0.x.total_cmp(&boxes[b].0.x));
+    let mut found = Vec::new();
+    let mut active: Vec<usize> = Vec::new();
+    for &index in &order {
+        let (low, high) = boxes[index];
+        active.retain(|&other| boxes[other].1.x > low.x + TOUCH);
+        for &other in &active {
+            let (low_other, high_other) = boxes[other];
+            let apart = low_other.y > high.y - TOUCH
+                || high_other.y < low.y + TOUCH
+                || low_other.z > high.z - TOUCH
+                || high_other.z < low.z + TOUCH;
+            if !apart && !related(items, index, other) && solid(&items[index], &items[other]) {
+                found.push((index.min(other), index.max(other)));
+            }
+        }
+        active.push(index);
+    }
+    found.sort_unstable();
+    found
+}
+
+/// Whether two items may meet: one carries the other, or both are of the building.
+pub(crate) fn related(items: &[Item], a: usize, b: usize) -> bool {
+    let built = items[a].rest == Rest::Built && items[b].rest == Rest::Built;
+    built || carries(items, a, b) || carries(items, b, a)
+}
+
+/// Whether one item carries another, at any remove.
+fn carries(items: &[Item], carrier: usize, mut item: usize) -> bool {
+    while let Rest::On(at, _) | Rest::Inside(at, _) = items[item].rest {
+        if at == carrier {
+            return true;
+        }
+        item = at;
+    }
+    false
+}
+
+/// Whether a part of one item shares space with a part of the other.
+fn solid(a: &Item, b: &Item) -> bool {
+    let others: Vec<(Cuboid, f32)> =
+        b.object.asset.parts.iter().map(|p| Cuboid::of(p, b)).map(|c| (c, c.half.norm())).collect();
+    a.object.asset.parts.iter().any(|part| {
+        let own = Cuboid::of(part, a);
+        let reach = own.half.norm();
+        let near = |c: &Cuboid, r: f32| (c.pose.translation.vector - own.pose.translation.vector).norm() < reach + r;
+        others.iter().any(|(other, r)| near(other, *r) && own.meets(other))
+    })
+}
+
+/// A box anywhere, slightly shrunk.
+#[derive(Clone, Copy)]
+struct Cuboid {
+    pose: Isometry3<f32>,
+    half: Vector3<f32>,
+}
+
+impl Cuboid {
+    fn of(part: &Part, item: &Item) -> Self {
+        let (low, high) = part.shape.extent();
+        let pose = item.pose * part.pose * Isometry3::from(nalgebra::center(&low, &high).coords);
+        let half = ((high - low) / 2.0).map(|h| (h - TOUCH / 2.0).max(h * 0.5));
+        Self { pose, half }
+    }
+
+    /// Separating axes (Gottschalk, Lin and Manocha 1996).
+    fn meets(&self, other: &Self) -> bool {
+        let relative = self.pose.inverse() * other.pose;
+        let turn = relative.rotation.to_rotation_matrix().into_inner();
+        let shift = relative.translation.vector;
+        let reach = |m: &nalgebra::Matrix3<f32>| m.abs().add_scalar(1e-6);
+        let abs = reach(&turn);
+        let own = (0..3).all(|i| shift[i].abs() <= self.half[i] + (abs.row(i) * other.half)[0]);
+        let theirs = (0..3).all(|j| shift.dot(&turn.column(j)).abs() <= other.half[j] + self.half.dot(&abs.column(j)));
+        own && theirs
+            && (0..3).all(|i| {
+                (0..3).all(|j| {
+                    let (i1, i2, j1, j2) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
+                    let ra = self.half[i1] * abs[(i2, j)] + self.half[i2] * abs[(i1, j)];
+                    let rb = other.half[j1] * abs[(i, j2)] + other.half[j2] * abs[(i, j1)];
+                    (shift[i2] * turn[(i1, j)] - shift[i1] * turn[(i2, j)]).abs() <= ra + rb
+                })
+            })
+    }
+}

@@ -1,0 +1,130 @@
+//! Rectangles on the floor in metres, and the four ways to face.
+
+use crate::plan::{Rect, metres};
+
+/// A rectangle on the floor, metres.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Area {
+    /// West side.
+    pub x0: f32,
+    /// South side.
+    pub y0: f32,
+    /// East side.
+    pub x1: f32,
+    /// North side.
+    pub y1: f32,
+}
+
+/// Slack of comparisons, metres.
+const SLACK: f32 = 1e-4;
+
+impl Area {
+    pub(crate) fn of(rect: &Rect) -> Self {
+        Self { x0: metres(rect.x0), y0: metres(rect.y0), x1: metres(rect.x1), y1: metres(rect.y1) }
+    }
+
+    pub(crate) fn around(x: f32, y: f32, half_x: f32, half_y: f32) -> Self {
+        Self { x0: x - half_x, y0: y - half_y, x1: x + half_x, y1: y + half_y }
+    }
+
+    /// Whether both share more than a line.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.x0 < other.x1 - SLACK
+            && other.x0 < self.x1 - SLACK
+            && self.y0 < other.y1 - SLACK
+            && other.y0 < self.y1 - SLACK
+    }
+
+    pub(crate) fn centre(&self) -> (f32, f32) {
+        (f32::midpoint(self.x0, self.x1), f32::midpoint(self.y0, self.y1))
+    }
+
+    pub(crate) fn size(&self) -> (f32, f32) {
+        (self.x1 - self.x0, self.y1 - self.y0)
+    }
+
+    pub(crate) fn grown(&self, by: f32) -> Self {
+        Self { x0: self.x0 - by, y0: self.y0 - by, x1: self.x1 + by, y1: self.y1 + by }
+    }
+
+    pub(crate) fn holds(&self, other: &Self) -> bool {
+        other.x0 >= self.x0 - SLACK
+            && other.y0 >= self.y0 - SLACK
+            && other.x1 <= self.x1 + SLACK
+            && other.y1 <= self.y1 + SLACK
+    }
+
+    pub(crate) fn shared(&self, other: &Self) -> Self {
+        Self {
+            x0: self.x0.max(other.x0),
+            y0: self.y0.max(other.y0),
+            x1: self.x1.min(other.x1),
+            y1: self.y1.min(other.y1),
+        }
+    }
+
+    pub(crate) fn square_metres(&self) -> f32 {
+        (self.x1 - self.x0).max(0.0) * (self.y1 - self.y0).max(0.0)
+    }
+
+    /// Distance between the nearest points of both.
+    pub(crate) fn distance(&self, other: &Self) -> f32 {
+        let gap = |a0: f32, a1: f32, b0: f32, b1: f32| (b0 - a1).max(a0 - b1).max(0.0);
+        gap(self.x0, self.x1, other.x0, other.x1).hypot(gap(self.y0, self.y1, other.y0, other.y1))
+    }
+}
+
+/// A way to face along an axis: quarter turns from X, counter-clockwise.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Facing(pub u8);
+
+impl Facing {
+    pub(crate) const ALL: [Self; 4] = [Self(0), Self(1), Self(2), Self(3)];
+
+    /// Unit step that way.
+    pub(crate) fn step(self) -> (f32, f32) {
+        [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)][usize::from(self.0 % 4)]
+    }
+
+    pub(crate) fn yaw(self) -> f32 {
+        // Exact for all four.
+        [0.0, std::f32::consts::FRAC_PI_2, std::f32::consts::PI, -std::f32::consts::FRAC_PI_2][usize::from(self.0 % 4)]
+    }
+
+    pub(crate) fn turned(self, quarters: u8) -> Self {
+        Self((self.0 + quarters) % 4)
+    }
+
+    pub(crate) fn is_along_x(self) -> bool {
+        self.0.is_multiple_of(2)
+    }
+
+    /// The rectangle of something so deep and wide that faces this way, its back's
+    /// middle at a point.
+    pub(crate) fn area(self, back: (f32, f32), depth: f32, width: f32) -> Area {
+        let (dx, dy) = self.step();
+        let centre = (back.0 + dx * depth / 2.0, back.1 + dy * depth / 2.0);
+        let (hx, hy) = if self.is_along_x() { (depth / 2.0, width / 2.0) } else { (width / 2.0, depth / 2.0) };
+        Area::around(centre.0, centre.1, hx, hy)
+    }
+
+    /// The rectangle in front of an area that faces this way.
+    pub(crate) fn before(self, area: &Area, depth: f32) -> Area {
+        match self.0 % 4 {
+            0 => Area { x0: area.x1, x1: area.x1 + depth, ..*area },
+            1 => Area { y0: area.y1, y1: area.y1 + depth, ..*area },
+            2 => Area { x0: area.x0 - depth, x1: area.x0, ..*area },
+            _ => Area { y0: area.y0 - depth, y1: area.y0, ..*area },
+        }
+    }
+
+    /// The area made wider to its left and right.
+    pub(crate) fn widened(self, area: &Area, left: f32, right: f32) -> Area {
+        match self.0 % 4 {
+            0 => Area { y0: area.y0 - right, y1: area.y1 + left, ..*area },
+            1 => Area { x0: area.x0 - left, x1: area.x1 + right, ..*area },
+            2 => Area { y0: area.y0 - left, y1: area.y1 + right, ..*area },
+            _ => Area { x0: area.x0 - right, x1: area.x1 + left, ..*area },
+        }
+    }
+}

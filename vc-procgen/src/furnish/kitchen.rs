@@ -1,0 +1,175 @@
+//! Kitchens: a run of units along one or two walls, cupboards above, a table where
+//! it fits.
+
+use std::sync::Arc;
+
+use super::Setter;
+use super::place::{Need, Spot};
+use super::space::OFF_WALL;
+use crate::error::Impossible;
+use crate::object::Object;
+use crate::plan::RoomKind;
+
+/// Depth and height of units, metres.
+const DEPTH: f32 = 0.6;
+const TOP: f32 = 0.9;
+
+/// A unit of the run: its class, widths to try, whether the kitchen needs it.
+struct Unit {
+    class: &'static str,
+    widths: &'static [f32],
+    height: f32,
+    required: bool,
+}
+
+const fn unit(class: &'static str, widths: &'static [f32], required: bool) -> Unit {
+    Unit { class, widths, height: TOP, required }
+}
+
+pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
+    let large = s.space.square_metres > 7.5 && s.kind() == RoomKind::Kitchen;
+    let fridge = Unit { class: "fridge", widths: &[0.7, 0.6], height: s.rng.between(1.6, 1.95), required: true };
+    let mut units =
+        vec![fridge, unit("kitchen_cabinet", &[0.6, 0.45, 0.4], true), unit("kitchen_sink", &[0.8, 0.6], true)];
+    if s.rng.chance(0.7) {
+        units.push(unit("dishwasher", &[0.6, 0.45], false));
+    }
+    units.push(unit("kitchen_cabinet", &[0.8, 0.6, 0.45], true));
+    units.push(unit("stove", &[0.6, 0.5], true));
+    units.push(unit("kitchen_cabinet", &[0.6, 0.4, 0.3], large));
+    if large {
+        units.push(unit("kitchen_cabinet", &[0.8, 0.6], false));
+        if s.rng.chance(0.2) {
+            units.push(unit("washing_machine", &[0.6], false));
+        }
+        units.push(unit("kitchen_cabinet", &[0.9, 0.6], false));
+    }
+    if s.rng.chance(0.5) {
+        // The same run the other way round.
+        units[1..].reverse();
+    }
+    let run = place_run(s, &units)?;
+    upper(s, &run);
+    if s.kind() == RoomKind::Kitchen {
+        if s.space.square_metres > 9.0 && s.rng.chance(0.6) {
+            super::living::dining(s, 2);
+        }
+        s.first_against("trash_can", &[[0.3, 0.3, 0.6]], Need::default(), |_, spot| (0.4 - spot.corner).max(0.0));
+    }
+    Ok(())
+}
+
+/// Puts the units side by side: along the wall that holds most of them, the rest
+/// along others.
+fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossible> {
+    let mut best: Option<(usize, Vec<(Spot, Arc<Object>)>)> = None;
+    let tries = s.space.sides.len() * 2;
+    for attempt in 0..tries {
+        let run = lay_run(s, units, attempt / 2, attempt % 2 == 1);
+        let placed = run.len();
+        let missing = units.iter().enumerate().filter(|(i, u)| u.required && !run.iter().any(|r| r.0 == *i)).count();
+        if missing == 0 && best.as_ref().is_none_or(|(b, _)| placed > *b) {
+            best = Some((placed, run.into_iter().map(|(_, spot, object)| (spot, object)).collect()));
+        }
+    }
+    let (_, run) = best.ok_or_else(|| s.missing("kitchen run"))?;
+    let mut indices = Vec::new();
+    for (spot, object) in run {
+        let index = s.settle(&object, spot.area, spot.facing, Need::front(0.9));
+        s.item(index).required = true;
+        indices.push(index);
+    }
+    Ok(indices)
+}
+
+/// Lays the units out from one end of a wall on, in a copy of the room.
+fn lay_run(s: &mut Setter<'_>, units: &[Unit], first: usize, backwards: bool) -> Vec<(usize, Spot, Arc<Object>)> {
+    let solids = s.space.solids.len();
+    let zones = s.space.zones.len();
+    let mut run = Vec::new();
+    let mut order: Vec<usize> = (0..s.space.sides.len()).collect();
+    order.sort_by(|&a, &b| s.space.sides[b].length().total_cmp(&s.space.sides[a].length()));
+    order.retain(|&side| side != first);
+    order.insert(0, first);
+    let mut wall = 0;
+    let mut reached = 0.0;
+    for (index, unit) in units.iter().enumerate() {
+        let placed = unit.widths.iter().find_map(|&width| {
+            let object = s.make(unit.class, [DEPTH, width, unit.height])?;
+            for (step, &side) in order.iter().enumerate().skip(wall) {
+                let from = if step == wall { reached } else { 0.0 };
+                if let Some((spot, end)) = next_spot(s, side, from, &object, backwards) {
+                    wall = step;
+                    reached = end;
+                    return Some((spot, object));
+                }
+            }
+            None
+        });
+        if let Some((spot, object)) = placed {
+            let solid = super::space::Solid { area: spot.area, low: 0.0, high: object.size().z };
+            s.space.solids.push(solid);
+            s.space.zones.push(spot.facing.before(&spot.area, 0.9));
+            run.push((index, spot, object));
+        }
+    }
+    s.space.solids.truncate(solids);
+    s.space.zones.truncate(zones);
+    run
+}
+
+/// The first place along a wall from a distance on, and where it ends.
+fn next_spot(s: &Setter<'_>, side: usize, from: f32, object: &Object, backwards: bool) -> Option<(Spot, f32)> {
+    let wall = &s.space.sides[side];
+    let size = object.size();
+    let mut at = from.max(OFF_WALL);
+    while at + size.y + OFF_WALL <= wall.length() {
+        let along = if backwards { wall.to - at - size.y / 2.0 } else { wall.from + at + size.y / 2.0 };
+        let (low, high) = (along - size.y / 2.0, along + size.y / 2.0);
+        let area = wall.facing.area(wall.point(along, OFF_WALL), size.x, size.y);
+        let sill = wall.sill(low, high);
+        // A hob does not go under a window, nor does what is taller than the sill.
+        let window = sill.is_some_and(|v| size.z > v - 0.02 || object.class == "stove");
+        let need = Need::front(0.9);
+        if !window && !wall.has_way(low, high) && s.fits(area, 0.0, size.z, wall.facing, need) {
+            let corner = (low - wall.from).min(wall.to - high);
+            return Some((Spot { side, facing: wall.facing, along, area, corner, sill }, at + size.y + 0.002));
+        }
+        at += 0.1;
+    }
+    None
+}
+
+/// Cupboards and the hood above the run.
+fn upper(s: &mut Setter<'_>, run: &[usize]) {
+    let bottom = s.rng.between(1.42, 1.5);
+    let height = (s.space.ceiling - bottom - 0.25).clamp(0.5, 0.75);
+    for &index in run {
+        let (area, facing, class) = {
+            let item = s.item(index);
+            (item.area(), item.facing(), item.object.class)
+        };
+        let width = if facing.is_along_x() { area.size().1 } else { area.size().0 };
+        let made = match class {
+            "fridge" | "washing_machine" => None,
+            "stove" => s.make("extractor", [0.45, width.min(0.6), 0.55]).map(|o| (o, 1.6)),
+            _ => s.make("kitchen_wall_cabinet", [0.35, width, height]).map(|o| (o, bottom)),
+        };
+        let Some((object, z)) = made else { continue };
+        let Some(side) = side_behind(s, &area, facing) else { continue };
+        let (cx, cy) = area.centre();
+        let along = if facing.is_along_x() { cy } else { cx };
+        s.hang(&object, side, along, z);
+    }
+}
+
+/// The wall an area stands against.
+pub(super) fn side_behind(s: &Setter<'_>, area: &super::Area, facing: super::Facing) -> Option<usize> {
+    let (cx, cy) = area.centre();
+    let along = if facing.is_along_x() { cy } else { cx };
+    let back = facing.turned(2).before(area, 0.0).centre();
+    s.space.sides.iter().position(|w| {
+        let at = if facing.is_along_x() { back.0 } else { back.1 };
+        w.facing == facing && along > w.from && along < w.to && (w.at - at).abs() < 0.1
+    })
+}

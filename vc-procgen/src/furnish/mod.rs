@@ -1,0 +1,204 @@
+//! Furniture: what stands, hangs and is fixed in the rooms.
+//!
+//! Each room is a function of its own seed. Pieces are put against walls or around
+//! others, the required ones first; every place is checked against floor, solids and
+//! the zones that must stay free, so that nothing ever overlaps. What a room cannot
+//! hold is left out if it may be, else tried smaller, else the plan is given up.
+
+mod area;
+mod bathroom;
+mod bedroom;
+mod fixtures;
+mod kitchen;
+mod living;
+mod other;
+mod place;
+mod space;
+
+pub use area::{Area, Facing};
+
+use std::sync::Arc;
+
+use nalgebra::{Point3, UnitQuaternion, Vector3};
+use vc_graph::{Pose, Seed, State, Stream};
+
+use crate::Style;
+use crate::error::Impossible;
+use crate::object::{self, Object};
+use crate::plan::{OpeningKind, Plan, RoomKind};
+use space::{Solid, Space};
+
+/// What an item rests on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rest {
+    /// The floor.
+    Floor,
+    /// A wall: fixed to it.
+    Wall,
+    /// The ceiling: hangs from it.
+    Ceiling,
+    /// Built into a wall: doors and windows.
+    Built,
+    /// A surface of another item, by position in its asset's list.
+    On(usize, usize),
+    /// Within another item, on such a surface.
+    Inside(usize, usize),
+}
+
+/// A thing in its place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Item {
+    /// What it is, with its asset.
+    pub object: Arc<Object>,
+    /// Where it is.
+    pub pose: Pose,
+    /// What it rests on.
+    pub rest: Rest,
+    /// Its room's position in the plan.
+    pub room: usize,
+    /// States it is in besides those its class starts with.
+    pub states: Vec<State>,
+    /// Another room it belongs to: a door's.
+    pub between: Option<usize>,
+    /// Whether the room is no room without it.
+    pub required: bool,
+}
+
+impl Item {
+    /// Its box: smallest and largest corner, metres.
+    pub fn corners(&self) -> (Point3<f32>, Point3<f32>) {
+        let aabb = self.object.bounds.aabb(&self.pose);
+        (aabb.min, aabb.max)
+    }
+
+    /// The rectangle it covers seen from above, metres.
+    pub fn area(&self) -> Area {
+        let (low, high) = self.corners();
+        Area { x0: low.x, y0: low.y, x1: high.x, y1: high.y }
+    }
+
+    /// The way its front looks, if it stands along an axis.
+    pub fn facing(&self) -> Facing {
+        let front = self.pose.rotation * Vector3::x();
+        match (front.x.abs() >= front.y.abs(), front.x >= 0.0, front.y >= 0.0) {
+            (true, true, _) => Facing(0),
+            (true, false, _) => Facing(2),
+            (false, _, true) => Facing(1),
+            (false, _, false) => Facing(3),
+        }
+    }
+
+    fn solid(&self) -> Solid {
+        let (low, high) = self.corners();
+        Solid { area: self.area(), low: low.z, high: high.z }
+    }
+}
+
+/// Furniture of a whole plan, room by room.
+///
+/// # Errors
+/// [`Impossible::NoPlace`] names the room and what does not fit.
+pub(crate) fn furnish(plan: &Plan, style: &Style, seed: Seed) -> Result<Vec<Item>, Impossible> {
+    let open_kitchen = plan.openings.iter().any(|o| {
+        o.kind == OpeningKind::Passage
+            && [o.low, o.high].into_iter().flatten().any(|r| plan.rooms[r].kind == RoomKind::Kitchen)
+    });
+    let mut items = Vec::new();
+    for (index, room) in plan.rooms.iter().enumerate() {
+        let own = seed.child("furnish").nth(index as u64);
+        let mut setter = Setter {
+            room: index,
+            style,
+            seed: own,
+            rng: own.stream(),
+            space: Space::of(plan, index),
+            base: items.len(),
+            items: Vec::new(),
+            made: 0,
+        };
+        match room.kind {
+            RoomKind::Bedroom | RoomKind::Kids => bedroom::furnish(&mut setter),
+            RoomKind::Living if plan.scheme == crate::plan::Scheme::Studio => living::furnish_studio(&mut setter),
+            RoomKind::Living => living::furnish(&mut setter, open_kitchen),
+            RoomKind::Kitchen => kitchen::furnish(&mut setter),
+            RoomKind::Bathroom | RoomKind::Wc => bathroom::furnish(&mut setter),
+            _ => other::furnish(&mut setter),
+        }?;
+        fixtures::fix(&mut setter, plan);
+        items.append(&mut setter.items);
+    }
+    Ok(items)
+}
+
+/// Puts things into one room.
+struct Setter<'a> {
+    room: usize,
+    style: &'a Style,
+    seed: Seed,
+    rng: Stream,
+    space: Space,
+    /// Number of items of the rooms before.
+    base: usize,
+    items: Vec<Item>,
+    /// Objects made so far: each has a sub-seed of its own.
+    made: u64,
+}
+
+impl Setter<'_> {
+    fn kind(&self) -> RoomKind {
+        self.space.kind
+    }
+
+    /// An object of a class, no larger than `size`; `None` where no generator knows
+    /// the class.
+    fn make(&mut self, class: &str, size: [f32; 3]) -> Option<Arc<Object>> {
+        self.made += 1;
+        let seed = self.seed.child("object").nth(self.made);
+        Some(Arc::new(object::generator(class)?.sized(size.into(), self.style, seed)))
+    }
+
+    /// An object of a class's usual size.
+    fn make_usual(&mut self, class: &str) -> Option<Arc<Object>> {
+        self.made += 1;
+        let seed = self.seed.child("object").nth(self.made);
+        Some(Arc::new(object::generator(class)?.object(self.style, seed)))
+    }
+
+    /// What is missing, as an error.
+    fn missing(&self, piece: &'static str) -> Impossible {
+        Impossible::NoPlace { kind: self.space.kind, room: self.room, piece }
+    }
+
+    /// Adds an item whose footprint is centred on a point, its base at `z`; returns
+    /// its position in the list of all items.
+    fn add(&mut self, object: &Arc<Object>, centre: (f32, f32), z: f32, facing: Facing, rest: Rest) -> usize {
+        let pose = standing(object, centre, z, facing.yaw());
+        let item = Item {
+            object: object.clone(),
+            pose,
+            rest,
+            room: self.room,
+            states: Vec::new(),
+            between: None,
+            required: false,
+        };
+        let solid = item.solid();
+        self.space.solids.push(solid);
+        self.items.push(item);
+        self.base + self.items.len() - 1
+    }
+
+    fn item(&mut self, index: usize) -> &mut Item {
+        let base = self.base;
+        &mut self.items[index - base]
+    }
+}
+
+/// The pose of an object whose box is centred above a point, its base at `z`.
+pub(crate) fn standing(object: &Object, centre: (f32, f32), z: f32, yaw: f32) -> Pose {
+    let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
+    let bounds = &object.bounds;
+    let offset = turn * Vector3::new(bounds.offset.x, bounds.offset.y, 0.0);
+    let base = bounds.offset.z - bounds.half.z;
+    Pose::from_parts(Vector3::new(centre.0 - offset.x, centre.1 - offset.y, z - base).into(), turn)
+}

@@ -1,0 +1,155 @@
+//! Finding a place: against a wall, beside another piece, or free in the room.
+
+use std::sync::Arc;
+
+use super::area::{Area, Facing};
+use super::space::{OFF_WALL, Side, Solid};
+use super::{Rest, Setter};
+use crate::object::Object;
+
+/// What a piece needs around it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Need {
+    /// Free depth in front, metres.
+    pub(super) front: f32,
+    /// Free width on its left.
+    pub(super) left: f32,
+    /// Free width on its right.
+    pub(super) right: f32,
+}
+
+/// A place against a wall.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Spot {
+    pub(super) side: usize,
+    pub(super) facing: Facing,
+    pub(super) along: f32,
+    pub(super) area: Area,
+    /// Distance to the nearer end of the wall.
+    pub(super) corner: f32,
+    /// Lowest window sill behind it, if a window is behind it.
+    pub(super) sill: Option<f32>,
+}
+
+impl Need {
+    pub(super) fn front(front: f32) -> Self {
+        Self { front, ..Self::default() }
+    }
+
+    /// The zone that must stay free around an area.
+    pub(super) fn zones(self, area: &Area, facing: Facing) -> [Area; 2] {
+        let wide = facing.widened(area, self.left, self.right);
+        [facing.before(area, self.front), wide]
+    }
+}
+
+impl Setter<'_> {
+    /// Places along all walls where an object may stand with its back to the wall.
+    pub(super) fn spots(&self, object: &Object, need: Need) -> Vec<Spot> {
+        let size = object.size();
+        let mut spots = Vec::new();
+        for (index, side) in self.space.sides.iter().enumerate() {
+            let room = side.length() - size.y;
+            if room < 2.0 * OFF_WALL - 0.005 {
+                continue;
+            }
+            let (first, last) = (side.from + size.y / 2.0 + OFF_WALL, side.to - size.y / 2.0 - OFF_WALL);
+            let steps = ((last - first) / 0.2).ceil().max(0.0) as usize;
+            for step in 0..=steps {
+                let along = if step == steps { last } else { first + 0.2 * step as f32 };
+                spots.extend(self.spot(index, side, along.max(first), object, need));
+            }
+        }
+        spots
+    }
+
+    /// The place at a position along a wall, if it is free.
+    fn spot(&self, index: usize, side: &Side, along: f32, object: &Object, need: Need) -> Option<Spot> {
+        let size = object.size();
+        let area = side.facing.area(side.point(along, OFF_WALL), size.x, size.y);
+        let (from, to) = (along - size.y / 2.0, along + size.y / 2.0);
+        let sill = side.sill(from, to);
+        let tall = sill.is_some_and(|s| size.z > s - 0.02);
+        if side.has_way(from, to) || tall || !self.fits(area, 0.0, size.z, side.facing, need) {
+            return None;
+        }
+        let corner = (from - side.from).min(side.to - to);
+        Some(Spot { side: index, facing: side.facing, along, area, corner, sill })
+    }
+
+    /// Whether an area is free for something so high, with what it needs around it.
+    pub(super) fn fits(&self, area: Area, low: f32, height: f32, facing: Facing, need: Need) -> bool {
+        let solid = Solid { area, low, high: low + height };
+        self.space.is_free(&solid) && need.zones(&area, facing).iter().all(|z| self.space.is_clear(z))
+    }
+
+    /// Puts an object where `score` is highest; a little chance breaks ties.
+    pub(super) fn against(
+        &mut self,
+        object: &Arc<Object>,
+        need: Need,
+        score: impl Fn(&Self, &Spot) -> f32,
+    ) -> Option<usize> {
+        let spots = self.spots(object, need);
+        let mut best: Option<(f32, Spot)> = None;
+        for spot in spots {
+            let value = score(self, &spot) + self.rng.between(0.0, 0.35);
+            if best.as_ref().is_none_or(|(b, _)| value > *b) {
+                best = Some((value, spot));
+            }
+        }
+        let (_, spot) = best?;
+        Some(self.settle(object, spot.area, spot.facing, need))
+    }
+
+    /// Puts the first of several sizes of a class that fits.
+    pub(super) fn first_against(
+        &mut self,
+        class: &str,
+        sizes: &[[f32; 3]],
+        need: Need,
+        score: impl Fn(&Self, &Spot) -> f32,
+    ) -> Option<usize> {
+        sizes.iter().find_map(|size| {
+            let object = self.make(class, *size)?;
+            self.against(&object, need, &score)
+        })
+    }
+
+    /// Puts an object on an area of the floor and keeps its zones free.
+    pub(super) fn settle(&mut self, object: &Arc<Object>, area: Area, facing: Facing, need: Need) -> usize {
+        let zones = need.zones(&area, facing);
+        self.space.zones.extend(zones.into_iter().filter(|z| *z != area && z.square_metres() > 1e-4).take(2));
+        self.add(object, area.centre(), 0.0, facing, Rest::Floor)
+    }
+
+    /// Puts an object on the floor at a point, if it is free there.
+    pub(super) fn at(&mut self, object: &Arc<Object>, centre: (f32, f32), facing: Facing, need: Need) -> Option<usize> {
+        let size = object.size();
+        let (hx, hy) = if facing.is_along_x() { (size.x, size.y) } else { (size.y, size.x) };
+        let area = Area::around(centre.0, centre.1, hx / 2.0, hy / 2.0);
+        self.fits(area, 0.0, size.z, facing, need).then(|| self.settle(object, area, facing, need))
+    }
+
+    /// Hangs an object on a wall, its lower edge at `z`, where it is free.
+    pub(super) fn hang(&mut self, object: &Arc<Object>, side: usize, along: f32, z: f32) -> Option<usize> {
+        let wall = &self.space.sides[side];
+        let size = object.size();
+        let (from, to) = (along - size.y / 2.0, along + size.y / 2.0);
+        let blocked = wall.windows.iter().any(|w| w.0 < to + 0.05 && w.1 > from - 0.05 && w.2 < z + size.z)
+            || wall.ways.iter().any(|w| w.0 - 0.08 < to && w.1 + 0.08 > from && z < 2.2);
+        if blocked || from < wall.from + 0.01 || to > wall.to - 0.01 || z + size.z > self.space.ceiling - 0.02 {
+            return None;
+        }
+        let facing = wall.facing;
+        // A millimetre off, so that faces do not coincide.
+        let area = facing.area(wall.point(along, 0.001), size.x, size.y);
+        let solid = Solid { area, low: z, high: z + size.z };
+        // No head is hit, and no door.
+        let low = z < 1.9 && size.x > 0.12 && self.space.ways.iter().any(|q| q.overlaps(&area));
+        if low || !self.space.is_empty(&solid) || !self.space.is_floor(&area) {
+            return None;
+        }
+        Some(self.add(object, area.centre(), z, facing, Rest::Wall))
+    }
+}

@@ -1,0 +1,169 @@
+//! The free space of a room: its floor, its walls with their openings, what stands
+//! there and what must stay free.
+
+use super::area::{Area, Facing};
+use crate::plan::{Edge, OpeningKind, Plan, Rect, Room, RoomKind, metres};
+
+/// Distance of furniture from walls: room for the skirting, metres.
+pub(super) const OFF_WALL: f32 = 0.02;
+
+/// Something solid: a rectangle on the floor and a range of heights, metres.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Solid {
+    pub(super) area: Area,
+    pub(super) low: f32,
+    pub(super) high: f32,
+}
+
+impl Solid {
+    pub(super) fn hits(&self, other: &Self) -> bool {
+        self.low < other.high - 1e-4 && other.low < self.high - 1e-4 && self.area.overlaps(&other.area)
+    }
+}
+
+/// The inner face of a straight piece of wall.
+#[derive(Debug, Clone)]
+pub(super) struct Side {
+    /// The way somebody faces who has the wall in the back.
+    pub(super) facing: Facing,
+    /// Its X if it runs along Y, else its Y, metres.
+    pub(super) at: f32,
+    pub(super) from: f32,
+    pub(super) to: f32,
+    /// Stretches with a door or passage.
+    pub(super) ways: Vec<(f32, f32)>,
+    /// Stretches with a window and its sill's height.
+    pub(super) windows: Vec<(f32, f32, f32)>,
+}
+
+impl Side {
+    pub(super) fn length(&self) -> f32 {
+        self.to - self.from
+    }
+
+    /// The point of the face at a position along it, a distance off.
+    pub(super) fn point(&self, along: f32, off: f32) -> (f32, f32) {
+        let (dx, dy) = self.facing.step();
+        if self.facing.is_along_x() { (self.at + dx * off, along) } else { (along, self.at + dy * off) }
+    }
+
+    /// Lowest sill over a stretch; none where there is only wall.
+    pub(super) fn sill(&self, from: f32, to: f32) -> Option<f32> {
+        let over = self.windows.iter().filter(|w| w.0 < to && w.1 > from).map(|w| w.2);
+        over.reduce(f32::min)
+    }
+
+    pub(super) fn has_way(&self, from: f32, to: f32) -> bool {
+        self.ways.iter().any(|w| w.0 < to && w.1 > from)
+    }
+}
+
+/// What can be used of a room.
+#[derive(Debug, Clone)]
+pub(super) struct Space {
+    pub(super) kind: RoomKind,
+    pub(super) net: Vec<Rect>,
+    pub(super) sides: Vec<Side>,
+    pub(super) solids: Vec<Solid>,
+    /// Rectangles before doors and under their leaves: nothing ever stands there.
+    pub(super) ways: Vec<Area>,
+    /// Rectangles that pieces need free, but for what belongs to them.
+    pub(super) zones: Vec<Area>,
+    pub(super) ceiling: f32,
+    pub(super) square_metres: f32,
+}
+
+impl Space {
+    pub(super) fn of(plan: &Plan, index: usize) -> Self {
+        let room = &plan.rooms[index];
+        let net = room.net();
+        let mut space = Self {
+            kind: room.kind,
+            sides: sides(plan, index, &net),
+            net,
+            solids: Vec::new(),
+            ways: Vec::new(),
+            zones: Vec::new(),
+            ceiling: plan.ceiling,
+            square_metres: room.area(),
+        };
+        for opening in plan.doors_of(index) {
+            let high = opening.high == Some(index);
+            let deep = if opening.kind == OpeningKind::Passage { 16 } else { 12 };
+            space.ways.push(Area::of(&opening.before(high, deep)));
+            if let Some(swing) = opening.swing().filter(|_| opening.opens_high == high) {
+                // Beyond the leaf's edge a hand and a body.
+                space.ways.push(Area::of(&swing).grown(0.03));
+            }
+        }
+        space
+    }
+
+    /// Whether a rectangle lies on the room's floor.
+    pub(super) fn is_floor(&self, area: &Area) -> bool {
+        let out = |v: f32| (v * 20.0 - 1e-3).ceil() as i32;
+        let low = |v: f32| (v * 20.0 + 1e-3).floor() as i32;
+        let rect = Rect { x0: low(area.x0), y0: low(area.y0), x1: out(area.x1), y1: out(area.y1) };
+        self.net.iter().any(|n| rect.shared(*n) == rect) || crate::plan::covers(&self.net, rect)
+    }
+
+    /// Whether nothing solid is in a box.
+    pub(super) fn is_empty(&self, solid: &Solid) -> bool {
+        !self.solids.iter().any(|s| s.hits(solid))
+    }
+
+    /// Whether something may stand in a box: on the floor, in nothing, in no zone.
+    pub(super) fn is_free(&self, solid: &Solid) -> bool {
+        !self.zones.iter().any(|z| z.overlaps(&solid.area)) && self.is_off_ways(solid)
+    }
+
+    /// The same for what may stand in a zone: a chair at its desk.
+    pub(super) fn is_off_ways(&self, solid: &Solid) -> bool {
+        self.is_floor(&solid.area) && !self.ways.iter().any(|z| z.overlaps(&solid.area)) && self.is_empty(solid)
+    }
+
+    /// Whether a zone is floor with nothing standing on it.
+    pub(super) fn is_clear(&self, zone: &Area) -> bool {
+        let solid = Solid { area: *zone, low: 0.0, high: 1.7 };
+        zone.square_metres() < 1e-4 || (self.is_floor(zone) && self.is_empty(&solid))
+    }
+
+    /// Distance from a rectangle to the nearest door's zone.
+    pub(super) fn door_distance(&self, area: &Area) -> f32 {
+        self.ways.iter().map(|z| z.distance(area)).fold(f32::INFINITY, f32::min)
+    }
+}
+
+/// The inner faces of a room's walls; a balcony's are its railings and the house.
+fn sides(plan: &Plan, index: usize, net: &[Rect]) -> Vec<Side> {
+    let inner = Room { kind: plan.rooms[index].kind, rects: net.to_vec(), of: None };
+    let edges = crate::plan::edges_of(&[inner]);
+    edges.iter().map(|e| side(plan, index, e)).collect()
+}
+
+fn side(plan: &Plan, index: usize, edge: &Edge) -> Side {
+    let inwards_high = edge.high.is_some();
+    let facing = match (edge.vertical, inwards_high) {
+        (true, true) => Facing(0),
+        (false, true) => Facing(1),
+        (true, false) => Facing(2),
+        (false, false) => Facing(3),
+    };
+    // Openings know the wall's middle, one cell behind its face; a balcony's house
+    // wall is thicker.
+    let thick = if plan.rooms[index].kind == RoomKind::Balcony { plan.shell } else { 1 };
+    let behind = if inwards_high { edge.at - thick } else { edge.at + thick };
+    let here = plan.openings.iter().filter(|o| {
+        o.touches(index) && o.vertical == edge.vertical && o.at == behind && o.from < edge.to && o.to > edge.from
+    });
+    let (mut ways, mut windows) = (Vec::new(), Vec::new());
+    for opening in here {
+        let (from, to) = (metres(opening.from), metres(opening.to));
+        match opening.kind {
+            OpeningKind::Window => windows.push((from, to, opening.sill)),
+            _ => ways.push((from, to)),
+        }
+    }
+    let (at, from, to) = (metres(edge.at), metres(edge.from), metres(edge.to));
+    Side { facing, at, from, to, ways, windows }
+}

@@ -1,0 +1,114 @@
+//! The part of glTF's JSON that is read and written. Specification:
+//! <https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html>.
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+pub(super) const FLOAT: u32 = 5126;
+pub(super) const BYTE: u32 = 5121;
+pub(super) const SHORT: u32 = 5123;
+pub(super) const INT: u32 = 5125;
+
+fn absent<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+macro_rules! object {
+    ($(#[$doc:meta])* $name:ident { $($(#[$attribute:meta])* $field:ident: $type:ty,)* }) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+        #[serde(rename_all = "camelCase", default)]
+        pub(super) struct $name {
+            $($(#[$attribute])* #[serde(skip_serializing_if = "absent")] pub(super) $field: $type,)*
+        }
+    };
+}
+
+object! { Document {
+    asset: Head,
+    extensions_used: Vec<String>,
+    extensions_required: Vec<String>,
+    scene: Option<usize>,
+    scenes: Vec<Scene>,
+    nodes: Vec<Node>,
+    meshes: Vec<Mesh>,
+    materials: Vec<Material>,
+    accessors: Vec<Accessor>,
+    buffer_views: Vec<View>,
+    buffers: Vec<Buffer>,
+}}
+
+object! { Head { version: String, generator: String, } }
+
+object! { Scene { name: String, nodes: Vec<usize>, } }
+
+object! { Node {
+    name: String,
+    children: Vec<usize>,
+    mesh: Option<usize>,
+    matrix: Option<[f64; 16]>,
+    translation: Option<[f32; 3]>,
+    rotation: Option<[f32; 4]>,
+    scale: Option<[f32; 3]>,
+    extras: Option<Value>,
+}}
+
+object! { Mesh { name: String, primitives: Vec<Primitive>, } }
+
+object! { Primitive {
+    attributes: Attributes,
+    indices: Option<usize>,
+    material: Option<usize>,
+    mode: Option<u32>,
+}}
+
+object! { Attributes {
+    #[serde(rename = "POSITION")] position: Option<usize>,
+    #[serde(rename = "NORMAL")] normal: Option<usize>,
+}}
+
+object! { Material {
+    name: String,
+    pbr_metallic_roughness: Surface,
+    emissive_factor: Option<[f32; 3]>,
+    alpha_mode: Option<String>,
+    extensions: Extensions,
+    extras: Option<Value>,
+}}
+
+object! { Surface {
+    base_color_factor: Option<[f32; 4]>,
+    metallic_factor: Option<f32>,
+    roughness_factor: Option<f32>,
+}}
+
+object! { Extensions {
+    #[serde(rename = "KHR_materials_emissive_strength")] strength: Option<Strength>,
+    #[serde(rename = "KHR_materials_transmission")] transmission: Option<Transmission>,
+}}
+
+object! { Strength { emissive_strength: Option<f32>, } }
+
+object! { Transmission { transmission_factor: f32, } }
+
+object! { Accessor {
+    buffer_view: Option<usize>,
+    byte_offset: usize,
+    component_type: u32,
+    normalized: bool,
+    count: usize,
+    #[serde(rename = "type")] kind: String,
+    min: Option<Vec<f32>>,
+    max: Option<Vec<f32>>,
+    sparse: Option<Value>,
+}}
+
+object! { View {
+    buffer: Option<usize>,
+    byte_offset: usize,
+    byte_length: usize,
+    byte_stride: Option<usize>,
+    target: Option<u32>,
+}}
+
+object! { Buffer { byte_length: usize, uri: Option<String>, } }

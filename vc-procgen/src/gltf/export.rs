@@ -1,0 +1,134 @@
+//! Assets and scenes as binary glTF.
+
+use std::collections::BTreeMap;
+
+use nalgebra::Vector3;
+use vc_graph::asset::{Joint, Surface};
+use vc_graph::{Asset, AssetId, AssetLibrary, Node, SceneGraph};
+
+use super::GltfError;
+use super::document as json;
+use super::note::{JointNote, NodeNote, SurfaceNote, written};
+use super::write::{Link, Writer};
+
+/// Largest distance between curves and the triangles written for them, metres.
+pub const TOLERANCE: f32 = 0.001;
+
+/// Turns Z up, X in front to Y up, Z in front: a third of a turn.
+const UPRIGHT: [f32; 4] = [-0.5, -0.5, -0.5, 0.5];
+
+/// An asset as a binary glTF file, its joints at zero. Moving links and surfaces are
+/// nodes of their own.
+///
+/// # Errors
+/// [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].
+pub fn asset(asset: &Asset, library: &AssetLibrary) -> Result<Vec<u8>, GltfError> {
+    written_asset(asset, library, None)
+}
+
+/// The same, with a note of its class, which [`read`](super::read) finds.
+///
+/// # Errors
+/// [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].
+pub fn asset_of_class(class: &str, asset: &Asset, library: &AssetLibrary) -> Result<Vec<u8>, GltfError> {
+    written_asset(asset, library, Some(class.to_owned()))
+}
+
+fn written_asset(asset: &Asset, library: &AssetLibrary, class: Option<String>) -> Result<Vec<u8>, GltfError> {
+    let mut writer = Writer::new(library, TOLERANCE);
+    let mut links = writer.links(asset)?;
+    let mut at: Vec<Vec<usize>> = Vec::new();
+    for surface in &asset.surfaces {
+        let link = links.iter().position(|l| l.joint == surface.joint).unwrap_or_else(|| {
+            links.push(Link { joint: surface.joint, name: surface.name.to_string(), mesh: None });
+            links.len() - 1
+        });
+        at.resize(links.len().max(at.len()), Vec::new());
+        at[link].push(writer.node(surface_node(surface)));
+    }
+    at.resize(links.len(), Vec::new());
+    let mut children: Vec<usize> = Vec::new();
+    for (link, surfaces) in links.iter().zip(at) {
+        match link.joint {
+            None => children.extend(surfaces),
+            Some(joint) => children.push(writer.node(link_node(link, &joint, surfaces))),
+        }
+    }
+    let root = json::Node {
+        name: asset.name.to_string(),
+        mesh: links.iter().find(|l| l.joint.is_none()).and_then(|l| l.mesh),
+        rotation: Some(UPRIGHT),
+        children,
+        extras: written(&NodeNote { class, ..NodeNote::default() }),
+        ..json::Node::default()
+    };
+    let root = writer.node(root);
+    writer.finish(&asset.name, vec![root])
+}
+
+/// A scene as a binary glTF file: each node that has an asset and a pose is a glTF
+/// node, named by its label. Nodes that share an asset share its meshes. Joints are
+/// at zero, whatever the nodes' states.
+///
+/// # Errors
+/// [`GltfError::NoSuchAsset`], [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].
+pub fn scene(graph: &SceneGraph) -> Result<Vec<u8>, GltfError> {
+    let library = graph.assets();
+    let mut writer = Writer::new(library, TOLERANCE);
+    let mut shared: BTreeMap<AssetId, Vec<Link>> = BTreeMap::new();
+    let mut children = Vec::new();
+    for node in graph.nodes() {
+        let Some(id) = node.spec().asset else { continue };
+        if let std::collections::btree_map::Entry::Vacant(vacant) = shared.entry(id) {
+            let asset = library.get(id).ok_or(GltfError::NoSuchAsset(id))?;
+            vacant.insert(writer.links(asset)?);
+        }
+        children.extend(placed(&mut writer, node, &shared[&id]));
+    }
+    let root = json::Node { name: graph.name().to_owned(), rotation: Some(UPRIGHT), children, ..json::Node::default() };
+    let root = writer.node(root);
+    writer.finish(graph.name(), vec![root])
+}
+
+fn placed(writer: &mut Writer<'_>, node: &Node, links: &[Link]) -> Option<usize> {
+    let pose = node.pose()?;
+    let mut children = Vec::new();
+    for link in links {
+        children.extend(link.joint.map(|joint| writer.node(link_node(link, &joint, Vec::new()))));
+    }
+    let note = NodeNote { class: Some(node.class().to_string()), ..NodeNote::default() };
+    let scale = node.spec().scale;
+    Some(writer.node(json::Node {
+        name: node.label().to_string(),
+        mesh: links.iter().find(|l| l.joint.is_none()).and_then(|l| l.mesh),
+        translation: Some(pose.translation.vector.into()),
+        rotation: Some(pose.rotation.coords.into()),
+        scale: (scale != Vector3::repeat(1.0)).then(|| scale.into()),
+        children,
+        extras: written(&note),
+        ..json::Node::default()
+    }))
+}
+
+fn link_node(link: &Link, joint: &Joint, children: Vec<usize>) -> json::Node {
+    let note = JointNote { kind: joint.kind, axis: joint.axis.into(), limits: joint.limits };
+    json::Node {
+        name: link.name.clone(),
+        mesh: link.mesh,
+        translation: Some(joint.anchor.into()),
+        children,
+        extras: written(&NodeNote { joint: Some(note), ..NodeNote::default() }),
+        ..json::Node::default()
+    }
+}
+
+fn surface_node(surface: &Surface) -> json::Node {
+    let anchor = surface.joint.map_or(Vector3::zeros(), |j| j.anchor.coords);
+    let note = SurfaceNote { hold: surface.hold, half: Some(surface.half), clearance: surface.clearance };
+    json::Node {
+        name: surface.name.to_string(),
+        translation: Some((surface.centre - anchor).into()),
+        extras: written(&NodeNote { surface: Some(note), ..NodeNote::default() }),
+        ..json::Node::default()
+    }
+}

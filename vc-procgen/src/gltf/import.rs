@@ -1,0 +1,243 @@
+//! A user's own model as an asset.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use nalgebra::{Matrix4, Point3, Vector3};
+use vc_graph::asset::{Joint, JointKind, Material, Part, Shape, Surface};
+use vc_graph::{Asset, AssetId, AssetLibrary, Pose};
+
+use super::gather::{FoundJoint, FoundSurface, Gathered, Piece, gather};
+use super::{GltfError, collision, document, glb, paint};
+
+/// How large a model becomes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub enum Size {
+    /// As the file says, in metres.
+    #[default]
+    AsIs,
+    /// As many times the file's size.
+    Times(f32),
+    /// As high as this, metres.
+    Height(f32),
+    /// As large as fits into this depth, width and height, metres.
+    Within(Vector3<f32>),
+}
+
+/// How to read a model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// Name of the asset; by default that of the scene or its first node.
+    pub name: Option<Arc<str>>,
+    /// How large it becomes.
+    pub size: Size,
+    /// Quarter turns counter-clockwise seen from above, for a model whose front is
+    /// not where glTF has it (+Z).
+    pub quarter_turns: i32,
+    /// Whether to put the centre of its base at the origin; by default yes.
+    pub recentre: bool,
+    /// Most convex pieces for physics, of each link; 16 by default, and what is hollow
+    /// needs at least four. With 0 there are none, and physics goes by the triangles.
+    pub hulls: usize,
+    /// Density of materials that have no note of it, kilograms per cubic metre.
+    pub density: f32,
+    /// Coulomb friction coefficient of those.
+    pub friction: f32,
+    /// Coefficient of restitution of those, 0 to 1.
+    pub restitution: f32,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            name: None,
+            size: Size::AsIs,
+            quarter_turns: 0,
+            recentre: true,
+            hulls: 16,
+            density: 700.0,
+            friction: 0.5,
+            restitution: 0.2,
+        }
+    }
+}
+
+/// A model that has been read.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Imported {
+    /// The asset; its parts number their materials by `materials`.
+    pub asset: Asset,
+    /// Its materials.
+    pub materials: Vec<Material>,
+    /// What it is, if the file has a note of it.
+    pub class: Option<Arc<str>>,
+    /// Whether each of its parts encloses a volume.
+    pub closed: bool,
+}
+
+impl Imported {
+    /// Adds the asset and its materials to a library.
+    ///
+    /// # Errors
+    /// [`GltfError::Asset`] if a figure is not one the library takes; the library is
+    /// then as before.
+    pub fn add_to(&self, library: &mut AssetLibrary) -> Result<AssetId, GltfError> {
+        self.put_into(&mut AssetLibrary::default())?;
+        Ok(self.put_into(library)?)
+    }
+
+    fn put_into(&self, library: &mut AssetLibrary) -> Result<AssetId, vc_graph::asset::AssetError> {
+        let added = self.materials.iter().map(|m| library.add_material(m.clone()));
+        let numbers = added.collect::<Result<Vec<u32>, _>>()?;
+        let mut asset = self.asset.clone();
+        for part in asset.parts.iter_mut().chain(&mut asset.collision) {
+            part.material = numbers.get(part.material as usize).copied().unwrap_or(u32::MAX);
+        }
+        library.add(asset)
+    }
+}
+
+/// Reads a binary glTF file (.glb) as one asset: turned to Z up and X in front,
+/// set down with the centre of its base at the origin, with a triangle mesh for each
+/// primitive, convex pieces for physics, and joints, surfaces and class as
+/// [annotated](super#annotations).
+///
+/// The pieces come from each connected part's convex hull where that is about as
+/// large as the part, and otherwise from parry's V-HACD (Mamou, 2016), which takes
+/// about a second for a part. Any bytes may be given.
+///
+/// # Errors
+/// [`GltfError`] says what is wrong and how to export instead.
+pub fn read(file: &[u8], options: &Options) -> Result<Imported, GltfError> {
+    let (document, bytes) = glb::split(file)?;
+    if let Some(extension) = document.extensions_required.iter().find(|e| !paint::understands(e)) {
+        return Err(GltfError::Extension(extension.clone()));
+    }
+    let found = gather(&document, bytes, upright(options.quarter_turns))?;
+    let placing = Placing::new(&found, options)?;
+    let mut paints = Paints { document: &document, options, numbers: BTreeMap::new(), all: Vec::new() };
+    let joints: Vec<Joint> = found.joints.iter().map(|j| placing.joint(j)).collect();
+    let mut parts = Vec::with_capacity(found.pieces.len());
+    for piece in &found.pieces {
+        let material = paints.number(piece.material)?;
+        parts.push(part(piece, material, piece.joint.map(|j| joints[j]), &placing));
+    }
+    let surfaces = found.surfaces.iter().map(|s| placing.surface(s, &found.pieces, &joints)).collect();
+    let collision = collision::pieces(&parts, options.hulls);
+    let closed = parts.iter().all(|p| p.shape.mesh(0.0).is_closed());
+    let asset = Asset { name: name(&document, options, &parts), parts, surfaces, collision };
+    Ok(Imported { asset, materials: paints.all, class: found.class.map(Into::into), closed })
+}
+
+/// From Y up and Z in front to Z up and X in front, and quarter turns.
+fn upright(quarter_turns: i32) -> Matrix4<f64> {
+    let (c, s) = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)][quarter_turns.rem_euclid(4) as usize];
+    let turn = Matrix4::new(c, -s, 0., 0., s, c, 0., 0., 0., 0., 1., 0., 0., 0., 0., 1.);
+    turn * Matrix4::new(0., 0., 1., 0., 1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 0., 1.)
+}
+
+fn name(document: &document::Document, options: &Options, parts: &[Part]) -> Arc<str> {
+    let scene = document.scenes.get(document.scene.unwrap_or(0)).map(|s| s.name.as_str());
+    let scene = scene.filter(|n| !n.is_empty()).map(Into::into);
+    options.name.clone().or(scene).or_else(|| parts.first().map(|p| p.name.clone())).unwrap_or_default()
+}
+
+/// Scale and shift from the gathered triangles to the asset.
+struct Placing {
+    scale: f64,
+    shift: Vector3<f64>,
+}
+
+impl Placing {
+    fn new(found: &Gathered, options: &Options) -> Result<Self, GltfError> {
+        let (low, high) = corners(found.pieces.iter()).ok_or(GltfError::Empty)?;
+        let extent = high - low;
+        let share = |target: f32, own: f64| f64::from(target) / own;
+        let scale = match options.size {
+            Size::AsIs => 1.0,
+            Size::Times(factor) => f64::from(factor),
+            Size::Height(height) => share(height, extent.z),
+            Size::Within(size) => (0..3).map(|i| share(size[i], extent[i])).fold(f64::INFINITY, f64::min),
+        };
+        let reach = low.coords.abs().sup(&high.coords.abs()).max() * scale;
+        if !(scale.is_finite() && scale > 0.0) {
+            return Err(GltfError::BadSize);
+        }
+        if reach > 1e5 {
+            return Err(GltfError::TooFar);
+        }
+        let base = Vector3::new((low.x + high.x) / 2.0, (low.y + high.y) / 2.0, low.z);
+        Ok(Self { scale, shift: if options.recentre { -base * scale } else { Vector3::zeros() } })
+    }
+
+    fn point(&self, point: &Point3<f64>) -> Point3<f32> {
+        Point3::from(point.coords * self.scale + self.shift).cast()
+    }
+
+    fn joint(&self, joint: &FoundJoint) -> Joint {
+        let factor = if joint.kind == JointKind::Slide { self.scale } else { 1.0 };
+        Joint {
+            kind: joint.kind,
+            anchor: self.point(&joint.anchor),
+            axis: joint.axis.cast(),
+            limits: ((joint.limits.0 * factor) as f32, (joint.limits.1 * factor) as f32),
+        }
+    }
+
+    fn surface(&self, surface: &FoundSurface, pieces: &[Piece], joints: &[Joint]) -> Surface {
+        let own = corners(pieces[surface.pieces.clone()].iter());
+        let (centre, half) = match (surface.half, own) {
+            (None, Some((low, high))) => {
+                let middle = nalgebra::center(&low, &high);
+                let half = (high - low) / 2.0;
+                (Point3::new(middle.x, middle.y, high.z), (half.x, half.y))
+            }
+            (half, _) => (surface.at, half.unwrap_or_default()),
+        };
+        Surface {
+            name: surface.name.as_str().into(),
+            hold: surface.hold,
+            centre: self.point(&centre),
+            half: ((half.0 * self.scale) as f32, (half.1 * self.scale) as f32),
+            clearance: surface.clearance.map(|c| (c * self.scale) as f32),
+            joint: surface.joint.map(|j| joints[j]),
+        }
+    }
+}
+
+fn corners<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Option<(Point3<f64>, Point3<f64>)> {
+    let points = pieces.flat_map(|p| &p.points).map(|p| (*p, *p));
+    points.reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))
+}
+
+/// The materials in use.
+struct Paints<'a> {
+    document: &'a document::Document,
+    options: &'a Options,
+    numbers: BTreeMap<Option<usize>, u32>,
+    all: Vec<Material>,
+}
+
+impl Paints<'_> {
+    fn number(&mut self, index: Option<usize>) -> Result<u32, GltfError> {
+        if let Some(&known) = self.numbers.get(&index) {
+            return Ok(known);
+        }
+        let plain = document::Material { name: "default".into(), ..document::Material::default() };
+        let written = match index {
+            Some(i) => self.document.materials.get(i).ok_or(GltfError::missing("material", i))?,
+            None => &plain,
+        };
+        self.all.push(paint::read(written, index.unwrap_or(0), self.options)?);
+        self.numbers.insert(index, self.all.len() as u32 - 1);
+        Ok(self.all.len() as u32 - 1)
+    }
+}
+
+fn part(piece: &Piece, material: u32, joint: Option<Joint>, placing: &Placing) -> Part {
+    let vertices = piece.points.iter().map(|p| placing.point(p)).collect();
+    let shape = Shape::Mesh { vertices, triangles: piece.triangles.clone() };
+    Part { name: piece.name.as_str().into(), shape, material, pose: Pose::identity(), joint }
+}

@@ -1,0 +1,71 @@
+//! Materials both ways.
+
+use vc_graph::asset::Material;
+
+use super::document as json;
+use super::note::{MaterialNote, Physics, noted, written};
+use super::{GltfError, Options};
+
+const STRENGTH: &str = "KHR_materials_emissive_strength";
+const TRANSMISSION: &str = "KHR_materials_transmission";
+
+fn share(value: f32) -> f32 {
+    value.clamp(0.0, 1.0)
+}
+
+pub(super) fn write(material: &Material) -> json::Material {
+    let [r, g, b] = material.colour.map(share);
+    let most = material.emission.iter().fold(1.0f32, |a, &b| a.max(b));
+    let physics = Physics { density: material.density, friction: material.friction, restitution: material.restitution };
+    json::Material {
+        name: material.name.to_string(),
+        pbr_metallic_roughness: json::Surface {
+            base_color_factor: Some([r, g, b, 1.0]),
+            metallic_factor: Some(share(material.metallic)),
+            roughness_factor: Some(share(material.roughness)),
+        },
+        emissive_factor: (material.emission != [0.0; 3]).then(|| material.emission.map(|v| share(v / most))),
+        alpha_mode: None,
+        extensions: json::Extensions {
+            strength: (most > 1.0).then_some(json::Strength { emissive_strength: Some(most) }),
+            transmission: (material.transmission > 0.0)
+                .then(|| json::Transmission { transmission_factor: share(material.transmission) }),
+        },
+        extras: written(&MaterialNote { physics: Some(physics) }),
+    }
+}
+
+/// Names of the extensions that materials use.
+pub(super) fn extensions(materials: &[json::Material]) -> Vec<String> {
+    let any = |used: fn(&json::Extensions) -> bool| materials.iter().any(|m| used(&m.extensions));
+    let all = [(STRENGTH, any(|e| e.strength.is_some())), (TRANSMISSION, any(|e| e.transmission.is_some()))];
+    all.into_iter().filter(|(_, used)| *used).map(|(name, _)| name.to_owned()).collect()
+}
+
+/// Whether a required extension is one of those above.
+pub(super) fn understands(extension: &str) -> bool {
+    [STRENGTH, TRANSMISSION].contains(&extension)
+}
+
+/// A material as glTF's defaults fill it in; the physical figures are the options'
+/// where the file has none.
+pub(super) fn read(material: &json::Material, index: usize, options: &Options) -> Result<Material, GltfError> {
+    let note: MaterialNote = noted(material.extras.as_ref(), || format!("material {index}"))?;
+    let physics = note.physics;
+    let surface = &material.pbr_metallic_roughness;
+    let [r, g, b, alpha] = surface.base_color_factor.unwrap_or([1.0; 4]).map(share);
+    let strength = material.extensions.strength.as_ref().and_then(|s| s.emissive_strength).unwrap_or(1.0);
+    let blended = if material.alpha_mode.as_deref() == Some("BLEND") { 1.0 - alpha } else { 0.0 };
+    let transmission = material.extensions.transmission.as_ref().map(|t| share(t.transmission_factor));
+    Ok(Material {
+        name: if material.name.is_empty() { format!("material_{index}") } else { material.name.clone() }.into(),
+        colour: [r, g, b],
+        density: physics.as_ref().map_or(options.density, |p| p.density),
+        friction: physics.as_ref().map_or(options.friction, |p| p.friction),
+        restitution: physics.map_or(options.restitution, |p| p.restitution),
+        roughness: share(surface.roughness_factor.unwrap_or(1.0)),
+        metallic: share(surface.metallic_factor.unwrap_or(1.0)),
+        transmission: transmission.unwrap_or(blended),
+        emission: material.emissive_factor.unwrap_or([0.0; 3]).map(|v| (share(v) * strength).clamp(0.0, 1e9)),
+    })
+}

@@ -1,0 +1,433 @@
+//! Toilets, basins, baths and showers.
+
+use vc_graph::asset::JointKind;
+
+use crate::material::*;
+use crate::object::build::{Axis, Build, P};
+use crate::object::cooker::fitting::*;
+
+/// Points of an oval as seen from above, its straight part at the back: `x` from
+/// -1 to 1, `y` from -1 to 1.
+const BOWL: [(f32, f32); 12] = [
+    (-1.0, -0.78),
+    (-0.2, -1.0),
+    (0.3, -0.96),
+    (0.68, -0.78),
+    (0.92, -0.45),
+    (1.0, -0.12),
+    (1.0, 0.12),
+    (0.92, 0.45),
+    (0.68, 0.78),
+    (0.3, 0.96),
+    (-0.2, 1.0),
+    (-1.0, 0.78),
+];
+
+/// The oval between two X with a half width.
+fn oval(x0: f32, x1: f32, y: f32) -> Vec<(f32, f32)> {
+    let (middle, half) = (f32::midpoint(x0, x1), (x1 - x0) / 2.0);
+    BOWL.iter().map(|p| (middle + p.0 * half, p.1 * y)).collect()
+}
+
+/// The hull between ovals at two heights.
+fn oval_hull(b: &mut Build<'_>, name: &str, below: (f32, f32, f32, f32), above: (f32, f32, f32, f32), mat: Mat) {
+    let level = |(x0, x1, y, z): (f32, f32, f32, f32)| oval(x0, x1, y).into_iter().map(move |p| [p.0, p.1, z]);
+    let points: Vec<P> = level(below).chain(level(above)).collect();
+    b.hull(name, &points, mat);
+}
+
+/// A rim between two ovals, piece by piece.
+fn oval_rim(b: &mut Build<'_>, name: &str, outer: &[(f32, f32)], inner: &[(f32, f32)], (z0, z1): (f32, f32), mat: Mat) {
+    for i in 0..outer.len() {
+        let k = (i + 1) % outer.len();
+        b.prism(name, Axis::Z, [0.0, 0.0, z0], &[outer[i], outer[k], inner[k], inner[i]], z1 - z0, mat);
+    }
+}
+
+/// An open bowl of oval rings, each lower one smaller; its inside is a place.
+fn oval_bowl(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (z0, z1): (f32, f32), wall: f32, mat: Mat) {
+    let middle = z0 + (z1 - z0) * 0.5;
+    let inset = (x1 - x0) * 0.1;
+    let upper = (oval(x0, x1, y), oval(x0 + wall, x1 - wall, y - wall));
+    oval_rim(b, "bowl", &upper.0, &upper.1, (middle, z1), mat);
+    let small = (y * 0.78 - wall).max(y * 0.3);
+    let lower = (oval(x0 + inset * 0.5, x1 - inset, y * 0.92), oval(x0 + inset + wall, x1 - inset * 1.6 - wall, small));
+    oval_rim(b, "bowl", &lower.0, &lower.1, (z0 + wall, middle), mat);
+    b.prism("bowl", Axis::Z, [0.0, 0.0, z0], &oval(x0 + inset * 0.6, x1 - inset * 1.1, y * 0.9), wall + 0.001, mat);
+    let centre = f32::midpoint(x0, x1);
+    b.inside("basin", [centre, 0.0, z0 + wall + 0.001], ((x1 - x0) * 0.24, small * 0.6), z1 - z0 - wall - 0.004);
+}
+
+/// A bowl with a seat and a lid on hinges; the cistern on it, or hidden in the wall.
+pub(super) fn toilet(b: &mut Build<'_>) {
+    let u = fit(b, [0.3, 0.18, 0.36]);
+    let (x, y, h) = spans(b);
+    let rim = (h * 0.52).min(0.41 * (h / 0.72).max(0.5));
+    let cistern = b.rng.chance(0.7);
+    let tank = b.vary(0.17, 0.2) * u;
+    let back = -x + if cistern { tank } else { 0.1 * u };
+    let side = y * 0.93;
+    // Foot and bowl.
+    let floor = rim * 0.52;
+    let slender = b.rng.chance(0.5);
+    let (reach, wide) = if slender { (x * 0.35, y * 0.58) } else { (x * 0.75, y * 0.82) };
+    oval_hull(
+        b,
+        "foot",
+        (-x + 0.02 * u, reach, wide, 0.0),
+        (-x + 0.02 * u, x * 0.72, side * 0.88, floor + 0.002),
+        PORCELAIN,
+    );
+    oval_bowl(b, (back - 0.03 * u, x, side), (floor, rim), 0.035 * u, PORCELAIN);
+    b.cylinder("water", [x * 0.25, 0.0, floor + 0.034 * u], side * 0.3, 0.0025 * u, WATER);
+    let shelf = [-x, -side * 0.8, floor * 0.9];
+    b.soft("mount", shelf, [back + 0.03 * u, side * 0.8, rim], 0.02 * u, PORCELAIN);
+    if cistern {
+        b.soft("cistern", [-x, -y * 0.98, rim - 0.004], [-x + tank, y * 0.98, h - 0.035 * u], 0.025 * u, PORCELAIN);
+        b.soft("cistern_lid", [-x, -y, h - 0.036 * u], [-x + tank + 0.006 * u, y, h - 0.006 * u], 0.012 * u, PORCELAIN);
+        b.top("cistern", [-x + tank * 0.3, 0.0, h], (tank * 0.28, y * 0.8));
+        b.cylinder("button", [-x + tank * 0.7, 0.0, h - 0.008 * u], 0.022 * u, 0.008 * u, CHROME);
+    } else {
+        b.soft("panel", [-x, -y, rim - 0.05 * u], [-x + 0.1 * u, y, h], 0.008 * u, WHITE_TILE);
+        b.soft(
+            "plate",
+            [-x + 0.098 * u, -0.11 * u, h - 0.19 * u],
+            [-x + 0.108 * u, 0.11 * u, h - 0.05 * u],
+            0.003 * u,
+            CHROME,
+        );
+        b.top("panel", [-x + 0.05 * u, 0.0, h], (0.04 * u, y * 0.9));
+    }
+    toilet_seat(b, (back + 0.025 * u, x, side), rim, u);
+}
+
+/// Seat and lid, each on a hinge of its own.
+fn toilet_seat(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), rim: f32, u: f32) {
+    let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, WHITE_PLASTIC, b.style.wood, BLACK_PLASTIC]);
+    let (t, low) = (0.018 * u, rim + 0.002);
+    let anchor = [x0, 0.0, low + t];
+    for cy in [-y * 0.4, y * 0.4] {
+        b.rod(
+            "hinge",
+            [x0 - 0.004 * u, cy - 0.02 * u, low + 0.006 * u],
+            [x0 - 0.004 * u, cy + 0.02 * u, low + 0.006 * u],
+            0.008 * u,
+            CHROME,
+        );
+    }
+    let (outer, inner) = (oval(x0 + 0.002, x1, y), oval(x0 + 0.09 * u, x1 - 0.07 * u, y * 0.62));
+    lid(b, anchor, 1.5, |b| {
+        oval_rim(b, "seat", &outer, &inner, (low, low + t), mat);
+    });
+    // A hair's breadth tells the lid's hinge from the seat's.
+    lid(b, [anchor[0], 0.0, anchor[2] + 0.002], 1.55, |b| {
+        b.prism("lid", Axis::Z, [0.0, 0.0, low + t + 0.002], &outer, t * 0.9, mat);
+        b.top("lid", [f32::midpoint(x0, x1), 0.0, low + t * 1.9 + 0.002], ((x1 - x0) * 0.3, y * 0.6));
+    });
+}
+
+/// A low bowl like a toilet's with a tap.
+pub(super) fn bidet(b: &mut Build<'_>) {
+    let u = fit(b, [0.26, 0.17, 0.19]);
+    let (x, y, h) = spans(b);
+    let top = h * 0.82;
+    let floor = top * 0.55;
+    let wall = 0.04 * u;
+    oval_hull(
+        b,
+        "foot",
+        (-x + 0.01 * u, x * 0.5, y * 0.66, 0.0),
+        (-x + 0.01 * u, x * 0.8, y * 0.86, floor + 0.002),
+        PORCELAIN,
+    );
+    oval_bowl(b, (-x + 0.1 * u, x, y), (floor, top), wall, PORCELAIN);
+    b.soft("deck", [-x, -y * 0.78, floor * 0.8], [-x + 0.15 * u, y * 0.78, top], 0.015 * u, PORCELAIN);
+    let tap = b.style.tap;
+    b.cylinder("tap", [-x + 0.06 * u, 0.0, top - 0.001], 0.02 * u, (h - top) * 0.7, tap);
+    b.bar(
+        "spout",
+        [-x + 0.06 * u, 0.0, top + (h - top) * 0.5],
+        [-x + 0.15 * u, 0.0, top + (h - top) * 0.42],
+        0.009 * u,
+        tap,
+    );
+    b.bar("lever", [-x + 0.06 * u, 0.0, top + (h - top) * 0.75], [-x + 0.11 * u, 0.0, h - 0.006 * u], 0.005 * u, tap);
+}
+
+/// A basin on a pedestal, on the wall over a siphon's cover, or a bowl for a vanity.
+pub(super) fn washbasin(b: &mut Build<'_>) {
+    let u = fit(b, [0.18, 0.2, 0.07]);
+    let (x, y, h) = spans(b);
+    if h <= 0.5 {
+        return bowl_basin(b, u);
+    }
+    let deep = (h * 0.2).min(0.19);
+    let (rim, ledge, t) = (h, 0.1 * u, 0.025 * u);
+    let square = b.rng.chance(0.45);
+    if square {
+        b.block("ledge", [-x, -y, rim - deep], [-x + ledge, y, rim], PORCELAIN);
+        pit(b, "basin", [-x + ledge, -y, rim - deep], [x, y, rim], t, PORCELAIN);
+        floor_of(b, "basin", [-x + ledge + t, -y + t, rim - deep + t + 0.0015], [x - t, y - t, rim]);
+        b.cylinder("waste", [ledge / 2.0, 0.0, rim - deep - 0.001], 0.03 * u, t + 0.002, CHROME);
+    } else {
+        oval_bowl(b, (-x + ledge * 0.8, x, y), (rim - deep, rim), t, PORCELAIN);
+        b.soft("ledge", [-x, -y * 0.8, rim - deep * 0.8], [-x + ledge, y * 0.8, rim], 0.012 * u, PORCELAIN);
+        b.cylinder("waste", [ledge * 0.4, 0.0, rim - deep + t * 0.5], 0.025 * u, t * 0.5 + 0.002, CHROME);
+    }
+    b.top("ledge", [-x + ledge * 0.44, 0.0, rim], (ledge * 0.4, (y * 0.7).min(0.14)));
+    let under = rim - deep + 0.002;
+    match b.rng.below(3) {
+        0 => {
+            let foot = ([-x + 0.02 * u, -y * 0.32], [x * 0.15, y * 0.32]);
+            b.soft("foot", [foot.0[0], foot.0[1], 0.0], [foot.1[0], foot.1[1], 0.05 * u], 0.015 * u, PORCELAIN);
+            oval_hull(
+                b,
+                "pedestal",
+                (-x + 0.03 * u, x * 0.05, y * 0.24, 0.04 * u),
+                (-x + 0.03 * u, x * 0.3, y * 0.36, under),
+                PORCELAIN,
+            );
+        }
+        1 => oval_hull(b, "cover", (-x, -x * 0.1, y * 0.2, 0.0), (-x, x * 0.35, y * 0.34, under), PORCELAIN),
+        _ => {
+            let t = 0.018 * u;
+            let (low, high) = ([-x, -y * 0.9, 0.08 * u], [x * 0.86, y * 0.9, under]);
+            b.block("plinth", [-x, -y * 0.86, 0.0], [x * 0.7, y * 0.86, low[2]], b.style.cabinet);
+            case(b, low, high, t, b.style.cabinet);
+            let look = Look::any(b, b.style.cabinet, t);
+            let inner = ([low[0] + t, low[1] + t, low[2] + t], [high[0] - 0.002, high[1] - t, high[2] - t]);
+            floor_of(b, "cupboard", inner.0, inner.1);
+            let look = Look { handle: crate::object::joinery::Handle::None, ..look };
+            cupboard_doors(b, &look, ([high[0], low[1], low[2]], [high[0] + t, high[1], high[2]]), 0.5, false);
+        }
+    }
+}
+
+/// A round, oval or square bowl that stands on a top.
+fn bowl_basin(b: &mut Build<'_>, u: f32) {
+    let (x, y, h) = spans(b);
+    let mat = b.one(&[PORCELAIN, PORCELAIN, STONEWARE, MARBLE, GREEN_GLAZE, BLACK_GLAZE]);
+    let t = 0.014 * u;
+    match b.rng.below(3) {
+        0 => {
+            let r = x.min(y);
+            let profile =
+                [(r * 0.5, 0.0), (r * 0.86, h * 0.4), (r, h), (r - t, h), (r * 0.86 - t, h * 0.42), (r * 0.5, t)];
+            b.lathe("bowl", [0.0; 3], &profile, mat);
+            b.cylinder("waste", [0.0, 0.0, t * 0.5], r * 0.12, t * 0.5 + 0.001, CHROME);
+            b.inside("basin", [0.0, 0.0, t + 0.0015], (r * 0.34, r * 0.34), h - t - 0.003);
+        }
+        1 => {
+            oval_hull(b, "foot", (-x * 0.5, x * 0.5, y * 0.5, 0.0), (-x * 0.8, x * 0.8, y * 0.86, h * 0.3), mat);
+            oval_bowl(b, (-x, x, y), (h * 0.28, h), t, mat);
+        }
+        _ => {
+            b.block("foot", [-x * 0.8, -y * 0.85, 0.0], [x * 0.8, y * 0.85, h * 0.15], mat);
+            pit(b, "bowl", [-x, -y, h * 0.14], [x, y, h], t, mat);
+            b.cylinder("waste", [0.0, 0.0, h * 0.14], 0.022 * u, t + 0.001, CHROME);
+            floor_of(b, "basin", [-x + t, -y + t, h * 0.14 + t + 0.0015], [x - t, y - t, h]);
+        }
+    }
+}
+
+/// A tub: panelled, free-standing or on feet, with a tap at its end or on its side.
+pub(super) fn bathtub(b: &mut Build<'_>) {
+    let u = fit(b, [0.35, 0.7, 0.25]);
+    let (x, y, h) = spans(b);
+    let (rim, floor) = (0.07 * u, h * 0.22);
+    let t = 0.03 * u;
+    let free = b.rng.chance(0.4);
+    let feet = free && b.rng.chance(0.6);
+    let mat = b.one(&[WHITE_METAL, WHITE_METAL, PORCELAIN]);
+    let (wall_x, wall_y) = (x - rim, y - rim);
+    let base = if feet { floor * 0.75 } else { 0.0 };
+    let inside = (wall_x * 0.84, wall_y * 0.86);
+    if free {
+        let skirt = b.one(&[mat, BLACK_METAL, mat, BLUE_GLAZE]);
+        tub_walls(
+            b,
+            ((x * 0.97, y * 0.98), (x * 0.76, y * 0.84)),
+            (inside, (wall_x, wall_y)),
+            (base, floor, h - 0.02 * u),
+            skirt,
+        );
+        if feet {
+            for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+                let at = [sx * x * 0.6, sy * y * 0.66, 0.0];
+                b.lathe(
+                    "foot",
+                    at,
+                    &[(0.035 * u, 0.0), (0.022 * u, base * 0.4), (0.04 * u, base + 0.003)],
+                    b.style.tap,
+                );
+            }
+        }
+    } else {
+        let panel = b.one(&[WHITE, WHITE, b.style.tile, b.style.wood]);
+        b.block("panel", [x - 0.02 * u, -y + 0.01 * u, 0.0], [x - 0.004 * u, y - 0.01 * u, h - 0.028 * u], panel);
+        tub_walls(
+            b,
+            ((x - 0.022 * u, y - 0.006 * u), (x - 0.022 * u, y - 0.006 * u)),
+            (inside, (wall_x, wall_y)),
+            (0.0, floor, h - 0.02 * u),
+            mat,
+        );
+    }
+    let hole = ((-wall_x, -wall_y), (wall_x, wall_y));
+    ring(b, "rim", Axis::Z, ([-x, -y, h - 0.03 * u], [x, y, h - 0.0]), hole, mat);
+    b.cylinder("waste", [0.0, -inside.1 * 0.8, floor - 0.01], 0.03 * u, 0.012, CHROME);
+    let centre = [0.0, 0.0, floor + 0.0025];
+    b.inside("basin", centre, (inside.0 * 0.96, inside.1 * 0.96), h - floor - 0.004);
+    b.top("rim", [0.0, wall_y + rim * 0.5, h], (x * 0.9, rim * 0.42));
+    b.lathe_along(
+        "overflow",
+        [0.0, -wall_y - 0.002, h * 0.78],
+        [0.0, 0.0, h * 0.78],
+        &[(0.03 * u, 0.0), (0.03 * u, t * 0.4)],
+        CHROME,
+    );
+    let _ = t;
+}
+
+/// Floor and slanting walls of a tub: outer half lengths above and below, inner ones
+/// below and above.
+fn tub_walls(
+    b: &mut Build<'_>,
+    (top, bottom): ((f32, f32), (f32, f32)),
+    (floor, mouth): ((f32, f32), (f32, f32)),
+    (z0, z1, z2): (f32, f32, f32),
+    mat: Mat,
+) {
+    b.taper(
+        "floor",
+        [0.0, 0.0, z0],
+        bottom,
+        (f32::midpoint(bottom.0, top.0), f32::midpoint(bottom.1, top.1)),
+        z1 - z0,
+        mat,
+    );
+    let level = |p: (f32, f32), s: [f32; 2], z: f32| [p.0 * s[0], p.1 * s[1], z];
+    let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
+    for i in 0..4 {
+        let (a, c) = (corners[i], corners[(i + 1) % 4]);
+        let below = z1 - (z1 - z0) * 0.2;
+        let points: Vec<P> = [a, c]
+            .into_iter()
+            .flat_map(|s| [level(top, s, z2), level(mouth, s, z2), level(floor, s, below), level(bottom, s, below)])
+            .collect();
+        b.hull("wall", &points, mat);
+    }
+}
+
+/// A tray, one or two panes of glass, a riser with a head and a mixer.
+pub(super) fn shower(b: &mut Build<'_>) {
+    let u = fit(b, [0.4, 0.4, 1.0]);
+    let (x, y, h) = spans(b);
+    let tray = tray(b, u);
+    let (t, tap) = (0.008 * u, b.style.tap);
+    let pane = b.one(&[GLASS, GLASS, FROSTED_GLASS]);
+    let top = h * 0.96;
+    let edge = y - t * 2.0;
+    b.block("pane", [-x + 0.02 * u, edge - t, tray - 0.001], [x - 0.02 * u, edge, top], pane);
+    b.block("profile", [-x, edge - t * 1.6, tray - 0.001], [-x + 0.02 * u, edge + t * 0.6, top], tap);
+    b.block("profile", [x - 0.02 * u, edge - t * 1.6, tray - 0.001], [x, edge + t * 0.6, top], tap);
+    if b.rng.chance(0.5) {
+        let half = -y * b.vary(0.0, 0.3);
+        b.block("pane", [x - 0.02 * u, half, tray - 0.001], [x - 0.012 * u, edge - t * 1.6, top], pane);
+    }
+    let panel = [-x, -y * 0.9, tray - 0.001];
+    b.block("back_panel", panel, [-x + 0.012 * u, edge - t * 1.6, h], b.style.tile);
+    riser(b, [-x + 0.012 * u, -y * 0.05, 0.0], h, u);
+}
+
+/// A tray on the floor with a waste; its height.
+fn tray(b: &mut Build<'_>, u: f32) -> f32 {
+    let (x, y, _) = spans(b);
+    let tall = b.vary(0.04, 0.14) * u;
+    let rim = 0.045 * u;
+    let floor = tall * 0.6;
+    let mat = b.one(&[WHITE_METAL, WHITE_METAL, SLATE_TILE]);
+    b.block("tray", [-x, -y, 0.0], [x, y, floor], mat);
+    ring(b, "tray", Axis::Z, ([-x, -y, floor], [x, y, tall]), ((-x + rim, -y + rim), (x - rim, y - rim)), mat);
+    b.cylinder("waste", [0.0, 0.0, floor - 0.001], 0.05 * u, 0.004 * u, CHROME);
+    tall
+}
+
+/// A mixer and a pole with a shower head, on the wall at `at[0]`.
+fn riser(b: &mut Build<'_>, at: P, h: f32, u: f32) {
+    let (x, y) = (at[0], at[1]);
+    let tap = b.style.tap;
+    let out = 0.06 * u;
+    let (mixer, top) = (h * 0.52, h * 0.94);
+    b.rod("mixer", [x + out, y - 0.13 * u, mixer], [x + out, y + 0.13 * u, mixer], 0.02 * u, tap);
+    for cy in [-0.075, 0.075] {
+        b.rod("mixer", [x - 0.001, y + cy * u, mixer], [x + out, y + cy * u, mixer], 0.014 * u, tap);
+    }
+    b.rod("pole", [x + out, y, mixer], [x + out, y, top], 0.01 * u, tap);
+    b.rod("bracket", [x - 0.001, y, top - 0.05 * u], [x + out, y, top - 0.05 * u], 0.01 * u, tap);
+    if b.rng.chance(0.5) {
+        let reach = x + (b.size.x * 0.42).min(0.4);
+        b.pipe("arm", &[[x + out, y, top], [reach, y, top]], 0.01 * u, tap);
+        b.cylinder("rose", [reach, y, top - 0.035 * u], 0.1 * u, 0.012 * u, tap);
+        b.rod("neck", [reach, y, top - 0.024 * u], [reach, y, top], 0.012 * u, tap);
+    } else {
+        let holder = h * 0.86;
+        let (from, to) = ([x + out, y, holder], [x + out + 0.14 * u, y, holder + 0.05 * u]);
+        b.bar("handset", from, to, 0.014 * u, tap);
+        let face = [to[0] + 0.02 * u, y, to[2] - 0.04 * u];
+        b.lathe_along("rose", to, face, &[(0.025 * u, -0.01 * u), (0.05 * u, 0.012 * u), (0.05 * u, 0.018 * u)], tap);
+        let hose = [
+            [x + out, y + 0.03 * u, mixer],
+            [x + out + 0.04 * u, y + 0.06 * u, mixer * 0.86],
+            [x + out + 0.02 * u, y + 0.04 * u, holder * 0.8],
+            [x + out + 0.01 * u, y, holder],
+        ];
+        b.pipe("hose", &hose, 0.006 * u, CHROME);
+    }
+}
+
+/// Four glass walls on a tray, one a sliding or hinged door.
+pub(super) fn shower_stall(b: &mut Build<'_>) {
+    let u = fit(b, [0.4, 0.4, 1.0]);
+    let (x, y, h) = spans(b);
+    let low = tray(b, u) - 0.001;
+    let (t, post, tap) = (0.008 * u, 0.03 * u, b.style.tap);
+    let pane = b.one(&[GLASS, GLASS, FROSTED_GLASS]);
+    let roof = b.rng.chance(0.4);
+    let top = h - if roof { 0.06 * u } else { 0.0 };
+    for (cx, cy) in [(-x, -y), (-x, y - post), (x - post, -y), (x - post, y - post)] {
+        b.block("post", [cx, cy, low], [cx + post, cy + post, top], tap);
+    }
+    b.block("back", [-x + 0.004 * u, -y + post, low], [-x + 0.012 * u, y - post, top], WHITE_PLASTIC);
+    let inset = post * 0.4;
+    for cy in [-y + inset, y - inset - t] {
+        b.block("pane", [-x + post, cy, low], [x - post, cy + t, top], pane);
+        b.block("rail", [-x + post, cy - t * 0.5, top - post], [x - post, cy + t * 1.5, top - 0.001], tap);
+    }
+    b.block("rail", [x - post * 0.9, -y + post, top - post], [x - post * 0.1, y - post, top - 0.001], tap);
+    let face = x - post * 0.5;
+    let (y0, y1, z1) = (-y + post, y - post, top - post);
+    let middle = f32::midpoint(y0, y1);
+    let grip = |b: &mut Build<'_>, cy: f32| {
+        let z = h * 0.5;
+        b.block("grip", [face + t * 0.4, cy - 0.008 * u, z - 0.1 * u], [x - 0.001, cy + 0.008 * u, z + 0.1 * u], tap);
+    };
+    if b.rng.chance(0.5) {
+        let (dl, dh) = ([face - t * 0.5, y0 + 0.003, low + 0.006 * u], [face + t * 0.5, y1 - 0.003, z1 - 0.003]);
+        swing(b, Swing::Left, dl, dh, 1.5, |b| {
+            b.block("door", dl, dh, pane);
+            grip(b, y0 + 0.06 * u);
+        });
+    } else {
+        b.block("pane", [face - t * 1.7, middle - 0.02 * u, low], [face - t * 0.7, y1, z1], pane);
+        let (from, to) = ([face - t * 0.5, y0, low + 0.006 * u], [face + t * 0.5, middle, z1 - 0.003]);
+        b.jointed(JointKind::Slide, from, [0.0, 1.0, 0.0], (0.0, (y1 - middle) * 0.9), |b| {
+            b.block("door", from, to, pane);
+            grip(b, middle - 0.05 * u);
+        });
+    }
+    if roof {
+        b.soft("roof", [-x, -y, top - 0.001], [x, y, h], 0.02 * u, WHITE_PLASTIC);
+    }
+    riser(b, [-x + 0.012 * u, 0.0, 0.0], top * 0.98, u);
+}

@@ -1,0 +1,173 @@
+//! Bound books: lying flat, the spine to the right (-Y) of who reads them.
+
+use super::super::build::{Axis, Build, P};
+use super::super::decor::picture::{Canvas, Inks, motif};
+use super::super::textile::form::{Shell, arc, blocks, lying, room};
+use super::title::entitle;
+use crate::material::*;
+
+const COVERS: [Mat; 14] = [
+    RED_CARD,
+    BLUE_CARD,
+    GREEN_CARD,
+    YELLOW_CARD,
+    ORANGE_CARD,
+    PURPLE_CARD,
+    BLACK_CARD,
+    TEAL_CARD,
+    PINK_CARD,
+    CREAM_PAPER,
+    WHITE_PAPER,
+    NAVY_FABRIC,
+    RED_FABRIC,
+    BROWN_LEATHER,
+];
+
+/// A book: boards, block of pages, spine with bands and title, picture or title on
+/// its front.
+pub(super) fn book(b: &mut Build<'_>) {
+    entitle(b);
+    let (x, y, h) = room(b);
+    let cover = match b.class {
+        "diary" | "photo_album" => b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, NAVY_FABRIC, RED_FABRIC, LINEN]),
+        _ => b.one(&COVERS),
+    };
+    let ink = contrast(b, cover);
+    let hard = b.rng.chance(0.55) || matches!(b.class, "photo_album" | "picture_book");
+    let board = if hard { (h * 0.14).min(0.003) } else { (h * 0.05).min(0.0006) };
+    let shelf = if hard { (x * 0.03).min(0.003) } else { 0.0 };
+    let relief = (h * 0.03).min(0.0008);
+    let (low, high) = (relief, h - relief);
+    let back = spine(b, board, (low, high), cover);
+    blocks(b, "cover", &[([-x, back, low], [x, y, low + board]), ([-x, back, high - board], [x, y, high])], cover);
+    let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, CREAM_PAPER]);
+    let inset = shelf.max(x * 0.002);
+    b.block("pages", [-x + inset, back - board * 0.5, low + board], [x - inset, y - inset, high - board], paper);
+    bands(b, (low, high), ink);
+    front(b, high, back, ink);
+    if relief < h {
+        blocks(b, "label", &[([x * 0.4, -y * 0.3, 0.0], [x * 0.7, y * 0.5, low + board * 0.5])], ink);
+    }
+}
+
+/// The back of the book, flat or round; gives where the boards begin.
+fn spine(b: &mut Build<'_>, board: f32, (low, high): (f32, f32), cover: Mat) -> f32 {
+    let (x, y, _) = room(b);
+    let relief = (y * 0.02).min(0.001);
+    let middle = f32::midpoint(low, high);
+    let half = (high - low) / 2.0;
+    if b.rng.chance(0.5) {
+        let bulge = (half * 0.5).min(y * 0.15);
+        let at = [-x, -y + relief + bulge, middle];
+        let curve = arc(Axis::X, at, (bulge, half), (1.5708, 4.7124), 8);
+        let outer = curve.iter().map(|p| (p[1], p[2]));
+        let outline: Vec<(f32, f32)> =
+            outer.chain([(at[1] + board, middle - half), (at[1] + board, middle + half)]).collect();
+        b.prism("spine", Axis::X, [-x, 0.0, 0.0], &outline, 2.0 * x, cover);
+        at[1] + board * 0.5
+    } else {
+        let thick = board.max(0.0004);
+        b.block("spine", [-x, -y + relief, low], [x, -y + relief + thick, high], cover);
+        -y + relief + thick * 0.9
+    }
+}
+
+/// Bands and a title on the spine.
+fn bands(b: &mut Build<'_>, (low, high): (f32, f32), ink: Mat) {
+    let (x, y, _) = room(b);
+    let deep = (y * 0.3).min(0.008);
+    let (z0, z1) = (low + (high - low) * 0.28, high - (high - low) * 0.28);
+    let mut list: Vec<(P, P)> = Vec::new();
+    let mut band = |a: f32, c: f32, z0: f32, z1: f32| list.push(([a * x, -y, z0], [c * x, -y + deep, z1]));
+    let count = b.rng.count(0, 3);
+    for i in 0..count {
+        let a = 0.62 + 0.1 * i as f32;
+        band(a, a + 0.03, z0, z1);
+        band(-a - 0.03, -a, z0, z1);
+    }
+    let title = b.vary(0.3, 0.5);
+    band(-title, title, z0 + (z1 - z0) * 0.25, z1);
+    blocks(b, "title", &list, ink);
+}
+
+/// What is on the front board: a title and a picture, a frame or a label.
+fn front(b: &mut Build<'_>, z: f32, back: f32, ink: Mat) {
+    let (x, y, h) = room(b);
+    let middle = f32::midpoint(back, y);
+    let wide = (y - back) / 2.0;
+    let step = h - z;
+    let bar = |a: f32, c: f32, w: f32| ([a * x, middle - w * wide, z - step], [c * x, middle + w * wide, h]);
+    let pictured = match b.class {
+        "picture_book" | "cookbook" => 1.0,
+        "diary" => 0.0,
+        _ => 0.45,
+    };
+    if b.rng.chance(pictured) {
+        let at = [x * b.vary(-0.05, 0.25), middle, z];
+        let canvas = Canvas { half: (wide * 0.8, x * 0.5), step: step / 3.0 };
+        let inks = Inks::printed(b);
+        lying(b, at, |b| motif(b, canvas, [0.0; 3], inks));
+        blocks(b, "title", &[bar(-0.86, -0.72, 0.7)], ink);
+        return;
+    }
+    match b.rng.below(3) {
+        0 => blocks(b, "title", &[bar(-0.7, -0.58, 0.7), bar(-0.52, -0.44, 0.5), bar(0.7, 0.76, 0.4)], ink),
+        1 => {
+            let side = |w: f32| {
+                let at = middle + w * wide;
+                ([-0.84 * x, at - 0.02 * wide, z - step], [0.84 * x, at + 0.02 * wide, h])
+            };
+            let list = [bar(-0.88, -0.84, 0.84), bar(0.84, 0.88, 0.84), side(-0.8), side(0.8), bar(-0.4, -0.25, 0.5)];
+            blocks(b, "title", &list, ink);
+        }
+        _ => blocks(b, "label", &[bar(-0.6, -0.1, 0.55)], ink),
+    }
+}
+
+/// A colour that shows on a cover.
+fn contrast(b: &mut Build<'_>, cover: Mat) -> Mat {
+    if [YELLOW_CARD, CREAM_PAPER, WHITE_PAPER, PINK_CARD, LINEN, ORANGE_CARD].contains(&cover) {
+        b.one(&[BLACK_CARD, RED_CARD, BLUE_CARD])
+    } else {
+        b.one(&[GOLD, WHITE_PAPER, CREAM_PAPER, YELLOW_CARD])
+    }
+}
+
+/// A notebook with a wire spiral or an elastic band.
+pub(super) fn notebook(b: &mut Build<'_>) {
+    entitle(b);
+    let (x, y, h) = room(b);
+    let cover = b.one(&[BLACK_CARD, RED_CARD, BLUE_CARD, TEAL_CARD, YELLOW_CARD, BROWN_LEATHER, CARDBOARD]);
+    let spiral = b.rng.chance(0.5);
+    let board = (h * 0.1).min(0.0015);
+    let relief = (h * 0.1).min(0.001);
+    let (back, low, high) = if spiral { (-y + h * 0.3, h * 0.12, h * 0.88) } else { (-y, 0.0, h - relief) };
+    blocks(b, "cover", &[([-x, back, low], [x, y, low + board]), ([-x, back, high - board], [x, y, high])], cover);
+    b.block("pages", [-x * 0.98, back + 0.001, low + board], [x * 0.98, y * 0.98, high - board], WHITE_PAPER);
+    if spiral {
+        let r = (h / 2.0).min(y * 0.2);
+        let mut wire = Shell::default();
+        for i in 0..12 {
+            let px = x * (-0.9 + 1.8 * i as f32 / 11.0);
+            let ring = arc(Axis::X, [px, -y + r, h / 2.0], (r * 0.94, h * 0.47), (0.0, 5.76), 11);
+            wire.hoop(&ring, r * 0.06);
+        }
+        wire.put(b, "spiral", STEEL);
+    } else {
+        b.block("spine", [-x, -y, low + board * 0.9], [x, -y + board, high - board * 0.9], cover);
+        b.block("elastic", [-x, y * 0.72, high - board], [x, y * 0.72 + y * 0.06, h], BLACK_FABRIC);
+    }
+    let ink = contrast(b, cover);
+    b.block("label", [-x * 0.6, -y * 0.3, high - board * 0.5], [-x * 0.25, y * 0.5, (high + relief).min(h)], ink);
+}
+
+/// A passport with a crest on its cover.
+pub(super) fn passport(b: &mut Build<'_>) {
+    let (x, y, h) = room(b);
+    let cover = b.one(&[RED_CARD, BLUE_CARD, GREEN_CARD, BLACK_CARD]);
+    let relief = h * 0.12;
+    b.soft("cover", [-x, -y, 0.0], [x, y, h - relief], h * 0.3, cover);
+    b.block("pages", [-x * 0.99, -y * 0.9, h * 0.3], [x * 0.9, y * 1.0, h * 0.5], WHITE_PAPER);
+    b.cylinder("crest", [0.0, 0.0, h * 0.3], x * 0.3, h * 0.7, GOLD);
+    b.block("title", [-x * 0.75, -y * 0.5, h * 0.3], [-x * 0.62, y * 0.5, h], GOLD);
+}

@@ -1,0 +1,64 @@
+//! Kitchen units and appliances.
+
+mod cool;
+pub(super) mod fitting;
+mod heat;
+mod sink;
+mod small;
+mod unit;
+mod wash;
+
+use super::{Generator, indoor};
+
+pub(super) use unit::bathroom_counter;
+
+pub(super) const GENERATORS: &[Generator] = &[
+    // units
+    indoor("kitchen_cabinet", 12, unit::kitchen_cabinet),
+    indoor("kitchen_wall_cabinet", 10, unit::kitchen_wall_cabinet),
+    indoor("kitchen_counter", 6, unit::kitchen_counter),
+    indoor("kitchen_island", 6, unit::kitchen_island),
+    indoor("kitchen_sink", 8, sink::kitchen_sink),
+    indoor("sink", 5, sink::sink),
+    indoor("utility_sink", 4, sink::utility_sink),
+    // cooling
+    indoor("fridge", 9, cool::fridge),
+    indoor("mini_fridge", 5, cool::mini_fridge),
+    indoor("freezer", 4, cool::freezer),
+    indoor("chest_freezer", 4, cool::chest_freezer),
+    indoor("wine_cooler", 4, cool::wine_cooler),
+    indoor("commercial_fridge", 6, cool::commercial_fridge),
+    indoor("blast_chiller", 5, cool::blast_chiller),
+    indoor("ice_machine", 5, cool::ice_machine),
+    indoor("refrigerated_counter", 5, cool::refrigerated_counter),
+    // cooking
+    indoor("stove", 9, heat::stove),
+    indoor("hob", 6, heat::hob),
+    indoor("oven", 6, heat::oven),
+    indoor("steam_oven", 5, heat::steam_oven),
+    indoor("pizza_oven", 5, heat::pizza_oven),
+    indoor("microwave", 6, heat::microwave),
+    indoor("toaster_oven", 4, heat::toaster_oven),
+    indoor("extractor", 7, heat::extractor),
+    indoor("kettle", 6, small::kettle),
+    indoor("toaster", 6, small::toaster),
+    indoor("coffee_maker", 6, small::coffee_maker),
+    indoor("espresso_machine", 5, small::espresso_machine),
+    indoor("coffee_grinder", 4, small::coffee_grinder),
+    indoor("hot_plate", 4, small::hot_plate),
+    indoor("deep_fryer", 5, small::deep_fryer),
+    indoor("air_fryer", 4, small::air_fryer),
+    indoor("griddle", 5, small::griddle),
+    indoor("electric_grill", 4, small::electric_grill),
+    indoor("waffle_maker", 4, small::waffle_maker),
+    indoor("rice_cooker", 4, small::rice_cooker),
+    indoor("slow_cooker", 4, small::slow_cooker),
+    indoor("bread_maker", 4, small::bread_maker),
+    indoor("bain_marie", 5, small::bain_marie),
+    indoor("plate_warmer", 4, small::plate_warmer),
+    // washing
+    indoor("dishwasher", 6, wash::dishwasher),
+    indoor("commercial_dishwasher", 5, wash::commercial_dishwasher),
+    indoor("washing_machine", 6, wash::washing_machine),
+    indoor("dryer", 4, wash::dryer),
+];

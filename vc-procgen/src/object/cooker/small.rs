@@ -1,0 +1,731 @@
+//! What stands on a worktop and heats: kettles, toasters, coffee machines, fryers.
+
+use vc_graph::asset::JointKind;
+
+use super::fitting::*;
+use super::heat::foot_row;
+use crate::material::*;
+use crate::object::build::{Axis, Build, P};
+
+/// A body with a spout and a handle on a base with a switch, its lid hinged.
+pub(super) fn kettle(b: &mut Build<'_>) {
+    let u = fit(b, [0.08, 0.12, 0.12]);
+    let (x, y, h) = spans(b);
+    let body = b.one(&[STEEL, STEEL, WHITE_PLASTIC, BLACK_METAL, RED_METAL, GLASS]);
+    let trim = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
+    let foot = h * 0.09;
+    let centre = [0.0, y * 0.12];
+    let at = |z: f32| [centre[0], centre[1], z];
+    b.lathe("base", [0.0, centre[1], 0.0], &[(x * 0.98, 0.0), (x, foot * 0.6), (x * 0.9, foot)], trim);
+    let (tall, wall) = (h * 0.78, 0.004 * u);
+    let (bottom, top) = (x * b.vary(0.88, 0.97), x * b.vary(0.6, 0.74));
+    let middle = if b.rng.chance(0.5) { (bottom + top) / 2.0 } else { bottom * 0.98 };
+    let shell = [
+        (bottom, 0.0),
+        (middle, tall * 0.5),
+        (top, tall),
+        (top - wall, tall),
+        (middle - wall, tall * 0.5),
+        (bottom - wall, wall),
+    ];
+    b.lathe("body", at(foot), &shell, body);
+    round_floor(b, "water", at(foot + wall), top - wall, tall - 2.0 * wall);
+    // The spout points to the left, the handle to the right.
+    let (lip, root) = (foot + tall * 0.98, foot + tall * 0.66);
+    let w = top * 0.32;
+    let edge = centre[1] + top * 0.86;
+    let spout = [
+        [-w, edge, lip],
+        [w, edge, lip],
+        [0.0, edge, root],
+        [0.0, y, lip],
+        [-w * 0.5, edge, root],
+        [w * 0.5, edge, root],
+    ];
+    b.hull("spout", &spout, if body == GLASS { trim } else { body });
+    let reach = -y + 0.012 * u;
+    let r = 0.011 * u;
+    let grip = b.one(&[0.12, 0.3]);
+    let points = [
+        [0.0, centre[1] - top * 0.92, foot + tall * 0.94],
+        [0.0, reach, foot + tall * 0.9],
+        [0.0, reach, foot + tall * (grip + 0.1)],
+        [0.0, centre[1] - bottom * 0.9, foot + tall * grip],
+    ];
+    b.pipe("handle", &points, r, trim);
+    b.block(
+        "switch",
+        [-0.01 * u, reach - 0.008 * u, foot + tall * 0.5],
+        [0.01 * u, reach, foot + tall * 0.58],
+        RED_PLASTIC,
+    );
+    b.hinge([0.0, centre[1] - top * 0.8, foot + tall], [1.0, 0.0, 0.0], 1.3, |b| {
+        b.lathe("lid", at(foot + tall), &[(top * 0.98, 0.0), (top * 0.8, h * 0.05)], trim);
+        b.lathe(
+            "knob",
+            at(foot + tall + h * 0.05),
+            &[(top * 0.18, 0.0), (top * 0.24, h * 0.05), (top * 0.1, h * 0.08)],
+            trim,
+        );
+    });
+}
+
+/// Slots between warm walls, a lever at the end, a dial.
+pub(super) fn toaster(b: &mut Build<'_>) {
+    let u = fit(b, [0.1, 0.15, 0.1]);
+    let (x, y, h) = spans(b);
+    let body = b.one(&[STEEL, STEEL, RED_METAL, WHITE_METAL, BLUE_METAL, BLACK_METAL, CREAM]);
+    let trim = b.one(&[BLACK_PLASTIC, body]);
+    let (feet, cap) = (0.012 * u, y * 0.14);
+    foot_row(b, (x * 0.7, y * 0.75), 0.012 * u, feet);
+    let end = y - 0.03 * u;
+    let bottom = h * 0.28;
+    let (from, to) = (-y + cap, end - cap);
+    b.block("body", [-x, from, feet], [x, to, bottom], body);
+    let slots = if x < 0.07 { 1 } else { 2 };
+    let step = 2.0 * x / slots as f32;
+    for i in 0..slots {
+        let x0 = -x + step * i as f32;
+        let (a, z) = (x0 + step * 0.5 - (0.019 * u).min(step * 0.35), x0 + step * 0.5 + (0.019 * u).min(step * 0.35));
+        let walls = ([x0, from, bottom], [x0 + step, to, h]);
+        ring(b, "wall", Axis::Z, walls, ((a, from + 0.008 * u), (z, to - 0.008 * u)), body);
+        floor_of(b, &format!("slot_{}", i + 1), [a, from + 0.008 * u, bottom], [z, to - 0.008 * u, h]);
+    }
+    let radius = if b.rng.chance(0.6) { h * 0.22 } else { 0.01 * u };
+    b.soft("end", [-x, -y, feet], [x, from + 0.004 * u, h], radius, trim);
+    b.soft("end", [-x, to - 0.004 * u, feet], [x, end, h], radius, trim);
+    let travel = h * 0.4;
+    b.block("groove", [-0.004 * u, end - 0.001, h * 0.3], [0.004 * u, end + 0.001, h * 0.85], SCREEN);
+    b.jointed(JointKind::Slide, [0.0; 3], [0.0, 0.0, -1.0], (0.0, travel), |b| {
+        b.soft("lever", [-0.016 * u, end + 0.001, h * 0.76], [0.016 * u, y, h * 0.83], 0.004 * u, BLACK_PLASTIC);
+    });
+    b.rod("dial", [-x * 0.5, end - 0.001, h * 0.3], [-x * 0.5, end + 0.012 * u, h * 0.3], h * 0.08, STEEL);
+}
+
+/// A jug under a filter, a machine for capsules, or a big automatic one.
+pub(super) fn coffee_maker(b: &mut Build<'_>) {
+    let u = fit(b, [0.1, 0.09, 0.15]);
+    let (x, y, h) = spans(b);
+    let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, STEEL, RED_PLASTIC, BLACK_METAL]);
+    let base = h * 0.1;
+    let back = -x + x * b.vary(0.65, 0.8);
+    let head = h * b.vary(0.66, 0.72);
+    let deck = b.rng.below(2) == 0;
+    b.soft("base", [-x, -y, 0.0], [x, y, base], 0.012 * u, body);
+    b.block("column", [-x, -y * 0.98, base * 0.5], [back, y * 0.98, head + 0.002], body);
+    let wall = 0.012 * u;
+    pit(b, "head", [-x, -y, head], [x * 0.96, y, h - wall], wall, body);
+    let hollow = ([-x + wall, -y + wall, head + wall], [x * 0.96 - wall, y - wall, h - wall]);
+    floor_of(b, "compartment_1", hollow.0, hollow.1);
+    lid(b, [-x, 0.0, h], 1.4, |b| {
+        b.block("lid", [-x + 0.002, -y + 0.002, h - wall + 0.001], [x * 0.96, y - 0.002, h], body);
+        b.block("tab", [x * 0.96, -y * 0.2, h - wall], [x, y * 0.2, h], STEEL);
+    });
+    let centre = [f32::midpoint(back, x), 0.0];
+    let room = (x - back) / 2.0;
+    if deck {
+        // A glass jug on a warm plate.
+        let r = (room * 0.9).min(y * 0.8);
+        b.cylinder("plate", [centre[0], 0.0, base - 0.001], r * 0.95, 0.005 * u, BLACK_METAL);
+        let tall = (head - base) * 0.86;
+        let z = base + 0.005 * u;
+        let wall = 0.003 * u;
+        let shape = [
+            (r * 0.86, 0.0),
+            (r, tall * 0.3),
+            (r * 0.72, tall * 0.85),
+            (r * 0.78, tall),
+            (r * 0.78 - wall, tall),
+            (r * 0.72 - wall, tall * 0.85),
+            (r - wall, tall * 0.3),
+            (r * 0.86 - wall, wall),
+        ];
+        b.lathe("jug", [centre[0], 0.0, z], &shape, GLASS);
+        b.lathe(
+            "coffee",
+            [centre[0], 0.0, z + wall],
+            &[(r * 0.86 - wall * 1.5, 0.0), (r - wall * 1.6, tall * 0.29)],
+            CHOCOLATE,
+        );
+        let ear = centre[0] + r * 0.7;
+        let points = [
+            [ear, 0.0, z + tall * 0.9],
+            [x - 0.008 * u, 0.0, z + tall * 0.8],
+            [x - 0.008 * u, 0.0, z + tall * 0.35],
+            [ear + r * 0.2, 0.0, z + tall * 0.22],
+        ];
+        b.pipe("jug_handle", &points, 0.007 * u, BLACK_PLASTIC);
+        b.cylinder(
+            "filter",
+            [centre[0], 0.0, head - (head - base) * 0.09],
+            r * 0.5,
+            (head - base) * 0.1,
+            BLACK_PLASTIC,
+        );
+    } else {
+        // A nozzle over a grid.
+        let z = head - (head - base) * 0.3;
+        b.block("group", [back - 0.002, -y * 0.4, z], [x * 0.7, y * 0.4, head + 0.002], BLACK_PLASTIC);
+        for cy in [-y * 0.14, y * 0.14] {
+            b.rod("nozzle", [centre[0], cy, z - 0.02 * u], [centre[0], cy, z], 0.008 * u, STEEL);
+        }
+        for i in 0..5 {
+            let cx = back + 2.0 * room * (0.15 + 0.16 * i as f32);
+            b.block("grid", [cx, -y * 0.8, base - 0.001], [cx + room * 0.12, y * 0.8, base + 0.004 * u], STEEL);
+        }
+        b.block("drip_tray", [back, -y * 0.85, base * 0.2], [x + 0.0, y * 0.85, base * 0.8], STEEL);
+    }
+    display(b, x * 0.96, (-y * 0.3, h - (h - head) * 0.7), (y * 0.3, h - (h - head) * 0.4), COOL_BULB);
+}
+
+/// Groups with filter holders over a drip tray, a steam pipe, cups on top.
+pub(super) fn espresso_machine(b: &mut Build<'_>) {
+    let u = fit(b, [0.14, 0.12, 0.15]);
+    let (x, y, h) = spans(b);
+    let body = b.one(&[STEEL, STEEL, CHROME, RED_METAL, BLACK_METAL, CREAM]);
+    let (feet, base) = (0.02 * u, h * 0.22);
+    foot_row(b, (x * 0.8, y * 0.85), 0.018 * u, feet);
+    let back = -x * 0.1;
+    let head = h * 0.66;
+    b.soft("base", [-x, -y, feet], [x, y, base], 0.01 * u, body);
+    b.block("column", [-x, -y * 0.98, base - 0.005], [back, y * 0.98, head + 0.005], body);
+    let top = h - 0.025 * u;
+    b.soft("head", [-x, -y, head], [x * 0.72, y, top], 0.015 * u, body);
+    for i in 0..7 {
+        let cx = back + (x - back) * (0.1 + 0.12 * i as f32);
+        b.block("grid", [cx, -y * 0.9, base - 0.002], [cx + x * 0.05, y * 0.9, base + 0.004 * u], STEEL);
+    }
+    // A rail around the place for cups.
+    ring(
+        b,
+        "rail",
+        Axis::Z,
+        ([-x * 0.97, -y * 0.97, top - 0.005 * u], [x * 0.68, y * 0.97, h]),
+        ((-x * 0.92, -y * 0.94), (x * 0.63, y * 0.94)),
+        STEEL,
+    );
+    b.top("cup_rest", [-x * 0.145, 0.0, top], (x * 0.74, y * 0.9));
+    let groups = (y / 0.16).clamp(1.0, 3.0) as usize;
+    let step = 1.5 * y / groups as f32;
+    let reach = (x * 0.42, x * 0.98);
+    for i in 0..groups {
+        let cy = step * (i as f32 + 0.5) - 0.75 * y;
+        let r = 0.034 * u;
+        b.cylinder("group", [reach.0, cy, head - 0.04 * u], r, 0.05 * u, CHROME);
+        b.cylinder("basket", [reach.0, cy, head - 0.065 * u], r * 0.95, 0.026 * u, STEEL);
+        b.rod(
+            "holder",
+            [reach.0, cy, head - 0.05 * u],
+            [reach.1 - 0.01 * u, cy, head - 0.06 * u],
+            0.011 * u,
+            BLACK_PLASTIC,
+        );
+        b.rod("spout", [reach.0, cy, head - 0.09 * u], [reach.0, cy, head - 0.06 * u], 0.01 * u, STEEL);
+        b.rod(
+            "lever",
+            [x * 0.71, cy, f32::midpoint(head, top)],
+            [x * 0.71 + 0.012 * u, cy, f32::midpoint(head, top)],
+            0.012 * u,
+            BLACK_PLASTIC,
+        );
+    }
+    let cy = -y * 0.86;
+    let pipe = [[x * 0.6, cy, head + 0.005 * u], [x * 0.75, cy, head - 0.03 * u], [x * 0.82, cy, base + 0.05 * u]];
+    b.pipe("steam_pipe", &pipe, 0.005 * u, STEEL);
+    let z = f32::midpoint(head, top);
+    b.lathe_along(
+        "gauge",
+        [x * 0.715, y * 0.82, z],
+        [x, y * 0.82, z],
+        &[((y * 0.1).min(0.025 * u), 0.0), ((y * 0.1).min(0.025 * u), 0.01 * u)],
+        WHITE,
+    );
+    knob(b, [x * 0.715, -y * 0.86, z], (y * 0.09).min(0.022 * u), 0.02 * u, (BLACK_PLASTIC, WHITE));
+}
+
+/// Beans above, a chute, a cup for the powder below.
+pub(super) fn coffee_grinder(b: &mut Build<'_>) {
+    let u = fit(b, [0.05, 0.05, 0.09]);
+    let (x, y, h) = spans(b);
+    let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, WHITE_METAL, BLACK_PLASTIC]);
+    let r = x.min(y);
+    let (cut, wall) = (h * b.vary(0.58, 0.66), 0.003 * u);
+    if h > 0.24 {
+        b.soft("foot", [-x, -y, 0.0], [x, y, h * 0.07], 0.008 * u, body);
+        b.soft("body", [-x * 0.95, -y * 0.85, h * 0.06], [x * 0.2, y * 0.85, cut], 0.012 * u, body);
+        b.block("chute", [x * 0.18, -y * 0.25, cut - h * 0.16], [x * 0.62, y * 0.25, cut - h * 0.05], BLACK_PLASTIC);
+        b.lathe("cup", [x * 0.58, 0.0, h * 0.068], &cup(r * 0.36, r * 0.4, h * 0.2, wall), CLEAR_PLASTIC);
+    } else {
+        b.lathe("body", [0.0; 3], &[(r * 0.92, 0.0), (r, h * 0.1), (r * 0.88, cut)], body);
+        b.block("switch", [r * 0.8, -r * 0.2, cut * 0.5], [r * 0.98, r * 0.2, cut * 0.7], GREY_PLASTIC);
+    }
+    let (low, wide) = (r * 0.62, r * 0.9);
+    let tall = h * 0.93 - cut;
+    let at = [if h > 0.24 { -x * 0.3 } else { 0.0 }, 0.0, cut - 0.001];
+    let spread = if h > 0.24 { wide.min(x * 0.7) } else { wide };
+    b.lathe("hopper", at, &cup(low.min(spread), spread, tall, wall), CLEAR_PLASTIC);
+    b.lathe(
+        "beans",
+        [at[0], 0.0, at[2] + wall],
+        &[(low.min(spread) - wall * 2.0, 0.0), (spread * 0.86 - wall * 2.0, tall * 0.4)],
+        CHOCOLATE,
+    );
+    round_floor(b, "compartment_1", [at[0], 0.0, at[2] + wall + tall * 0.4], low * 0.9, tall * 0.55);
+    lid(b, [at[0] - spread, 0.0, h], 1.5, |b| {
+        b.lathe("lid", [at[0], 0.0, cut + tall], &[(spread, 0.0), (spread * 0.96, h * 0.07)], BLACK_PLASTIC);
+    });
+}
+
+/// One or two iron plates on a flat box.
+pub(super) fn hot_plate(b: &mut Build<'_>) {
+    let u = fit(b, [0.11, 0.12, 0.03]);
+    let (x, y, h) = spans(b);
+    let body = b.one(&[WHITE_METAL, BLACK_METAL, STEEL]);
+    let (feet, top) = (h * 0.18, h * 0.78);
+    foot_row(b, (x * 0.8, y * 0.85), 0.012 * u, feet);
+    let face = x - 0.015 * u;
+    b.soft("body", [-x, -y, feet], [face, y, top], 0.008 * u, body);
+    let count = if y > x * 1.3 { 2 } else { 1 };
+    let step = 2.0 * y / count as f32;
+    for i in 0..count {
+        let cy = -y + step * (i as f32 + 0.5);
+        let r = (x * 0.72).min(step * 0.42) * if i == 1 { 0.82 } else { 1.0 };
+        let cx = -x * 0.12;
+        collar(b, "rim", ([cx, cy, top - 0.001], [cx, cy, top + (h - top) * 0.4]), (r * 1.0, r * 1.1), STEEL);
+        b.lathe("plate", [cx, cy, top - 0.001], &[(r * 0.98, 0.0), (r * 0.94, h - top + 0.001)], IRON);
+        let half = r * 0.9;
+        b.top(&format!("burner_{}", i + 1), [cx, cy, h], (half, half));
+        knob(b, [face, cy, f32::midpoint(feet, top)], (top - feet) * 0.32, 0.013 * u, (BLACK_PLASTIC, WHITE));
+    }
+}
+
+/// Oil baths with wire baskets, one or two; professional ones of steel with taps.
+pub(super) fn deep_fryer(b: &mut Build<'_>) {
+    let u = fit(b, [0.14, 0.12, 0.11]);
+    let (x, y, h) = spans(b);
+    let round = x < 0.17 && b.rng.chance(0.5);
+    let body = if round { b.one(&[BLACK_PLASTIC, WHITE_PLASTIC]) } else { STEEL };
+    let (feet, face, rim) = (0.015 * u, x - 0.05 * u, h * 0.74);
+    foot_row(b, (x * 0.75, y * 0.8), 0.015 * u, feet);
+    let (wall, back) = (0.008 * u, -x + 0.06 * u);
+    // The bath: walls, oil, one basket in each.
+    pit(b, "bath", [back, -y, feet], [face, y, rim], wall, body);
+    let head = [back, y * 0.7, h];
+    b.block("head", [-x, -y * 0.7, feet], head, body);
+    display(b, back, (-y * 0.2, rim + (h - rim) * 0.3), (y * 0.2, rim + (h - rim) * 0.7), SIGNAL_RED);
+    let oil = feet + (rim - feet) * 0.45;
+    b.block("oil", [back + wall, -y + wall, feet + wall], [face - wall, y - wall, oil], YELLOW_GLAZE);
+    let baths = if y > 0.16 && !round { 2 } else { 1 };
+    let step = 2.0 * (y - wall) / baths as f32;
+    for i in 0..baths {
+        let y0 = -y + wall + step * i as f32;
+        let w = 0.003 * u;
+        let (low, high) =
+            ([back + wall * 3.0, y0 + step * 0.07, oil + 0.002], [face - wall * 3.0, y0 + step * 0.93, rim + 0.01 * u]);
+        let name = if baths == 1 { "basin".to_owned() } else { format!("basin_{}", i + 1) };
+        basket(b, &name, low, high, w, STEEL);
+        let cy = y0 + step / 2.0;
+        let z = high[2] - 0.006 * u;
+        b.pipe(
+            "handle",
+            &[[high[0] - 0.004 * u, cy, z], [face + 0.005 * u, cy, z + 0.01 * u], [x - 0.008 * u, cy, z + 0.012 * u]],
+            0.0065 * u,
+            BLACK_PLASTIC,
+        );
+    }
+    knobs(b, [face, 0.0, feet + (rim - feet) * 0.4], y, baths, (rim - feet) * 0.12, (BLACK_PLASTIC, WHITE));
+    if baths == 1 {
+        lid(b, [back, 0.0, rim + 0.035 * u], 1.3, |b| {
+            let from = [back + 0.001, -y, rim + 0.024 * u];
+            b.block("lid", from, [face - 0.02 * u, y, rim + 0.035 * u], STEEL);
+        });
+    }
+}
+
+/// A pod with a drawer for food.
+pub(super) fn air_fryer(b: &mut Build<'_>) {
+    let u = fit(b, [0.15, 0.13, 0.14]);
+    let (x, y, h) = spans(b);
+    let body = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, SAGE]);
+    let face = x - 0.065 * u;
+    let (bottom, head, wall) = (h * 0.05, h * b.vary(0.55, 0.62), y * 0.1);
+    b.soft("base", [-x, -y, 0.0], [face, y, bottom + wall], wall * 0.5, body);
+    b.block("back", [-x, -y * 0.96, bottom], [-x + wall, y * 0.96, head + 0.002], body);
+    for side in [-1.0, 1.0] {
+        let (a, z) = (side * y * 0.98, side * (y - wall));
+        b.block("side", [-x + wall, a.min(z), bottom + wall * 0.8], [face, a.max(z), head + 0.002], body);
+    }
+    let radius = b.vary(0.02, 0.07) * u;
+    b.soft("head", [-x, -y, head], [face, y, h], radius, body);
+    let trim = b.one(&[STEEL, BLACK_GLASS, BROWN_PLASTIC]);
+    let round = b.rng.chance(0.5);
+    let z = f32::midpoint(head, h);
+    if round {
+        knob(b, [face - 0.004, 0.0, z], (h - head) * 0.3, 0.025 * u, (trim, WHITE));
+    } else {
+        display(b, face, (-y * 0.4, z - (h - head) * 0.15), (y * 0.4, z + (h - head) * 0.15), COOL_BULB);
+    }
+    let (low, high) =
+        ([-x + wall * 1.2, -y + wall * 1.1, bottom + wall * 1.1], [face, y - wall * 1.1, head - 0.006 * u]);
+    b.jointed(JointKind::Slide, low, [1.0, 0.0, 0.0], (0.0, (face + x) * 0.7), |b| {
+        basket(b, "drawer_1", low, high, 0.005 * u, BLACK_METAL);
+        let plate = ([face, -y * 0.96, bottom + wall], [face + 0.012 * u, y * 0.96, head - 0.004 * u]);
+        b.soft("front", plate.0, plate.1, 0.006 * u, body);
+        let z = f32::midpoint(low[2], high[2]);
+        b.soft("grip", [face + 0.01 * u, -y * 0.14, z - 0.022 * u], [x, y * 0.14, z + 0.022 * u], 0.01 * u, trim);
+    });
+}
+
+/// A thick plate with raised sides over a box with knobs, for professionals.
+pub(super) fn griddle(b: &mut Build<'_>) {
+    let u = fit(b, [0.2, 0.25, 0.1]);
+    let (x, y, h) = spans(b);
+    let (feet, plate, guard) = (h * 0.14, h * 0.74, 0.012 * u);
+    let face = x - 0.035 * u;
+    for (sx, sy) in [(0.75, 0.85), (-0.75, 0.85), (-0.75, -0.85), (0.75, -0.85)] {
+        b.cylinder("foot", [x * sx, y * sy, 0.0], 0.022 * u, feet, BLACK_PLASTIC);
+    }
+    b.block("body", [-x, -y, feet], [face, y, plate - 0.02 * u], STEEL);
+    let iron = b.one(&[IRON, STEEL]);
+    b.block("plate", [-x + guard, -y + guard, plate - 0.02 * u], [face - 0.05 * u, y - guard, plate], iron);
+    b.block("back_guard", [-x, -y, plate - 0.02 * u], [-x + guard, y, h], STEEL);
+    let slope =
+        [(-x + guard, 0.0), (face - 0.05 * u, 0.0), (face - 0.05 * u, 0.022 * u), (-x + guard, h - plate + 0.02 * u)];
+    for cy in [-y, y - guard] {
+        b.prism("guard", Axis::Y, [0.0, cy, plate - 0.02 * u], &slope, guard, STEEL);
+    }
+    pit(b, "gutter", [face - 0.05 * u, -y, plate - 0.02 * u], [face, y, plate - 0.002 * u], 0.006 * u, STEEL);
+    if b.rng.chance(0.4) {
+        for i in 0..8 {
+            let cy = y * (0.1 + 0.1 * i as f32);
+            b.block(
+                "rib",
+                [-x + guard * 1.5, cy, plate - 0.001],
+                [face - 0.055 * u, cy + y * 0.04, plate + 0.005 * u],
+                iron,
+            );
+        }
+        b.top(
+            "griddle",
+            [(face - 0.05 * u - x) / 2.0, -y * 0.45, plate],
+            ((face - 0.05 * u + x) / 2.0 - 0.02 * u, y * 0.48),
+        );
+    } else {
+        b.top(
+            "griddle",
+            [(face - 0.05 * u - x) / 2.0, 0.0, plate],
+            ((face - 0.05 * u + x) / 2.0 - 0.02 * u, y - 0.03 * u),
+        );
+    }
+    let count = b.rng.count(2, 4);
+    knobs(
+        b,
+        [face, 0.0, f32::midpoint(feet, plate) - 0.01 * u],
+        y * 1.7,
+        count,
+        (plate - feet) * 0.22,
+        (BLACK_PLASTIC, WHITE),
+    );
+    for cy in [-y * 0.93, y * 0.93] {
+        b.rod("light", [face, cy, feet + 0.02 * u], [face + 0.003, cy, feet + 0.02 * u], 0.005 * u, SIGNAL_AMBER);
+    }
+}
+
+/// Two ribbed plates that close like a book.
+pub(super) fn electric_grill(b: &mut Build<'_>) {
+    let u = fit(b, [0.13, 0.14, 0.05]);
+    let body = b.one(&[STEEL, BLACK_METAL, RED_METAL]);
+    clamshell(b, u, body, false);
+}
+
+/// Two plates with a grid that close like a book, square or round.
+pub(super) fn waffle_maker(b: &mut Build<'_>) {
+    let u = fit(b, [0.12, 0.1, 0.045]);
+    let body = b.one(&[STEEL, BLACK_PLASTIC, WHITE_PLASTIC, RED_METAL]);
+    clamshell(b, u, body, true);
+}
+
+fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
+    let (x, y, h) = spans(b);
+    let (feet, seam, front) = (h * 0.1, h * 0.5, x - 0.05 * u);
+    foot_row(b, (x * 0.6, y * 0.7), 0.01 * u, feet);
+    let round = waffle && b.rng.chance(0.5);
+    let r = y.min((front + x) / 2.0);
+    let cx = (front - x) / 2.0;
+    let plate = (seam - feet) * 0.2;
+    let half = if round { (r * 0.68, r * 0.68) } else { ((front + x) * 0.44, y * 0.88) };
+    if round {
+        b.lathe("base", [cx, 0.0, feet], &[(r * 0.9, 0.0), (r, (seam - feet) * 0.4), (r, seam - feet - plate)], body);
+    } else {
+        b.soft("base", [-x, -y, feet], [front, y, seam - plate], 0.02 * u, body);
+    }
+    let low = [cx - half.0, -half.1, seam - plate - 0.002];
+    b.block("plate", low, [cx + half.0, half.1, seam - plate * 0.6], BLACK_METAL);
+    let count = if waffle { 6 } else { 9 };
+    for i in 0..count {
+        let cy = half.1 * (2.0 * (i as f32 + 0.5) / count as f32 - 1.0);
+        b.block(
+            "rib",
+            [cx - half.0 * 0.95, cy - half.1 * 0.04, seam - plate * 0.62],
+            [cx + half.0 * 0.95, cy + half.1 * 0.04, seam - plate * 0.3],
+            BLACK_METAL,
+        );
+    }
+    let gap = plate * 0.3;
+    b.inside("slot_1", [cx, 0.0, seam - plate * 0.3], (half.0 * 0.9, half.1 * 0.9), gap);
+    b.block("hinge", [-x, -y * 0.5, seam - plate - 0.002], [-x + 0.018 * u, y * 0.5, seam + 0.004 * u], BLACK_PLASTIC);
+    let grip = b.one(&[STEEL, BLACK_PLASTIC]);
+    lid(b, [-x, 0.0, seam], 1.6, |b| {
+        if round {
+            b.lathe(
+                "lid",
+                [cx, 0.0, seam + 0.001],
+                &[(r, 0.0), (r, (h - seam) * 0.5), (r * 0.85, h - seam - 0.001)],
+                body,
+            );
+        } else {
+            b.soft("lid", [-x, -y, seam + 0.001], [front, y, h], 0.02 * u, body);
+        }
+        let z = f32::midpoint(seam, h);
+        if waffle {
+            b.soft("grip", [front - 0.01 * u, -y * 0.2, z - 0.008 * u], [x, y * 0.2, z + 0.008 * u], 0.006 * u, grip);
+        } else {
+            let points = [
+                [front - 0.01 * u, -y * 0.8, z],
+                [x - 0.009 * u, -y * 0.7, z],
+                [x - 0.009 * u, y * 0.7, z],
+                [front - 0.01 * u, y * 0.8, z],
+            ];
+            b.pipe("grip", &points, 0.008 * u, grip);
+        }
+        b.cylinder("light", [cx, 0.0, h - 0.003], 0.006 * u, 0.003, SIGNAL_GREEN);
+        if !waffle {
+            b.top("lid", [cx, y * 0.5, h], ((front + x) * 0.3, y * 0.3));
+        }
+    });
+    if !waffle {
+        knob(
+            b,
+            [front - 0.002, 0.0, f32::midpoint(feet, seam - plate)],
+            (seam - feet) * 0.24,
+            0.02 * u,
+            (BLACK_PLASTIC, WHITE),
+        );
+    }
+}
+
+/// A round pot in a shell with a hinged lid and one switch.
+pub(super) fn rice_cooker(b: &mut Build<'_>) {
+    let u = fit(b, [0.11, 0.11, 0.1]);
+    let (x, y, h) = spans(b);
+    let body = b.one(&[WHITE_PLASTIC, STEEL, BLACK_METAL, RED_METAL]);
+    let r = y.min(x);
+    let cx = x - r;
+    let (foot, rim, wall) = (h * 0.05, h * 0.74, 0.01 * u);
+    b.cylinder("foot", [cx, 0.0, 0.0], r * 0.8, foot, BLACK_PLASTIC);
+    let (tall, wide) = (rim - foot, r - 0.012 * u);
+    let shell = [
+        (wide * 0.86, 0.0),
+        (wide, tall * 0.3),
+        (wide, tall),
+        (wide - wall, tall),
+        (wide - wall, tall * 0.35),
+        (wide * 0.86 - wall, wall),
+    ];
+    b.lathe("body", [cx, 0.0, foot], &shell, body);
+    round_floor(b, "compartment_1", [cx, 0.0, foot + wall], wide * 0.84 - wall, tall - wall * 1.2);
+    b.block(
+        "hinge",
+        [cx - wide - 0.012 * u, -r * 0.3, rim * 0.6],
+        [cx - wide + 0.01 * u, r * 0.3, rim + 0.01 * u],
+        body,
+    );
+    if x - r > 0.02 {
+        b.soft("cord_box", [-x, -r * 0.35, foot], [cx - wide + 0.01 * u, r * 0.35, rim * 0.8], 0.01 * u, body);
+    }
+    let glass = b.rng.chance(0.4);
+    let trim = if glass { GLASS } else { body };
+    lid(b, [cx - wide, 0.0, rim + 0.002], 1.4, |b| {
+        let dome = h * 0.93 - rim;
+        b.lathe(
+            "lid",
+            [cx, 0.0, rim + 0.001],
+            &[(wide, 0.0), (wide, dome * 0.3), (wide * 0.8, dome * 0.8), (wide * 0.4, dome)],
+            trim,
+        );
+        b.lathe(
+            "vent",
+            [cx, 0.0, rim + dome * 0.98],
+            &[(wide * 0.14, 0.0), (wide * 0.2, h - rim - dome * 0.98)],
+            BLACK_PLASTIC,
+        );
+    });
+    switch_plate(b, [cx + wide * 0.985, foot + tall * 0.35], (r * 0.3, tall * 0.2), u);
+    for side in [-1.0, 1.0] {
+        let cy = side * (wide + 0.004 * u);
+        b.soft(
+            "ear",
+            [cx - r * 0.2, cy - 0.009 * u, rim * 0.78],
+            [cx + r * 0.2, cy + 0.009 * u, rim * 0.85],
+            0.004 * u,
+            BLACK_PLASTIC,
+        );
+    }
+}
+
+/// A panel with a light and a lever in front of a round body.
+fn switch_plate(b: &mut Build<'_>, at: [f32; 2], half: (f32, f32), u: f32) {
+    let [x, z] = at;
+    b.block("panel", [x - half.0 * 0.3, -half.0, z - half.1], [x + 0.004 * u, half.0, z + half.1], BLACK_PLASTIC);
+    b.block(
+        "lever",
+        [x + 0.003 * u, -half.0 * 0.3, z - half.1 * 0.6],
+        [x + 0.01 * u, half.0 * 0.3, z - half.1 * 0.2],
+        WHITE_PLASTIC,
+    );
+    b.block(
+        "light",
+        [x + 0.003 * u, -half.0 * 0.1, z + half.1 * 0.3],
+        [x + 0.005 * u, half.0 * 0.1, z + half.1 * 0.5],
+        SIGNAL_AMBER,
+    );
+}
+
+/// An oval crock in a shell with ears and a glass lid.
+pub(super) fn slow_cooker(b: &mut Build<'_>) {
+    let u = fit(b, [0.12, 0.15, 0.11]);
+    let (x, y, h) = spans(b);
+    let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, CREAM]);
+    let (feet, rim, wall) = (h * 0.05, h * 0.72, 0.014 * u);
+    let (depth, side) = (x - 0.015 * u, y - 0.04 * u);
+    foot_row(b, (depth * 0.6, side * 0.7), 0.014 * u, feet);
+    oval_shell(b, "body", (depth, side), (feet, rim * 0.96), wall * 0.5, body);
+    oval_shell(b, "crock", (depth - wall * 0.5, side - wall * 0.5), (feet + wall * 0.5, rim), wall, b.style.crockery);
+    b.inside("compartment_1", [0.0, 0.0, feet + wall * 1.5], (depth * 0.6, side * 0.62), rim - feet - wall * 2.0);
+    for s in [-1.0_f32, 1.0] {
+        let (a, z) = (s * (side - 0.004 * u), s * y);
+        b.soft("ear", [-x * 0.3, a.min(z), rim * 0.76], [x * 0.3, a.max(z), rim * 0.84], 0.008 * u, BLACK_PLASTIC);
+    }
+    knob(b, [depth - 0.002, 0.0, h * 0.22], h * 0.08, 0.014 * u, (BLACK_PLASTIC, WHITE));
+    lid(b, [-depth, 0.0, rim + 0.002], 1.2, |b| {
+        oval_lid(b, (depth * 0.97, side * 0.97), (rim + 0.001, h * 0.88), GLASS);
+        b.lathe(
+            "knob",
+            [0.0, 0.0, h * 0.879],
+            &[(x * 0.08, 0.0), (x * 0.2, h * 0.08), (x * 0.16, h * 0.121)],
+            BLACK_PLASTIC,
+        );
+    });
+}
+
+/// Eight corners of an oval, as an outline.
+fn octagon(half: (f32, f32)) -> Vec<(f32, f32)> {
+    let corner =
+        [(1.0, 0.5), (0.5, 1.0), (-0.5, 1.0), (-1.0, 0.5), (-1.0, -0.5), (-0.5, -1.0), (0.5, -1.0), (1.0, -0.5)];
+    corner.iter().map(|c| (c.0 * half.0, c.1 * half.1)).collect()
+}
+
+/// A flat-bottomed shell with eight sides: the floor and a wall for each.
+fn oval_shell(b: &mut Build<'_>, name: &str, half: (f32, f32), (z0, z1): (f32, f32), wall: f32, mat: Mat) {
+    let (outer, inner) = (octagon(half), octagon((half.0 - wall, half.1 - wall)));
+    b.prism(name, Axis::Z, [0.0, 0.0, z0], &outer, wall, mat);
+    for i in 0..outer.len() {
+        let k = (i + 1) % outer.len();
+        let side = [outer[i], outer[k], inner[k], inner[i]];
+        b.prism(name, Axis::Z, [0.0, 0.0, z0 + wall], &side, z1 - z0 - wall, mat);
+    }
+}
+
+/// A low dome over an oval.
+fn oval_lid(b: &mut Build<'_>, half: (f32, f32), (z0, z1): (f32, f32), mat: Mat) {
+    let level = |k: f32, z: f32| octagon((half.0 * k, half.1 * k)).into_iter().map(move |c| [c.0, c.1, z]);
+    let points: Vec<P> = level(1.0, z0).chain(level(0.6, z1)).collect();
+    b.hull("lid", &points, mat);
+}
+
+/// A tall box with a lid over a bread pan, a display on its slope.
+pub(super) fn bread_maker(b: &mut Build<'_>) {
+    let u = fit(b, [0.12, 0.15, 0.14]);
+    let (x, y, h) = spans(b);
+    let body = b.one(&[WHITE_PLASTIC, STEEL, BLACK_METAL]);
+    let (feet, rim, wall) = (h * 0.04, h * 0.84, 0.014 * u);
+    foot_row(b, (x * 0.75, y * 0.8), 0.012 * u, feet);
+    let split = y * 0.3;
+    b.soft("body", [-x, split, feet], [x, y, rim], 0.012 * u, body);
+    pit(b, "body", [-x, -y, feet], [x, split + 0.004 * u, rim], wall, body);
+    let low = [-x * 0.6, -y + wall * 3.0, feet + wall];
+    basket(b, "compartment_1", low, [x * 0.6, split - wall * 2.0, rim - 0.03 * u], 0.003 * u, GREY_PLASTIC);
+    let panel_top = rim + 0.002;
+    b.block("panel", [x * 0.1, split + (y - split) * 0.1, rim - 0.002], [x * 0.9, y * 0.95, panel_top], BLACK_PLASTIC);
+    b.block("display", [x * 0.3, split + (y - split) * 0.3, rim], [x * 0.6, y * 0.82, panel_top + 0.002], LED);
+    lid(b, [-x, 0.0, rim + 0.003], 1.4, |b| {
+        b.soft("lid", [-x, -y, rim + 0.003], [x, split, h], (h - rim) * 0.4, body);
+        b.block("window", [-x * 0.4, -y * 0.6, h - 0.003], [x * 0.4, -y * 0.05, h], BROWN_GLASS);
+    });
+}
+
+/// Pans in a warm bath of steel, each with its own lid; a tap and a dial in front.
+pub(super) fn bain_marie(b: &mut Build<'_>) {
+    let u = fit(b, [0.17, 0.25, 0.12]);
+    let (x, y, h) = spans(b);
+    let (feet, rim, wall) = (h * 0.08, h * 0.82, 0.008 * u);
+    let face = x - 0.05 * u;
+    foot_row(b, (x * 0.75, y * 0.85), 0.018 * u, feet);
+    let pans = (y / 0.13).clamp(2.0, 5.0) as usize;
+    let step = 2.0 * y / pans as f32;
+    pit(b, "bath", [-x, -y, feet], [face, y, rim - 0.004 * u], wall, STEEL);
+    let covered = b.rng.below(pans);
+    for i in 0..pans {
+        let (y0, y1) = (-y + step * i as f32 + wall * 0.6, -y + step * (i + 1) as f32 - wall * 0.6);
+        let (low, high) =
+            ([-x + wall, y0 + wall, feet + (rim - feet) * 0.25], [face - wall, y1 - wall, rim - 0.003 * u]);
+        basket(b, &format!("basin_{}", i + 1), low, high, 0.003 * u, ALUMINIUM);
+        let hole = ((-x + wall * 2.2, y0 + wall * 1.6), (face - wall * 2.2, y1 - wall * 1.6));
+        ring(b, "rim", Axis::Z, ([-x, y0 - wall * 0.6, rim - 0.003 * u], [face, y1 + wall * 0.6, rim]), hole, STEEL);
+        if i <= covered {
+            lid(b, [-x + wall, 0.0, rim + 0.001], 1.3, |b| {
+                b.at([(face - x) / 2.0, f32::midpoint(y0, y1), rim + 0.001], 0.0, |b| {
+                    let half = ((face + x) / 2.0 - wall, (y1 - y0) / 2.0 - wall * 0.5);
+                    b.taper("lid", [0.0; 3], half, (half.0 * 0.9, half.1 * 0.85), (h - rim) * 0.5, STEEL);
+                    b.block(
+                        "knob",
+                        [-half.0 * 0.25, -0.008 * u, (h - rim) * 0.49],
+                        [half.0 * 0.25, 0.008 * u, h - rim - 0.001],
+                        BLACK_PLASTIC,
+                    );
+                });
+            });
+        }
+    }
+    let z = f32::midpoint(feet, rim);
+    knob(b, [face, y * 0.7, z], (rim - feet) * 0.18, 0.025 * u, (BLACK_PLASTIC, WHITE));
+    b.rod("tap", [face - 0.002, -y * 0.7, z * 0.7], [x - 0.015 * u, -y * 0.7, z * 0.7], 0.01 * u, BRASS);
+    b.rod("tap", [x - 0.015 * u, -y * 0.7, z * 0.45], [x - 0.015 * u, -y * 0.7, z * 0.7 + 0.01 * u], 0.01 * u, BRASS);
+    b.block(
+        "tap_lever",
+        [x - 0.03 * u, -y * 0.72, z * 0.7 + 0.01 * u],
+        [x, -y * 0.68, z * 0.7 + 0.018 * u],
+        RED_PLASTIC,
+    );
+}
+
+/// Warm drawers for plates: one built in, or several under each other.
+pub(super) fn plate_warmer(b: &mut Build<'_>) {
+    let u = fit(b, [0.25, 0.22, 0.07]);
+    let (x, y, h) = spans(b);
+    let body = b.one(&[STEEL, STEEL, BLACK_GLASS]);
+    let (face, t) = (x - 0.032 * u, 0.02 * u);
+    let feet = if h > 0.4 { 0.08 * u } else { 0.0 };
+    if feet > 0.0 {
+        super::cool::steel_legs(b, (x * 0.75, y * 0.85), feet, b.size.z > 0.6, u);
+    }
+    let low = [-x, -y, feet];
+    case(b, low, [face - t, y, h], 0.01 * u, STEEL);
+    let look = Look { panel: Panel::Slab, handle: crate::object::joinery::Handle::Bar, mat: body, metal: STEEL, t };
+    let count = (h / 0.24).round().clamp(1.0, 4.0) as usize;
+    drawers(b, &look, ([-x + 0.02 * u, -y, feet + 0.006 * u], [face, y, h]), count, 1.0);
+    knob(b, [face, y * 0.8, h - (h * 0.15).min(0.035 * u)], (h * 0.1).min(0.02 * u), 0.018 * u, (BLACK_PLASTIC, WHITE));
+    if h > 0.4 {
+        b.top("top", [0.0, 0.0, h], (x - 0.04 * u, y - 0.02 * u));
+    }
+}

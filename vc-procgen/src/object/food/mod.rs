@@ -1,0 +1,5 @@
+//! Food.
+
+use super::Generator;
+
+pub(super) const GENERATORS: &[Generator] = &[];

@@ -1,0 +1,5 @@
+//! Games.
+
+use super::Generator;
+
+pub(super) const GENERATORS: &[Generator] = &[];

@@ -1,0 +1,209 @@
+//! Shapes that boxes and lathes do not give: oval and bent things, hollow ware.
+
+use std::f32::consts::{FRAC_PI_2, PI, TAU};
+
+use nalgebra::Vector3;
+
+use super::super::build::{Build, P};
+use crate::material::Mat;
+
+/// Points around a bent or oval thing; a multiple of four, and enough to look round.
+const SIDES: usize = 12;
+
+/// Half a turn in some steps: what handles and loops are bent along.
+const BENDS: usize = 7;
+
+/// Depth, width and height to fill.
+pub(in crate::object) fn dims(b: &Build<'_>) -> (f32, f32, f32) {
+    (b.size.x.max(1e-3), b.size.y.max(1e-3), b.size.z.max(1e-3))
+}
+
+/// A level ellipse.
+pub(in crate::object) fn oval(centre: P, half: (f32, f32)) -> Vec<P> {
+    let point = |k: usize| {
+        let (s, c) = (TAU * k as f32 / 16.0).sin_cos();
+        [centre[0] + half.0 * c, centre[1] + half.1 * s, centre[2]]
+    };
+    (0..16).map(point).collect()
+}
+
+/// A rectangle with rounded corners; `round` is 0 for sharp ones and 1 for half circles.
+pub(in crate::object) fn rounded(half: (f32, f32), round: f32) -> Vec<(f32, f32)> {
+    let r = half.0.min(half.1) * round.clamp(0.02, 0.999);
+    let corner = |q: usize| {
+        let (sx, sy) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][q];
+        (0..4).map(move |k| {
+            let (s, c) = (FRAC_PI_2 * (q as f32 + k as f32 / 3.0)).sin_cos();
+            (sx * (half.0 - r) + r * c, sy * (half.1 - r) + r * s)
+        })
+    };
+    (0..4).flat_map(corner).collect()
+}
+
+/// A level rectangle with rounded corners at a height.
+pub(in crate::object) fn level(z: f32, half: (f32, f32), round: f32) -> Vec<P> {
+    rounded(half, round).into_iter().map(|(x, y)| [x, y, z]).collect()
+}
+
+/// A closed skin over rings of equally many points, from one end to the other.
+pub(in crate::object) fn loft(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: Mat) {
+    let n = rings.iter().map(Vec::len).min().unwrap_or(0);
+    let mut vertices: Vec<P> = rings.iter().flat_map(|r| r.iter().take(n).copied()).collect();
+    let last = rings.len().saturating_sub(1);
+    let at = |row: usize, k: usize| (row * n + k % n) as u32;
+    let middle = |row: usize| [0, 1, 2].map(|i| rings[row].iter().map(|p| p[i]).sum::<f32>() / n as f32);
+    let (bottom, top) = (vertices.len() as u32, vertices.len() as u32 + 1);
+    let mut triangles = Vec::with_capacity(2 * n * rings.len());
+    for k in 0..n {
+        for row in 0..last {
+            let [a, b] = [at(row, k), at(row, k + 1)];
+            let [c, d] = [at(row + 1, k + 1), at(row + 1, k)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+        triangles.extend([[bottom, at(0, k + 1), at(0, k)], [top, at(last, k), at(last, k + 1)]]);
+    }
+    for row in [0, last] {
+        vertices.push(middle(row));
+    }
+    if volume(&vertices, &triangles) < 0.0 {
+        triangles.iter_mut().for_each(|t| t.swap(1, 2));
+    }
+    b.mesh(name, &vertices, triangles, mat);
+}
+
+fn volume(vertices: &[P], triangles: &[[u32; 3]]) -> f32 {
+    let at = |v: u32| Vector3::from(vertices[v as usize]);
+    triangles.iter().map(|&[a, b, c]| at(a).dot(&at(b).cross(&at(c)))).sum()
+}
+
+/// A hollow vessel with a rounded rectangle as its plan: (height, half depth, half
+/// width) of its outside from below, and the thickness of its walls.
+pub(in crate::object) fn tub(b: &mut Build<'_>, name: &str, outside: &[(f32, f32, f32)], round: f32, t: f32, mat: Mat) {
+    let floor = outside.first().map_or(0.0, |s| s.0) + t;
+    let thin = |v: f32| (v - t).max(v * 0.3);
+    let outer = outside.iter().map(|&(z, x, y)| level(z, (x, y), round));
+    let inner = outside.iter().rev().map(|&(z, x, y)| level(z.max(floor), (thin(x), thin(y)), round));
+    let rings: Vec<_> = outer.chain(inner).collect();
+    loft(b, name, &rings, mat);
+}
+
+/// A tube along a path in a plane: each point with its half width along `side`, which
+/// is across that plane, and its half thickness in it.
+pub(in crate::object) fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f32)], side: P, mat: Mat) {
+    let side = Vector3::from(side).normalize();
+    let at = |i: usize| Vector3::from(path[i.min(path.len() - 1)].0);
+    let ring = |i: usize| {
+        let (centre, width, thick) = (at(i), path[i].1, path[i].2);
+        let way = at(i + 1) - at(i.saturating_sub(1));
+        let up = way.cross(&side).try_normalize(1e-12).unwrap_or_else(Vector3::z);
+        let point = move |k: usize| {
+            let (s, c) = (TAU * k as f32 / SIDES as f32).sin_cos();
+            (centre + side * (width * c) + up * (thick * s)).into()
+        };
+        (0..SIDES).map(point).collect()
+    };
+    let rings: Vec<_> = (0..path.len()).map(ring).collect();
+    loft(b, name, &rings, mat);
+}
+
+/// A round tube through points of a plane that `side` is across.
+pub(in crate::object) fn tube(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, side: P, mat: Mat) {
+    let path: Vec<_> = points.iter().map(|&p| (p, radius, radius)).collect();
+    sweep(b, name, &path, side, mat);
+}
+
+/// Points of half an ellipse: from `centre + across` by `centre + out` to `centre - across`.
+pub(in crate::object) fn arch(centre: P, across: P, out: P) -> Vec<P> {
+    let point = |k: usize| {
+        let (s, c) = (PI * k as f32 / BENDS as f32).sin_cos();
+        [0, 1, 2].map(|i| centre[i] + across[i] * c + out[i] * s)
+    };
+    (0..=BENDS).map(point).collect()
+}
+
+/// A handle bent like an ear, upright at the Y side of a vessel: from `y.0` out to `y.1`.
+pub(in crate::object) fn ear(b: &mut Build<'_>, y: (f32, f32), z: (f32, f32), radius: f32, mat: Mat) {
+    let r = radius.min((z.1 - z.0).abs() * 0.2).max(1e-4);
+    let reach = (y.1 - y.0 - r).max(1e-4);
+    let path = arch([0.0, y.0, f32::midpoint(z.0, z.1)], [0.0, 0.0, (z.1 - z.0) / 2.0 - r], [0.0, reach, 0.0]);
+    tube(b, "handle", &path, r, [1.0, 0.0, 0.0], mat);
+}
+
+/// A lump: an ellipsoid with bumps of up to a part of its size.
+pub(in crate::object) fn lump(b: &mut Build<'_>, name: &str, centre: P, half: P, bump: f32, mat: Mat) {
+    let phases = [b.vary(0.0, TAU), b.vary(0.0, TAU), b.vary(0.0, TAU)];
+    let ring = |i: usize| {
+        let (rise, level) = (PI * (i as f32 / 7.0 - 0.5)).sin_cos();
+        let point = |k: usize| {
+            let angle = TAU * k as f32 / SIDES as f32;
+            let wave = (2.0 * angle + phases[0] + 3.0 * rise).cos() + (3.0 * angle + phases[1]).cos();
+            let size = (1.0 + bump * 0.5 * wave) / (1.0 + bump);
+            let tilt = bump * 0.4 * (phases[2] + 2.0 * angle).cos() * level;
+            let (s, c) = angle.sin_cos();
+            [
+                centre[0] + half[0] * level * size * c,
+                centre[1] + half[1] * level * size * s,
+                centre[2] + half[2] * (rise - tilt * rise.abs()).clamp(-1.0, 1.0),
+            ]
+        };
+        (0..SIDES).map(point).collect()
+    };
+    let rings: Vec<_> = (0..=7).map(ring).collect();
+    loft(b, name, &rings, mat);
+}
+
+/// A profile given in parts of a radius and a height, turned.
+pub(in crate::object) fn turn(
+    b: &mut Build<'_>,
+    name: &str,
+    base: P,
+    (r, h): (f32, f32),
+    profile: &[(f32, f32)],
+    mat: Mat,
+) {
+    let profile: Vec<_> = profile.iter().map(|p| (p.0 * r, p.1 * h)).collect();
+    b.lathe(name, base, &profile, mat);
+}
+
+/// A flat ring between two radii.
+pub(in crate::object) fn hoop(b: &mut Build<'_>, name: &str, z: (f32, f32), (inner, outer): (f32, f32), mat: Mat) {
+    let profile = [(outer, z.0), (outer, z.1), (inner, z.1), (inner, z.0), (outer, z.0)];
+    b.lathe(name, [0.0; 3], &profile, mat);
+}
+
+/// The profile of a vessel from the outline of its outside, from its foot to its rim.
+pub(in crate::object) fn shell(outside: &[(f32, f32)], t: f32) -> Vec<(f32, f32)> {
+    let floor = outside.first().map_or(0.0, |p| p.1) + t;
+    let way = |i: usize| {
+        let (a, b) = (outside[i.saturating_sub(1)], outside[(i + 1).min(outside.len() - 1)]);
+        let (dr, dz) = (b.0 - a.0, b.1 - a.1);
+        let length = dr.hypot(dz).max(1e-9);
+        (dr / length, dz / length)
+    };
+    let last = outside.len().saturating_sub(1);
+    let inner = |i: usize| {
+        let (r, z) = outside[i];
+        let (dr, dz) = way(i);
+        let lift = if i == last { 0.0 } else { dr * t };
+        ((r - dz.max(0.3) * t).max(r * 0.2), (z + lift).max(floor))
+    };
+    outside.iter().copied().chain((0..outside.len()).rev().map(inner)).collect()
+}
+
+/// A round vessel, hollow: its outside in parts of a radius and a height. What it holds
+/// is inside.
+pub(in crate::object) fn vessel(
+    b: &mut Build<'_>,
+    name: &str,
+    (r, h): (f32, f32),
+    outside: &[(f32, f32)],
+    t: f32,
+    mat: Mat,
+) {
+    let outside: Vec<_> = outside.iter().map(|p| (p.0 * r, p.1 * h)).collect();
+    let profile = shell(&outside, t);
+    let narrowest = profile[outside.len()..].iter().fold(r, |least, p| least.min(p.0));
+    b.lathe(name, [0.0; 3], &profile, mat);
+    let floor = profile.last().map_or(t, |p| p.1);
+    b.inside("inside", [0.0, 0.0, floor], (narrowest * 0.66, narrowest * 0.66), (h - floor).max(0.0));
+}

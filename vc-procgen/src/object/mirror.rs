@@ -1,0 +1,66 @@
+//! Mirror images: a door hinged on the other side.
+
+use std::sync::Arc;
+
+use nalgebra::{Isometry3, Point3, Quaternion, UnitQuaternion, Vector3};
+use vc_graph::asset::{Joint, JointKind, Shape};
+use vc_graph::{Asset, Pose};
+
+use super::Object;
+
+impl Object {
+    /// The object as a mirror shows it that stands at its side: left and right
+    /// change places.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let mut mirrored = self.clone();
+        mirror(&mut mirrored.asset);
+        mirrored.bounds.offset.y = -mirrored.bounds.offset.y;
+        mirrored
+    }
+}
+
+fn mirror(asset: &mut Asset) {
+    asset.name = Arc::from(format!("{} (mirrored)", asset.name));
+    for part in asset.parts.iter_mut().chain(&mut asset.collision) {
+        part.pose = mirrored_pose(&part.pose);
+        mirror_shape(&mut part.shape);
+        part.joint = part.joint.map(mirrored_joint);
+    }
+    for surface in &mut asset.surfaces {
+        surface.centre.y = -surface.centre.y;
+        surface.joint = surface.joint.map(mirrored_joint);
+    }
+}
+
+fn mirrored_pose(pose: &Pose) -> Pose {
+    let (t, q) = (pose.translation.vector, pose.rotation.coords);
+    let turn = UnitQuaternion::new_unchecked(Quaternion::new(q.w, -q.x, q.y, -q.z));
+    Isometry3::from_parts(Vector3::new(t.x, -t.y, t.z).into(), turn)
+}
+
+/// An axis of turning is mirrored the other way round than a direction.
+fn mirrored_joint(joint: Joint) -> Joint {
+    let a = joint.axis;
+    let axis = match joint.kind {
+        JointKind::Hinge => Vector3::new(-a.x, a.y, -a.z),
+        JointKind::Slide => Vector3::new(a.x, -a.y, a.z),
+    };
+    Joint { anchor: Point3::new(joint.anchor.x, -joint.anchor.y, joint.anchor.z), axis, ..joint }
+}
+
+/// Shapes that are their own mirror images stay as they are.
+fn mirror_shape(shape: &mut Shape) {
+    match shape {
+        Shape::Hull { points } => points.iter_mut().for_each(|p| p.y = -p.y),
+        Shape::Extrusion { outline, .. } => {
+            outline.iter_mut().for_each(|p| p.1 = -p.1);
+            outline.reverse();
+        }
+        Shape::Mesh { vertices, triangles } => {
+            vertices.iter_mut().for_each(|p| p.y = -p.y);
+            triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,306 @@
+//! Building by proportion: places are given as shares of the object's size, X and Y
+//! from -1 to 1, Z from 0 to 1; radii and thicknesses in metres.
+
+use std::f32::consts::TAU;
+
+use nalgebra::{Isometry3, Vector3};
+
+use super::super::build::{Axis, Build, P};
+use crate::material::*;
+
+/// Bright plastics.
+pub(in crate::object) const BRIGHT: &[Mat] =
+    &[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, PURPLE_PLASTIC, PINK_PLASTIC];
+/// Paints of toys and machines.
+pub(in crate::object) const PAINTS: &[Mat] = &[RED, BLUE, GREEN, YELLOW, ORANGE, SKY, DUSTY_ROSE, FOREST, NAVY];
+/// Printed card.
+pub(in crate::object) const CARDS: &[Mat] =
+    &[RED_CARD, BLUE_CARD, GREEN_CARD, YELLOW_CARD, ORANGE_CARD, PURPLE_CARD, TEAL_CARD, PINK_CARD];
+/// Cheerful cloths.
+pub(in crate::object) const CLOTHS: &[Mat] =
+    &[RED_FABRIC, BLUE_FABRIC, GREEN_FABRIC, MUSTARD_FABRIC, TEAL_FABRIC, ROSE_FABRIC, PURPLE_FABRIC, NAVY_FABRIC];
+/// Pale woods of toys.
+pub(in crate::object) const TOY_WOODS: &[Mat] = &[BEECH, BIRCH, MAPLE, PINE];
+/// Both sides of an axis.
+pub(in crate::object) const SIDES: [f32; 2] = [-1.0, 1.0];
+/// The corners of a rectangle.
+pub(in crate::object) const CORNERS: [(f32, f32); 4] = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+
+/// A ring of a [skin](Scaled::skin): centre and half widths along the two other axes,
+/// in the order X, Y, Z.
+pub(in crate::object) type Ring = (P, f32, f32);
+
+/// Parts whose places are shares of the size.
+pub(in crate::object) trait Scaled {
+    /// The place in metres.
+    fn p(&self, at: P) -> P;
+    /// A box.
+    fn slab(&mut self, name: &str, low: P, high: P, mat: Mat);
+    /// A box with rounded edges.
+    fn pad(&mut self, name: &str, low: P, high: P, radius: f32, mat: Mat);
+    /// A straight cylinder.
+    fn pole(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat);
+    /// A bent round bar.
+    fn tube(&mut self, name: &str, points: &[P], radius: f32, mat: Mat);
+    /// A convex hull.
+    fn chunk(&mut self, name: &str, points: &[P], mat: Mat);
+    /// An outline in (x, z) drawn along Y.
+    fn profile(&mut self, name: &str, y: (f32, f32), outline: &[(f32, f32)], mat: Mat);
+    /// An outline in (x, y) drawn along Z.
+    fn plan(&mut self, name: &str, z: (f32, f32), outline: &[(f32, f32)], mat: Mat);
+    /// An outline in (y, z) drawn along X.
+    fn facing(&mut self, name: &str, x: (f32, f32), outline: &[(f32, f32)], mat: Mat);
+    /// An ellipsoid of half widths that are shares as well.
+    fn blob(&mut self, name: &str, centre: P, half: P, mat: Mat);
+    /// A smooth skin over rings across an axis; a ring without width is a tip.
+    fn skin(&mut self, name: &str, axis: Axis, rings: &[Ring], mat: Mat);
+    /// A flat bar between two places, level across, so wide and thick in metres.
+    fn plank(&mut self, name: &str, from: P, to: P, section: (f32, f32), mat: Mat);
+    /// A wheel or disc: its middle, radius and width in metres, axle along an axis.
+    fn disc(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: Mat);
+    /// A ring of round section: radii of the ring and of its section in metres.
+    fn hoop(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: Mat);
+    /// A surface that carries, with nothing above.
+    fn deck(&mut self, name: &str, centre: P, half: (f32, f32));
+    /// A surface within walls; the height above it is a share too.
+    fn hollow(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32);
+    /// Builds within a part of the size as if it were the whole.
+    fn within(&mut self, low: P, high: P, build: impl FnOnce(&mut Self));
+    /// Builds turned around Z by a number of quarters.
+    fn quarters(&mut self, count: usize, build: impl FnOnce(&mut Self));
+}
+
+impl Scaled for Build<'_> {
+    fn p(&self, [x, y, z]: P) -> P {
+        [x * self.size.x / 2.0, y * self.size.y / 2.0, z * self.size.z]
+    }
+
+    fn slab(&mut self, name: &str, low: P, high: P, mat: Mat) {
+        let (low, high) = (self.p(low), self.p(high));
+        self.block(name, low, high, mat);
+    }
+
+    fn pad(&mut self, name: &str, low: P, high: P, radius: f32, mat: Mat) {
+        let (low, high) = (self.p(low), self.p(high));
+        self.soft(name, low, high, radius, mat);
+    }
+
+    fn pole(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat) {
+        let (from, to) = (self.p(from), self.p(to));
+        self.rod(name, from, to, radius, mat);
+    }
+
+    fn tube(&mut self, name: &str, points: &[P], radius: f32, mat: Mat) {
+        let points: Vec<P> = points.iter().map(|&p| self.p(p)).collect();
+        self.pipe(name, &points, radius, mat);
+    }
+
+    fn chunk(&mut self, name: &str, points: &[P], mat: Mat) {
+        let points: Vec<P> = points.iter().map(|&p| self.p(p)).collect();
+        self.hull(name, &points, mat);
+    }
+
+    fn profile(&mut self, name: &str, y: (f32, f32), outline: &[(f32, f32)], mat: Mat) {
+        let (x, z) = (self.size.x / 2.0, self.size.z);
+        let half = self.size.y / 2.0;
+        self.prism(name, Axis::Y, [0.0, y.0 * half, 0.0], &stretched(outline, x, z), (y.1 - y.0) * half, mat);
+    }
+
+    fn plan(&mut self, name: &str, z: (f32, f32), outline: &[(f32, f32)], mat: Mat) {
+        let (x, y) = (self.size.x / 2.0, self.size.y / 2.0);
+        let tall = self.size.z;
+        self.prism(name, Axis::Z, [0.0, 0.0, z.0 * tall], &stretched(outline, x, y), (z.1 - z.0) * tall, mat);
+    }
+
+    fn facing(&mut self, name: &str, x: (f32, f32), outline: &[(f32, f32)], mat: Mat) {
+        let (y, z) = (self.size.y / 2.0, self.size.z);
+        let half = self.size.x / 2.0;
+        self.prism(name, Axis::X, [x.0 * half, 0.0, 0.0], &stretched(outline, y, z), (x.1 - x.0) * half, mat);
+    }
+
+    fn blob(&mut self, name: &str, centre: P, half: P, mat: Mat) {
+        let ring = |sine: f32, cosine: f32| {
+            ([centre[0], centre[1], centre[2] + half[2] * sine], half[0] * cosine, half[1] * cosine)
+        };
+        let rings = [(-1.0, 0.0), (-0.866, 0.5), (-0.5, 0.866), (0.0, 1.0), (0.5, 0.866), (0.866, 0.5), (1.0, 0.0)];
+        self.skin(name, Axis::Z, &rings.map(|(s, c)| ring(s, c)), mat);
+    }
+
+    fn skin(&mut self, name: &str, axis: Axis, rings: &[Ring], mat: Mat) {
+        let (x, y, z) = (self.size.x / 2.0, self.size.y / 2.0, self.size.z);
+        let (a, b) = match axis {
+            Axis::X => (Vector3::y() * y, Vector3::z() * z),
+            Axis::Y => (Vector3::x() * x, Vector3::z() * z),
+            Axis::Z => (Vector3::x() * x, Vector3::y() * y),
+        };
+        let rings: Vec<_> = rings.iter().map(|&(c, u, v)| (Vector3::from(self.p(c)), a * u, b * v)).collect();
+        let (vertices, triangles) = skinned(&rings, heading(&rings, a.cross(&b)));
+        self.mesh(name, &vertices, triangles, mat);
+    }
+
+    fn plank(&mut self, name: &str, from: P, to: P, section: (f32, f32), mat: Mat) {
+        let (from, to) = (Vector3::from(self.p(from)), Vector3::from(self.p(to)));
+        let way = to - from;
+        let across = way.cross(&Vector3::z()).try_normalize(1e-6).unwrap_or_else(Vector3::y);
+        let up = across.cross(&way).try_normalize(1e-6).unwrap_or_else(Vector3::x);
+        let (w, t) = (across * (section.0 / 2.0), up * (section.1 / 2.0));
+        let ends = [from, to].into_iter().flat_map(|e| [e + w + t, e + w - t, e - w + t, e - w - t]);
+        self.hull(name, &ends.map(|v| [v.x, v.y, v.z]).collect::<Vec<P>>(), mat);
+    }
+
+    fn disc(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: Mat) {
+        let (c, d) = (Vector3::from(self.p(centre)), unit(axis) * (section.1 / 2.0));
+        self.rod(name, (c - d).into(), (c + d).into(), section.0, mat);
+    }
+
+    fn hoop(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: Mat) {
+        let c = Vector3::from(self.p(centre));
+        let round = |i: usize| (TAU * (i % 8) as f32 / 8.0).sin_cos();
+        let section: Vec<_> = (0..=8).map(round).map(|(s, c)| (radii.0 + radii.1 * c, radii.1 * s)).collect();
+        self.lathe_along(name, c.into(), (c + unit(axis)).into(), &section, mat);
+    }
+
+    fn deck(&mut self, name: &str, centre: P, half: (f32, f32)) {
+        let (at, x, y) = (self.p(centre), self.size.x / 2.0, self.size.y / 2.0);
+        self.top(name, at, (half.0 * x, half.1 * y));
+    }
+
+    fn hollow(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32) {
+        let (at, x, y) = (self.p(centre), self.size.x / 2.0, self.size.y / 2.0);
+        let tall = self.size.z;
+        self.inside(name, at, (half.0 * x, half.1 * y), clearance * tall);
+    }
+
+    fn within(&mut self, low: P, high: P, build: impl FnOnce(&mut Self)) {
+        let (l, h) = (Vector3::from(self.p(low)), Vector3::from(self.p(high)));
+        let outer = std::mem::replace(&mut self.size, h - l);
+        self.at([(l.x + h.x) / 2.0, (l.y + h.y) / 2.0, l.z], 0.0, build);
+        self.size = outer;
+    }
+
+    fn quarters(&mut self, count: usize, build: impl FnOnce(&mut Self)) {
+        let outer = self.size;
+        if count % 2 == 1 {
+            self.size = Vector3::new(outer.y, outer.x, outer.z);
+        }
+        self.at([0.0; 3], count as f32 * TAU / 4.0, build);
+        self.size = outer;
+    }
+}
+
+/// An outline of a round or oval: `count` corners around a centre.
+pub(in crate::object) fn oval(centre: (f32, f32), half: (f32, f32), count: usize) -> Vec<(f32, f32)> {
+    arc(centre, half, (0.0, TAU * (1.0 - 1.0 / count as f32)), count)
+}
+
+/// Part of an oval, from one angle to another.
+pub(in crate::object) fn arc(
+    centre: (f32, f32),
+    half: (f32, f32),
+    angles: (f32, f32),
+    count: usize,
+) -> Vec<(f32, f32)> {
+    let turn = |i: usize| angles.0 + (angles.1 - angles.0) * i as f32 / (count.max(2) - 1) as f32;
+    (0..count).map(|i| turn(i).sin_cos()).map(|(s, c)| (centre.0 + half.0 * c, centre.1 + half.1 * s)).collect()
+}
+
+/// A rectangle with its corners cut by curves, from `low` to `high`.
+pub(in crate::object) fn rounded(low: (f32, f32), high: (f32, f32), by: (f32, f32)) -> Vec<(f32, f32)> {
+    let quarter = TAU / 4.0;
+    let (x0, x1, y0, y1) = (low.0 + by.0, high.0 - by.0, low.1 + by.1, high.1 - by.1);
+    let centres = [(x1, y1), (x0, y1), (x0, y0), (x1, y0)];
+    let turns = centres.iter().enumerate();
+    turns.flat_map(|(i, &c)| arc(c, by, (i as f32 * quarter, (i + 1) as f32 * quarter), 4)).collect()
+}
+
+/// A band along a curve: the curve and, backwards, the same curve moved by `by`.
+pub(in crate::object) fn band(curve: &[(f32, f32)], by: (f32, f32)) -> Vec<(f32, f32)> {
+    let back = curve.iter().rev().map(|&(x, y)| (x + by.0, y + by.1));
+    curve.iter().copied().chain(back).collect()
+}
+
+/// A frame turned around Y: positive pitches tip the front down.
+pub(in crate::object) fn pitched(at: P, pitch: f32) -> vc_graph::Pose {
+    Isometry3::new(Vector3::from(at), Vector3::y() * pitch)
+}
+
+/// A frame turned around X: positive rolls tip the left side up.
+pub(in crate::object) fn rolled(at: P, roll: f32) -> vc_graph::Pose {
+    Isometry3::new(Vector3::from(at), Vector3::x() * roll)
+}
+
+fn stretched(outline: &[(f32, f32)], x: f32, y: f32) -> Vec<(f32, f32)> {
+    outline.iter().map(|&(a, b)| (a * x, b * y)).collect()
+}
+
+fn unit(axis: Axis) -> Vector3<f32> {
+    match axis {
+        Axis::X => Vector3::x(),
+        Axis::Y => Vector3::y(),
+        Axis::Z => Vector3::z(),
+    }
+}
+
+type Skin = (Vector3<f32>, Vector3<f32>, Vector3<f32>);
+
+/// Whether rings follow one another along `normal` (1) or against it (-1).
+fn heading(rings: &[Skin], normal: Vector3<f32>) -> f32 {
+    match (rings.first(), rings.last()) {
+        (Some(first), Some(last)) => (last.0 - first.0).dot(&normal).signum(),
+        _ => 1.0,
+    }
+}
+
+/// The closed surface over rings; `way` is negative where they run against their
+/// normals.
+fn skinned(rings: &[Skin], way: f32) -> (Vec<P>, Vec<[u32; 3]>) {
+    const N: u32 = 12;
+    let (mut vertices, mut triangles): (Vec<P>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
+    let mut before: Option<(u32, u32)> = None;
+    let last = rings.len().saturating_sub(1);
+    for (i, &(centre, a, b)) in rings.iter().enumerate() {
+        let tip = a.norm() < 1e-7 || b.norm() < 1e-7;
+        let mut ring = (vertices.len() as u32, if tip { 1 } else { N });
+        if tip {
+            vertices.push(centre.into());
+        } else {
+            let turns = (0..N).map(|k| (TAU * k as f32 / N as f32).sin_cos());
+            vertices.extend(turns.map(|(s, c)| P::from(centre + a * c + b * s)));
+        }
+        let cap = |vertices: &mut Vec<P>| {
+            vertices.push(centre.into());
+            (vertices.len() as u32 - 1, 1)
+        };
+        if i == 0 && !tip {
+            let pole = cap(&mut vertices);
+            join(&mut triangles, pole, ring, N);
+        }
+        if let Some(below) = before {
+            join(&mut triangles, below, ring, N);
+        }
+        if i == last && !tip {
+            let pole = cap(&mut vertices);
+            join(&mut triangles, ring, pole, N);
+            ring = pole;
+        }
+        before = Some(ring);
+    }
+    if way < 0.0 {
+        triangles.iter_mut().for_each(|t| t.swap(1, 2));
+    }
+    (vertices, triangles)
+}
+
+/// Triangles between two rings, each given by its first vertex and its count.
+fn join(triangles: &mut Vec<[u32; 3]>, below: (u32, u32), above: (u32, u32), n: u32) {
+    let at = |ring: (u32, u32), k: u32| ring.0 + if ring.1 == 1 { 0 } else { k % n };
+    for k in 0..n {
+        let [a, b, c, d] = [at(below, k), at(below, k + 1), at(above, k + 1), at(above, k)];
+        if a != b {
+            triangles.push([a, b, c]);
+        }
+        if c != d {
+            triangles.push([a, c, d]);
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! Chairs that roll and turn.
+
+use crate::material::*;
+use crate::object::build::Build;
+use crate::object::table::frame::{Cut, Lean, Row, STAR, at_least, leg, shell};
+use crate::object::table::trolley::castor;
+
+/// Size and colours of a chair on a star foot.
+struct Swivel {
+    x: f32,
+    y: f32,
+    h: f32,
+    seat: f32,
+    tilt: f32,
+    dark: Mat,
+    cloth: Mat,
+}
+
+impl Swivel {
+    fn new(b: &mut Build<'_>) -> Self {
+        at_least(b, [0.28, 0.28, 0.45]);
+        let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+        let dark = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
+        let cloth = b.one(&[BLACK_FABRIC, CHARCOAL_FABRIC, GREY_FABRIC, b.style.accent, BLACK_LEATHER, BROWN_LEATHER]);
+        Self { x, y, h, seat: (h * 0.46).min(0.4 + 0.07 * h), tilt: b.vary(0.12, 0.2), dark, cloth }
+    }
+
+    /// A star of five arms on castors, and the gas spring.
+    fn foot(&self, b: &mut Build<'_>, mat: Mat) {
+        let wheel = 0.026_f32.min(self.seat * 0.08);
+        let reach = self.x.min(self.y) - wheel * 0.6;
+        let hub = self.seat * 0.24;
+        for (dx, dy) in STAR {
+            let end = [dx * (reach - wheel), dy * (reach - wheel), wheel * 2.2];
+            leg(b, "arm", (end, wheel * 0.5), ([dx * 0.02, dy * 0.02, hub], wheel * 1.1), Cut::Round, mat);
+            castor(b, end, wheel);
+        }
+        b.cylinder("hub", [0.0, 0.0, hub * 0.55], wheel * 1.5, hub * 0.6, mat);
+        b.cylinder("spring", [0.0, 0.0, hub], wheel * 0.6, self.seat - 0.06 - hub, CHROME);
+        b.cylinder("spring", [0.0, 0.0, hub], wheel, (self.seat - hub) * 0.45, BLACK_PLASTIC);
+        let z = self.seat - 0.095_f32.min(self.seat * 0.3);
+        b.block("mechanism", [-0.12, -0.08, z], [0.1, 0.08, z + 0.04], BLACK_PLASTIC);
+    }
+
+    /// Armrests on brackets from below the seat.
+    fn arms(&self, b: &mut Build<'_>, half: f32) {
+        let (z, under) = (self.seat + (self.h - self.seat) * 0.32, self.seat - 0.07);
+        for side in [-1.0, 1.0] {
+            let y = side * (half + 0.03).min(self.y - 0.03);
+            b.block(
+                "bracket",
+                [-0.03, (side * half * 0.4).min(y), under],
+                [0.03, (side * half * 0.4).max(y), under + 0.02],
+                self.dark,
+            );
+            b.block("bracket", [-0.03, y - 0.012, under], [0.03, y + 0.012, z - 0.02], self.dark);
+            b.soft("armrest", [-0.13, y - 0.03, z - 0.03], [0.13, y + 0.03, z], 0.012, self.dark);
+        }
+    }
+
+    fn seat_pad(&self, b: &mut Build<'_>, half: f32, rear: f32, front: f32) {
+        let t = 0.075_f32.min(self.seat * 0.25);
+        b.soft("seat", [rear, -half, self.seat - t], [front, half, self.seat], 0.032, self.cloth);
+        b.top(
+            "seat",
+            [f32::midpoint(rear + 0.05, front - 0.03), 0.0, self.seat],
+            ((front - rear) / 2.0 - 0.05, half - 0.04),
+        );
+    }
+}
+
+/// A desk chair: star foot, padded or mesh back, often with armrests.
+pub(super) fn office_chair(b: &mut Build<'_>) {
+    let c = Swivel::new(b);
+    let foot = b.one(&[c.dark, CHROME, BLACK_PLASTIC]);
+    c.foot(b, foot);
+    let half = c.y * 0.74;
+    let (rear, front) = (-c.x * 0.72, c.x * 0.9);
+    c.seat_pad(b, half, rear, front);
+    let tall = c.h - c.seat;
+    match b.rng.below(3) {
+        0 => {
+            let lean = Lean { back: -c.x, z: (c.seat + tall * 0.12, c.h), thickness: 0.07, tilt: c.tilt };
+            lean.pad(b, "back", (-half * 0.95, half * 0.95), 0.034, c.cloth);
+            b.soft(
+                "spine",
+                [-c.x + c.tilt * tall * 0.4, -0.03, c.seat - 0.06],
+                [rear + 0.1, 0.03, c.seat + tall * 0.35],
+                0.012,
+                c.dark,
+            );
+        }
+        1 => {
+            // A mesh stretched in a frame, with a lumbar support behind.
+            let row = |k: f32, half: f32, rise: f32| {
+                let x = -c.x + 0.012 + (1.0 - k) * tall * c.tilt - 0.04 * (k - 0.3).max(0.0) * (1.0 - k);
+                Row { at: (x, c.seat + tall * (0.1 + 0.9 * k)), half, rise }
+            };
+            let w = half;
+            let rows = [
+                row(0.0, w * 0.7, 0.03),
+                row(0.3, w, 0.05),
+                row(0.7, w, 0.05),
+                row(0.92, w * 0.9, 0.03),
+                row(1.0, w * 0.7, 0.0),
+            ];
+            shell(b, "back", &rows, 0.012, c.dark);
+            b.soft(
+                "spine",
+                [-c.x + c.tilt * tall * 0.55, -0.025, c.seat - 0.06],
+                [rear + 0.08, 0.025, c.seat + tall * 0.4],
+                0.01,
+                c.dark,
+            );
+        }
+        _ => {
+            // A manager's chair: stacked cushions and a headrest.
+            let x = |k: f32| -c.x + (1.0 - k) * tall * c.tilt;
+            for (z0, z1, w) in [(0.02, 0.4, 0.98), (0.38, 0.74, 0.95), (0.72, 1.0, 0.8)] {
+                let z = (c.seat + tall * z0, c.seat + tall * z1);
+                let lean = Lean { back: x(z1), z, thickness: 0.09, tilt: c.tilt };
+                lean.pad(b, "cushion", (-half * w, half * w), 0.042, c.cloth);
+            }
+            b.soft("spine", [rear - 0.02, -0.04, c.seat - 0.07], [rear + 0.1, 0.04, c.seat + 0.04], 0.012, c.dark);
+        }
+    }
+    if b.rng.chance(0.75) {
+        c.arms(b, half);
+    }
+}
+
+/// A racing seat on castors: high back with wings, stripes and two cushions.
+pub(super) fn gaming_chair(b: &mut Build<'_>) {
+    let mut c = Swivel::new(b);
+    let stripe = b.one(&[RED_FABRIC, BLUE_FABRIC, WHITE_LEATHER, PURPLE_FABRIC, GREEN_FABRIC, ROSE_FABRIC]);
+    (c.cloth, c.dark) = (b.one(&[BLACK_LEATHER, BLACK_FABRIC, CHARCOAL_FABRIC]), BLACK_PLASTIC);
+    c.seat = c.h * 0.38;
+    c.foot(b, BLACK_PLASTIC);
+    let (half, rear, front) = (c.y * 0.74, -c.x * 0.6, c.x * 0.88);
+    c.seat_pad(b, half * 0.82, rear, front);
+    for side in [-1.0_f32, 1.0] {
+        let (a, d) = (side * half * 0.8, side * half);
+        b.soft(
+            "bolster",
+            [rear + 0.03, a.min(d), c.seat - 0.08],
+            [front - 0.03, a.max(d), c.seat + 0.02],
+            0.03,
+            stripe,
+        );
+    }
+    let lean = Lean { back: -c.x, z: (c.seat - 0.02, c.h), thickness: 0.08, tilt: 0.16 };
+    lean.posed(b, |b, length, t| {
+        b.soft("back", [-t, -half * 0.72, 0.0], [0.0, half * 0.72, length], 0.038, c.cloth);
+        for side in [-1.0_f32, 1.0] {
+            for (low, high, w) in [(0.08, 0.5, 0.94), (0.5, 0.84, 1.0)] {
+                let (a, d) = (side * half * 0.62, side * half * w);
+                b.soft("wing", [-t * 0.85, a.min(d), length * low], [0.025, a.max(d), length * high], 0.028, c.cloth);
+            }
+            let y = side * half * 0.42;
+            b.block("stripe", [-0.01, y - 0.018, length * 0.1], [0.0025, y + 0.018, length * 0.94], stripe);
+        }
+        b.soft("pillow", [-0.01, -half * 0.42, length * 0.12], [0.045, half * 0.42, length * 0.32], 0.028, stripe);
+        b.soft("pillow", [-0.01, -half * 0.4, length * 0.76], [0.04, half * 0.4, length * 0.92], 0.028, c.cloth);
+    });
+    c.arms(b, half);
+}

@@ -1,0 +1,352 @@
+//! Forms that boxes and lathes do not make: lofts, bent tubes, leaves, draped
+//! sheets and cushions, gathered into one mesh per material.
+
+use std::f32::consts::TAU;
+
+use nalgebra::{Isometry3, Point3, Vector3};
+
+use super::super::build::{Axis, Build, P};
+use crate::material::Mat;
+
+/// Half the depth, half the width, and the height of what is built.
+pub(in crate::object) fn room(b: &Build<'_>) -> (f32, f32, f32) {
+    (b.size.x / 2.0, b.size.y / 2.0, b.size.z)
+}
+
+/// A point between two, `t` of the way.
+pub(in crate::object) fn mix(a: P, b: P, t: f32) -> P {
+    [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t)
+}
+
+/// Builds what lies on its back: +X of the frame points up, +Z away from the front.
+pub(in crate::object) fn lying(b: &mut Build<'_>, at: P, build: impl FnOnce(&mut Build<'_>)) {
+    let pose = Isometry3::new(Vector3::from(at), Vector3::y() * -std::f32::consts::FRAC_PI_2);
+    b.posed(pose, build);
+}
+
+/// Builds a flat thing that faces +X, given its thickness, width and height, its
+/// base centre at the origin; on its back if the size is lowest along Z.
+pub(in crate::object) fn facing(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
+    let s = b.size;
+    if s.z < s.x.min(s.y) {
+        lying(b, [s.x / 2.0, 0.0, s.z / 2.0], |b| build(b, s.z, s.y, s.x));
+    } else {
+        build(b, s.x, s.y, s.z);
+    }
+}
+
+/// Builds with +Y of the frame along the longest level side of the size, given its
+/// half depth, half length and height.
+pub(in crate::object) fn lengthwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
+    let (x, y, h) = room(b);
+    if x > y {
+        b.at([0.0; 3], std::f32::consts::FRAC_PI_2, |b| build(b, y, x, h));
+    } else {
+        build(b, x, y, h);
+    }
+}
+
+/// Builds with +Z of the frame along the longest side of the size, which may lie
+/// along Y or X; gives the thickness, the width and the length.
+pub(in crate::object) fn longwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
+    let s = b.size;
+    let quarter = std::f32::consts::FRAC_PI_2;
+    if s.z >= s.y.max(s.x) {
+        build(b, s.x, s.y, s.z);
+    } else if s.y >= s.x {
+        let pose = Isometry3::new(Vector3::new(0.0, s.y / 2.0, s.z / 2.0), Vector3::x() * quarter);
+        b.posed(pose, |b| build(b, s.x, s.z, s.y));
+    } else {
+        let pose = Isometry3::new(Vector3::new(-s.x / 2.0, 0.0, s.z / 2.0), Vector3::y() * quarter);
+        b.posed(pose, |b| build(b, s.z, s.y, s.x));
+    }
+}
+
+/// Points around an ellipse across an axis; `square` 1 or 2 fills its box more.
+pub(in crate::object) fn oval(axis: Axis, at: P, half: (f32, f32), square: usize, n: usize) -> Vec<P> {
+    let full = |v: f32| (0..square).fold(v.abs(), |v, _| v.sqrt()).copysign(v);
+    (0..n)
+        .map(|i| {
+            let (s, c) = (TAU * i as f32 / n as f32).sin_cos();
+            across(axis, at, half.0 * full(c), half.1 * full(s))
+        })
+        .collect()
+}
+
+/// A point of the plane across an axis through `at`.
+fn across(axis: Axis, at: P, a: f32, b: f32) -> P {
+    match axis {
+        Axis::X => [at[0], at[1] + a, at[2] + b],
+        Axis::Y => [at[0] + a, at[1], at[2] + b],
+        Axis::Z => [at[0] + a, at[1] + b, at[2]],
+    }
+}
+
+/// An arc across an axis, from one angle to another.
+pub(in crate::object) fn arc(axis: Axis, at: P, half: (f32, f32), angles: (f32, f32), n: usize) -> Vec<P> {
+    (0..=n)
+        .map(|i| {
+            let (s, c) = (angles.0 + (angles.1 - angles.0) * i as f32 / n as f32).sin_cos();
+            across(axis, at, half.0 * c, half.1 * s)
+        })
+        .collect()
+}
+
+/// A regular polygon as an outline.
+pub(in crate::object) fn ngon(half: (f32, f32), n: usize) -> Vec<(f32, f32)> {
+    oval(Axis::Z, [0.0; 3], half, 0, n).into_iter().map(|p| (p[0], p[1])).collect()
+}
+
+/// A smooth curve through points, `steps` pieces between two (Catmull and Rom).
+pub(in crate::object) fn spline(points: &[P], steps: usize) -> Vec<P> {
+    let Some(last) = points.len().checked_sub(1) else { return Vec::new() };
+    let at = |i: isize| points[i.max(0).min(last as isize) as usize];
+    let mut curve = Vec::with_capacity(last * steps + 1);
+    for i in 0..last as isize {
+        let [a, b, c, d] = [-1, 0, 1, 2].map(|k| at(i + k));
+        for k in 0..steps {
+            let t = k as f32 / steps as f32;
+            curve.push([0, 1, 2].map(|j| {
+                let (p, q) = (c[j] - a[j], 2.0 * a[j] - 5.0 * b[j] + 4.0 * c[j] - d[j]);
+                b[j] + t / 2.0 * (p + t * (q + t * (3.0 * (b[j] - c[j]) + d[j] - a[j])))
+            }));
+        }
+    }
+    curve.push(points[last]);
+    curve
+}
+
+/// A mesh in the making, of closed pieces.
+#[derive(Default)]
+pub(in crate::object) struct Shell {
+    vertices: Vec<P>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Shell {
+    /// Adds the mesh to what is built, as one part.
+    pub(in crate::object) fn put(self, b: &mut Build<'_>, name: &str, mat: Mat) {
+        if !self.triangles.is_empty() {
+            b.mesh(name, &self.vertices, self.triangles, mat);
+        }
+    }
+
+    /// Adds one closed piece, turned inside out if its volume says so.
+    fn piece(&mut self, vertices: &[P], mut triangles: Vec<[u32; 3]>) {
+        let at = |v: u32| Vector3::from(vertices[v as usize]);
+        let origin = vertices.first().map_or(Vector3::zeros(), |&v| Vector3::from(v));
+        let volume = |t: &[u32; 3]| (at(t[0]) - origin).dot(&(at(t[1]) - origin).cross(&(at(t[2]) - origin)));
+        if triangles.iter().map(volume).sum::<f32>() < 0.0 {
+            triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        }
+        let first = self.vertices.len() as u32;
+        self.vertices.extend_from_slice(vertices);
+        self.triangles.extend(triangles.into_iter().map(|t| t.map(|v| first + v)));
+    }
+
+    /// A box between two corners.
+    pub(in crate::object) fn block(&mut self, low: P, high: P) {
+        let ring =
+            |z: f32| vec![[low[0], low[1], z], [high[0], low[1], z], [high[0], high[1], z], [low[0], high[1], z]];
+        self.loft(&[ring(low[2]), ring(high[2])]);
+    }
+
+    /// A skin over rings of equally many points, closed at both ends.
+    pub(in crate::object) fn loft(&mut self, rings: &[Vec<P>]) {
+        let Some(n) = rings.first().map(Vec::len).filter(|&n| n > 2 && rings.len() > 1) else { return };
+        let mut vertices = rings.concat();
+        let mut triangles = skin(n, rings.len(), rings.len() - 1);
+        for (ring, start) in [(0, 0), (rings.len() - 1, (rings.len() - 1) * n)] {
+            let centre = vertices.len() as u32;
+            let middle = rings[ring].iter().fold(Vector3::zeros(), |s, &p| s + Vector3::from(p)) / n as f32;
+            vertices.push(middle.into());
+            triangles.extend((0..n).map(|j| {
+                let (p, q) = ((start + j) as u32, (start + (j + 1) % n) as u32);
+                if ring == 0 { [centre, q, p] } else { [centre, p, q] }
+            }));
+        }
+        self.piece(&vertices, triangles);
+    }
+
+    /// A skin over rings of which the last is joined to the first.
+    pub(in crate::object) fn torus(&mut self, rings: &[Vec<P>]) {
+        let Some(n) = rings.first().map(Vec::len).filter(|&n| n > 2 && rings.len() > 2) else { return };
+        self.piece(&rings.concat(), skin(n, rings.len(), rings.len()));
+    }
+
+    /// A round tube along points, with ends cut straight.
+    pub(in crate::object) fn tube(&mut self, points: &[P], radius: f32) {
+        self.tapered(points, |_| radius);
+    }
+
+    /// A round tube whose radius changes from its start (0) to its end (1).
+    pub(in crate::object) fn tapered(&mut self, points: &[P], radius: impl Fn(f32) -> f32) {
+        self.loft(&sections(points, false, radius));
+    }
+
+    /// A round tube that closes on itself; the points do not repeat the first.
+    pub(in crate::object) fn hoop(&mut self, points: &[P], radius: f32) {
+        self.torus(&sections(points, true, |_| radius));
+    }
+
+    /// A leaf or strip along a spine: `width` is half its width from stem to tip,
+    /// `lift` how much its edges bend up.
+    pub(in crate::object) fn leaf(&mut self, spine: &[P], width: impl Fn(f32) -> f32, lift: f32) {
+        let last = spine.len().saturating_sub(1).max(1);
+        let rings: Vec<Vec<P>> = (0..spine.len())
+            .map(|i| {
+                let (back, ahead) = (spine[i.saturating_sub(1)], spine[(i + 1).min(last)]);
+                let way = Vector3::from(ahead) - Vector3::from(back);
+                let side = way.cross(&Vector3::z()).try_normalize(1e-6).unwrap_or_else(Vector3::y);
+                let up = side.cross(&way).try_normalize(1e-9).unwrap_or_else(Vector3::z);
+                let half = width(i as f32 / last as f32);
+                let thick = (half * 0.06).max(2e-4);
+                let p = Vector3::from(spine[i]);
+                let edge = up * (half * lift);
+                [p + side * half + edge, p + up * thick, p - side * half + edge, p - up * thick].map(P::from).to_vec()
+            })
+            .collect();
+        self.loft(&rings);
+    }
+
+    /// A sheet of (top, bottom) points over the unit square, closed around its edge.
+    pub(in crate::object) fn sheet(&mut self, (nu, nv): (usize, usize), at: impl Fn(f32, f32) -> (P, P)) {
+        let (nu, nv) = (nu.max(1), nv.max(1));
+        let points = (0..=nu).flat_map(|i| (0..=nv).map(move |j| (i as f32 / nu as f32, j as f32 / nv as f32)));
+        let (top, bottom): (Vec<P>, Vec<P>) = points.map(|(u, v)| at(u, v)).unzip();
+        let under = top.len() as u32;
+        let index = |i: usize, j: usize| (i * (nv + 1) + j) as u32;
+        let mut triangles = Vec::with_capacity(4 * nu * nv + 4 * (nu + nv));
+        for (i, j) in (0..nu).flat_map(|i| (0..nv).map(move |j| (i, j))) {
+            let [a, b, c, d] = [index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+            triangles.extend([[a, c, b], [a, d, c]].map(|t| t.map(|v| v + under)));
+        }
+        let mut wall = |a: u32, b: u32| triangles.extend([[b, a, a + under], [b, a + under, b + under]]);
+        (0..nu).for_each(|i| wall(index(i, 0), index(i + 1, 0)));
+        (0..nu).for_each(|i| wall(index(i + 1, nv), index(i, nv)));
+        (0..nv).for_each(|j| wall(index(nu, j), index(nu, j + 1)));
+        (0..nv).for_each(|j| wall(index(0, j + 1), index(0, j)));
+        self.piece(&[top, bottom].concat(), triangles);
+    }
+
+    /// A cushion: bulging in the middle, thin at its edges, which are drawn in by
+    /// `pinch` between the corners.
+    pub(in crate::object) fn puff(&mut self, at: P, half: P, pinch: f32) {
+        let bulge = |t: f32| (1.0 - t * t).max(0.0);
+        self.sheet((10, 10), |u, v| {
+            let (u, v) = (ease(u), ease(v));
+            let x = at[0] + half[0] * u * (1.0 - pinch * bulge(v));
+            let y = at[1] + half[1] * v * (1.0 - pinch * bulge(u));
+            let z = half[2] * (bulge(u) * bulge(v)).sqrt();
+            ([x, y, at[2] + z], [x, y, at[2] - z])
+        });
+    }
+
+    /// A ball or egg of few triangles.
+    pub(in crate::object) fn egg(&mut self, at: P, half: P) {
+        let rings: Vec<Vec<P>> = (0..=6)
+            .map(|i| {
+                let (s, c) = (std::f32::consts::PI * i as f32 / 6.0).sin_cos();
+                oval(Axis::Z, [at[0], at[1], at[2] - half[2] * c], (half[0] * s, half[1] * s), 0, 8)
+            })
+            .collect();
+        self.loft(&rings);
+    }
+}
+
+/// From the unit interval to -1..1, denser at the ends.
+fn ease(t: f32) -> f32 {
+    let t = 2.0 * t - 1.0;
+    t * (1.5 - 0.5 * t * t)
+}
+
+/// Triangles between `pairs` neighbouring rings of `n` points, of `count` rings.
+fn skin(n: usize, count: usize, pairs: usize) -> Vec<[u32; 3]> {
+    let quad = |i: usize, j: usize| {
+        let (next, k) = ((i + 1) % count * n, (j + 1) % n);
+        let [a, b, c, d] = [i * n + j, i * n + k, next + k, next + j].map(|v| v as u32);
+        [[a, b, c], [a, c, d]]
+    };
+    (0..pairs).flat_map(|i| (0..n).flat_map(move |j| quad(i, j))).collect()
+}
+
+/// Rings of a tube along points, without twist.
+fn sections(points: &[P], closed: bool, radius: impl Fn(f32) -> f32) -> Vec<Vec<P>> {
+    let count = points.len();
+    let at = |i: usize| Vector3::from(points[i]);
+    let last = count.saturating_sub(1);
+    let neighbours = |i: usize| match (i, closed) {
+        (0, true) => (last, 1 % count),
+        (0, false) => (0, 1.min(last)),
+        _ if i == last => (last - 1, if closed { 0 } else { last }),
+        _ => (i - 1, i + 1),
+    };
+    let sides = if radius(0.5) < 0.008 { 6 } else { 8 };
+    let mut normal: Vector3<f32> = Vector3::zeros();
+    (0..count)
+        .map(|i| {
+            let (back, ahead) = neighbours(i);
+            let way = (at(ahead) - at(back)).try_normalize(1e-9).unwrap_or_else(Vector3::z);
+            let kept = normal - way * normal.dot(&way);
+            let start = if way.z.abs() < 0.7 { Vector3::z() } else { Vector3::x() };
+            let fresh = || (start - way * start.dot(&way)).normalize();
+            normal = kept.try_normalize(1e-3).unwrap_or_else(fresh);
+            let other = way.cross(&normal);
+            let r = radius(i as f32 / last.max(1) as f32);
+            let corner = |k: usize| {
+                let (s, c) = (TAU * k as f32 / sides as f32).sin_cos();
+                P::from(Point3::from(at(i) + (normal * c + other * s) * r))
+            };
+            (0..sides).map(corner).collect()
+        })
+        .collect()
+}
+
+/// One loft as one part.
+pub(in crate::object) fn loft(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: Mat) {
+    let mut shell = Shell::default();
+    shell.loft(rings);
+    shell.put(b, name, mat);
+}
+
+/// One tube as one part.
+pub(in crate::object) fn tube(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, mat: Mat) {
+    let mut shell = Shell::default();
+    shell.tube(points, radius);
+    shell.put(b, name, mat);
+}
+
+/// One closed ring of round section as one part.
+pub(in crate::object) fn hoop(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, mat: Mat) {
+    let mut shell = Shell::default();
+    shell.hoop(points, radius);
+    shell.put(b, name, mat);
+}
+
+/// Boxes as one part.
+pub(in crate::object) fn blocks(b: &mut Build<'_>, name: &str, boxes: &[(P, P)], mat: Mat) {
+    let mut shell = Shell::default();
+    boxes.iter().for_each(|&(low, high)| shell.block(low, high));
+    shell.put(b, name, mat);
+}
+
+/// One cushion as one part.
+pub(in crate::object) fn puff(b: &mut Build<'_>, name: &str, at: P, half: P, pinch: f32, mat: Mat) {
+    let mut shell = Shell::default();
+    shell.puff(at, half, pinch);
+    shell.put(b, name, mat);
+}
+
+/// One sheet as one part.
+pub(in crate::object) fn sheet(
+    b: &mut Build<'_>,
+    name: &str,
+    grid: (usize, usize),
+    at: impl Fn(f32, f32) -> (P, P),
+    mat: Mat,
+) {
+    let mut shell = Shell::default();
+    shell.sheet(grid, at);
+    shell.put(b, name, mat);
+}
