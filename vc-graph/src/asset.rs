@@ -374,7 +374,9 @@ impl Joint {
 }
 
 impl Shape {
-    pub(crate) fn measures_are_positive(&self) -> bool {
+    /// Whether every measure is finite and, where it must be, positive: what
+    /// [`AssetLibrary::add`] asks of a part's shape.
+    pub fn measures_are_positive(&self) -> bool {
         let positive = |v: f32| v.is_finite() && v > 0.0;
         let finite = |p: &Point3<f32>| p.iter().all(|v| v.is_finite());
         match self {

@@ -2,7 +2,7 @@
 //! door on.
 
 use crate::bits::Bits;
-use crate::furnish::{Area, Item};
+use crate::furnish::{Area, Item, Rest};
 use crate::plan::{CELLS, OpeningKind, Plan, Rect, RoomKind};
 
 /// Radius of a person, cells.
@@ -40,7 +40,8 @@ impl Reach {
         for opening in plan.openings.iter().filter(|o| o.is_way() && o.kind != OpeningKind::Entrance) {
             fill(&doorway(plan, opening), true);
         }
-        for item in items {
+        // Walls are what is no floor, and doors are opened.
+        for item in items.iter().filter(|i| i.rest != Rest::Built) {
             let (low, high) = item.corners();
             if low.z < HEIGHT && high.z > STEP {
                 fill(&outward(&item.area()), false);

@@ -4,7 +4,9 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use vc_graph::{AssetId, Bounds, Draft, Edge, EditError, Frame, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State};
+use vc_graph::{
+    AssetId, Bounds, Draft, Edge, EditError, Frame, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State,
+};
 
 use crate::apartment::Apartment;
 use crate::furnish::{Item, Rest};
@@ -65,10 +67,9 @@ impl Apartment {
         let inner = hull.grown(-1);
         let centre = Vector3::new(metres(inner.x0 + inner.x1) / 2.0, metres(inner.y0 + inner.y1) / 2.0, 0.0);
         let size = Vector3::new(metres(inner.width()), metres(inner.depth()), self.plan.ceiling);
-        Draft::new(class).at(Pose::from_parts(centre.into(), nalgebra::UnitQuaternion::identity())).bounds(Bounds {
-            frame: Frame::World,
-            ..Bounds::standing(size)
-        })
+        Draft::new(class)
+            .at(Pose::from_parts(centre.into(), nalgebra::UnitQuaternion::identity()))
+            .bounds(Bounds { frame: Frame::World, ..Bounds::standing(size) })
     }
 
     fn edges(&self) -> Vec<Edge> {

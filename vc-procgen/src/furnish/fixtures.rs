@@ -115,7 +115,7 @@ fn dress_window(s: &mut Setter<'_>, side: usize, window: (f32, f32), heights: (f
     }
     let bundle = 0.28;
     let top = head + 0.08;
-    for (along, long) in [(window.0 - bundle / 2.0, true), (window.1 + bundle / 2.0, true)] {
+    for (along, long) in [(window.0 - bundle / 2.0 - 0.07, true), (window.1 + bundle / 2.0 + 0.07, true)] {
         // To the floor where nothing is in the way, else to the sill.
         for low in [if long { 0.02 } else { sill }, sill - 0.12] {
             let Some(curtain) = s.make("curtain", [0.09, bundle, top - low]) else { return };

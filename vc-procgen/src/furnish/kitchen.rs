@@ -48,7 +48,7 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
         // The same run the other way round.
         units[1..].reverse();
     }
-    let run = place_run(s, &units)?;
+    let run = place_any(s, units)?;
     upper(s, &run);
     if s.kind() == RoomKind::Kitchen {
         if s.space.square_metres > 9.0 && s.rng.chance(0.6) {
@@ -57,6 +57,20 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
         s.first_against("trash_can", &[[0.3, 0.3, 0.6]], Need::default(), |_, spot| (0.4 - spot.corner).max(0.0));
     }
     Ok(())
+}
+
+/// The whole run; else what the kitchen needs; else that as narrow as it comes.
+fn place_any(s: &mut Setter<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, Impossible> {
+    if let Ok(run) = place_run(s, &units) {
+        return Ok(run);
+    }
+    units.retain(|u| u.required);
+    if let Ok(run) = place_run(s, &units) {
+        return Ok(run);
+    }
+    let narrow = [("fridge", &[0.6][..], 1.7), ("kitchen_sink", &[0.6], TOP), ("kitchen_cabinet", &[0.4, 0.3], TOP), ("stove", &[0.6, 0.5], TOP)];
+    let units: Vec<Unit> = narrow.into_iter().map(|(class, widths, height)| Unit { class, widths, height, required: true }).collect();
+    place_run(s, &units)
 }
 
 /// Puts the units side by side: along the wall that holds most of them, the rest

@@ -147,7 +147,8 @@ impl Setter<'_> {
         let solid = Solid { area, low: z, high: z + size.z };
         // No head is hit, and no door.
         let low = z < 1.9 && size.x > 0.12 && self.space.ways.iter().any(|q| q.overlaps(&area));
-        if low || !self.space.is_empty(&solid) || !self.space.is_floor(&area) {
+        let pane = self.space.panes.iter().any(|p| p.hits(&solid));
+        if low || pane || !self.space.is_empty(&solid) || !self.space.is_floor(&area) {
             return None;
         }
         Some(self.add(object, area.centre(), z, facing, Rest::Wall))

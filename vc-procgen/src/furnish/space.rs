@@ -65,6 +65,8 @@ pub(super) struct Space {
     pub(super) net: Vec<Rect>,
     pub(super) sides: Vec<Side>,
     pub(super) solids: Vec<Solid>,
+    /// What windows take: sill board, frame and the depth to open a sash a little.
+    pub(super) panes: Vec<Solid>,
     /// Rectangles before doors and under their leaves: nothing ever stands there.
     pub(super) ways: Vec<Area>,
     /// Rectangles that pieces need free, but for what belongs to them.
@@ -82,6 +84,7 @@ impl Space {
             sides: sides(plan, index, &net),
             net,
             solids: Vec::new(),
+            panes: panes(plan, index),
             ways: Vec::new(),
             zones: Vec::new(),
             ceiling: plan.ceiling,
@@ -119,7 +122,8 @@ impl Space {
 
     /// The same for what may stand in a zone: a chair at its desk.
     pub(super) fn is_off_ways(&self, solid: &Solid) -> bool {
-        self.is_floor(&solid.area) && !self.ways.iter().any(|z| z.overlaps(&solid.area)) && self.is_empty(solid)
+        let off = !self.ways.iter().any(|z| z.overlaps(&solid.area)) && !self.panes.iter().any(|p| p.hits(solid));
+        off && self.is_floor(&solid.area) && self.is_empty(solid)
     }
 
     /// Whether a zone is floor with nothing standing on it.
@@ -132,6 +136,16 @@ impl Space {
     pub(super) fn door_distance(&self, area: &Area) -> f32 {
         self.ways.iter().map(|z| z.distance(area)).fold(f32::INFINITY, f32::min)
     }
+}
+
+fn panes(plan: &Plan, index: usize) -> Vec<Solid> {
+    let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.touches(index));
+    let pane = |o: &crate::plan::Opening| Solid {
+        area: Area::of(&o.before(o.high == Some(index), 4)).grown(0.07),
+        low: o.sill - 0.07,
+        high: o.head + 0.07,
+    };
+    windows.map(pane).collect()
 }
 
 /// The inner faces of a room's walls; a balcony's are its railings and the house.

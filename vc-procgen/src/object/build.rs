@@ -111,6 +111,7 @@ impl<'a> Build<'a> {
         build: impl FnOnce(&mut Self),
     ) {
         let outer = self.joint;
+        let limits = (limits.0, limits.1.max(limits.0));
         let axis = self.frame.rotation * Vector3::from(axis).normalize();
         self.joint = Some(Joint { kind, anchor: self.frame * Point3::from(anchor), axis, limits });
         build(self);
@@ -219,7 +220,11 @@ impl<'a> Build<'a> {
         self.push(name, Shape::Mesh { vertices, triangles }, Pose::identity(), mat);
     }
 
+    /// Parts for which a small object has no room are left out.
     fn push(&mut self, name: &str, shape: Shape, pose: Pose, mat: Mat) {
+        if !shape.measures_are_positive() {
+            return;
+        }
         let part = Part { name: name.into(), shape, material: mat.0, pose: self.frame * pose, joint: self.joint };
         self.asset.parts.push(part);
     }
@@ -250,7 +255,10 @@ impl<'a> Build<'a> {
     /// carry surfaces.
     fn surface(&mut self, name: &str, hold: Hold, centre: P, half: (f32, f32), clearance: Option<f32>) {
         let size = self.frame.rotation * Vector3::new(half.0, half.1, 0.0);
-        let half = (size.x.abs(), size.y.abs());
+        if half.0 < 0.0 || half.1 < 0.0 {
+            return;
+        }
+        let (half, clearance) = ((size.x.abs(), size.y.abs()), clearance.map(|c| c.max(0.0)));
         let centre = self.frame * Point3::from(centre);
         let name: Arc<str> = name.into();
         self.asset.surfaces.push(Surface { name, hold, centre, half, clearance, joint: self.joint });

@@ -67,7 +67,7 @@ pub(super) fn mini_fridge(b: &mut Build<'_>) {
     let cold = Cold { shelves: b.rng.count(2, 3), drawers: 0, door_shelves: 2, pane: b.rng.chance(0.25), ..LARDER };
     let at = b.one(&[Swing::Left, Swing::Right]);
     chamber(b, &cold, ([-x, -y, feet], [x - 0.035 * u - door, y, h]), door, at, body, u);
-    if b.size.z < 0.88 {
+    if !in_run(b) {
         b.top("top", [0.0, 0.0, h], (x - 0.04 * u, y - 0.01 * u));
     }
 }
@@ -76,7 +76,7 @@ pub(super) fn mini_fridge(b: &mut Build<'_>) {
 pub(super) fn freezer(b: &mut Build<'_>) {
     let u = fit(b, [0.28, 0.27, 0.4]);
     let (x, y, _) = spans(b);
-    let h = under_worktop(b, u).min(b.size.z);
+    let h = under_worktop(b, u);
     let body = b.style.appliance;
     let (feet, door) = (0.03 * u, 0.05 * u);
     foot_row(b, (x * 0.75, y * 0.85), 0.02 * u, feet);

@@ -371,7 +371,12 @@ pub(in crate::object) fn worktop(b: &mut Build<'_>, u: f32) -> f32 {
     h - t
 }
 
+/// Whether it is as tall as a kitchen run.
+pub(in crate::object) fn in_run(b: &Build<'_>) -> bool {
+    (0.88..=0.97).contains(&b.size.z)
+}
+
 /// An appliance that is as tall as a kitchen run gets a worktop; its height without.
 pub(in crate::object) fn under_worktop(b: &mut Build<'_>, u: f32) -> f32 {
-    if b.size.z >= 0.88 { worktop(b, u) } else { b.size.z }
+    if in_run(b) { worktop(b, u) } else { b.size.z }
 }

@@ -3,6 +3,7 @@
 mod cool;
 pub(super) mod fitting;
 mod heat;
+mod prep;
 mod sink;
 mod small;
 mod unit;
@@ -56,6 +57,21 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("bread_maker", 4, small::bread_maker),
     indoor("bain_marie", 5, small::bain_marie),
     indoor("plate_warmer", 4, small::plate_warmer),
+    // preparing
+    indoor("blender", 5, prep::blender),
+    indoor("hand_blender", 3, prep::hand_blender),
+    indoor("stand_mixer", 6, prep::stand_mixer),
+    indoor("hand_mixer", 3, prep::hand_mixer),
+    indoor("food_processor", 4, prep::food_processor),
+    indoor("juicer", 4, prep::juicer),
+    indoor("citrus_juicer", 3, prep::citrus_juicer),
+    indoor("meat_slicer", 5, prep::meat_slicer),
+    indoor("meat_grinder", 4, prep::meat_grinder),
+    indoor("ice_cream_maker", 3, prep::ice_cream_maker),
+    indoor("vacuum_sealer", 4, prep::vacuum_sealer),
+    indoor("kitchen_scale", 4, prep::kitchen_scale),
+    indoor("water_dispenser", 4, prep::water_dispenser),
+    indoor("garbage_disposal", 3, prep::garbage_disposal),
     // washing
     indoor("dishwasher", 6, wash::dishwasher),
     indoor("commercial_dishwasher", 5, wash::commercial_dishwasher),

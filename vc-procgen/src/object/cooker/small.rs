@@ -335,9 +335,9 @@ pub(super) fn deep_fryer(b: &mut Build<'_>) {
     }
     knobs(b, [face, 0.0, feet + (rim - feet) * 0.4], y, baths, (rim - feet) * 0.12, (BLACK_PLASTIC, WHITE));
     if baths == 1 {
-        lid(b, [back, 0.0, rim + 0.035 * u], 1.3, |b| {
-            let from = [back + 0.001, -y, rim + 0.024 * u];
-            b.block("lid", from, [face - 0.02 * u, y, rim + 0.035 * u], STEEL);
+        lid(b, [back, 0.0, rim + 0.023 * u], 1.3, |b| {
+            let from = [back + 0.001, -y, rim + 0.0115 * u];
+            b.block("lid", from, [face - 0.02 * u, y, rim + 0.023 * u], STEEL);
         });
     }
 }
@@ -448,10 +448,11 @@ pub(super) fn waffle_maker(b: &mut Build<'_>) {
 fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
     let (x, y, h) = spans(b);
     let (feet, seam, front) = (h * 0.1, h * 0.5, x - 0.05 * u);
-    foot_row(b, (x * 0.6, y * 0.7), 0.01 * u, feet);
     let round = waffle && b.rng.chance(0.5);
     let r = y.min((front + x) / 2.0);
     let cx = (front - x) / 2.0;
+    let stance = if round { (r * 0.5, r * 0.55) } else { ((front + x) * 0.4, y * 0.8) };
+    b.at([cx, 0.0, 0.0], 0.0, |b| foot_row(b, stance, 0.01 * u, feet));
     let plate = (seam - feet) * 0.2;
     let half = if round { (r * 0.68, r * 0.68) } else { ((front + x) * 0.44, y * 0.88) };
     if round {
@@ -618,16 +619,21 @@ pub(super) fn slow_cooker(b: &mut Build<'_>) {
     });
 }
 
-/// Eight corners of an oval, as an outline.
-fn octagon(half: (f32, f32)) -> Vec<(f32, f32)> {
-    let corner =
-        [(1.0, 0.5), (0.5, 1.0), (-0.5, 1.0), (-1.0, 0.5), (-1.0, -0.5), (-0.5, -1.0), (0.5, -1.0), (1.0, -0.5)];
-    corner.iter().map(|c| (c.0 * half.0, c.1 * half.1)).collect()
+/// Twelve corners of an oval.
+fn twelve(half: (f32, f32)) -> Vec<(f32, f32)> {
+    let quarter = [(1.0, 0.27), (0.73, 0.73), (0.27, 1.0)];
+    let turned = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+    let corner = |i: usize| {
+        let (q, k) = (i / 3, i % 3);
+        let p = quarter[if q % 2 == 0 { k } else { 2 - k }];
+        (p.0 * turned[q].0 * half.0, p.1 * turned[q].1 * half.1)
+    };
+    (0..12).map(corner).collect()
 }
 
-/// A flat-bottomed shell with eight sides: the floor and a wall for each.
+/// A flat-bottomed shell with twelve sides: the floor and a wall for each.
 fn oval_shell(b: &mut Build<'_>, name: &str, half: (f32, f32), (z0, z1): (f32, f32), wall: f32, mat: Mat) {
-    let (outer, inner) = (octagon(half), octagon((half.0 - wall, half.1 - wall)));
+    let (outer, inner) = (twelve(half), twelve((half.0 - wall, half.1 - wall)));
     b.prism(name, Axis::Z, [0.0, 0.0, z0], &outer, wall, mat);
     for i in 0..outer.len() {
         let k = (i + 1) % outer.len();
@@ -638,7 +644,7 @@ fn oval_shell(b: &mut Build<'_>, name: &str, half: (f32, f32), (z0, z1): (f32, f
 
 /// A low dome over an oval.
 fn oval_lid(b: &mut Build<'_>, half: (f32, f32), (z0, z1): (f32, f32), mat: Mat) {
-    let level = |k: f32, z: f32| octagon((half.0 * k, half.1 * k)).into_iter().map(move |c| [c.0, c.1, z]);
+    let level = |k: f32, z: f32| twelve((half.0 * k, half.1 * k)).into_iter().map(move |c| [c.0, c.1, z]);
     let points: Vec<P> = level(1.0, z0).chain(level(0.6, z1)).collect();
     b.hull("lid", &points, mat);
 }

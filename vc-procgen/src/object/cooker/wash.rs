@@ -155,7 +155,7 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
     let u = fit(b, [0.28, 0.3, 0.42]);
     let (x, y, _) = spans(b);
     let h = under_worktop(b, u);
-    if b.size.z < 0.88 {
+    if !in_run(b) {
         b.top("top", [-0.02 * u, 0.0, h], (x - 0.05 * u, y - 0.01 * u));
     }
     let body = b.one(&[WHITE_METAL, WHITE_METAL, b.style.appliance, SILVER_METAL]);

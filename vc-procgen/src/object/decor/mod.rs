@@ -3,7 +3,7 @@
 
 mod boxes;
 mod candle;
-mod clock;
+pub(in crate::object) mod clock;
 mod frame;
 mod jewelry;
 mod mirror;

@@ -33,9 +33,11 @@ fn shaft(b: &mut Build<'_>, (tail, head): (f32, f32), (top, end): (f32, f32), ha
     let at = |k: f32, z: f32| [0.0, tail + (head - tail) * k, z];
     let path = [
         (at(0.0, t), w * flare * 0.6, t * 0.8),
-        (at(0.08, t * 1.1), w * flare, t),
-        (at(0.45, top * 0.6), w * 0.75, t),
-        (at(0.8, top), w * 0.42, t),
+        (at(0.08, t + top * 0.1), w * flare, t),
+        (at(0.3, top * 0.5), w * 0.85, t),
+        (at(0.55, top * 0.85), w * 0.65, t),
+        (at(0.75, top), w * 0.45, t),
+        (at(0.9, f32::midpoint(top, end)), w * 0.42, t),
         (at(1.0, end), w * 0.5, t),
     ];
     sweep(b, "handle", &path, ACROSS, mat);
@@ -87,7 +89,7 @@ pub(super) fn spoon(b: &mut Build<'_>) {
     let depth = z * 0.42;
     scoop(b, [0.0, centre, 0.0], (x / 2.0, length / 2.0), depth, t, mat);
     let flare = b.vary(0.7, 1.0);
-    shaft(b, (-y / 2.0, centre - length * 0.46), (z - t, depth * 0.95), (x * 0.22, t), flare, mat);
+    shaft(b, (-y / 2.0, centre - length * 0.46), (z - t, depth * 0.95), (x * 0.24, t), flare, mat);
 }
 
 /// The outline of a blade, in parts of its width and length: the edge at low X.

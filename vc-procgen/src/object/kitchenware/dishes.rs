@@ -63,11 +63,13 @@ pub(super) fn bowl(b: &mut Build<'_>) {
     };
     let t = (r * 0.05).min(h * 0.08).max(1e-4).min(0.006);
     if b.class == "ramekin" {
-        vessel(b, "bowl", (r, h), &[(0.88, 0.0), (0.92, 0.05), (0.96, 0.85), (1.0, 0.92), (1.0, 1.0)], t, mat);
-        for i in 1..5 {
-            let z = h * (0.1 + 0.14 * i as f32);
-            hoop(b, "rib", (z, z + h * 0.05), (r * 0.88, r * 0.975), mat);
+        let mut outside = vec![(0.9, 0.0)];
+        for i in 0..6 {
+            let z = 0.06 + 0.13 * i as f32;
+            outside.extend([(0.9, z), (0.94, z + 0.03), (0.94, z + 0.08)]);
         }
+        outside.extend([(0.95, 0.88), (1.0, 0.92), (1.0, 1.0)]);
+        vessel(b, "bowl", (r, h), &outside, t, mat);
         return;
     }
     let shape = b.one(&BOWLS);

@@ -32,8 +32,8 @@ pub(in crate::object) fn rounded(half: (f32, f32), round: f32) -> Vec<(f32, f32)
     let r = half.0.min(half.1) * round.clamp(0.02, 0.999);
     let corner = |q: usize| {
         let (sx, sy) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][q];
-        (0..4).map(move |k| {
-            let (s, c) = (FRAC_PI_2 * (q as f32 + k as f32 / 3.0)).sin_cos();
+        (0..6).map(move |k| {
+            let (s, c) = (FRAC_PI_2 * (q as f32 + k as f32 / 5.0)).sin_cos();
             (sx * (half.0 - r) + r * c, sy * (half.1 - r) + r * s)
         })
     };
@@ -149,6 +149,32 @@ pub(in crate::object) fn lump(b: &mut Build<'_>, name: &str, centre: P, half: P,
         (0..SIDES).map(point).collect()
     };
     let rings: Vec<_> = (0..=7).map(ring).collect();
+    loft(b, name, &rings, mat);
+}
+
+/// A body of ellipses between two corners: a profile in parts of its half width and its
+/// length, upright or, lying, along Y.
+pub(in crate::object) fn spun(
+    b: &mut Build<'_>,
+    name: &str,
+    (low, high): (P, P),
+    profile: &[(f32, f32)],
+    lying: bool,
+    mat: Mat,
+) {
+    let centre = [0, 1, 2].map(|i| f32::midpoint(low[i], high[i]));
+    let half = [0, 1, 2].map(|i| (high[i] - low[i]) / 2.0);
+    let ring = |&(r, k): &(f32, f32)| {
+        let across = if lying { half[2] } else { half[1] };
+        let turned = oval([0.0; 3], (half[0] * r, across * r)).into_iter();
+        let place = |p: P| {
+            let rise = 2.0 * k - 1.0;
+            let [y, z] = if lying { [half[1] * rise, p[1]] } else { [p[1], half[2] * rise] };
+            [centre[0] + p[0], centre[1] + y, centre[2] + z]
+        };
+        turned.map(place).collect()
+    };
+    let rings: Vec<_> = profile.iter().map(ring).collect();
     loft(b, name, &rings, mat);
 }
 

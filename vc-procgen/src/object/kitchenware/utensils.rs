@@ -672,8 +672,8 @@ pub(super) fn sieve(b: &mut Build<'_>) {
     if b.class == "sieve" {
         b.inside("inside", [0.0, centre, (r * 0.03).min(0.0015)], (r * 0.17, r * 0.17), z * 0.9);
     }
-    for i in 0..6 {
-        let (s, c) = (PI * i as f32 / 6.0).sin_cos();
+    for i in 0..4 {
+        let (s, c) = (PI * i as f32 / 4.0).sin_cos();
         let point = |k: f32, h: f32| [r * k * c, centre + r * k * s, z * h];
         let points = [
             point(-0.985, 0.95),

@@ -9,6 +9,9 @@ use crate::material::Mat;
 /// How far a label stands out, metres.
 const RAISED: f32 = 0.0006;
 
+/// What a label adds to a radius at most, metres.
+pub(super) const GROWTH: f32 = 0.0013;
+
 /// A band around a round body of radius `r` with bars on its front; it stands out by
 /// less than 1.3 mm.
 pub(in crate::object) fn wrap(b: &mut Build<'_>, r: f32, (low, high): (f32, f32), (paper, ink): (Mat, Mat)) {

@@ -17,9 +17,9 @@ pub(super) fn wooden(b: &mut Build<'_>) {
         let half = step * 0.44;
         let levels = if i == 1 { 3 } else { b.rng.count(1, 2) };
         for level in 0..levels {
-            let (z, h) = (level as f32 * 0.26, 0.255);
+            let (z, h) = (level as f32 * 0.26, 0.26);
             let (mat, turn) = (paint(b), b.vary(-0.04, 0.04));
-            let (x0, x1) = if level == 0 { (-0.9, 0.35) } else { (-0.62 + turn, 0.1 + turn) };
+            let (x0, x1) = if level == 0 { (-1.0, 0.3) } else { (-0.62 + turn, 0.1 + turn) };
             match b.rng.below(3) {
                 0 if level > 0 => b.pole("cylinder", [-0.25, y, z], [-0.25, y, z + h], radius(b, half), mat),
                 1 if level == 0 => arch(b, (y, half), (x0, x1), h, mat),
@@ -70,7 +70,7 @@ pub(super) fn bricks(b: &mut Build<'_>) {
     let h = (1.0 - plate - 0.06) / courses as f32;
     for course in 0..courses {
         let z = plate + h * course as f32;
-        let inset = if course == 3 { 0.35 } else { 0.0 };
+        let inset = if course == 3 { 0.22 } else { 0.0 };
         for (i, side) in SIDES.into_iter().enumerate() {
             let (mat, other) = (b.one(BRIGHT), b.one(BRIGHT));
             let split = b.vary(-0.25, 0.25);
@@ -95,7 +95,7 @@ pub(super) fn bricks(b: &mut Build<'_>) {
 
 /// A brick with studs.
 fn brick(b: &mut Build<'_>, (low, high): ((f32, f32), (f32, f32)), z: (f32, f32), mat: Mat) {
-    b.slab("brick", [low.0, low.1, z.0], [high.0, high.1, z.1 - 0.004], mat);
+    b.slab("brick", [low.0, low.1, z.0], [high.0, high.1, z.1], mat);
     let length = (high.0 - low.0) * b.size.x;
     let count = (length / ((high.1 - low.1) * b.size.y)).round().clamp(1.0, 4.0);
     let r = ((high.1 - low.1) * b.size.y * 0.16).min(length * 0.2);
@@ -116,13 +116,14 @@ pub(super) fn rings(b: &mut Build<'_>) {
     let h = 0.78 / count as f32;
     for i in 0..count {
         let share = i as f32 / count as f32;
-        let thick = h * b.size.z / 2.0;
+        let thick = (h * b.size.z / 2.0).min(r * 0.2);
         let outer = r * (1.0 - share * 0.58);
         let mat = BRIGHT[i % BRIGHT.len()];
         b.hoop("ring", Axis::Z, [0.0, 0.0, 0.08 + h * (i as f32 + 0.5)], (outer - thick, thick), mat);
         let inner = (outer - thick) * 1.02;
-        let base = b.p([0.0, 0.0, 0.08 + h * (i as f32 + 0.25)]);
-        b.cylinder("core", base, inner, thick, mat);
+        let base = b.p([0.0, 0.0, 0.08 + h * i as f32]);
+        let tall = b.size.z * h;
+        b.cylinder("core", base, inner, tall, mat);
     }
     let top = b.size.z * 0.08;
     let centre = b.p([0.0, 0.0, 1.0]);
@@ -135,8 +136,8 @@ pub(super) fn sorter(b: &mut Build<'_>) {
     let t = 0.06;
     b.slab("bottom", [-0.98, -0.98, 0.0], [0.98, 0.98, t], case);
     for s in SIDES {
-        b.slab("wall", [-0.98, s * 0.93 - 0.05, t], [0.98, s * 0.93 + 0.05, 0.93], case);
-        b.slab("wall", [s * 0.93 - 0.05, -0.88, t], [s * 0.93 + 0.05, 0.88, 0.93], case);
+        b.slab("wall", [-0.98, s * 0.93 - 0.05, t], [0.98, s * 0.93 + 0.05, 0.934], case);
+        b.slab("wall", [s * 0.93 - 0.05, -0.88, t], [s * 0.93 + 0.05, 0.88, 0.934], case);
     }
     b.hollow("inside", [0.0, 0.0, t], (0.84, 0.84), 0.85);
     let anchor = b.p([-1.0, 0.0, 0.93]);
@@ -189,7 +190,7 @@ pub(super) fn marble_run(b: &mut Build<'_>) {
         let marble = b.p([0.42, side * 0.1, z - 0.05]);
         b.ball("marble", marble, b.size.x * 0.05, BRIGHT[i + 2]);
     }
-    b.hoop("bowl", Axis::Z, [-0.45, 0.0, 0.07], (b.size.x * 0.2, b.size.z * 0.012), YELLOW_PLASTIC);
+    b.hoop("bowl", Axis::Z, [-0.45, 0.0, 0.055], (b.size.x * 0.2, b.size.z * 0.012), YELLOW_PLASTIC);
 }
 
 /// A handful of glass marbles in a net or a dish.

@@ -375,7 +375,7 @@ pub(super) fn rocking_horse(b: &mut Build<'_>) {
         let edge = (y * 0.9 - 0.1, y * 0.9 + 0.1);
         b.profile("runner", edge, &band(&curve, (0.0, 0.07)), runner);
     }
-    for x in [-0.62, 0.62] {
+    for x in [-0.48, 0.33] {
         b.slab("crossbar", [x - 0.07, -0.9, 0.075], [x + 0.07, 0.9, 0.115], runner);
     }
     b.within([-0.78, -0.9, 0.11], [0.98, 0.9, 1.0], |b| mount(b, coat, dark));
@@ -421,7 +421,7 @@ pub(super) fn spring_rider(b: &mut Build<'_>) {
     }
     for y in SIDES {
         let edge = (y * 0.5 - 0.06, y * 0.5 + 0.06);
-        let outline = [(-0.95, 0.42), (-0.6, 0.37), (0.5, 0.37), (0.8, 0.5), (0.95, 0.8), (0.75, 0.98), (0.45, 0.95)];
+        let outline = [(-0.95, 0.42), (-0.6, 0.355), (0.5, 0.355), (0.8, 0.5), (0.95, 0.8), (0.75, 0.98), (0.45, 0.95)];
         let back = [(0.3, 0.62), (-0.3, 0.56), (-0.7, 0.68), (-0.95, 0.6)];
         b.profile("side", edge, &[outline.as_slice(), &back].concat(), paint);
         b.disc("eye", Axis::Y, [0.66, y * 0.57, 0.86], (b.size.z * 0.03, 0.006), WHITE);

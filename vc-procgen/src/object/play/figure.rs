@@ -109,7 +109,7 @@ pub(super) fn robot(b: &mut Build<'_>) {
     let (case, trim) = (b.one(&[GREY_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC, RED_PLASTIC, STEEL]), b.one(BRIGHT));
     let r = b.size.z * 0.01;
     for y in SIDES {
-        b.pad("foot", [-0.7, y * 0.45 - 0.2, 0.0], [0.95, y * 0.45 + 0.2, 0.08], r, trim);
+        b.pad("foot", [-0.95, y * 0.45 - 0.2, 0.0], [0.95, y * 0.45 + 0.2, 0.08], r, trim);
         b.pad("leg", [-0.25, y * 0.42 - 0.13, 0.07], [0.25, y * 0.42 + 0.13, 0.3], r, case);
         b.disc("shoulder", Axis::Y, [0.0, y * 0.72, 0.6], (b.size.z * 0.05, b.size.y * 0.1), trim);
         b.pad("arm", [-0.25, y * 0.88 - 0.11, 0.36], [0.25, y * 0.88 + 0.11, 0.64], r, case);

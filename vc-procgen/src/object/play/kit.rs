@@ -3,7 +3,7 @@
 
 use std::f32::consts::TAU;
 
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 
 use super::super::build::{Axis, Build, P};
 use crate::material::*;
@@ -34,6 +34,10 @@ pub(in crate::object) type Ring = (P, f32, f32);
 pub(in crate::object) trait Scaled {
     /// The place in metres.
     fn p(&self, at: P) -> P;
+    /// The place in metres, moved so that what reaches so far around it stays within
+    /// the size.
+    fn held(&self, at: P, reach: Vector3<f32>) -> P;
+
     /// A box.
     fn slab(&mut self, name: &str, low: P, high: P, mat: Mat);
     /// A box with rounded edges.
@@ -75,6 +79,13 @@ impl Scaled for Build<'_> {
         [x * self.size.x / 2.0, y * self.size.y / 2.0, z * self.size.z]
     }
 
+    fn held(&self, at: P, reach: Vector3<f32>) -> P {
+        let [x, y, z] = self.p(at);
+        let within = |v: f32, low: f32, high: f32| if low < high { v.max(low).min(high) } else { (low + high) / 2.0 };
+        let half = self.size / 2.0 - reach;
+        [within(x, -half.x, half.x), within(y, -half.y, half.y), within(z, reach.z, self.size.z - reach.z)]
+    }
+
     fn slab(&mut self, name: &str, low: P, high: P, mat: Mat) {
         let (low, high) = (self.p(low), self.p(high));
         self.block(name, low, high, mat);
@@ -86,12 +97,15 @@ impl Scaled for Build<'_> {
     }
 
     fn pole(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat) {
-        let (from, to) = (self.p(from), self.p(to));
+        let radius = radius.min(self.size.min() / 2.0);
+        let way = Vector3::from(self.p(to)) - Vector3::from(self.p(from));
+        let round = round_reach(way, radius);
+        let (from, to) = (self.held(from, round), self.held(to, round));
         self.rod(name, from, to, radius, mat);
     }
 
     fn tube(&mut self, name: &str, points: &[P], radius: f32, mat: Mat) {
-        let points: Vec<P> = points.iter().map(|&p| self.p(p)).collect();
+        let points: Vec<P> = points.iter().map(|&p| self.held(p, Vector3::repeat(radius))).collect();
         self.pipe(name, &points, radius, mat);
     }
 
@@ -134,27 +148,30 @@ impl Scaled for Build<'_> {
             Axis::Z => (Vector3::x() * x, Vector3::y() * y),
         };
         let rings: Vec<_> = rings.iter().map(|&(c, u, v)| (Vector3::from(self.p(c)), a * u, b * v)).collect();
-        let (vertices, triangles) = skinned(&rings, heading(&rings, a.cross(&b)));
+        let (vertices, triangles) = skinned(&rings, 12, heading(&rings, a.cross(&b)));
         self.mesh(name, &vertices, triangles, mat);
     }
 
     fn plank(&mut self, name: &str, from: P, to: P, section: (f32, f32), mat: Mat) {
-        let (from, to) = (Vector3::from(self.p(from)), Vector3::from(self.p(to)));
-        let way = to - from;
+        let way = Vector3::from(self.p(to)) - Vector3::from(self.p(from));
         let across = way.cross(&Vector3::z()).try_normalize(1e-6).unwrap_or_else(Vector3::y);
         let up = across.cross(&way).try_normalize(1e-6).unwrap_or_else(Vector3::x);
         let (w, t) = (across * (section.0 / 2.0), up * (section.1 / 2.0));
+        let round = w.abs() + t.abs();
+        let (from, to) = (Vector3::from(self.held(from, round)), Vector3::from(self.held(to, round)));
         let ends = [from, to].into_iter().flat_map(|e| [e + w + t, e + w - t, e - w + t, e - w - t]);
         self.hull(name, &ends.map(|v| [v.x, v.y, v.z]).collect::<Vec<P>>(), mat);
     }
 
     fn disc(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: Mat) {
-        let (c, d) = (Vector3::from(self.p(centre)), unit(axis) * (section.1 / 2.0));
+        let d = unit(axis) * (section.1 / 2.0);
+        let c = Vector3::from(self.held(centre, round_reach(d, section.0) + d.abs()));
         self.rod(name, (c - d).into(), (c + d).into(), section.0, mat);
     }
 
     fn hoop(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: Mat) {
-        let c = Vector3::from(self.p(centre));
+        let reach = round_reach(unit(axis), radii.0 + radii.1) + unit(axis) * radii.1;
+        let c = Vector3::from(self.held(centre, reach));
         let round = |i: usize| (TAU * (i % 8) as f32 / 8.0).sin_cos();
         let section: Vec<_> = (0..=8).map(round).map(|(s, c)| (radii.0 + radii.1 * c, radii.1 * s)).collect();
         self.lathe_along(name, c.into(), (c + unit(axis)).into(), &section, mat);
@@ -241,6 +258,13 @@ fn unit(axis: Axis) -> Vector3<f32> {
     }
 }
 
+/// How far a cylinder's round side reaches along each axis.
+fn round_reach(way: Vector3<f32>, radius: f32) -> Vector3<f32> {
+    let turn = UnitQuaternion::rotation_between(&Vector3::z(), &way).unwrap_or_default();
+    let turn = turn.to_rotation_matrix();
+    (turn.matrix().column(0).abs() + turn.matrix().column(1).abs()) * radius
+}
+
 type Skin = (Vector3<f32>, Vector3<f32>, Vector3<f32>);
 
 /// Whether rings follow one another along `normal` (1) or against it (-1).
@@ -253,18 +277,17 @@ fn heading(rings: &[Skin], normal: Vector3<f32>) -> f32 {
 
 /// The closed surface over rings; `way` is negative where they run against their
 /// normals.
-fn skinned(rings: &[Skin], way: f32) -> (Vec<P>, Vec<[u32; 3]>) {
-    const N: u32 = 12;
+fn skinned(rings: &[Skin], n: u32, way: f32) -> (Vec<P>, Vec<[u32; 3]>) {
     let (mut vertices, mut triangles): (Vec<P>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
     let mut before: Option<(u32, u32)> = None;
     let last = rings.len().saturating_sub(1);
     for (i, &(centre, a, b)) in rings.iter().enumerate() {
         let tip = a.norm() < 1e-7 || b.norm() < 1e-7;
-        let mut ring = (vertices.len() as u32, if tip { 1 } else { N });
+        let mut ring = (vertices.len() as u32, if tip { 1 } else { n });
         if tip {
             vertices.push(centre.into());
         } else {
-            let turns = (0..N).map(|k| (TAU * k as f32 / N as f32).sin_cos());
+            let turns = (0..n).map(|k| (TAU * k as f32 / n as f32).sin_cos());
             vertices.extend(turns.map(|(s, c)| P::from(centre + a * c + b * s)));
         }
         let cap = |vertices: &mut Vec<P>| {
@@ -273,14 +296,14 @@ fn skinned(rings: &[Skin], way: f32) -> (Vec<P>, Vec<[u32; 3]>) {
         };
         if i == 0 && !tip {
             let pole = cap(&mut vertices);
-            join(&mut triangles, pole, ring, N);
+            join(&mut triangles, pole, ring, n);
         }
         if let Some(below) = before {
-            join(&mut triangles, below, ring, N);
+            join(&mut triangles, below, ring, n);
         }
         if i == last && !tip {
             let pole = cap(&mut vertices);
-            join(&mut triangles, ring, pole, N);
+            join(&mut triangles, ring, pole, n);
             ring = pole;
         }
         before = Some(ring);
@@ -303,4 +326,56 @@ fn join(triangles: &mut Vec<[u32; 3]>, below: (u32, u32), above: (u32, u32), n: 
             triangles.push([a, c, d]);
         }
     }
+}
+
+/// Keeps room around for round parts: takes metres off every side and the top, but
+/// leaves six tenths of the size.
+pub(in crate::object) fn spare(b: &mut Build<'_>, x: f32, y: f32, z: f32) {
+    let least = b.size * 0.6;
+    b.size = (b.size - Vector3::new(2.0 * x, 2.0 * y, z)).sup(&least);
+}
+
+/// A zone of a ball between two angles from an axis through its `centre`.
+pub(in crate::object) fn zone(
+    b: &mut Build<'_>,
+    name: &str,
+    (centre, radius): (P, f32),
+    towards: P,
+    angles: (f32, f32),
+    mat: Mat,
+) {
+    let way = Vector3::from(towards).try_normalize(1e-6).unwrap_or_else(Vector3::z);
+    let across = way.cross(&Vector3::x()).try_normalize(0.1).unwrap_or_else(|| way.cross(&Vector3::y()).normalize());
+    let other = way.cross(&across);
+    let steps = ((angles.1 - angles.0) / 0.16).ceil().max(1.0) as usize;
+    let n = if angles.1 < 0.5 { 12 } else { 36 };
+    let ring = |i: usize| {
+        let (s, c) = (angles.0 + (angles.1 - angles.0) * i as f32 / steps as f32).sin_cos();
+        (Vector3::from(centre) + way * (radius * c), across * (radius * s), other * (radius * s))
+    };
+    let rings: Vec<Skin> = (0..=steps).map(ring).collect();
+    let (vertices, triangles) = skinned(&rings, n, -1.0);
+    b.mesh(name, &vertices, triangles, mat);
+}
+
+/// A line along a closed curve of places in metres, raised from a `centre`: a
+/// ball's seam.
+pub(in crate::object) fn seam(b: &mut Build<'_>, name: &str, centre: P, curve: &[P], half: f32, mat: Mat) {
+    let n = curve.len();
+    let (middle, at) = (Vector3::from(centre), |i: usize| Vector3::from(curve[i % n]));
+    let mut vertices = Vec::with_capacity(n * 4);
+    for i in 0..n {
+        let out = (at(i) - middle).try_normalize(1e-9).unwrap_or_else(Vector3::z);
+        let way = at(i + 1) - at(i + n - 1);
+        let side = out.cross(&way).try_normalize(1e-9).unwrap_or_else(Vector3::x) * half;
+        let up = out * half;
+        vertices.extend([up, side, -up, -side].map(|d| P::from(at(i) + d)));
+    }
+    let (n, mut triangles) = (n as u32, Vec::with_capacity(n * 8));
+    for (i, k) in (0..n).flat_map(|i| (0..4).map(move |k| (i, k))) {
+        let (next, turn) = ((i + 1) % n * 4, (k + 1) % 4);
+        let [a, c, d, e] = [i * 4 + k, next + k, next + turn, i * 4 + turn];
+        triangles.extend([[a, c, d], [a, d, e]]);
+    }
+    b.mesh(name, &vertices, triangles, mat);
 }

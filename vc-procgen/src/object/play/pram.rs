@@ -86,7 +86,10 @@ pub(super) fn stroller(b: &mut Build<'_>) {
         b.pole("handle", [-0.92, 0.06 - side, 0.95], [-0.92, side - 0.06, 0.95], tube * 1.4, BLACK_PLASTIC);
     }
     let (low, high) = (bz * 1.3, 0.3);
-    basket(b, (rear + 0.12, ahead - 0.3), side - 0.14, (low, high), cloth);
+    for (x, z) in [(-0.45, 0.62), (-0.05, 0.45)] {
+        b.pole("crossbar", [x, 0.06 - side, z], [x, side - 0.06, z], tube, frame);
+    }
+    basket(b, (rear + 0.12, 0.4), side - 0.07, (low, high), cloth);
     let pitch = 2.0 * (side - 0.12) / seats as f32;
     for i in 0..seats {
         let y = -(side - 0.12) + pitch * (i as f32 + 0.5);
@@ -99,10 +102,10 @@ fn basket(b: &mut Build<'_>, x: (f32, f32), y: f32, z: (f32, f32), mat: Mat) {
     let t = 0.02;
     b.slab("basket", [x.0, -y, z.0], [x.1, y, z.0 + 0.012], mat);
     for s in SIDES {
-        b.slab("basket_side", [x.0, s * (y - t) - t, z.0 + 0.012], [x.1, s * (y - t) + t, z.1], mat);
+        b.slab("basket_side", [x.0, s * (y - t) - t, z.0 + 0.012], [x.1, s * (y - t) + t, z.1.max(z.0 + 0.06)], mat);
     }
-    b.slab("basket_back", [x.0, -y + 2.0 * t, z.0 + 0.012], [x.0 + t, y - 2.0 * t, z.1 * 0.9], mat);
-    b.slab("basket_front", [x.1 - t, -y + 2.0 * t, z.0 + 0.012], [x.1, y - 2.0 * t, z.1 * 0.9], mat);
+    b.slab("basket_back", [x.0, -y + 2.0 * t, z.0 + 0.012], [x.0 + t, y - 2.0 * t, (z.1 * 0.9).max(z.0 + 0.05)], mat);
+    b.slab("basket_front", [x.1 - t, -y + 2.0 * t, z.0 + 0.012], [x.1, y - 2.0 * t, (z.1 * 0.9).max(z.0 + 0.05)], mat);
     let middle = (x.0 + x.1) / 2.0;
     b.hollow(
         "basket",
@@ -154,6 +157,9 @@ pub(super) fn pram(b: &mut Build<'_>) {
     b.pole("handle", [-0.95, -side + 0.14, 0.93], [-0.95, side - 0.14, 0.93], tube * 1.5, BLACK_PLASTIC);
     for x in [rear, ahead] {
         b.pole("axle", [x, -side, z], [x, side, z], tube, frame);
+    }
+    for x in [rear + 0.1, ahead - 0.1] {
+        b.pole("cradle", [x, 0.12 - side, 0.43], [x, side - 0.12, 0.43], tube, frame);
     }
     let (low, rim, y) = (0.42, 0.68, 0.72);
     tub(b, (low, rim), y, cloth);

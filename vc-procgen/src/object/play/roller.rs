@@ -16,7 +16,7 @@ pub(super) fn hoverboard(b: &mut Build<'_>) {
         let inner = arc((0.0, z), (0.94, 0.94 - z), (2.99, 0.15), 9);
         let fender = [guard, inner].concat();
         b.profile("fender", (y * 0.87 - 0.12, y * 0.87 + 0.12), &fender, case);
-        let (a, c) = ((y * 0.1).min(y * 0.76), (y * 0.1).max(y * 0.76));
+        let (a, c) = ((y * 0.1).min(y * 0.8), (y * 0.1).max(y * 0.8));
         let shape =
             [(-0.7, z * 0.62), (0.7, z * 0.62), (0.86, z * 0.95), (0.7, z * 1.2), (-0.7, z * 1.2), (-0.86, z * 0.95)];
         b.profile("deck", (a, c), &shape, case);
@@ -68,16 +68,16 @@ pub(super) fn skateboard(b: &mut Build<'_>) {
     }
     let z = r / b.size.z;
     let side = 1.0 - 0.034 / b.size.x;
-    let truck = if long { 0.72 } else { 0.55 };
+    let (truck, below) = if long { (0.72, 1.0 - 2.0 * t) } else { (0.55, lift - t) };
     for y in SIDES.map(|s| s * truck) {
         b.pole("axle", [-side, y, z], [side, y, z], 0.005, STEEL);
         b.chunk(
             "truck",
             &[
-                [-0.3, y - 0.05, lift - t],
-                [0.3, y - 0.05, lift - t],
-                [-0.3, y + 0.05, lift - t],
-                [0.3, y + 0.05, lift - t],
+                [-0.3, y - 0.05, below],
+                [0.3, y - 0.05, below],
+                [-0.3, y + 0.05, below],
+                [0.3, y + 0.05, below],
                 [-0.5, y, z - 0.06],
                 [0.5, y, z - 0.06],
                 [-0.5, y, z + 0.1],
@@ -148,6 +148,7 @@ pub(super) fn kick_scooter(b: &mut Build<'_>) {
         b.pole("axle", [edge, -0.55, z], [edge, 0.55, z], 0.012, frame);
     } else {
         b.disc("wheel", Axis::Y, [edge, 0.0, z], (r, 0.026), trim);
+        b.pole("axle", [edge, -0.14, z], [edge, 0.14, z], 0.007, STEEL);
         for y in SIDES {
             b.plank("fork", [edge, y * 0.1, z], [edge - 0.09, y * 0.1, z * 2.4], (0.008, 0.02), frame);
         }
@@ -155,7 +156,7 @@ pub(super) fn kick_scooter(b: &mut Build<'_>) {
     b.pad("deck", [-edge + 0.02, -0.28, z * 0.9], [edge - 0.42, 0.28, z * 0.9 + 0.03], 0.008, frame);
     b.slab("grip_tape", [-edge + 0.2, -0.24, z], [edge - 0.46, 0.24, z * 0.9 + 0.034], BLACK_FABRIC);
     b.plank("neck", [edge - 0.46, 0.0, z], [edge - 0.11, 0.0, z * 2.6], (0.04, 0.025), frame);
-    b.pole("column", [edge - 0.06, 0.0, z * 1.2], [edge - 0.2, 0.0, 0.955], 0.017, frame);
+    b.pole("column", [edge - 0.06, 0.0, z * 1.2], [edge - 0.205, 0.0, 0.975], 0.017, frame);
     b.pole("bar", [edge - 0.205, -0.98, 0.975], [edge - 0.205, 0.98, 0.975], 0.013, frame);
     for y in SIDES {
         b.pole("grip", [edge - 0.205, y * 0.98, 0.975], [edge - 0.205, y * 0.64, 0.975], 0.018, RUBBER);

@@ -35,7 +35,7 @@ pub(super) fn dollhouse(b: &mut Build<'_>) {
     }
     b.slab("ceiling", [-0.99, -0.97, eaves], [front, 0.97, eaves + 0.015], wall);
     let tiles = [[-1.0, -1.0, eaves], [-1.0, 1.0, eaves], [0.97, -1.0, eaves], [0.97, 1.0, eaves]]
-        .map(|[x, y, z]| [x, y, z + 0.016]);
+        .map(|[x, y, z]| [x, y, z + 0.0145]);
     let ridge = [
         [-0.6, 0.0, 0.96],
         [0.6, 0.0, 0.96],
@@ -55,7 +55,7 @@ pub(super) fn dollhouse(b: &mut Build<'_>) {
 /// A front wing with windows, and half of the house door.
 fn shutter(b: &mut Build<'_>, side: f32, z: (f32, f32), floors: usize, wall: Mat) {
     let (near, far) = (side * 0.005, side * 0.96);
-    b.slab("front", [0.87, near.min(far), z.0], [0.92, near.max(far), z.1], wall);
+    b.slab("front", [0.864, near.min(far), z.0], [0.92, near.max(far), z.1], wall);
     let pitch = (z.1 - z.0) / floors as f32;
     for i in 0..floors {
         let low = z.0 + pitch * (i as f32 + 0.35);
@@ -101,7 +101,7 @@ pub(super) fn kitchen(b: &mut Build<'_>) {
         let (low, high, side) = (y - 0.44, y + 0.44, y.signum());
         let anchor = b.p([0.93, y + side * 0.44, 0.0]);
         let door = |b: &mut Build<'_>| {
-            b.slab(name, [0.86, low, 0.05], [0.93, high, top - 0.02], front);
+            b.slab(name, [0.855, low, 0.05], [0.93, high, top - 0.02], front);
             b.slab("handle", [0.925, y - side * 0.36 - 0.03, 0.3], [0.98, y - side * 0.36 + 0.03, 0.42], STEEL);
             if name == "oven" {
                 b.slab("window", [0.92, low + 0.14, 0.14], [0.94, high - 0.1, 0.36], BLACK_GLASS);
@@ -226,7 +226,7 @@ pub(super) fn mat(b: &mut Build<'_>) {
             for (i, r) in [0.75, 0.5, 0.25].into_iter().enumerate() {
                 let z = h + (1.0 - h) * 0.3 * (i + 1) as f32;
                 let mat = if i == 1 { WHITE_COTTON } else { trim };
-                b.plan("ring", (h * 0.5, z), &oval((0.0, 0.0), (r, r), 20), mat);
+                b.plan("ring", (h * (0.5 - 0.1 * i as f32), z), &oval((0.0, 0.0), (r, r), 20), mat);
             }
         }
     }
@@ -252,7 +252,8 @@ pub(super) fn playpen(b: &mut Build<'_>) {
             for x in SIDES.map(|s| s * ix) {
                 for z in [0.04, 0.97] {
                     let half = r * 0.9 / b.size.z;
-                    b.pad("rail", [x - 0.02, -iy, z - half], [x + 0.02, iy, z + half], r * 0.8, rail);
+                    let deep = r * 1.8 / b.size.x;
+                    b.pad("rail", [x - deep, -iy, z - half], [x + deep, iy, z + half], r * 0.8, rail);
                 }
                 if cot {
                     let count = (b.size.y / 0.1).clamp(3.0, 18.0) as usize;
@@ -261,7 +262,7 @@ pub(super) fn playpen(b: &mut Build<'_>) {
                         b.pole("bar", [x, y, 0.04], [x, y, 0.96], 0.007, wood);
                     }
                 } else {
-                    b.slab("net", [x - 0.004, -iy, 0.3], [x + 0.004, iy, 0.94], CLEAR_PLASTIC);
+                    b.slab("net", [x - 0.004, -iy * 0.99, 0.3], [x + 0.004, iy * 0.99, 0.94], CLEAR_PLASTIC);
                     b.slab("skirt", [x - 0.008, -iy, 0.06], [x + 0.008, iy, 0.31], rail);
                 }
             }
@@ -291,7 +292,7 @@ pub(super) fn walker(b: &mut Build<'_>) {
     b.lathe(
         "seat",
         [0.0, 0.0, z - b.size.z * 0.3],
-        &[(r * 0.3, 0.0), (r * 0.44, b.size.z * 0.29), (r * 0.4, b.size.z * 0.29), (r * 0.26, 0.02)],
+        &[(r * 0.3, 0.0), (r * 0.44, b.size.z * 0.31), (r * 0.4, b.size.z * 0.31), (r * 0.26, 0.02)],
         cloth,
     );
     b.pad("backrest", [-0.62, -0.35, 0.76], [-0.44, 0.35, 1.0], 0.03, cloth);
@@ -317,7 +318,7 @@ pub(super) fn bouncer(b: &mut Build<'_>) {
         b.tube("frame", &[[0.5, side * 0.8, 0.3], [-0.2, side * 0.86, 0.4], [-0.93, side * 0.8, 0.94]], r, STEEL);
     }
     for x in [-0.8, 0.6] {
-        b.pole("crossbar", [x, -0.9, 0.03], [x, 0.9, 0.03], r, STEEL);
+        b.pole("crossbar", [x, -0.99, 0.03], [x, 0.99, 0.03], r, STEEL);
     }
     let seat = [
         (0.72, 0.36),
@@ -381,7 +382,11 @@ pub(super) fn easel(b: &mut Build<'_>) {
         line(b, (-0.35, eaves), (0.25, eaves));
     }
     for (i, y) in [-0.4, -0.1, 0.2, 0.5].into_iter().enumerate() {
-        b.pole("chalk", [0.9, y, 0.385], [0.9, y + 0.15, 0.385], 0.006, BRIGHT[i]);
+        let z = 0.375 + 0.005 / b.size.z;
+        b.pole("chalk", [0.9, y, z], [0.9, y + 0.15, z], 0.006, BRIGHT[i]);
     }
-    b.pole("paper_roll", [0.0, -0.9, 0.965], [0.0, 0.9, 0.965], 0.02, WHITE_PAPER);
+    for y in SIDES {
+        b.slab("hinge", [-0.16, y * (1.0 - t) - t * 0.4, 0.94], [0.16, y * (1.0 - t) + t * 0.4, 0.975], STEEL);
+    }
+    b.pole("paper_roll", [0.0, -0.97, 0.955], [0.0, 0.97, 0.955], 0.018, WHITE_PAPER);
 }

@@ -54,7 +54,7 @@ pub(super) fn rattle(b: &mut Build<'_>) {
         }
     }
     for (i, y) in [(0, 1.0), (1, -1.0)] {
-        b.blob("ring", [0.0, y * 0.6, 0.3 + 0.08 * i as f32], [0.5, 0.3, 0.04], BRIGHT[i]);
+        b.blob("ring", [0.0, y * 0.4, 0.3 + 0.08 * i as f32], [0.5, 0.3, 0.04], BRIGHT[i]);
     }
 }
 
@@ -162,13 +162,13 @@ pub(super) fn tool_set(b: &mut Build<'_>) {
     }
     b.pole("handle", [0.0, -0.93, 0.9], [0.0, 0.93, 0.9], b.size.z * 0.06, BEECH);
     let r = b.size.z * 0.05;
-    b.pole("hammer", [0.45, -0.55, 0.12], [0.45, -0.4, 0.8], r, BEECH);
+    b.pole("hammer", [0.45, -0.55, 0.04], [0.45, -0.4, 0.8], r, BEECH);
     b.slab("hammer", [0.2, -0.52, 0.72], [0.75, -0.28, 0.86], tool);
-    b.profile("saw", (0.25, 0.29), &[(-0.6, 0.1), (-0.3, 0.1), (-0.25, 0.7), (-0.65, 0.7)], STEEL);
+    b.profile("saw", (0.25, 0.29), &[(-0.6, 0.05), (-0.3, 0.05), (-0.25, 0.7), (-0.65, 0.7)], STEEL);
     b.pad("saw", [-0.72, 0.18, 0.66], [-0.18, 0.36, 0.86], 0.004, BRIGHT[2]);
-    b.pole("screwdriver", [0.45, 0.5, 0.1], [0.45, 0.5, 0.6], r * 0.5, STEEL);
+    b.pole("screwdriver", [0.45, 0.5, 0.05], [0.45, 0.5, 0.6], r * 0.5, STEEL);
     b.pole("screwdriver", [0.45, 0.5, 0.5], [0.45, 0.5, 0.84], r * 1.3, BRIGHT[3]);
-    b.slab("spanner", [-0.5, -0.6, 0.06], [-0.4, -0.45, 0.7], STEEL);
+    b.slab("spanner", [-0.5, -0.6, 0.05], [-0.4, -0.45, 0.7], STEEL);
     b.slab("spanner", [-0.62, -0.62, 0.68], [-0.28, -0.43, 0.82], STEEL);
 }
 
@@ -241,9 +241,8 @@ pub(super) fn bucket(b: &mut Build<'_>) {
     let wall = [(foot, 0.0), (lip, h * 0.97), (r, h * 0.97), (r, h), (lip - t, h), (foot - t, t)];
     b.lathe("bucket", [0.0; 3], &wall, paint);
     b.inside("inside", [0.0, 0.0, t], ((foot - t) * 0.68, (foot - t) * 0.68), h * 0.9);
-    let grip: Vec<_> =
-        arc((0.0, 0.93), (0.93, -0.55), (0.3, 2.84), 9).iter().map(|&(y, z)| [0.99, y * 0.9, z]).collect();
-    let down: Vec<_> = grip.iter().map(|p| [(1.0 - (p[2] - 0.4) * 0.35).clamp(0.6, 0.97), p[1], p[2]]).collect();
+    let bow = (0..9).map(|i| (i as f32 * std::f32::consts::PI / 8.0).sin_cos());
+    let down: Vec<_> = bow.map(|(s, c)| [0.97 * s, 0.97 * c, 0.92 - 0.42 * s]).collect();
     b.tube("handle", &down, r * 0.03, trim);
     for i in 0..4 {
         let (s, c) = (i as f32 * 1.5708 + 0.5).sin_cos();

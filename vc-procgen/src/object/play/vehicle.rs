@@ -8,6 +8,9 @@ use crate::material::*;
 fn wheels(b: &mut Build<'_>, axles: (f32, f32), radius: f32, width: f32, hub: Mat) {
     let side = 1.0 - width / b.size.y;
     let z = radius / b.size.z;
+    for x in [axles.0, axles.1] {
+        b.pole("axle", [x, -side, z], [x, side, z], radius * 0.2, IRON);
+    }
     for (x, y) in [axles.0, axles.1].into_iter().flat_map(|x| SIDES.map(|y| (x, y))) {
         b.disc("wheel", Axis::Y, [x, y * (side - 0.01), z], (radius, width * 0.96), RUBBER);
         b.disc("hub", Axis::Y, [x, y * side, z], (radius * 0.55, width), hub);
@@ -164,7 +167,7 @@ pub(super) fn truck(b: &mut Build<'_>) {
         b.slab("window", [0.5, y * 0.865 - 0.01, 0.66], [0.76, y * 0.865 + 0.01, 0.92], BLACK_GLASS);
         b.disc("headlamp", Axis::X, [0.995, y * 0.6, base + 0.12], (b.size.z * 0.04, b.size.x * 0.01), WARM_BULB);
     }
-    let floor = axle * 2.0 + 0.04;
+    let floor = axle * 1.87;
     let anchor = b.p([-0.85, 0.0, floor]);
     b.hinge(anchor, [0.0, -1.0, 0.0], 0.8, |b| {
         b.slab("bed", [-0.98, -0.9, floor], [0.36, 0.9, floor + 0.05], bed);
@@ -186,7 +189,13 @@ pub(super) fn train(b: &mut Build<'_>) {
         let high = 1.0 - pitch * i as f32;
         let low = (high - pitch * 0.9).max(-1.0);
         if i > 0 {
-            b.pole("coupling", [high - 0.01, 0.0, 0.22], [high + pitch * 0.12, 0.0, 0.22], b.size.z * 0.04, IRON);
+            b.pole(
+                "coupling",
+                [high - pitch * 0.1, 0.0, 0.24],
+                [high + pitch * 0.16, 0.0, 0.24],
+                b.size.z * 0.04,
+                IRON,
+            );
             let load = b.one(PAINTS);
             b.within([low, -1.0, 0.0], [high, 1.0, 1.0], |b| wagon(b, load));
         } else {
@@ -201,8 +210,8 @@ fn engine(b: &mut Build<'_>, paint: Mat, trim: Mat) {
     b.pole("boiler", [-0.3, 0.0, 0.53], [0.86, 0.0, 0.53], r, paint);
     b.pole("boiler_band", [0.4, 0.0, 0.53], [0.5, 0.0, 0.53], r * 1.05, trim);
     b.pole("smokebox", [0.85, 0.0, 0.53], [0.95, 0.0, 0.53], r * 0.9, BLACK);
-    let base = b.p([0.62, 0.0, 0.72]);
-    let (w, h) = (r * 0.5, b.size.z * 0.27);
+    let base = [b.size.x * 0.31, 0.0, b.size.z * 0.53 + r * 0.9];
+    let (w, h) = (r * 0.5, b.size.z * 0.995 - base[2]);
     b.lathe("funnel", base, &[(w * 0.6, 0.0), (w * 0.6, h * 0.5), (w, h)], trim);
     b.blob("dome", [0.15, 0.0, 0.76], [0.16, 0.34, 0.1], trim);
     b.slab("cab", [-0.92, -0.85, 0.28], [-0.3, 0.85, 0.88], paint);
@@ -219,7 +228,7 @@ fn engine(b: &mut Build<'_>, paint: Mat, trim: Mat) {
 
 /// A frame on four wheels.
 fn bogie(b: &mut Build<'_>, paint: Mat) {
-    b.slab("frame", [-0.95, -0.7, 0.2], [0.9, 0.7, 0.3], paint);
+    b.slab("frame", [-0.93, -0.7, 0.2], [0.88, 0.7, 0.3], paint);
     let r = (b.size.z * 0.15).min(b.size.x * 0.2);
     wheels(b, (-0.55, 0.5), r, b.size.y * 0.12, RED);
 }
@@ -254,14 +263,14 @@ pub(super) fn track(b: &mut Build<'_>) {
         let ring = |a: f32, c: f32| round(a).into_iter().chain(round(c).into_iter().rev()).collect::<Vec<_>>();
         b.plan("bend", (0.0, thick), &ring(0.0, 1.0), wood);
         for groove in [0.22, 0.68] {
-            b.plan("groove", (thick * 0.6, thick * 1.04), &ring(groove, groove + 0.1), WALNUT);
+            b.plan("groove", (thick * 0.6, thick * 1.1), &ring(groove, groove + 0.1), WALNUT);
         }
         if straight > 0.0 {
             let edge = if y > 0.0 { (1.0 - gx, 1.0) } else { (-1.0, gx - 1.0) };
             b.slab("straight", [edge.0, -straight, 0.0], [edge.1, straight, thick], wood);
             for share in [0.22, 0.68] {
                 let x = edge.0 + gx * share;
-                b.slab("groove", [x, -straight, thick * 0.6], [x + gx * 0.1, straight, thick * 1.04], WALNUT);
+                b.slab("groove", [x, -straight, thick * 0.6], [x + gx * 0.1, straight, thick * 1.1], WALNUT);
             }
         }
     }
@@ -354,8 +363,8 @@ pub(super) fn boat(b: &mut Build<'_>) {
         b.pole("mast", [0.1, 0.0, rim], [0.1, 0.0, 1.0], r, BEECH);
         b.pole("boom", [0.1, 0.0, rim + 0.08], [-0.85, 0.0, rim + 0.08], r, BEECH);
         let cloth = b.one(&[WHITE_COTTON, RED_FABRIC, BLUE_FABRIC, LINEN]);
-        b.profile("sail", (-0.02, 0.02), &[(0.06, rim + 0.1), (-0.85, rim + 0.1), (0.06, 0.97)], cloth);
-        b.profile("jib", (-0.02, 0.02), &[(0.14, rim + 0.1), (0.88, rim + 0.06), (0.14, 0.85)], WHITE_COTTON);
+        b.profile("sail", (-0.02, 0.02), &[(0.1, rim + 0.1), (-0.85, rim + 0.1), (0.1, 0.97)], cloth);
+        b.profile("jib", (-0.02, 0.02), &[(0.1, rim + 0.1), (0.88, rim + 0.01), (0.1, 0.85)], WHITE_COTTON);
         return;
     }
     b.slab("cabin", [-0.55, -0.55, rim], [0.3, 0.55, 0.68], deck);

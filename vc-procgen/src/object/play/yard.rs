@@ -69,10 +69,15 @@ pub(super) fn swing_set(b: &mut Build<'_>) {
         let seat = b.one(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, PINE]);
         if i == 2 {
             for s in SIDES {
-                b.pole("rope", [0.0, y + s * half * 0.7, 0.62], [0.0, y + s * half * 0.7, high], 0.01, rope);
+                b.pole(
+                    "rope",
+                    [0.0, y + s * half * 0.7, 0.56 + 0.08 / b.size.z],
+                    [0.0, y + s * half * 0.7, high],
+                    0.01,
+                    rope,
+                );
                 b.hoop("ring", Axis::X, [0.0, y + s * half * 0.7, 0.56], (0.08, 0.012), seat);
             }
-            b.pole("bar", [0.0, y - half * 0.7, 0.72], [0.0, y + half * 0.7, 0.72], 0.016, mat);
         } else {
             hung_seat(b, y, half, (low, high), (seat, rope));
         }
@@ -82,7 +87,7 @@ pub(super) fn swing_set(b: &mut Build<'_>) {
 /// A tyre that hangs from three ropes, flat, or from one, upright.
 pub(super) fn tire_swing(b: &mut Build<'_>) {
     let rope = b.one(&[JUTE, GALVANISED]);
-    let tube = (b.size.x * 0.14).min(0.11);
+    let tube = (b.size.x.min(b.size.y) * 0.14).min(0.11);
     let ring = b.size.x.min(b.size.y) / 2.0 - tube;
     if b.rng.chance(0.6) {
         b.hoop("tyre", Axis::Z, [0.0, 0.0, tube / b.size.z], (ring, tube), RUBBER);
@@ -92,11 +97,11 @@ pub(super) fn tire_swing(b: &mut Build<'_>) {
             b.rod("rope", foot, [0.0, 0.0, b.size.z * 0.62], 0.01, rope);
             b.ball("knot", foot, 0.022, rope);
         }
-        b.pole("rope", [0.0, 0.0, 0.61], [0.0, 0.0, 0.97], 0.014, rope);
+        b.pole("rope", [0.0, 0.0, 0.61], [0.0, 0.0, 1.0 - 0.04 / b.size.z], 0.014, rope);
     } else {
         b.hoop("tyre", Axis::X, [0.0, 0.0, (ring + tube) / b.size.z], (ring, tube), RUBBER);
         let top = 2.0 * (ring + tube) / b.size.z;
-        b.pole("rope", [0.0, 0.0, top - 0.06], [0.0, 0.0, 0.97], 0.014, rope);
+        b.pole("rope", [0.0, 0.0, top - 0.06], [0.0, 0.0, 1.0 - 0.04 / b.size.z], 0.014, rope);
         b.hoop("knot", Axis::Y, [0.0, 0.0, top - tube / b.size.z], (tube * 1.1, 0.012), rope);
     }
     b.hoop("ring", Axis::X, [0.0, 0.0, 1.0 - 0.035 / b.size.z], (0.026, 0.008), GALVANISED);
@@ -121,7 +126,7 @@ pub(super) fn slide(b: &mut Build<'_>) {
         let lip: Vec<_> = curve.iter().map(|&(x, z)| (x, z - 0.05)).collect();
         b.profile("side", (y * 0.68 - 0.06, y * 0.68 + 0.06), &band(&lip, (0.0, 0.15)), chute);
     }
-    b.pad("platform", [-0.78, -0.74, top - 0.05], [-0.48, 0.74, top], 0.01, rail);
+    b.pad("platform", [-0.78, -0.86, top - 0.05], [-0.48, 0.86, top], 0.01, rail);
     let r = if plastic { 0.025 } else { 0.02 };
     for y in SIDES {
         b.plank("stile", [-0.98, y * 0.85, 0.005], [-0.74, y * 0.85, top], (r * 1.6, r * 2.0), rail);
@@ -165,7 +170,7 @@ pub(super) fn sandbox(b: &mut Build<'_>) {
             let anchor = b.p([0.0, y, 0.9]);
             let lid = |b: &mut Build<'_>| {
                 let inner = y * 0.005;
-                b.slab("lid", [-1.0, inner.min(y), 0.87], [1.0, inner.max(y), 0.95], wood);
+                b.slab("lid", [-1.0, inner.min(y), 0.861], [1.0, inner.max(y), 0.95], wood);
                 for x in [-0.6, 0.6] {
                     b.slab(
                         "batten",
@@ -179,7 +184,7 @@ pub(super) fn sandbox(b: &mut Build<'_>) {
         }
     } else {
         for (x, y) in CORNERS {
-            b.plan("seat", (0.865, 1.0), &[(x, y), (x * 0.45, y), (x, y * 0.45)], wood);
+            b.plan("seat", (0.861, 1.0), &[(x, y), (x * 0.45, y), (x, y * 0.45)], wood);
         }
     }
 }
@@ -233,7 +238,7 @@ pub(super) fn trampoline(b: &mut Build<'_>) {
 /// A seesaw: a beam on a trestle with two seats and grips.
 pub(super) fn seesaw(b: &mut Build<'_>) {
     let (paint, seat) = (b.one(&[RED, GREEN, BLUE, PINE, YELLOW]), b.one(BRIGHT));
-    let pivot = 0.52;
+    let pivot = 0.62;
     for y in SIDES {
         b.plank("trestle", [0.9, y * 0.1, 0.005], [0.12, y * 0.03, pivot], (0.04, 0.05), IRON);
         b.plank("trestle", [-0.9, y * 0.1, 0.005], [-0.12, y * 0.03, pivot], (0.04, 0.05), IRON);
@@ -426,7 +431,7 @@ pub(super) fn zip_line(b: &mut Build<'_>) {
         [trolley[0] + 0.1, 0.025, trolley[2] + 0.04],
         RED_PLASTIC,
     );
-    b.rod("rope", [trolley[0], 0.0, trolley[2] - 0.04], [trolley[0], 0.0, b.size.z * 0.2], 0.012, JUTE);
+    b.rod("rope", [trolley[0], 0.0, trolley[2] - 0.04], [trolley[0], 0.0, b.size.z * 0.18], 0.012, JUTE);
     let r = (b.size.y * 0.4).min(0.16);
     b.cylinder("seat", [trolley[0], 0.0, b.size.z * 0.18], r, 0.05, BLACK_PLASTIC);
 }
@@ -481,11 +486,13 @@ pub(super) fn croquet(b: &mut Build<'_>) {
         b.pole("band", [0.7, y, 0.11], [0.85, y, 0.11], head * 1.05, mat);
         let at = b.p([-0.55, y + 0.2, 0.0]);
         b.ball("ball", [at[0], at[1], ball], ball, mat);
-        let gate = [[-0.3, y - 0.12, 0.1], [-0.3, y - 0.12, 0.9], [-0.3, y + 0.12, 0.9], [-0.3, y + 0.12, 0.1]];
+        let gate = [0.1, 0.9, 0.9, 0.1].map(|z| [-0.13, y, z]);
+        let gate = [(gate[0], -0.12), (gate[1], -0.12), (gate[2], 0.12), (gate[3], 0.12)]
+            .map(|(p, dy)| [p[0], p[1] + dy, p[2]]);
         b.tube("hoop", &gate, b.size.z * 0.012, WHITE_METAL);
     }
     for (i, mat) in colours.into_iter().enumerate() {
-        let z = 0.6 + 0.08 * i as f32;
+        let z = 0.61 + 0.08 * i as f32;
         b.pole("peg", [0.0, 0.9, z], [0.0, 0.9, z + 0.08], b.size.z * 0.035, mat);
     }
 }
@@ -515,7 +522,7 @@ pub(super) fn water_table(b: &mut Build<'_>) {
     b.deck("rim", [0.6, 0.0, rim - 0.01], (0.3, t * 0.5));
     if tall {
         let r = b.size.z * 0.09;
-        b.pole("post", [-0.7, 0.45, low], [-0.7, 0.45, 0.94], b.size.z * 0.02, leg);
+        b.pole("post", [-0.7, 0.45, low + 0.01], [-0.7, 0.45, 0.94], b.size.z * 0.02, leg);
         b.within([-0.98, 0.15, 0.9], [-0.42, 0.75, 1.0], |b| {
             b.chunk(
                 "funnel",

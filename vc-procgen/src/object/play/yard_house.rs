@@ -74,6 +74,7 @@ pub(super) fn tower(b: &mut Build<'_>) {
 
 /// A beam from a tower to a trestle, with a swing.
 fn swing_arm(b: &mut Build<'_>, (y, x): (f32, f32), z: f32, wood: Mat) {
+    b.slab("tie", [-0.95, y - 0.03, z - 0.02], [-0.05, y + 0.03, z + 0.02], wood);
     b.pole("beam", [x, y, z], [x, 0.96, z], 0.05, wood);
     for side in SIDES {
         b.plank("leg", [x + side * 0.4, 0.95, 0.01], [x, 0.94, z], (0.08, 0.08), wood);
@@ -128,8 +129,8 @@ fn walls(b: &mut Build<'_>, at: &House, wall: Mat, trim: Mat) {
     b.hinge(anchor, [0.0, 0.0, 1.0], FRAC_PI_2 * 1.1, |b| {
         b.slab(
             "door",
-            [x.1 - t.0 * 0.8, middle - door + 0.006, floor + 0.006],
-            [x.1 + 0.002, middle + door - 0.006, head - 0.006],
+            [x.1 - t.0 * 0.8, middle - door + 0.002, floor + 0.003],
+            [x.1 + 0.002, middle + door - 0.002, head - 0.003],
             trim,
         );
         let knob = b.p([x.1 + 0.01, middle - door * 0.75, floor + tall * 0.45]);
@@ -286,6 +287,7 @@ pub(super) fn castle(b: &mut Build<'_>) {
     let arch = arc((0.0, 0.55), (ey, 0.26), (0.0, std::f32::consts::PI), 9);
     let arch: Vec<P> = arch.into_iter().map(|(y, z)| [front, y, z]).collect();
     b.tube("arch", &arch, r * 0.5, flag);
+    b.pole("hose", [-0.98, 0.3, 0.06], [-ex, 0.3, 0.06], b.size.z * 0.03, BLACK_FABRIC);
     b.disc(
         "blower",
         Axis::Y,

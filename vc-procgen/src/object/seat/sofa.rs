@@ -17,8 +17,6 @@ enum Arm {
     Slope,
     /// A frame of wood.
     Frame,
-    /// None.
-    None,
 }
 
 /// A sofa in the making: half depth, half width, height, and what follows.
@@ -56,7 +54,6 @@ impl Sofa {
         let wide = match arm {
             Arm::Frame => 0.05,
             Arm::Box => b.vary(0.09, 0.2),
-            Arm::None => 0.002,
             _ => b.vary(0.14, 0.22),
         };
         let high = if tufted { h * 0.92 } else { seat + b.vary(0.35, 0.6) * (h - seat) };
@@ -179,7 +176,6 @@ impl Sofa {
                     self.wood,
                 );
             }
-            Arm::None => {}
         }
     }
 

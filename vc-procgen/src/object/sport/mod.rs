@@ -1,8 +1,105 @@
-//! Sport.
+//! Sport: machines for training, equipment, balls and small gear.
 
-use super::Generator;
-
+mod ball;
+mod bike;
+mod cardio;
+mod field;
 mod gear;
-pub(in crate::object) use gear::boot;
+mod hall;
+mod snow;
+mod stick;
+mod strength;
+mod worn;
 
-pub(super) const GENERATORS: &[Generator] = &[];
+pub(in crate::object) use worn::boot;
+
+use super::{Generator, indoor, outdoor};
+
+pub(super) const GENERATORS: &[Generator] = &[
+    indoor("treadmill", 3, cardio::treadmill),
+    indoor("walking_pad", 2, cardio::treadmill),
+    indoor("rowing_machine", 2, cardio::rower),
+    indoor("exercise_bike", 3, bike::upright),
+    indoor("spin_bike", 2, bike::spin),
+    indoor("recumbent_bike", 2, bike::recumbent),
+    indoor("elliptical", 2, cardio::elliptical),
+    indoor("stair_climber", 2, cardio::stairs),
+    indoor("ski_machine", 2, cardio::ski),
+    indoor("vibration_plate", 2, cardio::vibration_plate),
+    indoor("leg_press", 2, strength::leg_press),
+    indoor("leg_extension_machine", 2, strength::station),
+    indoor("chest_press", 2, strength::station),
+    indoor("lat_pulldown", 2, strength::station),
+    indoor("multi_gym", 2, strength::station),
+    indoor("cable_machine", 2, strength::cables),
+    indoor("smith_machine", 2, strength::smith),
+    indoor("weight_bench", 3, strength::bench),
+    indoor("sit_up_bench", 2, strength::bench),
+    indoor("squat_rack", 2, strength::rack),
+    indoor("power_rack", 2, strength::rack),
+    indoor("dumbbell_rack", 3, strength::dumbbell_rack),
+    indoor("pull_up_bar", 2, hall::pull_up_bar),
+    indoor("dip_station", 2, hall::dip_station),
+    indoor("punching_bag", 3, hall::punching_bag),
+    indoor("speed_bag", 2, hall::speed_bag),
+    indoor("wall_bars", 2, hall::wall_bars),
+    indoor("climbing_wall", 2, hall::climbing_wall),
+    indoor("balance_beam", 2, hall::balance_beam),
+    indoor("gymnastics_rings", 2, hall::rings),
+    indoor("pommel_horse", 2, hall::pommel_horse),
+    indoor("plyo_box", 2, hall::plyo_box),
+    indoor("aerobic_step", 2, hall::aerobic_step),
+    indoor("rebounder", 2, hall::rebounder),
+    indoor("gym_mat", 3, hall::gym_mat),
+    indoor("putting_green", 2, hall::putting_green),
+    outdoor("basketball_hoop", 3, field::basketball_hoop),
+    outdoor("soccer_goal", 3, field::goal),
+    outdoor("volleyball_net", 2, field::net),
+    outdoor("badminton_net", 2, field::net),
+    indoor("ball", 3, ball::plain),
+    indoor("medicine_ball", 2, ball::plain),
+    indoor("exercise_ball", 2, ball::plain),
+    indoor("basketball", 1, ball::basketball),
+    indoor("football", 2, ball::football),
+    indoor("american_football", 1, ball::american_football),
+    indoor("volleyball", 1, ball::volleyball),
+    indoor("tennis_ball", 1, ball::tennis),
+    indoor("table_tennis_ball", 1, ball::plain),
+    indoor("baseball", 1, ball::tennis),
+    indoor("golf_ball", 1, ball::golf),
+    indoor("bowling_ball", 2, ball::bowling),
+    indoor("dumbbell", 3, gear::dumbbell),
+    indoor("kettlebell", 2, gear::kettlebell),
+    indoor("barbell", 1, gear::barbell),
+    indoor("weight_plate", 2, gear::weight_plate),
+    indoor("yoga_mat", 2, gear::yoga_mat),
+    indoor("yoga_block", 2, gear::yoga_block),
+    indoor("foam_roller", 2, gear::foam_roller),
+    indoor("resistance_band", 2, gear::resistance_band),
+    indoor("skipping_rope", 2, gear::skipping_rope),
+    indoor("hand_gripper", 1, gear::hand_gripper),
+    indoor("ab_wheel", 1, gear::ab_wheel),
+    indoor("push_up_bars", 1, gear::push_up_bars),
+    indoor("stopwatch", 1, gear::stopwatch),
+    indoor("frisbee", 2, gear::frisbee),
+    indoor("racket", 2, stick::racket),
+    indoor("tennis_racket", 2, stick::racket),
+    indoor("badminton_racket", 2, stick::racket),
+    indoor("table_tennis_paddle", 2, stick::paddle),
+    indoor("shuttlecock", 1, stick::shuttlecock),
+    indoor("baseball_bat", 2, stick::bat),
+    indoor("golf_club", 2, stick::golf_club),
+    indoor("golf_bag", 2, stick::golf_bag),
+    indoor("hockey_stick", 1, stick::hockey_stick),
+    indoor("baseball_glove", 1, worn::baseball_glove),
+    indoor("ankle_weights", 1, worn::ankle_weights),
+    indoor("boxing_gloves", 2, worn::boxing_gloves),
+    indoor("bicycle_helmet", 3, worn::helmet),
+    indoor("knee_pads", 1, worn::knee_pads),
+    indoor("sports_bag", 2, worn::bag),
+    indoor("ice_skates", 1, snow::skates),
+    indoor("skis", 2, snow::skis),
+    indoor("snowboard", 2, snow::board),
+    indoor("surfboard", 2, snow::board),
+    indoor("sled", 2, snow::sled),
+];

@@ -3,7 +3,7 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use crate::material::{GLASS, MIRROR, Mat};
+use crate::material::{BLACK, GLASS, MIRROR, Mat};
 use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{BOARD, GAP, Handle, Side, drawer, handle};
 use crate::object::table::frame::{Cut, Four};
@@ -46,6 +46,8 @@ pub(in crate::object) enum Look {
     Louvred,
     /// Upright strips on a board.
     Reeded,
+    /// Sheet metal with rows of slots.
+    Vented,
 }
 
 impl Look {
@@ -304,6 +306,19 @@ pub(in crate::object) fn panel(b: &mut Build<'_>, name: &str, low: P, high: P, l
                 let (x0, x1) = (low[0] + 0.002, high[0] - 0.002);
                 let outline = [(x0, z + pitch * 0.55), (x1, z), (x1, z + pitch * 0.4), (x0, z + pitch * 0.95)];
                 b.prism("slat", Axis::Y, [0.0, low[1] + w, 0.0], &outline, wide - 2.0 * w, mat);
+            }
+        }
+        Look::Vented => {
+            let face = high[0] - 0.001;
+            b.block(name, low, [face, high[1], high[2]], mat);
+            for (i, end) in (0..4).flat_map(|i| [(i, high[2] - w), (i, low[2] + w + 0.06)]) {
+                let z = end - 0.018 * i as f32;
+                b.block(
+                    "vent",
+                    [face - 0.002, low[1] + wide * 0.3, z - 0.006],
+                    [high[0], high[1] - wide * 0.3, z],
+                    BLACK,
+                );
             }
         }
         Look::Reeded => {

@@ -1,0 +1,103 @@
+//! What people keep where, from the class table.
+
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+use vc_graph::asset::Hold;
+use vc_graph::{ClassTable, Property, Relation};
+
+use crate::object;
+
+/// For each kind of carrier what is kept on and inside it, with the rooms where.
+pub(super) struct Habits {
+    kept: HashMap<(Relation, String), Vec<Habit>>,
+}
+
+struct Habit {
+    class: &'static str,
+    room: Option<String>,
+    weight: f32,
+}
+
+impl Habits {
+    /// The habits of the built-in classes that have a generator.
+    pub(super) fn known() -> &'static Self {
+        static KNOWN: LazyLock<Habits> = LazyLock::new(Habits::read);
+        &KNOWN
+    }
+
+    fn read() -> Self {
+        let classes = ClassTable::builtin();
+        let mut kept: HashMap<(Relation, String), Vec<Habit>> = HashMap::new();
+        for generator in object::generators() {
+            let Some(class) = classes.get(generator.class).filter(|c| *c.name == *generator.class) else { continue };
+            if !class.affordances.contains(Property::Graspable) {
+                continue;
+            }
+            for place in &class.kept {
+                let Some((relation, at)) = &place.at else { continue };
+                let room = place.room.as_ref().map(|r| r.to_string());
+                let habit = Habit { class: generator.class, room, weight: place.weight as f32 };
+                kept.entry((*relation, at.to_string())).or_default().push(habit);
+            }
+        }
+        Self { kept }
+    }
+
+    /// What is kept on a surface of a carrier in a room, with weights.
+    pub(super) fn of(&self, carrier: &str, surface: &str, hold: Hold, room: &str) -> Vec<(&'static str, f32)> {
+        let relation = if hold == Hold::Inside { Relation::Inside } else { Relation::On };
+        let mut found = Vec::new();
+        for name in standing_for(carrier, surface, relation, room) {
+            let habits = self.kept.get(&(relation, (*name).to_owned())).into_iter().flatten();
+            for habit in habits {
+                let here = habit.room.as_deref().is_none_or(|r| r == room || similar(r) == similar(room));
+                if here {
+                    found.push((habit.class, habit.weight));
+                }
+            }
+        }
+        found
+    }
+}
+
+/// Rooms that do for each other.
+fn similar(room: &str) -> &str {
+    match room {
+        "dining_room" | "kitchen_living" | "game_room" => "living_room",
+        "garage" | "laundry_room" => "storage_room",
+        other => other,
+    }
+}
+
+/// The classes of the table that a carrier stands for.
+fn standing_for<'a>(carrier: &'a str, surface: &str, relation: Relation, room: &str) -> Vec<&'a str> {
+    let inside = relation == Relation::Inside;
+    match carrier {
+        "kitchen_cabinet" | "kitchen_island" if !inside => vec!["kitchen_counter"],
+        "kitchen_cabinet" | "kitchen_island" if surface.starts_with("drawer") => vec!["kitchen_drawer"],
+        "kitchen_cabinet" | "kitchen_wall_cabinet" | "kitchen_island" if inside => {
+            vec!["kitchen_cabinet", "pantry_cabinet"]
+        }
+        "kitchen_counter" | "dishwasher" if !inside => vec!["kitchen_counter"],
+        "kitchen_sink" => vec![],
+        "stove" if inside => vec![],
+        "bathroom_vanity" if !inside => vec!["bathroom_counter"],
+        "bathroom_vanity" => vec!["under_sink_cabinet", "bathroom_cabinet"],
+        "dining_table" if room == "kitchen" => vec!["kitchen_table"],
+        "dining_table" => vec!["dining_table"],
+        "double_bed" | "single_bed" => vec!["bed"],
+        "storage_shelf" | "shelf" if room != "living_room" => vec!["storage_shelf", "garage_shelf", "utility_cabinet"],
+        "wall_shelf" => vec!["shelf", "wall_shelf"],
+        "low_bookcase" | "bookshelf" if inside && room == "kids_room" => vec!["bookshelf", "toy_box"],
+        "low_bookcase" | "bookshelf" if inside => vec!["bookshelf"],
+        "low_bookcase" | "bookshelf" => vec!["shelf"],
+        "wardrobe" if inside => vec!["wardrobe", "closet"],
+        "sideboard" if inside => vec!["sideboard", "china_cabinet"],
+        "side_table" => vec!["side_table", "coffee_table"],
+        "desk" if inside => vec!["drawer_pedestal"],
+        "nightstand" if inside => vec!["drawer_pedestal"],
+        "rug" | "bath_mat" | "duvet" => vec![],
+        other => vec![other],
+    }
+}

@@ -1,0 +1,224 @@
+//! Putting things on the surfaces of one carrier.
+
+use std::sync::Arc;
+
+use nalgebra::{Isometry3, Vector3};
+use vc_graph::asset::{Hold, Surface};
+use vc_graph::{Pose, Seed, State, Stream};
+
+use crate::apartment::Apartment;
+use crate::furnish::{Area, Item, Rest, standing};
+use crate::object::{self, Object};
+
+/// Gap between things, and from a surface's edge, metres.
+const GAP: f32 = 0.004;
+/// How often a place is drawn before a thing is left out.
+const TRIES: usize = 12;
+
+/// Fills the surfaces of one item.
+pub(super) struct Keeper<'a> {
+    home: &'a mut Apartment,
+    carrier: usize,
+    pub(super) rng: Stream,
+    seed: Seed,
+    made: u64,
+    /// What already lies on each surface, in the carrier's frame.
+    taken: Vec<Vec<Area>>,
+}
+
+impl<'a> Keeper<'a> {
+    pub(super) fn new(home: &'a mut Apartment, carrier: usize, seed: Seed) -> Self {
+        let count = home.items[carrier].object.asset.surfaces.len();
+        let mut keeper = Self { home, carrier, rng: seed.stream(), seed, made: 0, taken: vec![Vec::new(); count] };
+        keeper.note_standing();
+        keeper
+    }
+
+    /// Notes what furniture already stands on the carrier: a bowl on its vanity.
+    fn note_standing(&mut self) {
+        let own = self.home.items[self.carrier].pose;
+        for item in &self.home.items {
+            if let Rest::On(at, surface) | Rest::Inside(at, surface) = item.rest
+                && at == self.carrier
+            {
+                let bounds = item.object.bounds.aabb(&(own.inverse() * item.pose));
+                self.taken[surface].push(Area {
+                    x0: bounds.min.x,
+                    y0: bounds.min.y,
+                    x1: bounds.max.x,
+                    y1: bounds.max.y,
+                });
+            }
+        }
+    }
+
+    pub(super) fn class(&self) -> &'static str {
+        self.home.items[self.carrier].object.class
+    }
+
+    pub(super) fn room_class(&self) -> &'static str {
+        self.home.plan.rooms[self.home.items[self.carrier].room].kind.class()
+    }
+
+    pub(super) fn surfaces(&self) -> usize {
+        self.taken.len()
+    }
+
+    pub(super) fn surface(&self, index: usize) -> Option<&Surface> {
+        self.home.items[self.carrier].object.asset.surfaces.get(index)
+    }
+
+    /// The first surface that holds things a way.
+    pub(super) fn first(&self, hold: Hold) -> Option<usize> {
+        self.home.items[self.carrier].object.asset.surfaces.iter().position(|s| s.hold == hold)
+    }
+
+    /// The surfaces whose names begin so.
+    pub(super) fn named(&self, name: &str) -> Vec<usize> {
+        let surfaces = self.home.items[self.carrier].object.asset.surfaces.iter().enumerate();
+        surfaces.filter(|(_, s)| s.name.starts_with(name)).map(|(i, _)| i).collect()
+    }
+
+    /// An object of a class, of its usual size or of one given.
+    pub(super) fn make(&mut self, class: &str, size: Option<[f32; 3]>) -> Option<Arc<Object>> {
+        self.made += 1;
+        let seed = self.seed.child("thing").nth(self.made);
+        let generator = object::generator(class)?;
+        Some(Arc::new(match size {
+            Some(size) => generator.sized(size.into(), &self.home.style, seed),
+            None => generator.object(&self.home.style, seed),
+        }))
+    }
+
+    /// Puts a thing of a class somewhere on a surface.
+    pub(super) fn put(&mut self, class: &str, surface: usize) -> Option<usize> {
+        let object = self.make(class, None)?;
+        self.put_object(&object, surface)
+    }
+
+    /// Puts another thing like one that is there.
+    pub(super) fn put_beside(&mut self, like: usize, surface: usize) -> Option<usize> {
+        let object = self.home.items[like].object.clone();
+        self.put_object(&object, surface)
+    }
+
+    /// Puts an object somewhere on a surface, turned so that it fits.
+    pub(super) fn put_object(&mut self, object: &Arc<Object>, surface: usize) -> Option<usize> {
+        let (centre, half, hold) = self.surface(surface).map(|s| (s.centre, s.half, s.hold))?;
+        let aligned = hold == Hold::Inside;
+        for _ in 0..TRIES {
+            let quarter = [0, 1, 2, 3][self.rng.below(4)];
+            let jitter = if aligned || self.rng.chance(0.5) { 0.0 } else { self.rng.between(-0.25, 0.25) };
+            let yaw = quarter as f32 * std::f32::consts::FRAC_PI_2 + jitter;
+            let (hx, hy) = extent(object, yaw);
+            let (rx, ry) = (half.0 - hx, half.1 - hy);
+            if rx < 0.0 || ry < 0.0 {
+                continue;
+            }
+            let (x, y) = (self.rng.between(-rx, rx), self.rng.between(-ry, ry));
+            if let Some(index) = self.place(object, surface, (centre.x + x, centre.y + y), yaw) {
+                return Some(index);
+            }
+        }
+        None
+    }
+
+    /// Puts an object at a point of a surface (in the carrier's frame), if it is free
+    /// there and the object fits below what is above.
+    pub(super) fn place(&mut self, object: &Arc<Object>, surface: usize, at: (f32, f32), yaw: f32) -> Option<usize> {
+        let (centre, half, hold, clearance) = self.surface(surface).map(|s| (s.centre, s.half, s.hold, s.clearance))?;
+        let (hx, hy) = extent(object, yaw);
+        let area = Area::around(at.0, at.1, hx + GAP / 2.0, hy + GAP / 2.0);
+        let edge = Area::around(centre.x, centre.y, half.0 + GAP, half.1 + GAP);
+        let height = object.size().z;
+        let tall = clearance.is_some_and(|c| height > c - GAP);
+        if tall || !edge.holds(&area) || self.taken[surface].iter().any(|t| t.overlaps(&area)) {
+            return None;
+        }
+        self.taken[surface].push(area);
+        let local = standing(object, at, centre.z + 0.001, yaw);
+        let rest =
+            if hold == Hold::Inside { Rest::Inside(self.carrier, surface) } else { Rest::On(self.carrier, surface) };
+        Some(self.add(object, local, rest))
+    }
+
+    /// Puts an object whose foot alone needs the surface: a tap's spout reaches over
+    /// the bowl in front.
+    pub(super) fn place_over(&mut self, object: &Arc<Object>, surface: usize, at: (f32, f32)) -> Option<usize> {
+        let (centre, half) = self.surface(surface).map(|s| (s.centre, s.half))?;
+        let size = object.size();
+        let back = centre.x - half.0 + GAP;
+        self.taken[surface].push(Area::around(centre.x, at.1, half.0, size.y / 2.0));
+        let local = standing(object, (back + size.x / 2.0, at.1), centre.z + 0.001, 0.0);
+        Some(self.add(object, local, Rest::On(self.carrier, surface)))
+    }
+
+    /// Hangs an object from a hook, its back off the wall.
+    pub(super) fn hang(&mut self, object: &Arc<Object>, surface: usize) -> Option<usize> {
+        let (point, drop) = self.surface(surface).map(|s| (s.centre, s.clearance.unwrap_or(2.0)))?;
+        let size = object.size();
+        let back = self.home.items[self.carrier].object.bounds;
+        let behind = back.offset.x - back.half.x;
+        let x = point.x.max(behind + size.x / 2.0 + 0.002);
+        let area = Area::around(x, point.y, size.x / 2.0, size.y / 2.0);
+        let met = self.taken.iter().flatten().any(|t| t.overlaps(&area));
+        if size.z > drop || met {
+            return None;
+        }
+        self.taken[surface].push(area);
+        let local = standing(object, (x, point.y), point.z - size.z, 0.0);
+        Some(self.add(object, local, Rest::On(self.carrier, surface)))
+    }
+
+    fn add(&mut self, object: &Arc<Object>, local: Pose, rest: Rest) -> usize {
+        let carrier = &self.home.items[self.carrier];
+        let item = Item {
+            object: object.clone(),
+            pose: carrier.pose * local,
+            rest,
+            room: carrier.room,
+            states: Vec::new(),
+            between: None,
+            required: false,
+        };
+        self.home.items.push(item);
+        self.home.items.len() - 1
+    }
+
+    /// Puts a thing in a state.
+    pub(super) fn enter(&mut self, item: usize, state: State) {
+        self.home.items[item].states.push(state);
+    }
+
+    /// An object laid on its side: what was its X now points up.
+    pub(super) fn upright(object: &Object, turn: Pose) -> Object {
+        let mut turned = object.clone();
+        for part in turned.asset.parts.iter_mut().chain(&mut turned.asset.collision) {
+            part.pose = turn * part.pose;
+            if let Some(joint) = &mut part.joint {
+                joint.anchor = turn * joint.anchor;
+                joint.axis = turn.rotation * joint.axis;
+            }
+        }
+        turned.asset.surfaces.clear();
+        if let Some((low, high)) = turned.asset.extent() {
+            let shift = Vector3::new(-(low.x + high.x) / 2.0, -(low.y + high.y) / 2.0, -low.z);
+            let moved = Isometry3::translation(shift.x, shift.y, shift.z);
+            for part in turned.asset.parts.iter_mut().chain(&mut turned.asset.collision) {
+                part.pose = moved * part.pose;
+                if let Some(joint) = &mut part.joint {
+                    joint.anchor += shift;
+                }
+            }
+            turned.bounds = vc_graph::Bounds::standing(high - low);
+        }
+        turned
+    }
+}
+
+/// Half lengths along X and Y of an object turned around Z.
+fn extent(object: &Object, yaw: f32) -> (f32, f32) {
+    let (sin, cos) = (yaw.sin().abs(), yaw.cos().abs());
+    let half = object.bounds.half;
+    (half.x * cos + half.y * sin, half.x * sin + half.y * cos)
+}

@@ -1,0 +1,653 @@
+//! Packages with flat or oval sides: boxes, cartons, bags, tubes and oval bottles.
+
+use std::f32::consts::FRAC_PI_2;
+
+use nalgebra::{Isometry3, Vector3};
+
+use super::super::build::{Axis, Build, P};
+use super::super::kitchenware::form::{arch, dims, level, loft, sweep, tub, tube, turn};
+use super::label::panel;
+use super::look::{Look, look};
+use crate::material::*;
+
+/// How far a panel stands out.
+const PANEL: f32 = 0.0013;
+
+/// Builds on the top as if it were the front: what is up there points to -X here.
+fn on_top(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>)) {
+    b.posed(Isometry3::rotation(Vector3::y() * -FRAC_PI_2), build);
+}
+
+/// Boxes of card, printed on their front, or on top where they lie.
+pub(super) fn carton_box(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let mut look = look(b);
+    let (hx, hy) = (x / 2.0, y / 2.0);
+    let lying = z < x * 0.75 && z < y;
+    if matches!(b.class, "band_aids" | "painkillers") {
+        look.body = b.one(&[WHITE_PAPER, CREAM_PAPER, YELLOW_CARD]);
+        look.paper = b.one(&[BLUE_CARD, RED_CARD, GREEN_CARD, TEAL_CARD]);
+        look.ink = WHITE_PAPER;
+    }
+    let g = PANEL.min(x.min(z) * 0.1);
+    if lying {
+        b.soft("box", [-hx, -hy, 0.0], [hx, hy, z - g], (z * 0.08).min(0.0015), look.body);
+        on_top(b, |b| panel(b, z - g, (0.0, hy * 0.9), (-hx * 0.85, hx * 0.85), look.label()));
+        return;
+    }
+    b.soft("box", [-hx + g, -hy, 0.0], [hx - g, hy, z], (x * 0.03).min(0.0015), look.body);
+    let frame = b.vary(0.8, 0.95);
+    let (low, high) = (z * b.vary(0.05, 0.2), z * b.vary(0.75, 0.95));
+    panel(b, hx - g, (0.0, hy * frame), (low, high), look.label());
+    b.at([0.0; 3], std::f32::consts::PI, |b| {
+        panel(b, hx - g, (0.0, hy * 0.8), (z * 0.1, z * 0.9), (look.paper, look.ink))
+    });
+    match b.class {
+        "cereal" => {
+            // A bowl on the front.
+            let bowl: Vec<_> = (0..=8)
+                .map(|i| {
+                    let (s, c) = (std::f32::consts::PI * i as f32 / 8.0).sin_cos();
+                    (hy * 0.5 * c, -z * 0.12 * s)
+                })
+                .collect();
+            b.prism("picture", Axis::X, [hx - g, 0.0, low + (high - low) * 0.36], &bowl, g * 0.95, BLUE_CARD);
+        }
+        "dry_pasta" | "rice" => {
+            b.block(
+                "window",
+                [hx - g, -hy * 0.4, low + (high - low) * 0.12],
+                [hx - g * 0.1, hy * 0.4, low + (high - low) * 0.38],
+                HAY,
+            );
+        }
+        _ => {}
+    }
+}
+
+/// Cartons for milk and juice: a gable or a slanted top, a cap.
+pub(super) fn gable(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    if b.rng.chance(0.3) {
+        return super::round::bottle(b);
+    }
+    let look = look(b);
+    let g = PANEL.min(x * 0.05);
+    let (hx, hy) = (x / 2.0 - g, y / 2.0);
+    let body = z * b.vary(0.76, 0.82);
+    b.block("carton", [-hx, -hy, 0.0], [hx, hy, body], look.body);
+    let crest = z * 0.93;
+    if b.rng.chance(0.65) {
+        let slope =
+            [[-hx, -hy, body], [hx, -hy, body], [-hx, hy, body], [hx, hy, body], [0.0, -hy, crest], [0.0, hy, crest]];
+        b.hull("gable", &slope, look.body);
+        b.block("crest", [-x * 0.015, -hy, crest - z * 0.01], [x * 0.015, hy, z], look.body);
+        let (sx, sz) = (hx * 0.5, f32::midpoint(body, crest));
+        let up = (z - sz) * 0.35;
+        b.rod(
+            "cap",
+            [sx - up * 0.2, 0.0, sz - up * 0.2],
+            [sx + up * 0.7, 0.0, sz + up * 0.8],
+            (hx * 0.3).min(hy * 0.4),
+            look.cap,
+        );
+    } else {
+        b.taper("shoulder", [0.0, 0.0, body], (hx, hy), (hx * 0.8, hy * 0.8), z * 0.06, look.body);
+        b.cylinder("cap", [0.0, 0.0, body + z * 0.055], (hx * 0.5).min(hy * 0.5), z - body - z * 0.055, look.cap);
+    }
+    panel(b, hx, (0.0, hy * 0.92), (z * 0.06, body * 0.92), look.label());
+    b.block("stripe", [-hx - 0.0004, -hy - 0.0004_f32.min(g), body * 0.2], [hx - 0.0004, hy, body * 0.3], look.ink);
+}
+
+/// Bags: pillows sealed at both ends, and paper bags with a folded top.
+pub(super) fn bag(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let (hx, hy) = (x / 2.0 - PANEL.min(x * 0.05), y / 2.0);
+    let foil = matches!(b.class, "chips" | "candy" | "nuts" | "popcorn" | "pet_food" | "coffee_beans" | "raisins");
+    let paper = matches!(b.class, "flour" | "sugar" | "rice" | "oatmeal");
+    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), 0.35);
+    if paper {
+        let h = z * 0.9;
+        loft(
+            b,
+            "bag",
+            &[
+                at(0.0, 0.94, 0.96),
+                at(z * 0.05, 1.0, 1.0),
+                at(h * 0.9, 1.0, 1.0),
+                at(h, 0.8, 0.97),
+                at(h * 1.005, 0.7, 0.95),
+            ],
+            look.body,
+        );
+        b.hull(
+            "fold",
+            &[
+                [-hx * 0.6, -hy * 0.95, h * 0.99],
+                [hx * 0.6, -hy * 0.95, h * 0.99],
+                [-hx * 0.6, hy * 0.95, h * 0.99],
+                [hx * 0.6, hy * 0.95, h * 0.99],
+                [-hx * 0.1, -hy * 0.95, z],
+                [-hx * 0.1, hy * 0.95, z],
+                [hx * 0.15, -hy * 0.95, z],
+                [hx * 0.15, hy * 0.95, z],
+            ],
+            look.body,
+        );
+        panel(b, hx, (0.0, hy * 0.8), (h * 0.15, h * 0.8), look.label());
+        return;
+    }
+    let foot = if foil { 0.2 } else { 0.85 };
+    let stand = matches!(b.class, "nuts" | "raisins" | "coffee_beans" | "pet_food" | "ground_coffee");
+    let base = if stand { 0.9 } else { foot };
+    loft(
+        b,
+        "bag",
+        &[
+            at(0.0, base, 0.97),
+            at(z * 0.06, if stand { 0.98 } else { 0.35 }, 1.0),
+            at(z * 0.3, 0.97, 0.96),
+            at(z * 0.5, 1.0, 0.94),
+            at(z * 0.7, 0.85, 0.95),
+            at(z * 0.9, 0.3, 0.99),
+            at(z * 0.94, 0.08, 1.0),
+            at(z, 0.06, 1.0),
+        ],
+        look.body,
+    );
+    // A print that follows the belly: a little bulged patch.
+    let (py, z0, z1) = (hy * 0.62, z * 0.3, z * 0.68);
+    let depth = |z_: f32| hx * if z_ < z * 0.5 { 1.0 } else { 1.0 - 0.75 * (z_ / z - 0.5) };
+    patch(b, (depth(z0), depth(z1)), (py, z0, z1), look.paper, 0.0);
+    let (m0, m1) = (z0 + (z1 - z0) * 0.55, z0 + (z1 - z0) * 0.85);
+    patch(b, (depth(m0), depth(m1)), (py * 0.75, m0, m1), look.ink, 0.0006);
+}
+
+/// A patch on a bulging front whose depth goes from `x.0` below to `x.1` above.
+fn patch(b: &mut Build<'_>, x: (f32, f32), (half, z0, z1): (f32, f32, f32), mat: Mat, lift: f32) {
+    let outer = |k: f32| x.0 + (x.1 - x.0) * k + 0.0006 + lift;
+    let corners = |k: f32, z: f32| {
+        [[outer(k), -half, z], [outer(k), half, z], [outer(k) * 0.5, -half, z], [outer(k) * 0.5, half, z]]
+    };
+    let points: Vec<P> = corners(0.0, z0).into_iter().chain(corners(1.0, z1)).collect();
+    b.hull("print", &points, mat);
+}
+
+/// Tubes that stand on their cap, flat at the other end.
+pub(super) fn squeeze_tube(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let (hx, hy) = (x / 2.0, y / 2.0);
+    let cap = z * b.vary(0.13, 0.2);
+    let r = hx.min(hy);
+    turn(b, "cap", [0.0; 3], (r, cap), &[(0.95, 0.0), (0.95, 0.9), (0.85, 1.0)], look.cap);
+    let at = |z: f32, kx: f32, y: f32| level(z, (hx * kx, y), 1.0);
+    let rings = [
+        at(cap * 0.98, 0.75, r * 0.75),
+        at(cap + z * 0.03, 1.0, r),
+        at(z * 0.5, 0.85, f32::midpoint(r, hy)),
+        at(z * 0.93, 0.15, hy * 0.97),
+        at(z * 0.94, 0.08, hy),
+        at(z, 0.08, hy),
+    ];
+    loft(b, "tube", &rings, look.body);
+    for (low, high, mat) in [(0.32, 0.52, look.paper), (0.58, 0.66, look.ink)] {
+        let ring = |k: f32| {
+            // Between the ring below the middle and the flat end.
+            let (zk, hk) = (z * k, if k < 0.5 { 1.0 - 0.15 * (k - 0.2) / 0.3 } else { 0.85 - 0.7 * (k - 0.5) / 0.43 });
+            let wide = if k < 0.5 {
+                r + (hy - r) * 0.5 * (k - 0.2) / 0.3
+            } else {
+                f32::midpoint(r, hy) + (hy - r) * 0.5 * (k - 0.5) / 0.43
+            };
+            level(zk, (hx * hk + 0.0004, wide.min(hy) * 0.985), 1.0)
+        };
+        loft(b, "print", &[ring(low), ring(0.5_f32.max(low).min(high)), ring(high)], mat);
+    }
+}
+
+/// Oval bottles for the bath and the kitchen: with a flip cap, upside down on their cap,
+/// or with a pump.
+pub(super) fn oval_bottle(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let g = PANEL.min(x * 0.04);
+    let (hx, hy) = (x / 2.0 - g, y / 2.0);
+    let pump = match b.class {
+        "hand_soap" => true,
+        "lotion_bottle" | "shampoo" | "conditioner" => b.rng.chance(0.4),
+        _ => false,
+    };
+    let round = b.one(&[1.0, 0.8, 0.5]);
+    let h = z * if pump { 0.72 } else { b.vary(0.84, 0.9) };
+    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), round);
+    let inverted = !pump
+        && matches!(b.class, "ketchup" | "mayonnaise" | "conditioner" | "hair_product" | "sunscreen")
+        && b.rng.chance(0.5);
+    let neck = (hx * 0.5).min(hy * 0.42);
+    let ring = |z: f32, r: f32| level(z, (r, r), 1.0);
+    if inverted {
+        let low = z - h;
+        loft(b, "cap", &[at(0.0, 0.85, 0.8), at(low, 0.88, 0.84)], look.cap);
+        loft(
+            b,
+            "bottle",
+            &[
+                at(low, 0.84, 0.8),
+                at(low + h * 0.1, 0.97, 0.95),
+                at(low + h * 0.5, 1.0, 1.0),
+                at(z * 0.93, 0.9, 0.95),
+                at(z, 0.6, 0.75),
+            ],
+            look.body,
+        );
+        return panel(b, hx, (0.0, hy * 0.55), (low + h * 0.25, low + h * 0.72), look.label());
+    }
+    let waist = if b.class == "dish_soap" { 0.8 } else { b.vary(0.9, 1.0) };
+    let shoulder = b.vary(0.72, 0.86);
+    loft(
+        b,
+        "bottle",
+        &[
+            at(0.0, 0.92, 0.95),
+            at(h * 0.03, 1.0, 1.0),
+            at(h * 0.35, 1.0, 1.0),
+            at(h * 0.6, 1.0, waist),
+            at(h * shoulder, 0.97, waist),
+            at(h * 0.93, 0.7, 0.62),
+            ring(h * 0.96, neck),
+            ring(h, neck),
+        ],
+        look.body,
+    );
+    panel(b, hx, (0.0, hy * (waist - 1.0 + 0.6)), (h * 0.12, h * 0.6), look.label());
+    if pump {
+        return pump_head(b, (neck, h, z), look.cap);
+    }
+    let cap = match b.class {
+        "dish_soap" | "mustard" | "ketchup" | "condiment_bottle" | "chocolate_syrup" => vec![
+            ring(h * 0.99, neck * 1.2),
+            ring(h + (z - h) * 0.45, neck * 1.1),
+            ring(h + (z - h) * 0.5, neck * 0.5),
+            ring(z, neck * 0.3),
+        ],
+        _ => vec![ring(h * 0.99, neck * 1.25), ring(z * 0.99, neck * 1.2), ring(z, neck * 1.1)],
+    };
+    loft(b, "cap", &cap, look.cap);
+}
+
+/// A pump on a neck: collar, rod and spout to the front.
+fn pump_head(b: &mut Build<'_>, (neck, h, z): (f32, f32, f32), mat: Mat) {
+    let room = z - h;
+    b.cylinder("collar", [0.0, 0.0, h * 0.98], neck * 1.15, room * 0.3, mat);
+    b.cylinder("rod", [0.0, 0.0, h], neck * 0.35, room * 0.75, mat);
+    b.cylinder("head", [0.0, 0.0, z - room * 0.32], neck * 0.7, room * 0.3, mat);
+    let reach = (b.size.x / 2.0).min(neck * 3.0).max(neck * 0.8);
+    let w = (neck * 0.25).min(room * 0.12);
+    let path = [
+        ([0.0, 0.0, z - w], w * 1.5, w),
+        ([reach * 0.6, 0.0, z - w], w, w),
+        ([reach - w, 0.0, z - w * 2.4], w * 0.8, w * 0.8),
+    ];
+    sweep(b, "spout", &path, [0.0, 1.0, 0.0], mat);
+}
+
+/// Bottles with a trigger to spray.
+pub(super) fn trigger_spray(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let g = PANEL.min(x * 0.04);
+    let (hx, hy) = (x / 2.0 - g, y / 2.0);
+    let h = z * 0.74;
+    let round = b.one(&[0.9, 0.6]);
+    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), round);
+    let neck = (hx * 0.55).min(hy * 0.35);
+    let ring = |z: f32, r: f32| level(z, (r, r), 1.0);
+    loft(
+        b,
+        "bottle",
+        &[
+            at(0.0, 0.93, 0.9),
+            at(h * 0.03, 1.0, 0.96),
+            at(h * 0.55, 1.0, 0.96),
+            at(h * 0.75, 0.85, 0.6),
+            at(h * 0.85, 0.8, 0.5),
+            ring(h * 0.97, neck),
+            ring(h, neck),
+        ],
+        look.body,
+    );
+    panel(b, hx, (0.0, hy * 0.55), (h * 0.1, h * 0.55), look.label());
+    b.cylinder("collar", [0.0, 0.0, h * 0.98], neck * 1.2, z * 0.06, look.cap);
+    // The nozzle points to +Y, along the longer side.
+    let w = neck * 0.75;
+    let top = z - h;
+    let head = [
+        (-hy * 0.55, h + top * 0.35),
+        (hy * 0.2, h + top * 0.35),
+        (hy * 0.75, h + top * 0.6),
+        (hy * 0.75, z - top * 0.05),
+        (-hy * 0.2, z),
+        (-hy * 0.6, z - top * 0.2),
+    ];
+    b.prism("head", Axis::X, [-w, 0.0, 0.0], &head, 2.0 * w, look.cap);
+    b.rod("nozzle", [0.0, hy * 0.7, z - top * 0.22], [0.0, hy, z - top * 0.22], (top * 0.15).min(w), look.ink);
+    let t = w * 0.35;
+    sweep(
+        b,
+        "trigger",
+        &[
+            ([0.0, hy * 0.55, h + top * 0.5], w * 0.6, t),
+            ([0.0, hy * 0.62, h + top * 0.1], w * 0.6, t),
+            ([0.0, hy * 0.85, h - top * 0.25], w * 0.5, t),
+        ],
+        [1.0, 0.0, 0.0],
+        look.cap,
+    );
+}
+
+/// Large bottles with a grip: detergents, softener, bleach.
+pub(super) fn jug_bottle(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    if b.class == "laundry_detergent" && b.rng.chance(0.3) {
+        return carton_box(b);
+    }
+    let look = look(b);
+    let g = PANEL.min(x * 0.04);
+    let (hx, hy) = (x / 2.0 - g, y / 2.0);
+    let h = z * 0.84;
+    let at = |z: f32, kx: f32, (y0, y1): (f32, f32)| {
+        level(z, (hx * kx, hy * (y1 - y0) / 2.0), 0.45)
+            .into_iter()
+            .map(|p| [p[0], p[1] + hy * (y0 + y1) / 2.0, p[2]])
+            .collect::<Vec<P>>()
+    };
+    // The grip is on the +Y side of the upper half; the neck leans to -Y.
+    let rings = [
+        at(0.0, 0.93, (-0.95, 0.95)),
+        at(h * 0.03, 1.0, (-1.0, 1.0)),
+        at(h * 0.52, 1.0, (-1.0, 1.0)),
+        at(h * 0.62, 0.97, (-1.0, 0.35)),
+        at(h * 0.82, 0.9, (-1.0, 0.3)),
+        at(h * 0.97, 0.5, (-0.75, 0.05)),
+        at(h, 0.45, (-0.7, 0.0)),
+    ];
+    loft(b, "bottle", &rings, look.body);
+    let w = (hx * 0.32).min(hy * 0.18);
+    let path = [
+        [0.0, hy * 0.05, h * 0.88],
+        [0.0, hy * 0.55, h * 0.9],
+        [0.0, hy - w, h * 0.8],
+        [0.0, hy - w, h * 0.62],
+        [0.0, hy * 0.8, h * 0.5],
+    ];
+    tube(b, "grip", &path, w, [1.0, 0.0, 0.0], look.body);
+    let (cy, r) = (-hy * 0.35, (hx * 0.62).min(hy * 0.42));
+    turn(
+        b,
+        "cap",
+        [0.0, cy, h * 0.99],
+        (r, z - h * 0.99),
+        &[(0.95, 0.0), (1.0, 0.1), (0.88, 0.95), (0.8, 1.0)],
+        look.cap,
+    );
+    panel(b, hx, (-hy * 0.1, hy * 0.65), (h * 0.08, h * 0.48), look.label());
+}
+
+/// The bottle with a bent neck that reaches under a rim.
+pub(super) fn bent_bottle(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let g = PANEL.min(x * 0.04);
+    let (hx, hy) = (x / 2.0 - g, y / 2.0);
+    let at = |z: f32, kx: f32, shift: f32, ky: f32| {
+        level(z, (hx * kx, hy * ky), 0.8).into_iter().map(|p| [p[0], p[1] + hy * shift, p[2]]).collect::<Vec<P>>()
+    };
+    let rings = [
+        at(0.0, 0.93, -0.14, 0.8),
+        at(z * 0.03, 1.0, -0.14, 0.86),
+        at(z * 0.5, 1.0, -0.14, 0.86),
+        at(z * 0.68, 0.75, -0.1, 0.55),
+        at(z * 0.8, 0.5, 0.1, 0.34),
+    ];
+    loft(b, "bottle", &rings, look.body);
+    let r = (hx * 0.45).min(hy * 0.3);
+    let path = [
+        ([0.0, hy * 0.08, z * 0.78], r, r),
+        ([0.0, hy * 0.2, z * 0.84], r * 1.05, r),
+        ([0.0, hy * 0.55, z * 0.92], r * 0.9, r * 0.85),
+        ([0.0, hy * 0.92, z * 0.965], r * 0.55, r * 0.45),
+    ];
+    sweep(b, "cap", &path, [1.0, 0.0, 0.0], look.cap);
+    b.block("crest", [-r * 0.3, hy * 0.2, z * 0.9], [r * 0.3, hy * 0.5, z], look.cap);
+    panel(b, hx, (-hy * 0.14, hy * 0.55), (z * 0.1, z * 0.48), look.label());
+}
+
+/// Bars in a wrapper: chocolate, snacks, gum; their ends crimped.
+pub(super) fn bar(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let (hx, hy) = (x / 2.0, y / 2.0);
+    let g = (z * 0.1).min(0.0008);
+    if matches!(b.class, "chewing_gum") {
+        b.soft(
+            "pack",
+            [-hx + PANEL.min(x * 0.05), -hy, 0.0],
+            [hx - PANEL.min(x * 0.05), hy, z * 0.85],
+            x * 0.1,
+            look.body,
+        );
+        b.soft("foil", [-hx * 0.7, -hy * 0.85, z * 0.8], [hx * 0.7, hy * 0.85, z], x * 0.05, SILVER_METAL);
+        return panel(b, hx - PANEL.min(x * 0.05), (0.0, hy * 0.85), (z * 0.1, z * 0.75), look.label());
+    }
+    let open = b.class == "chocolate" && b.rng.chance(0.5);
+    let end = if open { hy * 0.2 } else { hy * 0.9 };
+    b.soft("bar", [-hx * 0.97, -hy * 0.9, 0.0], [hx * 0.97, end, z - 2.0 * g], z * 0.3, look.body);
+    if open {
+        let (rows, pitch) = (3, (hy * 0.95 - end) / 3.0);
+        b.block("slab", [-hx * 0.9, end - hy * 0.05, z * 0.08], [hx * 0.9, hy, z * 0.55], CHOCOLATE);
+        for i in 0..rows * 4 {
+            let (cx, cy) = (-hx * 0.675 + hx * 0.45 * (i % 4) as f32, end + pitch * (i / 4) as f32 + pitch * 0.5);
+            b.taper(
+                "piece",
+                [cx, cy, z * 0.5],
+                (hx * 0.2, pitch * 0.44),
+                (hx * 0.15, pitch * 0.34),
+                z * 0.4,
+                CHOCOLATE,
+            );
+        }
+        b.block("foil", [-hx * 0.99, end - hy * 0.02, z * 0.03], [hx * 0.99, end + hy * 0.06, z * 0.93], SILVER_METAL);
+    } else {
+        b.block("crimp", [-hx * 0.95, hy * 0.86, z * 0.35], [hx * 0.95, hy, z * 0.5], look.body);
+    }
+    b.block("crimp", [-hx * 0.95, -hy, z * 0.35], [hx * 0.95, -hy * 0.86, z * 0.5], look.body);
+    let (from, to) = (-hy * 0.8, end - hy * 0.1);
+    b.block("label", [-hx * 0.75, from, z * 0.7], [hx * 0.75, to, z - g], look.paper);
+    b.block(
+        "print",
+        [-hx * 0.35, from + (to - from) * 0.1, z * 0.8],
+        [hx * 0.35, from + (to - from) * 0.75, z],
+        look.ink,
+    );
+    b.block(
+        "print",
+        [hx * 0.45, from + (to - from) * 0.1, z * 0.8],
+        [hx * 0.62, from + (to - from) * 0.6, z],
+        look.ink,
+    );
+}
+
+/// Butter in paper or foil, cream cheese in a tub with a lid: low and oblong.
+pub(super) fn block_pack(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let (hx, hy) = (x / 2.0, y / 2.0);
+    let g = PANEL.min(z * 0.05);
+    if b.class == "butter" && b.rng.chance(0.7) {
+        b.soft("block", [-hx, -hy, 0.0], [hx, hy, z - g], z * 0.08, look.body);
+        for side in [-1.0_f32, 1.0] {
+            let (y0, y1) = if side < 0.0 { (-hy * 1.0, -hy * 0.9) } else { (hy * 0.9, hy) };
+            b.hull(
+                "fold",
+                &[
+                    [0.0, y0, z * 0.15],
+                    [0.0, y1, z * 0.15],
+                    [hx * 0.9, y0, z * 0.75],
+                    [hx * 0.9, y1, z * 0.75],
+                    [-hx * 0.9, y0, z * 0.75],
+                    [-hx * 0.9, y1, z * 0.75],
+                ],
+                look.body,
+            );
+        }
+        on_top(b, |b| panel(b, z - g, (0.0, hy * 0.85), (-hx * 0.8, hx * 0.8), look.label()));
+        return;
+    }
+    let h = z * 0.86;
+    let (body, lid) = (
+        b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, CREAM_PAPER]),
+        b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]),
+    );
+    let at = |z: f32, k: f32| level(z, (hx * k, hy * k), 0.5);
+    loft(b, "tub", &[at(0.0, 0.82), at(h, 0.95)], body);
+    loft(b, "lid", &[at(h * 0.97, 0.97), at(h * 0.99, 1.0), at(z - g * 1.2, 1.0), at(z - g, 0.97)], lid);
+    on_top(b, |b| panel(b, z - g, (0.0, hy * 0.7), (-hx * 0.65, hx * 0.65), look.label()));
+}
+
+/// Ready meals in a sleeve, noodles in a packet: flat with a picture on top.
+pub(super) fn sleeve(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let (hx, hy) = (x / 2.0, y / 2.0);
+    let g = PANEL.min(z * 0.05);
+    if b.class == "noodles" {
+        b.soft("packet", [-hx, -hy * 0.9, 0.0], [hx, hy * 0.9, z - g], z * 0.35, look.body);
+        for side in [-1.0_f32, 1.0] {
+            let (y0, y1) = if side < 0.0 { (-hy, -hy * 0.8) } else { (hy * 0.8, hy) };
+            b.block("crimp", [-hx * 0.95, y0, z * 0.42], [hx * 0.95, y1, z * 0.5], look.body);
+        }
+    } else {
+        tub(
+            b,
+            "tray",
+            &[(0.0, hx * 0.85, hy * 0.87), (z * 0.7, hx * 0.97, hy), (z * 0.75, hx * 0.97, hy)],
+            0.2,
+            z * 0.04,
+            BLACK_PLASTIC,
+        );
+        b.block("sleeve", [-hx, -hy * 0.8, z * 0.3], [hx, hy * 0.8, z - g], look.body);
+    }
+    let (px, py) = (hx * 0.75, hy * 0.65);
+    on_top(b, |b| panel(b, z - g, (-py * 0.4, py * 0.55), (-px, px), look.label()));
+    b.cylinder("picture", [0.0, py * 0.62, z - g * 1.5], (py * 0.4).min(px), g * 1.2, TOMATO);
+}
+
+/// A box of folded card with a wire handle for food to take away, or a bucket of popcorn.
+pub(super) fn takeaway(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let (hx, hy) = (x / 2.0, y / 2.0);
+    if b.class == "popcorn" {
+        if z < 0.13 {
+            return bag(b);
+        }
+        let at = |z: f32, k: f32| level(z, (hx * k, hy * k), 0.25);
+        let h = z * 0.85;
+        loft(b, "bucket", &[at(0.0, 0.72), at(h, 0.97)], WHITE_PAPER);
+        for i in 0..4 {
+            let (y0, y1) = (-0.85 + 0.46 * i as f32, -0.62 + 0.46 * i as f32);
+            for side in [-1.0, 1.0] {
+                let edge =
+                    |k: f32, z: f32, y: f32| [[side * hx * k, hy * k * y, z], [side * hx * k * 0.9, hy * k * y, z]];
+                let points: Vec<P> = [
+                    edge(0.728, z * 0.005, y0),
+                    edge(0.728, z * 0.005, y1),
+                    edge(0.979, h * 0.995, y0),
+                    edge(0.979, h * 0.995, y1),
+                ]
+                .concat();
+                b.hull("stripe", &points, RED_CARD);
+            }
+        }
+        for i in 0..24 {
+            let (s, c) = (2.4 * i as f32).sin_cos();
+            let k = 0.8 * ((i as f32 + 0.5) / 24.0).sqrt();
+            let r = hx * 0.17;
+            super::super::food::berry(
+                b,
+                [(hx - r) * k * c, (hy - r) * k * s, z - r - (z - h) * 0.8 * k * k],
+                r,
+                if i % 3 == 0 { PALE_FLESH } else { CREAM_FOOD },
+            );
+        }
+        return;
+    }
+    let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, RED_CARD]);
+    let h = z * 0.8;
+    b.taper("box", [0.0; 3], (hx * 0.72, hy * 0.72), (hx * 0.95, hy * 0.92), h, paper);
+    for side in [-1.0, 1.0] {
+        b.hull(
+            "flap",
+            &[
+                [side * hx * 0.94, -hy * 0.85, h * 0.99],
+                [side * hx * 0.94, hy * 0.85, h * 0.99],
+                [side * hx * 0.1, -hy * 0.7, h * 1.08],
+                [side * hx * 0.1, hy * 0.7, h * 1.08],
+                [side * hx * 0.5, 0.0, h],
+            ],
+            paper,
+        );
+    }
+    let ink = if paper == RED_CARD { WHITE_PAPER } else { RED_CARD };
+    b.hull(
+        "print",
+        &[
+            [hx * 0.82, -hy * 0.35, h * 0.3],
+            [hx * 0.82, hy * 0.35, h * 0.3],
+            [hx * 0.9, -hy * 0.35, h * 0.65],
+            [hx * 0.9, hy * 0.35, h * 0.65],
+            [hx * 0.7, 0.0, h * 0.5],
+        ],
+        ink,
+    );
+    let w = (hx * 0.03).min(0.001);
+    let bail = arch([0.0, 0.0, h * 0.85], [0.0, hy - w, 0.0], [0.0, 0.0, z - h * 0.85 - w]);
+    tube(b, "bail", &bail, w, [1.0, 0.0, 0.0], STEEL);
+}
+
+/// A larger bag or a can for a pet's food.
+pub(super) fn pet_food(b: &mut Build<'_>) {
+    if b.size.z < 0.16 && b.size.y < 0.16 { super::round::can(b) } else { bag(b) }
+}
+
+/// Coffee that is ground comes in a bag, a jar or a tin; flour and tea in bags or boxes.
+pub(super) fn either(b: &mut Build<'_>) {
+    match (b.class, b.rng.below(3)) {
+        ("ground_coffee", 0) | ("baking_powder", 0) => super::round::jar(b),
+        ("baking_powder" | "tea_leaves", _) => carton_box(b),
+        ("salt", 0) => bag(b),
+        ("oatmeal", 0 | 1) => carton_box(b),
+        ("mayonnaise" | "mustard" | "honey", 0) => super::round::jar(b),
+        ("mayonnaise" | "mustard" | "honey", _) => oval_bottle(b),
+        ("dry_pasta" | "raisins", 0) => carton_box(b),
+        ("hair_product" | "deodorant", 0 | 1) => super::round::aerosol(b),
+        ("hair_product", _) => super::round::jar(b),
+        ("deodorant", _) => stick(b),
+        ("painkillers", 0) => super::round::jar(b),
+        ("painkillers", _) => carton_box(b),
+        _ => bag(b),
+    }
+}
+
+/// An oval stick with a high cap.
+fn stick(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let Look { body, paper, ink, cap } = look(b);
+    let g = PANEL.min(x * 0.04);
+    let (hx, hy) = (x / 2.0 - g, y / 2.0);
+    let at = |z: f32, k: f32| level(z, (hx * k, hy * k), 1.0);
+    loft(b, "stick", &[at(0.0, 0.95), at(z * 0.02, 1.0), at(z * 0.6, 1.0)], body);
+    loft(b, "cap", &[at(z * 0.605, 0.99), at(z * 0.93, 0.95), at(z, 0.75)], cap);
+    panel(b, hx, (0.0, hy * 0.4), (z * 0.12, z * 0.52), (paper, ink));
+}

@@ -1,0 +1,282 @@
+//! Round packages: bottles, jars, cans, tubs and spray tins.
+
+use super::super::build::Build;
+use super::super::kitchenware::form::{dims, hoop, shell, turn};
+use super::label::{GROWTH, wrap};
+use super::look::{Look, look};
+use crate::material::*;
+
+/// Outlines of bottles without caps, in parts of radius and height, and where their
+/// label is.
+type Bottle = (&'static [(f32, f32)], (f32, f32));
+
+const WINE: Bottle = (
+    &[(0.94, 0.0), (1.0, 0.015), (1.0, 0.58), (0.9, 0.66), (0.45, 0.76), (0.37, 0.84), (0.37, 0.99), (0.4, 1.0)],
+    (0.15, 0.48),
+);
+const HOCK: Bottle =
+    (&[(0.94, 0.0), (1.0, 0.015), (1.0, 0.4), (0.85, 0.55), (0.45, 0.78), (0.36, 0.88), (0.36, 1.0)], (0.1, 0.36));
+const SPARKLING: Bottle = (
+    &[(0.94, 0.0), (1.0, 0.02), (1.0, 0.42), (0.85, 0.56), (0.4, 0.8), (0.34, 0.92), (0.4, 0.94), (0.36, 1.0)],
+    (0.12, 0.38),
+);
+const BEER: Bottle =
+    (&[(0.92, 0.0), (1.0, 0.03), (1.0, 0.55), (0.8, 0.66), (0.44, 0.78), (0.4, 0.98), (0.42, 1.0)], (0.14, 0.46));
+const SPIRIT: Bottle = (&[(0.95, 0.0), (1.0, 0.02), (1.0, 0.66), (0.85, 0.74), (0.4, 0.8), (0.38, 1.0)], (0.14, 0.56));
+const PET: Bottle = (
+    &[
+        (0.75, 0.0),
+        (0.95, 0.05),
+        (1.0, 0.12),
+        (1.0, 0.3),
+        (0.93, 0.34),
+        (0.93, 0.6),
+        (1.0, 0.64),
+        (0.95, 0.75),
+        (0.4, 0.94),
+        (0.36, 1.0),
+    ],
+    (0.36, 0.58),
+);
+const PET_STRAIGHT: Bottle =
+    (&[(0.8, 0.0), (0.97, 0.04), (0.97, 0.72), (0.8, 0.82), (0.42, 0.93), (0.38, 1.0)], (0.3, 0.6));
+const SAUCE: Bottle = (&[(0.9, 0.0), (1.0, 0.04), (1.0, 0.55), (0.75, 0.72), (0.48, 0.84), (0.45, 1.0)], (0.12, 0.48));
+const SQUAT: Bottle = (&[(0.9, 0.0), (1.0, 0.05), (1.0, 0.7), (0.8, 0.86), (0.5, 0.92), (0.5, 1.0)], (0.16, 0.6));
+
+/// Bottles of glass and plastic with a cap or a foil.
+pub(super) fn bottle(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let can = match b.class {
+        "soda" => z < 0.18,
+        "beer" => z < 0.17,
+        "energy_drink" => true,
+        _ => false,
+    };
+    if can {
+        return drink_can(b);
+    }
+    let look = look(b);
+    let r = x.min(y) / 2.0 - GROWTH;
+    let outline: Bottle = match b.class {
+        "wine" => b.one(&[WINE, WINE, HOCK]),
+        "champagne" => SPARKLING,
+        "beer" => BEER,
+        "whiskey" | "vodka" | "alcohol" => b.one(&[SPIRIT, SPIRIT, WINE]),
+        "bottled_water" | "soda" | "lemonade" | "iced_tea" | "juice" | "orange_juice" => b.one(&[PET, PET_STRAIGHT]),
+        "cough_syrup" | "mouthwash" => SQUAT,
+        "oil" => b.one(&[PET_STRAIGHT, HOCK, PET]),
+        _ => b.one(&[SAUCE, SAUCE, SQUAT]),
+    };
+    let foil = matches!(b.class, "wine" | "champagne");
+    let h = if foil { z - 0.0008_f32.min(z * 0.01) } else { z * b.vary(0.91, 0.94) };
+    let (profile, (low, high)) = outline;
+    turn(b, "bottle", [0.0; 3], (r, h), profile, look.body);
+    let neck = profile.last().map_or(0.4, |p| p.0) * r;
+    if foil {
+        foil_cap(b, (r, h, z), profile, look.cap);
+    } else {
+        let grip = if b.class == "beer" { 1.35 } else { 1.18 };
+        turn(
+            b,
+            "cap",
+            [0.0, 0.0, h * 0.985],
+            (neck * grip, z - h * 0.985),
+            &[(1.0, 0.0), (1.0, 0.85), (0.9, 1.0)],
+            look.cap,
+        );
+    }
+    let widest =
+        profile.iter().filter(|p| p.1 >= low - 0.1 && p.1 <= high + 0.1).fold(1.0_f32, |least, p| least.min(p.0)) * r;
+    wrap(b, widest, (h * low, h * high), look.label());
+}
+
+/// The foil over a cork and the neck.
+fn foil_cap(b: &mut Build<'_>, (r, h, z): (f32, f32, f32), profile: &[(f32, f32)], mat: Mat) {
+    let from = profile.iter().position(|p| p.1 > 0.75).unwrap_or(0);
+    let grow = 0.0007_f32.min(r * 0.02);
+    let mut outline: Vec<_> = profile[from..].iter().map(|p| (p.0 * r + grow, p.1 * h)).collect();
+    outline.push((profile.last().map_or(0.4, |p| p.0) * r, z));
+    b.lathe("foil", [0.0; 3], &outline, mat);
+}
+
+/// A can to drink from.
+fn drink_can(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let r = x.min(y) / 2.0 - GROWTH;
+    let skin = if b.class == "beer" { b.one(&[GREEN_METAL, RED_METAL, BLUE_METAL, WHITE_METAL]) } else { look.body };
+    turn(b, "can", [0.0; 3], (r, z), &[(0.8, 0.0), (0.82, 0.015), (1.0, 0.08), (1.0, 0.88), (0.86, 0.96)], skin);
+    hoop(b, "rim", (z * 0.955, z), (r * 0.78, r * 0.87), ALUMINIUM);
+    b.cylinder("lid", [0.0, 0.0, z * 0.94], r * 0.8, z * 0.03, ALUMINIUM);
+    b.block("tab", [-r * 0.1, -r * 0.16, z * 0.965], [r * 0.5, r * 0.16, z * 0.98], STEEL);
+    wrap(b, r, (z * 0.2, z * 0.75), (skin, look.paper));
+}
+
+/// Food cans: high or flat, with ribs or a band of paper, some with a ring to pull.
+pub(super) fn can(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let r = x.min(y) / 2.0 - GROWTH;
+    let rim = (z * 0.05).min(0.003);
+    let k = 1.0 - rim / r * 0.6;
+    turn(
+        b,
+        "can",
+        [0.0; 3],
+        (r, z),
+        &[
+            (1.0, 0.0),
+            (1.0, rim / z),
+            (k, rim / z * 1.6),
+            (k, 1.0 - rim / z * 1.6),
+            (1.0, 1.0 - rim / z),
+            (1.0, 1.0),
+            (0.93, 1.0),
+            (0.93, 1.0 - rim / z),
+        ],
+        look.body,
+    );
+    b.block("tab", [r * 0.1, -r * 0.2, z - rim * 1.1], [r * 0.85, r * 0.2, z - rim * 0.5], STEEL);
+    let colour = if look.paper == WHITE_PAPER || b.rng.chance(0.5) { look.label() } else { (look.ink, look.paper) };
+    wrap(b, r * k, (rim * 2.0, z - rim * 2.0), colour);
+}
+
+/// Jars with their content, a lid and a label.
+pub(super) fn jar(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let r = x.min(y) / 2.0 - GROWTH;
+    let small = matches!(b.class, "spices" | "vitamins");
+    let flat = b.class == "face_cream";
+    let share = if flat { 0.55 } else { b.vary(0.8, 0.88) };
+    let (h, rim) = (z * share, if flat { 1.0 } else { b.vary(0.82, 0.95) });
+    let shape: [(f32, f32); 5] = if small || flat {
+        [(0.95, 0.0), (1.0, 0.03), (1.0, 0.9), (rim, 0.97), (rim, 1.0)]
+    } else {
+        b.one(&[
+            [(0.88, 0.0), (1.0, 0.08), (1.0, 0.75), (rim, 0.93), (rim, 1.0)],
+            [(0.82, 0.0), (1.0, 0.3), (0.98, 0.6), (rim, 0.92), (rim, 1.0)],
+            [(0.95, 0.0), (1.0, 0.03), (1.0, 0.85), (rim, 0.95), (rim, 1.0)],
+        ])
+    };
+    turn(b, "jar", [0.0; 3], (r, h), &shape, look.body);
+    let lid = (rim * 1.06).min(1.0) * r;
+    turn(b, "lid", [0.0, 0.0, h * 0.97], (lid, z - h * 0.97), &[(1.0, 0.0), (1.0, 0.8), (0.95, 1.0)], look.cap);
+    let round_ = shape[2].0.min(shape[1].0);
+    if shape[1].1 < 0.2 {
+        wrap(b, r * round_, (h * 0.2, h * 0.7), look.label());
+    } else {
+        wrap(b, r * 0.985, (h * 0.36, h * 0.58), look.label());
+    }
+}
+
+/// Cups with a lid of foil: yogurt, cream, dips.
+pub(super) fn cup(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let r = x.min(y) / 2.0;
+    let foot = b.vary(0.72, 0.85);
+    let rim = (z * 0.04).min(0.003) / z;
+    turn(
+        b,
+        "cup",
+        [0.0; 3],
+        (r, z),
+        &[(foot, 0.0), (0.95, 1.0 - 2.0 * rim), (1.0, 1.0 - 2.0 * rim), (1.0, 1.0 - rim)],
+        look.body,
+    );
+    b.cylinder("lid", [0.0, 0.0, z * (1.0 - rim)], r * 0.99, z * rim, look.cap);
+    // The band follows the slanted wall.
+    let wall = |k: f32| r * (foot + (0.95 - foot) * k) + 0.0006_f32.min(r * 0.02);
+    let band = |low: f32, high: f32| {
+        [
+            (wall(low), z * low),
+            (wall(high), z * high),
+            (wall(high) * 0.95, z * high),
+            (wall(low) * 0.95, z * low),
+            (wall(low), z * low),
+        ]
+    };
+    b.lathe("label", [0.0; 3], &band(0.12, 0.82), look.paper);
+    let grow = |p: [(f32, f32); 5]| p.map(|(a, h)| (a + 0.0004_f32.min(r * 0.01), h));
+    b.lathe("print", [0.0; 3], &grow(band(0.6, 0.74)), look.ink);
+    b.lathe("print", [0.0; 3], &grow(band(0.2, 0.34)), look.ink);
+}
+
+/// Spray tins: a shoulder, a cap or a nozzle.
+pub(super) fn aerosol(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let look = look(b);
+    let r = x.min(y) / 2.0 - GROWTH;
+    let h = z * b.vary(0.76, 0.82);
+    turn(b, "can", [0.0; 3], (r, h), &[(0.97, 0.0), (1.0, 0.015), (1.0, 0.9), (0.85, 0.97), (0.6, 1.0)], look.body);
+    let nozzle: &[(f32, f32)] = if b.class == "whipped_cream" {
+        &[(0.6, 0.0), (0.6, 0.15), (0.35, 0.3), (0.22, 1.0)]
+    } else {
+        &[(0.84, 0.0), (0.84, 0.8), (0.76, 1.0)]
+    };
+    turn(b, "cap", [0.0, 0.0, h * 0.96], (r, z - h * 0.96), nozzle, look.cap);
+    wrap(b, r, (h * 0.15, h * 0.8), look.label());
+}
+
+/// Shakers and mills for salt and pepper.
+pub(super) fn shaker(b: &mut Build<'_>) {
+    let (x, y, z) = dims(b);
+    let r = x.min(y) / 2.0;
+    let wood = b.style.wood;
+    match (b.class, b.rng.below(3)) {
+        ("salt", 0) => {
+            let card = Look { body: BLUE_CARD, ..look(b) };
+            turn(b, "drum", [0.0; 3], (r - GROWTH, z), &[(1.0, 0.0), (1.0, 0.97), (0.97, 1.0)], card.body);
+            b.hull(
+                "spout",
+                &[
+                    [r * 0.3, -r * 0.12, z * 0.985],
+                    [r * 0.3, r * 0.12, z * 0.985],
+                    [r * 0.7, -r * 0.12, z * 0.985],
+                    [r * 0.7, r * 0.12, z * 0.985],
+                    [r * 0.35, 0.0, z],
+                ],
+                STEEL,
+            );
+            wrap(b, r - GROWTH, (z * 0.2, z * 0.8), card.label());
+        }
+        ("condiment_shaker" | "salt", _) => {
+            let (body, content) = (b.one(&[GLASS, GLASS, PORCELAIN, STEEL]), b.one(&[PETAL_WHITE, BLACK]));
+            let outside: Vec<_> =
+                [(0.9, 0.0), (1.0, 0.05), (0.85, 0.72), (0.8, 0.78)].iter().map(|p| (p.0 * r, p.1 * z)).collect();
+            b.lathe("glass", [0.0; 3], &shell(&outside, r * 0.1), body);
+            turn(b, "content", [0.0, 0.0, z * 0.04], (r, z * 0.5), &[(0.78, 0.0), (0.85, 0.1), (0.75, 1.0)], content);
+            turn(
+                b,
+                "cap",
+                [0.0, 0.0, z * 0.76],
+                (r * 0.88, z * 0.235),
+                &[(1.0, 0.0), (1.0, 0.5), (0.7, 0.9), (0.0, 1.0)],
+                STEEL,
+            );
+            for i in 0..5 {
+                let (s, c) = (std::f32::consts::TAU * i as f32 / 5.0).sin_cos();
+                b.cylinder("hole", [r * 0.3 * c, r * 0.3 * s, z * 0.96], r * 0.06, z * 0.028, BLACK_PLASTIC);
+            }
+        }
+        _ => {
+            let mat = b.one(&[wood, WALNUT, BLACK_PLASTIC, BEECH]);
+            let mill = [
+                (0.95, 0.0),
+                (1.0, 0.03),
+                (0.95, 0.12),
+                (0.62, 0.35),
+                (0.75, 0.6),
+                (0.8, 0.66),
+                (0.55, 0.7),
+                (0.85, 0.76),
+                (0.9, 0.86),
+                (0.6, 0.95),
+            ];
+            turn(b, "mill", [0.0; 3], (r, z), &mill, mat);
+            hoop(b, "band", (z * 0.665, z * 0.69), (r * 0.4, r * 0.72), STEEL);
+            turn(b, "knob", [0.0, 0.0, z * 0.94], (r * 0.3, z * 0.06), &[(0.6, 0.0), (1.0, 0.5), (0.5, 1.0)], STEEL);
+        }
+    }
+}

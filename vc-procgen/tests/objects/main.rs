@@ -1,0 +1,132 @@
+//! What every generated object must be: closed, of one piece, within its size, with
+//! places that are free and moving parts that can move.
+//!
+//! All violations are printed, by class. `OBJECT_CLASSES=chair,stool` looks at these
+//! classes alone, `OBJECT_SEEDS=20` at more seeds of each.
+
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
+
+mod appendix;
+mod cases;
+mod faces;
+mod motion;
+mod places;
+mod solid;
+mod whole;
+
+use std::collections::{BTreeMap, HashSet};
+
+use cases::{FINDINGS, Rule, chosen};
+use vc_graph::Seed;
+use vc_procgen::catalogue;
+use vc_procgen::object::{Realm, generators};
+
+/// Fails with all violations of a rule, some of each class.
+fn holds(rule: Rule) {
+    const SHOWN: usize = 3;
+    let mut classes: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for finding in FINDINGS.iter().filter(|f| f.rule == rule) {
+        classes.entry(finding.class).or_default().push(&finding.text);
+    }
+    let mut report = String::new();
+    for (class, texts) in &classes {
+        texts.iter().take(SHOWN).for_each(|t| report += &format!("  {class} {t}\n"));
+        let more = texts.len().saturating_sub(SHOWN);
+        report += &if more > 0 { format!("  {class} and {more} more\n") } else { String::new() };
+    }
+    assert!(classes.is_empty(), "{rule:?}: {} classes\n{report}", classes.len());
+}
+
+#[test]
+fn no_size_makes_a_generator_panic() {
+    holds(Rule::Panic);
+}
+
+#[test]
+fn libraries_accept_every_asset() {
+    holds(Rule::Accepted);
+}
+
+#[test]
+fn the_same_seed_makes_the_same_bytes() {
+    holds(Rule::Same);
+}
+
+#[test]
+fn every_part_is_a_closed_solid() {
+    holds(Rule::Closed);
+}
+
+#[test]
+fn objects_keep_within_the_size_asked_for() {
+    holds(Rule::Size);
+}
+
+#[test]
+fn objects_stand_on_the_middle_of_their_base() {
+    holds(Rule::Base);
+}
+
+#[test]
+fn no_part_floats() {
+    holds(Rule::Floating);
+}
+
+#[test]
+fn triangles_keep_within_a_budget() {
+    holds(Rule::Triangles);
+}
+
+#[test]
+fn no_two_faces_lie_in_one_place() {
+    holds(Rule::Faces);
+}
+
+#[test]
+fn surfaces_lie_on_the_object_and_are_free() {
+    holds(Rule::Surface);
+}
+
+#[test]
+fn what_holds_things_has_a_place_for_them() {
+    holds(Rule::Affordance);
+}
+
+#[test]
+fn what_opens_moves_through_nothing() {
+    holds(Rule::Motion);
+}
+
+#[test]
+fn every_class_has_one_generator_and_is_known() {
+    let table = vc_graph::ClassTable::builtin();
+    let unknown = |class: &str| table.get(class).is_none_or(|c| &*c.name != class);
+    let bad: Vec<_> = generators().filter(|g| unknown(g.class) || g.instances == 0).map(|g| g.class).collect();
+    assert_eq!(bad, [""; 0], "not in the class table, or no instances");
+    let mut seen = HashSet::new();
+    let twice: Vec<_> = generators().filter(|g| !seen.insert(g.class)).map(|g| g.class).collect();
+    assert_eq!(twice, [""; 0], "two generators");
+}
+
+#[test]
+fn the_catalogue_is_large_enough() {
+    let mut shapes: BTreeMap<&str, HashSet<u64>> = BTreeMap::new();
+    for instance in catalogue::instances(Seed(0)).filter(|i| chosen(i.generator.class)) {
+        shapes.entry(instance.generator.class).or_default().insert(instance.object.shape_key().0);
+    }
+    let of = |realm| generators().filter(move |g| g.realm == realm);
+    let distinct = |realm| of(realm).filter_map(|g| shapes.get(g.class)).map(HashSet::len).sum::<usize>();
+    let (indoor, outdoor) = (distinct(Realm::Indoor), distinct(Realm::Outdoor));
+    let counts = shapes.iter().map(|(class, keys)| format!("{class} {}", keys.len()));
+    println!("{}", counts.collect::<Vec<_>>().join(", "));
+    println!("{indoor} distinct indoor objects, {outdoor} outdoor ones");
+    let few = generators().filter(|g| shapes.get(g.class).is_some_and(|s| s.len() < g.instances));
+    let mut short: Vec<String> =
+        few.map(|g| format!("{}: {} shapes of {} instances", g.class, shapes[g.class].len(), g.instances)).collect();
+    if generators().all(|g| chosen(g.class)) {
+        short.extend(appendix::missing(&shapes));
+        short.extend((indoor < 2400).then(|| format!("{indoor} indoor objects instead of 2400")));
+        short.extend((outdoor < 4500).then(|| format!("{outdoor} outdoor objects instead of 4500")));
+    }
+    assert!(short.is_empty(), "too few:\n  {}", short.join("\n  "));
+}

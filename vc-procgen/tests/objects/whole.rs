@@ -1,0 +1,163 @@
+//! The object as a whole: closed parts, size, base, of one piece, triangles.
+
+use vc_graph::class::Category;
+
+use crate::cases::{Case, Rule};
+use crate::solid::{P, Solid};
+
+type Say<'a> = &'a mut dyn FnMut(Rule, String);
+
+/// Widest gap between parts that hold together, metres; 1.5 % of the object's
+/// largest measure where that is less, but a millimetre at least.
+const TOUCHING: f64 = 0.005;
+
+/// Sets: each piece may lie on the ground by itself.
+const SETS: &[&str] = &[
+    "building_blocks",
+    "toy_bricks",
+    "toy_tool_set",
+    "toy_tea_set",
+    "play_dough",
+    "croquet_set",
+    "earrings",
+    "chopsticks",
+    "sand_bucket",
+    "marbles",
+    "darts",
+    "billiard_balls",
+    "dominoes",
+    "mahjong",
+    "chessboard",
+    "checkers",
+    "scrabble",
+    "dice",
+    "memory_game",
+    "jigsaw_puzzle",
+    "poker_chips",
+    "deck_of_cards",
+    "board_game",
+    "monopoly",
+    "ludo",
+    "train_track",
+    "shoes",
+    "sneakers",
+    "boots",
+    "sandals",
+    "high_heels",
+    "slippers",
+    "gloves",
+    "socks",
+    "gardening_gloves",
+    "rubber_gloves",
+    "boxing_gloves",
+    "oven_mitts",
+    "roller_skates",
+    "ice_skates",
+    "knee_pads",
+    "ankle_weights",
+    "push_up_bars",
+    "maracas",
+    "drum_kit",
+    "swim_fins",
+    "skis",
+    "firewood",
+    "notes",
+    "bills",
+    "mail",
+    "button",
+    "coin",
+    "keys",
+    "push_pin",
+    "paper_clip",
+    "nail",
+    "screw",
+    "band_aids",
+    "cotton_pads",
+    "clothespin",
+    "stepping_stone",
+    "stereo",
+    "virtual_headset",
+];
+
+pub(crate) fn check(case: &Case, say: Say<'_>) {
+    closed(case, say);
+    let start = (case.solids[0].low, case.solids[0].high);
+    let (low, high) = case.solids.iter().fold(start, |(l, h), s| (l.inf(&s.low), h.sup(&s.high)));
+    // What is fixed in a wall keeps its origin there, and its trim goes beyond.
+    if !matches!(case.class.category, Category::Structure | Category::Door | Category::Window) {
+        size(case, low, high, say);
+        base(low, high, say);
+    }
+    floating(case, say);
+    triangles(case, low, high, say);
+}
+
+fn closed(case: &Case, say: Say<'_>) {
+    for solid in &case.solids {
+        if solid.triangles.is_empty() {
+            say(Rule::Closed, format!("{} has no triangles", solid.name));
+        } else if !solid.closed {
+            say(Rule::Closed, format!("{} is not closed", solid.name));
+        } else if solid.volume <= 0.0 {
+            say(Rule::Closed, format!("{} is inside out: volume {}", solid.name, solid.volume));
+        }
+    }
+}
+
+fn size(case: &Case, low: P, high: P, say: Say<'_>) {
+    for (k, axis) in ["deep", "wide", "high"].into_iter().enumerate() {
+        let (is, may) = (high[k] - low[k], f64::from(case.asked[k]));
+        if is > may + 0.001 {
+            let outermost = |s: &&Solid| (s.high[k] - high[k]).abs() < 1e-6 || (s.low[k] - low[k]).abs() < 1e-6;
+            let names: Vec<&str> = case.solids.iter().filter(outermost).map(|s| &*s.name).take(4).collect();
+            say(Rule::Size, format!("{is:.3} m {axis} instead of {may:.3}: {}", names.join(", ")));
+        }
+    }
+}
+
+fn base(low: P, high: P, say: Say<'_>) {
+    if low.z < -0.001 || low.z > 0.005 {
+        say(Rule::Base, format!("its base is at {:.4} m", low.z));
+    }
+    let middle = nalgebra::center(&low, &high);
+    let slack = 0.005 + 0.01 * (high - low).norm();
+    if middle.x.abs() > slack || middle.y.abs() > slack {
+        say(Rule::Base, format!("its middle is at ({:.3}, {:.3})", middle.x, middle.y));
+    }
+}
+
+/// Parts that are not connected with the first, or of a set with the ground, through
+/// parts that touch.
+fn floating(case: &Case, say: Say<'_>) {
+    let set = SETS.contains(&&*case.class.name);
+    let gap = (f64::from(case.object.size().max()) * 0.015).clamp(0.001, TOUCHING);
+    let starts = |i: usize| i == 0 || set && case.solids[i].low.z < gap;
+    let mut held: Vec<bool> = (0..case.solids.len()).map(starts).collect();
+    let mut edge: Vec<usize> = (0..held.len()).filter(|&i| held[i]).collect();
+    while let Some(i) = edge.pop() {
+        for (j, solid) in case.solids.iter().enumerate() {
+            if !held[j] && case.solids[i].touches(solid, gap) {
+                held[j] = true;
+                edge.push(j);
+            }
+        }
+    }
+    // The smaller side is what floats.
+    let most = held.iter().filter(|h| **h).count() * 2 >= held.len();
+    let loose: Vec<&str> = held.iter().zip(&case.solids).filter(|(h, _)| **h != most).map(|(_, s)| &*s.name).collect();
+    if !loose.is_empty() {
+        let more = if loose.len() > 4 { format!(" and {} more", loose.len() - 4) } else { String::new() };
+        say(Rule::Floating, format!("{}{more} touch nothing of the rest", loose[..loose.len().min(4)].join(", ")));
+    }
+}
+
+/// Two thousand triangles, and six thousand for every metre.
+fn triangles(case: &Case, low: P, high: P, say: Say<'_>) {
+    let count: usize = case.solids.iter().map(|s| s.triangles.len()).sum();
+    let most = (2000.0 + 6000.0 * (high - low).max()).min(30_000.0) as usize;
+    if count > most {
+        let large = case.solids.iter().max_by_key(|s| s.triangles.len()).map_or("", |s| &s.name);
+        let parts = case.solids.len();
+        say(Rule::Triangles, format!("{count} triangles of {parts} parts instead of {most}, {large} most"));
+    }
+}
