@@ -77,24 +77,26 @@ impl Apartment {
         append(&mut items, furniture);
         let mut home = Self { seed, plan, style, items };
         clutter::fill(&mut home, specification.clutter.unwrap_or(0.6), own);
-        home.repair();
-        match home.check().first() {
+        match home.repair() {
             None => Ok(home),
             Some(violation) => Err(Impossible::Unsound { attempts: attempt as usize + 1, last: violation.to_string() }),
         }
     }
 
-    /// Takes out what can be spared and is in the way of something.
-    fn repair(&mut self) {
+    /// Takes out what can be spared and is in the way of something; returns what is
+    /// wrong all the same.
+    fn repair(&mut self) -> Option<Violation> {
         for _ in 0..4 {
-            let mut out: Vec<usize> = self.check().iter().filter_map(|v| self.spared(v)).collect();
+            let violations = self.check();
+            let mut out: Vec<usize> = violations.iter().filter_map(|v| self.spared(v)).collect();
             if out.is_empty() {
-                return;
+                return violations.into_iter().next();
             }
             out.sort_unstable();
             out.dedup();
             remove(&mut self.items, &out);
         }
+        self.check().into_iter().next()
     }
 
     /// The item whose removal ends a violation, if it may go.
@@ -152,7 +154,7 @@ pub(crate) fn remove(items: &mut Vec<Item>, out: &[usize]) {
 /// Takes out pieces that can be spared until every room and every required piece can
 /// be reached.
 fn clear_ways(plan: &Plan, items: &mut Vec<Item>) -> Result<(), Impossible> {
-    for _ in 0..12 {
+    for _ in 0..24 {
         let reach = Reach::of(plan, items);
         let shut = (0..plan.rooms.len()).find(|&r| !reach.enters(plan, r));
         let far: Vec<usize> =

@@ -92,6 +92,14 @@ impl<'a> Keeper<'a> {
 
     /// Puts a thing of a class somewhere on a surface.
     pub(super) fn put(&mut self, class: &str, surface: usize) -> Option<usize> {
+        let place = self.surface(surface)?;
+        let (longest, shortest) = (2.0 * place.half.0.max(place.half.1), 2.0 * place.half.0.min(place.half.1));
+        // What never fits need not be made.
+        let least = object::least_size(class)?;
+        let (long, short) = (least.x.max(least.y), least.x.min(least.y));
+        if long > longest || short > shortest || place.clearance.is_some_and(|c| least.z * 0.8 > c) {
+            return None;
+        }
         let object = self.make(class, None)?;
         self.put_object(&object, surface)
     }

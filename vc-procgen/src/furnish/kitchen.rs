@@ -68,8 +68,14 @@ fn place_any(s: &mut Setter<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, Imp
     if let Ok(run) = place_run(s, &units) {
         return Ok(run);
     }
-    let narrow = [("fridge", &[0.6][..], 1.7), ("kitchen_sink", &[0.6], TOP), ("kitchen_cabinet", &[0.4, 0.3], TOP), ("stove", &[0.6, 0.5], TOP)];
-    let units: Vec<Unit> = narrow.into_iter().map(|(class, widths, height)| Unit { class, widths, height, required: true }).collect();
+    let narrow = [
+        ("fridge", &[0.6][..], 1.7),
+        ("kitchen_sink", &[0.6], TOP),
+        ("kitchen_cabinet", &[0.4, 0.3], TOP),
+        ("stove", &[0.6, 0.5], TOP),
+    ];
+    let units: Vec<Unit> =
+        narrow.into_iter().map(|(class, widths, height)| Unit { class, widths, height, required: true }).collect();
     place_run(s, &units)
 }
 
@@ -78,8 +84,13 @@ fn place_any(s: &mut Setter<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, Imp
 fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossible> {
     let mut best: Option<(usize, Vec<(Spot, Arc<Object>)>)> = None;
     let tries = s.space.sides.len() * 2;
+    // Made once: every way to lay the run uses the same objects.
+    let made: Vec<Vec<Arc<Object>>> = units
+        .iter()
+        .map(|u| u.widths.iter().filter_map(|&width| s.make(u.class, [DEPTH, width, u.height])).collect())
+        .collect();
     for attempt in 0..tries {
-        let run = lay_run(s, units, attempt / 2, attempt % 2 == 1);
+        let run = lay_run(s, &made, attempt / 2, attempt % 2 == 1);
         let placed = run.len();
         let missing = units.iter().enumerate().filter(|(i, u)| u.required && !run.iter().any(|r| r.0 == *i)).count();
         if missing == 0 && best.as_ref().is_none_or(|(b, _)| placed > *b) {
@@ -97,7 +108,12 @@ fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossibl
 }
 
 /// Lays the units out from one end of a wall on, in a copy of the room.
-fn lay_run(s: &mut Setter<'_>, units: &[Unit], first: usize, backwards: bool) -> Vec<(usize, Spot, Arc<Object>)> {
+fn lay_run(
+    s: &mut Setter<'_>,
+    units: &[Vec<Arc<Object>>],
+    first: usize,
+    backwards: bool,
+) -> Vec<(usize, Spot, Arc<Object>)> {
     let solids = s.space.solids.len();
     let zones = s.space.zones.len();
     let mut run = Vec::new();
@@ -107,15 +123,14 @@ fn lay_run(s: &mut Setter<'_>, units: &[Unit], first: usize, backwards: bool) ->
     order.insert(0, first);
     let mut wall = 0;
     let mut reached = 0.0;
-    for (index, unit) in units.iter().enumerate() {
-        let placed = unit.widths.iter().find_map(|&width| {
-            let object = s.make(unit.class, [DEPTH, width, unit.height])?;
+    for (index, widths) in units.iter().enumerate() {
+        let placed = widths.iter().find_map(|object| {
             for (step, &side) in order.iter().enumerate().skip(wall) {
                 let from = if step == wall { reached } else { 0.0 };
-                if let Some((spot, end)) = next_spot(s, side, from, &object, backwards) {
+                if let Some((spot, end)) = next_spot(s, side, from, object, backwards) {
                     wall = step;
                     reached = end;
-                    return Some((spot, object));
+                    return Some((spot, object.clone()));
                 }
             }
             None

@@ -37,6 +37,10 @@ pub(super) fn furnish_studio(s: &mut Setter<'_>) -> Result<(), Impossible> {
         let chair = s.first_against("armchair", &[[0.8, 0.75, 0.85], [0.7, 0.65, 0.8]], Need::front(0.4), |_, _| 0.0);
         let chair = chair.ok_or_else(|| s.missing("seat"))?;
         s.item(chair).required = true;
+        let table =
+            s.first_against("side_table", &[[0.45, 0.45, 0.52], [0.38, 0.38, 0.5]], Need::default(), |_, _| 0.0);
+        let table = table.ok_or_else(|| s.missing("table"))?;
+        s.item(table).required = true;
     }
     dining(s, 2);
     super::other::plant(s, 0.5);
@@ -62,7 +66,10 @@ fn sitting(s: &mut Setter<'_>) -> Result<(), Impossible> {
         if let Some(index) = s.against(&sofa, Need::front(0.5), |_, _| 0.0) {
             s.item(index).required = true;
             s.first_against("tv_stand", &[[0.38, 1.0, 0.5]], Need::front(0.4), |_, _| 0.0);
-            s.first_against("side_table", &[[0.42, 0.42, 0.5]], Need::default(), |_, _| 0.0);
+            let table =
+                s.first_against("side_table", &[[0.42, 0.42, 0.5], [0.36, 0.36, 0.5]], Need::default(), |_, _| 0.0);
+            let table = table.ok_or_else(|| s.missing("table"))?;
+            s.item(table).required = true;
             return Ok(());
         }
     }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::Setter;
 use super::bedroom::{bookcase, desk, in_corner};
 use super::place::Need;
+use super::space::Solid;
 use crate::error::Impossible;
 use crate::object::Object;
 use crate::plan::RoomKind;
@@ -25,8 +26,7 @@ fn hall(s: &mut Setter<'_>) {
     let pass = Need::front(0.72);
     let width = s.rng.between(0.6, 1.0);
     s.first_against("shoe_cabinet", &[[0.3, width, 0.9], [0.2, 0.7, 0.9]], pass, |_, _| 0.0);
-    let hooks = s.make("wall_hook_rack", [0.08, 0.6, 0.15]);
-    hang_somewhere(s, hooks, 1.65);
+    hooks(s);
     if s.rng.chance(0.5) {
         let mirror = s.make("mirror", [0.03, 0.45, 1.1]);
         hang_somewhere(s, mirror, 0.7);
@@ -38,6 +38,26 @@ fn hall(s: &mut Setter<'_>) {
         s.first_against("umbrella_stand", &[[0.22, 0.22, 0.5]], Need::front(0.7), |_, spot| {
             (0.3 - spot.corner).max(0.0)
         });
+    }
+}
+
+/// Hooks for coats, where there is room for the coats and to pass them.
+fn hooks(s: &mut Setter<'_>) {
+    let Some(rack) = s.make("wall_hook_rack", [0.08, 0.6, 0.15]) else { return };
+    let width = rack.size().y;
+    for _ in 0..24 {
+        let side = s.rng.below(s.space.sides.len());
+        let Some(wall) = s.space.sides.get(side) else { return };
+        let along = s.rng.between(wall.from, wall.to);
+        let facing = wall.facing;
+        let coats = facing.area(wall.point(along, 0.0), 0.3, width);
+        let solid = Solid { area: coats, low: 0.0, high: 1.7 };
+        let pass = facing.before(&coats, 0.72);
+        if s.space.is_free(&solid) && s.space.is_clear(&pass) && s.hang(&rack, side, along, 1.65).is_some() {
+            s.space.solids.push(solid);
+            s.space.zones.push(pass);
+            return;
+        }
     }
 }
 

@@ -92,7 +92,12 @@ impl Space {
         };
         for opening in plan.doors_of(index) {
             let high = opening.high == Some(index);
-            let deep = if opening.kind == OpeningKind::Passage { 16 } else { 12 };
+            let deep = match (opening.kind, room.kind) {
+                (OpeningKind::Passage, _) => 16,
+                // The way begins behind the outer wall.
+                (_, RoomKind::Balcony) => 12 + plan.shell,
+                _ => 12,
+            };
             space.ways.push(Area::of(&opening.before(high, deep)));
             if let Some(swing) = opening.swing().filter(|_| opening.opens_high == high) {
                 // Beyond the leaf's edge a hand and a body.

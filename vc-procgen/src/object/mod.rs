@@ -40,6 +40,7 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use nalgebra::Vector3;
+use vc_graph::class::Range;
 use vc_graph::{Asset, Bounds, ClassTable, Frame, Seed};
 
 use crate::style::Style;
@@ -156,10 +157,22 @@ impl Generator {
     }
 }
 
+/// The usual measures of a class, least and largest.
+fn ranges(class: &str) -> Option<[Range; 3]> {
+    static RANGES: LazyLock<HashMap<&'static str, [Range; 3]>> = LazyLock::new(|| {
+        let classes = ClassTable::builtin();
+        generators().filter_map(|g| Some((g.class, classes.get(g.class)?.size?))).collect()
+    });
+    RANGES.get(class).copied()
+}
+
+/// The least usual depth, width and height of a class, metres.
+pub(crate) fn least_size(class: &str) -> Option<Vector3<f32>> {
+    ranges(class).map(|r| r.map(|r| r.low).into())
+}
+
 /// A size from the class's usual range.
 fn usual_size(class: &str, seed: Seed) -> Vector3<f32> {
-    static CLASSES: LazyLock<std::sync::Arc<ClassTable>> = LazyLock::new(ClassTable::builtin);
     let mut rng = seed.child("size").stream();
-    let ranges = CLASSES.get(class).and_then(|c| c.size);
-    ranges.map_or_else(|| Vector3::repeat(0.3), |r| r.map(|r| rng.between(r.low, r.high)).into())
+    ranges(class).map_or_else(|| Vector3::repeat(0.3), |r| r.map(|r| rng.between(r.low, r.high)).into())
 }

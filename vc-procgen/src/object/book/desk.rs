@@ -181,9 +181,9 @@ pub(super) fn paper_tray(b: &mut Build<'_>) {
         let z = pitch * i as f32;
         let list = [
             ([-x, -y, z], [x, y, z + t]),
-            ([-x, -y, z + t * 0.9], [x, -y + t, z + rim]),
-            ([-x, y - t, z + t * 0.9], [x, y, z + rim]),
-            ([-x, -y + t, z + t * 0.9], [-x + t, y - t, z + rim]),
+            ([-x * 0.999, -y, z + t * 0.9], [x * 0.999, -y + t, z + rim]),
+            ([-x * 0.999, y - t, z + t * 0.9], [x * 0.999, y, z + rim]),
+            ([-x * 0.998, -y + t * 1.01, z + t * 0.9], [-x + t, y - t * 1.01, z + rim]),
         ];
         blocks(b, "tray", &list, mat);
         let half = (x - 2.0 * t, y - 2.0 * t);
@@ -260,7 +260,10 @@ pub(super) fn paper_shredder(b: &mut Build<'_>) {
     b.block("slot", [-x * 0.12, -y * 0.75, h - 0.004], [x * 0.02, y * 0.75, h + 0.0008], SCREEN);
     b.block("panel", [x * 0.4, -y * 0.4, h - 0.004], [x * 0.75, y * 0.4, h + 0.0006], GREY_PLASTIC);
     b.cylinder("light", [x * 0.55, y * 0.25, h - 0.002], x * 0.05, 0.003, LED);
-    let cord =
-        [[-x * 0.9, 0.0, split + 0.02], mix([-x, 0.0, split], [-x, y * 0.3, 0.0], 0.5), [-x * 0.97, y * 0.4, 0.01]];
-    tube(b, "cord", &spline(&cord, 4), 0.003, BLACK_PLASTIC);
+    let cord = [
+        [-x * 0.9, 0.0, split + 0.02],
+        mix([-x, 0.0, split], [-x, y * 0.3, 0.0], 0.5),
+        [-x * 0.95, y * 0.4, split * 0.03],
+    ];
+    tube(b, "cord", &spline(&cord, 4), (x * 0.02).min(0.003), BLACK_PLASTIC);
 }

@@ -86,7 +86,7 @@ pub(super) fn map(b: &mut Build<'_>) {
         let (z0, z1) = ((h - relief) * i as f32 / 4.0, (h - relief) * (i as f32 + 0.85) / 4.0);
         b.block("fold", [-x, -y, z0], [x, y, z1], if i == 3 { BLUE_CARD } else { WHITE_PAPER });
     }
-    b.block("fold", [-x * 0.98, -y, 0.0005], [-x * 0.9, y, h - relief * 2.0], WHITE_PAPER);
+    b.block("fold", [-x * 0.98, -y * 0.99, h * 0.05], [-x * 0.9, y * 0.99, h - relief * 1.5], WHITE_PAPER);
     let land: Vec<(f32, f32)> = (0..12)
         .map(|i| i as f32 / 12.0 * 6.283)
         .map(|a| (a, b.vary(0.5, 0.9)))

@@ -39,15 +39,16 @@ pub(super) fn book(b: &mut Build<'_>) {
     let relief = (h * 0.03).min(0.0008);
     let (low, high) = (relief, h - relief);
     let back = spine(b, board, (low, high), cover);
-    blocks(b, "cover", &[([-x, back, low], [x, y, low + board]), ([-x, back, high - board], [x, y, high])], cover);
+    b.block("cover", [-x, back, low], [x, y, low + board], cover);
     let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, CREAM_PAPER]);
     let inset = shelf.max(x * 0.002);
     b.block("pages", [-x + inset, back - board * 0.5, low + board], [x - inset, y - inset, high - board], paper);
     bands(b, (low, high), ink);
-    front(b, high, back, ink);
-    if relief < h {
-        blocks(b, "label", &[([x * 0.4, -y * 0.3, 0.0], [x * 0.7, y * 0.5, low + board * 0.5])], ink);
-    }
+    b.hinge([0.0, back, high], [1.0, 0.0, 0.0], 2.8, |b| {
+        b.block("cover", [-x, back, high - board], [x, y, high], cover);
+        front(b, high, back, ink);
+    });
+    blocks(b, "label", &[([x * 0.4, -y * 0.3, 0.0], [x * 0.7, y * 0.5, low + board * 0.5])], ink);
 }
 
 /// The back of the book, flat or round; gives where the boards begin.
@@ -142,7 +143,7 @@ pub(super) fn notebook(b: &mut Build<'_>) {
     let board = (h * 0.1).min(0.0015);
     let relief = (h * 0.1).min(0.001);
     let (back, low, high) = if spiral { (-y + h * 0.3, h * 0.12, h * 0.88) } else { (-y, 0.0, h - relief) };
-    blocks(b, "cover", &[([-x, back, low], [x, y, low + board]), ([-x, back, high - board], [x, y, high])], cover);
+    b.block("cover", [-x, back, low], [x, y, low + board], cover);
     b.block("pages", [-x * 0.98, back + 0.001, low + board], [x * 0.98, y * 0.98, high - board], WHITE_PAPER);
     if spiral {
         let r = (h / 2.0).min(y * 0.2);
@@ -155,10 +156,15 @@ pub(super) fn notebook(b: &mut Build<'_>) {
         wire.put(b, "spiral", STEEL);
     } else {
         b.block("spine", [-x, -y, low + board * 0.9], [x, -y + board, high - board * 0.9], cover);
-        b.block("elastic", [-x, y * 0.72, high - board], [x, y * 0.72 + y * 0.06, h], BLACK_FABRIC);
     }
     let ink = contrast(b, cover);
-    b.block("label", [-x * 0.6, -y * 0.3, high - board * 0.5], [-x * 0.25, y * 0.5, (high + relief).min(h)], ink);
+    b.hinge([0.0, back, high], [1.0, 0.0, 0.0], 2.8, |b| {
+        b.block("cover", [-x, back, high - board], [x, y, high], cover);
+        b.block("label", [-x * 0.6, -y * 0.3, high - board * 0.5], [-x * 0.25, y * 0.5, (high + relief).min(h)], ink);
+        if !spiral {
+            b.block("elastic", [-x, y * 0.72, high - board], [x, y * 0.78, h], BLACK_FABRIC);
+        }
+    });
 }
 
 /// A passport with a crest on its cover.
@@ -166,8 +172,13 @@ pub(super) fn passport(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let cover = b.one(&[RED_CARD, BLUE_CARD, GREEN_CARD, BLACK_CARD]);
     let relief = h * 0.12;
-    b.soft("cover", [-x, -y, 0.0], [x, y, h - relief], h * 0.3, cover);
-    b.block("pages", [-x * 0.99, -y * 0.9, h * 0.3], [x * 0.9, y * 1.0, h * 0.5], WHITE_PAPER);
-    b.cylinder("crest", [0.0, 0.0, h * 0.3], x * 0.3, h * 0.7, GOLD);
-    b.block("title", [-x * 0.75, -y * 0.5, h * 0.3], [-x * 0.62, y * 0.5, h], GOLD);
+    let (leaf, top) = (h * 0.25, h - relief);
+    b.block("back", [-x, -y, 0.0], [x, y, leaf], cover);
+    b.block("pages", [-x * 0.98, -y * 0.99, leaf * 0.9], [x * 0.98, y * 0.97, top - leaf], WHITE_PAPER);
+    b.block("spine", [-x * 0.999, -y, leaf * 0.5], [x * 0.999, -y * 0.98, top - leaf * 0.5], cover);
+    b.hinge([0.0, -y, top], [1.0, 0.0, 0.0], 2.8, |b| {
+        b.block("cover", [-x, -y, top - leaf], [x, y, top], cover);
+        b.cylinder("crest", [0.0, 0.0, top - leaf * 0.5], x * 0.3, relief + leaf * 0.5, GOLD);
+        b.block("title", [-x * 0.75, -y * 0.5, top - leaf * 0.5], [-x * 0.62, y * 0.5, h], GOLD);
+    });
 }

@@ -56,7 +56,7 @@ pub(super) fn hanger(b: &mut Build<'_>) {
     for s in [-1.0, 1.0] {
         b.bar("end", [0.0, s * (y - r), r], [0.0, s * (y - r), low], r * 0.9, mat);
     }
-    b.hook("hook", [0.0, 0.0, neck], 1.5);
+    b.hook("hook", [0.0, 0.0, neck], 1.5_f32.max(h));
 }
 
 /// A closed umbrella on its tip: folds, strap and a crook; or a short folding one.
@@ -116,10 +116,10 @@ pub(super) fn spectacles(b: &mut Build<'_>) {
     let lens = if b.class == "sunglasses" { b.one(&[BLACK_GLASS, BROWN_GLASS]) } else { GLASS };
     let r = (h * 0.06).min(x * 0.2).min(0.003);
     let front = x - r;
-    let half = (y * 0.42 - r, h / 2.0 - r);
+    let half = (y * 0.44 - r, h / 2.0 - r);
     let square = b.rng.below(3).min(1);
     for s in [-1.0_f32, 1.0] {
-        let at = [front, s * y * 0.53, h / 2.0];
+        let at = [front, s * (y * 0.56 - r), h / 2.0];
         hoop(b, "rim", &oval(Axis::X, at, half, square, 20), r, frame);
         let glass: Vec<(f32, f32)> = oval(Axis::Z, [0.0; 3], half, square, 20).iter().map(|p| (p[0], p[1])).collect();
         b.prism("lens", Axis::X, [front - r * 0.2, at[1], at[2]], &glass, r * 0.4, lens);
@@ -202,7 +202,9 @@ pub(super) fn wallet(b: &mut Build<'_>) {
         let leaf = t * 0.28;
         b.soft("back", [-x, -y, 0.0], [-x + leaf, y, h], leaf * 0.4, leather);
         b.block("spine", [-x + leaf * 0.5, -y, h * 0.02], [x - leaf * 0.5, -y + leaf * 0.8, h * 0.98], leather);
-        let cards = [(GREEN_CARD, 0.3, 0.42), (BLUE_PLASTIC, 0.44, 0.56), (CREAM_PAPER, 0.58, 0.7)];
+        let cards = [(GREEN_CARD, 0.3, 0.42), (CREAM_PAPER, 0.6, 0.7)];
+        b.block("fold", [-x + leaf * 0.9, -y * 0.99, 0.0], [x - leaf * 1.02, y * 0.97, h * 0.03], leather);
+        b.inside("pocket", [t * 0.01, 0.0, h * 0.03], (t * 0.07, y * 0.85), h * 0.9);
         for (mat, a, c) in cards {
             b.block("card", [-x + t * a, -y * 0.85, h * 0.03], [-x + t * c, y * 0.9, h * (0.88 + 0.1 * a)], mat);
         }
@@ -241,7 +243,7 @@ pub(super) fn shoe_shine_kit(b: &mut Build<'_>) {
     b.block("tin", [-x * 0.6, -y * 0.7, t * 0.9], [x * 0.6, -y * 0.1, rim * 0.6], RED_METAL);
     b.block("cloth", [-x * 0.6, y * 0.1, t * 0.9], [x * 0.6, y * 0.8, rim * 0.5], MUSTARD_FABRIC);
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.8, |b| {
-        b.block("lid", [-x, -y, rim + 0.0005], [x, y, rim + t], wood);
+        b.block("lid", [-x, -y, rim + h * 0.002], [x, y, rim + t], wood);
         let brush = mix([0.0, 0.0, rim + t], [0.0, 0.0, h], 0.4);
         b.block("bristles", [-x * 0.35, -y * 0.55, rim + t * 0.9], [x * 0.35, y * 0.55, brush[2]], BLACK_FABRIC);
         b.soft("brush", [-x * 0.42, -y * 0.65, brush[2] - 0.001], [x * 0.42, y * 0.65, h], h * 0.08, BEECH);

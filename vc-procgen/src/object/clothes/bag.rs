@@ -6,7 +6,7 @@ use crate::material::*;
 
 /// An open bag between heights, wider above by `spread`; gives its inner bottom.
 fn pouch(b: &mut Build<'_>, (x, y): (f32, f32), high: f32, spread: f32, mat: Mat) {
-    let t = (x * 0.04).clamp(0.0008, 0.004);
+    let t = (x * 0.04).min(0.004).min(high * 0.05);
     let ring = |z: f32, s: f32, t: f32| oval(Axis::Z, [0.0, 0.0, z], (x * s - t, y * s - t), 2, 28);
     let (low, top) = (1.0_f32.min(1.0 - spread), 1.0_f32.min(1.0 + spread));
     let rings = [
@@ -51,11 +51,11 @@ pub(super) fn handbag(b: &mut Build<'_>) {
     let deep = x - clasp;
     pouch(b, (deep * 0.98, y), body, spread, leather);
     let top = 1.0 + spread;
-    let t = (h * 0.012).max(0.0008);
+    let t = h * 0.012;
     let edge = deep * top;
     let drop = body * b.vary(0.3, 0.6);
     b.hinge([-edge, 0.0, body], [0.0, -1.0, 0.0], 2.4, |b| {
-        b.block("flap", [-edge, -y * top, body + 0.0004], [deep, y * top, body + t], leather);
+        b.block("flap", [-edge, -y * top, body + h * 0.002], [deep, y * top, body + t], leather);
         let front = [
             (-y * top, body + t * 0.5),
             (y * top, body + t * 0.5),

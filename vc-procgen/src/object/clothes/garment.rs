@@ -90,7 +90,7 @@ pub(super) fn top(b: &mut Build<'_>) {
 
 /// Half depth of the body, leaving room for what is sewn on in front.
 fn depth(b: &Build<'_>) -> f32 {
-    b.size.x / 2.0 * 0.8
+    b.size.x / 2.0 * 0.88
 }
 
 fn body(b: &mut Build<'_>, cut: &Cut, neck: f32, cloth: Mat) {
@@ -134,7 +134,7 @@ fn sleeves(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
     let (_, y, _) = room(b);
     let deep = depth(b) * 0.85;
     let long = cut.sleeve > 0.5;
-    let cuff = neck * (0.93 - cut.sleeve * 0.93).max(0.0) + if long { neck * 0.02 } else { neck * 0.3 };
+    let cuff = neck * (0.93 - cut.sleeve * if long { 0.91 } else { 0.72 });
     let (mut arms, mut cuffs) = (Shell::default(), Shell::default());
     for side in [-1.0_f32, 1.0] {
         let wide = if long { 0.15 } else { 0.17 };
@@ -188,10 +188,10 @@ fn closure(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
         }
         Front::Lapels => {
             let shirt = b.one(&[WHITE_COTTON, SKY, LINEN, cloth]);
-            let vee = [(-0.17, 0.88), (0.17, 0.88), (0.0, 0.5)].map(|(a, z)| (y * a, neck * z));
+            let vee = [(-0.22, 0.9), (0.22, 0.9), (0.0, 0.5)].map(|(a, z)| (y * a, neck * z));
             b.prism("shirt", Axis::X, [deep * 0.5, 0.0, 0.0], &vee, deep * 0.5 + step, shirt);
             for s in [-1.0_f32, 1.0] {
-                let lapel = [(0.1, 0.93), (0.3, 0.85), (0.34, 0.76), (0.02, 0.48)].map(|(a, z)| (s * y * a, neck * z));
+                let lapel = [(0.16, 0.94), (0.32, 0.86), (0.4, 0.74), (0.02, 0.48)].map(|(a, z)| (s * y * a, neck * z));
                 b.prism("lapel", Axis::X, [deep * 0.5, 0.0, 0.0], &lapel, deep * 0.5 + step * 2.0, cloth);
             }
             blocks(b, "seam", &[strip(0.008, 0.0, 0.48, 0.7)], BLACK_FABRIC);
@@ -245,7 +245,7 @@ fn decoration(b: &mut Build<'_>, cut: &Cut, neck: f32, trim: Mat) {
                 loft(b, "stripe", &[band(z), band(z + 0.03)], trim);
             }
         }
-        "jacket" | "coat" => {
+        "jacket" | "coat" if cut.front != Front::Zip => {
             let list = [-1.0_f32, 1.0].map(|s| {
                 (
                     [deep * 0.6, s * y * 0.36 - y * 0.13, neck * 0.25],

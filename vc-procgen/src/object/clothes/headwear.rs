@@ -93,5 +93,4 @@ pub(super) fn cap(b: &mut Build<'_>) {
     peak.put(b, "peak", trim);
     let line: Vec<P> = oval(Axis::Z, [at, 0.0, h * 0.03], (long * 0.955, y * 0.955), 0, 20);
     hoop(b, "edge", &line, h * 0.02, cloth);
-    b.block("badge", [at + long * 0.6, -y * 0.22, h * 0.36], [at + long * 0.965, y * 0.22, h * 0.58], trim);
 }

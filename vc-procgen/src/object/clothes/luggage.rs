@@ -57,7 +57,7 @@ pub(super) fn backpack(b: &mut Build<'_>) {
     let grip = h * 0.05;
     b.hinge([back, 0.0, rim], [0.0, -1.0, 0.0], 2.2, |b| {
         let lid = |z: f32, s: f32| oval(Axis::Z, [at, 0.0, z], (half * s, w * s), 2, 24);
-        loft(b, "lid", &[lid(rim + 0.0005, 1.0), lid(rim + h * 0.05, 1.0), lid(h - grip, 0.75)], cloth);
+        loft(b, "lid", &[lid(rim + h * 0.002, 1.0), lid(rim + h * 0.05, 1.0), lid(h - grip, 0.75)], cloth);
         let straps = [-0.4, 0.4].map(|s| {
             (
                 [front - half * 0.05, w * s - w * 0.06, rim - h * 0.14],
@@ -79,8 +79,8 @@ pub(super) fn backpack(b: &mut Build<'_>) {
         let py = s * w * 0.45;
         let line = [
             [back + t, py * 0.6, rim * 0.97],
-            [-x + x * 0.07, py * 0.9, rim * 0.82],
-            [-x + x * 0.04, py * 1.2, h * 0.45],
+            [-x + x * 0.1, py * 0.9, rim * 0.82],
+            [-x + x * 0.09, py * 1.2, h * 0.45],
             [back + t, py * 1.5, h * 0.08],
         ];
         straps.tapered(&spline(&line, 4), |t| x * (0.06 - 0.025 * t));
@@ -178,21 +178,21 @@ pub(super) fn briefcase(b: &mut Build<'_>) {
         ([-x + t * 0.9, -y, 0.0], [x * 0.4, y, t]),
         ([-x + t * 0.9, -y, t * 0.9], [x * 0.4, -y + t, top]),
         ([-x + t * 0.9, y - t, t * 0.9], [x * 0.4, y, top]),
-        ([-x + t * 0.9, -y + t * 0.9, top - t], [x * 0.4, y - t * 0.9, top - 0.0004]),
+        ([-x + t * 0.9, -y + t * 0.9, top - t], [x * 0.4, y - t * 0.9, top - h * 0.002]),
     ];
     blocks(b, "case", &walls, leather);
     b.inside("compartment", [-x * 0.3, 0.0, t], (x * 0.7 - 2.0 * t, y - 2.0 * t), top - 2.5 * t);
     b.hinge([x * 0.4, 0.0, 0.0], [0.0, 1.0, 0.0], 1.5, |b| {
-        b.soft("lid", [x * 0.4 + 0.0005, -y, 0.0], [x * 0.95, y, top], x * 0.2, leather);
+        b.soft("lid", [x * 0.4 + h * 0.002, -y, 0.0], [x * 0.95, y, top], x * 0.2, leather);
         let locks = [-0.6, 0.6].map(|s| ([x * 0.5, y * s - y * 0.05, top * 0.88], [x, y * s + y * 0.05, top * 0.97]));
         blocks(b, "lock", &locks, BRASS);
-        b.block("seam", [x * 0.6, -y * 0.95, top * 0.6], [x * 0.95 + 0.0008, y * 0.95, top * 0.62], BLACK_LEATHER);
+        b.block("seam", [x * 0.6, -y * 0.95, top * 0.6], [x * 0.95 + h * 0.002, y * 0.95, top * 0.62], BLACK_LEATHER);
     });
     let r = (h * 0.03).min(x * 0.3);
     let grip = [
         [-x * 0.2, -y * 0.25, top - t],
-        [-x * 0.2, -y * 0.22, h - r],
-        [-x * 0.2, y * 0.22, h - r],
+        [-x * 0.2, -y * 0.18, h - r * 1.9],
+        [-x * 0.2, y * 0.18, h - r * 1.9],
         [-x * 0.2, y * 0.25, top - t],
     ];
     tube(b, "handle", &spline(&grip, 3), r, leather);

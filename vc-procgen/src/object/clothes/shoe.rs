@@ -48,7 +48,12 @@ pub(super) fn pair(b: &mut Build<'_>) {
         "high_heels" => b.one(&[BLACK_LEATHER, RED_GLAZE, WHITE_LEATHER, NAVY, BLACK_GLAZE]),
         _ => b.one(&[BLACK_LEATHER, BROWN_LEATHER, TAN_LEATHER, BROWN_LEATHER]),
     };
-    let (style, trim) = (b.rng.below(3), b.one(&[WHITE_COTTON, BLACK_FABRIC, RED_FABRIC, MUSTARD_FABRIC]));
+    let style = b.rng.below(3);
+    let trim = match b.class {
+        "shoes" => b.one(&[BLACK_PLASTIC, BROWN_PLASTIC]),
+        "boots" => b.one(&[GREEN_PLASTIC, YELLOW_PLASTIC, NAVY]),
+        _ => b.one(&[WHITE_COTTON, BLACK_FABRIC, RED_FABRIC, MUSTARD_FABRIC]),
+    };
     let gap = y * b.vary(0.02, 0.06);
     let w = (y - gap) / 2.0 / 1.06;
     let slip = x * b.vary(0.0, 0.06);
@@ -58,7 +63,7 @@ pub(super) fn pair(b: &mut Build<'_>) {
             "sandals" => sandal(b, last, leather, style),
             "slippers" => slipper(b, last, (leather, trim)),
             "high_heels" => heel(b, last, leather),
-            "boots" => boot(b, last, leather, style),
+            "boots" => boot(b, last, if style == 2 { trim } else { leather }, style),
             _ => shoe(b, last, (leather, trim), style),
         });
     }
@@ -72,10 +77,10 @@ fn sole(b: &mut Build<'_>, last: Last, thick: f32, mat: Mat) {
 fn shoe(b: &mut Build<'_>, last: Last, (leather, trim): (Mat, Mat), style: usize) {
     let sporty = b.class == "sneakers";
     let thick = last.h * if sporty { 0.22 } else { 0.14 };
-    let rubber = if sporty { WHITE_PLASTIC } else { b.one(&[BLACK_PLASTIC, BROWN_PLASTIC]) };
+    let rubber = if sporty { WHITE_PLASTIC } else { trim };
     sole(b, last, thick, rubber);
     let (low, h) = (thick * 0.8, last.h);
-    let collar = if sporty && style == 0 { 1.0 } else { 0.82 };
+    let collar = if sporty && style == 0 { 0.99 } else { 0.93 };
     let r = |t: f32, top: f32, share: f32| last.ring(t, low, h * top, share);
     let rings = [
         r(-0.97, 0.7, 0.75),
@@ -90,7 +95,7 @@ fn shoe(b: &mut Build<'_>, last: Last, (leather, trim): (Mat, Mat), style: usize
     ];
     loft(b, "upper", &rings, leather);
     let mut inside = Shell::default();
-    inside.egg([-last.x * 0.55, last.at, h * collar * 0.96], [last.x * 0.33, last.w * 0.46, h * 0.055]);
+    inside.egg([-last.x * 0.55, last.at, h * collar * 0.955], [last.x * 0.33, last.w * 0.46, h * 0.043]);
     inside.put(b, "lining", if leather == BLACK_FABRIC { GREY_FABRIC } else { BLACK_FABRIC });
     if sporty || style > 0 {
         laces(b, last, collar, if sporty { WHITE_COTTON } else { BLACK_FABRIC });
@@ -107,12 +112,7 @@ fn shoe(b: &mut Build<'_>, last: Last, (leather, trim): (Mat, Mat), style: usize
             .collect();
         blocks(b, "stripe", &marks, trim);
     } else if style == 0 {
-        b.block(
-            "strap",
-            [last.x * 0.06, last.at - last.w * 0.8, h * 0.66],
-            [last.x * 0.24, last.at + last.w * 0.8, h * 0.78],
-            leather,
-        );
+        loft(b, "strap", &[r(0.02, 0.9, 0.92), r(0.22, 0.79, 0.94)], leather);
     }
 }
 
@@ -122,7 +122,7 @@ fn laces(b: &mut Build<'_>, last: Last, collar: f32, mat: Mat) {
     let r = last.w * 0.06;
     for i in 0..4 {
         let t = -0.12 + 0.13 * i as f32;
-        let z = last.h * (collar * 0.93 - (collar * 0.93 - 0.66) * i as f32 / 3.0);
+        let z = last.h * (collar * 0.9 - (collar * 0.9 - 0.66) * i as f32 / 3.0);
         let reach = last.w * 0.45;
         shell.tube(
             &[
@@ -134,7 +134,7 @@ fn laces(b: &mut Build<'_>, last: Last, collar: f32, mat: Mat) {
         );
     }
     for s in [-1.0, 1.0] {
-        let top = [-last.x * 0.14, last.at, last.h * (collar * 0.93)];
+        let top = [-last.x * 0.14, last.at, last.h * collar * 0.9];
         let bow = [
             top,
             [top[0], last.at + s * last.w * 0.5, top[2] + r],
@@ -148,7 +148,6 @@ fn laces(b: &mut Build<'_>, last: Last, collar: f32, mat: Mat) {
 
 fn boot(b: &mut Build<'_>, last: Last, leather: Mat, style: usize) {
     let rubber = style == 2;
-    let leather = if rubber { b.one(&[GREEN_PLASTIC, YELLOW_PLASTIC, NAVY]) } else { leather };
     let thick = (last.h * 0.1).min(0.03);
     sole(b, last, thick, if rubber { leather } else { BLACK_PLASTIC });
     let foot = (last.h * 0.5).min(last.x * 0.62);
@@ -225,10 +224,10 @@ fn sandal(b: &mut Build<'_>, last: Last, leather: Mat, style: usize) {
         }
     } else {
         for t in [0.5, 0.15] {
-            straps.leaf(&spline(&bow(t, last.h * 0.98), 3), |_| band, 0.0);
+            straps.leaf(&spline(&bow(t, last.h * 0.96), 3), |_| band, 0.0);
         }
         if style == 2 {
-            straps.leaf(&spline(&bow(-0.7, last.h * 0.99), 3), |_| band * 0.6, 0.0);
+            straps.leaf(&spline(&bow(-0.7, last.h * 0.96), 3), |_| band * 0.6, 0.0);
         }
     }
     straps.put(b, "strap", leather);
@@ -262,12 +261,12 @@ fn slipper(b: &mut Build<'_>, last: Last, (cloth, trim): (Mat, Mat)) {
         [-last.x * 0.06, last.at + last.w * 0.62, last.h * 0.5],
     ];
     let mut rim = Shell::default();
-    rim.tube(&spline(&fluff, 4), last.h * 0.07);
+    rim.tube(&spline(&fluff, 4), last.h * 0.06);
     rim.put(b, "rim", trim);
 }
 
 fn heel(b: &mut Build<'_>, last: Last, leather: Mat) {
-    let lift = last.h * 0.55;
+    let lift = last.h * 0.66;
     let z = |t: f32| {
         if t > 0.35 {
             0.0
@@ -287,7 +286,7 @@ fn heel(b: &mut Build<'_>, last: Last, leather: Mat) {
         .map(|&(t, top)| last.ring(t, z(t) + thick * 0.3, z(t) + last.h * top, 0.96))
         .collect();
     upper.loft(&toe);
-    let back: Vec<Vec<P>> = [(-0.99, 0.3), (-0.9, 0.42), (-0.72, 0.38)]
+    let back: Vec<Vec<P>> = [(-0.99, 0.24), (-0.9, 0.34), (-0.6, 0.22)]
         .iter()
         .map(|&(t, top)| last.ring(t, z(t) + thick * 0.3, (z(t) + last.h * top).min(last.h), 1.0))
         .collect();

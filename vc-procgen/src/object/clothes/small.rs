@@ -38,49 +38,40 @@ pub(super) fn scarf(b: &mut Build<'_>) {
     blocks(b, "stripe", &stripes, trim);
 }
 
-/// A pair of socks laid on each other, cuff and heel in another colour.
+/// A pair of socks laid on each other, cuff, heel and toe in another colour.
 pub(super) fn socks(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let (cloth, trim) = (b.one(&COLOURS), b.one(&COLOURS));
+    // Along the sock: how far along, where its middle is, half its width.
+    let shape = [
+        (-1.0, -0.12, 0.72),
+        (-0.92, -0.12, 0.8),
+        (-0.25, -0.12, 0.78),
+        (0.0, -0.08, 0.86),
+        (0.15, 0.0, 0.99),
+        (0.3, 0.04, 0.86),
+        (0.45, 0.08, 0.74),
+        (0.8, 0.1, 0.72),
+        (0.94, 0.1, 0.56),
+        (1.0, 0.1, 0.2),
+    ];
     for i in 0..2 {
-        let (z, s) = (h * 0.5 * i as f32, 1.0 - 0.06 * i as f32);
-        let line = [
-            [-x * 0.45, -y * 0.9, 0.0],
-            [-x * 0.45, 0.0, 0.0],
-            [-x * 0.4, y * 0.5, 0.0],
-            [x * 0.0, y * 0.72, 0.0],
-            [x * 0.7, y * 0.68, 0.0],
-        ];
-        let spine: Vec<P> = spline(&line, 4);
-        let wide = |t: f32| x.min(y) * if t > 0.85 { 0.42 * (1.0 - (t - 0.85) * 4.0) } else { 0.46 } * s;
-        let mut shell = Shell::default();
-        let rings: Vec<Vec<P>> = spine
-            .iter()
-            .enumerate()
-            .map(|(k, &p)| {
-                let next = spine[(k + 1).min(spine.len() - 1)];
-                let prev = spine[k.saturating_sub(1)];
-                let (dx, dy) = (next[0] - prev[0], next[1] - prev[1]);
-                let long = (dx * dx + dy * dy).sqrt().max(1e-6);
-                let w = wide(k as f32 / (spine.len() - 1) as f32);
-                let side = |a: f32, z: f32| {
-                    [(p[0] + dy / long * w * a).max(-x).min(x), (p[1] - dx / long * w * a).max(-y).min(y), z]
-                };
-                vec![
-                    side(-1.0, z + h * 0.25),
-                    side(-0.7, z + h * 0.02),
-                    side(0.7, z + h * 0.02),
-                    side(1.0, z + h * 0.25),
-                    side(0.7, z + h * 0.48),
-                    side(-0.7, z + h * 0.48),
-                ]
-            })
-            .collect();
-        shell.loft(&rings);
-        shell.put(b, "sock", cloth);
-        let edge = -x * 0.45;
-        let r = x.min(y) * 0.48 * s;
-        b.block("cuff", [edge - r, -y, z], [(edge + r).min(x), -y * 0.8, z + h * 0.5], trim);
+        let (low, high) = (h * 0.5 * i as f32, h * (0.5 * i as f32 + 0.49));
+        let slip = y * 0.05 * i as f32;
+        let ring = |k: usize, grow: f32| {
+            let (t, mid, wide): (f32, f32, f32) = shape[k];
+            let at = [-x * mid, (y * t * 0.95 + slip).min(y), f32::midpoint(low, high)];
+            oval(Axis::Y, at, ((x * wide).min(x - (x * mid).abs()) * grow, (high - low) / 2.0 * grow), 1, 12)
+        };
+        let all: Vec<Vec<P>> = (0..shape.len()).map(|k| ring(k, 0.97)).collect();
+        let mut sock = Shell::default();
+        sock.loft(&all);
+        sock.put(b, "sock", cloth);
+        let mut bands = Shell::default();
+        bands.loft(&[ring(0, 1.0), ring(1, 1.0)]);
+        bands.loft(&[ring(3, 0.98), ring(4, 1.0), ring(5, 0.98)]);
+        bands.loft(&[ring(7, 1.0), ring(8, 1.0), ring(9, 1.0)]);
+        bands.put(b, "cuff", trim);
     }
 }
 

@@ -260,7 +260,7 @@ pub(super) fn jewelry(b: &mut Build<'_>) {
         b.rod("knob", [front - 0.001, 0.0, f32::midpoint(z0, z1)], [x, 0.0, f32::midpoint(z0, z1)], knob * 0.6, BRASS);
     });
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.7, |b| {
-        b.soft("lid", [-x, -y, rim + 0.0005], [front, y, h], (h - rim) * 0.4, wood);
-        b.block("mirror", [-x * 0.7, -y * 0.75, rim - 0.0004], [front * 0.7, y * 0.75, rim + t * 0.5], MIRROR);
+        b.soft("lid", [-x, -y, rim + h * 0.002], [front, y, h], (h - rim) * 0.4, wood);
+        b.block("mirror", [-x * 0.7, -y * 0.75, rim - h * 0.002], [front * 0.7, y * 0.75, rim + t * 0.5], MIRROR);
     });
 }

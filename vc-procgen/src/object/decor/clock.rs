@@ -177,17 +177,15 @@ const DIGITS: [[bool; 7]; 10] = {
 /// A time in glowing digits, facing +X, in a rectangle of half width and height.
 pub(in crate::object) fn digits(b: &mut Build<'_>, at: P, (w, h): (f32, f32), depth: f32, mat: Mat) {
     let time = [b.rng.below(3), b.rng.below(4), b.rng.below(6), b.rng.below(10)];
-    let (dw, bar) = (w * 0.17, h * 0.1);
+    let dw = w * 0.17;
+    let bar = (h * 0.1).min(dw * 0.3);
     let mut list: Vec<(P, P)> = Vec::new();
     let mut bit = |y0: f32, y1: f32, z0: f32, z1: f32| {
         list.push(([at[0], at[1] + y0, at[2] + z0], [at[0] + depth, at[1] + y1, at[2] + z1]));
     };
     for (i, digit) in time.into_iter().enumerate() {
         let y = w * [-0.76, -0.3, 0.3, 0.76][i];
-        let [ur, lr, ll, ul, top, mid, low] = {
-            let [ur, lr, ll, ul, top, mid, low] = DIGITS[digit];
-            [ur, lr, ll, ul, top, mid, low]
-        };
+        let [ur, lr, ll, ul, top, mid, low] = DIGITS[digit];
         for (lit, z) in [(top, h), (mid, bar), (low, bar * 2.0 - h)] {
             if lit {
                 bit(y - dw + bar, y + dw - bar, z - bar * 1.9, z - bar * 0.1);

@@ -34,7 +34,7 @@ pub(super) fn necklace(b: &mut Build<'_>) {
     let metal = precious(b);
     let (pearls, r) = (b.rng.chance(0.5), h * 0.5);
     let wave = b.vary(0.0, TAU);
-    let count = 36;
+    let count = if pearls { ((x + y) * 3.0 / (2.0 * r)).clamp(24.0, 48.0) as usize } else { 36 };
     let line: Vec<P> = (0..count)
         .map(|i| {
             let a = TAU * i as f32 / count as f32;

@@ -12,12 +12,14 @@ use crate::material::*;
 pub(super) fn sculpture(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let mat = b.one(&[MARBLE, BRASS, IRON, PLASTER, BLACK_GLAZE, POTTERY, WALNUT, COPPER, GRANITE]);
-    let plinth = h * b.vary(0.06, 0.14);
+    let kind = b.rng.below(6);
+    let least = if matches!(kind, 0 | 4) { h - 3.2 * x.min(y) } else { 0.0 };
+    let plinth = (h * b.vary(0.06, 0.14)).max(least);
     let stone = b.one(&[BLACK_GRANITE, MARBLE, b.style.wood, WENGE]);
     b.block("plinth", [-x, -y, 0.0], [x, y, plinth], stone);
     let r = x.min(y);
     let at = |t: f32| plinth + (h - plinth) * t;
-    match b.rng.below(6) {
+    match kind {
         0 => bust(b, r, plinth, mat),
         1 => {
             let ring = (h - plinth) / 2.0;
@@ -153,7 +155,7 @@ pub(super) fn wreath(b: &mut Build<'_>) {
     let line = oval(Axis::X, [0.0, 0.0, mid], (r * 0.78, r * 0.78), 0, 32);
     hoop(b, "ring", &line, (thick * 0.5).min(x * 0.5), BARK);
     let mut leaves = [Shell::default(), Shell::default()];
-    let count = b.rng.count(44, 60);
+    let count = b.rng.count(56, 76);
     for i in 0..count {
         let a = TAU * i as f32 / count as f32;
         let reach = b.vary(0.5, 0.98);
@@ -161,7 +163,7 @@ pub(super) fn wreath(b: &mut Build<'_>) {
         let ahead = a + 0.28;
         let to = [x * b.vary(-0.3, 0.95), r * reach * ahead.cos(), mid + r * reach * ahead.sin()];
         let wide = r * 0.06;
-        leaves[i % 2].leaf(&[from, mix(from, to, 0.5), to], |t| wide * (1.0 - (2.0 * t - 1.0).abs()).max(0.05), 0.2);
+        leaves[i % 2].tapered(&[from, mix(from, to, 0.4), to], |t| wide * (0.5 + 1.6 * t - 2.05 * t * t).max(0.05));
     }
     let (first, second) = b.one(&[(DARK_LEAF, LEAF), (LEAF, LIGHT_LEAF), (DARK_LEAF, AUTUMN_LEAF)]);
     let [a, c] = leaves;
@@ -287,21 +289,31 @@ pub(super) fn piggy_bank(b: &mut Build<'_>) {
         let leg = h * 0.2;
         let ring =
             |t: f32, s: f32| oval(Axis::X, [l * t, 0.0, leg + (h - leg) * 0.46], (w * s, (h - leg) * 0.46 * s), 0, 16);
-        let rings = [
-            ring(-0.92, 0.1),
-            ring(-0.85, 0.45),
-            ring(-0.6, 0.82),
-            ring(-0.15, 1.0),
-            ring(0.3, 0.92),
-            ring(0.6, 0.66),
-            ring(0.8, 0.4),
-            ring(0.82, 0.34),
-            ring(0.98, 0.34),
+        let outer = [
+            (-0.92, 0.1),
+            (-0.85, 0.45),
+            (-0.6, 0.82),
+            (-0.15, 1.0),
+            (0.3, 0.92),
+            (0.6, 0.66),
+            (0.8, 0.4),
+            (0.82, 0.34),
+            (0.98, 0.34),
         ];
+        let inner = [(0.97, 0.26), (0.8, 0.26), (0.58, 0.56), (0.3, 0.82), (-0.15, 0.9), (-0.55, 0.72), (-0.8, 0.35)];
+        let rings: Vec<Vec<P>> = outer.iter().chain(&inner).map(|&(t, s)| ring(t, s)).collect();
         loft(b, "body", &rings, skin);
+        b.rod(
+            "snout",
+            [l * 0.9, 0.0, leg + (h - leg) * 0.46],
+            [l * 0.97, 0.0, leg + (h - leg) * 0.46],
+            w.min((h - leg) * 0.46) * 0.3,
+            skin,
+        );
+        b.inside("slot", [0.0, 0.0, leg + (h - leg) * 0.12], (l * 0.3, w * 0.25), (h - leg) * 0.6);
         let mut bits = Shell::default();
         for (sx, sy) in [(-0.5, -0.5), (-0.5, 0.5), (0.4, -0.5), (0.4, 0.5)] {
-            bits.tapered(&[[l * sx, w * sy, leg * 1.8], [l * sx, w * sy, 0.0]], |_| w * 0.2);
+            bits.tapered(&[[l * sx, w * sy, leg * 1.5], [l * sx, w * sy, 0.0]], |_| w * 0.2);
         }
         for side in [-1.0, 1.0] {
             bits.leaf(
@@ -340,8 +352,8 @@ pub(super) fn aquarium(b: &mut Build<'_>) {
     let panes = [
         ([x - 2.0 * t, -y + t, bottom], [x - t, y - t, rim]),
         ([-x + t, -y + t, bottom], [-x + 2.0 * t, y - t, rim]),
-        ([-x + 2.0 * t, -y + t, bottom], [x - 2.0 * t, -y + 2.0 * t, rim]),
-        ([-x + 2.0 * t, y - 2.0 * t, bottom], [x - 2.0 * t, y - t, rim]),
+        ([-x + 2.01 * t, -y + t, bottom], [x - 2.01 * t, -y + 2.0 * t, rim]),
+        ([-x + 2.01 * t, y - 2.0 * t, bottom], [x - 2.01 * t, y - t, rim]),
     ];
     blocks(b, "pane", &panes, GLASS);
     let (ix, iy) = (x - 2.2 * t, y - 2.2 * t);
@@ -361,8 +373,8 @@ pub(super) fn aquarium(b: &mut Build<'_>) {
     }
     weeds.put(b, "weed", LEAF);
     let mut rocks = Shell::default();
-    rocks.egg([-ix * 0.3, iy * 0.5, gravel], [ix * 0.3, iy * 0.18, h * 0.12]);
-    rocks.egg([-ix * 0.4, -iy * 0.4, gravel], [ix * 0.25, iy * 0.12, h * 0.18]);
+    rocks.egg([-ix * 0.3, iy * 0.5, gravel + h * 0.06], [ix * 0.3, iy * 0.18, h * 0.12]);
+    rocks.egg([-ix * 0.4, -iy * 0.4, gravel + h * 0.09], [ix * 0.25, iy * 0.12, h * 0.16]);
     rocks.put(b, "rock", ROCK);
     b.inside("basin", [ix * 0.45, 0.0, gravel], (ix * 0.45, iy * 0.9), (rim * 0.9 - gravel).max(0.0));
     b.soft("lid", [-x, -y, rim], [x, y, h], lid * 0.2, frame);
@@ -378,19 +390,21 @@ pub(super) fn diffuser(b: &mut Build<'_>) {
     b.lathe("base", [0.0; 3], &[(r * 0.8, 0.0), (r * 0.97, split * 0.4), (r, split)], body);
     b.lathe("light", [0.0, 0.0, split - h * 0.005], &[(r * 0.97, 0.0), (r * 0.97, h * 0.03)], WARM_BULB);
     let cap = h - split - h * 0.02;
-    b.lathe(
-        "cap",
-        [0.0, 0.0, split + h * 0.02],
-        &[
-            (r, 0.0),
-            (r * 0.9, cap * 0.35),
-            (r * 0.4, cap * 0.75),
-            (r * 0.18, cap),
-            (r * 0.1, cap),
-            (r * 0.1, cap * 0.8),
-        ],
-        body,
-    );
+    b.slide([0.0, 0.0, 1.0], h, |b| {
+        b.lathe(
+            "cap",
+            [0.0, 0.0, split + h * 0.02],
+            &[
+                (r, 0.0),
+                (r * 0.9, cap * 0.35),
+                (r * 0.4, cap * 0.75),
+                (r * 0.18, cap),
+                (r * 0.1, cap),
+                (r * 0.1, cap * 0.8),
+            ],
+            body,
+        );
+    });
 }
 
 /// An ashtray with rests in its rim.

@@ -1,7 +1,7 @@
 //! Vases and what stands in the middle of tables.
 
 use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, hoop, loft, mix, oval, room};
+use super::super::textile::form::{Shell, hoop, loft, mix, oval, room, spline};
 use crate::material::*;
 
 const GLAZES: [Mat; 13] = [
@@ -123,9 +123,9 @@ fn ears(b: &mut Build<'_>, wall: &[(f32, f32)], belly: f32, mat: Mat) {
         let (low, high) = (radius_at(wall, belly * 0.95) * 0.95, radius_at(wall, top) * 0.95);
         let from = [0.0, side * low.min(y * 0.9), belly * 0.95];
         let to = [0.0, side * high.min(y * 0.9), top];
-        let out = y - thick * 1.2;
+        let out = y - thick * 1.6;
         let points = [from, [0.0, side * out, mix(from, to, 0.4)[2]], [0.0, side * out, mix(from, to, 0.8)[2]], to];
-        shell.tube(&super::super::textile::form::spline(&points, 4), thick);
+        shell.tube(&spline(&points, 4), thick);
     }
     shell.put(b, "handle", mat);
 }

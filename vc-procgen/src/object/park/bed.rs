@@ -133,7 +133,13 @@ fn tomato(b: &mut Build<'_>, at: P, r: f32, top: f32) {
     b.hull("leaves", &points, LEAF);
     for i in 0..3 {
         let (dx, dy) = polar(2.2 * i as f32, r * 0.62);
-        let points = blob(b, [at[0] + dx, at[1] + dy, at[2] + tall * (0.3 + 0.17 * i as f32)], [r * 0.22; 3], 14, 0.05);
+        let points = blob(
+            b,
+            [at[0] + dx, at[1] + dy, at[2] + tall * (0.3 + 0.17 * i as f32)],
+            [(r * 0.22).min(tall * 0.3); 3],
+            14,
+            0.05,
+        );
         b.hull("tomato", &points, RED_SKIN);
     }
 }

@@ -58,7 +58,7 @@ fn level_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, woo
     let slats = b.rng.count(2, 5);
     for i in 0..slats {
         let t = |share: f32| (i as f32 + share) / slats as f32;
-        let ([x0, z0], [x1, z1]) = (back_at(t(0.08)), back_at(t(0.92)));
+        let ([x0, z0], [x1, z1]) = (back_at(t(0.06)), back_at(t(0.88)));
         let quad = [[x0 + 0.026, -y, z0], [x0 + 0.026, y, z0], [x1 + 0.026, y, z1], [x1 + 0.026, -y, z1]];
         plate(b, "back", quad, 0.024, wood);
     }

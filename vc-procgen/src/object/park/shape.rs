@@ -111,6 +111,30 @@ pub(crate) fn tub(
     b.block(name, [x - fx, y - fy, z + 0.001], [x + fx, y + fy, z + wall], mat);
 }
 
+/// A closed skin between two grids of points of the same shape, such as a boat's hull:
+/// rows run along X, each from the left rim under the keel to the right rim.
+pub(crate) fn shell(b: &mut Build<'_>, name: &str, outer: &[Vec<P>], inner: &[Vec<P>], mat: Mat) {
+    let (rows, columns) = (outer.len(), outer.first().map_or(0, Vec::len));
+    let vertices: Vec<P> = outer.iter().chain(inner).flatten().copied().collect();
+    let o = |i: usize, j: usize| (i * columns + j) as u32;
+    let n = |i: usize, j: usize| o(rows + i, j);
+    let (ends, rims) = (rows.saturating_sub(1), columns.saturating_sub(1));
+    let mut quads = Vec::new();
+    for i in 0..ends {
+        for j in 0..rims {
+            quads.push([o(i, j), o(i + 1, j), o(i + 1, j + 1), o(i, j + 1)]);
+            quads.push([n(i, j), n(i, j + 1), n(i + 1, j + 1), n(i + 1, j)]);
+        }
+        quads.push([o(i, 0), n(i, 0), n(i + 1, 0), o(i + 1, 0)]);
+        quads.push([o(i, rims), o(i + 1, rims), n(i + 1, rims), n(i, rims)]);
+    }
+    for j in 0..rims {
+        quads.push([o(0, j), o(0, j + 1), n(0, j + 1), n(0, j)]);
+        quads.push([o(ends, j + 1), o(ends, j), n(ends, j), n(ends, j + 1)]);
+    }
+    b.mesh(name, &vertices, quads.into_iter().flat_map(|[p, q, r, s]| [[p, q, r], [p, r, s]]).collect(), mat);
+}
+
 /// Convex solids drawn at any scale, to be fitted into a box.
 #[derive(Default)]
 pub(crate) struct Sketch(Vec<(&'static str, Vec<P>, Mat)>);

@@ -3,7 +3,7 @@
 use std::f32::consts::TAU;
 
 use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, mix, oval, room, spline};
+use super::super::textile::form::{Shell, hoop, mix, oval, room, spline};
 use super::pot;
 use crate::material::*;
 
@@ -34,13 +34,12 @@ pub(super) fn plant(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let narrow = x.min(y);
     let tall = h / (2.0 * narrow);
-    let small = h < 0.22;
-    let kind = if small {
-        b.rng.below(4)
+    let kind = if b.class == "cactus" {
+        b.one(&[0, 0, 0, 1, 2])
     } else if tall > 1.6 {
-        4 + b.rng.below(5)
+        b.rng.count(4, 8)
     } else {
-        b.one(&[0, 2, 3, 9, 10, 11, 4, 6])
+        b.one(&[3, 4, 6, 9, 10, 11, 8])
     };
     let bowl = matches!(kind, 0 | 2) && tall < 1.3;
     let share = if tall > 1.6 { 0.2 } else { b.vary(0.28, 0.36) };
@@ -163,8 +162,8 @@ fn sword(b: &mut Build<'_>, c: Crown, pot: f32) {
         let (from, out) = (0.12 + 0.5 * (i as f32 / count as f32), b.vary(0.3, 0.9));
         let root = [pot * from * turn.cos(), pot * from * turn.sin(), c.low - 0.002];
         let up = if i == 0 { 0.99 } else { b.vary(0.55, 0.97) };
-        let tip = c.at(turn, out * 0.6, up);
-        let line = spline(&[root, mix(root, [root[0] * 1.2, root[1] * 1.2, tip[2]], 0.5), tip], 3);
+        let tip = c.at(turn, out, up);
+        let line = spline(&[root, mix(root, [root[0] * 1.6, root[1] * 1.6, tip[2]], 0.5), tip], 3);
         let turned: Vec<P> = line;
         core.leaf(&turned, blade(wide, 0.45), 0.25);
         rim.leaf(
@@ -184,7 +183,7 @@ fn tree(b: &mut Build<'_>, c: Crown) {
     let fork = b.vary(0.35, 0.5);
     let sway = c.x * b.vary(-0.15, 0.15);
     let mut wood = Shell::default();
-    let r = (tall * 0.02).max(0.004);
+    let r = tall * 0.012;
     let head = [0.0, 0.0, c.low + tall * (fork + 1.0) / 2.0];
     wood.tapered(
         &spline(
@@ -201,7 +200,7 @@ fn tree(b: &mut Build<'_>, c: Crown) {
     let mat = green(b);
     let mut shells = [Shell::default(), Shell::default()];
     let branches = b.rng.count(6, 9);
-    let leaf = c.x.min(c.y) * b.vary(0.12, 0.18);
+    let leaf = c.x.min(c.y) * b.vary(0.17, 0.24);
     for i in 0..branches {
         let turn = i as f32 * 2.4;
         let level = (i as f32 + 0.5) / branches as f32;
@@ -209,15 +208,15 @@ fn tree(b: &mut Build<'_>, c: Crown) {
         let tip = c.at(turn, out, fork + (0.95 - fork) * level);
         let root = [0.0, 0.0, c.low + tall * (fork * 0.95 + 0.4 * (1.0 - fork) * level)];
         wood.tapered(&[root, mix(root, tip, 0.6), tip], |t| r * (0.6 - 0.4 * t));
-        for k in 0..9 {
-            let at = mix(root, tip, 0.35 + 0.65 * k as f32 / 8.0);
+        for k in 0..11 {
+            let at = mix(root, tip, 0.3 + 0.7 * k as f32 / 10.0);
             let (s, q) = (k as f32 * 2.4 + turn).sin_cos();
             let end = [
                 (at[0] + leaf * 2.2 * q).max(-c.x).min(c.x),
                 (at[1] + leaf * 2.2 * s).max(-c.y).min(c.y),
                 (at[2] + leaf * (0.6 - 0.5 * (k % 3) as f32)).min(c.high * 0.998),
             ];
-            shells[k % 2].leaf(&[at, mix(at, end, 0.5), end], blade(leaf * 0.55, 0.45), 0.15);
+            shells[k % 2].leaf(&[at, mix(at, end, 0.5), end], blade(leaf * 0.75, 0.45), 0.15);
         }
     }
     wood.put(b, "trunk", bark);
@@ -273,26 +272,26 @@ fn palm(b: &mut Build<'_>, c: Crown) {
         BARK,
     );
     let (mut ribs, mut leaves) = (Shell::default(), Shell::default());
-    let count = b.rng.count(7, 10);
+    let count = b.rng.count(8, 11);
     for i in 0..count {
         let turn = i as f32 * 2.4;
         let level = i as f32 / count as f32;
-        let out = 0.96 - 0.45 * level;
+        let out = 0.98 - 0.45 * level;
         let end = c.at(turn, out, trunk + (0.55 + 0.42 * level) * (1.0 - trunk));
         let over = c.at(turn, out * 0.55, trunk + (0.62 + 0.37 * level) * (1.0 - trunk));
         let line = spline(&[[0.0, 0.0, top], c.at(turn, out * 0.22, trunk + 0.42 * (1.0 - trunk)), over, end], 4);
         ribs.tapered(&line, |t| tall * (0.006 - 0.004 * t));
         let (sin, cos) = turn.sin_cos();
-        for (k, p) in line.iter().enumerate().skip(4) {
+        for (k, p) in line.iter().enumerate().skip(5) {
             for side in [-1.0_f32, 1.0] {
-                let long = c.x.min(c.y) * 0.3 * (1.3 - k as f32 / line.len() as f32);
+                let long = c.x.min(c.y) * 0.36 * (1.3 - k as f32 / line.len() as f32);
                 let ahead = long * 0.7;
                 let tip = [
                     (p[0] + ahead * cos - side * long * sin).max(-c.x).min(c.x),
                     (p[1] + ahead * sin + side * long * cos).max(-c.y).min(c.y),
                     (p[2] - long * 0.35).max(c.low),
                 ];
-                leaves.leaf(&[*p, mix(*p, tip, 0.5), tip], blade(long * 0.07, 0.4), 0.1);
+                leaves.leaf(&[*p, mix(*p, tip, 0.5), tip], blade(long * 0.15, 0.4), 0.1);
             }
         }
     }
@@ -423,7 +422,10 @@ fn flower(petals: &mut Shell, hearts: &mut Shell, at: P, size: f32, high: f32) {
             0.1,
         );
     }
-    hearts.egg([at[0], at[1], (at[2] + size * 0.12).min(high - size * 0.13)], [size * 0.2, size * 0.2, size * 0.13]);
+    hearts.egg(
+        [at[0], at[1], (at[2] + size * 0.12).min(high - size * 0.13).max(size * 0.13)],
+        [size * 0.2, size * 0.2, size * 0.13],
+    );
 }
 
 /// An orchid: strap leaves, arching stems with a row of blossoms.
@@ -473,7 +475,7 @@ pub(super) fn orchid(b: &mut Build<'_>) {
     petals.put(b, "petal", petal);
     hearts.put(b, "heart", heart);
     let tie = oval(Axis::Z, [0.0, 0.0, c.low + (h - c.low) * 0.25], (x * 0.03, x * 0.03), 0, 8);
-    super::super::textile::form::hoop(b, "clip", &tie, x * 0.012, PINK_PLASTIC);
+    hoop(b, "clip", &tie, x * 0.012, PINK_PLASTIC);
 }
 
 /// Five petals and a lip, looking to the front.

@@ -7,8 +7,11 @@ use super::textile::form::{loft, oval, room};
 use super::{Generator, indoor};
 use crate::material::*;
 
-pub(super) const GENERATORS: &[Generator] =
-    &[indoor("plant", 36, foliage::plant), indoor("orchid", 6, foliage::orchid)];
+pub(super) const GENERATORS: &[Generator] = &[
+    indoor("houseplant", 30, foliage::plant),
+    indoor("cactus", 8, foliage::plant),
+    indoor("orchid", 6, foliage::orchid),
+];
 
 /// A pot within a radius: round, square, ribbed or a basket, with earth in it; gives
 /// the height of the earth.

@@ -26,7 +26,7 @@ pub(super) fn wheelie_bin(b: &mut Build<'_>) {
         [middle + bottom.0 * 0.95, bottom.1 * 0.8, low + 0.003],
         body,
     );
-    let axle = back + half * (1.0 - shrink) * 0.8;
+    let axle = (back + half * (1.0 - shrink) * 0.8).max(-x + wheel);
     b.rod("axle", [axle, -y + 0.02, wheel], [axle, y - 0.02, wheel], 0.012, STEEL);
     for side in [-1.0, 1.0] {
         let cy = side * (y - 0.028);
@@ -185,7 +185,7 @@ fn hung(b: &mut Build<'_>, mat: Mat) {
 
 /// A mailbox: on the wall, on a post with a flag, or a pillar.
 pub(super) fn mailbox(b: &mut Build<'_>) {
-    grown(b, [0.06, 0.12, 0.15]);
+    grown(b, [0.06, 0.125, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[
         RED_METAL,

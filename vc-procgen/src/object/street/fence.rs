@@ -42,7 +42,7 @@ struct Bay {
 
 /// A length of fence: posts and pickets, boards, rails, railings, mesh or bamboo.
 pub(super) fn fence(b: &mut Build<'_>) {
-    grown(b, [0.03, 0.5, 0.3]);
+    grown(b, [0.02, 0.5, 0.3]);
     let fills = [
         Fill::Pickets,
         Fill::Pickets,
@@ -78,7 +78,7 @@ pub(super) fn fence(b: &mut Build<'_>) {
 
 /// A gate between two posts; the leaf swings.
 pub(super) fn gate(b: &mut Build<'_>) {
-    grown(b, [0.03, 0.4, 0.4]);
+    grown(b, [0.02, 0.4, 0.4]);
     let fill = b.one(&[Fill::Pickets, Fill::Pickets, Fill::Boards, Fill::Railings, Fill::Mesh, Fill::Slats]);
     let (mat, d, y, h) = (fill.mat(b), b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let post = d.min(0.045);
@@ -103,8 +103,11 @@ pub(super) fn gate(b: &mut Build<'_>) {
         let z = h * 0.6;
         b.block("latch", [leaf * 0.6, -half + 0.005, z], [leaf * 0.6 + 0.004, -half + 0.09, z + 0.03], IRON);
     });
+    for z in [0.2, 0.75] {
+        b.rod("hinge", [0.0, half - 0.01, h * z], [0.0, y - post, h * z], leaf * 0.3, IRON);
+    }
     let z = h * 0.6 + 0.005;
-    b.block("catch", [-post * 0.5, -half - 0.014, z], [post * 0.5, -half - 0.006, z + 0.02], IRON);
+    b.block("catch", [-post * 0.5, -half - 0.014, z], [post * 0.5, -half - 0.002, z + 0.02], IRON);
 }
 
 /// Measures that all bays of a fence share.

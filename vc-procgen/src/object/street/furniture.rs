@@ -46,7 +46,7 @@ fn arm_lamp(b: &mut Build<'_>, metal: Mat) {
     let bend = (2.0 * x * 0.5).min(h * 0.2);
     let top = if curved { h - bend } else { h - 0.12 };
     mast(b, base, radius, top, metal);
-    let level = h - arm - 0.01;
+    let level = h - arm - 0.016;
     if curved {
         let steps = 4;
         let points: Vec<P> = (0..=steps)
@@ -305,8 +305,7 @@ pub(super) fn bollard(b: &mut Build<'_>) {
             let wood = b.one(&[OAK, PINE, TEAK]);
             b.block("post", [-r, -r, 0.0], [r, r, h * 0.93], wood);
             b.taper("cap", [0.0, 0.0, h * 0.93], (r, r), (r * 0.5, r * 0.5), h * 0.07, wood);
-            b.block("band", [-r - 0.0, -r * 0.6, band * 0.95], [r + 0.0, r * 0.6, band], wood);
-            b.block("reflector", [r - 0.006, -r * 0.5, band * 0.9], [r, r * 0.5, band], RED_PLASTIC);
+            b.block("reflector", [r * 0.9, -r * 0.5, band * 0.9], [r + 0.001, r * 0.5, band], RED_PLASTIC);
         }
         _ => {
             let (main, second) = (b.one(&[WHITE, YELLOW, RED]), b.one(&[RED, BLACK]));
@@ -347,7 +346,7 @@ pub(super) fn parking_meter(b: &mut Build<'_>) {
                     .map(|a| (half * a.cos(), tall - half.min(tall * 0.5) * (1.0 - a.sin()))),
             );
             b.prism("head", Axis::X, [-x * 0.7, cy, low], &outline, x * 1.4, mat);
-            face(b, x * 0.7, [cy, low + tall * 0.4, tall * 0.85, half * 0.75], x * 0.25);
+            face(b, x * 0.7, [cy, low + tall * 0.08, tall * 0.8, half * 0.75], x * 0.25);
         }
     } else {
         b.block("foot", [-x, -y, 0.0], [x, y, 0.03], CONCRETE);
@@ -407,7 +406,7 @@ pub(super) fn charging_station(b: &mut Build<'_>) {
     let cable = (deep * 0.16).clamp(0.003, 0.012);
     let (top, bottom) = (z - tall * 0.45, (low + (h - low) * 0.12).max(cable));
     let out = front + deep * 0.6;
-    let side = y - cable;
+    let side = y - 1.6 * cable;
     let points: Vec<P> = (0..=6)
         .map(|i| PI * i as f32 / 6.0)
         .map(|a| [out, side * 0.5 * (1.0 - a.cos()), top - (top - bottom) * a.sin()])
@@ -470,18 +469,19 @@ pub(super) fn bus_stop(b: &mut Build<'_>) {
             metal,
         );
     }
-    b.top("seat", [back + 0.04 + 0.225_f32.min(x * 0.35), 0.0, seat], (0.15_f32.min(x * 0.2), reach * 0.95));
+    let room = under - seat - 0.02;
+    b.ledge("seat", [back + 0.04 + 0.225_f32.min(x * 0.35), 0.0, seat], (0.15_f32.min(x * 0.2), reach * 0.95), room);
     let cy = -poster_side * (y - 0.04);
     b.cylinder("pole", [x - 0.06, cy, 0.0], 0.025, under + 0.01, GALVANISED);
     b.prism(
         "sign",
         Axis::X,
-        [x - 0.03, cy - cy.signum() * 0.16, under - 0.3],
+        [x - 0.045, cy - cy.signum() * 0.16, under - 0.3],
         &polygon(20, 0.16, 0.0),
         0.01,
         b.style.metal,
     );
-    b.prism("sign", Axis::X, [x - 0.021, cy - cy.signum() * 0.16, under - 0.3], &polygon(20, 0.13, 0.0), 0.005, YELLOW);
+    b.prism("sign", Axis::X, [x - 0.038, cy - cy.signum() * 0.16, under - 0.3], &polygon(20, 0.13, 0.0), 0.005, YELLOW);
     b.block(
         "timetable",
         [x - 0.036, cy - 0.12_f32.min(0.03), 1.2_f32.min(under * 0.5)],
@@ -510,9 +510,9 @@ pub(super) fn bicycle_rack(b: &mut Build<'_>) {
             let cy = cy + side * slim;
             let points: Vec<P> = if round {
                 let arc = (0..=6).map(|i| PI * i as f32 / 6.0);
-                arc.map(|a| [(x - r) * a.cos(), cy, r + (h - 2.0 * r) * a.sin()]).collect()
+                arc.map(|a| [(x - 2.0 * r) * a.cos(), cy, r + (h - 2.5 * r) * a.sin()]).collect()
             } else {
-                let (e, t) = (x - r, h - r);
+                let (e, t) = (x - 1.2 * r, h - 1.5 * r);
                 let cut = (x * 0.35).min(h * 0.35);
                 vec![[e, cy, r], [e, cy, t - cut], [e - cut, cy, t], [-e + cut, cy, t], [-e, cy, t - cut], [-e, cy, r]]
             };
@@ -528,7 +528,7 @@ pub(super) fn bicycle_rack(b: &mut Build<'_>) {
 
 /// A phone booth: a kiosk of small panes with a crowned roof, or a plain glass one.
 pub(super) fn phone_booth(b: &mut Build<'_>) {
-    grown(b, [0.45, 0.45, 1.1]);
+    grown(b, [0.42, 0.42, 1.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let classic = b.rng.chance(0.6);
     let mat = b.one(if classic {
@@ -568,10 +568,10 @@ pub(super) fn phone_booth(b: &mut Build<'_>) {
     b.hinge([front + 0.02, edge, 0.0], [0.0, 0.0, 1.0], FRAC_PI_2, |b| {
         b.at([front, 0.0, 0.0], 0.0, |b| pane(b, edge - 0.004, low));
         b.rod("handle", [front + 0.033, -edge * 0.8, h * 0.4], [front + 0.033, -edge * 0.8, h * 0.5], 0.01, STEEL);
-        b.block("plate", [front + 0.01, -edge * 0.85, h * 0.44], [front + 0.034, -edge * 0.75, h * 0.46], STEEL);
+        b.block("plate", [front + 0.01, -edge * 0.85, h * 0.44], [front + 0.036, -edge * 0.75, h * 0.46], STEEL);
     });
-    b.block("lintel", [-x, -y, top - 0.003], [x, y, top + roof * 0.45], mat);
-    b.block("sign", [x - 0.004, -edge, top + roof * 0.08], [x, edge, top + roof * 0.38], WHITE_PLASTIC);
+    b.block("lintel", [-x, -y, top - 0.003], [x - 0.006, y, top + roof * 0.45], mat);
+    b.block("sign", [x - 0.01, -edge, top + roof * 0.08], [x, edge, top + roof * 0.38], WHITE_PLASTIC);
     if classic {
         b.taper("roof", [0.0, 0.0, top + roof * 0.44], (x * 0.95, y * 0.95), (x * 0.6, y * 0.6), roof * 0.55, mat);
     } else {
@@ -644,14 +644,14 @@ pub(super) fn curb(b: &mut Build<'_>) {
 
 /// A dog's chain in a heap: links, a snap hook and a leather loop.
 pub(super) fn dog_chain(b: &mut Build<'_>) {
-    grown(b, [0.03, 0.06, 0.02]);
+    grown(b, [0.025, 0.05, 0.015]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let steel = b.one(&[STEEL, GALVANISED, IRON]);
     let wire = (h * 0.09).min(0.004);
     let link = (x * 0.28).min(y * 0.2);
     let turns = b.rng.count(2, 3);
     let per_turn = b.rng.count(7, 10);
-    let layer = (h - 2.0 * wire) / turns as f32;
+    let layer = ((h - 2.0 * wire) / turns as f32).min(2.2 * wire);
     for i in 0..turns * per_turn {
         let angle = TAU * i as f32 / per_turn as f32;
         let out = 1.0 - 0.12 * (i % 3) as f32;
@@ -677,7 +677,7 @@ pub(super) fn dog_chain(b: &mut Build<'_>) {
     b.lathe(
         "loop",
         [0.0, -y * 0.25, 0.0],
-        &[(x * 0.5, 0.0), (x * 0.5, h), (x * 0.45, h), (x * 0.45, 0.0), (x * 0.5, 0.0)],
+        &[(x * 0.5, 0.0), (x * 0.5, h * 0.6), (x * 0.42, h * 0.6), (x * 0.42, 0.0), (x * 0.5, 0.0)],
         BROWN_LEATHER,
     );
 }

@@ -242,7 +242,7 @@ pub(super) fn billboard(b: &mut Build<'_>) {
         }
         b.block("foot", [-x, cy - r.max(0.1), 0.0], [x, cy + r.max(0.1), 0.06], CONCRETE);
     }
-    b.block("panel", [x * 0.1, -y, low], [x * 0.8, y, h], frame);
+    b.block("panel", [(2.0 * r - x - 0.005).min(x * 0.1), -y, low], [x * 0.8, y, h], frame);
     let edge = 0.05;
     poster(b, [x * 0.8, 0.0, (low + h) / 2.0], (y - edge, panel / 2.0 - edge), x * 0.18);
     if b.rng.chance(0.4) {

@@ -64,12 +64,14 @@ pub(super) fn speaker(b: &mut Build<'_>) {
     if foot > 0.0 {
         let mut spikes = Shell::default();
         for (sx, sy) in [(-0.85, -0.9), (-0.85, 0.9), (0.85, -0.9), (0.85, 0.9)] {
-            spikes.tapered(&[[x * sx, y * sy, foot * 1.3], [x * sx, y * sy, 0.0]], |t| foot * (0.45 - 0.25 * t));
+            spikes.tapered(&[[x * sx, (y - foot) * sy, foot * 1.3], [x * sx, (y - foot) * sy, 0.0]], |t| {
+                foot * (0.45 - 0.25 * t)
+            });
         }
         spikes.put(b, "spike", b.style.metal);
         b.block("plinth", [-x, -y, foot * 0.7], [x * 0.97, y, foot * 1.2], BLACK);
     } else {
-        let mark = ([front - 0.001, -y * 0.15, h * 0.02], [front + 0.0008, y * 0.15, h * 0.035]);
+        let mark = ([front - 0.001, -y * 0.15, h * 0.02], [front + h * 0.002, y * 0.15, h * 0.035]);
         blocks(b, "mark", &[mark], SILVER_METAL);
     }
 }
@@ -148,8 +150,8 @@ pub(super) fn guitar_amplifier(b: &mut Build<'_>) {
     let thick = (grip * 0.22).min(x * 0.1);
     let handle = [
         [-x * 0.1, -y * 0.35, top - thick],
-        [-x * 0.1, -y * 0.28, h - thick],
-        [-x * 0.1, y * 0.28, h - thick],
+        [-x * 0.1, -y * 0.26, h - thick * 1.9],
+        [-x * 0.1, y * 0.26, h - thick * 1.9],
         [-x * 0.1, y * 0.35, top - thick],
     ];
     tube(b, "handle", &spline(&handle, 4), thick, RUBBER);

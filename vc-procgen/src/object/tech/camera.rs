@@ -77,7 +77,7 @@ pub(super) fn camera(b: &mut Build<'_>) {
             );
         }
         b.hinge([front, 0.0, 0.0], [0.0, 1.0, 0.0], 1.2, |b| {
-            b.block("door", [front - x * 0.02, -y * 0.8, top * 0.1], [front + 0.0008, y * 0.5, top * 0.145], body);
+            b.block("door", [front - x * 0.02, -y * 0.8, top * 0.1], [front + h * 0.002, y * 0.5, top * 0.145], body);
         });
     }
     b.block("screen", [-x - 0.0004, -y * 0.6, top * 0.15], [-x + 0.003, y * 0.4, top * 0.8], SCREEN);
@@ -93,12 +93,12 @@ pub(super) fn video_camera(b: &mut Build<'_>) {
     lens(b, [x * 0.45, 0.0, h * 0.5], [x, 0.0, h * 0.5], r, BLACK_PLASTIC);
     b.soft("finder", [-x, -wide * 0.4, h * 0.8], [-x * 0.4, wide * 0.4, h], h * 0.05, BLACK_PLASTIC);
     b.soft("base", [-x * 0.7, -wide * 0.7, 0.0], [x * 0.4, wide * 0.7, h * 0.12], h * 0.03, BLACK_PLASTIC);
-    let strap = [[-x * 0.7, -wide * 0.9, h * 0.45], [-x * 0.2, -y * 0.97, h * 0.45], [x * 0.3, -wide * 0.9, h * 0.45]];
+    let strap = [[-x * 0.7, -wide * 0.9, h * 0.45], [-x * 0.2, -y * 0.9, h * 0.45], [x * 0.3, -wide * 0.9, h * 0.45]];
     let mut shell = Shell::default();
     shell.tube(&spline(&strap, 4), (y - wide) * 0.3);
     shell.put(b, "strap", BLACK_FABRIC);
     b.hinge([x * 0.4, wide, 0.0], [0.0, 0.0, -1.0], 1.6, |b| {
-        b.soft("display", [-x * 0.5, wide + 0.0004, h * 0.25], [x * 0.4, y, h * 0.75], h * 0.03, body);
+        b.soft("display", [-x * 0.5, wide + (y - wide) * 0.04, h * 0.25], [x * 0.4, y, h * 0.75], h * 0.03, body);
     });
     b.rod("microphone", [x * 0.1, 0.0, h * 0.9], [x * 0.6, 0.0, h * 0.9], h * 0.07, RUBBER);
     b.rod("light", [x * 0.5, wide * 0.6, h * 0.75], [x * 0.57, wide * 0.6, h * 0.75], h * 0.03, SIGNAL_RED);
@@ -136,13 +136,8 @@ pub(super) fn webcam(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let body = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
     let low = h * 0.4;
-    if b.rng.chance(0.5) {
-        b.soft("body", [-x * 0.6, -y, low], [x * 0.75, y, h], h * 0.25, body);
-    } else {
-        let r = ((h - low) / 2.0).min(y);
-        b.rod("body", [-x * 0.7, 0.0, h - r], [x * 0.75, 0.0, h - r], r, body);
-        b.block("wing", [-x * 0.3, -y, h - r * 1.3], [x * 0.3, y, h - r * 0.7], body);
-    }
+    let (round, wide) = (b.vary(0.1, 0.3), y * b.vary(0.9, 1.0));
+    b.soft("body", [-x * 0.6, -wide, low], [x * 0.75, wide, h], h * round, body);
     lens(b, [x * 0.6, 0.0, (low + h) / 2.0], [x, 0.0, (low + h) / 2.0], (h - low) * 0.34, BLACK_PLASTIC);
     b.block("neck", [-x * 0.2, -y * 0.15, low * 0.5], [x * 0.2, y * 0.15, low * 1.2], body);
     b.block("clip", [-x, -y * 0.45, 0.0], [x * 0.8, y * 0.45, low * 0.3], body);
@@ -157,7 +152,7 @@ pub(super) fn tripod(b: &mut Build<'_>) {
     let metal = b.one(&[BLACK_METAL, SILVER_METAL, ALUMINIUM]);
     let r = x.min(y);
     let (leg, crown) = (r * 0.2, h * 0.78);
-    let spread = r * b.vary(0.5, 0.78);
+    let spread = r * b.vary(0.7, 0.8);
     let (mut tubes, mut feet, mut clamps) = (Shell::default(), Shell::default(), Shell::default());
     for i in 0..3 {
         let (s, c) = (i as f32 * 2.094 + 1.05).sin_cos();

@@ -155,5 +155,5 @@ fn window(b: &mut Build<'_>, side: f32, foot: f32, glow: Mat) {
         let centre = [-x * 0.45, side + deep * 0.45, foot + (h - foot) * z];
         hoop(b, "fan", &oval(Axis::Y, centre, (r, r), 0, 18), deep * 0.14, glow);
     }
-    b.block("window", [-x * 0.98, y - deep * 0.15, foot + 0.004], [x * 0.88, y, h * 0.985], CLEAR_PLASTIC);
+    b.block("window", [-x * 0.98, y - deep * 0.15, foot + h * 0.008], [x * 0.88, y, h * 0.985], CLEAR_PLASTIC);
 }

@@ -104,7 +104,7 @@ pub(super) fn graphic_tablet(b: &mut Build<'_>) {
     let pen = (h * 0.25).min(x * 0.04);
     let top = h - 2.0 * pen;
     b.soft("body", [-x, -y, 0.0], [x, y, top], top * 0.4, BLACK_PLASTIC);
-    b.block("surface", [-x * 0.9, -y * 0.72, top * 0.5], [x * 0.9, y * 0.92, top + 0.0005], GREY_PLASTIC);
+    b.block("surface", [-x * 0.9, -y * 0.72, top * 0.5], [x * 0.9, y * 0.92, top + h * 0.002], GREY_PLASTIC);
     let keys: Vec<(P, P)> = (0..6)
         .map(|i| x * (-0.75 + 0.25 * i as f32))
         .map(|a| ([a, -y * 0.93, top * 0.5], [a + x * 0.18, -y * 0.8, top + 0.001]))
@@ -153,7 +153,7 @@ pub(super) fn charger(b: &mut Build<'_>) {
     for s in [-0.35, 0.35] {
         b.rod("pin", [x * s, split - y * 0.05, h / 2.0], [x * s, y, h / 2.0], (x * 0.1).min(h * 0.1), STEEL);
     }
-    b.block("port", [-x * 0.35, -y - 0.0005, h * 0.4], [x * 0.35, -y * 0.9, h * 0.55], SCREEN);
+    b.block("port", [-x * 0.35, -y - h * 0.002, h * 0.4], [x * 0.35, -y * 0.9, h * 0.55], SCREEN);
     b.block("mark", [-x * 0.3, -y * 0.5, h * 0.9], [x * 0.3, -y * 0.2, h + 0.0006], GREY_PLASTIC);
 }
 
@@ -175,6 +175,6 @@ pub(super) fn cable(b: &mut Build<'_>) {
     let plug = (x * 0.14).min(h * 0.3);
     b.soft("plug", [-plug + x * 0.2, -y * 0.35, 0.0], [plug + x * 0.2, y * 0.05, plug * 1.2], plug * 0.3, colour);
     b.block("plug", [-plug * 0.6 + x * 0.2, y * 0.03, plug * 0.3], [plug * 0.6 + x * 0.2, y * 0.25, plug * 0.9], STEEL);
-    let tie = oval(Axis::X, [0.0, -y + r * 2.2, h / 2.0], (r * 2.1, h / 2.0), 0, 12);
+    let tie = oval(Axis::X, [0.0, -y + r * 2.6, h / 2.0], (r * 2.1, h / 2.0 - r * 0.4), 0, 12);
     super::super::textile::form::hoop(b, "tie", &tie, r * 0.4, BLACK_FABRIC);
 }

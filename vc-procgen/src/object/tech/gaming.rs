@@ -44,7 +44,7 @@ pub(super) fn controller(b: &mut Build<'_>) {
         "cross",
         &[
             ([cx - arm, cy - arm * 0.33, z.0], [cx + arm, cy + arm * 0.33, z.1]),
-            ([cx - arm * 0.33, cy - arm, z.0], [cx + arm * 0.33, cy + arm, z.1 - 0.0004]),
+            ([cx - arm * 0.33, cy - arm, z.0], [cx + arm * 0.33, cy + arm, z.1 - h * 0.002]),
         ],
         dark,
     );
@@ -219,7 +219,7 @@ pub(super) fn virtual_headset(b: &mut Build<'_>) {
         );
     }
     let r = (h * 0.05).min(x * 0.08);
-    let side = y - r;
+    let side = y - r * 1.6;
     let strap = [
         [x - deep * 0.6, -side, tall * 0.55],
         [back, -side, tall * 0.6],
@@ -231,8 +231,8 @@ pub(super) fn virtual_headset(b: &mut Build<'_>) {
     ];
     let over = [
         [x - deep * 0.5, 0.0, tall * 0.95],
-        [back * 0.5, 0.0, h - r],
-        [-x * 0.55, 0.0, h * 0.85],
+        [back * 0.5, 0.0, h - r * 1.7],
+        [-x * 0.55, 0.0, h * 0.83],
         [-x + r, 0.0, tall * 0.45],
     ];
     tube(b, "strap", &spline(&strap, 4), r, BLACK_FABRIC);
@@ -241,7 +241,7 @@ pub(super) fn virtual_headset(b: &mut Build<'_>) {
         .map(|(a, c)| {
             (
                 [x - deep * 0.15, y * a - y * 0.05, tall * c - y * 0.04],
-                [x + 0.0008, y * a + y * 0.05, tall * c + y * 0.04],
+                [x + h * 0.002, y * a + y * 0.05, tall * c + y * 0.04],
             )
         })
         .to_vec();

@@ -55,16 +55,16 @@ pub(super) fn radio(b: &mut Build<'_>) {
     let thick = (grip * 0.2).min(x * 0.15);
     let handle = [
         [-x * 0.2, -y * 0.7, top * 0.97],
-        [-x * 0.2, -y * 0.62, h - thick],
-        [-x * 0.2, y * 0.62, h - thick],
+        [-x * 0.2, -y * 0.6, h - thick * 1.9],
+        [-x * 0.2, y * 0.6, h - thick * 1.9],
         [-x * 0.2, y * 0.7, top * 0.97],
     ];
     tube(b, "handle", &spline(&handle, 3), thick, if wooden { BROWN_LEATHER } else { BLACK_PLASTIC });
     if boombox {
-        b.hinge([-x * 0.7, 0.0, top - 0.0005], [0.0, -1.0, 0.0], 1.2, |b| {
+        b.hinge([-x * 0.7, 0.0, top - h * 0.002], [0.0, -1.0, 0.0], 1.2, |b| {
             b.cylinder(
                 "lid",
-                [0.0, 0.0, top - 0.0005],
+                [0.0, 0.0, top - h * 0.002],
                 (x * 0.6).min(y * 0.35),
                 (grip * 0.35).min(0.02),
                 BLACK_PLASTIC,
@@ -124,13 +124,13 @@ pub(super) fn turntable(b: &mut Build<'_>) {
     let t = (x * 0.015).min(0.004);
     b.top("top", [0.0, 0.0, h], (x * 0.9, y * 0.9));
     b.hinge([-x, 0.0, base], [0.0, -1.0, 0.0], 1.2, |b| {
-        let low = base + 0.0006;
+        let low = base + h * 0.003;
         b.block("lid", [-x, -y, h - t], [x, y, h], CLEAR_PLASTIC);
         let walls = [
             ([-x, -y, low], [x, -y + t, h - t * 1.01]),
             ([-x, y - t, low], [x, y, h - t * 1.01]),
-            ([-x, -y + t, low], [-x + t, y - t, h - t * 1.01]),
-            ([x - t, -y + t, low], [x, y - t, h - t * 1.01]),
+            ([-x, -y + t * 1.01, low], [-x + t, y - t * 1.01, h - t * 1.01]),
+            ([x - t, -y + t * 1.01, low], [x, y - t * 1.01, h - t * 1.01]),
         ];
         blocks(b, "lid", &walls, CLEAR_PLASTIC);
     });

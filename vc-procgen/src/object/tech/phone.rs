@@ -80,7 +80,7 @@ fn receiver(b: &mut Build<'_>, at: P, half: f32, thick: f32, mat: Mat) {
 pub(super) fn desk_phone(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, RED_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC]);
-    if y < 0.09 || h > 1.4 * y {
+    if y < 0.05 || h > 1.8 * y {
         return cradle(b, body);
     }
     let (thick, low) = (h * 0.16, h * 0.2);
@@ -241,5 +241,5 @@ pub(super) fn remote(b: &mut Build<'_>) {
         let c = y * (-0.72 + 0.38 * i as f32);
         blocks(b, "keys", &[([x * 0.66, c, top * 0.7], [x * 0.72, c + y * 0.28, h - key * 0.3])], mat);
     }
-    b.rod("eye", [-x + h * 0.1, -y * 0.3, top * 0.5], [-x + h * 0.1, y * 0.3, top * 0.5], top * 0.2, BLACK_GLASS);
+    b.rod("eye", [-x + top * 0.19, -y * 0.3, top * 0.5], [-x + top * 0.19, y * 0.3, top * 0.5], top * 0.2, BLACK_GLASS);
 }

@@ -64,7 +64,7 @@ pub(super) fn printer(b: &mut Build<'_>) {
     blocks(b, "light", &[([front - 0.003, y * 0.6, z], [front + out * 0.3, y * 0.66, z + panel * 0.3])], LED);
     if scanner {
         b.hinge([-x, 0.0, top], [0.0, -1.0, 0.0], 1.4, |b| {
-            b.soft("lid", [-x, -y, top + 0.0006], [front, y, top + (h - top) * 0.6], (h - top) * 0.2, body);
+            b.soft("lid", [-x, -y, top + h * 0.002], [front, y, top + (h - top) * 0.6], (h - top) * 0.2, body);
             b.soft(
                 "feeder",
                 [-x * 0.9, -y * 0.8, top + (h - top) * 0.55],
@@ -73,9 +73,9 @@ pub(super) fn printer(b: &mut Build<'_>) {
                 trim,
             );
         });
-        b.block("glass", [-x * 0.8, -y * 0.85, top - 0.002], [front * 0.85, y * 0.6, top + 0.0004], BLACK_GLASS);
+        b.block("glass", [-x * 0.8, -y * 0.85, top - 0.002], [front * 0.85, y * 0.6, top + h * 0.002], BLACK_GLASS);
     } else {
-        b.block("slot", [-x * 0.75, -y * 0.7, h - 0.004], [-x * 0.6, y * 0.7, h + 0.0006], SCREEN);
+        b.block("slot", [-x * 0.75, -y * 0.7, h - 0.004], [-x * 0.6, y * 0.7, h + h * 0.002], SCREEN);
     }
 }
 
@@ -87,8 +87,8 @@ pub(super) fn label_printer(b: &mut Build<'_>) {
     let seam = h * 0.55;
     b.soft("body", [-x, -y, 0.0], [front, y, seam], h * 0.1, body);
     b.hinge([-x, 0.0, seam], [0.0, -1.0, 0.0], 1.4, |b| {
-        b.soft("lid", [-x, -y, seam + 0.0005], [front, y, h], h * 0.15, body);
-        b.block("window", [-x * 0.4, -y * 0.5, h * 0.9], [x * 0.3, y * 0.5, h + 0.0006], SCREEN);
+        b.soft("lid", [-x, -y, seam + h * 0.002], [front, y, h], h * 0.15, body);
+        b.block("window", [-x * 0.4, -y * 0.5, h * 0.9], [x * 0.3, y * 0.5, h + h * 0.002], SCREEN);
     });
     b.block("label", [front - x * 0.1, -y * 0.5, h * 0.4], [x, y * 0.5, h * 0.4 + (h * 0.02).min(0.001)], WHITE_PAPER);
     let keys: Vec<(P, P)> = [-0.6, 0.0, 0.4]
@@ -150,7 +150,7 @@ pub(super) fn three_d_printer(b: &mut Build<'_>) {
         t * 0.1,
         colour,
     );
-    b.block("panel", [x - t * 0.2, y * 0.2, base * 0.25], [x + 0.0008, y * 0.7, base * 0.8], PICTURE_SKY);
+    b.block("panel", [x - t * 0.2, y * 0.2, base * 0.25], [x + h * 0.002, y * 0.7, base * 0.8], PICTURE_SKY);
     b.top("bed", [x * 0.55, 0.0, bed], (x * 0.3, y * 0.7));
 }
 
@@ -163,7 +163,7 @@ pub(super) fn scanner(b: &mut Build<'_>) {
     b.block("glass", [-x * 0.85, -y * 0.85, seam - 0.003], [x * 0.75, y * 0.85, seam + 0.0003], BLACK_GLASS);
     b.hinge([-x, 0.0, seam], [0.0, -1.0, 0.0], 1.5, |b| {
         b.soft("lid", [-x, -y * 0.98, seam + 0.0008], [x * 0.88, y * 0.98, h], h * 0.15, body);
-        b.block("mark", [x * 0.5, -y * 0.2, h * 0.9], [x * 0.62, y * 0.2, h + 0.0006], SILVER_METAL);
+        b.block("mark", [x * 0.5, -y * 0.2, h * 0.9], [x * 0.62, y * 0.2, h + h * 0.002], SILVER_METAL);
     });
     let keys: Vec<(P, P)> = (0..4)
         .map(|i| y * (-0.4 + 0.22 * i as f32))

@@ -31,7 +31,7 @@ pub(super) fn screen(b: &mut Build<'_>) {
         BLACK_PLASTIC,
     );
     stand(b, low, back, metal);
-    b.block("light", [front - 0.001, -y * 0.03, low + chin * 0.3], [face + 0.0008, y * 0.03, low + chin * 0.5], LED);
+    b.block("light", [front - 0.001, -y * 0.03, low + chin * 0.3], [face + h * 0.002, y * 0.03, low + chin * 0.5], LED);
 }
 
 fn stand(b: &mut Build<'_>, low: f32, back: f32, metal: Mat) {

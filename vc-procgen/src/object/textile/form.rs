@@ -219,8 +219,10 @@ impl Shell {
         let mut triangles = Vec::with_capacity(4 * nu * nv + 4 * (nu + nv));
         for (i, j) in (0..nu).flat_map(|i| (0..nv).map(move |j| (i, j))) {
             let [a, b, c, d] = [index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)];
-            triangles.extend([[a, b, c], [a, c, d]]);
-            triangles.extend([[a, c, b], [a, d, c]].map(|t| t.map(|v| v + under)));
+            // The diagonal runs towards the nearest corner, where cushions are flat.
+            let halves = if (2 * i < nu) == (2 * j < nv) { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
+            triangles.extend(halves);
+            triangles.extend(halves.map(|[p, q, r]| [p, r, q].map(|v| v + under)));
         }
         let mut wall = |a: u32, b: u32| triangles.extend([[b, a, a + under], [b, a + under, b + under]]);
         (0..nu).for_each(|i| wall(index(i, 0), index(i + 1, 0)));
@@ -248,6 +250,7 @@ impl Shell {
         let rings: Vec<Vec<P>> = (0..=6)
             .map(|i| {
                 let (s, c) = (std::f32::consts::PI * i as f32 / 6.0).sin_cos();
+                let s = if i % 6 == 0 { 0.0 } else { s };
                 oval(Axis::Z, [at[0], at[1], at[2] - half[2] * c], (half[0] * s, half[1] * s), 0, 8)
             })
             .collect();

@@ -88,8 +88,8 @@ impl Pile {
         let list = [
             self.tile((-x0, -y0), (x0, -y1)),
             self.tile((-x0, y1), (x0, y0)),
-            self.tile((-x0, -y1), (-x1, y1)),
-            self.tile((x1, -y1), (x0, y1)),
+            self.tile((-x0, -y1 * 0.999), (-x1, y1 * 0.999)),
+            self.tile((x1, -y1 * 0.999), (x0, y1 * 0.999)),
         ];
         blocks(b, "border", &list, mat);
     }

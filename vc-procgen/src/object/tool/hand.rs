@@ -110,7 +110,7 @@ pub(super) fn pliers(b: &mut Build<'_>) {
                 (side * 0.01 * y, l),
             ];
             b.prism("jaw", Axis::X, [-x * 0.7, 0.0, 0.0], &jaw, x * 1.4, STEEL);
-            let r = (x * 0.95).min(y * 0.3);
+            let r = (x * 0.95).min(y * 0.27);
             let way = [
                 [0.0, side * (y * 0.4), pivot * 0.9],
                 [0.0, side * (y - r), pivot * 0.5],

@@ -38,12 +38,12 @@ fn coats(b: &mut Build<'_>) -> (Mat, Mat) {
     ])
 }
 
-/// A cat: standing, sitting or curled up.
+/// A cat: standing, sitting or lying.
 pub(super) fn cat(b: &mut Build<'_>) {
     let (coat, trim) = coats(b);
     match b.rng.below(3) {
         0 => sitting(b, coat, trim),
-        1 => curled(b, coat, trim),
+        1 => lying(b, coat, trim),
         _ => {
             let tail = [(-0.8, 0.85), (-0.97, 0.95), (-0.9, 1.0)];
             let beast =
@@ -105,9 +105,9 @@ fn standing(b: &mut Build<'_>, beast: &Beast, (coat, trim): (Mat, Mat)) {
     legs.tapered(&spline(&way, 4), |t| thick * (1.0 - 0.5 * t));
     legs.put(b, "leg", coat);
     paws.put(b, "paw", trim);
-    let size = [x * head.0, y * 0.58, h * head.1 / 2.0];
+    let size = [x * head.0, y * 0.58, (h * head.1 / 2.0).min(x * head.0 * 1.1)];
     let nose = if muzzle > 0.05 { x * muzzle * 2.0 } else { x * 0.05 };
-    let at = [x - nose - size[0] * 0.8, 0.0, h - size[2] * if beast.ears == Ears::Pointed { 1.25 } else { 1.0 }];
+    let at = [x - nose - size[0] * 0.8, 0.0, h - size[2] * 1.27];
     face(b, at, size, nose, (coat, trim), beast.ears);
 }
 
@@ -171,26 +171,41 @@ pub(in crate::object) fn sitting(b: &mut Build<'_>, coat: Mat, trim: Mat) {
     face(b, [deep * 0.3, 0.0, h - size[2] * 1.27], size, deep * 0.16, (coat, trim), Ears::Pointed);
 }
 
-/// An animal asleep, nose to tail.
-fn curled(b: &mut Build<'_>, coat: Mat, trim: Mat) {
+/// An animal lying on its belly, paws ahead.
+fn lying(b: &mut Build<'_>, coat: Mat, trim: Mat) {
     let (x, y, h) = room(b);
-    let tall = h.min(y * 0.9);
-    let mut body = Shell::default();
-    let curl = [
-        [x * 0.55, y * 0.2, tall * 0.4],
-        [0.0, y * 0.3, tall * 0.46],
-        [-x * 0.6, 0.05 * y, tall * 0.42],
-        [-x * 0.5, -y * 0.45, tall * 0.2],
-        [x * 0.1, -y * 0.72, tall * 0.14],
-        [x * 0.5, -y * 0.6, tall * 0.12],
+    let high = h.min(x * 0.8);
+    let back = high * 0.56;
+    let ring = |t: f32, w: f32, z: f32| oval(Axis::X, [x * t, 0.0, back * z / 2.0], (y * w, back * z / 2.0), 0, 14);
+    let rings = [
+        ring(-0.98, 0.35, 0.5),
+        ring(-0.85, 0.85, 0.85),
+        ring(-0.55, 1.0, 1.0),
+        ring(-0.1, 0.85, 0.9),
+        ring(0.25, 0.8, 0.98),
+        ring(0.45, 0.62, 1.05),
+        ring(0.58, 0.35, 0.9),
     ];
-    body.tapered(&spline(&curl, 4), |t| {
-        y.min(tall) * if t < 0.55 { 0.26 + 0.2 * (t * 5.7).sin().abs() } else { 0.3 - 0.25 * t }
-    });
-    body.egg([-x * 0.2, 0.0, tall * 0.42], [x * 0.72, y * 0.75, tall * 0.42]);
-    body.put(b, "body", coat);
-    let size = [x * 0.2, y * 0.42, tall * 0.34];
-    face(b, [x * 0.66, 0.0, tall * 0.36], size, x * 0.06, (coat, trim), Ears::Pointed);
+    loft(b, "body", &rings, coat);
+    let (mut legs, mut paws) = (Shell::default(), Shell::default());
+    let r = high * 0.08;
+    for side in [-1.0, 1.0] {
+        let py = side * y * 0.45;
+        legs.tapered(&[[x * 0.2, py, high * 0.2], [x * 0.45, py, r], [x * 0.85, py, r]], |t| r * (1.5 - 0.6 * t));
+        paws.egg([x * 0.9, py, r], [x * 0.1, y * 0.2, r]);
+        legs.egg([-x * 0.5, side * y * 0.75, high * 0.17], [x * 0.3, y * 0.24, high * 0.17]);
+        paws.egg([-x * 0.2, side * y * 0.8, r], [x * 0.12, y * 0.18, r]);
+    }
+    let tail = [[-x * 0.85, 0.0, high * 0.15], [-x * 0.92, y * 0.6, r], [-x * 0.55, y * 0.9, r]];
+    legs.tapered(&spline(&tail, 4), |t| r * (0.9 - 0.4 * t));
+    legs.put(b, "leg", coat);
+    paws.put(b, "paw", trim);
+    let size = [x * 0.2, y * 0.58, high * 0.2];
+    let skull = [x * 0.6, 0.0, high - size[2] * 1.27];
+    let mut neck = Shell::default();
+    neck.tapered(&[[x * 0.4, 0.0, back * 0.6], skull], |_| y * 0.4);
+    neck.put(b, "neck", coat);
+    face(b, skull, size, x * 0.07, (coat, trim), Ears::Pointed);
 }
 
 /// A goldfish with flowing fins.
@@ -254,7 +269,7 @@ pub(super) fn hamster(b: &mut Build<'_>) {
     );
     let mut paws = Shell::default();
     for (px, side) in [(-0.4, -1.0), (-0.4, 1.0), (0.4, -1.0), (0.4, 1.0)] {
-        paws.egg([x * px, side * y * 0.5, h * 0.05], [x * 0.12, y * 0.15, h * 0.05]);
+        paws.egg([x * px, side * y * 0.42, h * 0.08], [x * 0.14, y * 0.2, h * 0.08]);
     }
     paws.put(b, "paw", SKIN);
     face(b, [x * 0.58, 0.0, h * 0.56], [x * 0.32, y * 0.62, h * 0.34], x * 0.14, (coat, trim), Ears::Pointed);
@@ -293,8 +308,8 @@ pub(in crate::object) fn bird(b: &mut Build<'_>, at: P, high: f32, (body, wing, 
     loft(b, "body", &rings, body);
     let mut wings = Shell::default();
     for side in [-1.0, 1.0] {
-        let points = [on(0.2, side * 0.8, 0.64), on(-0.1, side * 0.92, 0.42), on(-0.5, side * 0.6, 0.2)];
-        wings.tapered(&spline(&points, 3), |t| y.min(x) * 0.3 * (0.35 + t - 1.2 * t * t).max(0.05));
+        let points = [on(0.2, side * 0.72, 0.64), on(-0.1, side * 0.8, 0.42), on(-0.5, side * 0.6, 0.2)];
+        wings.tapered(&spline(&points, 3), |t| y.min(x) * 0.26 * (0.35 + t - 1.2 * t * t).max(0.05));
     }
     wings.put(b, "wing", wing);
     let mut hook = Shell::default();

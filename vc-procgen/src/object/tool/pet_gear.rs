@@ -37,7 +37,13 @@ pub(super) fn cage(b: &mut Build<'_>) {
             bars.tube(&[[wx, py, door.2], [wx, py, eave]], r);
         }
     }
-    for z in [eave - r, tall + r] {
+    for i in (0..=ny).step_by(2) {
+        let py = wy * (2.0 * i as f32 / ny as f32 - 1.0);
+        let line: Vec<P> =
+            (0..=nx).map(|k| wx * (2.0 * k as f32 / nx as f32 - 1.0)).map(|px| [px, py, top(px) - 2.0 * r]).collect();
+        bars.tube(&line, r);
+    }
+    for z in [eave - 2.0 * r, tall + r] {
         bars.hoop(&[[wx, wy, z], [-wx, wy, z], [-wx, -wy, z], [wx, -wy, z]], r * 1.3);
     }
     bars.put(b, "wire", wire);
@@ -108,15 +114,15 @@ pub(super) fn carrier(b: &mut Build<'_>) {
     blocks(b, "shell", &half(0.0, seam), lower);
     b.block("floor", [-x + t * 0.9, -y + t * 0.9, 0.0], [front, y - t * 0.9, t], lower);
     blocks(b, "shell", &half(seam, top), upper);
-    b.block("roof", [-x + t * 0.9, -y + t * 0.9, top - t], [front, y - t * 0.9, top - 0.0005], upper);
-    let rim = oval(Axis::Z, [0.0, 0.0, seam], (x - t, y - t), 2, 24);
+    b.block("roof", [-x + t * 0.9, -y + t * 0.9, top - t], [front, y - t * 0.9, top - h * 0.002], upper);
+    let rim = oval(Axis::Z, [0.0, 0.0, seam], (x - t, y - t * 1.2), 2, 24);
     hoop(b, "seam", &rim, t * 0.9, lower);
     b.inside("compartment", [0.0, 0.0, t], (x - 3.0 * t, y - 3.0 * t), top - 3.0 * t);
     let slots: Vec<(P, P)> = (0..5)
         .flat_map(|i| {
             let px = -x * 0.7 + x * 0.3 * i as f32;
             [-1.0_f32, 1.0].map(|s| {
-                let (a, c) = (s * (y - t * 0.5), s * (y + 0.0006));
+                let (a, c) = (s * (y - t * 0.5), s * (y + h * 0.002));
                 ([px, a.min(c), seam + (top - seam) * 0.3], [px + x * 0.15, a.max(c), seam + (top - seam) * 0.75])
             })
         })
@@ -136,7 +142,8 @@ pub(super) fn carrier(b: &mut Build<'_>) {
         door.put(b, "door", STEEL);
     });
     let r = t * 0.9;
-    let handle = [[-x * 0.4, 0.0, top - t], [-x * 0.3, 0.0, h - r], [x * 0.3, 0.0, h - r], [x * 0.4, 0.0, top - t]];
+    let handle =
+        [[-x * 0.4, 0.0, top - t], [-x * 0.3, 0.0, h - r * 2.0], [x * 0.3, 0.0, h - r * 2.0], [x * 0.4, 0.0, top - t]];
     tube(b, "handle", &spline(&handle, 3), r, lower);
 }
 
@@ -144,13 +151,14 @@ pub(super) fn carrier(b: &mut Build<'_>) {
 pub(super) fn leash(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let strap = b.one(&[RED_FABRIC, BLACK_FABRIC, BROWN_LEATHER, BLUE_FABRIC]);
-    let r = (h / 4.0).min(x * 0.3);
-    let turns = 2.5;
-    let coil: Vec<P> = (0..=30)
+    let r = (h / 4.0).min(x * 0.25).min(y * 0.2);
+    let turns = ((h - 2.0 * r) / (2.0 * r)).clamp(2.0, 7.0).round();
+    let count = turns as usize * 16;
+    let coil: Vec<P> = (0..=count)
         .map(|i| {
-            let t = i as f32 / 30.0;
+            let t = i as f32 / count as f32;
             let (s, c) = (t * turns * std::f32::consts::TAU).sin_cos();
-            let shrink = 1.0 - 0.3 * t;
+            let shrink = 1.0 - 0.15 * t;
             [(x - r) * c * shrink, (y - r) * s * shrink, r + (h - 2.0 * r) * t]
         })
         .collect();

@@ -77,7 +77,7 @@ pub(super) fn kit(b: &mut Build<'_>) {
         b.cylinder("reel", [x * px, y * 0.65, t * 0.9], r, rim * 0.6, colour);
     }
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.8, |b| {
-        b.soft("lid", [-x, -y, rim + 0.0005], [x, y, h * 0.88], (h - rim) * 0.2, case);
+        b.soft("lid", [-x, -y, rim + h * 0.002], [x, y, h * 0.88], (h - rim) * 0.2, case);
         let mut cushion = Shell::default();
         cushion.egg([0.0, 0.0, h * 0.87], [x * 0.55, y * 0.45, h * 0.13]);
         cushion.put(b, "cushion", RED_FABRIC);

@@ -31,7 +31,7 @@ pub(super) fn toolbox(b: &mut Build<'_>) {
         ];
         blocks(b, "base", &list, body);
         b.slide([1.0, 0.0, 0.0], x * 1.2, |b| {
-            let (back, ahead, w) = (-half + 2.0 * t, half - 0.0005, y - 1.6 * t);
+            let (back, ahead, w) = (-half + 2.0 * t, half - h * 0.002, y - 1.6 * t);
             let (z0, z1) = (1.5 * t, split - t * 0.6);
             let walls = [
                 ([back, -w, z0], [ahead - t, w, z0 + t]),
@@ -50,7 +50,7 @@ pub(super) fn toolbox(b: &mut Build<'_>) {
             b.block("pull", [ahead - t, -y * 0.2, split * 0.55], [half + latch * 0.9, y * 0.2, split * 0.7], STEEL);
         });
         b.hinge([-half, 0.0, rim], [0.0, -1.0, 0.0], 1.8, |b| {
-            b.soft("lid", [-half, -y, rim + 0.0005], [half, y, top], (top - rim) * 0.35, lid);
+            b.soft("lid", [-half, -y, rim + h * 0.002], [half, y, top], (top - rim) * 0.35, lid);
             for side in [-0.6, 0.6] {
                 b.block(
                     "latch",
@@ -110,12 +110,12 @@ pub(super) fn rope(b: &mut Build<'_>) {
         .map(|i| {
             let t = i as f32 / (turns * 20.0);
             let (s, c) = (t * turns * std::f32::consts::TAU).sin_cos();
-            let wobble = 0.93 + 0.07 * (t * 40.0).sin();
+            let wobble = 0.92 + 0.06 * (t * 40.0).sin();
             [(x - r) * c * wobble, (y - r) * s * wobble, r + (h - 2.0 * r) * t]
         })
         .collect();
     tube(b, "rope", &coil, r, mat);
-    let tie = oval(Axis::Y, [x - r * 1.5, 0.0, h / 2.0], ((r * 1.45).min(x * 0.3), h / 2.0 - r * 0.35), 0, 14);
+    let tie = oval(Axis::Y, [x - r * 1.8, 0.0, h / 2.0], ((r * 1.4).min(x * 0.3), h / 2.0 - r * 0.35), 0, 14);
     hoop(b, "tie", &tie, r * 0.3, mat);
 }
 
@@ -123,12 +123,12 @@ pub(super) fn rope(b: &mut Build<'_>) {
 pub(super) fn extinguisher(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let side = y * 0.22;
-    let r = x.min(y - side);
+    let r = x.min(y - side) * 0.98;
     let shift = -(y - r);
     let body =
         [(r * 0.9, 0.0), (r, h * 0.02), (r, h * 0.68), (r * 0.8, h * 0.76), (r * 0.35, h * 0.8), (r * 0.3, h * 0.86)];
     b.lathe("bottle", [0.0, shift, 0.0], &body, RED_METAL);
-    b.lathe("label", [0.0, shift, h * 0.25], &[(r * 1.004, 0.0), (r * 1.004, h * 0.25)], b.style.joinery);
+    b.lathe("label", [0.0, shift, h * 0.25], &[(r * 1.02, 0.0), (r * 1.02, h * 0.25)], b.style.joinery);
     b.block("valve", [-r * 0.3, shift - r * 0.3, h * 0.84], [r * 0.3, shift + r * 0.3, h * 0.92], BLACK_METAL);
     b.block("lever", [-r * 0.2, shift - r * 0.9, h * 0.965], [r * 0.2, shift + r * 0.4, h], BLACK_METAL);
     b.block("grip", [-r * 0.2, shift - r * 0.8, h * 0.9], [r * 0.2, shift + r * 0.2, h * 0.925], BLACK_METAL);
@@ -164,8 +164,8 @@ pub(super) fn matches(b: &mut Build<'_>) {
     let list = [
         ([-x + e, -y, 0.0], [x - e, y, t]),
         ([-x + e, -y, h - t - e], [x - e, y, h - e]),
-        ([-x + e, -y, t * 0.9], [-x + e + t, y, h - t - e]),
-        ([x - e - t, -y, t * 0.9], [x - e, y, h - t - e]),
+        ([-x + e * 1.01, -y * 0.999, t * 0.9], [-x + e + t, y * 0.999, h - t * 0.9 - e]),
+        ([x - e - t, -y * 0.999, t * 0.9], [x - e * 1.01, y * 0.999, h - t * 0.9 - e]),
     ];
     blocks(b, "sleeve", &list, card);
     b.block("label", [-x * 0.6, -y * 0.7, h - 2.0 * e], [x * 0.6, y * 0.7, h], CREAM_PAPER);

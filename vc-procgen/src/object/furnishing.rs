@@ -1,5 +1,0 @@
-//! To be filled.
-
-use super::Generator;
-
-pub(super) const GENERATORS: &[Generator] = &[];

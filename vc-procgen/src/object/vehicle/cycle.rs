@@ -1,0 +1,516 @@
+//! Two wheels: bicycles, motorcycles and scooters.
+
+use std::f32::consts::FRAC_PI_2;
+
+use super::wheel::spoked;
+use crate::material::*;
+use crate::object::build::{Axis, Build, P};
+use crate::object::park::shape::{grown, limb, mix, tub};
+
+const PAINTS: &[Mat] =
+    &[RED_METAL, BLUE_METAL, BLACK_METAL, GREEN_METAL, WHITE_METAL, YELLOW_METAL, SILVER_METAL, ORANGE, NAVY, SAGE];
+
+/// A bicycle: sporty or for town, with a motor, or with a box in front.
+pub(super) fn bicycle(b: &mut Build<'_>) {
+    grown(b, [0.8, 0.22, 0.48]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let cargo = b.class == "cargo_bike";
+    let town = cargo || b.rng.chance(0.5);
+    let frame = b.one(PAINTS);
+    let tyre = b.vary(0.012, 0.028) * (h / 1.0).min(1.2);
+    let r = (h * b.vary(0.3, 0.325)).min(x * 0.38);
+    let front_r = if cargo { r * 0.75 } else { r };
+    let (rear, fore) = (-x + r, x - front_r);
+    let rim = b.one(&[ALUMINIUM, BLACK_METAL, STEEL]);
+    spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, false, rim);
+    spoked(b, "wheel_f", [fore, 0.0, front_r], front_r, tyre, false, rim);
+    // Points of the frame: bottom bracket, seat, head.
+    let base = if cargo { rear + (fore - rear) * 0.27 } else { rear + (fore - rear) * b.vary(0.4, 0.44) };
+    let pedal: P = [base, 0.0, r * 0.85];
+    let saddle: P = [base - r * 0.45, 0.0, h * b.vary(0.86, 0.95)];
+    let bar_z = h - 0.02;
+    let head: P = if cargo { [base + r * 1.25, 0.0, h * 0.78] } else { [fore - r * 0.62, 0.0, h * 0.84] };
+    let tube = (h * b.vary(0.015, 0.022)).max(0.006);
+    let rod =
+        |b: &mut Build<'_>, name: &str, from: P, to: P, share: f32, mat: Mat| b.rod(name, from, to, tube * share, mat);
+    let cluster = mix(pedal, saddle, if town { 0.62 } else { 0.78 });
+    rod(b, "seat_tube", pedal, cluster, 1.0, frame);
+    rod(b, "seat_post", cluster, saddle, 0.7, STEEL);
+    let down = [head[0] + (if cargo { 0.0 } else { r * 0.06 }), 0.0, head[2] - r * 0.35];
+    if town {
+        let low = mix(pedal, saddle, b.vary(0.2, 0.4));
+        rod(b, "top_tube", low, mix(head, down, 0.4), 0.9, frame);
+    } else {
+        rod(b, "top_tube", cluster, mix(head, down, 0.2), 0.9, frame);
+    }
+    rod(b, "down_tube", pedal, down, 1.15, frame);
+    rod(b, "head_tube", head, down, 1.2, frame);
+    let spread = (tyre * 1.9).max(0.02).min(y * 0.3);
+    for side in [-spread, spread] {
+        rod(b, "stay", [pedal[0], side * 0.6, pedal[2]], [rear, side, r], 0.6, frame);
+        rod(b, "stay", [cluster[0], side * 0.4, cluster[2]], [rear, side, r], 0.5, frame);
+        let crown = if cargo {
+            [fore - front_r * 0.35, side, front_r * 2.1]
+        } else {
+            [down[0] + r * 0.05, side, down[2] - 0.01]
+        };
+        rod(b, "fork", crown, [fore, side, front_r], 0.7, frame);
+    }
+    rod(b, "axle", [rear, -spread - tube, r], [rear, spread + tube, r], 0.5, STEEL);
+    rod(b, "axle", [fore, -spread - tube, front_r], [fore, spread + tube, front_r], 0.5, STEEL);
+    if cargo {
+        cargo_bed(b, down, (fore - front_r * 0.35, front_r), r, frame);
+    } else {
+        rod(
+            b,
+            "crown",
+            [down[0] + r * 0.03, -spread, down[2] - 0.01],
+            [down[0] + r * 0.03, spread, down[2] - 0.01],
+            0.8,
+            frame,
+        );
+    }
+    handlebar(b, head, (y, bar_z), tube, town);
+    seat(b, saddle, (h * 0.13, (y * 0.42).min(0.08)), h);
+    drive(b, pedal, [rear, 0.0, r], (r, y.min(0.17)), spread);
+    stand(b, [base - r * 0.25, 0.0, r * 0.75], y, tube);
+    if town {
+        fittings(b, rear, r, tyre, spread);
+    }
+    if b.class == "electric_bicycle" || (cargo && b.rng.chance(0.5)) {
+        b.hull("battery", &limb(mix(pedal, down, 0.25), mix(pedal, down, 0.85), tube * 2.4, tube * 2.4), BLACK_PLASTIC);
+        b.rod(
+            "motor",
+            [pedal[0], -spread * 1.4, pedal[2]],
+            [pedal[0], spread * 1.4, pedal[2]],
+            r * 0.22,
+            BLACK_PLASTIC,
+        );
+        b.soft("display", [head[0] + 0.0, -0.03, bar_z - 0.03], [head[0] + 0.04, 0.03, bar_z + 0.015], 0.005, SCREEN);
+    }
+}
+
+/// Mudguards, a rack, a lamp and reflectors of town bicycles.
+fn fittings(b: &mut Build<'_>, rear: f32, r: f32, tyre: f32, spread: f32) {
+    let z = 2.0 * r + tyre * 0.6 + 0.015;
+    for side in [-1.0, 1.0] {
+        b.rod("rack", [rear, side * spread, r], [rear - r * 0.4, side * spread * 1.8, z], 0.005, STEEL);
+        b.rod(
+            "rack",
+            [rear - r * 0.75, side * spread * 1.8, z],
+            [rear + r * 0.5, side * spread * 1.8, z],
+            0.005,
+            STEEL,
+        );
+    }
+    for dx in [-0.7, -0.2, 0.4] {
+        b.rod("rack", [rear + r * dx, -spread * 1.8, z], [rear + r * dx, spread * 1.8, z], 0.004, STEEL);
+    }
+    b.block("reflector", [rear - r * 0.78, -0.025, z - 0.05], [rear - r * 0.74, 0.025, z + 0.004], SIGNAL_RED);
+}
+
+fn handlebar(b: &mut Build<'_>, head: P, (y, z): (f32, f32), tube: f32, town: bool) {
+    let thin = tube * 0.7;
+    let (y, z) = (y - thin * 1.1, z - thin);
+    let stem = [head[0] - tube, 0.0, z - tube];
+    b.bar("stem", head, stem, thin, STEEL);
+    let grip = b.one(&[RUBBER, BROWN_LEATHER, BLACK_PLASTIC]);
+    for side in [-1.0, 1.0] {
+        let (bend, tip) = if town {
+            ([head[0] + 0.05, side * y * 0.55, z], [head[0] - 0.12, side * y, z - 0.02])
+        } else {
+            ([head[0] + 0.04, side * y * 0.5, z], [head[0] + 0.03, side * y, z])
+        };
+        b.pipe("handlebar", &[stem, bend, tip], thin * 0.8, STEEL);
+        b.rod("grip", mix(bend, tip, 0.45), tip, thin * 1.1, grip);
+        let lever = mix(bend, tip, 0.4);
+        b.rod("brake", lever, [lever[0] + 0.05, side * y * 0.9, z - 0.02], 0.005, IRON);
+    }
+    b.rod(
+        "headlight",
+        [head[0] + tube * 0.5, 0.0, head[2]],
+        [head[0] + tube + 0.05, 0.0, head[2]],
+        0.025_f32.min(tube * 2.0),
+        COOL_BULB,
+    );
+}
+
+fn seat(b: &mut Build<'_>, at: P, (long, half): (f32, f32), h: f32) {
+    let leather = b.one(&[BLACK_LEATHER, BROWN_LEATHER, TAN_LEATHER]);
+    let z = at[2].min(h - 0.01);
+    let points = [
+        [at[0] - long, half, z - 0.02],
+        [at[0] - long, -half, z - 0.02],
+        [at[0] - long * 0.9, half * 0.8, z + 0.01],
+        [at[0] - long * 0.9, -half * 0.8, z + 0.01],
+        [at[0] + long, half * 0.25, z - 0.02],
+        [at[0] + long, -half * 0.25, z - 0.02],
+        [at[0] + long * 0.8, 0.0, z + 0.005],
+        [at[0] - long * 0.5, 0.0, z - 0.06],
+    ];
+    b.hull("saddle", &points, leather);
+    b.top("saddle", [at[0] - long * 0.5, 0.0, z + 0.01], (long * 0.35, half * 0.7));
+}
+
+/// Chainring, chain, cranks and pedals.
+fn drive(b: &mut Build<'_>, pedal: P, hub: P, (r, y): (f32, f32), spread: f32) {
+    let at = -spread * 1.1;
+    b.rod("chainring", [pedal[0], at - 0.004, pedal[2]], [pedal[0], at + 0.004, pedal[2]], r * 0.27, STEEL);
+    b.rod("sprocket", [hub[0], at - 0.004, hub[2]], [hub[0], at + 0.004, hub[2]], r * 0.13, STEEL);
+    for side in [-1.0, 1.0] {
+        let rise = if side > 0.0 { r * 0.27 } else { r * 0.13 };
+        b.rod(
+            "chain",
+            [pedal[0], at, pedal[2] + rise * if side > 0.0 { 0.95 } else { -1.9 }],
+            [hub[0], at, hub[2] + side * r * 0.12],
+            0.004,
+            IRON,
+        );
+        let (cy, dx) = (side * spread * 1.7, side * r * 0.5);
+        b.rod("crank", [pedal[0], cy, pedal[2]], [pedal[0] + dx, cy, pedal[2]], 0.009, ALUMINIUM);
+        let out = side * (y - 0.005);
+        b.block(
+            "pedal",
+            [pedal[0] + dx - 0.035, out.min(cy), pedal[2] - 0.012],
+            [pedal[0] + dx + 0.035, out.max(cy), pedal[2] + 0.012],
+            BLACK_PLASTIC,
+        );
+    }
+    b.rod("bracket", [pedal[0], -spread * 1.8, pedal[2]], [pedal[0], spread * 1.8, pedal[2]], 0.016, ALUMINIUM);
+}
+
+/// A stand on both sides, so that it does not fall over.
+fn stand(b: &mut Build<'_>, top: P, y: f32, tube: f32) {
+    let r = (tube * 0.5).max(0.004);
+    for side in [-1.0, 1.0] {
+        let foot = [top[0] - 0.04, side * (y * 0.75).min(0.16), r];
+        b.bar("stand", [top[0] + 0.03, 0.0, top[2]], foot, r, IRON);
+    }
+}
+
+/// The box of a cargo bike between the handlebar and the front wheel.
+fn cargo_bed(b: &mut Build<'_>, down: P, (fore, front_r): (f32, f32), r: f32, frame: Mat) {
+    let y = b.size.y / 2.0;
+    let (low, x0) = (r * 0.55, down[0] + 0.06);
+    let x1 = fore.max(x0 + 0.2) - front_r * 0.75;
+    let (middle, half) = ((x0 + x1) / 2.0, ((x1 - x0) / 2.0).max(0.1));
+    let tall = (b.size.z * b.vary(0.32, 0.42)).max(0.1);
+    let mat = b.one(&[BIRCH, OAK, PINE, BLACK_PLASTIC, frame]);
+    let wide = (y * 0.82, y * 0.95);
+    tub(b, "box", [middle, 0.0, low], (half * 0.85, wide.0), (half, wide.1), tall, 0.015, mat);
+    b.inside("compartment", [middle, 0.0, low + 0.015], (half * 0.85 - 0.03, wide.0 - 0.03), tall + 0.2);
+    b.rod("beam", [down[0] - 0.05, 0.0, low - 0.008], [fore, 0.0, front_r * 2.1], 0.02, frame);
+    b.rod("beam", [down[0], 0.0, down[2]], [down[0] + 0.02, 0.0, low - 0.01], 0.018, frame);
+    b.rod("beam", [down[0], 0.0, low - 0.01], [middle + half * 0.85, 0.0, low - 0.01], 0.02, frame);
+    b.rod(
+        "crown",
+        [fore, -0.06_f32.max(-y * 0.3), front_r * 2.1],
+        [fore, 0.06_f32.min(y * 0.3), front_r * 2.1],
+        0.015,
+        frame,
+    );
+}
+
+/// A motorcycle: engine, tank, seat, fork, exhaust; a locker under the seat.
+pub(super) fn motorcycle(b: &mut Build<'_>) {
+    grown(b, [1.0, 0.38, 0.52]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let paint = b.one(PAINTS);
+    let r = (h * b.vary(0.26, 0.29)).min(x * 0.36);
+    let tyre = r * b.vary(0.17, 0.23);
+    let cast = b.rng.chance(0.6);
+    let (rear, fore) = (-x + r + 0.02, x - r);
+    let rim = b.one(&[ALUMINIUM, BLACK_METAL, CHROME]);
+    spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, cast, rim);
+    spoked(b, "wheel_f", [fore, 0.0, r], r, tyre * 0.85, cast, rim);
+    let head: P = [fore - r * b.vary(0.7, 0.95), 0.0, h * 0.82];
+    let fork = tyre * 1.3;
+    for side in [-fork, fork] {
+        b.rod("fork", [head[0], side, head[2]], [fore, side, r], 0.022 * h, CHROME);
+        b.rod("swing_arm", [rear + r * 1.3, side, r * 1.05], [rear, side, r], 0.024 * h, IRON);
+        b.rod("shock", [rear + r * 0.3, side, r * 1.1], [rear + r * 0.75, side * 0.9, h * 0.62], 0.018 * h, CHROME);
+    }
+    b.rod("yoke", [head[0], -fork, head[2] - 0.02], [head[0], fork, head[2] - 0.02], 0.03 * h, IRON);
+    b.rod("axle", [fore, -fork, r], [fore, fork, r], 0.012, STEEL);
+    b.rod("axle", [rear, -fork, r], [rear, fork, r], 0.012, STEEL);
+    let (mid0, mid1) = (rear + r * 1.15, fore - r * 1.2);
+    let waist = h * 0.58;
+    b.soft("engine", [mid0, -y * 0.4, r * 0.45], [mid1, y * 0.4, waist * 0.85], 0.04, GALVANISED);
+    for i in 0..4 {
+        let z = waist * (0.55 + 0.08 * i as f32);
+        b.block("fin", [mid0 + (mid1 - mid0) * 0.35, -y * 0.46, z], [mid1 - 0.02, y * 0.46, z + 0.015], ALUMINIUM);
+    }
+    let tank = [(mid0 + mid1) / 2.0 - r * 0.2, head[0] - 0.02];
+    let top = h * b.vary(0.76, 0.82);
+    let outline: Vec<P> = [1.0, -1.0]
+        .into_iter()
+        .flat_map(|s| {
+            [
+                [tank[0], s * y * 0.25, waist],
+                [tank[1], s * y * 0.3, waist + 0.06],
+                [tank[0], s * y * 0.22, waist + 0.09],
+                [tank[1] - 0.05, s * y * 0.36, top - 0.06],
+                [tank[1] - 0.1, s * y * 0.18, top],
+                [tank[1], s * y * 0.12, top - 0.04],
+            ]
+        })
+        .collect();
+    b.hull("tank", &outline, paint);
+    b.rod("frame", [rear + r * 0.5, 0.0, waist], [head[0], 0.0, head[2] - 0.04], 0.035 * h, IRON);
+    b.rod("frame", [mid1, 0.0, r * 0.6], [head[0], 0.0, head[2] - 0.08], 0.028 * h, IRON);
+    locker_seat(b, (rear - r * 0.3, tank[0] + 0.02), (waist, y * 0.32), paint);
+    b.hull("mudguard", &guard(fore, r, tyre * 0.95), paint);
+    b.hull("mudguard", &guard(rear, r, tyre * 1.1), paint);
+    let lamp = 0.085 * h;
+    b.lathe_along(
+        "headlight",
+        [head[0] + 0.02, 0.0, head[2]],
+        [head[0] + 1.0, 0.0, head[2]],
+        &[(lamp * 0.5, 0.0), (lamp, lamp * 0.8)],
+        IRON,
+    );
+    b.rod(
+        "headlight",
+        [head[0] + 0.02 + lamp * 0.8, 0.0, head[2]],
+        [head[0] + 0.03 + lamp * 0.8, 0.0, head[2]],
+        lamp * 0.9,
+        COOL_BULB,
+    );
+    bars(b, head, y, h);
+    if b.rng.chance(0.5) {
+        let screen = [
+            [head[0] + 0.05, -y * 0.3, head[2] + 0.05],
+            [head[0] + 0.05, y * 0.3, head[2] + 0.05],
+            [head[0] - 0.02, y * 0.2, h - 0.002],
+            [head[0] - 0.02, -y * 0.2, h - 0.002],
+        ];
+        let points: Vec<P> = screen.iter().flat_map(|p| [*p, [p[0] - 0.008, p[1], p[2]]]).collect();
+        b.hull("windshield", &points, CLEAR_PLASTIC);
+    }
+    for side in [-1.0, 1.0] {
+        let cy = side * y * 0.48;
+        b.lathe_along(
+            "exhaust",
+            [mid1, cy, r * 0.5],
+            [rear - r * 0.5, cy, r * 0.75],
+            &[(0.02, 0.0), (0.02, (mid1 - rear) * 0.5), (0.045 * h, (mid1 - rear) * 0.55), (0.04 * h, mid1 - rear)],
+            CHROME,
+        );
+        b.rod("peg", [mid0 + 0.05, side * y * 0.3, r * 0.6], [mid0 + 0.05, side * y * 0.62, r * 0.6], 0.015, RUBBER);
+        b.bar("stand", [mid0, side * y * 0.2, r * 0.5], [mid0 - 0.03, side * y * 0.55, 0.012], 0.012, IRON);
+    }
+}
+
+/// A guard that hugs the upper half of a wheel.
+fn guard(x: f32, r: f32, half: f32) -> Vec<P> {
+    let arc = [-0.75_f32, -0.4, 0.0, 0.4, 0.75];
+    arc.iter()
+        .flat_map(|&s| {
+            let z = r + (r + 0.015) * (1.0 - s * s).sqrt();
+            [[x + s * r, half, z], [x + s * r, -half, z]]
+        })
+        .chain([[x - r * 0.7, 0.0, r * 1.95], [x + r * 0.7, 0.0, r * 1.95]])
+        .filter(|p| p[2] > r * 1.6)
+        .collect()
+}
+
+/// A seat over a small locker whose lid it is.
+fn locker_seat(b: &mut Build<'_>, (x0, x1): (f32, f32), (z, half): (f32, f32), paint: Mat) {
+    let (deep, thick) = (b.size.z * 0.1, b.size.z * 0.055);
+    let (low, t) = (z - deep, 0.008);
+    let middle = (x0 + x1) / 2.0;
+    tub(
+        b,
+        "locker",
+        [middle, 0.0, low],
+        ((x1 - x0) / 2.0 * 0.85, half * 0.8),
+        ((x1 - x0) / 2.0, half),
+        deep - 0.002,
+        t,
+        paint,
+    );
+    b.inside(
+        "compartment",
+        [middle, 0.0, low + t],
+        (((x1 - x0) / 2.0 * 0.85 - 0.025).max(0.01), (half * 0.8 - 0.025).max(0.01)),
+        deep - t - 0.006,
+    );
+    let leather = b.one(&[BLACK_LEATHER, BROWN_LEATHER, BLACK_LEATHER]);
+    b.hinge([x1, 0.0, z], [0.0, 1.0, 0.0], FRAC_PI_2 * 0.9, |b| {
+        b.soft("seat", [x0, -half, z], [x1 - 0.005, half, z + thick], 0.03, leather);
+        b.top("seat", [middle, 0.0, z + thick], ((x1 - x0) / 2.0 * 0.8, half * 0.8));
+    });
+    b.block("tail_light", [x0 - 0.02, -half * 0.5, z - 0.05], [x0 + 0.01, half * 0.5, z - 0.01], SIGNAL_RED);
+}
+
+/// Handlebar with grips, mirrors and a dial.
+fn bars(b: &mut Build<'_>, head: P, y: f32, h: f32) {
+    let z = (head[2] + 0.05).min(h - 0.06);
+    let tip = y - 0.02;
+    for side in [-1.0, 1.0] {
+        b.pipe(
+            "handlebar",
+            &[
+                [head[0], 0.0, head[2]],
+                [head[0] - 0.02, side * tip * 0.4, z],
+                [head[0] - 0.08, side * tip * 0.95, z - 0.01],
+            ],
+            0.012,
+            IRON,
+        );
+        b.rod(
+            "grip",
+            [head[0] - 0.045, side * tip * 0.65, z - 0.005],
+            [head[0] - 0.09, side * tip, z - 0.012],
+            0.018,
+            RUBBER,
+        );
+        b.rod(
+            "mirror",
+            [head[0] - 0.03, side * tip * 0.55, z],
+            [head[0] - 0.02, side * tip * 0.75, h - 0.05],
+            0.006,
+            IRON,
+        );
+        b.soft(
+            "mirror",
+            [head[0] - 0.03, side * tip * 0.75 - 0.05, h - 0.06],
+            [head[0] - 0.01, side * tip * 0.75 + 0.05, h],
+            0.008,
+            BLACK_PLASTIC,
+        );
+        b.ball("indicator", [head[0] + 0.03, side * tip * 0.3, head[2]], 0.022, SIGNAL_AMBER);
+    }
+    b.rod("yoke", [head[0] + 0.03, -tip * 0.3, head[2]], [head[0] + 0.03, tip * 0.3, head[2]], 0.008, IRON);
+}
+
+/// A motor scooter: leg shield, footboard, a locker under the seat.
+pub(super) fn scooter(b: &mut Build<'_>) {
+    grown(b, [0.85, 0.32, 0.52]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let (paint, r) = (b.one(PAINTS), (h * b.vary(0.18, 0.21)).min(x * 0.28));
+    let tyre = r * 0.24;
+    let (rear, fore) = (-x + r + 0.04, x - r);
+    spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, true, ALUMINIUM);
+    spoked(b, "wheel_f", [fore, 0.0, r], r, tyre, true, ALUMINIUM);
+    let head: P = [fore - r * 1.2, 0.0, h * 0.83];
+    for side in [-tyre * 1.35, tyre * 1.35] {
+        b.rod("fork", [head[0] + 0.06, side, h * 0.4], [fore, side, r], 0.018, STEEL);
+    }
+    b.rod("axle", [fore, -tyre * 1.5, r], [fore, tyre * 1.5, r], 0.012, STEEL);
+    b.rod("axle", [rear, -y * 0.3, r], [rear, y * 0.3, r], 0.014, STEEL);
+    b.rod("column", [head[0], 0.0, head[2]], [head[0] + 0.08, 0.0, h * 0.38], 0.03, paint);
+    b.hull("mudguard", &guard(fore, r, tyre * 1.3), paint);
+    let (floor, back) = (r * 1.05, rear + (fore - rear) * 0.46);
+    let shield: Vec<P> = [1.0, -1.0]
+        .into_iter()
+        .flat_map(|s| {
+            [
+                [head[0] - 0.06, s * y * 0.5, floor],
+                [head[0] - 0.02, s * y * 0.5, floor],
+                [head[0] - 0.01, s * y * 0.72, h * 0.55],
+                [head[0] + 0.04, s * y * 0.7, h * 0.55],
+                [head[0] + 0.02, s * y * 0.35, head[2] - 0.03],
+                [head[0] + 0.1, s * y * 0.2, h * 0.5],
+            ]
+        })
+        .collect();
+    b.hull("shield", &shield, paint);
+    b.soft("footboard", [back - 0.05, -y * 0.62, floor - 0.07], [head[0], y * 0.62, floor], 0.02, GREY_RUBBER);
+    let seat_z = h * b.vary(0.6, 0.66);
+    let deep = b.size.z * 0.1;
+    let tail: Vec<P> = [1.0, -1.0]
+        .into_iter()
+        .flat_map(|s| {
+            [
+                [back, s * y * 0.45, floor - 0.06],
+                [back, s * y * 0.4, seat_z - deep - 0.004],
+                [-x + 0.02, s * y * 0.3, seat_z - deep - 0.004],
+                [-x + 0.1, s * y * 0.62, r * 1.4],
+                [back - 0.1, s * y * 0.62, r * 1.1],
+                [rear, s * y * 0.62, r * 2.05],
+            ]
+        })
+        .collect();
+    b.hull("tail", &tail, paint);
+    locker_seat(b, (-x + 0.06, back), (seat_z, y * 0.42), paint);
+    let lamp = 0.06 * h;
+    b.soft(
+        "head",
+        [head[0] - 0.06, -y * 0.35, head[2] - 0.05],
+        [head[0] + 0.09, y * 0.35, head[2] + 0.07],
+        0.04,
+        paint,
+    );
+    b.rod("headlight", [head[0] + 0.07, 0.0, head[2]], [head[0] + 0.1, 0.0, head[2]], lamp, COOL_BULB);
+    bars(b, head, y, h);
+    for side in [-1.0, 1.0] {
+        b.bar("stand", [back - 0.05, side * y * 0.2, floor - 0.06], [back - 0.1, side * y * 0.5, 0.012], 0.012, IRON);
+    }
+    b.lathe_along(
+        "exhaust",
+        [back - 0.1, -y * 0.62, r * 0.9],
+        [-x + 0.1, -y * 0.62, r],
+        &[(0.02, 0.0), (0.05, 0.08), (0.05, (rear - -x) + 0.1), (0.02, (rear - -x) + 0.12)],
+        CHROME,
+    );
+}
+
+/// An electric scooter: a deck, a folding column and a bar.
+pub(super) fn electric_scooter(b: &mut Build<'_>) {
+    grown(b, [0.5, 0.2, 0.5]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let paint = b.one(&[BLACK_METAL, ANTHRACITE, WHITE_METAL, GREEN_METAL, ORANGE, SILVER_METAL]);
+    let r = x * b.vary(0.17, 0.21);
+    let tyre = r * 0.24;
+    let (rear, fore) = (-x + r, x - r);
+    spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, true, ANTHRACITE);
+    spoked(b, "wheel_f", [fore, 0.0, r], r, tyre, true, ANTHRACITE);
+    let (deck, wide) = (r * 1.05, (y * 0.42).min(0.09));
+    b.soft("deck", [rear + r * 1.05, -wide, deck - r * 0.5], [fore - r * 1.1, wide, deck], 0.015, paint);
+    b.block(
+        "grip_tape",
+        [rear + r * 1.2, -wide * 0.8, deck - 0.004],
+        [fore - r * 1.3, wide * 0.8, deck + 0.002],
+        RUBBER,
+    );
+    b.hull("mudguard", &guard(rear, r, tyre * 1.3), paint);
+    b.hull("mudguard", &guard(fore, r, tyre * 1.3), paint);
+    for side in [-tyre * 1.4, tyre * 1.4] {
+        b.rod("fork", [fore - r * 0.35, side, r * 2.1], [fore, side, r], 0.014, paint);
+        b.rod("arm", [rear + r * 1.3, side, deck - r * 0.25], [rear, side, r], 0.014, paint);
+    }
+    b.rod("axle", [rear, -tyre * 1.5, r], [rear, tyre * 1.5, r], 0.01, STEEL);
+    b.rod("axle", [fore, -tyre * 1.5, r], [fore, tyre * 1.5, r], 0.01, STEEL);
+    b.rod("neck", [fore - r * 1.15, 0.0, deck - r * 0.25], [fore - r * 0.35, 0.0, r * 2.25], 0.026, paint);
+    b.rod("crown", [fore - r * 0.35, -tyre * 1.6, r * 2.1], [fore - r * 0.35, tyre * 1.6, r * 2.1], 0.02, paint);
+    let top: P = [fore - r * 1.0, 0.0, h - 0.02];
+    let tip = y - 0.004;
+    b.hinge([fore - r * 0.35, 0.0, r * 2.3], [0.0, -1.0, 0.0], 1.25, |b| {
+        b.rod("column", [fore - r * 0.35, 0.0, r * 2.15], top, 0.02, paint);
+        b.rod("handlebar", [top[0], -tip, top[2]], [top[0], tip, top[2]], 0.013, IRON);
+        for side in [-1.0, 1.0] {
+            b.rod("grip", [top[0], side * tip * 0.55, top[2]], [top[0], side * tip, top[2]], 0.018, RUBBER);
+            b.rod(
+                "brake",
+                [top[0], side * tip * 0.5, top[2]],
+                [top[0] + 0.04, side * tip * 0.85, top[2] - 0.01],
+                0.005,
+                STEEL,
+            );
+        }
+        b.soft("display", [top[0] - 0.02, -0.03, top[2] - 0.012], [top[0] + 0.035, 0.03, top[2] + 0.02], 0.008, SCREEN);
+        b.rod("headlight", [top[0] + 0.01, 0.0, top[2] - 0.09], [top[0] + 0.045, 0.0, top[2] - 0.09], 0.02, COOL_BULB);
+    });
+    b.block("tail_light", [rear - r * 0.75, -0.02, r * 1.75], [rear - r * 0.6, 0.02, r * 1.9], SIGNAL_RED);
+    let stand = tyre.min(0.008);
+    b.bar("stand", [0.0, wide * 0.8, deck - r * 0.4], [-0.03, (y * 0.8).min(0.16), stand], stand, IRON);
+    b.prism(
+        "plug",
+        Axis::Y,
+        [fore - r * 1.2, wide - 0.004, deck - r * 0.35],
+        &[(0.0, 0.0), (0.03, 0.0), (0.03, 0.02), (0.0, 0.02)],
+        0.008,
+        RUBBER,
+    );
+}

@@ -1,0 +1,106 @@
+//! Wheels: tyred ones on hinges for what drives, spoked ones for what is pedalled.
+
+use std::f32::consts::PI;
+
+use crate::material::*;
+use crate::object::build::{Axis, Build, P};
+use crate::object::park::shape::{hoop, polygon, star};
+use vc_graph::asset::JointKind;
+
+/// A wheel turns as often as it likes.
+const FREE: (f32, f32) = (-1e4, 1e4);
+
+/// Looks of a rim.
+#[derive(Clone, Copy)]
+pub(super) struct Rim {
+    spokes: usize,
+    star: f32,
+    mat: Mat,
+    tyre: f32,
+}
+
+impl Rim {
+    pub(super) fn any(b: &mut Build<'_>) -> Self {
+        let mat = b.one(&[ALUMINIUM, STEEL, ALUMINIUM, ANTHRACITE, CHROME, BLACK_METAL]);
+        Self { spokes: b.rng.count(4, 10), star: b.vary(0.25, 0.6), mat, tyre: b.vary(0.58, 0.74) }
+    }
+
+    /// Plain steel discs of working vehicles.
+    pub(super) fn plain(b: &mut Build<'_>) -> Self {
+        let mat = b.one(&[SILVER_METAL, WHITE_METAL, GALVANISED, ANTHRACITE]);
+        Self { spokes: b.rng.count(6, 10), star: 0.8, mat, tyre: b.vary(0.55, 0.62) }
+    }
+}
+
+/// A tyred wheel with its middle at a point, its outer face towards `side` (1 is
+/// left), on a hinge of its own.
+pub(super) fn wheel(b: &mut Build<'_>, name: &str, at: P, radius: f32, width: f32, side: f32, rim: Rim) {
+    b.jointed(JointKind::Hinge, at, [0.0, 1.0, 0.0], FREE, |b| {
+        let (half, inner) = (width / 2.0, radius * rim.tyre);
+        let shoulder = radius * 0.93;
+        let profile = [
+            (inner, -half * 0.8),
+            (shoulder, -half),
+            (radius, -half * 0.7),
+            (radius, half * 0.7),
+            (shoulder, half),
+            (inner, half * 0.8),
+            (inner, -half * 0.8),
+        ];
+        b.lathe_along(name, at, [at[0], at[1] + 1.0, at[2]], &profile, RUBBER);
+        let y = at[1] + side * half * 0.35;
+        let low = |a: f32, c: f32| [at[0], a.min(c), at[2]];
+        // A dark drum behind a star of spokes.
+        b.rod("rim", [at[0], at[1] - side * half * 0.75, at[2]], [at[0], y, at[2]], inner * 1.01, IRON);
+        let face = y + side * half * 0.25;
+        b.prism(
+            "rim",
+            Axis::Y,
+            low(y - side * 0.002, face),
+            &star(rim.spokes, inner * 1.005, inner * rim.star),
+            (face - y).abs() + 0.002,
+            rim.mat,
+        );
+        let cap = face + side * half * 0.1;
+        b.prism("hub", Axis::Y, low(y, cap), &polygon(10, inner * 0.22, 0.0), (cap - y).abs(), rim.mat);
+    });
+}
+
+/// A wheel of wire spokes, or of cast ones if `cast`; its axle along Y, on a hinge.
+pub(super) fn spoked(b: &mut Build<'_>, name: &str, at: P, radius: f32, tyre: f32, cast: bool, rim: Mat) {
+    b.jointed(JointKind::Hinge, at, [0.0, 1.0, 0.0], FREE, |b| {
+        let to = [at[0], at[1] + 1.0, at[2]];
+        let section = |r: f32, s: f32| -> Vec<(f32, f32)> { hoop(r, s).into_iter().map(|(r, z)| (r, z - s)).collect() };
+        b.lathe_along(name, at, to, &section(radius - tyre, tyre), RUBBER);
+        let (out, half) = (radius - 1.7 * tyre, tyre * 0.7);
+        let ring =
+            [(out, -half), (out, half), (out - tyre * 0.9, half * 0.6), (out - tyre * 0.9, -half * 0.6), (out, -half)];
+        b.lathe_along("rim", at, to, &ring, rim);
+        let hub = if cast { tyre * 1.2 } else { tyre * 1.6 };
+        b.rod(
+            "hub",
+            [at[0], at[1] - hub, at[2]],
+            [at[0], at[1] + hub, at[2]],
+            radius * if cast { 0.16 } else { 0.06 },
+            rim,
+        );
+        if cast {
+            b.prism(
+                "spokes",
+                Axis::Y,
+                [at[0], at[1] - half * 0.5, at[2]],
+                &star(6, out - tyre * 0.4, radius * 0.14),
+                half,
+                rim,
+            );
+        } else {
+            let spoke = out - tyre * 0.5;
+            for i in 0..7 {
+                let (sin, cos) = (PI * i as f32 / 7.0).sin_cos();
+                let lean = if i % 2 == 0 { hub * 0.5 } else { -hub * 0.5 };
+                let end = |s: f32| [at[0] + s * cos * spoke, at[1] + lean, at[2] + s * sin * spoke];
+                b.rod("spoke", end(-1.0), end(1.0), 0.0015 + radius * 0.002, STEEL);
+            }
+        }
+    });
+}
