@@ -147,6 +147,11 @@ impl Canvas {
         Self { low, high, background: Colour::WHITE, marks: Vec::new() }
     }
 
+    /// Width by height.
+    pub fn aspect(&self) -> f32 {
+        (self.high[0] - self.low[0]) / (self.high[1] - self.low[1])
+    }
+
     /// Another colour behind everything.
     pub fn background(&mut self, colour: Colour) {
         self.background = colour;

@@ -5,8 +5,10 @@
 //! graphics card.
 
 mod canvas;
+mod floor_plan;
 mod image;
 mod sketch;
+mod top;
 
 pub use canvas::{Anchor, Canvas, Colour, Ink, Point};
 pub use image::{Image, PictureError};

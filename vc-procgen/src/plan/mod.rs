@@ -12,6 +12,7 @@ mod rect;
 mod spine;
 mod studio;
 mod topology;
+mod turn;
 
 pub use edges::Edge;
 pub(crate) use edges::edges as edges_of;

@@ -124,15 +124,17 @@ pub(super) fn union_area(rects: &[Rect]) -> f32 {
     strips.sum()
 }
 
+/// A rectangle in one of the eight ways to turn and mirror it around the origin.
+pub(super) fn turned(r: Rect, way: usize) -> Rect {
+    let r = if way & 1 != 0 { Rect { x0: -r.x1, x1: -r.x0, ..r } } else { r };
+    let r = if way & 2 != 0 { Rect { y0: -r.y1, y1: -r.y0, ..r } } else { r };
+    if way & 4 != 0 { Rect { x0: r.y0, y0: r.x0, x1: r.y1, y1: r.x1 } } else { r }
+}
+
 /// One of the eight ways to turn and mirror a plan, with its south-west corner at
 /// the origin again.
 pub(super) fn turn(rooms: &mut [Room], facades: &mut [bool; 4], way: usize) {
-    let map = |r: Rect| {
-        let r = if way & 1 != 0 { Rect { x0: -r.x1, x1: -r.x0, ..r } } else { r };
-        let r = if way & 2 != 0 { Rect { y0: -r.y1, y1: -r.y0, ..r } } else { r };
-        if way & 4 != 0 { Rect { x0: r.y0, y0: r.x0, x1: r.y1, y1: r.x1 } } else { r }
-    };
-    rooms.iter_mut().flat_map(|r| &mut r.rects).for_each(|r| *r = map(*r));
+    rooms.iter_mut().flat_map(|r| &mut r.rects).for_each(|r| *r = turned(*r, way));
     if way & 1 != 0 {
         facades.swap(0, 1);
     }

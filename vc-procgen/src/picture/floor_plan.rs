@@ -1,0 +1,245 @@
+//! Floor plans: walls, doors with their swing, windows, room names and areas.
+
+use std::f32::consts::{PI, TAU};
+
+use super::canvas::{Anchor, Canvas, Colour, Ink, Point};
+use super::top;
+use crate::apartment::Apartment;
+use crate::plan::{Opening, OpeningKind, Plan, Rect, Room, RoomKind, Scheme, metres};
+use crate::reach::doorway;
+
+/// White space around the building, metres.
+const MARGIN: f32 = 0.7;
+/// Height of the strips for the title above and the scale below, metres.
+const STRIP: f32 = 0.9;
+
+const WALL: Colour = Colour::hex(0x2b2e33);
+const LINE: Colour = Colour::hex(0x3c4046);
+const FAINT: Colour = Colour::hex(0x8d939b);
+/// Width of thin lines, metres.
+const THIN: f32 = 0.015;
+
+impl Plan {
+    /// The plan seen from above, in metres: walls, doors, windows, names and areas of
+    /// rooms, a scale.
+    ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_procgen::Specification;
+    /// use vc_procgen::plan::Plan;
+    /// let plan = Plan::generate(&Specification::with_bedrooms(2), Seed(42))?;
+    /// assert!(plan.drawing().to_svg(1000).contains("Living room"));
+    /// # Ok::<(), vc_procgen::Impossible>(())
+    /// ```
+    pub fn drawing(&self) -> Canvas {
+        draw(self, &summary(self), |_| {})
+    }
+}
+
+impl Apartment {
+    /// The floor plan with the furniture, seen from above, in metres. What hangs high
+    /// is dashed; what is kept inside something is not shown.
+    ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_procgen::Apartment;
+    /// let home = Apartment::from_seed(Seed(42))?;
+    /// assert!(home.floor_plan().to_svg(1000).contains("Apartment 42"));
+    /// # Ok::<(), vc_procgen::Impossible>(())
+    /// ```
+    pub fn floor_plan(&self) -> Canvas {
+        let title = format!("Apartment {} · {}", self.seed.0, summary(&self.plan));
+        draw(&self.plan, &title, |canvas| top::draw(canvas, self))
+    }
+}
+
+impl Scheme {
+    /// The name people use.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Studio => "studio",
+            Self::Bar => "bar",
+            Self::Corridor => "corridor",
+            Self::CentralHall => "central hall",
+            Self::OpenPlan => "open plan",
+            Self::LPlan => "L-plan",
+            Self::Irregular => "irregular",
+        }
+    }
+}
+
+/// Scheme, area, and how many bedrooms and bathrooms.
+fn summary(plan: &Plan) -> String {
+    let count = |f: fn(RoomKind) -> bool| plan.rooms.iter().filter(|r| f(r.kind)).count();
+    let (beds, baths) = (count(RoomKind::is_bedroom), count(|k| k == RoomKind::Bathroom));
+    format!("{} · {:.1} m² · {beds} bed · {baths} bath", plan.scheme.title(), plan.area())
+}
+
+/// Everything in order, from the floors to the names; `furnish` draws on the floors.
+fn draw(plan: &Plan, title: &str, furnish: impl FnOnce(&mut Canvas)) -> Canvas {
+    let (low, high) = frame(plan);
+    let mut canvas = Canvas::new(low, high);
+    balconies(&mut canvas, plan);
+    walls(&mut canvas, plan);
+    plan.openings.iter().for_each(|o| cut(&mut canvas, plan, o));
+    furnish(&mut canvas);
+    plan.openings.iter().for_each(|o| leaf(&mut canvas, o));
+    plan.rooms.iter().for_each(|r| label(&mut canvas, r));
+    heading(&mut canvas, low, high, title);
+    scale(&mut canvas, [low[0] + MARGIN, low[1] + 0.4]);
+    canvas
+}
+
+/// What the drawing shows: the building with its outer walls and white around.
+fn frame(plan: &Plan) -> (Point, Point) {
+    let hull = plan.hull().grown(plan.shell);
+    let low = [metres(hull.x0) - MARGIN, metres(hull.y0) - MARGIN - STRIP];
+    (low, [metres(hull.x1) + MARGIN, metres(hull.y1) + MARGIN + STRIP])
+}
+
+fn fill(canvas: &mut Canvas, rect: &Rect, ink: Ink) {
+    canvas.rectangle([metres(rect.x0), metres(rect.y0)], [metres(rect.x1), metres(rect.y1)], ink);
+}
+
+/// A light tint by what a room is for.
+fn tint(kind: RoomKind) -> Colour {
+    Colour::hex(match kind {
+        RoomKind::Living => 0xfbf5e9,
+        RoomKind::Bedroom | RoomKind::Kids => 0xf6f1f5,
+        RoomKind::Kitchen => 0xf1f5ea,
+        RoomKind::Bathroom | RoomKind::Wc | RoomKind::Laundry => 0xe9f2f6,
+        RoomKind::Study => 0xf2f2ea,
+        RoomKind::Hall | RoomKind::Storage => 0xf4f3f1,
+        RoomKind::Balcony => 0xf3f6ef,
+    })
+}
+
+/// Balconies: dashed outlines.
+fn balconies(canvas: &mut Canvas, plan: &Plan) {
+    for rect in plan.rooms.iter().filter(|r| r.kind == RoomKind::Balcony).flat_map(|r| &r.rects) {
+        fill(canvas, rect, Ink::filled(tint(RoomKind::Balcony)).outlined(LINE, 2.0 * THIN).dashed(0.12));
+    }
+}
+
+/// Walls: what is within the outer line and in no room's net area.
+fn walls(canvas: &mut Canvas, plan: &Plan) {
+    let indoors = || plan.rooms.iter().filter(|r| r.kind != RoomKind::Balcony);
+    for rect in indoors().flat_map(|r| &r.rects) {
+        fill(canvas, &rect.grown(plan.shell), Ink::filled(WALL));
+    }
+    for room in indoors() {
+        room.net().iter().for_each(|r| fill(canvas, r, Ink::filled(tint(room.kind))));
+    }
+}
+
+/// A place at an opening: along its wall and across it, metres.
+fn at(opening: &Opening, along: f32, across: f32) -> Point {
+    if opening.vertical { [across, along] } else { [along, across] }
+}
+
+/// The hole of an opening in its wall, with the panes of a window.
+fn cut(canvas: &mut Canvas, plan: &Plan, opening: &Opening) {
+    let hole = doorway(plan, opening);
+    let inside = [opening.low, opening.high].into_iter().flatten().map(|r| plan.rooms[r].kind);
+    let floor = inside.filter(|&k| k != RoomKind::Balcony).map(tint).next().unwrap_or(Colour::WHITE);
+    let glazed = matches!(opening.kind, OpeningKind::Window | OpeningKind::BalconyDoor);
+    fill(canvas, &hole, Ink::filled(if glazed { Colour::WHITE } else { floor }));
+    let (near, far) = if opening.vertical { (hole.x0, hole.x1) } else { (hole.y0, hole.y1) };
+    let (near, far) = (metres(near), metres(far));
+    let mut line = |across: f32, ink: Ink| {
+        canvas.line(&[at(opening, metres(opening.from), across), at(opening, metres(opening.to), across)], ink);
+    };
+    match opening.kind {
+        OpeningKind::Passage => [near, far].into_iter().for_each(|v| line(v, Ink::line(FAINT, THIN).dashed(0.08))),
+        OpeningKind::Window => {
+            let middle = (near + far) / 2.0;
+            [near, far, middle - 0.025, middle + 0.025].into_iter().for_each(|v| line(v, Ink::line(LINE, THIN)));
+        }
+        OpeningKind::BalconyDoor => [near, far].into_iter().for_each(|v| line(v, Ink::line(LINE, THIN))),
+        OpeningKind::Door | OpeningKind::Entrance => {}
+    }
+}
+
+/// A leaf that stands open, and the quarter circle it sweeps.
+fn leaf(canvas: &mut Canvas, opening: &Opening) {
+    if !opening.has_leaf() {
+        return;
+    }
+    let away = if opening.opens_high { 1.0 } else { -1.0 };
+    let face = metres(opening.at) + away * metres(1);
+    let (hinge, latch) = match opening.hinge_low {
+        true => (metres(opening.from), metres(opening.to)),
+        false => (metres(opening.to), metres(opening.from)),
+    };
+    let width = metres(opening.width());
+    let (centre, tip) = (at(opening, hinge, face), at(opening, hinge, face + away * width));
+    sweep(canvas, centre, at(opening, latch, face), tip);
+    let thick = at(opening, hinge + 0.04 * (latch - hinge).signum(), face);
+    let corner = [tip[0] + thick[0] - centre[0], tip[1] + thick[1] - centre[1]];
+    canvas.polygon(&[centre, tip, corner, thick], Ink::filled(Colour::WHITE).outlined(LINE, THIN));
+    if opening.kind == OpeningKind::Entrance {
+        arrow(canvas, opening);
+    }
+}
+
+/// The arc around a centre from one point to another, the short way.
+fn sweep(canvas: &mut Canvas, centre: Point, from: Point, to: Point) {
+    let angle = |p: Point| (p[1] - centre[1]).atan2(p[0] - centre[0]);
+    let (start, mut turn) = (angle(from), angle(to) - angle(from));
+    if turn > PI {
+        turn -= TAU;
+    } else if turn < -PI {
+        turn += TAU;
+    }
+    let radius = (from[0] - centre[0]).hypot(from[1] - centre[1]);
+    canvas.arc(centre, radius, start, start + turn, Ink::line(FAINT, THIN));
+}
+
+/// An arrow in front of the entrance that points in.
+fn arrow(canvas: &mut Canvas, opening: &Opening) {
+    let inward = if opening.high.is_some() { 1.0 } else { -1.0 };
+    let middle = metres(opening.from + opening.to) / 2.0;
+    let tip = metres(opening.at) - inward * 0.4;
+    let base = tip - inward * 0.28;
+    let corners = [at(opening, middle - 0.17, base), at(opening, middle + 0.17, base), at(opening, middle, tip)];
+    canvas.polygon(&corners, Ink::filled(Colour::hex(0xb03a2e)));
+}
+
+/// Name and area in the middle of a room's largest rectangle.
+fn label(canvas: &mut Canvas, room: &Room) {
+    let largest = room.net().into_iter().max_by_key(|r| (r.width() * r.depth(), r.x0, r.y0));
+    let Some(rect) = largest else { return };
+    let (wide, tall) = (metres(rect.width()) - 0.1, metres(rect.depth()) - 0.1);
+    let (name, area) = (room.kind.title(), format!("{:.1} m²", room.area()));
+    let one = Canvas::text_width(1.0, name).max(0.8 * Canvas::text_width(1.0, &area));
+    let size = (wide / one).min(tall / 2.4).clamp(0.07, 0.26);
+    let [x, y] = [metres(rect.x0 + rect.x1) / 2.0, metres(rect.y0 + rect.y1) / 2.0];
+    let half = [one * size / 2.0 + 0.05, 1.2 * size + 0.03];
+    let paper = Ink::filled(Colour::WHITE.faded(0.72));
+    canvas.rectangle([x - half[0], y - half[1]], [x + half[0], y + half[1]], paper);
+    canvas.text([x, y + 0.15 * size], size, Anchor::Middle, Colour::BLACK, name);
+    canvas.text([x, y - 0.95 * size], 0.8 * size, Anchor::Middle, LINE, &area);
+}
+
+/// The title, as large as it fits.
+fn heading(canvas: &mut Canvas, low: Point, high: Point, title: &str) {
+    let room = high[0] - low[0] - 2.0 * MARGIN;
+    let size = (room / Canvas::text_width(1.0, title)).min(0.34);
+    canvas.text([low[0] + MARGIN, high[1] - 0.75], size, Anchor::Start, Colour::BLACK, title);
+}
+
+/// A scale of five metres, by one.
+fn scale(canvas: &mut Canvas, from: Point) {
+    let metre = |i: usize| from[0] + 0.5 * i as f32;
+    for i in 0..6 {
+        let fill = if i % 2 == 0 { LINE } else { Colour::WHITE };
+        canvas.rectangle(
+            [metre(i), from[1]],
+            [metre(i + 1), from[1] + 0.1],
+            Ink::filled(fill).outlined(LINE, THIN),
+        );
+    }
+    for (i, text) in [(0, "0"), (2, "1"), (4, "2"), (6, "3 m")] {
+        canvas.text([metre(i) - 0.06, from[1] + 0.18], 0.2, Anchor::Start, LINE, text);
+    }
+}

@@ -1,0 +1,180 @@
+//! Measured figures beside those of real homes, and the report.
+
+use std::fmt::Write;
+
+use serde::Serialize;
+
+use super::zone::pair;
+use super::{Spread, Statistics, Zone, reference};
+use crate::plan::RoomKind;
+
+/// How near a figure must come.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Bar {
+    /// By a share of the reference at most.
+    Relative(f64),
+    /// By so much at most.
+    Absolute(f64),
+    /// The reference or more.
+    AtLeast,
+    /// It is only shown.
+    None,
+}
+
+/// A figure of ours beside that of real homes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Comparison {
+    /// What is compared.
+    pub what: String,
+    /// Ours; `None` where no home has it.
+    pub measured: Option<f64>,
+    /// Real homes'.
+    pub reference: f64,
+    /// How near it must come.
+    pub bar: Bar,
+}
+
+impl Comparison {
+    /// Whether the bar is met; `None` where there is nothing to hold it against.
+    pub fn holds(&self) -> Option<bool> {
+        let (measured, off) = (self.measured?, self.difference()?);
+        match self.bar {
+            Bar::Relative(share) => Some(off.abs() <= share * self.reference),
+            Bar::Absolute(most) => Some(off.abs() <= most),
+            Bar::AtLeast => Some(measured >= self.reference),
+            Bar::None => None,
+        }
+    }
+
+    /// Measured minus reference.
+    pub fn difference(&self) -> Option<f64> {
+        Some(self.measured? - self.reference)
+    }
+
+    fn row(&self) -> String {
+        let figure = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| format!("{v:.2}"));
+        let off = match (self.difference(), self.bar) {
+            (Some(d), Bar::Relative(_)) => format!("{:+.1} %", 100.0 * d / self.reference),
+            (Some(d), _) => format!("{d:+.2}"),
+            (None, _) => "-".to_owned(),
+        };
+        let bar = match self.bar {
+            Bar::Relative(share) => format!("within {:.0} %", 100.0 * share),
+            Bar::Absolute(most) => format!("within {most:.2}"),
+            Bar::AtLeast => format!("at least {:.2}", self.reference),
+            Bar::None => String::new(),
+        };
+        let verdict = self.holds().map_or("", |holds| if holds { "yes" } else { "NO" });
+        let (measured, reference) = (figure(self.measured), figure(Some(self.reference)));
+        format!("| {} | {measured} | {reference} | {off} | {bar} | {verdict} |", self.what)
+    }
+}
+
+impl Statistics {
+    /// The figures beside those of [real homes](reference): area medians, shares of
+    /// plans with walls and doors between kinds of rooms, windows.
+    ///
+    /// All but the windows are those of homes with two or three bedrooms and as many
+    /// bathrooms, as the real ones mostly are.
+    pub fn compare(&self) -> Vec<Comparison> {
+        let mut all = self.area_medians();
+        all.extend(self.pairs().into_iter().map(|(_, comparison)| comparison));
+        all.extend(self.windows());
+        all.extend(reference::DOORS_PER_ROOM.map(|(zone, reference)| Comparison {
+            what: format!("doors per {}", zone.name()),
+            measured: self.comparable.doors_of(zone),
+            reference,
+            bar: Bar::None,
+        }));
+        all
+    }
+
+    fn area_medians(&self) -> Vec<Comparison> {
+        let medians = reference::AREAS.map(|(zone, [_, median, _])| Comparison {
+            what: format!("{} area, median m²", zone.name()),
+            measured: self.comparable.areas.get(&zone).and_then(|s| s.quantile(0.5)).map(f64::from),
+            reference: f64::from(median),
+            bar: Bar::Relative(0.15),
+        });
+        medians.into()
+    }
+
+    /// Walls, doors and passages, each with what it is.
+    pub(super) fn pairs(&self) -> Vec<(&'static str, Comparison)> {
+        let sample = &self.comparable;
+        let of = |kind: &'static str, counts, (a, b, reference): (Zone, Zone, f64)| {
+            let measured = sample.share(counts, a, b);
+            (kind, Comparison { what: format!("{kind} {}", pair(a, b)), measured, reference, bar: Bar::Absolute(0.05) })
+        };
+        let mut pairs: Vec<_> = reference::WALLS.map(|p| of("wall", &sample.walls, p)).into();
+        pairs.extend(reference::DOORS.map(|p| of("door", &sample.doors, p)));
+        pairs.extend(reference::PASSAGES.map(|p| of("open", &sample.passages, p)));
+        pairs
+    }
+
+    fn windows(&self) -> Vec<Comparison> {
+        let kinds = [RoomKind::Living, RoomKind::Bedroom, RoomKind::Kids];
+        let rows = kinds.map(|kind| Comparison {
+            what: format!("{} with window or balcony door", kind.title().to_lowercase()),
+            measured: self.glazed(kind),
+            reference: reference::WINDOWED,
+            bar: Bar::AtLeast,
+        });
+        rows.into()
+    }
+
+    /// The report as Markdown: what the homes are like, and the comparison.
+    pub fn report(&self) -> String {
+        let mut text = String::from("# Statistics\n\n");
+        // Writing to a string does not fail.
+        let _ = self.write_homes(&mut text);
+        let _ = self.write_rooms(&mut text);
+        let _ = self.write_comparison(&mut text);
+        text
+    }
+
+    fn write_homes(&self, text: &mut String) -> std::fmt::Result {
+        writeln!(text, "{} homes, p5 - median - p95 of each:\n", self.homes)?;
+        writeln!(text, "- rooms: {}", three(&self.rooms_per_home, 0))?;
+        writeln!(text, "- net area: {} m²", three(&self.area, 1))?;
+        writeln!(text, "- objects: {}", three(&self.objects_per_home, 0))?;
+        writeln!(text, "- of these on or in others: {}\n", three(&self.small_per_home, 0))?;
+        let share = |n: &u64| 100.0 * *n as f64 / self.homes.max(1) as f64;
+        let list = |parts: Vec<String>| if parts.is_empty() { "-".to_owned() } else { parts.join(", ") };
+        let schemes = self.schemes.iter().map(|(name, n)| format!("{name} {:.1} %", share(n)));
+        writeln!(text, "Schemes: {}.\n", list(schemes.collect()))?;
+        for (what, counts) in [("Bedrooms", &self.bedrooms), ("Bathrooms", &self.bathrooms)] {
+            let parts = counts.iter().map(|(count, n)| format!("{count}: {:.1} %", share(n)));
+            writeln!(text, "{what}: {}.\n", list(parts.collect()))?;
+        }
+        Ok(())
+    }
+
+    fn write_rooms(&self, text: &mut String) -> std::fmt::Result {
+        writeln!(text, "## Rooms of all homes\n\np5 - median - p95.\n")?;
+        writeln!(text, "| room | count | area m² | aspect | doors and passages | window | or balcony door |")?;
+        writeln!(text, "|---|---|---|---|---|---|---|")?;
+        for (kind, room) in &self.rooms {
+            let (count, area, aspect) = (room.area.count(), three(&room.area, 1), three(&room.aspect, 2));
+            let share = |n: u64| 100.0 * n as f64 / count.max(1) as f64;
+            let (ways, windowed, glazed) = (three(&room.ways, 0), share(room.windowed), share(room.glazed));
+            writeln!(text, "| {kind} | {count} | {area} | {aspect} | {ways} | {windowed:.1} % | {glazed:.1} % |")?;
+        }
+        writeln!(text)
+    }
+
+    fn write_comparison(&self, text: &mut String) -> std::fmt::Result {
+        let homes = self.comparable.homes;
+        writeln!(text, "## Beside real homes\n\nReference: {}.\n", reference::SOURCE)?;
+        writeln!(text, "Ours: the {homes} homes with two or three bedrooms and as many bathrooms; windows: all homes.\n")?;
+        writeln!(text, "| what | measured | reference | difference | bar | met |\n|---|---|---|---|---|---|")?;
+        self.compare().iter().try_for_each(|c| writeln!(text, "{}", c.row()))
+    }
+}
+
+/// 5th percentile, median, 95th percentile.
+fn three(spread: &Spread, digits: usize) -> String {
+    let at = |share| spread.quantile(share).map_or_else(|| "?".to_owned(), |v| format!("{v:.digits$}"));
+    format!("{} - {} - {}", at(0.05), at(0.5), at(0.95))
+}

@@ -1,0 +1,241 @@
+//! Figures over many apartments, and how they compare with real homes.
+//!
+//! [`Statistics`] takes in one apartment after the other; those of parts of a set
+//! [merge](Statistics::merge) to the set's own, in any order. Plans of real homes
+//! have mostly two or three bedrooms and as many bathrooms, so only homes that have
+//! the same are [compared](Statistics::compare) with them.
+//!
+//! ```
+//! use vc_graph::Seed;
+//! use vc_procgen::Specification;
+//! use vc_procgen::plan::Plan;
+//! use vc_procgen::statistics::Statistics;
+//!
+//! let mut statistics = Statistics::default();
+//! for seed in 0..50 {
+//!     statistics.add_plan(&Plan::generate(&Specification::default(), Seed(seed))?);
+//! }
+//! assert_eq!(statistics.homes, 50);
+//! assert!(statistics.report().contains("| bedroom"));
+//! # Ok::<(), vc_procgen::Impossible>(())
+//! ```
+
+mod compare;
+mod plot;
+pub mod reference;
+mod sample;
+mod spread;
+mod zone;
+
+pub use compare::{Bar, Comparison};
+pub use sample::Sample;
+pub use spread::Spread;
+pub use zone::Zone;
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::apartment::Apartment;
+use crate::furnish::Rest;
+use crate::plan::{OpeningKind, Plan, RoomKind};
+
+/// Step of areas, m².
+const AREA: f32 = 0.05;
+
+/// Figures over apartments.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Statistics {
+    /// How many apartments.
+    pub homes: u64,
+    /// How many of each scheme.
+    pub schemes: BTreeMap<String, u64>,
+    /// How many with so many bedrooms.
+    pub bedrooms: BTreeMap<u32, u64>,
+    /// How many with so many bathrooms.
+    pub bathrooms: BTreeMap<u32, u64>,
+    /// Rooms of a home, balconies included.
+    pub rooms_per_home: Spread,
+    /// Objects of a home, without the building itself.
+    pub objects_per_home: Spread,
+    /// Objects of a home that rest on or in others.
+    pub small_per_home: Spread,
+    /// Net area of a home without balconies, m².
+    pub area: Spread,
+    /// Rooms by kind.
+    pub rooms: BTreeMap<String, RoomFigures>,
+    /// How the zones of all homes lie.
+    pub all: Sample,
+    /// The same for homes that are like the plans of real homes.
+    pub comparable: Sample,
+}
+
+/// Figures over rooms of one kind.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RoomFigures {
+    /// Net area, m²; how many there are is its count.
+    pub area: Spread,
+    /// Longer by shorter side of the rectangle around the room.
+    pub aspect: Spread,
+    /// Doors and passages of a room.
+    pub ways: Spread,
+    /// Rooms that have a window.
+    pub windowed: u64,
+    /// Rooms that have a window or a balcony door.
+    pub glazed: u64,
+}
+
+impl Default for Statistics {
+    fn default() -> Self {
+        Self {
+            homes: 0,
+            schemes: BTreeMap::new(),
+            bedrooms: BTreeMap::new(),
+            bathrooms: BTreeMap::new(),
+            rooms_per_home: Spread::new(1.0),
+            objects_per_home: Spread::new(1.0),
+            small_per_home: Spread::new(1.0),
+            area: Spread::new(AREA),
+            rooms: BTreeMap::new(),
+            all: Sample::default(),
+            comparable: Sample::default(),
+        }
+    }
+}
+
+impl Default for RoomFigures {
+    fn default() -> Self {
+        let (area, aspect, ways) = (Spread::new(AREA), Spread::new(0.01), Spread::new(1.0));
+        Self { area, aspect, ways, windowed: 0, glazed: 0 }
+    }
+}
+
+impl Statistics {
+    /// Takes in an apartment.
+    ///
+    /// Costs some microseconds.
+    pub fn add(&mut self, home: &Apartment) {
+        self.add_plan(&home.plan);
+        let objects = || home.items.iter().filter(|i| i.rest != Rest::Built);
+        let small = objects().filter(|i| matches!(i.rest, Rest::On(..) | Rest::Inside(..)));
+        self.small_per_home.add(small.count() as f32);
+        self.objects_per_home.add(objects().count() as f32);
+    }
+
+    /// Takes in a plan without furniture.
+    pub fn add_plan(&mut self, plan: &Plan) {
+        let count = |f: fn(RoomKind) -> bool| plan.rooms.iter().filter(|r| f(r.kind)).count() as u32;
+        let (bedrooms, bathrooms) = (count(RoomKind::is_bedroom), count(|k| k == RoomKind::Bathroom));
+        self.homes += 1;
+        *self.schemes.entry(plan.scheme.title().to_owned()).or_default() += 1;
+        *self.bedrooms.entry(bedrooms).or_default() += 1;
+        *self.bathrooms.entry(bathrooms).or_default() += 1;
+        self.rooms_per_home.add(plan.rooms.len() as f32);
+        self.area.add(plan.area());
+        for (index, room) in plan.rooms.iter().enumerate() {
+            self.rooms.entry(room.kind.title().to_owned()).or_default().add(plan, index);
+        }
+        self.all.add(plan);
+        if matches!(bedrooms, 2 | 3) && bathrooms == bedrooms {
+            self.comparable.add(plan);
+        }
+    }
+
+    /// Takes in the figures of other apartments.
+    pub fn merge(&mut self, other: &Self) {
+        self.homes += other.homes;
+        add_counts(&mut self.schemes, &other.schemes);
+        add_counts(&mut self.bedrooms, &other.bedrooms);
+        add_counts(&mut self.bathrooms, &other.bathrooms);
+        self.rooms_per_home.merge(&other.rooms_per_home);
+        self.objects_per_home.merge(&other.objects_per_home);
+        self.small_per_home.merge(&other.small_per_home);
+        self.area.merge(&other.area);
+        for (kind, figures) in &other.rooms {
+            self.rooms.entry(kind.clone()).or_default().merge(figures);
+        }
+        self.all.merge(&other.all);
+        self.comparable.merge(&other.comparable);
+    }
+
+    /// Share of rooms of a kind that have a window, or a balcony door.
+    pub fn glazed(&self, kind: RoomKind) -> Option<f64> {
+        let figures = self.rooms.get(kind.title())?;
+        Some(figures.glazed as f64 / figures.area.count() as f64)
+    }
+}
+
+impl RoomFigures {
+    fn add(&mut self, plan: &Plan, index: usize) {
+        let room = &plan.rooms[index];
+        let hull = room.hull().grown(-1);
+        self.area.add(room.area());
+        self.aspect.add(hull.width().max(hull.depth()) as f32 / hull.short().max(1) as f32);
+        self.ways.add(plan.doors_of(index).count() as f32);
+        let has = |kind| plan.openings.iter().any(|o| o.kind == kind && o.touches(index));
+        let windowed = has(OpeningKind::Window);
+        self.windowed += u64::from(windowed);
+        self.glazed += u64::from(windowed || has(OpeningKind::BalconyDoor));
+    }
+
+    fn merge(&mut self, other: &Self) {
+        self.area.merge(&other.area);
+        self.aspect.merge(&other.aspect);
+        self.ways.merge(&other.ways);
+        self.windowed += other.windowed;
+        self.glazed += other.glazed;
+    }
+}
+
+/// Adds counts by key.
+fn add_counts<K: Ord + Clone>(to: &mut BTreeMap<K, u64>, from: &BTreeMap<K, u64>) {
+    from.iter().for_each(|(key, count)| *to.entry(key.clone()).or_default() += count);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Specification;
+    use vc_graph::Seed;
+
+    fn of(seeds: std::ops::Range<u64>) -> Statistics {
+        let mut statistics = Statistics::default();
+        for seed in seeds {
+            statistics.add_plan(&Plan::generate(&Specification::default(), Seed(seed)).unwrap());
+        }
+        statistics
+    }
+
+    #[test]
+    fn parts_merge_to_the_whole() {
+        let mut merged = of(20..60);
+        merged.merge(&of(0..20));
+        assert_eq!(merged, of(0..60));
+    }
+
+    #[test]
+    fn json_brings_them_back() {
+        let statistics = of(0..30);
+        let text = serde_json::to_string(&statistics).unwrap();
+        assert_eq!(serde_json::from_str::<Statistics>(&text).unwrap(), statistics);
+    }
+
+    #[test]
+    fn nothing_yet_is_no_figure() {
+        let none = Statistics::default();
+        assert!(none.compare().iter().all(|c| c.measured.is_none() && c.holds().is_none()));
+        assert!(none.report().contains("0 homes"));
+        assert!(none.area_plot().to_svg(900).contains("bedroom"));
+    }
+
+    #[test]
+    fn turning_changes_nothing() {
+        let plan = Plan::generate(&Specification::with_bedrooms(2), Seed(9)).unwrap();
+        let of = |plan: &Plan| {
+            let mut statistics = Statistics::default();
+            statistics.add_plan(plan);
+            statistics
+        };
+        (1..8).for_each(|way| assert_eq!(of(&plan.turned(way)), of(&plan)));
+    }
+}

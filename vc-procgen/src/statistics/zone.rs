@@ -1,0 +1,60 @@
+//! Kinds of rooms as plans of real homes tell them apart.
+
+use serde::{Deserialize, Serialize};
+
+use crate::plan::RoomKind;
+
+/// Rooms that serve the same end. Halls belong to the living room, as in the plans of
+/// real homes that the figures come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Zone {
+    /// Balconies.
+    Balcony,
+    /// Bathrooms.
+    Bathroom,
+    /// Bedrooms, children's too.
+    Bedroom,
+    /// The kitchen.
+    Kitchen,
+    /// Living room and halls.
+    Living,
+    /// Store rooms.
+    Storage,
+}
+
+impl Zone {
+    /// All zones.
+    pub const ALL: [Self; 6] =
+        [Self::Living, Self::Bedroom, Self::Kitchen, Self::Bathroom, Self::Balcony, Self::Storage];
+
+    /// The zone of a room, if the figures have one for it.
+    pub fn of(kind: RoomKind) -> Option<Self> {
+        match kind {
+            RoomKind::Living | RoomKind::Hall => Some(Self::Living),
+            RoomKind::Bedroom | RoomKind::Kids => Some(Self::Bedroom),
+            RoomKind::Bathroom => Some(Self::Bathroom),
+            RoomKind::Kitchen => Some(Self::Kitchen),
+            RoomKind::Balcony => Some(Self::Balcony),
+            RoomKind::Storage => Some(Self::Storage),
+            RoomKind::Wc | RoomKind::Study | RoomKind::Laundry => None,
+        }
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Living => "living",
+            Self::Bedroom => "bedroom",
+            Self::Kitchen => "kitchen",
+            Self::Bathroom => "bathroom",
+            Self::Balcony => "balcony",
+            Self::Storage => "storage",
+        }
+    }
+}
+
+/// The name of two zones, whichever comes first: `bathroom-bedroom`.
+pub(super) fn pair(a: Zone, b: Zone) -> String {
+    format!("{}-{}", a.min(b).name(), a.max(b).name())
+}
