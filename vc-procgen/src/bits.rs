@@ -14,10 +14,6 @@ impl Bits {
         Self { words, width, rows: vec![0; words * height] }
     }
 
-    pub(crate) fn width(&self) -> usize {
-        self.width
-    }
-
     pub(crate) fn height(&self) -> usize {
         self.rows.len() / self.words
     }
@@ -53,10 +49,6 @@ impl Bits {
                 self.rows[row * self.words + word] & mask != 0
             })
         })
-    }
-
-    pub(crate) fn count(&self) -> usize {
-        self.rows.iter().map(|w| w.count_ones() as usize).sum()
     }
 
     /// The bits within a distance of set ones (Minkowski sum with a disc).

@@ -140,15 +140,16 @@ fn room(room: &Room) -> u128 {
 
 fn rect(rect: &Rect) -> u128 {
     let mut mixer = Mixer::new(4);
-    [rect.x0, rect.y0, rect.x1, rect.y1].map(|v| mixer.word(v as u64));
+    [rect.x0, rect.y0, rect.x1, rect.y1].into_iter().for_each(|v| mixer.word(v as u64));
     mixer.value()
 }
 
 fn opening(opening: &Opening) -> u128 {
     let mut mixer = Mixer::new(2);
-    [opening.at, opening.from, opening.to].map(|v| mixer.word(v as u64));
+    [opening.at, opening.from, opening.to].into_iter().for_each(|v| mixer.word(v as u64));
     // Only a leaf has a hinge.
-    let leaf = if opening.has_leaf() { 1 + u64::from(opening.opens_high) + 2 * u64::from(opening.hinge_low) } else { 0 };
+    let leaf =
+        if opening.has_leaf() { 1 + u64::from(opening.opens_high) + 2 * u64::from(opening.hinge_low) } else { 0 };
     mixer.word(opening.kind as u64 | u64::from(opening.vertical) << 8 | leaf << 16);
     mixer.value()
 }
@@ -174,7 +175,7 @@ impl Thing {
         let (x, y) = if way & 4 != 0 { (y, x) } else { (x, y) };
         let mut mixer = Mixer::new(5);
         mixer.wide(self.class);
-        [x, y, z].map(|v| mixer.word(v as u64));
+        [x, y, z].into_iter().for_each(|v| mixer.word(v as u64));
         mixer.value()
     }
 }

@@ -22,7 +22,16 @@ pub(crate) struct Reach {
     west: i32,
     south: i32,
     standing: Bits,
-    near: Bits,
+    /// For each room what is reached from within it or its doorways.
+    near: Vec<Near>,
+}
+
+/// What is reached from within a room: a cut-out of the grid.
+#[derive(Debug, Clone)]
+struct Near {
+    west: i32,
+    south: i32,
+    bits: Bits,
 }
 
 impl Reach {
@@ -53,7 +62,7 @@ impl Reach {
             free.first((inside.x0 - west, inside.x1 - west), (inside.y0 - south, inside.y1 - south))
         });
         let standing = start.map_or_else(|| Bits::new(1, 1), |(x, y)| free.flood(x, y));
-        let near = standing.dilated(ARM);
+        let near = (0..plan.rooms.len()).map(|room| Near::of(plan, room, &standing, (west, south))).collect();
         Self { west, south, standing, near }
     }
 
@@ -65,15 +74,30 @@ impl Reach {
             .any(|r| self.standing.any((r.x0 - self.west, r.x1 - self.west), (r.y0 - self.south, r.y1 - self.south)))
     }
 
-    /// Whether a person reaches some point of a rectangle.
-    pub(crate) fn touches(&self, area: &Area) -> bool {
-        let r = outward(area);
-        self.near.any((r.x0 - self.west, r.x1 - self.west), (r.y0 - self.south, r.y1 - self.south))
+    /// Whether a person in a room, or in one of its doorways, reaches some point of a
+    /// rectangle.
+    pub(crate) fn touches(&self, room: usize, area: &Area) -> bool {
+        let (r, near) = (outward(area), &self.near[room]);
+        near.bits.any((r.x0 - near.west, r.x1 - near.west), (r.y0 - near.south, r.y1 - near.south))
     }
+}
 
-    /// Floor a person can stand on, square metres.
-    pub(crate) fn square_metres(&self) -> f32 {
-        self.standing.count() as f32 / (CELLS * CELLS)
+impl Near {
+    fn of(plan: &Plan, room: usize, standing: &Bits, origin: (i32, i32)) -> Self {
+        let hull = plan.rooms[room].hull().grown(ARM as i32 + MARGIN);
+        let (west, south) = (hull.x0, hull.y0);
+        let mut bits = Bits::new(hull.width() as usize, hull.depth() as usize);
+        let ways = plan.doors_of(room).map(|o| doorway(plan, o));
+        for rect in plan.rooms[room].net().into_iter().chain(ways) {
+            for y in rect.y0..rect.y1 {
+                for x in rect.x0..rect.x1 {
+                    if standing.get((x - origin.0) as usize, (y - origin.1) as usize) {
+                        bits.set((x - west) as usize, (y - south) as usize);
+                    }
+                }
+            }
+        }
+        Self { west, south, bits: bits.dilated(ARM) }
     }
 }
 

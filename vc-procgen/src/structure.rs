@@ -165,12 +165,15 @@ fn pieces(plan: &Plan) -> Vec<Piece> {
     let owner = |x: i32, y: i32| -> Option<(usize, bool)> {
         let at = Rect { x0: x, y0: y, x1: x + 1, y1: y + 1 };
         let home = |r: &Rect| r.overlaps(&at);
-        if let Some(room) = inner.iter().position(|r| r.rects.iter().any(home)) {
-            return (!nets[room].iter().any(home)).then_some((room, false));
-        }
         let shell = |r: &Rect| r.grown(plan.shell).overlaps(&at);
-        let near = inner.iter().position(|r| r.kind != RoomKind::Balcony && r.rects.iter().any(shell))?;
-        Some((near, true))
+        let near = || inner.iter().position(|r| r.kind != RoomKind::Balcony && r.rects.iter().any(shell));
+        let Some(room) = inner.iter().position(|r| r.rects.iter().any(home)) else { return Some((near()?, true)) };
+        if nets[room].iter().any(home) {
+            return None;
+        }
+        // A balcony's edge at the house is the house's wall.
+        let house = if inner[room].kind == RoomKind::Balcony { near() } else { None };
+        Some(house.map_or((room, false), |house| (house, true)))
     };
     let columns = xs.len() - 1;
     let mut grid: Vec<Option<(usize, bool)>> = Vec::with_capacity(columns * ys.len());

@@ -9,7 +9,7 @@ use crate::furnish::{Item, Rest};
 use crate::plan::{OpeningKind, RoomKind};
 use crate::reach::Reach;
 
-pub(crate) use overlap::{collisions, related};
+use overlap::collisions;
 
 /// One thing that is wrong with an apartment. Items go by their position in
 /// [`Apartment::items`], rooms by that in the plan.
@@ -88,7 +88,7 @@ impl Apartment {
             let missing = missing(room.kind, self.is_studio(), items.iter().filter(|i| i.room == index));
             found.extend(missing.into_iter().map(|what| Violation::Incomplete(index, room.kind, what)));
         }
-        let unreached = (0..items.len()).filter(|&i| is_used(&items[i]) && !reach.touches(&items[i].area()));
+        let unreached = (0..items.len()).filter(|&i| is_used(&items[i]) && !reach.touches(items[i].room, &items[i].area()));
         found.extend(unreached.map(|i| Violation::Unreachable(self.named(i))));
         found.extend(self.passages());
         found
@@ -210,7 +210,7 @@ pub(crate) fn missing<'a>(
         RoomKind::Wc => needs.extend([("toilet", &["toilet"][..]), ("basin", &["washbasin"][..])]),
         RoomKind::Living => {
             needs.push(("seat", &["sofa", "armchair", "loveseat"]));
-            needs.push(("table", &["coffee_table", "dining_table", "side_table", "tv_stand"]));
+            needs.push(("table", &["coffee_table", "dining_table", "side_table"]));
             if studio {
                 needs.push(bed);
                 needs.extend(kitchen);

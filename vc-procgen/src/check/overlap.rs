@@ -12,7 +12,7 @@ const TOUCH: f32 = 0.002;
 /// left out: surfaces keep them apart. Parts of the building may meet.
 ///
 /// Costs a sweep along X and a test of parts where boxes overlap.
-pub(crate) fn collisions(items: &[Item]) -> Vec<(usize, usize)> {
+pub(super) fn collisions(items: &[Item]) -> Vec<(usize, usize)> {
     let boxes: Vec<(Point3<f32>, Point3<f32>)> = items.iter().map(Item::corners).collect();
     let mut order: Vec<usize> = (0..items.len()).collect();
     order.sort_by(|&a, &b| boxes[a].0.x.total_cmp(&boxes[b].0.x));
@@ -38,7 +38,7 @@ pub(crate) fn collisions(items: &[Item]) -> Vec<(usize, usize)> {
 }
 
 /// Whether two items may meet: one carries the other, or both are of the building.
-pub(crate) fn related(items: &[Item], a: usize, b: usize) -> bool {
+fn related(items: &[Item], a: usize, b: usize) -> bool {
     let built = items[a].rest == Rest::Built && items[b].rest == Rest::Built;
     built || carries(items, a, b) || carries(items, b, a)
 }

@@ -4,13 +4,14 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use vc_graph::asset::Hold;
-use vc_graph::{ClassTable, Property, Relation};
+use vc_graph::{ClassTable, Property, PropertySet, Relation};
 
 use crate::object;
 
 /// For each kind of carrier what is kept on and inside it, with the rooms where.
 pub(super) struct Habits {
     kept: HashMap<(Relation, String), Vec<Habit>>,
+    affordances: HashMap<&'static str, PropertySet>,
 }
 
 struct Habit {
@@ -41,12 +42,26 @@ impl Habits {
                 kept.entry((*relation, at.to_string())).or_default().push(habit);
             }
         }
-        Self { kept }
+        let known = object::generators().filter_map(|g| Some((g.class, classes.get(g.class)?.affordances)));
+        Self { kept, affordances: known.collect() }
+    }
+
+    /// Whether a class is one that things are put on or in.
+    fn holds(&self, carrier: &str, relation: Relation) -> bool {
+        let affordances = self.affordances.get(carrier).copied().unwrap_or(PropertySet::EMPTY);
+        let needs: &[Property] = match relation {
+            Relation::Inside => &[Property::Container, Property::Recipient],
+            _ => &[Property::Surface, Property::Sittable, Property::Lieable],
+        };
+        needs.iter().any(|&p| affordances.contains(p))
     }
 
     /// What is kept on a surface of a carrier in a room, with weights.
     pub(super) fn of(&self, carrier: &str, surface: &str, hold: Hold, room: &str) -> Vec<(&'static str, f32)> {
         let relation = if hold == Hold::Inside { Relation::Inside } else { Relation::On };
+        if !self.holds(carrier, relation) {
+            return Vec::new();
+        }
         let mut found = Vec::new();
         for name in standing_for(carrier, surface, relation, room) {
             let habits = self.kept.get(&(relation, (*name).to_owned())).into_iter().flatten();

@@ -165,16 +165,23 @@ impl<'a> Keeper<'a> {
     pub(super) fn hang(&mut self, object: &Arc<Object>, surface: usize) -> Option<usize> {
         let (point, drop) = self.surface(surface).map(|s| (s.centre, s.clearance.unwrap_or(2.0)))?;
         let size = object.size();
-        let back = self.home.items[self.carrier].object.bounds;
-        let behind = back.offset.x - back.half.x;
-        let x = point.x.max(behind + size.x / 2.0 + 0.002);
-        let area = Area::around(x, point.y, size.x / 2.0, size.y / 2.0);
+        let carrier = self.home.items[self.carrier].object.bounds;
+        // On a rod clothes hang side by side, their shoulders across it.
+        let rod = self.surface(surface).is_some_and(|s| s.name.starts_with("rod"));
+        let (yaw, half) = match rod {
+            true => (std::f32::consts::FRAC_PI_2, (size.y / 2.0, size.x / 2.0)),
+            false => (0.0, (size.x / 2.0, size.y / 2.0)),
+        };
+        let behind = carrier.offset.x - carrier.half.x;
+        let x = if rod { point.x } else { point.x.max(behind + half.0 + 0.002) };
+        let area = Area::around(x, point.y, half.0, half.1);
         let met = self.taken.iter().flatten().any(|t| t.overlaps(&area));
-        if size.z > drop || met {
+        let within = !rod || (half.0 + 0.03 < carrier.half.x && point.y.abs() + half.1 + 0.02 < carrier.half.y);
+        if size.z > drop || met || !within {
             return None;
         }
         self.taken[surface].push(area);
-        let local = standing(object, (x, point.y), point.z - size.z, 0.0);
+        let local = standing(object, (x, point.y), point.z - size.z, yaw);
         Some(self.add(object, local, Rest::On(self.carrier, surface)))
     }
 

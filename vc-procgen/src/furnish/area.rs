@@ -54,15 +54,6 @@ impl Area {
             && other.y1 <= self.y1 + SLACK
     }
 
-    pub(crate) fn shared(&self, other: &Self) -> Self {
-        Self {
-            x0: self.x0.max(other.x0),
-            y0: self.y0.max(other.y0),
-            x1: self.x1.min(other.x1),
-            y1: self.y1.min(other.y1),
-        }
-    }
-
     pub(crate) fn square_metres(&self) -> f32 {
         (self.x1 - self.x0).max(0.0) * (self.y1 - self.y0).max(0.0)
     }
@@ -79,8 +70,6 @@ impl Area {
 pub struct Facing(pub u8);
 
 impl Facing {
-    pub(crate) const ALL: [Self; 4] = [Self(0), Self(1), Self(2), Self(3)];
-
     /// Unit step that way.
     pub(crate) fn step(self) -> (f32, f32) {
         [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)][usize::from(self.0 % 4)]

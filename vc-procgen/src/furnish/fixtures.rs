@@ -94,8 +94,8 @@ fn radiator(s: &mut Setter<'_>, side: usize, window: (f32, f32), sill: f32) {
     let wall = &s.space.sides[side];
     let size = radiator.size();
     let solid = Solid { area: wall.facing.area(wall.point(along, 0.016), size.x, size.y), low: 0.0, high: size.z };
-    let ways = s.space.ways.iter().any(|w| w.overlaps(&solid.area));
-    if s.space.is_empty(&solid) && !ways && s.space.is_floor(&solid.area) {
+    let mut kept = s.space.ways.iter().chain(&s.space.zones);
+    if s.space.is_empty(&solid) && s.space.is_floor(&solid.area) && !kept.any(|w| w.overlaps(&solid.area)) {
         let (facing, centre) = (wall.facing, solid.area.centre());
         s.add(&radiator, centre, 0.0, facing, Rest::Floor);
     }

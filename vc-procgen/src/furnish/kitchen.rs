@@ -22,6 +22,9 @@ struct Unit {
     required: bool,
 }
 
+/// Units in place: which of the list, where, and the object.
+type Run = Vec<(usize, Spot, Arc<Object>)>;
+
 const fn unit(class: &'static str, widths: &'static [f32], required: bool) -> Unit {
     Unit { class, widths, height: TOP, required }
 }
@@ -82,7 +85,7 @@ fn place_any(s: &mut Setter<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, Imp
 /// Puts the units side by side: along the wall that holds most of them, the rest
 /// along others.
 fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossible> {
-    let mut best: Option<(usize, Vec<(Spot, Arc<Object>)>)> = None;
+    let mut best: Option<Run> = None;
     let tries = s.space.sides.len() * 2;
     // Made once: every way to lay the run uses the same objects.
     let made: Vec<Vec<Arc<Object>>> = units
@@ -93,13 +96,13 @@ fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossibl
         let run = lay_run(s, &made, attempt / 2, attempt % 2 == 1);
         let placed = run.len();
         let missing = units.iter().enumerate().filter(|(i, u)| u.required && !run.iter().any(|r| r.0 == *i)).count();
-        if missing == 0 && best.as_ref().is_none_or(|(b, _)| placed > *b) {
-            best = Some((placed, run.into_iter().map(|(_, spot, object)| (spot, object)).collect()));
+        if missing == 0 && best.as_ref().is_none_or(|b| placed > b.len()) {
+            best = Some(run);
         }
     }
-    let (_, run) = best.ok_or_else(|| s.missing("kitchen run"))?;
+    let run = best.ok_or_else(|| s.missing("kitchen run"))?;
     let mut indices = Vec::new();
-    for (spot, object) in run {
+    for (_, spot, object) in run {
         let index = s.settle(&object, spot.area, spot.facing, Need::front(0.9));
         s.item(index).required = true;
         indices.push(index);

@@ -23,6 +23,7 @@ pub(super) fn furnish(s: &mut Setter<'_>, open_kitchen: bool) -> Result<(), Impo
     if s.rng.chance(0.6) {
         s.first_against("armchair", &[[0.82, 0.8, 0.85]], Need::front(0.4), |_, spot| (0.8 - spot.corner).max(0.0));
     }
+    table(s)?;
     floor_lamp(s);
     super::other::plant(s, 0.8);
     super::other::plant(s, 0.4);
@@ -43,7 +44,21 @@ pub(super) fn furnish_studio(s: &mut Setter<'_>) -> Result<(), Impossible> {
         s.item(table).required = true;
     }
     dining(s, 2);
+    table(s)?;
     super::other::plant(s, 0.5);
+    Ok(())
+}
+
+/// A table, be it small, where none has found its place.
+fn table(s: &mut Setter<'_>) -> Result<(), Impossible> {
+    let tables = ["coffee_table", "side_table", "dining_table"];
+    if let Some(at) = s.items.iter().position(|i| tables.contains(&i.object.class)) {
+        s.items[at].required = true;
+        return Ok(());
+    }
+    let table = s.first_against("side_table", &[[0.45, 0.45, 0.52], [0.36, 0.36, 0.5]], Need::default(), |_, _| 0.0);
+    let table = table.ok_or_else(|| s.missing("table"))?;
+    s.item(table).required = true;
     Ok(())
 }
 
@@ -233,6 +248,21 @@ pub(super) fn dining(s: &mut Setter<'_>, places: usize) {
         if dining_at(s, &table, &chair, seats) {
             return;
         }
+    }
+    at_wall(s, &chair);
+}
+
+/// A small table with its long side to a wall, chairs on the other.
+fn at_wall(s: &mut Setter<'_>, chair: &Arc<Object>) {
+    for (depth, length) in [(0.75, 1.2), (0.65, 0.8)] {
+        let Some(table) = s.make("dining_table", [depth, length, 0.75]) else { return };
+        let need = Need::front(chair.size().x + 0.35);
+        let Some(index) = s.against(&table, need, |_, _| 0.0) else { continue };
+        let (area, facing) = (s.item(index).area(), s.item(index).facing());
+        for along in [-0.26, 0.26].map(|v| v * length) {
+            super::bedroom::seat(s, chair, &area, facing, along);
+        }
+        return;
     }
 }
 

@@ -157,13 +157,6 @@ impl Setter<'_> {
         Some(Arc::new(object::generator(class)?.sized(size.into(), self.style, seed)))
     }
 
-    /// An object of a class's usual size.
-    fn make_usual(&mut self, class: &str) -> Option<Arc<Object>> {
-        self.made += 1;
-        let seed = self.seed.child("object").nth(self.made);
-        Some(Arc::new(object::generator(class)?.object(self.style, seed)))
-    }
-
     /// What is missing, as an error.
     fn missing(&self, piece: &'static str) -> Impossible {
         Impossible::NoPlace { kind: self.space.kind, room: self.room, piece }

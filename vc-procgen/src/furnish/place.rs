@@ -146,7 +146,8 @@ impl Setter<'_> {
         let area = facing.area(wall.point(along, 0.001), size.x, size.y);
         let solid = Solid { area, low: z, high: z + size.z };
         // No head is hit, and no door.
-        let low = z < 1.9 && size.x > 0.12 && self.space.ways.iter().any(|q| q.overlaps(&area));
+        let mut zones = self.space.ways.iter().chain(self.space.zones.iter().filter(|_| size.x > 0.06));
+        let low = z < 1.9 && size.x > 0.05 && zones.any(|q| q.overlaps(&area));
         let pane = self.space.panes.iter().any(|p| p.hits(&solid));
         if low || pane || !self.space.is_empty(&solid) || !self.space.is_floor(&area) {
             return None;

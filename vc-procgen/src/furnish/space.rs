@@ -134,7 +134,8 @@ impl Space {
     /// Whether a zone is floor with nothing standing on it.
     pub(super) fn is_clear(&self, zone: &Area) -> bool {
         let solid = Solid { area: *zone, low: 0.0, high: 1.7 };
-        zone.square_metres() < 1e-4 || (self.is_floor(zone) && self.is_empty(&solid))
+        let sills = || self.panes.iter().any(|p| p.hits(&solid));
+        zone.square_metres() < 1e-4 || (self.is_floor(zone) && self.is_empty(&solid) && !sills())
     }
 
     /// Distance from a rectangle to the nearest door's zone.

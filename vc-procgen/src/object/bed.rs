@@ -50,7 +50,7 @@ struct Bed {
 
 impl Bed {
     fn new(b: &mut Build<'_>) -> Self {
-        at_least(b, [0.6, 0.3, 0.25]);
+        at_least(b, [0.6, 0.3, 0.2]);
         let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
         let top = if h < 0.6 { h * 0.92 } else { b.vary(0.46, 0.58).min(h * 0.75) };
         let metal = b.one(&[BLACK_METAL, WHITE_METAL, BRASS, b.style.metal]);
@@ -216,7 +216,7 @@ fn posted(b: &mut Build<'_>, bed: &Bed, design: Design) {
             }
             _ => {
                 let look = b.one(&[Look::Framed, Look::Reeded, Look::Louvred]);
-                b.block("cap", [cx - r * 0.9, -y, high - 0.04], [cx + r * 0.9, y, high - 0.003], mat);
+                b.block("cap", [cx - r * 0.9, -y - 0.001, high - 0.04], [cx + r * 0.9, y + 0.001, high - 0.003], mat);
                 panel(b, "board", [cx - 0.014, -y, low - 0.12], [cx + 0.014, y, high - 0.039], look, mat);
             }
         }
@@ -296,7 +296,7 @@ fn crib(b: &mut Build<'_>) {
             b.block("bar", [bar - 0.008, cy - 0.006, z0], [bar + 0.008, cy + 0.006, z1], wood);
         }
         if solid {
-            b.block("end", [cx - 0.007, t - y, z0], [cx + 0.007, y - t, z1], wood);
+            b.block("end", [cx - 0.007, t - y - 0.001, z0], [cx + 0.007, y - t + 0.001, z1], wood);
             continue;
         }
         let count = ((y - t) / 0.045).clamp(3.0, 8.0) as usize;
@@ -351,7 +351,7 @@ fn bunk_bed(b: &mut Build<'_>) {
             let cy = half - r;
             b.block(
                 "guard_post",
-                [gap, cy - 0.012, deck + 0.039],
+                [gap + 0.001, cy - 0.012, deck + 0.039],
                 [gap + 0.03, cy + 0.012, (top + h * 0.2).min(h - 0.04) + 0.029],
                 mat,
             );
@@ -387,7 +387,7 @@ fn mattress(b: &mut Build<'_>) {
     let r = h * b.vary(0.2, 0.35);
     b.soft("mattress", [0.004 - x, 0.004 - y, 0.0], [x - 0.004, y - 0.004, h], r, WHITE_COTTON);
     b.block("border", [r - x, -y, h * 0.28], [x - r, y, h * 0.72], side);
-    b.block("border", [-x, r - y, h * 0.28], [x, y - r, h * 0.72], side);
+    b.block("border", [-x, r - y, h * 0.28 + 0.001], [x, y - r, h * 0.72 - 0.001], side);
     b.top("mattress", [0.0, 0.0, h], (x - 0.05, y - 0.05));
     let (rows, across) = (b.rng.count(3, 5), (y / 0.2).clamp(1.0, 5.0) as usize);
     for (i, j) in (0..rows).flat_map(|i| (0..across).map(move |j| (i, j))) {

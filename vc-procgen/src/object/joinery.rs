@@ -1,8 +1,6 @@
 //! What cabinet makers build everything from: carcasses, doors, drawers, legs and
 //! handles. Used by furniture, kitchens and bathrooms alike.
 
-use std::f32::consts::FRAC_PI_2;
-
 use super::build::{Build, P};
 use crate::material::Mat;
 
@@ -38,35 +36,6 @@ impl Handle {
     }
 }
 
-/// An open-fronted box of boards: sides, top, bottom and back, open towards X.
-pub(super) fn carcass(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
-    let t = BOARD;
-    b.block("side", low, [high[0], low[1] + t, high[2]], mat);
-    b.block("side", [low[0], high[1] - t, low[2]], high, mat);
-    b.block("bottom", [low[0], low[1] + t, low[2]], [high[0], high[1] - t, low[2] + t], mat);
-    b.block("top", [low[0], low[1] + t, high[2] - t], [high[0], high[1] - t, high[2]], mat);
-    b.block("back", [low[0], low[1] + t, low[2] + t], [low[0] + 0.008, high[1] - t, high[2] - t], mat);
-}
-
-/// Shelves that divide the inside of a carcass into `count` spaces, each a surface
-/// named `shelf_1` and so on from below. `high[0]` is where shelves end in front.
-pub(super) fn shelves(b: &mut Build<'_>, low: P, high: P, count: usize, mat: Mat) {
-    let t = BOARD;
-    let (y0, y1) = (low[1] + t, high[1] - t);
-    let (x0, x1) = (low[0] + 0.008, high[0] - 0.002);
-    let inner = high[2] - low[2] - 2.0 * t;
-    let pitch = (inner + t) / count as f32;
-    for i in 0..count {
-        let floor = low[2] + t + pitch * i as f32;
-        if i > 0 {
-            b.block("shelf", [x0, y0, floor - t], [x1, y1, floor], mat);
-        }
-        let centre = [(x0 + x1) / 2.0, (y0 + y1) / 2.0, floor];
-        let name = format!("shelf_{}", i + 1);
-        b.inside(&name, centre, ((x1 - x0) / 2.0 - 0.005, (y1 - y0) / 2.0 - 0.005), pitch - t - 0.005);
-    }
-}
-
 /// A handle in front of a plane at `x`, centred at (`y`, `z`), `length` long,
 /// upright or level.
 pub(super) fn handle(b: &mut Build<'_>, kind: Handle, at: P, length: f32, upright: bool, mat: Mat) {
@@ -98,31 +67,6 @@ pub(super) enum Side {
     Right,
 }
 
-/// A hinged front that fills the rectangle `low..high` (its thickness along X) with
-/// a gap around; it opens outwards by up to 100 degrees.
-pub(super) fn door(b: &mut Build<'_>, name: &str, low: P, high: P, side: Side, kind: Handle, mats: (Mat, Mat)) {
-    let (low, high) = shrunk(low, high);
-    let (hinge, grip, turn) = match side {
-        Side::Left => (high[1], low[1] + 0.04, 1.0),
-        Side::Right => (low[1], high[1] - 0.04, -1.0),
-    };
-    let anchor = [high[0], hinge, low[2]];
-    b.hinge(anchor, [0.0, 0.0, turn], FRAC_PI_2 * 1.1, |b| {
-        b.block(name, low, high, mats.0);
-        let tall = high[2] - low[2];
-        let length = (tall * 0.35).min(0.16);
-        // Low units are gripped at the top, high ones at the bottom, tall ones in the middle.
-        let z = if tall > 1.1 {
-            f32::midpoint(low[2], high[2])
-        } else if low[2] > 1.2 {
-            low[2] + length * 0.5 + 0.04
-        } else {
-            high[2] - length * 0.5 - 0.04
-        };
-        handle(b, kind, [high[0], grip, z], length, true, mats.1);
-    });
-}
-
 /// A drawer that fills the space `low..high`: its front at the high X, its tray
 /// behind; it slides out by three quarters of its depth.
 pub(super) fn drawer(b: &mut Build<'_>, name: &str, low: P, high: P, kind: Handle, mats: (Mat, Mat, Mat)) {
@@ -144,21 +88,6 @@ pub(super) fn drawer(b: &mut Build<'_>, name: &str, low: P, high: P, kind: Handl
         let half = ((x1 - x0 - t) / 2.0 - 0.005, (y1 - y0) / 2.0 - t - 0.005);
         b.inside(name, centre, half, (high[2] - z0 - t - 0.02).max(0.0));
     });
-}
-
-/// Four straight legs under a rectangle of half lengths `half`, from the floor to
-/// `height`, square or round, inset from the edges.
-pub(super) fn legs(b: &mut Build<'_>, half: (f32, f32), height: f32, thickness: f32, round: bool, mat: Mat) {
-    let (x, y) = (half.0 - thickness / 2.0, half.1 - thickness / 2.0);
-    let r = thickness / 2.0;
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
-        let (cx, cy) = (sx * x, sy * y);
-        if round {
-            b.lathe("leg", [cx, cy, 0.0], &[(r * 0.7, 0.0), (r, height * 0.9), (r, height)], mat);
-        } else {
-            b.block("leg", [cx - r, cy - r, 0.0], [cx + r, cy + r, height], mat);
-        }
-    }
 }
 
 fn shrunk(low: P, high: P) -> (P, P) {

@@ -233,11 +233,7 @@ fn scale(canvas: &mut Canvas, from: Point) {
     let metre = |i: usize| from[0] + 0.5 * i as f32;
     for i in 0..6 {
         let fill = if i % 2 == 0 { LINE } else { Colour::WHITE };
-        canvas.rectangle(
-            [metre(i), from[1]],
-            [metre(i + 1), from[1] + 0.1],
-            Ink::filled(fill).outlined(LINE, THIN),
-        );
+        canvas.rectangle([metre(i), from[1]], [metre(i + 1), from[1] + 0.1], Ink::filled(fill).outlined(LINE, THIN));
     }
     for (i, text) in [(0, "0"), (2, "1"), (4, "2"), (6, "3 m")] {
         canvas.text([metre(i) - 0.06, from[1] + 0.18], 0.2, Anchor::Start, LINE, text);

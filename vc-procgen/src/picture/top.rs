@@ -106,9 +106,8 @@ fn top(part: &Part, pose: &Pose) -> Top {
     let pose = pose * part.pose;
     let outline = outline(&part.shape, &pose);
     let start = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
-    let (low, high) = outline.iter().fold(start, |(l, h), p| {
-        ([l[0].min(p[0]), l[1].min(p[1])], [h[0].max(p[0]), h[1].max(p[1])])
-    });
+    let (low, high) =
+        outline.iter().fold(start, |(l, h), p| ([l[0].min(p[0]), l[1].min(p[1])], [h[0].max(p[0]), h[1].max(p[1])]));
     let boxed = matches!(part.shape, Shape::Box { .. } | Shape::RoundedBox { .. });
     let turned = (pose.rotation * Vector3::x()).abs().max() < 0.999;
     let clear = material::ALL.get(part.material as usize).is_some_and(|m| m.1 == Family::Glass);
@@ -135,9 +134,15 @@ fn outline(shape: &Shape, pose: &Pose) -> Vec<Point> {
         Shape::RoundedBox { half, radius } if upright && *radius > 0.015 => {
             rounded(half.x, half.y, *radius).into_iter().map(|[x, y]| flat(Point3::new(x, y, 0.0))).collect()
         }
-        Shape::Extrusion { outline, .. } if upright => outline.iter().map(|&(x, y)| flat(Point3::new(x, y, 0.0))).collect(),
+        Shape::Extrusion { outline, .. } if upright => {
+            outline.iter().map(|&(x, y)| flat(Point3::new(x, y, 0.0))).collect()
+        }
         Shape::Hull { points: all } | Shape::Mesh { vertices: all, .. } => hull(all.iter().map(|&p| flat(p)).collect()),
-        Shape::Cylinder { .. } | Shape::Cone { .. } | Shape::Capsule { .. } | Shape::Sphere { .. } | Shape::Lathe { .. }
+        Shape::Cylinder { .. }
+        | Shape::Cone { .. }
+        | Shape::Capsule { .. }
+        | Shape::Sphere { .. }
+        | Shape::Lathe { .. }
             if upright =>
         {
             let radius = shape.extent().1.x;

@@ -151,7 +151,7 @@ impl Grid {
         let reached = patches.iter().enumerate().all(|(index, patch)| {
             let Some(patch) = patch else { return true };
             let owner = programme.wishes[index].of;
-            self.touch(*patch, owner) >= PASSAGE + 1
+            self.touch(*patch, owner) > PASSAGE
         });
         (whole && reached).then_some(())
     }

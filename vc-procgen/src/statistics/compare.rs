@@ -167,7 +167,10 @@ impl Statistics {
     fn write_comparison(&self, text: &mut String) -> std::fmt::Result {
         let homes = self.comparable.homes;
         writeln!(text, "## Beside real homes\n\nReference: {}.\n", reference::SOURCE)?;
-        writeln!(text, "Ours: the {homes} homes with two or three bedrooms and as many bathrooms; windows: all homes.\n")?;
+        writeln!(
+            text,
+            "Ours: the {homes} homes with two or three bedrooms and as many bathrooms; windows: all homes.\n"
+        )?;
         writeln!(text, "| what | measured | reference | difference | bar | met |\n|---|---|---|---|---|---|")?;
         self.compare().iter().try_for_each(|c| writeln!(text, "{}", c.row()))
     }

@@ -46,7 +46,7 @@ impl Sample {
         count(&mut self.doors, ways(false));
         count(&mut self.passages, ways(true));
         for (a, b) in ways(false) {
-            [a, b].map(|zone| *self.door_ends.entry(zone).or_default() += 1);
+            [a, b].into_iter().for_each(|zone| *self.door_ends.entry(zone).or_default() += 1);
         }
     }
 

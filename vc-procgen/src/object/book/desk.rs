@@ -209,7 +209,7 @@ pub(super) fn clipboard(b: &mut Build<'_>) {
     b.soft("board", [-x, -y, 0.0], [x, y, t], t * 0.4, board);
     b.block("paper", [-x * 0.82, -y * 0.92, t], [x * 0.92, y * 0.92, t + (h * 0.1).min(0.001)], WHITE_PAPER);
     b.block("clip", [-x * 0.97, -y * 0.4, t * 0.9], [-x * 0.75, y * 0.4, h * 0.7], STEEL);
-    let grip = arc(Axis::Y, [-x * 0.9, -y * 0.25, h * 0.6], (x * 0.06, h * 0.38), (0.0, 3.1416), 6);
+    let grip = arc(Axis::Y, [-x * 0.9, -y * 0.25, h * 0.6], (x * 0.06, h * 0.38), (0.0, std::f32::consts::PI), 6);
     let outline: Vec<(f32, f32)> = grip.iter().map(|p| (p[0] + x * 0.9, p[2] - h * 0.6)).collect();
     b.prism("clip", Axis::Y, [-x * 0.9, -y * 0.25, h * 0.6], &outline, y * 0.5, STEEL);
     b.top("board", [x * 0.08, 0.0, t + (h * 0.1).min(0.001)], (x * 0.8, y * 0.9));

@@ -88,7 +88,7 @@ pub(super) fn map(b: &mut Build<'_>) {
     }
     b.block("fold", [-x * 0.98, -y * 0.99, h * 0.05], [-x * 0.9, y * 0.99, h - relief * 1.5], WHITE_PAPER);
     let land: Vec<(f32, f32)> = (0..12)
-        .map(|i| i as f32 / 12.0 * 6.283)
+        .map(|i| i as f32 / 12.0 * std::f32::consts::TAU)
         .map(|a| (a, b.vary(0.5, 0.9)))
         .map(|(a, r)| (x * r * a.cos(), y * r * a.sin()))
         .collect();

@@ -60,7 +60,7 @@ fn spine(b: &mut Build<'_>, board: f32, (low, high): (f32, f32), cover: Mat) -> 
     if b.rng.chance(0.5) {
         let bulge = (half * 0.5).min(y * 0.15);
         let at = [-x, -y + relief + bulge, middle];
-        let curve = arc(Axis::X, at, (bulge, half), (1.5708, 4.7124), 8);
+        let curve = arc(Axis::X, at, (bulge, half), (std::f32::consts::FRAC_PI_2, 4.7124), 8);
         let outer = curve.iter().map(|p| (p[1], p[2]));
         let outline: Vec<(f32, f32)> =
             outer.chain([(at[1] + board, middle - half), (at[1] + board, middle + half)]).collect();

@@ -72,7 +72,7 @@ pub(super) fn skirt(b: &mut Build<'_>) {
     let (n, hem) = (32, b.vary(0.8, 1.0));
     let ring = |z: f32, w: f32, jag: f32| -> Vec<P> {
         let rim = oval(Axis::Z, [0.0, 0.0, z], (x * 0.95, y * w), 1, n);
-        let fold = |i: usize| if i % 2 == 0 { 1.0 } else { 1.0 - jag };
+        let fold = |i: usize| if i.is_multiple_of(2) { 1.0 } else { 1.0 - jag };
         rim.iter().enumerate().map(|(i, p)| [p[0] * fold(i), p[1] * (1.0 - (1.0 - fold(i)) * 0.2), p[2]]).collect()
     };
     let jag = if pleats { 0.35 } else { 0.08 };

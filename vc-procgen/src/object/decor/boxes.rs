@@ -161,7 +161,7 @@ pub(super) fn basket(b: &mut Build<'_>) {
         let mut shell = Shell::default();
         for side in [-1.0, 1.0] {
             let end = side * (y - r);
-            let curve = arc(Axis::Y, [0.0, end, rim], (x * 0.32, h - rim - r * 0.7), (0.0, 3.1416), 10);
+            let curve = arc(Axis::Y, [0.0, end, rim], (x * 0.32, h - rim - r * 0.7), (0.0, std::f32::consts::PI), 10);
             shell.tube(&curve, r * 0.7);
         }
         let accent = b.one(&[mat, BROWN_LEATHER, JUTE]);

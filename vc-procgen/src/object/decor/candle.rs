@@ -77,7 +77,7 @@ fn drips(b: &mut Build<'_>, r: f32, top: f32, wax: Mat) {
     let count = b.rng.count(0, 4);
     let mut shell = Shell::default();
     for _ in 0..count {
-        let (s, c) = b.vary(0.0, 6.28).sin_cos();
+        let (s, c) = b.vary(0.0, std::f32::consts::TAU).sin_cos();
         let long = top * b.vary(0.1, 0.3);
         shell.egg([r * 0.95 * c, r * 0.95 * s, top - long * 0.9], [r * 0.05, r * 0.05, long * 0.9]);
     }

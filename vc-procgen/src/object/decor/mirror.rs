@@ -6,7 +6,7 @@ use crate::material::*;
 
 /// A wall mirror: rectangular, round, arched or with lights.
 pub(super) fn wall(b: &mut Build<'_>) {
-    facing(b, |b, t, w, h| pane(b, t, w, h));
+    facing(b, pane);
 }
 
 /// A framed pane whose base centre is the origin.

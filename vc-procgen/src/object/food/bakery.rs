@@ -3,7 +3,9 @@
 use std::f32::consts::TAU;
 
 use super::super::build::{Axis, Build, P};
-use super::super::kitchenware::form::{dims, hoop, level, loft, lump, oval, rounded, shell, spun, sweep, tube, turn};
+use super::super::kitchenware::form::{
+    boulder, dims, hoop, level, loft, lump, oval, rounded, shell, spun, sweep, tube, turn,
+};
 use super::fruit::berry;
 use crate::material::*;
 
@@ -475,7 +477,7 @@ pub(super) fn waffle(b: &mut Build<'_>) {
 /// Dough in a lump, or rolled on itself.
 pub(super) fn dough(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    lump(b, "dough", [0.0, 0.0, z / 2.0], [x / 2.0, y / 2.0, z / 2.0], 0.04, CREAM_FOOD);
+    boulder(b, "dough", ([0.0, 0.0, z / 2.0], [x / 2.0, y / 2.0, z / 2.0]), 0.04, (20, 12), CREAM_FOOD);
 }
 
 /// A knot of dough with salt.
@@ -483,41 +485,36 @@ pub(super) fn pretzel(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (z * 0.45).min(x * 0.1);
     let (hx, hy) = (x / 2.0 - r, y / 2.0 - r);
-    // Feet, two loops and a cross, from one end to the other.
+    // From one end over the cross and round both loops to the other end.
     let half = [
-        (-0.85, 0.28),
-        (-0.35, 0.06),
-        (0.05, -0.12),
-        (0.45, -0.6),
-        (0.4, -0.95),
-        (-0.05, -1.0),
-        (-0.6, -0.75),
-        (-0.95, -0.35),
+        (0.35, -0.7),
+        (0.12, -0.25),
+        (-0.12, 0.12),
+        (-0.5, 0.7),
+        (-0.8, 0.92),
+        (-0.98, 0.6),
+        (-0.95, 0.1),
+        (-0.8, -0.45),
+        (-0.45, -0.88),
     ];
-    let points: Vec<P> = half
-        .iter()
-        .map(|p| (p.0, p.1))
-        .chain([(-1.0, 0.0)])
-        .chain(half.iter().rev().map(|p| (p.0, -p.1)))
-        .map(|(u, v)| [-hx * u, hy * v, 0.0])
-        .collect();
-    let n = points.len();
-    let path: Vec<_> = points
-        .iter()
-        .enumerate()
-        .map(|(i, p)| {
-            let k = i as f32 / (n - 1) as f32;
-            let lift = if i == 2 || i == 1 { z - r } else { r };
-            (
-                [p[0], p[1], lift],
-                r * (0.55 + 0.45 * (std::f32::consts::PI * k).sin()),
-                r * (0.55 + 0.45 * (std::f32::consts::PI * k).sin()),
-            )
-        })
-        .collect();
+    let other = half.iter().rev().map(|p| (-p.0, p.1));
+    let points: Vec<(f32, f32)> = half.iter().copied().chain([(0.0, -1.0)]).chain(other).collect();
+    let last = points.len() - 1;
+    let place = |(i, &(v, u)): (usize, &(f32, f32))| {
+        let k = i as f32 / last as f32;
+        let w = r * (0.6 + 0.4 * (std::f32::consts::PI * k).sin());
+        // The ends lie on the loop, the second over the first.
+        let lift = match i {
+            0 => z - r,
+            i if i + 4 > last => z - r,
+            _ => r,
+        };
+        ([hx * u, hy * v, lift], w, w)
+    };
+    let path: Vec<_> = points.iter().enumerate().map(place).collect();
     sweep(b, "pretzel", &path, [0.0, 0.0, 1.0], COOKED_MEAT);
     for i in 0..10 {
-        let p = path[3 + i % (n - 6)].0;
+        let p = path[4 + i % (last - 7)].0;
         let s = r * 0.12;
         let shift = r * 0.35 * (1.7 * i as f32).sin();
         b.block(

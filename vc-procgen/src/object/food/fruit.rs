@@ -3,7 +3,7 @@
 use std::f32::consts::TAU;
 
 use super::super::build::{Build, P};
-use super::super::kitchenware::form::{dims, loft, lump, spun, sweep, tube};
+use super::super::kitchenware::form::{boulder, dims, loft, lump, spun, sweep, tube};
 use crate::material::*;
 
 type Profile = &'static [(f32, f32)];
@@ -198,8 +198,8 @@ pub(super) fn single(b: &mut Build<'_>) {
         (_, Top::Cap) => 0.86,
         _ => 1.0,
     };
-    let wobble = |b: &mut Build<'_>, p: &(f32, f32)| (p.0 * b.rng.between(0.97, 1.0), p.1);
-    let profile: Vec<_> = profile.iter().map(|p| wobble(b, p)).collect();
+    let plump = b.vary(0.88, 1.12);
+    let profile: Vec<_> = profile.iter().map(|p| (p.0.powf(plump), p.1)).collect();
     let (hx, hy) = (x / 2.0, y / 2.0);
     let (low, high, end): (P, P, P) = if lying {
         let end = -hy + y * share;
@@ -385,7 +385,7 @@ pub(super) fn root(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let skin = b.one(&[BROWN_SKIN, CRUST, HAY]);
     if b.class == "potato" {
-        return lump(b, "potato", [0.0, 0.0, z / 2.0], [x / 2.0, y / 2.0, z / 2.0], 0.1, skin);
+        return boulder(b, "potato", ([0.0, 0.0, z / 2.0], [x / 2.0, y / 2.0, z / 2.0]), 0.1, (20, 12), skin);
     }
     lump(b, "root", [0.0, 0.0, z / 2.0], [x * 0.3, y / 2.0, z / 2.0], 0.12, skin);
     lump(b, "knob", [x * 0.24, y * 0.2, z * 0.45], [x * 0.25, y * 0.14, z * 0.38], 0.1, skin);
@@ -433,19 +433,23 @@ pub(super) fn cluster(b: &mut Build<'_>) {
         _ => (&[RED_SKIN], false),
     };
     let mat = b.one(mat);
-    let count = if b.class == "cherries" { 9 } else { 26 };
-    let r = (z * if taper { 0.22 } else { 0.3 }).min(x * 0.12).min(y * 0.1);
+    let cherries = b.class == "cherries";
+    let count = if cherries { 9 } else { 26 };
+    let (wide, room) = (x.min(y) / 2.0, (x * y / count as f32).sqrt());
+    let r = if cherries { room * 0.34 } else { room * 0.52 }.min(z * 0.36).min(wide * 0.45);
     let (hx, hy) = (x / 2.0 - r, y / 2.0 - r);
+    let lift = if cherries { 0.0 } else { z - 2.0 * r };
     for i in 0..count {
         let k = (i as f32 + 0.5) / count as f32;
         let (s, c) = (2.399_963 * i as f32).sin_cos();
         let out = k.sqrt();
-        let narrow = if taper { 1.0 - 0.45 * (s * out + 1.0) / 2.0 } else { 1.0 };
-        let rise = (z - 2.0 * r) * (1.0 - k).max(0.0) * b.rng.between(0.8, 1.0);
+        let narrow = if taper { 1.0 - 0.3 * (s * out + 1.0) / 2.0 } else { 1.0 };
+        let rise = lift * (1.0 - k).max(0.0) * b.rng.between(0.8, 1.0);
         let at = [hx * out * c * narrow, hy * out * s, r + rise];
         berry(b, at, r, mat);
-        if b.class == "cherries" && i % 2 == 0 {
-            let far = [at[0] * 0.4, at[1] * 0.4 + hy * 0.3, (at[2] + r * 1.5).min(z - r * 0.1)];
+        if cherries {
+            // Two and two hang together, and all at one twig.
+            let far = [0.0, 0.0, z - r * 0.1];
             b.rod("stalk", [at[0], at[1], at[2] + r * 0.8], far, r * 0.07, LEAF);
         }
     }

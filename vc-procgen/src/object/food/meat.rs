@@ -1,7 +1,7 @@
 //! Meat, fish, cheese and what else comes in slabs and slices.
 
 use super::super::build::{Axis, Build, P};
-use super::super::kitchenware::form::{dims, loft, lump, rounded, spun, sweep, tub, tube};
+use super::super::kitchenware::form::{boulder, dims, loft, lump, rounded, spun, sweep, tub, tube};
 use crate::material::*;
 
 /// An irregular slab: an outline with its edges rounded.
@@ -313,7 +313,7 @@ pub(super) fn mince(b: &mut Build<'_>) {
 pub(super) fn meatball(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[COOKED_MEAT, COOKED_MEAT, CHOCOLATE]);
-    lump(b, "meatball", [0.0, 0.0, z / 2.0], [x / 2.0, y / 2.0, z / 2.0], 0.05, mat);
+    boulder(b, "meatball", ([0.0, 0.0, z / 2.0], [x / 2.0, y / 2.0, z / 2.0]), 0.05, (20, 12), mat);
 }
 
 /// A whole fish lying on its side, or a fillet with lines of fat.
@@ -391,13 +391,13 @@ pub(super) fn fish(b: &mut Build<'_>) {
 pub(super) fn shrimp(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[PETAL_PINK, ORANGE_SKIN, TERRACOTTA]);
-    let r = (z * 0.18).min(x * 0.09);
+    let r = (z * 0.3).min(x * 0.13);
     let (hx, hy) = (x / 2.0, y / 2.0);
     for i in 0..7 {
         let (s, c) = (2.4 * i as f32).sin_cos();
         let k = (i as f32 / 7.0).sqrt();
-        let reach = hx.min(hy) * 0.4;
-        let centre = [(hx - reach) * c * k, (hy - reach) * s * k, r + (z - 2.0 * r) * (1.0 - k) * 0.95];
+        let reach = hx.min(hy) * 0.52;
+        let centre = [(hx - reach) * c * k, (hy - reach) * s * k, r + (z - 2.0 * r) * (1.0 - k)];
         let turn = 1.7 * i as f32;
         let at = |j: usize, w: f32| {
             let (s, c) = (turn + 0.75 * j as f32).sin_cos();

@@ -65,9 +65,15 @@ pub(super) fn head(b: &mut Build<'_>) {
     let leaf = if core == PURPLE_SKIN { PURPLE_SKIN } else { leaf };
     let (hx, hy) = (x / 2.0, y / 2.0);
     lump(b, "heart", [0.0, 0.0, z * 0.52], [hx * 0.88, hy * 0.88, z * 0.48], if lettuce { 0.1 } else { 0.04 }, core);
-    leaves(b, (hx, hy), (0.0, z * 0.75), if lettuce { 8 } else { 6 }, leaf);
-    if lettuce {
-        leaves(b, (hx * 0.75, hy * 0.75), (z * 0.2, z * 0.99), 6, core);
+    if !lettuce {
+        return leaves(b, (hx, hy), (0.0, z * 0.75), 6, leaf);
+    }
+    // Loose leaves are wavy shells around the heart.
+    for i in 0..8 {
+        let (s, c) = (TAU * i as f32 / 8.0).sin_cos();
+        let low = if i % 2 == 0 { 0.46 } else { 0.56 };
+        let centre = [hx * 0.5 * c, hy * 0.5 * s, z * low];
+        lump(b, "leaf", centre, [hx * 0.48, hy * 0.48, z * 0.42], 0.18, if i % 2 == 0 { leaf } else { core });
     }
 }
 
@@ -76,12 +82,12 @@ pub(super) fn greens(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let bunch = b.class == "fresh_herbs";
-    let count = if bunch { 16 } else { 18 };
+    let count = if bunch { 16 } else { 26 };
     let mats = [LEAF, DARK_LEAF, if bunch { LIGHT_LEAF } else { LEAF }];
     for i in 0..count {
         let k = (i as f32 + 0.5) / count as f32;
         let (s, c) = (2.4 * i as f32).sin_cos();
-        let (w, l) = if bunch { (hx * 0.3, hy * 0.24) } else { (hx * 0.4, hy * 0.4) };
+        let (w, l) = if bunch { (hx * 0.3, hy * 0.24) } else { (hx * 0.5, hy * 0.5) };
         let centre = if bunch {
             [(hx - w) * c * k.sqrt(), hy * 0.38 + hy * 0.36 * s * k.sqrt(), 0.0]
         } else {

@@ -13,9 +13,9 @@ const COLOURS: [Mat; 9] =
 pub(super) fn cup(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let r = (x / 2.0).min(y * 0.39) - 0.0008;
-    let t = (r * 0.09).max(1e-4).min(0.0045);
+    let t = (r * 0.09).clamp(1e-4, 0.0045);
     let mug = b.class == "mug";
-    let mat = if mug { b.style.crockery } else { b.style.crockery };
+    let mat = b.style.crockery;
     let mat = if mug && b.rng.chance(0.6) { b.one(&COLOURS) } else { mat };
     let shape: &[(f32, f32)] = match (b.class, b.rng.below(3)) {
         ("mug", 0) => &[(0.92, 0.0), (1.0, 0.06), (1.0, 0.5), (1.0, 1.0)],
@@ -58,7 +58,7 @@ fn spout(b: &mut Build<'_>, (r, h): (f32, f32), reach: f32, mat: Mat) {
 pub(super) fn tumbler(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let r = x.min(y) / 2.0;
-    let t = (r * 0.07).max(1e-4).min(0.0035);
+    let t = (r * 0.07).clamp(1e-4, 0.0035);
     let mat = b.one(&[GLASS, GLASS, GLASS, BLUE_GLASS, GREEN_GLASS]);
     let shape: &[(f32, f32)] = match b.rng.below(4) {
         0 => &[(0.8, 0.0), (0.84, 0.03), (0.95, 0.7), (1.0, 1.0)],

@@ -61,7 +61,7 @@ pub(super) fn bowl(b: &mut Build<'_>) {
         "ramekin" => b.one(&[PORCELAIN, PORCELAIN, STONEWARE, RED_GLAZE, BLUE_GLAZE]),
         _ => b.style.crockery,
     };
-    let t = (r * 0.05).min(h * 0.08).max(1e-4).min(0.006);
+    let t = (r * 0.05).min(h * 0.08).clamp(1e-4, 0.006);
     if b.class == "ramekin" {
         let mut outside = vec![(0.9, 0.0)];
         for i in 0..6 {

@@ -131,11 +131,23 @@ pub(in crate::object) fn ear(b: &mut Build<'_>, y: (f32, f32), z: (f32, f32), ra
 
 /// A lump: an ellipsoid with bumps of up to a part of its size.
 pub(in crate::object) fn lump(b: &mut Build<'_>, name: &str, centre: P, half: P, bump: f32, mat: Mat) {
+    boulder(b, name, (centre, half), bump, (SIDES, 7), mat);
+}
+
+/// A lump of so many sides and rows: many where it is alone, few where there are many.
+pub(in crate::object) fn boulder(
+    b: &mut Build<'_>,
+    name: &str,
+    (centre, half): (P, P),
+    bump: f32,
+    (sides, rows): (usize, usize),
+    mat: Mat,
+) {
     let phases = [b.vary(0.0, TAU), b.vary(0.0, TAU), b.vary(0.0, TAU)];
     let ring = |i: usize| {
-        let (rise, level) = (PI * (i as f32 / 7.0 - 0.5)).sin_cos();
+        let (rise, level) = (PI * (i as f32 / rows as f32 - 0.5)).sin_cos();
         let point = |k: usize| {
-            let angle = TAU * k as f32 / SIDES as f32;
+            let angle = TAU * k as f32 / sides as f32;
             let wave = (2.0 * angle + phases[0] + 3.0 * rise).cos() + (3.0 * angle + phases[1]).cos();
             let size = (1.0 + bump * 0.5 * wave) / (1.0 + bump);
             let tilt = bump * 0.4 * (phases[2] + 2.0 * angle).cos() * level;
@@ -146,10 +158,23 @@ pub(in crate::object) fn lump(b: &mut Build<'_>, name: &str, centre: P, half: P,
                 centre[2] + half[2] * (rise - tilt * rise.abs()).clamp(-1.0, 1.0),
             ]
         };
-        (0..SIDES).map(point).collect()
+        (0..sides).map(point).collect()
     };
-    let rings: Vec<_> = (0..=7).map(ring).collect();
+    let rings: Vec<_> = (0..=rows).map(ring).collect();
     loft(b, name, &rings, mat);
+}
+
+/// A profile with a point more between all pairs, on a curve through them (Catmull and
+/// Rom).
+fn smoothed(profile: &[(f32, f32)]) -> Vec<(f32, f32)> {
+    let last = profile.len().saturating_sub(1);
+    let between = |i: usize| {
+        let [a, b, c, d] = [i.saturating_sub(1), i, i + 1, (i + 2).min(last)].map(|k| profile[k]);
+        let curve = |a: f32, b: f32, c: f32, d: f32| ((9.0 * (b + c) - a - d) / 16.0).clamp(0.0, 1.0);
+        (curve(a.0, b.0, c.0, d.0), curve(a.1, b.1, c.1, d.1))
+    };
+    let pairs = (0..last).flat_map(|i| [profile[i], between(i)]);
+    pairs.chain(profile.last().copied()).collect()
 }
 
 /// A body of ellipses between two corners: a profile in parts of its half width and its
@@ -174,6 +199,8 @@ pub(in crate::object) fn spun(
         };
         turned.map(place).collect()
     };
+    // What has many points has edges that are meant.
+    let profile = if profile.len() < 14 { smoothed(profile) } else { profile.to_vec() };
     let rings: Vec<_> = profile.iter().map(ring).collect();
     loft(b, name, &rings, mat);
 }

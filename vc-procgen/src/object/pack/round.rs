@@ -71,6 +71,10 @@ pub(super) fn bottle(b: &mut Build<'_>) {
     let h = if foil { z - 0.0008_f32.min(z * 0.01) } else { z * b.vary(0.91, 0.94) };
     let (profile, (low, high)) = outline;
     turn(b, "bottle", [0.0; 3], (r, h), profile, look.body);
+    if let Some(drink) = content(look.body) {
+        let inner: Vec<_> = profile.iter().filter(|p| p.1 < 0.7).map(|p| (p.0 * 0.94, 0.02 + p.1 * 0.98)).collect();
+        turn(b, "content", [0.0; 3], (r, h), &inner, drink);
+    }
     let neck = profile.last().map_or(0.4, |p| p.0) * r;
     if foil {
         foil_cap(b, (r, h, z), profile, look.cap);
@@ -88,6 +92,17 @@ pub(super) fn bottle(b: &mut Build<'_>) {
     let widest =
         profile.iter().filter(|p| p.1 >= low - 0.1 && p.1 <= high + 0.1).fold(1.0_f32, |least, p| least.min(p.0)) * r;
     wrap(b, widest, (h * low, h * high), look.label());
+}
+
+/// What shows through glass: that its colour is the bottle's tells them apart.
+fn content(glass: Mat) -> Option<Mat> {
+    match glass {
+        GREEN_GLASS => Some(FOREST),
+        BROWN_GLASS => Some(BROWN_PLASTIC),
+        BLUE_GLASS => Some(BLUE_PLASTIC),
+        GLASS | CLEAR_PLASTIC | FROSTED_GLASS => Some(WATER),
+        _ => None,
+    }
 }
 
 /// The foil over a cork and the neck.
@@ -160,6 +175,16 @@ pub(super) fn jar(b: &mut Build<'_>) {
         ])
     };
     turn(b, "jar", [0.0; 3], (r, h), &shape, look.body);
+    if let Some(pills) = content(look.body) {
+        turn(
+            b,
+            "content",
+            [0.0, 0.0, h * 0.02],
+            (r * 0.94, h * 0.6),
+            &[(shape[0].0, 0.0), (1.0, 0.1), (1.0, 1.0)],
+            pills,
+        );
+    }
     let lid = (rim * 1.06).min(1.0) * r;
     turn(b, "lid", [0.0, 0.0, h * 0.97], (lid, z - h * 0.97), &[(1.0, 0.0), (1.0, 0.8), (0.95, 1.0)], look.cap);
     let round_ = shape[2].0.min(shape[1].0);

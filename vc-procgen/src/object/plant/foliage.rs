@@ -204,7 +204,7 @@ fn tree(b: &mut Build<'_>, c: Crown) {
     for i in 0..branches {
         let turn = i as f32 * 2.4;
         let level = (i as f32 + 0.5) / branches as f32;
-        let out = (0.35 + 0.5 * (level * 3.14).sin()) * b.vary(0.85, 1.0);
+        let out = (0.35 + 0.5 * (level * std::f32::consts::PI).sin()) * b.vary(0.85, 1.0);
         let tip = c.at(turn, out, fork + (0.95 - fork) * level);
         let root = [0.0, 0.0, c.low + tall * (fork * 0.95 + 0.4 * (1.0 - fork) * level)];
         wood.tapered(&[root, mix(root, tip, 0.6), tip], |t| r * (0.6 - 0.4 * t));
@@ -345,7 +345,7 @@ fn fern(b: &mut Build<'_>, c: Crown) {
             5,
         );
         let wide = c.x.min(c.y) * 0.09;
-        leaves.leaf(&line, |t| wide * (1.05 - t) * if ((t * 15.0) as usize) % 2 == 0 { 1.0 } else { 0.45 }, 0.2);
+        leaves.leaf(&line, |t| wide * (1.05 - t) * if ((t * 15.0) as usize).is_multiple_of(2) { 1.0 } else { 0.45 }, 0.2);
     }
     leaves.put(b, "leaf", mat);
 }

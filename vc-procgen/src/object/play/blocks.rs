@@ -203,7 +203,7 @@ pub(super) fn marbles(b: &mut Build<'_>) {
     b.lathe("dish", [0.0; 3], &dish, mat);
     let glass = [GREEN_GLASS, BLUE_GLASS, BROWN_GLASS, GLASS, RED_GLAZE, YELLOW_GLAZE];
     for i in 0..7 {
-        let (s, c) = (i as f32 * 1.0472).sin_cos();
+        let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_3).sin_cos();
         let out = if i == 6 { 0.0 } else { r * 0.5 };
         let z = if i == 6 { (t + marble * 2.2).min(b.size.z - marble) } else { t + marble * 1.02 };
         b.ball("marble", [out * c, out * s, z], marble, glass[i % glass.len()]);

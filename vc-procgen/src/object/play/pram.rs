@@ -9,7 +9,7 @@ fn wheel(b: &mut Build<'_>, (x, y): (f32, f32), (r, w): (f32, f32), spoked: bool
     let at = [x, y, r / b.size.z];
     if spoked {
         b.hoop("tyre", Axis::Y, at, (r - w / 2.0, w / 2.0), RUBBER);
-        for turn in [0.0, 0.7854, 1.5708, 2.3562] {
+        for turn in [0.0, std::f32::consts::FRAC_PI_4, std::f32::consts::FRAC_PI_2, 2.3562] {
             let (s, c) = f32::sin_cos(turn);
             let (dx, dz) = (c * (r - w) * 2.0 / b.size.x, s * (r - w) / b.size.z);
             b.pole("spoke", [x - dx, y, at[2] - dz], [x + dx, y, at[2] + dz], 0.0025, CHROME);

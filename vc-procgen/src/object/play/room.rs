@@ -278,7 +278,7 @@ pub(super) fn walker(b: &mut Build<'_>) {
     let ring = r * 0.07;
     b.hoop("base", Axis::Z, [0.0, 0.0, (castor * 1.4 + ring) / b.size.z], (r * 0.92, ring), frame);
     for i in 0..6 {
-        let (s, c) = (i as f32 * 1.0472 + 0.5236).sin_cos();
+        let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_3 + std::f32::consts::FRAC_PI_6).sin_cos();
         b.ball("castor", [r * 0.9 * c, r * 0.9 * s, castor], castor, BLACK_PLASTIC);
     }
     for (x, y) in CORNERS {

@@ -245,7 +245,7 @@ pub(super) fn bucket(b: &mut Build<'_>) {
     let down: Vec<_> = bow.map(|(s, c)| [0.97 * s, 0.97 * c, 0.92 - 0.42 * s]).collect();
     b.tube("handle", &down, r * 0.03, trim);
     for i in 0..4 {
-        let (s, c) = (i as f32 * 1.5708 + 0.5).sin_cos();
+        let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_2 + 0.5).sin_cos();
         let out = (foot + lip) / 2.0;
         b.ball("star", [out * c * 0.97, out * s * 0.97, h * 0.5], r * 0.09, trim);
     }

@@ -117,7 +117,7 @@ pub(super) fn slide(b: &mut Build<'_>) {
         .map(|i| i as f32 / 10.0)
         .map(|t| {
             let s = t * t * (3.0 - 2.0 * t);
-            let wave = if wavy { 0.05 * (t * 6.283 * 1.0).sin() * (1.0 - t) } else { 0.0 };
+            let wave = if wavy { 0.05 * (t * std::f32::consts::TAU * 1.0).sin() * (1.0 - t) } else { 0.0 };
             (-0.5 + 1.5 * t, top + (0.07 - top) * s + wave)
         })
         .collect();
@@ -539,7 +539,7 @@ pub(super) fn water_table(b: &mut Build<'_>) {
                 RED_PLASTIC,
             )
         });
-        for turn in [0.0, 0.7854, 1.5708, 2.3562] {
+        for turn in [0.0, std::f32::consts::FRAC_PI_4, std::f32::consts::FRAC_PI_2, 2.3562] {
             let (s, c) = f32::sin_cos(turn);
             let (dx, dz) = (c * r * 2.0 / b.size.x, s * r / b.size.z);
             b.plank(

@@ -69,7 +69,7 @@ impl Chair {
     }
 
     fn seat_surface(&self, b: &mut Build<'_>, z: f32) {
-        let (from, to) = (self.back(z) + 0.01, self.x - 0.02);
+        let (from, to) = (self.back(z) + 0.02, self.x - 0.02);
         b.top("seat", [f32::midpoint(from, to), 0.0, z], ((to - from) / 2.0, self.y - self.post - 0.005));
     }
 }
@@ -101,7 +101,7 @@ fn joined(b: &mut Build<'_>, c: &Chair) {
         b.soft("seat", [x0, -y, under - 0.002], [c.x, y, c.seat], 0.008, c.wood);
         c.seat_surface(b, c.seat);
     } else {
-        b.block("frame", [x0, -y + 0.002, under - 0.012], [c.x - 0.003, y - 0.002, under + 0.004], c.wood);
+        b.block("frame", [x0, c.post * 0.1 - y, under - 0.012], [c.x - 0.003, y - c.post * 0.1, under + 0.004], c.wood);
         let inset = c.post + 0.002;
         b.soft("cushion", [x0 + c.post, inset - y, under], [c.x - 0.004, y - inset, c.seat + 0.012], 0.018, c.cloth);
         c.seat_surface(b, c.seat + 0.012);
@@ -113,7 +113,7 @@ fn joined(b: &mut Build<'_>, c: &Chair) {
         b.block("apron", [x0 + c.post * 0.5, cy - rail, drop], [ax, cy + rail, under], c.wood);
     }
     for cx in [ax, c.back(c.seat) - c.post * 0.5] {
-        b.block("apron", [cx - rail, -ay, drop], [cx + rail, ay, under - 0.001], c.wood);
+        b.block("apron", [cx - rail, -ay, drop + 0.001], [cx + rail, ay, under - 0.001], c.wood);
     }
     if b.rng.chance(0.4) {
         let z = c.seat * 0.35;
@@ -250,18 +250,18 @@ fn moulded(b: &mut Build<'_>, c: &Chair) {
     // must stay within the width, so the widest row is that of the seat.
     let rows = [
         row(c.x, s - tall * 0.05, 0.72, 0.0),
-        row(c.x - 0.04, s, 0.94, deep * 0.2),
-        row(0.0, s - tall * 0.02, 1.0, deep * 0.6),
-        row(rear + c.rake * 0.3, s, 0.98, deep),
+        row(c.x - 0.04, s, 0.94, deep * 0.1),
+        row(0.0, s - tall * 0.02, 1.0, deep * 0.25),
+        row(rear + c.rake * 0.3, s, 0.98, deep * 0.7),
         row(rear - c.rake * 0.1, s + tall * 0.18, 0.94, deep),
         row(rear - c.rake * 0.45, s + tall * 0.5, 0.9, deep * 0.7),
         row(rear - c.rake * 0.85, s + tall * 0.9, 0.76, deep * 0.35),
         row(-c.x + 0.009, c.h - 0.004, 0.55, 0.0),
     ];
     shell(b, "shell", &rows, 0.008, colour);
-    let z = s + 0.002;
-    let (from, to) = (rear + c.rake * 0.3 + deep * 0.7, c.x - 0.05);
-    b.top("seat", [f32::midpoint(from, to), 0.0, z], (((to - from) / 2.0).max(0.02), w * 0.4));
+    let z = s + 0.004;
+    let (from, to) = (rear + c.rake * 0.3 + deep * 0.7 + 0.015, c.x - 0.05);
+    b.top("seat", [f32::midpoint(from, to), 0.0, z], (((to - from) / 2.0).max(0.02), w * 0.33));
     let mid = f32::midpoint(rear, c.x);
     let half = (c.x - rear) / 2.0;
     let wooden = b.rng.chance(0.6);
@@ -373,7 +373,7 @@ fn cantilever(b: &mut Build<'_>, c: &Chair) {
             [c.x - 0.03, y, z],
         ];
         b.pipe("tube", &line, r, steel);
-        b.pipe("tube", &[[c.x - 0.03, y, z], [rear, y, z], [r - c.x, y, c.h - r]], r, steel);
+        b.pipe("tube", &[[c.x - 0.03, y, z], [rear, y, z], [1.5 * r - c.x, y, c.h - 1.5 * r]], r, steel);
     }
     b.bar("tube", [-c.x + r, r - c.y, r], [-c.x + r, c.y - r, r], r, steel);
     let (t, w) = (0.03, c.y - 2.0 * r - 0.001);
@@ -395,10 +395,14 @@ fn tubular(b: &mut Build<'_>, c: &Chair) {
     let under = c.seat - 0.02;
     for side in [-1.0, 1.0] {
         let y = side * (w - r);
-        b.bar("leg", [c.x - r, y, r], [c.x - 0.06_f32.min(c.x * 0.3), y, under - r], r, steel);
-        b.bar("leg", [r - c.x * 0.98, y, r], [rear + 0.03, y, under - r], r, steel);
-        b.bar("rail", [c.x - 0.06_f32.min(c.x * 0.3), y, under - r], [rear + 0.02, y, under - r], r, steel);
-        b.bar("post", [rear + 0.02, y, under - r], [r - c.x, y, c.h - (c.h - c.seat) * 0.2], r, steel);
+        let (front, z) = (c.x - 0.06_f32.min(c.x * 0.3), under - r);
+        let mut tube = |name: &str, from: (f32, f32), to: (f32, f32)| {
+            leg(b, name, ([from.0, y, from.1], r), ([to.0, y, to.1], r), Cut::Round, steel);
+        };
+        tube("leg", (c.x - r, 0.0), (front, z));
+        tube("leg", (r - c.x * 0.98, 0.0), (rear + 0.03, z));
+        tube("post", (rear + 0.02, z - r), (r - c.x, c.h - (c.h - c.seat) * 0.2));
+        b.rod("rail", [front, y, z], [rear + 0.02, y, z], r, steel);
     }
     let t = 0.011;
     let seat =
@@ -406,8 +410,8 @@ fn tubular(b: &mut Build<'_>, c: &Chair) {
     ribbon(b, "seat", &seat, t, (-w * 0.96, w * 0.96), ply);
     let tall = c.h - c.seat;
     let row = |x: f32, z: f32, half: f32| Row { at: (x, z), half: half * w, rise: w * 0.12 };
-    let at = |z: f32| c.back(z) - c.post * 0.6;
-    let (z0, z1) = (c.seat + tall * 0.5, c.h - 0.002);
+    let at = |z: f32| (c.back(z) - c.post * 0.6).max(t + 0.001 - c.x);
+    let (z0, z1) = (c.seat + tall * 0.5, c.h - 0.004 - w * 0.12 * (c.rake / tall));
     let rows =
         [row(at(z0), z0, 0.92), row(at(f32::midpoint(z0, z1)), f32::midpoint(z0, z1), 0.97), row(at(z1), z1, 0.9)];
     shell(b, "back", &rows, t, ply);

@@ -17,7 +17,7 @@ pub(super) fn rocking_chair(b: &mut Build<'_>) {
         let y = side * (c.y - r);
         let line: Vec<(f32, f32)> = (0..=8)
             .map(|i| {
-                let x = c.x * (1.0 - i as f32 / 4.0) * 0.995;
+                let x = c.x * (1.0 - i as f32 / 4.0) * 0.97;
                 (x, runner(x) + 2.0 * r)
             })
             .collect();
@@ -26,7 +26,7 @@ pub(super) fn rocking_chair(b: &mut Build<'_>) {
         leg(b, "leg", ([front, y, runner(front) + r], r), ([front, y, arm - 0.02], r * 0.9), Cut::Round, c.wood);
         leg(b, "leg", ([rear, y, runner(rear) + r], r), ([rear + 0.02, y, c.seat], r), Cut::Round, c.wood);
         let back = -c.x + c.rake * 0.7;
-        b.soft("arm", [back, y - r * 1.3, arm - 0.022], [front + 0.04, y + r * 1.3 * 0.76, arm], 0.009, c.wood);
+        b.soft("arm", [back, y - r, arm - 0.022], [front + 0.04, y + r, arm], 0.009, c.wood);
         leg(b, "post", ([rear, y * 0.96, c.seat - 0.03], r), ([-c.x + r, y * 0.96, c.h], r * 0.9), Cut::Round, c.wood);
     }
     let (z, half) = (c.seat, c.y - 2.0 * r);
@@ -104,7 +104,7 @@ pub(super) fn folding_chair(b: &mut Build<'_>) {
 
 /// A small seat on tall splayed legs with a tray and a footrest.
 pub(super) fn high_chair(b: &mut Build<'_>) {
-    at_least(b, [0.27, 0.24, 0.45]);
+    at_least(b, [0.26, 0.23, 0.42]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let body = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, b.style.wood, WHITE]);
     let legs = b.one(&[b.style.wood, WHITE_METAL, BEECH]);
@@ -118,17 +118,15 @@ pub(super) fn high_chair(b: &mut Build<'_>) {
     }
     b.soft("seat", [rear, -half, seat - 0.03], [front + 0.02, half, seat], 0.012, body);
     b.soft("pad", [rear + 0.03, 0.03 - half, seat - 0.001], [front, half - 0.03, seat + 0.018], 0.008, pad);
-    b.top(
-        "seat",
-        [f32::midpoint(rear + 0.06, front), 0.0, seat + 0.018],
-        ((front - rear - 0.06) / 2.0 - 0.012, half - 0.05),
-    );
     let lean = Lean { back: rear - x * 0.25, z: (seat - 0.02, h), thickness: 0.03, tilt: 0.16 };
     lean.pad(b, "back", (-half, half), 0.014, body);
     lean.posed(b, |b, length, _| {
         b.soft("pad", [-0.004, 0.03 - half, 0.04], [0.014, half - 0.03, length * 0.9], 0.008, pad);
     });
     let tray = seat + 0.2_f32.min((h - seat) * 0.5);
+    let (from, to) = (lean.front(seat) + 0.03, front - 0.01);
+    let free = (((to - from) / 2.0).max(0.01), half - 0.05);
+    b.ledge("seat", [f32::midpoint(from, to), 0.0, seat + 0.018], free, (tray - seat - 0.03).max(0.02));
     for side in [-1.0_f32, 1.0] {
         let cy = side * (half - 0.012);
         let line = [

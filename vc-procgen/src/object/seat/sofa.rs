@@ -68,7 +68,7 @@ impl Sofa {
             arm,
             arms: (wide.min(y * 0.22), high),
             back: b.vary(0.07, 0.13).min(x * 0.28),
-            tilt: b.vary(0.1, 0.22),
+            tilt: b.vary(0.1, 0.22).min(x * 0.5 / (h - seat)),
             cloth: b.style.upholstery,
             wood: if arm == Arm::Frame { b.style.wood } else { wood },
             tufted,
@@ -457,8 +457,10 @@ fn tub(b: &mut Build<'_>, s: &Sofa) {
     let tilt = 0.15;
     let lean = Lean { back: t * 0.8 - s.x, z: (s.seat - 0.02, s.h * 0.94), thickness: 0.1_f32.min(s.x * 0.25), tilt };
     lean.pad(b, "back_cushion", (-y * 0.62, y * 0.62), 0.045, s.cloth);
-    let (first, last) = (lean.front(s.seat) + 0.012, s.x - 0.05);
-    b.top("seat", [f32::midpoint(first, last), 0.0, s.seat], ((last - first) / 2.0, y - 0.04));
+    // Behind, the shell narrows.
+    let (first, last) = ((lean.front(s.seat) + 0.012).max(-0.28 * s.x), s.x - 0.05);
+    let half = (s.y * 0.86 - t - 0.015).max(0.02);
+    b.top("seat", [f32::midpoint(first, last), 0.0, s.seat], ((last - first) / 2.0, half));
 }
 
 /// A fat armchair whose footrest swings up.

@@ -9,7 +9,7 @@ use crate::object::table::frame::{Cut, Four, STAR, at_least, baluster, disc, leg
 
 /// Half depth, half width, height, and how thick legs are.
 fn measures(b: &mut Build<'_>) -> (f32, f32, f32, f32) {
-    at_least(b, [0.12, 0.12, 0.12]);
+    at_least(b, [0.12, 0.12, 0.1]);
     let (x, y) = (b.size.x / 2.0, b.size.y / 2.0);
     let r = b.vary(0.09, 0.13) * x.min(y);
     (x, y, b.size.z, r)
@@ -20,7 +20,7 @@ pub(super) fn stool(b: &mut Build<'_>) {
     let (x, y, h, r) = measures(b);
     let wood = b.one(&[b.style.wood, b.style.wood, b.style.cabinet]);
     let cloth = b.style.accent;
-    let round = x.max(y) < x.min(y) * 1.25 && b.rng.chance(0.6);
+    let round = x.max(y) < x.min(y) * 1.12 && b.rng.chance(0.8);
     let soft = b.rng.chance(0.35);
     let t = if soft { h * 0.13 } else { h * 0.07 };
     let mat = if soft { cloth } else { wood };
@@ -85,7 +85,7 @@ pub(super) fn bar_stool(b: &mut Build<'_>) {
     let (wood, metal) = (b.style.wood, b.one(&[b.style.metal, CHROME, BLACK_METAL]));
     let column = b.rng.chance(0.4);
     let (t, w) = (0.06_f32.min(seat * 0.1), x.min(y));
-    let round = !tall && b.rng.chance(0.5);
+    let round = !tall && x.max(y) < w * 1.12 && b.rng.chance(0.6);
     let side = if round { w * 0.7 } else { w * 0.9 };
     if round {
         let at = if column { w * 0.9 } else { w };
@@ -216,7 +216,7 @@ pub(super) fn bench(b: &mut Build<'_>) {
                 let (a, c) = (side * (y - 0.04), side * (y - 0.04 - r));
                 b.block("panel", [-x * 0.94, a.min(c), 0.0], [x * 0.94, a.max(c), under], wood);
             }
-            b.block("stretcher", [-0.012, 0.04 - y, h * 0.4], [0.012, y - 0.04, h * 0.6], wood);
+            b.block("stretcher", [-0.012, 0.045 - y, h * 0.4], [0.012, y - 0.045, h * 0.6], wood);
         }
         2 => {
             for side in [-1.0_f32, 1.0] {
@@ -254,7 +254,7 @@ fn aprons(b: &mut Build<'_>, half: (f32, f32), under: f32, wood: Mat) {
     for side in [-1.0_f32, 1.0] {
         let (cx, cy) = (side * half.0, side * half.1);
         b.block("apron", [cx - 0.01, -half.1, drop], [cx + 0.01, half.1, under], wood);
-        b.block("apron", [-half.0, cy - 0.01, drop], [half.0, cy + 0.01, under - 0.001], wood);
+        b.block("apron", [-half.0, cy - 0.01, drop + 0.001], [half.0, cy + 0.01, under - 0.001], wood);
     }
 }
 
@@ -320,7 +320,7 @@ pub(super) fn ottoman(b: &mut Build<'_>) {
     let (x, y, h, r) = measures(b);
     let cloth = b.one(&[b.style.upholstery, b.style.accent]);
     let radius = x.min(y);
-    let round = x.max(y) < radius * 1.2 && b.rng.chance(0.6);
+    let round = x.max(y) < radius * 1.1 && b.rng.chance(0.8);
     if round && b.rng.chance(0.5) {
         // A pouf bulges and has seams towards its middle.
         let k = |w: f32, z: f32| (radius * w, h * z);
@@ -331,8 +331,9 @@ pub(super) fn ottoman(b: &mut Build<'_>) {
             cloth,
         );
         for (dx, dy) in STAR {
-            let line = |w: f32, z: f32| [dx * radius * w, dy * radius * w, h * z];
-            b.pipe("seam", &[line(0.72, 0.02), line(0.975, 0.4), line(0.975, 0.6), line(0.75, 0.97)], 0.008, cloth);
+            let (r, t) = (radius - 0.012, 0.007);
+            let line = |w: f32, z: f32| [dx * r * w, dy * r * w, t * 1.5 + (h - 3.0 * t) * z];
+            b.pipe("seam", &[line(0.75, 0.0), line(1.0, 0.4), line(1.0, 0.6), line(0.78, 1.0)], t, cloth);
         }
         b.top("seat", [0.0, 0.0, h], (radius * 0.5, radius * 0.5));
         return;
@@ -363,7 +364,7 @@ pub(super) fn bean_bag(b: &mut Build<'_>) {
     let (x, y, h, _) = measures(b);
     let cloth = b.one(&[b.style.accent, b.style.upholstery, DENIM, RED_FABRIC, GREY_FABRIC]);
     let r = x.min(y);
-    if b.rng.chance(0.5) {
+    if x.max(y) < r * 1.1 && b.rng.chance(0.7) {
         let k = |w: f32, z: f32| (r * w, h * z);
         let profile = [
             k(0.6, 0.0),

@@ -18,11 +18,11 @@ struct Swivel {
 
 impl Swivel {
     fn new(b: &mut Build<'_>) -> Self {
-        at_least(b, [0.28, 0.28, 0.45]);
+        at_least(b, [0.25, 0.25, 0.42]);
         let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
         let dark = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
         let cloth = b.one(&[BLACK_FABRIC, CHARCOAL_FABRIC, GREY_FABRIC, b.style.accent, BLACK_LEATHER, BROWN_LEATHER]);
-        Self { x, y, h, seat: (h * 0.46).min(0.4 + 0.07 * h), tilt: b.vary(0.12, 0.2), dark, cloth }
+        Self { x, y, h, seat: (h * 0.46).min(0.4 + 0.07 * h), tilt: b.vary(0.12, 0.2).min(x * 0.8 / h), dark, cloth }
     }
 
     /// A star of five arms on castors, and the gas spring.
@@ -46,26 +46,31 @@ impl Swivel {
     fn arms(&self, b: &mut Build<'_>, half: f32) {
         let (z, under) = (self.seat + (self.h - self.seat) * 0.32, self.seat - 0.07);
         for side in [-1.0, 1.0] {
-            let y = side * (half + 0.03).min(self.y - 0.03);
-            b.block(
-                "bracket",
-                [-0.03, (side * half * 0.4).min(y), under],
-                [0.03, (side * half * 0.4).max(y), under + 0.02],
-                self.dark,
-            );
+            let (inner, y) = (side * half * 0.4, side * (self.y - 0.031));
+            b.block("bracket", [-0.028, inner.min(y), under + 0.001], [0.028, inner.max(y), under + 0.02], self.dark);
             b.block("bracket", [-0.03, y - 0.012, under], [0.03, y + 0.012, z - 0.02], self.dark);
             b.soft("armrest", [-0.13, y - 0.03, z - 0.03], [0.13, y + 0.03, z], 0.012, self.dark);
         }
     }
 
-    fn seat_pad(&self, b: &mut Build<'_>, half: f32, rear: f32, front: f32) {
+    /// The cushion, and the surface on it from where the back ends.
+    fn cushion(&self, b: &mut Build<'_>, half: f32, x: (f32, f32), from: f32) {
         let t = 0.075_f32.min(self.seat * 0.25);
-        b.soft("seat", [rear, -half, self.seat - t], [front, half, self.seat], 0.032, self.cloth);
-        b.top(
-            "seat",
-            [f32::midpoint(rear + 0.05, front - 0.03), 0.0, self.seat],
-            ((front - rear) / 2.0 - 0.05, half - 0.04),
-        );
+        b.soft("seat", [x.0, -half, self.seat - t], [x.1, half, self.seat], 0.032, self.cloth);
+        let (from, to) = (from + 0.012, x.1 - 0.03);
+        let free = (((to - from) / 2.0).max(0.01), half - 0.04);
+        b.top("seat", [f32::midpoint(from, to), 0.0, self.seat], free);
+    }
+
+    /// A bar from below the seat to behind the back, which it carries.
+    fn spine(&self, b: &mut Build<'_>, rear: f32, upto: f32) {
+        let (tall, r) = (self.h - self.seat, 0.02_f32.min(self.y * 0.1));
+        let behind = -self.x + r + tall * (1.0 - upto) * self.tilt * 0.9;
+        let head = [behind, 0.0, self.seat + tall * upto];
+        let knee = [behind.min(rear) - r * 0.3, 0.0, self.seat - 0.04];
+        leg(b, "spine", (knee, r * 1.1), (head, r * 0.8), Cut::Square, self.dark);
+        let z = self.seat - 0.085_f32.min(self.seat * 0.28);
+        b.block("spine", [knee[0] - r, -r, z], [0.0, r, z + r * 1.6], self.dark);
     }
 }
 
@@ -76,54 +81,48 @@ pub(super) fn office_chair(b: &mut Build<'_>) {
     c.foot(b, foot);
     let half = c.y * 0.74;
     let (rear, front) = (-c.x * 0.72, c.x * 0.9);
-    c.seat_pad(b, half, rear, front);
     let tall = c.h - c.seat;
-    match b.rng.below(3) {
+    let lower = match b.rng.below(3) {
         0 => {
             let lean = Lean { back: -c.x, z: (c.seat + tall * 0.12, c.h), thickness: 0.07, tilt: c.tilt };
             lean.pad(b, "back", (-half * 0.95, half * 0.95), 0.034, c.cloth);
-            b.soft(
-                "spine",
-                [-c.x + c.tilt * tall * 0.4, -0.03, c.seat - 0.06],
-                [rear + 0.1, 0.03, c.seat + tall * 0.35],
-                0.012,
-                c.dark,
-            );
+            c.spine(b, rear, 0.4);
+            lean.front(c.seat)
         }
         1 => {
-            // A mesh stretched in a frame, with a lumbar support behind.
+            // A mesh stretched in a frame, bulging at the small of the back.
+            let x = |k: f32| -c.x + 0.016 + (1.0 - k) * tall * c.tilt;
             let row = |k: f32, half: f32, rise: f32| {
-                let x = -c.x + 0.012 + (1.0 - k) * tall * c.tilt - 0.04 * (k - 0.3).max(0.0) * (1.0 - k);
-                Row { at: (x, c.seat + tall * (0.1 + 0.9 * k)), half, rise }
+                let bulge = 0.1 * (1.0 - k) * k * tall.min(0.6);
+                Row { at: (x(k) + bulge, c.seat + tall * (0.1 + 0.9 * k)), half, rise }
             };
             let w = half;
             let rows = [
                 row(0.0, w * 0.7, 0.03),
                 row(0.3, w, 0.05),
                 row(0.7, w, 0.05),
-                row(0.92, w * 0.9, 0.03),
-                row(1.0, w * 0.7, 0.0),
+                row(0.92, w * 0.9, 0.02),
+                row(0.995, w * 0.7, 0.0),
             ];
             shell(b, "back", &rows, 0.012, c.dark);
-            b.soft(
-                "spine",
-                [-c.x + c.tilt * tall * 0.55, -0.025, c.seat - 0.06],
-                [rear + 0.08, 0.025, c.seat + tall * 0.4],
-                0.01,
-                c.dark,
-            );
+            c.spine(b, rear, 0.42);
+            x(0.0) + 0.06
         }
         _ => {
             // A manager's chair: stacked cushions and a headrest.
             let x = |k: f32| -c.x + (1.0 - k) * tall * c.tilt;
-            for (z0, z1, w) in [(0.02, 0.4, 0.98), (0.38, 0.74, 0.95), (0.72, 1.0, 0.8)] {
+            let mut lower = 0.0;
+            for (z0, z1, w) in [(0.72, 1.0, 0.8), (0.38, 0.74, 0.95), (0.02, 0.4, 0.98)] {
                 let z = (c.seat + tall * z0, c.seat + tall * z1);
                 let lean = Lean { back: x(z1), z, thickness: 0.09, tilt: c.tilt };
                 lean.pad(b, "cushion", (-half * w, half * w), 0.042, c.cloth);
+                lower = lean.front(c.seat);
             }
-            b.soft("spine", [rear - 0.02, -0.04, c.seat - 0.07], [rear + 0.1, 0.04, c.seat + 0.04], 0.012, c.dark);
+            c.spine(b, rear, 0.15);
+            lower
         }
-    }
+    };
+    c.cushion(b, half, (rear, front), lower);
     if b.rng.chance(0.75) {
         c.arms(b, half);
     }
@@ -137,7 +136,6 @@ pub(super) fn gaming_chair(b: &mut Build<'_>) {
     c.seat = c.h * 0.38;
     c.foot(b, BLACK_PLASTIC);
     let (half, rear, front) = (c.y * 0.74, -c.x * 0.6, c.x * 0.88);
-    c.seat_pad(b, half * 0.82, rear, front);
     for side in [-1.0_f32, 1.0] {
         let (a, d) = (side * half * 0.8, side * half);
         b.soft(
@@ -148,7 +146,9 @@ pub(super) fn gaming_chair(b: &mut Build<'_>) {
             stripe,
         );
     }
-    let lean = Lean { back: -c.x, z: (c.seat - 0.02, c.h), thickness: 0.08, tilt: 0.16 };
+    let tilt = 0.16_f32.min(c.tilt * 1.2);
+    let lean = Lean { back: -c.x, z: (c.seat - 0.02, c.h), thickness: 0.08, tilt };
+    c.cushion(b, half * 0.82, (rear, front), lean.front(c.seat) + 0.05);
     lean.posed(b, |b, length, t| {
         b.soft("back", [-t, -half * 0.72, 0.0], [0.0, half * 0.72, length], 0.038, c.cloth);
         for side in [-1.0_f32, 1.0] {

@@ -2,7 +2,7 @@
 
 use std::f32::consts::{PI, TAU};
 
-use super::super::build::{Axis, Build, P};
+use super::super::build::{Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
 

@@ -1,6 +1,6 @@
 //! Chests, bins, baskets, and what pets have.
 
-use super::chest::{Chest, bin, chest};
+use super::chest::{Chest, bin, chest, walls};
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::table::frame::{CORNERS, at_least, disc, rounded};
@@ -54,7 +54,7 @@ pub(super) fn hamper(b: &mut Build<'_>) {
     let mat = b.one(&[WICKER, WHITE_PLASTIC, BAMBOO, LINEN, GREY_FABRIC]);
     let lid = 0.025;
     let r = x.min(y);
-    let round = x.max(y) < r * 1.15 && b.rng.chance(0.7);
+    let round = x.max(y) < r * 1.1 && b.rng.chance(0.7);
     if round {
         vessel(b, 0.0, (r * 0.88, r * 0.97), h - lid, 0.012, mat);
         for k in [0.25, 0.5, 0.75] {
@@ -102,14 +102,13 @@ pub(super) fn trash_can(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[STEEL, STEEL, WHITE_METAL, BLACK_METAL, GREY_PLASTIC, RED_METAL]);
     let trim = b.one(&[BLACK_PLASTIC, GREY_PLASTIC]);
-    let r = x.min(y);
     let pedal = b.rng.chance(0.7);
-    let round = x.max(y) < r * 1.2 && b.rng.chance(0.7);
     let reach = if pedal { 0.03 } else { 0.0 };
+    let r = (x - reach / 2.0).min(y);
+    let round = (x - reach / 2.0).max(y) < r * 1.12 && b.rng.chance(0.8);
     let (base, top) = (0.03, h - 0.045_f32.min(h * 0.2));
     let cx = -reach / 2.0;
     if round {
-        let r = r - reach / 2.0;
         b.at([cx, 0.0, 0.0], 0.0, |b| {
             b.lathe("base", [0.0; 3], &[(r, 0.0), (r, base * 0.8), (r * 0.98, base)], trim);
             vessel(b, base - 0.002, (r * 0.97, r * 0.97), top - base, 0.004, mat);
@@ -142,7 +141,7 @@ pub(super) fn wastebasket(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let r = x.min(y);
     let mat = b.one(&[BLACK_METAL, WICKER, WHITE_PLASTIC, b.style.metal, GREY_PLASTIC, b.style.accent]);
-    if b.rng.chance(0.4) {
+    if x.max(y) > r * 1.1 || b.rng.chance(0.3) {
         bin(b, [-x, -y, 0.0], [x, y, h], 0.006, "inside", mat);
         return;
     }
@@ -198,7 +197,7 @@ pub(super) fn umbrella_stand(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let r = x.min(y);
     let metal = b.one(&[BLACK_METAL, BRASS, b.style.metal, COPPER]);
-    if b.rng.chance(0.5) {
+    if x.max(y) < r * 1.12 && b.rng.chance(0.75) {
         let mat = b.one(&[BLUE_GLAZE, PORCELAIN, metal, WICKER, GREEN_GLAZE]);
         let foot = r * b.vary(0.85, 0.97);
         vessel(b, 0.0, (foot, r * 0.985), h, 0.008, mat);
@@ -211,7 +210,8 @@ pub(super) fn umbrella_stand(b: &mut Build<'_>) {
         return;
     }
     let t = 0.006;
-    bin(b, [-x, -y, 0.0], [x, y, h * 0.12], t, "inside", metal);
+    walls(b, [-x, -y, 0.0], [x, y, h * 0.12], t, metal);
+    b.inside("inside", [0.0, 0.0, t], (x - 2.0 * t - 0.003, y - 2.0 * t - 0.003), h * 0.48);
     for (sx, sy) in CORNERS {
         let (cx, cy) = (sx * (x - t), sy * (y - t));
         b.block("post", [cx - t * 0.9, cy - t * 0.9, 0.01], [cx + t * 0.9, cy + t * 0.9, h], metal);
@@ -220,7 +220,7 @@ pub(super) fn umbrella_stand(b: &mut Build<'_>) {
         for side in [-1.0, 1.0] {
             let (cx, cy) = (side * (x - t), side * (y - t));
             b.block("rail", [cx - t * 0.7, 2.0 * t - y, z], [cx + t * 0.7, y - 2.0 * t, z + t * 1.6], metal);
-            b.block("rail", [2.0 * t - x, cy - t * 0.7, z], [x - 2.0 * t, cy + t * 0.7, z + t * 1.6], metal);
+            b.block("rail", [2.0 * t - x, cy - t * 0.7, z + 0.001], [x - 2.0 * t, cy + t * 0.7, z + t * 1.5], metal);
         }
     }
     b.block("rail", [-t * 0.5, 2.0 * t - y, h - t * 1.5], [t * 0.5, y - 2.0 * t, h - t * 0.6], metal);
@@ -228,14 +228,14 @@ pub(super) fn umbrella_stand(b: &mut Build<'_>) {
 
 /// A tray of litter, open or under a hood with a door.
 pub(super) fn litter_box(b: &mut Build<'_>) {
-    at_least(b, [0.18, 0.2, 0.07]);
+    at_least(b, [0.18, 0.2, 0.065]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, hood) =
         (b.one(&[GREY_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC]), b.one(&[WHITE_PLASTIC, GREY_PLASTIC, PINK_PLASTIC]));
     let covered = h > 0.28;
     let tray = if covered { h * 0.36 } else { h };
     let t = 0.008;
-    bin(b, [0.006 - x, 0.006 - y, 0.0], [x - 0.006, y - 0.006, tray - 0.006], t, "litter_tray", mat);
+    walls(b, [0.006 - x, 0.006 - y, 0.0], [x - 0.006, y - 0.006, tray - 0.006], t, mat);
     b.block("litter", [t + 0.007 - x, t + 0.007 - y, t], [x - t - 0.007, y - t - 0.007, t + tray * 0.22], GRAVEL);
     b.inside(
         "litter",
@@ -273,7 +273,7 @@ pub(super) fn litter_box(b: &mut Build<'_>) {
 
 /// A cushion within a soft rim, lower in front.
 pub(super) fn pet_bed(b: &mut Build<'_>) {
-    at_least(b, [0.2, 0.25, 0.08]);
+    at_least(b, [0.2, 0.25, 0.07]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (cloth, inner) = (
         b.one(&[b.style.accent, GREY_FABRIC, BROWN_FABRIC, DENIM, WICKER]),
@@ -282,7 +282,7 @@ pub(super) fn pet_bed(b: &mut Build<'_>) {
     let w = (x * 0.3).min(0.13).min(h * 0.7);
     let r = x.min(y);
     let cushion = h * 0.45;
-    if x.max(y) < r * 1.3 && b.rng.chance(0.6) {
+    if x.max(y) < r * 1.12 && b.rng.chance(0.8) {
         // A ring with a flat inside.
         let k = |d: f32, z: f32| (r - w * d, h * z);
         b.lathe(
@@ -310,7 +310,7 @@ pub(super) fn pet_bed(b: &mut Build<'_>) {
 
 /// A post wound with rope on a base; tall ones have perches and a box.
 pub(super) fn scratching_post(b: &mut Build<'_>) {
-    at_least(b, [0.18, 0.18, 0.3]);
+    at_least(b, [0.17, 0.17, 0.28]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let cloth = b.one(&[BEIGE_FABRIC, GREY_FABRIC, WOOL, BROWN_FABRIC]);
     let (t, r) = (0.03, 0.045_f32.min(x * 0.22));
@@ -335,8 +335,8 @@ pub(super) fn scratching_post(b: &mut Build<'_>) {
     }
     let (bx, by) = (x * 0.98, y * 0.98);
     b.soft("perch_1", [-bx, -by * 0.25, levels[0] - t], [bx, by, levels[0]], 0.01, cloth);
-    b.top("perch_1", [0.0, by * 0.2, levels[0]], (bx * 0.28, by * 0.2));
-    b.soft("perch_2", [-bx * 0.1, -by * 0.1, levels[1] - t], [bx, by, levels[1]], 0.01, cloth);
+    b.top("perch_1", [-bx * 0.45, by * 0.45, levels[0]], (bx * 0.3, by * 0.45));
+    b.soft("perch_2", [-bx * 0.08, -by * 0.1, levels[1] - t], [bx, by, levels[1]], 0.01, cloth);
     b.top("perch_2", [bx * 0.45, by * 0.45, levels[1]], (bx * 0.5, by * 0.5));
     let (cx, cy, w) = (spots[0][0], spots[0][1], (x * 0.45).min(y * 0.45));
     b.soft("perch_3", [cx - w, cy - w, h - t], [cx + w, cy + w, h], 0.012, cloth);

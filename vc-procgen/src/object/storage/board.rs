@@ -7,7 +7,7 @@ use crate::object::table::frame::at_least;
 
 /// A screen of three or four leaves that stand in a zigzag.
 pub(super) fn room_divider(b: &mut Build<'_>) {
-    at_least(b, [0.02, 0.5, 0.6]);
+    at_least(b, [0.01, 0.5, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let count = if y > 0.8 { 4 } else { 3 };
     let wood = b.one(&[b.style.wood, BLACK, WHITE, b.style.wood]);
@@ -32,8 +32,8 @@ pub(super) fn room_divider(b: &mut Build<'_>) {
                 let z = h * k as f32 / 4.0;
                 b.block(
                     "bar",
-                    [low[0] + q * 0.4, low[1] + w, z - 0.008],
-                    [high[0] - q * 0.4, high[1] - w, z + 0.008],
+                    [low[0] + q * 0.4, low[1] + w - 0.002, z - 0.008],
+                    [high[0] - q * 0.4, high[1] - w + 0.002, z + 0.008],
                     wood,
                 );
             }
@@ -41,11 +41,12 @@ pub(super) fn room_divider(b: &mut Build<'_>) {
     }
 }
 
-/// The sheet of a board within its frame; returns X of its face.
-fn framed(b: &mut Build<'_>, rim: Mat, sheet: Mat, w: f32) -> f32 {
-    at_least(b, [0.015, 0.15, 0.15]);
+/// The sheet of a board within its frame, which takes a share of the depth; returns X
+/// of the sheet's face.
+fn framed(b: &mut Build<'_>, rim: Mat, sheet: Mat, w: f32, share: f32) -> f32 {
+    at_least(b, [0.01, 0.15, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let deep = (2.0 * x * 0.7).min(0.025);
+    let deep = 2.0 * x * share;
     frame(b, "frame", [-x, -y, 0.0], [deep - x, y, h], w, rim);
     let face = deep * 0.7 - x;
     b.block("board", [0.001 - x, w - y - 0.001, w - 0.001], [face, y - w + 0.001, h - w + 0.001], sheet);
@@ -54,7 +55,7 @@ fn framed(b: &mut Build<'_>, rim: Mat, sheet: Mat, w: f32) -> f32 {
 
 /// A white board with a tray of pens and some writing.
 pub(super) fn whiteboard(b: &mut Build<'_>) {
-    let face = framed(b, ALUMINIUM, PORCELAIN, 0.016);
+    let face = framed(b, ALUMINIUM, PORCELAIN, 0.016, 0.5);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let wide = y * 0.5;
     b.block("tray", [face - 0.001, -wide, 0.004], [x, wide, 0.012], ALUMINIUM);
@@ -76,7 +77,7 @@ pub(super) fn whiteboard(b: &mut Build<'_>) {
 pub(super) fn bulletin_board(b: &mut Build<'_>) {
     let rim = b.one(&[b.style.wood, ALUMINIUM, WHITE, BLACK]);
     let sheet = b.one(&[CORK, CORK, GREY_FABRIC, b.style.accent]);
-    let face = framed(b, rim, sheet, 0.022);
+    let face = framed(b, rim, sheet, 0.022, 1.0);
     let (y, h) = (b.size.y / 2.0, b.size.z);
     let (rows, across) = (2, (y / 0.12).clamp(2.0, 5.0) as usize);
     for (i, k) in (0..across).flat_map(|i| (0..rows).map(move |k| (i, k))) {
@@ -89,14 +90,14 @@ pub(super) fn bulletin_board(b: &mut Build<'_>) {
         let (w, t) = (dy * b.vary(0.22, 0.38), dz * b.vary(0.22, 0.38));
         let note = b.one(&[WHITE_PAPER, YELLOW_CARD, PINK_CARD, TEAL_CARD, CREAM_PAPER]);
         let pin = b.one(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]);
-        b.block("note", [face - 0.001, cy - w, cz - t], [face + 0.0015, cy + w, cz + t], note);
+        b.block("note", [face - 0.001, cy - w, cz - t], [face + 0.0012, cy + w, cz + t], note);
         b.rod("pin", [face, cy, cz + t * 0.75], [face + 0.005, cy, cz + t * 0.75], 0.005, pin);
     }
 }
 
 /// A board full of holes with hooks and a shelf for tools.
 pub(super) fn pegboard(b: &mut Build<'_>) {
-    at_least(b, [0.015, 0.3, 0.25]);
+    at_least(b, [0.01, 0.3, 0.25]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let sheet = b.one(&[WHITE, b.style.wood, BIRCH, GREY, BLACK]);
     let t = (x * 0.7).min(0.012);
@@ -122,7 +123,7 @@ pub(super) fn pegboard(b: &mut Build<'_>) {
     }
     let (z, wide) = (h * 0.1, y * 0.5);
     b.block("shelf", [face - 0.001, -wide, z], [x, wide, z + 0.006], STEEL);
-    b.block("lip", [x - 0.003, -wide, z + 0.005], [x, wide, z + 0.025], STEEL);
-    let half = (x - 0.003 - face) / 2.0;
+    b.block("lip", [x - 0.004, 0.001 - wide, z + 0.005], [x - 0.001, wide - 0.001, z + 0.025], STEEL);
+    let half = (x - 0.004 - face) / 2.0;
     b.inside("rack", [face + half, 0.0, z + 0.006], ((half - 0.002).max(0.001), wide - 0.01), h * 0.15);
 }

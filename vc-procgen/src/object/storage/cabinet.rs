@@ -34,7 +34,7 @@ fn spaces(tall: f32) -> usize {
 
 /// A sideboard of doors, drawers and open spaces.
 pub(super) fn sideboard(b: &mut Build<'_>) {
-    at_least(b, [0.2, 0.5, 0.35]);
+    at_least(b, [0.18, 0.5, 0.32]);
     let look = b.one(&[Look::Flat, Look::Flat, Look::Framed, Look::Reeded, Look::Louvred, Look::Glass]);
     let count = (b.size.y / 0.5).round().clamp(2.0, 5.0) as usize;
     let mut columns: Vec<Column> = match b.rng.below(4) {
@@ -52,7 +52,7 @@ pub(super) fn sideboard(b: &mut Build<'_>) {
 
 /// A long low piece for a television: flaps, drawers and open compartments.
 pub(super) fn tv_stand(b: &mut Build<'_>) {
-    at_least(b, [0.2, 0.5, 0.22]);
+    at_least(b, [0.16, 0.5, 0.18]);
     let look = Look::any(b);
     let flap: Column = (1.1, vec![(1.0, Cell::Flap(look))]);
     let open: Column = (1.0, vec![(1.0, Cell::Open(if b.size.z > 0.42 { 2 } else { 1 }))]);
@@ -74,7 +74,7 @@ pub(super) fn tv_stand(b: &mut Build<'_>) {
 
 /// A cabinet or cupboard of middle height: doors, with drawers below or above.
 pub(super) fn cabinet(b: &mut Build<'_>) {
-    at_least(b, [0.2, 0.3, 0.4]);
+    at_least(b, [0.16, 0.28, 0.36]);
     let tall = b.size.z;
     let look = b.one(&[Look::Flat, Look::Framed, Look::Framed, Look::Reeded, Look::Louvred]);
     let columns: Vec<Column> = match b.rng.below(if tall > 1.3 { 5 } else { 3 }) {
@@ -93,7 +93,7 @@ pub(super) fn cabinet(b: &mut Build<'_>) {
 
 /// Glass doors above, solid doors or drawers below: for china or for books.
 pub(super) fn display(b: &mut Build<'_>) {
-    at_least(b, [0.2, 0.35, 0.5]);
+    at_least(b, [0.15, 0.33, 0.5]);
     let tall = b.size.z;
     let look = Look::any(b);
     let lower = b.one(&[Cell::Doors(look, 1), Cell::Drawers(2), Cell::Doors(look, 2), Cell::Doors(Look::Glass, 2)]);
@@ -116,7 +116,7 @@ pub(super) fn display(b: &mut Build<'_>) {
 
 /// A chest of drawers in one to three columns.
 pub(super) fn dresser(b: &mut Build<'_>) {
-    at_least(b, [0.2, 0.35, 0.35]);
+    at_least(b, [0.19, 0.3, 0.33]);
     let kids = b.class == "kids_dresser";
     let rows = (b.size.z / b.vary(0.2, 0.27)).round().clamp(2.0, 6.0) as usize;
     let wide = b.size.y;
@@ -138,7 +138,7 @@ pub(super) fn dresser(b: &mut Build<'_>) {
 
 /// A cabinet taller than a man: linen, provisions, brooms.
 pub(super) fn tall_cabinet(b: &mut Build<'_>) {
-    at_least(b, [0.2, 0.25, 0.6]);
+    at_least(b, [0.17, 0.2, 0.6]);
     let (tall, wide) = (b.size.z, b.size.y);
     let look = b.one(&[Look::Flat, Look::Framed, Look::Framed, Look::Louvred]);
     let columns: Vec<Column> = match b.class {
@@ -169,7 +169,7 @@ pub(super) fn tall_cabinet(b: &mut Build<'_>) {
 
 /// A flat cabinet whose flaps tilt out, or a deeper one with doors.
 pub(super) fn shoe_cabinet(b: &mut Build<'_>) {
-    at_least(b, [0.09, 0.3, 0.4]);
+    at_least(b, [0.085, 0.27, 0.4]);
     let look = Look::any(b);
     let rows = (b.size.z / 0.4).round().clamp(1.0, 4.0) as usize;
     let across = if b.size.y > 0.8 { 2 } else { 1 };
@@ -188,7 +188,7 @@ pub(super) fn shoe_cabinet(b: &mut Build<'_>) {
 
 /// Drawers of steel or board below or beside a desk.
 pub(super) fn office_drawers(b: &mut Build<'_>) {
-    at_least(b, [0.25, 0.2, 0.25]);
+    at_least(b, [0.21, 0.17, 0.25]);
     let filing = b.class == "filing_cabinet";
     let rows = if filing { (b.size.z / 0.33).round().clamp(1.0, 5.0) as usize } else { 3 };
     let stack = match b.rng.below(3) {
@@ -217,7 +217,7 @@ pub(super) fn office_drawers(b: &mut Build<'_>) {
 
 /// A mechanic's chest of shallow drawers on castors, with a rim around its top.
 pub(super) fn tool_cabinet(b: &mut Build<'_>) {
-    at_least(b, [0.25, 0.35, 0.45]);
+    at_least(b, [0.2, 0.3, 0.42]);
     let body = b.one(&[RED_METAL, BLUE_METAL, BLACK_METAL, GREEN_METAL, YELLOW_METAL]);
     let rows = b.rng.count(4, 6);
     let columns: Vec<Column> = match b.rng.below(3) {
@@ -251,7 +251,7 @@ pub(super) fn tool_cabinet(b: &mut Build<'_>) {
 
 /// A narrow locker of steel: vents in its doors, a shelf and a rod.
 pub(super) fn locker(b: &mut Build<'_>) {
-    at_least(b, [0.2, 0.2, 0.6]);
+    at_least(b, [0.18, 0.15, 0.6]);
     let body = b.one(&[LIGHT_GREY, BLUE, GREY, GREEN, RED, YELLOW]);
     let two = b.rng.chance(0.35);
     let cell = Cell::Hang(Look::Vented);
@@ -263,7 +263,7 @@ pub(super) fn locker(b: &mut Build<'_>) {
 
 /// A steel box with a thick door, a dial or keys, and a bar.
 pub(super) fn safe(b: &mut Build<'_>) {
-    at_least(b, [0.14, 0.15, 0.12]);
+    at_least(b, [0.125, 0.15, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let body = b.one(&[GREY, BLACK, ANTHRACITE, FOREST]);
     let (t, thick, grip) = (0.02_f32.min(h * 0.1), 0.03, 0.04);

@@ -83,7 +83,7 @@ pub(in crate::object) struct Case {
 
 /// How many there are of each kind of thing, for their names.
 #[derive(Default)]
-struct Tally {
+pub(in crate::object) struct Tally {
     shelves: usize,
     drawers: usize,
     doors: usize,
@@ -124,6 +124,11 @@ fn shares(from: f32, to: f32, gap: f32, weights: impl Iterator<Item = f32> + Clo
 impl Case {
     /// Builds the case, its fronts and its surfaces.
     pub(in crate::object) fn build(&self, b: &mut Build<'_>) {
+        self.counted(b, &mut Tally::default());
+    }
+
+    /// Builds it as one of several in a piece, which share a count of their surfaces.
+    pub(in crate::object) fn counted(&self, b: &mut Build<'_>, tally: &mut Tally) {
         let (t, low, high) = (BOARD, self.low, self.high);
         let closed = self.columns.iter().flat_map(|c| &c.1).any(|c| c.1.has_front());
         let front = if closed { high[0] - t } else { high[0] - 0.002 };
@@ -133,7 +138,6 @@ impl Case {
         b.block("side", [low[0], low[1], z0], [front, low[1] + t, z1], self.body);
         b.block("side", [low[0], high[1] - t, z0], [front, high[1], z1], self.body);
         b.block("back", [low[0] + 0.001, low[1] + t, z0], [low[0] + 0.008, high[1] - t, z1], self.body);
-        let mut tally = Tally::default();
         let columns = shares(low[1] + t, high[1] - t, t, self.columns.iter().map(|c| c.0));
         let last = columns.len().saturating_sub(1);
         for (i, (y, column)) in columns.into_iter().zip(&self.columns).enumerate() {
@@ -151,7 +155,7 @@ impl Case {
                 }
                 let front_z = (if k == 0 { z.0 } else { z.0 - t / 2.0 }, if k == top { z.1 } else { z.1 + t / 2.0 });
                 let (low, high) = ([low[0] + 0.008, y.0, z.0], [front, y.1, z.1]);
-                self.cell(b, cell, &Space { low, high, front_y, front_z, hinge }, &mut tally);
+                self.cell(b, cell, &Space { low, high, front_y, front_z, hinge }, tally);
             }
         }
     }
@@ -227,9 +231,15 @@ impl Case {
     }
 
     fn drawers(&self, b: &mut Build<'_>, space: &Space, count: usize, tally: &mut Tally) {
-        let weights = std::iter::repeat_n(1.0, count.max(1));
+        // A drawer lower than a hand is none: it is a blind front.
+        let tall = space.front_z.1 - space.front_z.0;
+        let weights = std::iter::repeat_n(1.0, count.min((tall / 0.085) as usize).max(1));
         for (z0, z1) in shares(space.front_z.0, space.front_z.1, 0.0, weights) {
             let (low, high) = ([space.low[0], space.front_y.0, z0], [self.high[0], space.front_y.1, z1]);
+            if tall < 0.062 {
+                b.block("front", [space.high[0], low[1], z0], high, self.front);
+                continue;
+            }
             let name = next("drawer", &mut tally.drawers);
             drawer(b, &name, low, high, self.handle, (self.front, self.body, self.metal));
         }
@@ -299,7 +309,7 @@ pub(in crate::object) fn panel(b: &mut Build<'_>, name: &str, low: P, high: P, l
         }
         Look::Louvred => {
             frame(b, name, low, high, w, mat);
-            let count = ((tall - 2.0 * w) / 0.055).clamp(2.0, 26.0) as usize;
+            let count = ((tall - 2.0 * w) / 0.055).clamp(2.0, 14.0) as usize;
             let pitch = (tall - 2.0 * w) / count as f32;
             for i in 0..count {
                 let z = low[2] + w + pitch * i as f32;
@@ -324,7 +334,7 @@ pub(in crate::object) fn panel(b: &mut Build<'_>, name: &str, low: P, high: P, l
         Look::Reeded => {
             let face = high[0] - thick * 0.4;
             b.block(name, low, [face, high[1], high[2]], mat);
-            let count = (wide / 0.045).clamp(3.0, 24.0) as usize;
+            let count = (wide / 0.045).clamp(3.0, 14.0) as usize;
             let pitch = wide / count as f32;
             for i in 0..count {
                 let y = low[1] + pitch * i as f32;
@@ -375,6 +385,7 @@ impl Stand {
         let thick = 0.018_f32.min(x * 0.2);
         b.at(centre, 0.0, |b| match self {
             Self::None => {}
+            Self::Plinth if h < 0.003 => {}
             Self::Plinth => b.block("plinth", [-x + 0.002, -y + 0.002, 0.0], [x * 0.88, y - 0.002, h], mat),
             Self::Legs => Four::upright((x - 0.01, y - 0.01), h, (thick, thick * 1.3), Cut::Square).build(b, mat),
             Self::Splayed => {

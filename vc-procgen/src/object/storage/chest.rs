@@ -17,14 +17,20 @@ pub(in crate::object) struct Chest {
     pub(in crate::object) feet: Mat,
 }
 
-/// Four walls and a bottom between two corners, and the surface inside.
-pub(in crate::object) fn bin(b: &mut Build<'_>, low: [f32; 3], high: [f32; 3], t: f32, name: &str, mat: Mat) {
+/// Four walls and a bottom between two corners.
+pub(in crate::object) fn walls(b: &mut Build<'_>, low: [f32; 3], high: [f32; 3], t: f32, mat: Mat) {
     let floor = low[2] + t;
     b.block("bottom", low, [high[0], high[1], floor], mat);
     b.block("wall", [low[0], low[1], floor], [high[0], low[1] + t, high[2]], mat);
     b.block("wall", [low[0], high[1] - t, floor], high, mat);
     b.block("wall", [low[0], low[1] + t, floor], [low[0] + t, high[1] - t, high[2]], mat);
     b.block("wall", [high[0] - t, low[1] + t, floor], [high[0], high[1] - t, high[2]], mat);
+}
+
+/// Walls and bottom, and the surface inside.
+pub(in crate::object) fn bin(b: &mut Build<'_>, low: [f32; 3], high: [f32; 3], t: f32, name: &str, mat: Mat) {
+    let floor = low[2] + t;
+    walls(b, low, high, t, mat);
     let half = |i: usize| ((high[i] - low[i]) / 2.0 - t - 0.003).max(0.001);
     let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(low[1], high[1]), floor];
     b.inside(name, centre, (half(0), half(1)), (high[2] - floor - 0.005).max(0.005));
@@ -32,7 +38,7 @@ pub(in crate::object) fn bin(b: &mut Build<'_>, low: [f32; 3], high: [f32; 3], t
 
 /// A chest that fills the size asked for; its lid opens to the back.
 pub(in crate::object) fn chest(b: &mut Build<'_>, chest: &Chest) {
-    at_least(b, [0.18, 0.25, 0.18]);
+    at_least(b, [0.17, 0.25, 0.17]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let lift = if chest.padded { 0.05 } else { 0.02 };
     let lid = if chest.padded { 0.06_f32.min(h * 0.2) } else { 0.03 };

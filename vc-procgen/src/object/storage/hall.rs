@@ -10,7 +10,12 @@ use crate::object::table::frame::{Cut, at_least, baluster, leg};
 fn peg(b: &mut Build<'_>, index: usize, at: P, reach: f32, drop: f32, mat: Mat) {
     let [x, y, z] = at;
     let r = (reach * 0.09).clamp(0.003, 0.006);
-    b.pipe("hook", &[[x, y, z], [x + reach * 0.75, y, z - reach * 0.15], [x + reach - r, y, z + reach * 0.3]], r, mat);
+    b.pipe(
+        "hook",
+        &[[x, y, z], [x + reach * 0.75, y, z - reach * 0.15], [x + reach - 1.6 * r, y, z + reach * 0.3]],
+        r,
+        mat,
+    );
     b.hook(&format!("hook_{}", index + 1), [x + reach * 0.75, y, z - reach * 0.15 + r], drop);
 }
 
@@ -24,7 +29,7 @@ pub(super) fn coat_rack(b: &mut Build<'_>) {
     let feet: &[(f32, f32)] = if b.rng.chance(0.5) {
         &[(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)]
     } else {
-        &[(0.71, 0.71), (-0.71, 0.71), (-0.71, -0.71), (0.71, -0.71)]
+        &[(0.96, 0.96), (-0.96, 0.96), (-0.96, -0.96), (0.96, -0.96)]
     };
     match b.rng.below(3) {
         0 => {
@@ -36,7 +41,7 @@ pub(super) fn coat_rack(b: &mut Build<'_>) {
     }
     let low = h * 0.16;
     for &(dx, dy) in feet {
-        let foot = [dx * (reach - r), dy * (reach - r), 0.0];
+        let foot = [dx * (x - r), dy * (y - r), 0.0];
         leg(b, "foot", (foot, r * 0.7), ([dx * r * 0.4, dy * r * 0.4, low], r * 0.8), Cut::Round, mat);
     }
     b.cylinder("pole", [0.0, 0.0, low * 0.5], r, h - low * 0.5 - r * 1.2, mat);
@@ -64,7 +69,7 @@ pub(super) fn wall_hook_rack(b: &mut Build<'_>) {
     let t = 0.018_f32.min(x * 0.5);
     let (x0, shelf) = (t - x, h > 0.16 && b.rng.chance(0.6));
     let plate = if shelf { h - t } else { h };
-    b.soft("board", [-x, -y, if shelf { h * 0.25 } else { 0.0 }], [x0, y, plate], 0.004, wood);
+    b.soft("board", [-x, -y, 0.0], [x0, y, plate], 0.004, wood);
     if shelf {
         b.block("shelf", [-x, -y, h - t], [x, y, h], wood);
         b.top("shelf", [0.0, 0.0, h], (x - 0.006, y - 0.01));
@@ -94,7 +99,7 @@ pub(super) fn wall_hook_rack(b: &mut Build<'_>) {
 
 /// A bench with compartments, a panelled back with hooks, and a shelf on top.
 pub(super) fn hall_stand(b: &mut Build<'_>) {
-    at_least(b, [0.18, 0.35, 0.7]);
+    at_least(b, [0.16, 0.32, 0.7]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let body = b.one(&[b.style.cabinet, b.style.wood, WHITE]);
     let (seat, t, back) = (0.45_f32.min(h * 0.3), BOARD, 0.02);
@@ -142,8 +147,8 @@ pub(super) fn hall_stand(b: &mut Build<'_>) {
         let (a, c) = (side * y, side * (y - t));
         b.block(
             "bracket",
-            [from - 0.001, a.min(c) + 0.001, h - 0.16_f32.min(h * 0.1)],
-            [shelf * 0.8, a.max(c) - 0.001, h - t + 0.001],
+            [from - 0.001, a.min(c) + 0.002, h - 0.16_f32.min(h * 0.1)],
+            [shelf * 0.8, a.max(c) - 0.002, h - t + 0.001],
             body,
         );
     }
@@ -157,7 +162,7 @@ pub(super) fn hall_stand(b: &mut Build<'_>) {
 
 /// A small board with key hooks and a ledge, or a little house.
 pub(super) fn key_holder(b: &mut Build<'_>) {
-    at_least(b, [0.02, 0.1, 0.06]);
+    at_least(b, [0.015, 0.09, 0.05]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (wood, metal) = (b.one(&[b.style.wood, b.style.cabinet, b.style.wood]), b.one(&[BRASS, BLACK_METAL, STEEL]));
     let t = 0.01_f32.min(x * 0.5);
@@ -170,8 +175,8 @@ pub(super) fn key_holder(b: &mut Build<'_>) {
     }
     let (z, lip) = (h * 0.45, (h * 0.14).min(0.025));
     b.block("ledge", [x0 - 0.001, 0.006 - y, z], [x, y - 0.006, z + 0.006], wood);
-    b.block("lip", [x - 0.005, 0.006 - y, z + 0.005], [x, y - 0.006, z + lip], wood);
-    let half = (x - 0.005 - x0) / 2.0;
+    b.block("lip", [x - 0.006, 0.007 - y, z + 0.005], [x - 0.001, y - 0.007, z + lip], wood);
+    let half = (x - 0.006 - x0) / 2.0;
     b.inside("rack", [x0 + half, 0.0, z + 0.006], ((half - 0.002).max(0.001), y - 0.012), h * 0.25);
     let count = (2.0 * y / 0.045).clamp(2.0, 7.0) as usize;
     for i in 0..count {

@@ -63,7 +63,7 @@ impl Rack {
             Deck::Sheet => {
                 b.block("shelf", [0.002 - x, 0.002 - y, z - 0.004], [x - 0.002, y - 0.002, z], self.board);
                 for side in [-1.0_f32, 1.0] {
-                    let (cx, cy) = (side * (x - 0.004), side * (y - 0.004));
+                    let (cx, cy) = (side * (x - 0.0052), side * (y - 0.0052));
                     b.block("rim", [cx - 0.002, p - y, z - band], [cx + 0.002, y - p, z - 0.003], self.board);
                     b.block("rim", [p - x, cy - 0.002, z - band], [x - p, cy + 0.002, z - 0.003], self.board);
                 }
@@ -76,7 +76,7 @@ impl Rack {
                         b.block("wire", [p - x, cy - 0.003, low], [x - p, cy + 0.003, low + 0.006], self.frame);
                     }
                 }
-                let count = (y / 0.045).clamp(4.0, 16.0) as usize;
+                let count = (y / 0.045).clamp(4.0, 10.0) as usize;
                 for i in 0..count {
                     let cy = (y - p) * (2.0 * (i as f32 + 0.5) / count as f32 - 1.0);
                     b.block("wire", [0.008 - x, cy - 0.002, z - 0.004], [x - 0.008, cy + 0.002, z], self.frame);
@@ -111,7 +111,7 @@ impl Rack {
 
 /// Shelving of steel, wire, plastic or rough timber.
 pub(super) fn storage_shelf(b: &mut Build<'_>) {
-    at_least(b, [0.18, 0.4, 0.5]);
+    at_least(b, [0.17, 0.4, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let garage = b.class == "garage_shelf";
     let (deck, frame, board, post, cut) = match b.rng.below(4) {
@@ -138,7 +138,7 @@ pub(super) fn storage_shelf(b: &mut Build<'_>) {
 
 /// A rack for a kitchen: shelves of wire, steel or wood, on castors, with hooks.
 pub(super) fn kitchen_rack(b: &mut Build<'_>) {
-    at_least(b, [0.16, 0.3, 0.35]);
+    at_least(b, [0.15, 0.3, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (deck, frame, board) = b.one(&[
         (Deck::Wire, CHROME, CHROME),
@@ -159,7 +159,7 @@ pub(super) fn kitchen_rack(b: &mut Build<'_>) {
         rack.posts(b, lift, h, if deck == Deck::Slats { Cut::Square } else { Cut::Round });
         rack.decks(b);
         for (sx, sy) in CORNERS.into_iter().filter(|_| wheels) {
-            castor(b, [sx * (rack.x - post), sy * (y - post), lift + 0.01], 0.03);
+            castor(b, [sx * (rack.x - 0.032), sy * (y - 0.018), lift + 0.01], 0.03);
         }
     });
     if hang {
@@ -181,7 +181,7 @@ pub(super) fn kitchen_rack(b: &mut Build<'_>) {
 
 /// A cart of steel with runners for sheet pans.
 pub(super) fn plate_rack_cart(b: &mut Build<'_>) {
-    at_least(b, [0.3, 0.25, 0.6]);
+    at_least(b, [0.28, 0.23, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (post, lift) = (0.013, 0.13);
     b.at([0.0, 0.0, lift], 0.0, |b| {

@@ -8,26 +8,18 @@ use crate::object::table::trolley::castor;
 
 /// A grid that hangs from chains or a wall, with hooks below.
 pub(super) fn pot_rack(b: &mut Build<'_>) {
-    at_least(b, [0.14, 0.3, 0.1]);
+    at_least(b, [0.14, 0.3, 0.07]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let metal = b.one(&[BLACK_METAL, STEEL, COPPER, BRASS]);
     let (hang, t) = (0.07_f32.min(h * 0.35), 0.008);
     let z = hang + t;
-    let oval = b.rng.chance(0.3);
     for side in [-1.0_f32, 1.0] {
         let (cx, cy) = (side * (x - t), side * (y - t));
-        let k = if oval { 0.75 } else { 1.0 };
-        b.rod("frame", [cx, -y * k + t, z], [cx, y * k - t, z], t, metal);
-        b.rod("frame", [(t - x) * k, cy, z], [(x - t) * k, cy, z], t, metal);
-    }
-    if oval {
-        for (sx, sy) in CORNERS {
-            let (from, to) = ([sx * (x - t), sy * (y - t) * 0.75, z], [sx * (x - t) * 0.75, sy * (y - t), z]);
-            b.bar("frame", from, to, t, metal);
-        }
+        b.rod("frame", [cx, t - y, z], [cx, y - t, z], t, metal);
+        b.rod("frame", [t - x, cy, z], [x - t, cy, z], t, metal);
     }
     let bars = (x / 0.045).clamp(3.0, 9.0) as usize;
-    let k = if oval { 0.78 } else { 0.97 };
+    let k = 0.97;
     for i in 0..bars {
         let cx = (x * k - 2.0 * t) * (2.0 * (i as f32 + 0.5) / bars as f32 - 1.0);
         b.rod("bar", [cx, -y + t, z], [cx, y - t, z], 0.004, metal);
@@ -46,7 +38,6 @@ pub(super) fn pot_rack(b: &mut Build<'_>) {
     for i in 0..count {
         let cy = (y - 0.05) * (2.0 * (i as f32 + 0.5) / count as f32 - 1.0);
         let cx = if i % 2 == 0 { x - t } else { t - x };
-        let cx = if oval && cy.abs() > y * 0.7 { cx * 0.86 } else { cx };
         b.pipe(
             "hook",
             &[[cx, cy, z], [cx, cy, 0.018], [cx, cy + 0.012, 0.004], [cx, cy + 0.022, 0.014]],
@@ -59,7 +50,7 @@ pub(super) fn pot_rack(b: &mut Build<'_>) {
 
 /// Bottles lie in it, necks to the front: a lattice, pigeonholes or scalloped rails.
 pub(super) fn wine_rack(b: &mut Build<'_>) {
-    at_least(b, [0.12, 0.18, 0.18]);
+    at_least(b, [0.11, 0.15, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let wood = b.one(&[b.style.wood, b.style.wood, PINE, BLACK_METAL]);
     let (t, cell) = (0.012, 0.105);
@@ -136,7 +127,7 @@ pub(super) fn magazine_rack(b: &mut Build<'_>) {
         b.prism("wall", Axis::Y, [0.0, t - y, 0.0], &wall, 2.0 * (y - t), cloth);
     }
     b.block("bottom", [-x * 0.6, t - y, low - 0.008], [x * 0.6, y - t, low + 0.002], wood);
-    b.block("middle", [-0.005, t - y, low], [0.005, y - t, h * 0.9], wood);
+    b.block("middle", [-0.005, t - y + 0.001, low], [0.005, y - t - 0.001, h * 0.9], wood);
     b.block("handle", [-0.009, t - y, h * 0.9], [0.009, y - t, h], wood);
     for (i, side) in [-1.0, 1.0].into_iter().enumerate() {
         let centre = [side * (x * 0.3 + 0.001), 0.0, low + 0.002];
@@ -194,7 +185,7 @@ pub(super) fn shoe_rack(b: &mut Build<'_>) {
             let free = if tubes { (free.0 - 0.01, free.1) } else { free };
             b.top("top", centre, free);
         } else {
-            b.ledge(&format!("shelf_{}", i + 1), centre, free, pitch - 0.04);
+            b.ledge(&format!("shelf_{}", i + 1), centre, free, (pitch - 0.04).max(0.01));
         }
     }
 }
@@ -295,7 +286,7 @@ pub(super) fn plant_stand(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (wood, metal) = (b.style.wood, b.one(&[b.style.metal, BLACK_METAL, BRASS]));
     let t = 0.018;
-    if y > x * 1.35 {
+    if y > x * 1.12 || x > y * 1.12 || b.rng.chance(0.2) {
         // Steps between two side frames.
         let steps = if h > 0.7 { 3 } else { 2 };
         let deep = 2.0 * x / steps as f32;

@@ -19,7 +19,7 @@ fn body(b: &mut Build<'_>) -> Mat {
 /// A bookcase: a plain case, one with a cornice, one in unequal columns, a ladder or
 /// an open frame of metal.
 pub(super) fn bookshelf(b: &mut Build<'_>) {
-    at_least(b, [0.14, 0.3, 0.4]);
+    at_least(b, [0.12, 0.3, 0.4]);
     match b.rng.below(8) {
         0 => etagere(b),
         1 => ladder(b),
@@ -47,7 +47,7 @@ pub(super) fn bookshelf(b: &mut Build<'_>) {
 
 /// A bookcase as high as a table or a little more.
 pub(super) fn low_bookcase(b: &mut Build<'_>) {
-    at_least(b, [0.14, 0.3, 0.3]);
+    at_least(b, [0.125, 0.3, 0.3]);
     let columns = (b.size.y / b.vary(0.45, 0.75)).round().clamp(1.0, 3.0) as usize;
     let (count, mat) = (spaces(b, b.size.z - 0.08), body(b));
     let mut piece = Piece::new(vec![(1.0, vec![(1.0, Cell::Open(count))]); columns], mat);
@@ -131,13 +131,14 @@ fn etagere(b: &mut Build<'_>) {
             b.block("tube", [t - x, a.min(c), z], [x - t, a.max(c), z + t - 0.001], metal);
         }
     }
-    boards(b, (x - 0.002, y - t - 0.001), (0.08, h - 0.045), wood, t);
+    boards(b, (x - 0.002, y - t - 0.001), (0.08, h - 0.045), wood, (t * 1.5, 0.01));
     b.rod("brace", [t / 2.0 - x, t - y, 0.1], [t / 2.0 - x, y - t, h - 0.1], 0.004, metal);
     b.rod("brace", [t / 2.0 - x + 0.006, y - t, 0.1], [t / 2.0 - x + 0.006, t - y, h - 0.1], 0.004, metal);
 }
 
-/// Shelves from one height to another, the uppermost open above.
-fn boards(b: &mut Build<'_>, half: (f32, f32), z: (f32, f32), mat: Mat, set_back: f32) {
+/// Shelves from one height to another, the uppermost open above; `keep` is how much
+/// of them posts take.
+fn boards(b: &mut Build<'_>, half: (f32, f32), z: (f32, f32), mat: Mat, keep: (f32, f32)) {
     let count = spaces(b, z.1 - z.0).max(2);
     let pitch = (z.1 - z.0) / count as f32;
     let thick = 0.022;
@@ -145,7 +146,7 @@ fn boards(b: &mut Build<'_>, half: (f32, f32), z: (f32, f32), mat: Mat, set_back
     for i in 0..=count {
         let top = z.0 + pitch * i as f32 + thick;
         b.block("shelf", [-half.0, -half.1, top - thick], [half.0, half.1, top], mat);
-        let (centre, free) = ([set_back / 2.0, 0.0, top], ((half.0 - set_back).max(0.01), half.1 - 0.01));
+        let (centre, free) = ([0.0, 0.0, top], ((half.0 - keep.0).max(0.01), half.1 - keep.1));
         if i == count {
             b.top("top", centre, free);
         } else if holds {
@@ -189,7 +190,7 @@ fn ladder(b: &mut Build<'_>) {
 
 /// Shelves without sides or back to speak of: posts and boards, a frame, a ladder.
 pub(super) fn open_shelf(b: &mut Build<'_>) {
-    at_least(b, [0.14, 0.3, 0.4]);
+    at_least(b, [0.1, 0.3, 0.35]);
     match b.rng.below(3) {
         0 => etagere(b),
         1 => ladder(b),
@@ -202,8 +203,8 @@ pub(super) fn open_shelf(b: &mut Build<'_>) {
                 let at = |z: f32| [sx * (x - r - 0.004), sy * (y - r - 0.004), z];
                 leg(b, "post", (at(0.0), r), (at(h - 0.03), r), cut, wood);
             }
-            boards(b, (x, y), (0.08, h - 0.022), wood, 0.002);
-            // Posts stand on the lower shelves' corners: the room between them is free.
+            // Things stand between the posts.
+            boards(b, (x, y), (0.08, h - 0.022), wood, (0.005, 2.0 * r + 0.01));
         }
     }
 }
@@ -230,7 +231,7 @@ pub(super) fn wall_shelf(b: &mut Build<'_>) {
             b.top("top", [0.0, 0.0, h], (x - 0.006, y - 0.01));
             for side in [-1.0, 1.0] {
                 let cy = side * y * 0.7;
-                b.block("bracket", [-x, cy - 0.012, 0.0], [-x + 0.006, cy + 0.012, h - t], metal);
+                b.block("bracket", [-x, cy - 0.011, 0.0], [-x + 0.006, cy + 0.011, h - t], metal);
                 b.block(
                     "bracket",
                     [-x + 0.005, cy - 0.012, h - t - 0.006],
@@ -255,7 +256,7 @@ pub(super) fn wall_shelf(b: &mut Build<'_>) {
                 let cy = side * (y * 0.86);
                 b.block("strip", [-x, cy - 0.01, 0.0], [-x + 0.005, cy + 0.01, h - 0.03], metal);
                 b.block("strip", [x - 0.005, cy - 0.01, 0.0], [x, cy + 0.01, h - 0.03], metal);
-                b.block("strip", [-x + 0.004, cy - 0.01, 0.0], [x - 0.004, cy + 0.01, 0.005], metal);
+                b.block("strip", [-x + 0.004, cy - 0.009, 0.001], [x - 0.004, cy + 0.009, 0.006], metal);
             }
             for (z, name) in [(0.004, "shelf_1"), (h - t, "top")] {
                 let inset = if name == "top" { 0.0 } else { 0.006 };

@@ -8,7 +8,7 @@ use crate::object::table::frame::at_least;
 
 /// A wardrobe with hinged doors or sliding ones: a rod under a shelf, shelves, drawers.
 pub(super) fn wardrobe(b: &mut Build<'_>) {
-    at_least(b, [0.3, 0.45, 0.9]);
+    at_least(b, [0.27, 0.45, 0.9]);
     let closet = b.class == "closet";
     let sliding = b.size.y > 1.2 && b.rng.chance(if closet { 0.5 } else { 0.25 });
     if sliding {
@@ -57,8 +57,8 @@ fn slider(b: &mut Build<'_>, closet: bool) {
     let (low, high) = ([-x, -y, lift], [inner, y, h]);
     Case { low, high, columns, handle: Handle::None, body, front, lid: body, metal }.build(b);
     let (z0, z1) = (lift + 0.025, h - 0.045);
-    b.block("track", [inner - 0.002, -y, lift], [x, y, z0 - 0.004], metal);
-    b.block("track", [inner - 0.002, -y, z1 + 0.004], [x, y, h - 0.001], metal);
+    b.block("track", [inner - 0.002, 0.001 - y, lift + 0.001], [x, y - 0.001, z0 - 0.004], metal);
+    b.block("track", [inner - 0.002, 0.001 - y, z1 + 0.004], [x, y - 0.001, h - 0.001], metal);
     let wide = 2.0 * y / count as f32;
     let mirrored = b.rng.below(count + 2);
     let look = b.one(&[Look::Flat, Look::Framed, Look::Flat]);
@@ -83,7 +83,7 @@ fn slider(b: &mut Build<'_>, closet: bool) {
 
 /// One drawer in a case of its own, for the inside of a closet.
 pub(super) fn closet_drawer(b: &mut Build<'_>) {
-    at_least(b, [0.2, 0.2, 0.09]);
+    at_least(b, [0.2, 0.2, 0.075]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let handle = b.one(&[Handle::Bar, Handle::Knob, Handle::None]);
     let body = b.one(&[WHITE, b.style.cabinet, b.style.wood]);

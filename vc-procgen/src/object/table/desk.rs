@@ -5,7 +5,7 @@ use super::{Base, Outline, Table};
 use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::joinery::{BOARD, Handle};
-use crate::object::storage::case::{Case, Cell, Column, Look, Piece, Stand};
+use crate::object::storage::case::{Case, Cell, Column, Look, Piece, Stand, Tally};
 
 /// Drawers side by side below a top, in a shallow case.
 pub(super) fn drawers_below(b: &mut Build<'_>, half: (f32, f32), top: (f32, f32), body: Mat) {
@@ -28,7 +28,7 @@ pub(super) fn drawers_below(b: &mut Build<'_>, half: (f32, f32), top: (f32, f32)
 
 /// A desk: a top on legs, loops or trestles, with drawer pedestals or flat drawers.
 pub(super) fn desk(b: &mut Build<'_>) {
-    at_least(b, [0.3, 0.5, 0.35]);
+    at_least(b, [0.27, 0.45, 0.33]);
     let mut table = Table::new(b, &[Outline::Rect, Outline::Rect, Outline::Rounded]);
     if table.outline == Outline::Oval {
         table.outline = Outline::Rect;
@@ -56,7 +56,7 @@ pub(super) fn desk(b: &mut Build<'_>) {
                 b.block(
                     "modesty",
                     [x - 0.009, 0.03 - half.1, under * 0.55],
-                    [x + 0.009, half.1 - 0.03, under],
+                    [x + 0.009, half.1 - 0.03, under - 0.0015],
                     table.wood,
                 );
             }
@@ -74,6 +74,7 @@ fn pedestals(b: &mut Build<'_>, table: &Table, sides: &[f32]) {
         1 => vec![(1.0, vec![(0.6, Cell::Doors(Look::Flat, 1)), (0.4, Cell::Drawers(1))])],
         _ => vec![(1.0, vec![(0.5, Cell::Drawers(1)), (0.5, Cell::Drawers(2))])],
     };
+    let mut tally = Tally::default();
     for side in sides {
         let (a, c) = (side * y, side * (y - wide));
         let case = Case {
@@ -86,7 +87,7 @@ fn pedestals(b: &mut Build<'_>, table: &Table, sides: &[f32]) {
             lid: table.wood,
             metal: table.metal,
         };
-        case.build(b);
+        case.counted(b, &mut tally);
     }
     if let &[side] = sides {
         let (a, c) = (-side * y, -side * (y - BOARD * 1.4));
@@ -101,12 +102,12 @@ fn pedestals(b: &mut Build<'_>, table: &Table, sides: &[f32]) {
     } else {
         (wide - y, reach.1)
     };
-    b.block("modesty", [back.0, inner.0, back.1], [back.0 + BOARD, inner.1, under], table.wood);
+    b.block("modesty", [back.0, inner.0, back.1], [back.0 + BOARD, inner.1, under - 0.0015], table.wood);
 }
 
 /// A desk on two columns, its top lifted by a motor.
 pub(super) fn standing_desk(b: &mut Build<'_>) {
-    at_least(b, [0.3, 0.5, 0.35]);
+    at_least(b, [0.27, 0.45, 0.3]);
     let mut table = Table::new(b, &[Outline::Rect, Outline::Rounded]);
     table.outline = if table.outline == Outline::Oval { Outline::Rounded } else { table.outline };
     table.top = b.one(&[b.style.wood, WHITE, BLACK]);
@@ -135,7 +136,7 @@ pub(super) fn standing_desk(b: &mut Build<'_>) {
 
 /// A vanity: drawers below a narrow top, a mirror behind.
 pub(super) fn dressing_table(b: &mut Build<'_>) {
-    at_least(b, [0.25, 0.4, 0.35]);
+    at_least(b, [0.19, 0.37, 0.33]);
     let mut table = Table::new(b, &[Outline::Rect, Outline::Rounded]);
     table.outline = Outline::Rect;
     table.wood = b.style.cabinet;
@@ -155,7 +156,7 @@ pub(super) fn dressing_table(b: &mut Build<'_>) {
 
 /// A chest of drawers or an open rack with a padded top between rails.
 pub(super) fn changing_table(b: &mut Build<'_>) {
-    at_least(b, [0.3, 0.4, 0.45]);
+    at_least(b, [0.22, 0.37, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let rail = 0.09_f32.min(h * 0.12);
     let deck = h - rail;
@@ -188,7 +189,7 @@ fn frame_around(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
 
 /// A bedside table with drawers, an open space, or both.
 pub(super) fn nightstand(b: &mut Build<'_>) {
-    at_least(b, [0.2, 0.2, 0.25]);
+    at_least(b, [0.16, 0.18, 0.2]);
     if b.rng.chance(0.15) {
         return light_nightstand(b);
     }

@@ -4,7 +4,7 @@ mod desk;
 pub(super) mod frame;
 pub(super) mod trolley;
 
-use super::build::{Axis, Build};
+use super::build::{Axis, Build, P};
 use super::{Generator, indoor};
 use crate::material::*;
 use frame::{CORNERS, Cut, Four, at_least, baluster, disc, ellipse, leg, rounded};
@@ -82,7 +82,7 @@ impl Table {
     /// A table of the size asked for, its outline one of those given; square tables
     /// are often round.
     fn new(b: &mut Build<'_>, outlines: &[Outline]) -> Self {
-        at_least(b, [0.2, 0.2, 0.15]);
+        at_least(b, [0.13, 0.17, 0.13]);
         let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
         let square = x.max(y) < x.min(y) * 1.2;
         let outline = if square && b.rng.chance(0.55) { Outline::Oval } else { b.one(outlines) };
@@ -150,15 +150,20 @@ impl Table {
         for side in [-1.0_f32, 1.0] {
             let (cx, cy) = (side * (half.0 - thick / 2.0), side * (half.1 - thick / 2.0));
             let (ax, ay) = (half.0 - thick * 0.7, half.1 - thick * 0.7);
-            b.block("apron", [-ax, cy - 0.01, under - drop], [ax, cy + 0.01, under], self.wood);
+            b.block("apron", [-ax, cy - 0.01, under - drop + 0.001], [ax, cy + 0.01, under], self.wood);
             b.block("apron", [cx - 0.01, -ay, under - drop], [cx + 0.01, ay, under], self.wood);
         }
+    }
+
+    /// Half the usual thickness of a leg.
+    fn girth(&self) -> f32 {
+        (0.028 + 0.012 * self.x.min(self.y)).min(self.x * 0.16)
     }
 
     /// What carries the top.
     fn base(&self, b: &mut Build<'_>, base: Base) {
         let (half, under) = (self.stand(), self.h - self.thickness);
-        let girth = (0.028 + 0.012 * self.x.min(self.y)).min(self.x * 0.16);
+        let girth = self.girth();
         match base {
             Base::Legs => {
                 let r = b.vary(0.8, 1.15) * girth;
@@ -211,10 +216,12 @@ impl Table {
 
     fn hairpins(&self, b: &mut Build<'_>, half: (f32, f32), under: f32) {
         let (r, spread) = (0.006, (half.0.min(half.1) * 0.3).min(0.11));
+        let wire = |b: &mut Build<'_>, foot: P, head: P| leg(b, "leg", (foot, r), (head, r), Cut::Round, self.metal);
         for (sx, sy) in CORNERS {
-            let foot = [sx * (half.0 - r), sy * (half.1 - r), r];
+            let foot = [sx * (half.0 - r), sy * (half.1 - r), 0.0];
             let head = |dx: f32, dy: f32| [sx * (half.0 - 0.03 - dx), sy * (half.1 - 0.03 - dy), under];
-            b.pipe("leg", &[head(spread, 0.0), foot, head(0.0, spread)], r, self.metal);
+            wire(b, foot, head(spread, 0.0));
+            wire(b, foot, head(0.0, spread));
         }
     }
 
@@ -306,7 +313,8 @@ impl Table {
     }
 
     /// A shelf between upright legs.
-    fn lower_shelf(&self, b: &mut Build<'_>, z: f32, thick: f32) {
+    fn lower_shelf(&self, b: &mut Build<'_>, z: f32) {
+        let thick = self.girth() * 2.4;
         let (half, under) = (self.stand(), self.h - self.thickness);
         let (x, y) = (half.0 - thick * 0.5, half.1 - thick * 0.5);
         b.block("shelf", [-x, -y, z - 0.018], [x, y, z], self.wood);
@@ -384,9 +392,8 @@ fn coffee_table(b: &mut Build<'_>) {
     }
     table.top(b);
     table.base(b, base);
-    let thick = table.x.min(table.y) * 0.16;
     match base {
-        Base::Legs | Base::Loops if b.rng.chance(0.6) => table.lower_shelf(b, table.h * 0.35, thick.min(0.07)),
+        Base::Legs | Base::Loops if b.rng.chance(0.6) => table.lower_shelf(b, table.h * 0.35),
         Base::Slabs => {
             let (half, t) = (table.stand(), table.thickness);
             let (x, y, z) = (half.0 - 0.004, half.1 - t, table.h * 0.18);
@@ -415,7 +422,7 @@ fn side_table(b: &mut Build<'_>) {
     table.top(b);
     table.base(b, base);
     if matches!(base, Base::Legs | Base::Loops | Base::Turned) && b.rng.chance(0.6) {
-        table.lower_shelf(b, table.h * 0.3, (table.x * 0.22).min(0.08));
+        table.lower_shelf(b, table.h * 0.3);
     }
 }
 
@@ -459,7 +466,7 @@ fn console_table(b: &mut Build<'_>) {
     table.top(b);
     table.base(b, base);
     if matches!(base, Base::Legs | Base::Loops | Base::Turned) && b.rng.chance(0.7) {
-        table.lower_shelf(b, table.h * 0.2, (table.x * 0.3).min(0.08));
+        table.lower_shelf(b, table.h * 0.2);
     }
 }
 

@@ -18,7 +18,7 @@ pub(super) fn folding_table(b: &mut Build<'_>) {
     for side in [-1.0, 1.0] {
         let (cy, z) = (side * y, under - 0.02);
         let foot = side * (y + 0.03);
-        b.hinge([0.0, cy, z], [side, 0.0, 0.0], 1.5, |b| {
+        b.hinge([0.0, cy, z], [-side, 0.0, 0.0], 1.5, |b| {
             for sx in [-x, x] {
                 b.bar("leg", [sx, cy, z], [sx, foot, r], r, metal);
             }
@@ -62,7 +62,7 @@ pub(super) fn serving_trolley(b: &mut Build<'_>) {
     let pitch = (last - first) / (levels - 1) as f32;
     for i in 0..levels {
         let z = first + pitch * i as f32;
-        b.block("tray", [-px, -py, z - 0.015], [px, py, z], tray);
+        b.block("tray", [0.001 - px, 0.001 - py, z - 0.015], [px - 0.001, py - 0.001, z], tray);
         let free = (px - 2.0 * r - 0.008, py - 2.0 * r - 0.008);
         let name = format!("tray_{}", i + 1);
         if i + 1 == levels {
@@ -121,7 +121,7 @@ pub(super) fn prep_table(b: &mut Build<'_>) {
 
 /// A thick top on heavy legs with a shelf, drawers and a vice.
 pub(super) fn workbench(b: &mut Build<'_>) {
-    at_least(b, [0.3, 0.5, 0.4]);
+    at_least(b, [0.27, 0.5, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let wood = b.one(&[BEECH, PINE, OAK]);
     let frame = b.one(&[wood, wood, BLUE_METAL, RED_METAL, BLACK_METAL]);

@@ -235,7 +235,7 @@ pub(super) fn drone(b: &mut Build<'_>) {
         arms.tapered(&[[sx * x * 0.3, sy * y * 0.1, h * 0.6], hub], |t| h * (0.12 - 0.03 * t));
         arms.tube(&[[at[0], at[1], high - h * 0.1], [at[0], at[1], h * 0.92]], r * 0.14);
         feet.tapered(&[[at[0], at[1], high - h * 0.05], [at[0], at[1], 0.0]], |t| h * (0.07 - 0.03 * t));
-        let turn = b.vary(0.0, 3.14);
+        let turn = b.vary(0.0, std::f32::consts::PI);
         let (s, c) = turn.sin_cos();
         let tip = |f: f32, z: f32| [at[0] + r * 0.98 * f * c, at[1] + r * 0.98 * f * s, z];
         blades.leaf(

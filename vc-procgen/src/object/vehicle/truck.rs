@@ -398,7 +398,15 @@ pub(super) fn bus(b: &mut Build<'_>) {
         for (axle, letter) in axles.into_iter().zip(["f", "r"]) {
             let rim = Rim::plain(b);
             let name = format!("wheel_{letter}{}", if side > 0.0 { 'l' } else { 'r' });
-            super::wheel::wheel(b, &name, [axle, side * (side_half - 0.02 - y * 0.11), wheel], wheel, y * 0.22, side, rim);
+            super::wheel::wheel(
+                b,
+                &name,
+                [axle, side * (side_half - 0.02 - y * 0.11), wheel],
+                wheel,
+                y * 0.22,
+                side,
+                rim,
+            );
         }
         b.block(
             "mirror",
