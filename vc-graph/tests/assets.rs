@@ -80,7 +80,8 @@ fn extents_enclose_the_shape() {
 fn unsound_parts_are_refused_by_name() {
     let mut library = AssetLibrary::default();
     library.add_material(oak()).unwrap();
-    let mut add = |part: Part| library.add(Asset { name: "bad".into(), parts: vec![part], ..Asset::default() }).unwrap_err();
+    let mut add =
+        |part: Part| library.add(Asset { name: "bad".into(), parts: vec![part], ..Asset::default() }).unwrap_err();
     let ball = || part(Shape::Sphere { radius: 0.1 });
     assert_eq!(add(Part { material: 7, ..ball() }).to_string(), "part `part` uses material 7, the library has 1");
     assert!(matches!(add(part(Shape::Sphere { radius: f32::NAN })), AssetError::BadMeasure(_)));

@@ -157,8 +157,9 @@ fn clear_ways(plan: &Plan, items: &mut Vec<Item>) -> Result<(), Impossible> {
     for _ in 0..24 {
         let reach = Reach::of(plan, items);
         let shut = (0..plan.rooms.len()).find(|&r| !reach.enters(plan, r));
-        let far: Vec<usize> =
-            (0..items.len()).filter(|&i| check::is_used(&items[i]) && !reach.touches(items[i].room, &items[i].area())).collect();
+        let far: Vec<usize> = (0..items.len())
+            .filter(|&i| check::is_used(&items[i]) && !reach.touches(items[i].room, &items[i].area()))
+            .collect();
         let spared = far.iter().copied().find(|&i| !items[i].required);
         let room = shut.or_else(|| far.first().map(|&i| items[i].room));
         let Some(room) = room else { return Ok(()) };

@@ -88,7 +88,8 @@ impl Apartment {
             let missing = missing(room.kind, self.is_studio(), items.iter().filter(|i| i.room == index));
             found.extend(missing.into_iter().map(|what| Violation::Incomplete(index, room.kind, what)));
         }
-        let unreached = (0..items.len()).filter(|&i| is_used(&items[i]) && !reach.touches(items[i].room, &items[i].area()));
+        let unreached =
+            (0..items.len()).filter(|&i| is_used(&items[i]) && !reach.touches(items[i].room, &items[i].area()));
         found.extend(unreached.map(|i| Violation::Unreachable(self.named(i))));
         found.extend(self.passages());
         found

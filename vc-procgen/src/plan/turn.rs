@@ -55,6 +55,7 @@ impl Opening {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use crate::Specification;

@@ -84,6 +84,7 @@ pub(crate) fn plate(b: &mut Build<'_>, name: &str, quad: [P; 4], thickness: f32,
 }
 
 /// An open box whose bottom and top rectangles differ: half lengths outside of both.
+#[allow(clippy::too_many_arguments)]
 pub(crate) fn tub(
     b: &mut Build<'_>,
     name: &str,

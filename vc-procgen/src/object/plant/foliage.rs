@@ -345,7 +345,11 @@ fn fern(b: &mut Build<'_>, c: Crown) {
             5,
         );
         let wide = c.x.min(c.y) * 0.09;
-        leaves.leaf(&line, |t| wide * (1.05 - t) * if ((t * 15.0) as usize).is_multiple_of(2) { 1.0 } else { 0.45 }, 0.2);
+        leaves.leaf(
+            &line,
+            |t| wide * (1.05 - t) * if ((t * 15.0) as usize).is_multiple_of(2) { 1.0 } else { 0.45 },
+            0.2,
+        );
     }
     leaves.put(b, "leaf", mat);
 }

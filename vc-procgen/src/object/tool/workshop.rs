@@ -95,7 +95,8 @@ pub(super) fn paint_can(b: &mut Build<'_>) {
         drips.egg([r * 0.97 * c, r * 0.97 * s, h * 0.84], [r * 0.05, r * 0.05, h * b.vary(0.06, 0.14)]);
     }
     drips.put(b, "drip", paint);
-    let bail = arc(Axis::Z, [0.0, 0.0, h * 0.86], (r + ear * 0.5, r + ear * 0.5), (std::f32::consts::FRAC_PI_2, 4.7124), 14);
+    let bail =
+        arc(Axis::Z, [0.0, 0.0, h * 0.86], (r + ear * 0.5, r + ear * 0.5), (std::f32::consts::FRAC_PI_2, 4.7124), 14);
     let bail: Vec<P> = bail.iter().map(|p| [p[0], p[1], p[2] + p[0] * 0.5]).collect();
     tube(b, "bail", &bail, ear * 0.35, STEEL);
 }
