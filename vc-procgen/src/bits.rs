@@ -51,6 +51,10 @@ impl Bits {
         })
     }
 
+    pub(crate) fn count(&self) -> usize {
+        self.rows.iter().map(|w| w.count_ones() as usize).sum()
+    }
+
     /// The bits within a distance of set ones (Minkowski sum with a disc).
     ///
     /// Costs a few operations for each word and each row of the disc.

@@ -1,6 +1,7 @@
 //! Where a person can stand: a disc of 25 cm slides over the floor, from the front
 //! door on.
 
+use crate::apartment::Apartment;
 use crate::bits::Bits;
 use crate::furnish::{Area, Item, Rest};
 use crate::plan::{CELLS, OpeningKind, Plan, Rect, RoomKind};
@@ -32,6 +33,16 @@ struct Near {
     west: i32,
     south: i32,
     bits: Bits,
+}
+
+impl Apartment {
+    /// Floor that a person of 0.25 m radius and 1.7 m height gets to from the front
+    /// door, square metres: the places of their middle.
+    ///
+    /// Costs some tens of microseconds.
+    pub fn standing_area(&self) -> f32 {
+        Reach::of(&self.plan, &self.items).standing.count() as f32 / (CELLS * CELLS)
+    }
 }
 
 impl Reach {

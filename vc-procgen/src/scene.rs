@@ -98,9 +98,6 @@ impl Apartment {
 
 fn draft(item: &Item, asset: AssetId) -> Draft {
     let mut draft = Draft::new(item.object.class).at(item.pose).bounds(item.object.bounds);
-    if *item.object.asset.name != *item.object.class {
-        draft = draft.named(item.object.asset.name.clone());
-    }
     draft.asset = Some(asset);
     // Shelves without doors are open, whatever their class starts as.
     let shelves = matches!(item.object.class, "bookshelf" | "low_bookcase");

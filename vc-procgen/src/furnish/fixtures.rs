@@ -44,19 +44,20 @@ fn ceiling_lamp(s: &mut Setter<'_>, plan: &Plan) {
     }) else {
         return;
     };
-    let (height, ceiling) = (lamp.size().z, plan.ceiling);
+    let flat = if class == "pendant_lamp" { s.make("ceiling_lamp", [0.36, 0.36, 0.12]) } else { None };
+    let ceiling = plan.ceiling;
     for rect in plan.rooms[s.room].rects.clone() {
         let area = super::Area::of(&rect);
         let small = area.square_metres() < 3.0 && s.items.iter().any(|i| i.rest == Rest::Ceiling);
         let centre = area.centre();
-        let flat = lamp.size();
-        let solid = Solid {
-            area: super::Area::around(centre.0, centre.1, flat.x.max(flat.y) / 2.0, flat.x.max(flat.y) / 2.0),
-            low: ceiling - height,
-            high: ceiling,
-        };
+        // What hangs low would meet the doors of a wardrobe.
+        let low = s.space.zones.iter().any(|z| z.overlaps(&super::Area::around(centre.0, centre.1, 0.25, 0.25)));
+        let lamp = flat.as_ref().filter(|_| low).unwrap_or(&lamp);
+        let (height, half) = (lamp.size().z, lamp.size().x.max(lamp.size().y) / 2.0);
+        let solid =
+            Solid { area: super::Area::around(centre.0, centre.1, half, half), low: ceiling - height, high: ceiling };
         if !small && s.space.is_floor(&solid.area) && s.space.is_empty(&solid) {
-            s.add(&lamp, centre, ceiling - height - 0.001, Facing(0), Rest::Ceiling);
+            s.add(lamp, centre, ceiling - height - 0.001, Facing(0), Rest::Ceiling);
         }
     }
 }

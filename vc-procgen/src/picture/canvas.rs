@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use font8x8::{BASIC_FONTS, LATIN_FONTS, UnicodeFonts};
+use font8x8::legacy::LATIN_LEGACY;
+use font8x8::{BASIC_FONTS, UnicodeFonts};
 use tiny_skia::{FillRule, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
 
 use super::image::{Image, PictureError};
@@ -316,8 +317,7 @@ fn text_path(at: Point, size: f32, text: &str) -> Option<Path> {
     let (dx, dy) = (size * LETTER / 8.0, size / 7.0);
     let mut path = PathBuilder::new();
     for (i, letter) in text.chars().enumerate() {
-        let rows = BASIC_FONTS.get(letter).or_else(|| LATIN_FONTS.get(letter)).or_else(|| BASIC_FONTS.get('?'));
-        for (y, bits) in rows.unwrap_or_default().into_iter().enumerate() {
+        for (y, bits) in rows(letter).into_iter().enumerate() {
             for x in (0..8).filter(|x| bits & (1 << x) != 0) {
                 let corner = (at[0] + (8 * i + x) as f32 * dx, at[1] - (7.0 - y as f32) * dy);
                 let square = tiny_skia::Rect::from_xywh(corner.0, corner.1, dx, dy);
@@ -326,6 +326,13 @@ fn text_path(at: Point, size: f32, text: &str) -> Option<Path> {
         }
     }
     path.finish()
+}
+
+/// A letter's rows of eight bits. The table of Latin letters is taken by position: its
+/// look-up by letter does not find `²`.
+fn rows(letter: char) -> [u8; 8] {
+    let latin = (letter as usize).checked_sub(0xa0).and_then(|i| LATIN_LEGACY.get(i)).copied();
+    latin.or_else(|| BASIC_FONTS.get(letter)).or_else(|| BASIC_FONTS.get('?')).unwrap_or_default()
 }
 
 fn write_rings(

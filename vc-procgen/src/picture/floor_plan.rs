@@ -5,6 +5,7 @@ use std::f32::consts::{PI, TAU};
 use super::canvas::{Anchor, Canvas, Colour, Ink, Point};
 use super::top;
 use crate::apartment::Apartment;
+use crate::furnish::Area;
 use crate::plan::{Opening, OpeningKind, Plan, Rect, Room, RoomKind, Scheme, metres};
 use crate::reach::doorway;
 
@@ -12,12 +13,16 @@ use crate::reach::doorway;
 const MARGIN: f32 = 0.7;
 /// Height of the strips for the title above and the scale below, metres.
 const STRIP: f32 = 0.9;
+/// Least width of a drawing, of its height.
+const SLIMMEST: f32 = 0.85;
 
 const WALL: Colour = Colour::hex(0x2b2e33);
 const LINE: Colour = Colour::hex(0x3c4046);
 const FAINT: Colour = Colour::hex(0x8d939b);
 /// Width of thin lines, metres.
 const THIN: f32 = 0.015;
+/// Heights of room names, metres: the first that hides nothing, or little.
+const SIZES: [f32; 5] = [0.26, 0.21, 0.17, 0.13, 0.09];
 
 impl Plan {
     /// The plan seen from above, in metres: walls, doors, windows, names and areas of
@@ -32,7 +37,7 @@ impl Plan {
     /// # Ok::<(), vc_procgen::Impossible>(())
     /// ```
     pub fn drawing(&self) -> Canvas {
-        draw(self, &summary(self), |_| {})
+        draw(self, &summary(self), &[], |_| {})
     }
 }
 
@@ -49,7 +54,7 @@ impl Apartment {
     /// ```
     pub fn floor_plan(&self) -> Canvas {
         let title = format!("Apartment {} · {}", self.seed.0, summary(&self.plan));
-        draw(&self.plan, &title, |canvas| top::draw(canvas, self))
+        draw(&self.plan, &title, &top::areas(self), |canvas| top::draw(canvas, self))
     }
 }
 
@@ -75,8 +80,9 @@ fn summary(plan: &Plan) -> String {
     format!("{} · {:.1} m² · {beds} bed · {baths} bath", plan.scheme.title(), plan.area())
 }
 
-/// Everything in order, from the floors to the names; `furnish` draws on the floors.
-fn draw(plan: &Plan, title: &str, furnish: impl FnOnce(&mut Canvas)) -> Canvas {
+/// Everything in order, from the floors to the names; `furnish` draws on the floors,
+/// and the names keep off `furniture` as they can.
+fn draw(plan: &Plan, title: &str, furniture: &[Area], furnish: impl FnOnce(&mut Canvas)) -> Canvas {
     let (low, high) = frame(plan);
     let mut canvas = Canvas::new(low, high);
     balconies(&mut canvas, plan);
@@ -84,17 +90,22 @@ fn draw(plan: &Plan, title: &str, furnish: impl FnOnce(&mut Canvas)) -> Canvas {
     plan.openings.iter().for_each(|o| cut(&mut canvas, plan, o));
     furnish(&mut canvas);
     plan.openings.iter().for_each(|o| leaf(&mut canvas, o));
-    plan.rooms.iter().for_each(|r| label(&mut canvas, r));
+    let swings = plan.openings.iter().filter_map(Opening::swing).map(|s| Area::of(&s));
+    let taken: Vec<Area> = furniture.iter().copied().chain(swings).collect();
+    plan.rooms.iter().for_each(|r| label(&mut canvas, r, &taken));
     heading(&mut canvas, low, high, title);
     scale(&mut canvas, [low[0] + MARGIN, low[1] + 0.4]);
     canvas
 }
 
-/// What the drawing shows: the building with its outer walls and white around.
+/// What the drawing shows: the building with its outer walls and white around, no
+/// narrower than [`SLIMMEST`] of its height.
 fn frame(plan: &Plan) -> (Point, Point) {
     let hull = plan.hull().grown(plan.shell);
-    let low = [metres(hull.x0) - MARGIN, metres(hull.y0) - MARGIN - STRIP];
-    (low, [metres(hull.x1) + MARGIN, metres(hull.y1) + MARGIN + STRIP])
+    let (south, north) = (metres(hull.y0) - MARGIN - STRIP, metres(hull.y1) + MARGIN + STRIP);
+    let side = (SLIMMEST * (north - south) - metres(hull.width())) / 2.0;
+    let side = side.max(MARGIN);
+    ([metres(hull.x0) - side, south], [metres(hull.x1) + side, north])
 }
 
 fn fill(canvas: &mut Canvas, rect: &Rect, ink: Ink) {
@@ -205,20 +216,56 @@ fn arrow(canvas: &mut Canvas, opening: &Opening) {
     canvas.polygon(&corners, Ink::filled(Colour::hex(0xb03a2e)));
 }
 
-/// Name and area in the middle of a room's largest rectangle.
-fn label(canvas: &mut Canvas, room: &Room) {
-    let largest = room.net().into_iter().max_by_key(|r| (r.width() * r.depth(), r.x0, r.y0));
-    let Some(rect) = largest else { return };
-    let (wide, tall) = (metres(rect.width()) - 0.1, metres(rect.depth()) - 0.1);
+/// Name and area in a room: in the middle of its largest rectangle, or where it
+/// covers least of what is there.
+fn label(canvas: &mut Canvas, room: &Room, taken: &[Area]) {
     let (name, area) = (room.kind.title(), format!("{:.1} m²", room.area()));
     let one = Canvas::text_width(1.0, name).max(0.8 * Canvas::text_width(1.0, &area));
-    let size = (wide / one).min(tall / 2.4).clamp(0.07, 0.26);
-    let [x, y] = [metres(rect.x0 + rect.x1) / 2.0, metres(rect.y0 + rect.y1) / 2.0];
-    let half = [one * size / 2.0 + 0.05, 1.2 * size + 0.03];
-    let paper = Ink::filled(Colour::WHITE.faded(0.72));
+    let places = SIZES.iter().filter_map(|&size| {
+        let half = (one * size / 2.0 + 0.04, 1.15 * size);
+        free_place(room, half, taken).map(|(covered, place)| (covered / (half.0 * half.1), size, place))
+    });
+    // A smaller text only where it hides much less.
+    let cost = |&(covered, size, _): &(f32, f32, Point)| covered + 3.0 * (SIZES[0] - size);
+    let Some((_, size, [x, y])) = places.min_by(|a, b| cost(a).total_cmp(&cost(b))) else { return };
+    let half = [one * size / 2.0 + 0.03, 1.15 * size];
+    let paper = Ink::filled(Colour::WHITE.faded(0.7));
     canvas.rectangle([x - half[0], y - half[1]], [x + half[0], y + half[1]], paper);
-    canvas.text([x, y + 0.15 * size], size, Anchor::Middle, Colour::BLACK, name);
-    canvas.text([x, y - 0.95 * size], 0.8 * size, Anchor::Middle, LINE, &area);
+    canvas.text([x, y + 0.12 * size], size, Anchor::Middle, Colour::BLACK, name);
+    canvas.text([x, y - 0.92 * size], 0.8 * size, Anchor::Middle, LINE, &area);
+}
+
+/// Where a label of half a width and height covers least: how much, m², and its
+/// middle. `None` where it does not fit.
+fn free_place(room: &Room, half: (f32, f32), taken: &[Area]) -> Option<(f32, Point)> {
+    let largest = room.net().into_iter().max_by_key(|r| (r.width() * r.depth(), r.x0, r.y0))?;
+    let middle = Area::of(&largest).centre();
+    let mut best: Option<(f32, f32, Point)> = None;
+    for net in room.net().iter().map(Area::of) {
+        let (wide, tall) = (net.x1 - net.x0 - 2.0 * half.0, net.y1 - net.y0 - 2.0 * half.1);
+        if wide < 0.0 || tall < 0.0 {
+            continue;
+        }
+        let steps = |length: f32| (length / 0.1) as usize + 1;
+        let at = |low: f32, high: f32, i: usize, n: usize| (low + high) / 2.0 + (i as f32 - n as f32 / 2.0) * 0.1;
+        for (i, j) in (0..=steps(wide)).flat_map(|i| (0..=steps(tall)).map(move |j| (i, j))) {
+            let x = at(net.x0, net.x1, i, steps(wide)).clamp(net.x0 + half.0, net.x1 - half.0);
+            let y = at(net.y0, net.y1, j, steps(tall)).clamp(net.y0 + half.1, net.y1 - half.1);
+            let own = Area::around(x, y, half.0, half.1);
+            let covered: f32 = taken.iter().map(|t| covered_by(t, &own)).sum();
+            let cost = covered + 0.01 * (x - middle.0).hypot(y - middle.1);
+            if best.is_none_or(|(least, ..)| cost < least) {
+                best = Some((cost, covered, [x, y]));
+            }
+        }
+    }
+    best.map(|(_, covered, place)| (covered, place))
+}
+
+/// Area that two rectangles share, m².
+fn covered_by(a: &Area, b: &Area) -> f32 {
+    let overlap = |low: f32, high: f32| (high - low).max(0.0);
+    overlap(a.x0.max(b.x0), a.x1.min(b.x1)) * overlap(a.y0.max(b.y0), a.y1.min(b.y1))
 }
 
 /// The title, as large as it fits.

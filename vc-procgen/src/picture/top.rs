@@ -8,7 +8,7 @@ use vc_graph::asset::{Part, Shape};
 
 use super::canvas::{Canvas, Colour, Ink, Point};
 use crate::apartment::Apartment;
-use crate::furnish::{Item, Rest};
+use crate::furnish::{Area, Item, Rest};
 use crate::material::{self, Family};
 
 /// Objects whose base is higher hang over the floor: dashed, metres.
@@ -45,6 +45,15 @@ pub(super) fn draw(canvas: &mut Canvas, home: &Apartment) {
         let dashes = Ink::line(Colour::hex(0x9aa0a8), HAIR).dashed(0.05);
         canvas.rectangle([area.x0, area.y0], [area.x1, area.y1], dashes);
     }
+}
+
+/// What stands on the floors, for names to keep off: not rugs, nor what hangs high.
+pub(super) fn areas(home: &Apartment) -> Vec<Area> {
+    let stands = |item: &&Item| {
+        let (low, high) = item.corners();
+        matches!(item.rest, Rest::Floor | Rest::Wall) && low.z < OVERHEAD && high.z > 0.1
+    };
+    home.items.iter().filter(stands).map(Item::area).collect()
 }
 
 /// Which items are part of the building, or inside another, or on one that is.

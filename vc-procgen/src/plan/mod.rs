@@ -22,6 +22,7 @@ pub use rect::Rect;
 pub(crate) use rect::covers;
 pub use topology::Topology;
 
+use serde::Serialize;
 use vc_graph::{Seed, Stream};
 
 use crate::Specification;
@@ -41,7 +42,8 @@ pub(crate) fn cells(metres: f32) -> i32 {
 }
 
 /// What a room is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum RoomKind {
     /// Living room, often with the dining place.
     Living,
@@ -113,7 +115,7 @@ impl RoomKind {
 }
 
 /// A room of a plan.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Room {
     /// What it is for.
     pub kind: RoomKind,
@@ -177,7 +179,7 @@ impl Room {
 }
 
 /// A floor plan.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Plan {
     /// The scheme by which it was laid out.
     pub scheme: Scheme,
@@ -195,7 +197,8 @@ pub struct Plan {
 }
 
 /// How a plan is laid out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Scheme {
     /// One main room with a bathroom.
     Studio,
@@ -239,6 +242,10 @@ impl Plan {
             _ => spine::lay_out(programme, scheme, rng),
         };
         let Layout { mut rooms, mut facades } = layout?;
+        let area: f32 = rooms.iter().map(Room::area).sum();
+        if programme.wished_area.is_some_and(|wished| (area / wished - 1.0).abs() > 0.045) {
+            return None;
+        }
         rect::turn(&mut rooms, &mut facades, rng.below(8));
         let shell = rng.count(4, 6) as i32;
         let ceiling = (rng.between(2.45, 2.75) * 20.0).round() / 20.0;

@@ -1,5 +1,6 @@
 //! Doors, passages, windows and balconies.
 
+use serde::Serialize;
 use vc_graph::Stream;
 
 use super::edges::Edge;
@@ -7,7 +8,8 @@ use super::programme::{Programme, draw_area};
 use super::{CELLS, Plan, Rect, Room, RoomKind, cells, edges};
 
 /// What an opening in a wall is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum OpeningKind {
     /// The front door.
     Entrance,
@@ -22,7 +24,7 @@ pub enum OpeningKind {
 }
 
 /// An opening in a wall.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Opening {
     /// What it is.
     pub kind: OpeningKind,

@@ -1,9 +1,11 @@
 //! Rectangles on the plan's grid.
 
+use serde::Serialize;
+
 use super::{Room, metres};
 
 /// A rectangle in cells of five centimetres: `x0..x1` by `y0..y1`.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub struct Rect {
     /// West side.
     pub x0: i32,

@@ -64,11 +64,11 @@ pub(super) fn lay_out(programme: &Programme, scheme: Scheme, rng: &mut Stream) -
             scale *= (wished / area).powf(0.6);
             (area / wished - 1.0).abs()
         });
-        if off > 0.1 {
+        if off > 0.045 {
             continue;
         }
         let missed = Topology::of(&layout.rooms).differences(programme.topology, bedrooms, baths, kitchen);
-        let cost = missed + if off > 0.03 { 10 } else { 0 };
+        let cost = missed + if off > 0.02 { 10 } else { 0 };
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, layout));
         }

@@ -45,8 +45,8 @@ impl Sample {
         };
         count(&mut self.doors, ways(false));
         count(&mut self.passages, ways(true));
-        for (a, b) in ways(false) {
-            [a, b].into_iter().for_each(|zone| *self.door_ends.entry(zone).or_default() += 1);
+        for zone in ways(false).flat_map(|(a, b)| [a, b]) {
+            *self.door_ends.entry(zone).or_default() += 1;
         }
     }
 

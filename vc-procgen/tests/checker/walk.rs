@@ -74,8 +74,8 @@ impl Floor {
     fn is_indoors(&self, house: &House<'_>, cell: usize) -> bool {
         let (x, y) = self.point(cell);
         let room = (0..house.plan.rooms.len()).any(|r| house.is_within(r, x, y, 0.0));
-        let ways = house.plan.openings.iter().filter(|o| o.is_way() && o.kind != OpeningKind::Entrance);
-        room || ways.into_iter().any(|o| is_in(o, x, y, 0.4))
+        let mut ways = house.plan.openings.iter().filter(|o| o.is_way() && o.kind != OpeningKind::Entrance);
+        room || ways.any(|o| is_in(o, x, y, 0.4))
     }
 
     /// Takes the cells from which a disc would meet the box of a part.
@@ -106,7 +106,7 @@ impl Floor {
             free[c] && is_in(door, x, y, 0.8) && house.is_within(room, x, y, 0.0)
         });
         let mut open: VecDeque<usize> = start.into_iter().collect();
-        start.into_iter().for_each(|s| free[s] = false);
+        open.iter().for_each(|&s| free[s] = false);
         while let Some(cell) = open.pop_front() {
             self.standing[cell] = true;
             for next in [cell - 1, cell + 1, cell - self.columns, cell + self.columns] {

@@ -16,7 +16,6 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("under_sink_cabinet", 6, storage::under_sink_cabinet),
     indoor("towel_rack", 8, storage::towel_rack),
     indoor("heated_towel_rail", 5, storage::heated_towel_rail),
-    indoor("laundry_hamper", 6, storage::laundry_hamper),
     indoor("shower_caddy", 6, storage::shower_caddy),
     indoor("bathroom_mirror", 9, storage::bathroom_mirror),
     indoor("toilet", 9, fixture::toilet),

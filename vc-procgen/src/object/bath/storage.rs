@@ -453,65 +453,6 @@ pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
     b.top("rod", [front - post * 1.1, 0.0, h], (post * 0.8, y - post * 2.2));
 }
 
-/// A basket for laundry: woven, of cloth in a frame, or slatted, with a hinged lid.
-pub(super) fn laundry_hamper(b: &mut Build<'_>) {
-    let u = fit(b, [0.17, 0.19, 0.25]);
-    let (x, y, h) = spans(b);
-    let (rim, wall) = (h * 0.93, 0.012 * u);
-    let (mat, cover) = b.one(&[
-        (WICKER, WICKER),
-        (LINEN, BAMBOO),
-        (WHITE_PLASTIC, WHITE_PLASTIC),
-        (GREY_FABRIC, GREY_FABRIC),
-        (BAMBOO, BAMBOO),
-    ]);
-    let low = [-x, -y, 0.0];
-    match b.rng.below(3) {
-        0 => {
-            pit(b, "basket", [-x + wall * 0.6, -y + wall * 0.6, 0.0], [x - wall * 0.6, y - wall * 0.6, rim], wall, mat);
-            for i in 0..7 {
-                let z = rim * (0.05 + 0.13 * i as f32);
-                let hole = ((-x + wall, -y + wall), (x - wall, y - wall));
-                ring(b, "band", Axis::Z, ([-x, -y, z], [x, y, z + rim * 0.07]), hole, mat);
-            }
-        }
-        1 => {
-            let post = 0.022 * u;
-            for (cx, cy) in [(-x, -y), (-x, y - post), (x - post, -y), (x - post, y - post)] {
-                b.block("post", [cx, cy, 0.0], [cx + post, cy + post, rim], b.style.wood);
-            }
-            pit(
-                b,
-                "bag",
-                [-x + post * 0.4, -y + post * 0.4, 0.04 * u],
-                [x - post * 0.4, y - post * 0.4, rim - 0.004],
-                wall * 0.5,
-                mat,
-            );
-        }
-        _ => {
-            pit(b, "hamper", low, [x, y, rim], wall, mat);
-            for side in [-1.0_f32, 1.0] {
-                for i in 0..6 {
-                    let cy = y * (0.28 * (i as f32 - 2.5));
-                    let at = side * x;
-                    b.block(
-                        "hole",
-                        [at - 0.001, cy - y * 0.05, rim * 0.25],
-                        [at + 0.0008, cy + y * 0.05, rim * 0.75],
-                        GREY_PLASTIC,
-                    );
-                }
-            }
-        }
-    }
-    let inner = wall * 1.8;
-    floor_of(b, "compartment_1", [-x + inner, -y + inner, 0.04 * u + wall], [x - inner, y - inner, rim]);
-    lid(b, [-x, 0.0, h], 1.5, |b| {
-        b.soft("lid", [-x, -y, rim + 0.001], [x, y, h], 0.01 * u, cover);
-    });
-}
-
 /// Wire baskets one under the other, to hang in a shower.
 pub(super) fn shower_caddy(b: &mut Build<'_>) {
     let u = fit(b, [0.06, 0.12, 0.08]);

@@ -30,7 +30,6 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("drawing", 3, frame::print),
     indoor("tapestry", 3, frame::tapestry),
     indoor("mirror", 6, mirror::wall),
-    indoor("bathroom_mirror", 4, mirror::wall),
     indoor("standing_mirror", 4, mirror::standing),
     indoor("hand_mirror", 4, mirror::hand),
     indoor("sculpture", 8, ornament::sculpture),

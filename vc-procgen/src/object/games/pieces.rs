@@ -169,8 +169,8 @@ pub(super) fn dice(b: &mut Build<'_>) {
     let count = if hy > 1.9 * s { 2 } else { 1 };
     let round = s * b.vary(0.12, 0.3);
     let mut pips = Shell::default();
-    for i in 0..count {
-        let y = if count == 2 { (hy - s) * SIDES[i] } else { 0.0 };
+    for apart in SIDES.iter().take(count) {
+        let y = if count == 2 { (hy - s) * apart } else { 0.0 };
         let c = s * 0.97;
         b.soft("die", [-c, y - c, s - c], [c, y + c, s + c], round, body);
         let turn = b.rng.below(3);

@@ -1,0 +1,112 @@
+//! Apartments from seeds: one with pictures and files, a sheet of plans, or a set of
+//! any size.
+//!
+//! `cargo run --release --example apartment -- --seed 42 --out out/apartment` writes
+//! the scene (our JSON and the thesis's), the floor plan (SVG and PNG), the model
+//! (glTF) and a report. `--bedrooms 3 --area 95 --open-kitchen` and the like are
+//! wishes. `--sheet` draws 24 plans on one picture.
+//!
+//! `--count 100000 --jobs 8` writes a set: files of a thousand homes each, a manifest,
+//! statistics with plots. Started again, it goes on where it stopped. In an array job,
+//! `--shard 3/16` makes every sixteenth file; once all are there, the same command
+//! without `--shard` writes manifest and statistics of the whole.
+
+#[path = "../support/mod.rs"]
+#[expect(dead_code, reason = "this example reads no scenes")]
+mod support;
+
+mod manifest;
+mod one;
+mod record;
+mod set;
+mod sheet;
+mod wishes;
+
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+use support::Complaint;
+use wishes::Wishes;
+
+/// Apartments from seeds.
+#[derive(Parser)]
+struct Options {
+    /// The seed; the first one of several.
+    #[arg(long, default_value_t = 42)]
+    seed: u64,
+    /// The folder to write to; it is made if need be.
+    #[arg(long, default_value = "out/apartment")]
+    out: PathBuf,
+    #[command(flatten)]
+    wishes: Wishes,
+    /// Draw 24 plans on one picture.
+    #[arg(long, conflicts_with = "count")]
+    sheet: bool,
+    /// Make a set of so many homes, from as many seeds.
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    count: Option<u64>,
+    /// Threads that make a set; as many as there are processors if not said.
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
+    /// Make only every n-th file of a set: 0/8, 1/8 ... 7/8.
+    #[arg(long, requires = "count")]
+    shard: Option<set::Shard>,
+    /// Homes in a file of a set.
+    #[arg(long, default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    per_file: u64,
+}
+
+fn main() -> Result<(), Complaint> {
+    let options = Options::parse();
+    let specification = options.wishes.specification()?;
+    let seeds = options.count.unwrap_or(if options.sheet { sheet::PLANS } else { 1 });
+    if options.seed.checked_add(seeds).is_none() {
+        return Err(Complaint::new(format!("seeds end at {}: choose a lower --seed", u64::MAX)));
+    }
+    std::fs::create_dir_all(&options.out).map_err(|e| unwritten(&options.out, &e))?;
+    match options.count {
+        Some(count) => set::run(&set::Set {
+            specification,
+            recipe: options.wishes.recipe(),
+            seed: options.seed,
+            count,
+            per_file: options.per_file,
+            shard: options.shard,
+            jobs: options.jobs.map_or_else(processors, usize::from),
+            out: options.out,
+        }),
+        None if options.sheet => sheet::write(&specification, options.seed, &options.out),
+        None => one::write(&specification, options.seed, &options.out),
+    }
+}
+
+fn processors() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// Writes a file whole or not at all: under another name first.
+fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
+    let mut part = path.as_os_str().to_owned();
+    part.push(".part");
+    let part = PathBuf::from(part);
+    let written = std::fs::write(&part, bytes).and_then(|()| std::fs::rename(&part, path));
+    written.map_err(|e| {
+        // What was begun takes space; if it cannot be removed either, so be it.
+        let _ = std::fs::remove_file(&part);
+        unwritten(path, &e)
+    })
+}
+
+/// What to do about a file that cannot be written.
+fn unwritten(path: &Path, error: &std::io::Error) -> Complaint {
+    use std::io::ErrorKind;
+    let advice = match error.kind() {
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            "make room or choose another --out; a set goes on where it stopped when started again"
+        }
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => "choose an --out that you may write to",
+        ErrorKind::AlreadyExists | ErrorKind::NotADirectory => "--out must be a folder, and this is a file",
+        _ => "choose another --out",
+    };
+    Complaint::new(format!("{}: {error}; {advice}", path.display()))
+}

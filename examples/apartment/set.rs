@@ -1,0 +1,332 @@
+//! A set of homes in files, made by several threads.
+//!
+//! Threads take batches of seeds; whoever makes the last batch of a file packs and
+//! writes the file. What is written depends on the seeds alone.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::str::FromStr;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use indicatif::{ProgressBar, ProgressStyle};
+use virtualcity::graph::Seed;
+use virtualcity::procgen::{Apartment, Fingerprint, Specification};
+
+use crate::manifest::{self, Failure, Figures, Mark, Sidecar};
+use crate::record::Record;
+use crate::support::{Complaint, say};
+use crate::wishes::Recipe;
+use crate::write_file;
+
+/// Homes that a thread makes at a time.
+const BATCH: u64 = 20;
+/// More files than this in one folder help nobody.
+const MOST_FILES: u64 = 1_000_000;
+
+/// What is to be made.
+pub(crate) struct Set {
+    pub(crate) specification: Specification,
+    pub(crate) recipe: Recipe,
+    pub(crate) seed: u64,
+    pub(crate) count: u64,
+    pub(crate) per_file: u64,
+    pub(crate) shard: Option<Shard>,
+    pub(crate) jobs: usize,
+    pub(crate) out: PathBuf,
+}
+
+/// Every so-manieth file of a set, counted from zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Shard {
+    pub(crate) index: u64,
+    pub(crate) of: u64,
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+        let (index, of) = numbers.ok_or("write it as 0/8, 1/8 and so on")?;
+        if index < of {
+            Ok(Self { index, of })
+        } else {
+            Err(format!("shards of {of} are numbered from 0 up, {of} excluded"))
+        }
+    }
+}
+
+/// A file of a set: so many seeds from one on.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Volume {
+    pub(crate) first: u64,
+    pub(crate) seeds: u64,
+}
+
+impl Volume {
+    /// The file's name.
+    pub(crate) fn name(&self) -> String {
+        format!("homes_{:012}.jsonl.gz", self.first)
+    }
+
+    fn batches(&self) -> usize {
+        self.seeds.div_ceil(BATCH) as usize
+    }
+
+    fn batch(&self, index: usize) -> std::ops::Range<u64> {
+        let from = BATCH * index as u64;
+        self.first + from..self.first + (from + BATCH).min(self.seeds)
+    }
+}
+
+/// Makes what is not there yet, then writes the manifest.
+pub(crate) fn run(set: &Set) -> Result<(), Complaint> {
+    let start = Instant::now();
+    let volumes = set.volumes()?;
+    let total: u64 = volumes.iter().map(|v| v.seeds).sum();
+    let progress = ProgressBar::new(total);
+    let style = ProgressStyle::with_template("{wide_bar} {pos}/{len} homes, {per_sec}, {eta} left");
+    progress.set_style(style.map_err(Complaint::new)?);
+    let mut sidecars = volumes.iter().map(|v| manifest::complete(set, v)).collect::<Result<Vec<_>, _>>()?;
+    let there: u64 = sidecars.iter().flatten().map(|s| s.seeds).sum();
+    progress.set_position(there);
+    progress.reset_eta();
+    let missing: Vec<Volume> = volumes.iter().zip(&sidecars).filter(|(_, s)| s.is_none()).map(|(v, _)| *v).collect();
+    let mut made = Workshop::new(set, &missing, &progress).run()?.into_iter();
+    sidecars.iter_mut().filter(|s| s.is_none()).for_each(|s| *s = made.next());
+    progress.finish_and_clear();
+    let sidecars: Vec<Sidecar> = sidecars.into_iter().flatten().collect();
+    let spent = start.elapsed().as_secs_f64();
+    say!("{} homes made in {spent:.1} s, {there} were there", total - there);
+    manifest::write(set, &sidecars)
+}
+
+impl Set {
+    /// The files that this run is to make.
+    fn volumes(&self) -> Result<Vec<Volume>, Complaint> {
+        let files = self.count.div_ceil(self.per_file);
+        if files > MOST_FILES {
+            return Err(Complaint::new(format!("these would be {files} files: choose a higher --per-file")));
+        }
+        let mine = |i: &u64| self.shard.is_none_or(|s| i % s.of == s.index);
+        let volume = |i| Volume {
+            first: self.seed + i * self.per_file,
+            seeds: self.per_file.min(self.count - i * self.per_file),
+        };
+        Ok((0..files).filter(mine).map(volume).collect())
+    }
+
+    /// Homes of some seeds: their lines, and what is to be known of them.
+    fn part(&self, seeds: std::ops::Range<u64>) -> Result<Part, Complaint> {
+        let mut part = Part::default();
+        for seed in seeds {
+            match Apartment::generate(&self.specification, Seed(seed)) {
+                Ok(home) => part.add(&home)?,
+                Err(error) => part.figures.failed.push(Failure { seed, reason: error.to_string() }),
+            }
+        }
+        Ok(part)
+    }
+
+    /// Packs and writes a file, then its sidecar.
+    fn bind(&self, volume: &Volume, parts: Vec<Part>) -> Result<Sidecar, Complaint> {
+        let mut figures = Figures::default();
+        let mut packer = GzEncoder::new(Vec::new(), Compression::new(1));
+        for part in parts {
+            packer.write_all(&part.lines).map_err(Complaint::new)?;
+            figures.merge(part.figures);
+        }
+        let packed = packer.finish().map_err(Complaint::new)?;
+        write_file(&self.out.join(volume.name()), &packed)?;
+        let sidecar = Sidecar::new(self, volume, &packed, figures)?;
+        sidecar.write(self)?;
+        Ok(sidecar)
+    }
+}
+
+/// Some homes of a file.
+#[derive(Default)]
+struct Part {
+    lines: Vec<u8>,
+    figures: Figures,
+}
+
+impl Part {
+    fn add(&mut self, home: &Apartment) -> Result<(), Complaint> {
+        let (whole, plan): (Fingerprint, Fingerprint) = (home.fingerprint(), home.plan.fingerprint());
+        serde_json::to_writer(&mut self.lines, &Record::new(home, whole, plan)).map_err(Complaint::new)?;
+        self.lines.push(b'\n');
+        self.figures.statistics.add(home);
+        self.figures.marks.push(Mark(home.seed.0, whole, plan));
+        Ok(())
+    }
+}
+
+/// Where threads make files.
+struct Workshop<'a> {
+    set: &'a Set,
+    volumes: &'a [Volume],
+    progress: &'a ProgressBar,
+    /// Batches of each file, the longest's number for all.
+    batches: usize,
+    next: AtomicUsize,
+    files: Vec<Mutex<File>>,
+    error: Mutex<Option<Complaint>>,
+}
+
+/// A file in the making.
+#[derive(Default)]
+struct File {
+    parts: Vec<Option<Part>>,
+    sidecar: Option<Sidecar>,
+}
+
+impl<'a> Workshop<'a> {
+    fn new(set: &'a Set, volumes: &'a [Volume], progress: &'a ProgressBar) -> Self {
+        let batches = volumes.iter().map(Volume::batches).max().unwrap_or(0);
+        let files = volumes.iter().map(|_| Mutex::default()).collect();
+        Self { set, volumes, progress, batches, next: AtomicUsize::new(0), files, error: Mutex::new(None) }
+    }
+
+    /// Makes all files; gives their sidecars in order.
+    fn run(self) -> Result<Vec<Sidecar>, Complaint> {
+        std::thread::scope(|scope| {
+            for _ in 0..self.set.jobs {
+                scope.spawn(|| self.work());
+            }
+        });
+        let error = self.error.into_inner().unwrap_or_else(PoisonError::into_inner);
+        match error {
+            Some(error) => Err(error),
+            None => Ok(self.files.iter().filter_map(|f| locked(f).sidecar.take()).collect()),
+        }
+    }
+
+    /// Takes batches until there are none, or something failed.
+    fn work(&self) {
+        while locked(&self.error).is_none() {
+            let index = self.next.fetch_add(1, Ordering::Relaxed);
+            let (file, batch) = (index / self.batches.max(1), index % self.batches.max(1));
+            let Some(volume) = self.volumes.get(file) else { return };
+            if batch < volume.batches()
+                && let Err(error) = self.batch(file, volume, batch)
+            {
+                locked(&self.error).get_or_insert(error);
+            }
+        }
+    }
+
+    /// Makes a batch, and the file if it was the last.
+    fn batch(&self, file: usize, volume: &Volume, batch: usize) -> Result<(), Complaint> {
+        let seeds = volume.batch(batch);
+        let count = seeds.end - seeds.start;
+        let part = self.set.part(seeds)?;
+        self.progress.inc(count);
+        let parts = locked(&self.files[file]).put(batch, part, volume.batches());
+        if let Some(parts) = parts {
+            let sidecar = self.set.bind(volume, parts)?;
+            locked(&self.files[file]).sidecar = Some(sidecar);
+        }
+        Ok(())
+    }
+}
+
+impl File {
+    /// Takes in a batch; gives all of them if none is missing any more.
+    fn put(&mut self, batch: usize, part: Part, batches: usize) -> Option<Vec<Part>> {
+        self.parts.resize_with(batches, || None);
+        self.parts[batch] = Some(part);
+        let whole = self.parts.iter().all(Option::is_some);
+        whole.then(|| self.parts.iter_mut().filter_map(Option::take).collect())
+    }
+}
+
+/// What a lock guards; a thread that panicked ends the whole run anyway.
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::wishes::Wishes;
+    use std::collections::BTreeMap;
+    use std::path::Path;
+
+    fn set(out: &Path, jobs: usize, shard: Option<&str>) -> Set {
+        let wishes = Wishes::default();
+        Set {
+            specification: wishes.specification().unwrap(),
+            recipe: wishes.recipe(),
+            seed: 7,
+            count: 50,
+            per_file: 23,
+            shard: shard.map(|s| s.parse().unwrap()),
+            jobs,
+            out: out.to_owned(),
+        }
+    }
+
+    fn folder(name: &str) -> PathBuf {
+        let path = std::env::temp_dir().join(format!("virtualcity_{}_{name}", std::process::id()));
+        std::fs::create_dir_all(&path).unwrap();
+        path
+    }
+
+    fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+        let entries = std::fs::read_dir(folder).unwrap().map(Result::unwrap);
+        entries.map(|e| (e.file_name().into_string().unwrap(), std::fs::read(e.path()).unwrap())).collect()
+    }
+
+    #[test]
+    fn threads_shards_and_interruptions_change_nothing() {
+        let [one, three, shards] = ["one", "three", "shards"].map(folder);
+        run(&set(&one, 1, None)).unwrap();
+        let whole = files(&one);
+        assert_eq!(whole.keys().filter(|n| n.ends_with(".jsonl.gz")).count(), 3);
+
+        run(&set(&three, 3, None)).unwrap();
+        assert_eq!(files(&three), whole);
+
+        // A file cut short, one without its sidecar and one that was never finished.
+        let cut = &whole["homes_000000000007.jsonl.gz"];
+        std::fs::write(three.join("homes_000000000007.jsonl.gz"), &cut[..cut.len() / 2]).unwrap();
+        std::fs::remove_file(three.join("homes_000000000030.meta.json")).unwrap();
+        std::fs::remove_file(three.join("homes_000000000053.jsonl.gz")).unwrap();
+        run(&set(&three, 2, None)).unwrap();
+        assert_eq!(files(&three), whole);
+
+        run(&set(&shards, 1, Some("1/2"))).unwrap();
+        run(&set(&shards, 1, Some("0/2"))).unwrap();
+        run(&set(&shards, 1, None)).unwrap();
+        let mut joined = files(&shards);
+        assert!(joined.remove("manifest_0_of_2.json").is_some() && joined.remove("manifest_1_of_2.json").is_some());
+        assert_eq!(joined, whole);
+        [one, three, shards].iter().for_each(|f| std::fs::remove_dir_all(f).unwrap());
+    }
+
+    #[test]
+    fn another_set_is_not_mixed_in() {
+        let folder = folder("other");
+        let small = Set { count: 3, ..set(&folder, 1, None) };
+        run(&small).unwrap();
+        let wishes = Wishes { clutter: Some(0.3), ..Wishes::default() };
+        let other = Set { recipe: wishes.recipe(), ..small };
+        let complaint = format!("{:?}", run(&other).unwrap_err());
+        assert!(complaint.contains("another set"), "{complaint}");
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn shards_are_read() {
+        assert_eq!("3/16".parse(), Ok(Shard { index: 3, of: 16 }));
+        for wrong in ["", "3", "16/16", "1/0", "-1/2", "a/b"] {
+            assert!(wrong.parse::<Shard>().is_err(), "{wrong}");
+        }
+    }
+}

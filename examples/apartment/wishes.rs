@@ -1,0 +1,92 @@
+//! What can be wished for on the command line.
+
+use clap::Args;
+use virtualcity::procgen::Specification;
+
+use crate::support::Complaint;
+
+/// Wishes; what is left out is drawn from the seed.
+#[derive(Args, Clone, Default, serde::Serialize)]
+pub(crate) struct Wishes {
+    /// One room for living, sleeping and cooking: as --bedrooms 0.
+    #[arg(long, conflicts_with = "bedrooms")]
+    #[serde(skip)]
+    pub(crate) studio: bool,
+    /// Bedrooms, 0 to 6.
+    #[arg(long)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) bedrooms: Option<usize>,
+    /// Bathrooms, 1 to 4.
+    #[arg(long)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) bathrooms: Option<usize>,
+    /// Net area of all rooms but balconies, square metres.
+    #[arg(long)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) area: Option<f32>,
+    /// Balconies, 0 to 3.
+    #[arg(long)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) balconies: Option<usize>,
+    /// A kitchen open to the living room; =false for a closed one.
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) open_kitchen: Option<bool>,
+    /// A study; =false for none.
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) study: Option<bool>,
+    /// A laundry; =false for none.
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) laundry: Option<bool>,
+    /// A store room; =false for none.
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) storage: Option<bool>,
+    /// A separate toilet; =false for none.
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) wc: Option<bool>,
+    /// How many small things lie about, 0 to 1.
+    #[arg(long)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) clutter: Option<f32>,
+}
+
+impl Wishes {
+    /// The specification.
+    ///
+    /// # Errors
+    /// Says which wish is out of range.
+    pub(crate) fn specification(&self) -> Result<Specification, Complaint> {
+        let specification = Specification {
+            bedrooms: if self.studio { Some(0) } else { self.bedrooms },
+            bathrooms: self.bathrooms,
+            open_kitchen: self.open_kitchen,
+            study: self.study,
+            laundry: self.laundry,
+            storage: self.storage,
+            wc: self.wc,
+            balconies: self.balconies,
+            area: self.area,
+            style: None,
+            clutter: self.clutter,
+        };
+        specification.check().map_err(Complaint::new)?;
+        Ok(specification)
+    }
+
+    /// What makes the homes of a set again.
+    pub(crate) fn recipe(&self) -> Recipe {
+        let bedrooms = if self.studio { Some(0) } else { self.bedrooms };
+        Recipe { virtualcity: env!("CARGO_PKG_VERSION"), wishes: Self { bedrooms, ..self.clone() } }
+    }
+}
+
+/// The version and the wishes.
+#[derive(Clone, serde::Serialize)]
+pub(crate) struct Recipe {
+    virtualcity: &'static str,
+    wishes: Wishes,
+}
