@@ -7,7 +7,7 @@
 //! | [`graph`] | `vc-graph` | scenes, object classes, actions, goals, file formats |
 //! | [`tasks`] | `vc-tasks` | tasks, and how attempts at them end |
 //! | [`planner`] | `vc-planner` | belief, regression planner, agents, episodes |
-//! | `procgen` | `vc-procgen` | generated objects, pictures of them (feature `procgen`, on by default) |
+//! | `procgen` | `vc-procgen` | objects and apartments from a seed (feature `procgen`, on by default) |
 //!
 //! An agent that sees only its room brings the milk:
 //!
@@ -34,7 +34,7 @@
 //! # What is not here yet
 //!
 //! The environment with its five endpoints (make, reset, render, observation, set
-//! action), batches, physics, camera pictures and generated homes. `vc-relations`,
+//! action), batches, physics and camera pictures. `vc-relations`,
 //! `vc-physics` and `vc-render` are reserved names: nothing is built there, and this
 //! crate does not depend on them. Until then
 //! [`Simulator`](graph::Simulator) is the environment: symbolic, with poses that
