@@ -51,6 +51,7 @@ impl Bits {
         })
     }
 
+    /// How many bits are set.
     pub(crate) fn count(&self) -> usize {
         self.rows.iter().map(|w| w.count_ones() as usize).sum()
     }

