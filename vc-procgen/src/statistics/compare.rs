@@ -72,7 +72,7 @@ impl Comparison {
 }
 
 impl Statistics {
-    /// The figures beside those of [real homes](reference): area medians, shares of
+    /// The figures beside those of real homes: area medians, shares of
     /// plans with walls and doors between kinds of rooms, windows.
     ///
     /// All but the windows are those of homes with two or three bedrooms and as many
