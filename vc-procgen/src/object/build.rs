@@ -54,6 +54,7 @@ impl<'a> Build<'a> {
     /// The finished asset, moved so that its origin is the centre of its base.
     pub(crate) fn finish(self) -> Asset {
         let mut asset = self.asset;
+        super::reveal::reveal(&mut asset);
         if self.anchored {
             return asset;
         }

@@ -1,6 +1,8 @@
 //! What cabinet makers build everything from: carcasses, doors, drawers, legs and
 //! handles. Used by furniture, kitchens and bathrooms alike.
 
+use std::f32::consts::FRAC_PI_2;
+
 use super::build::{Build, P};
 use crate::material::Mat;
 
@@ -67,6 +69,31 @@ pub(super) enum Side {
     Right,
 }
 
+/// A hinged front that fills the rectangle `low..high` (its thickness along X) with
+/// a gap around; it opens outwards by up to 100 degrees.
+pub(super) fn door(b: &mut Build<'_>, name: &str, low: P, high: P, side: Side, kind: Handle, mats: (Mat, Mat)) {
+    let (low, high) = shrunk(low, high);
+    let (hinge, grip, turn) = match side {
+        Side::Left => (high[1], low[1] + 0.04, 1.0),
+        Side::Right => (low[1], high[1] - 0.04, -1.0),
+    };
+    let anchor = [high[0], hinge, low[2]];
+    b.hinge(anchor, [0.0, 0.0, turn], FRAC_PI_2 * 1.1, |b| {
+        b.block(name, low, high, mats.0);
+        let tall = high[2] - low[2];
+        let length = (tall * 0.35).min(0.16);
+        // Low units are gripped at the top, high ones at the bottom, tall ones in the middle.
+        let z = if tall > 1.1 {
+            f32::midpoint(low[2], high[2])
+        } else if low[2] > 1.2 {
+            low[2] + length * 0.5 + 0.04
+        } else {
+            high[2] - length * 0.5 - 0.04
+        };
+        handle(b, kind, [high[0], grip, z], length, true, mats.1);
+    });
+}
+
 /// A drawer that fills the space `low..high`: its front at the high X, its tray
 /// behind; it slides out by three quarters of its depth.
 pub(super) fn drawer(b: &mut Build<'_>, name: &str, low: P, high: P, kind: Handle, mats: (Mat, Mat, Mat)) {
@@ -88,6 +115,21 @@ pub(super) fn drawer(b: &mut Build<'_>, name: &str, low: P, high: P, kind: Handl
         let half = ((x1 - x0 - t) / 2.0 - 0.005, (y1 - y0) / 2.0 - t - 0.005);
         b.inside(name, centre, half, (high[2] - z0 - t - 0.02).max(0.0));
     });
+}
+
+/// Four straight legs under a rectangle of half lengths `half`, from the floor to
+/// `height`, square or round, inset from the edges.
+pub(super) fn legs(b: &mut Build<'_>, half: (f32, f32), height: f32, thickness: f32, round: bool, mat: Mat) {
+    let (x, y) = (half.0 - thickness / 2.0, half.1 - thickness / 2.0);
+    let r = thickness / 2.0;
+    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+        let (cx, cy) = (sx * x, sy * y);
+        if round {
+            b.lathe("leg", [cx, cy, 0.0], &[(r * 0.7, 0.0), (r, height * 0.9), (r, height)], mat);
+        } else {
+            b.block("leg", [cx - r, cy - r, 0.0], [cx + r, cy + r, height], mat);
+        }
+    }
 }
 
 fn shrunk(low: P, high: P) -> (P, P) {

@@ -24,6 +24,7 @@ mod pack;
 mod park;
 mod plant;
 mod play;
+mod reveal;
 mod seat;
 mod sport;
 mod storage;

@@ -65,42 +65,42 @@ fn every_part_is_a_closed_solid() {
 
 #[test]
 fn objects_keep_within_the_size_asked_for() {
-    holds_but_for(Rule::Size, 125);
+    holds_but_for(Rule::Size, 47);
 }
 
 #[test]
 fn objects_stand_on_the_middle_of_their_base() {
-    holds_but_for(Rule::Base, 12);
+    holds_but_for(Rule::Base, 10);
 }
 
 #[test]
 fn no_part_floats() {
-    holds_but_for(Rule::Floating, 185);
+    holds_but_for(Rule::Floating, 131);
 }
 
 #[test]
 fn triangles_keep_within_a_budget() {
-    holds_but_for(Rule::Triangles, 22);
+    holds_but_for(Rule::Triangles, 5);
 }
 
 #[test]
 fn no_two_faces_lie_in_one_place() {
-    holds_but_for(Rule::Faces, 415);
+    holds_but_for(Rule::Faces, 68);
 }
 
 #[test]
 fn surfaces_lie_on_the_object_and_are_free() {
-    holds_but_for(Rule::Surface, 66);
+    holds_but_for(Rule::Surface, 37);
 }
 
 #[test]
 fn what_holds_things_has_a_place_for_them() {
-    holds_but_for(Rule::Affordance, 18);
+    holds_but_for(Rule::Affordance, 10);
 }
 
 #[test]
 fn what_opens_moves_through_nothing() {
-    holds_but_for(Rule::Motion, 64);
+    holds_but_for(Rule::Motion, 56);
 }
 
 #[test]

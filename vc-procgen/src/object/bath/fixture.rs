@@ -36,7 +36,7 @@ fn oval_hull(b: &mut Build<'_>, name: &str, below: (f32, f32, f32, f32), above: 
     b.hull(name, &points, mat);
 }
 
-/// A rim between two ovals, piece by piece.
+/// A rim between two ovals.
 fn oval_rim(b: &mut Build<'_>, name: &str, outer: &[(f32, f32)], inner: &[(f32, f32)], (z0, z1): (f32, f32), mat: Mat) {
     for i in 0..outer.len() {
         let k = (i + 1) % outer.len();
@@ -44,23 +44,33 @@ fn oval_rim(b: &mut Build<'_>, name: &str, outer: &[(f32, f32)], inner: &[(f32, 
     }
 }
 
-/// An open bowl of oval rings, each lower one smaller; its inside is a place.
+/// An open oval bowl that narrows downwards; its inside is a place.
 fn oval_bowl(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (z0, z1): (f32, f32), wall: f32, mat: Mat) {
-    let middle = z0 + (z1 - z0) * 0.5;
-    let inset = (x1 - x0) * 0.1;
-    let upper = (oval(x0, x1, y), oval(x0 + wall, x1 - wall, y - wall));
-    oval_rim(b, "bowl", &upper.0, &upper.1, (middle, z1), mat);
-    let small = (y * 0.78 - wall).max(y * 0.3);
-    let lower = (oval(x0 + inset * 0.5, x1 - inset, y * 0.92), oval(x0 + inset + wall, x1 - inset * 1.6 - wall, small));
-    oval_rim(b, "bowl", &lower.0, &lower.1, (z0 + wall, middle), mat);
-    b.prism("bowl", Axis::Z, [0.0, 0.0, z0], &oval(x0 + inset * 0.6, x1 - inset * 1.1, y * 0.9), wall + 0.001, mat);
+    let tall = z1 - z0;
+    let outer = |inset: f32, k: f32| oval(x0 + (x1 - x0) * inset * 0.5, x1 - (x1 - x0) * inset, y * k);
+    let inner = |inset: f32, k: f32| {
+        let (a, c) = (x0 + (x1 - x0) * inset * 0.5 + wall, x1 - (x1 - x0) * inset - wall);
+        oval(a, c.max(a + wall), (y * k - wall).max(wall))
+    };
+    let floor = z0 + wall.min(tall * 0.4);
+    let loops = [
+        (outer(0.14, 0.84), z0),
+        (outer(0.05, 0.94), z0 + tall * 0.45),
+        (outer(0.01, 0.985), z1 - tall * 0.12),
+        (outer(0.0, 1.0), z1 - tall * 0.06),
+        (outer(0.01, 0.985), z1),
+        (inner(0.02, 0.97), z1),
+        (inner(0.06, 0.92), floor + (z1 - floor) * 0.45),
+        (inner(0.16, 0.7), floor),
+    ];
+    loft(b, "bowl", &loops, mat);
     let centre = f32::midpoint(x0, x1);
-    b.inside("basin", [centre, 0.0, z0 + wall + 0.001], ((x1 - x0) * 0.24, small * 0.6), z1 - z0 - wall - 0.004);
+    b.inside("basin", [centre, 0.0, floor], ((x1 - x0) * 0.22, (y * 0.7 - wall).max(wall) * 0.6), z1 - floor - 0.004);
 }
 
 /// A bowl with a seat and a lid on hinges; the cistern on it, or hidden in the wall.
 pub(super) fn toilet(b: &mut Build<'_>) {
-    let u = fit(b, [0.3, 0.18, 0.36]);
+    let u = fit(b, [0.48, 0.288, 0.576]);
     let (x, y, h) = spans(b);
     let rim = (h * 0.52).min(0.41 * (h / 0.72).max(0.5));
     let cistern = b.rng.chance(0.7);
@@ -75,7 +85,7 @@ pub(super) fn toilet(b: &mut Build<'_>) {
         b,
         "foot",
         (-x + 0.02 * u, reach, wide, 0.0),
-        (-x + 0.02 * u, x * 0.72, side * 0.88, floor + 0.002),
+        (-x + 0.02 * u, x * 0.72, side * 0.88, floor + 0.002 * u),
         PORCELAIN,
     );
     oval_bowl(b, (back - 0.03 * u, x, side), (floor, rim), 0.035 * u, PORCELAIN);
@@ -83,7 +93,7 @@ pub(super) fn toilet(b: &mut Build<'_>) {
     let shelf = [-x, -side * 0.8, floor * 0.9];
     b.soft("mount", shelf, [back + 0.03 * u, side * 0.8, rim], 0.02 * u, PORCELAIN);
     if cistern {
-        b.soft("cistern", [-x, -y * 0.98, rim - 0.004], [-x + tank, y * 0.98, h - 0.035 * u], 0.025 * u, PORCELAIN);
+        b.soft("cistern", [-x, -y * 0.98, rim - 0.004 * u], [-x + tank, y * 0.98, h - 0.035 * u], 0.025 * u, PORCELAIN);
         b.soft("cistern_lid", [-x, -y, h - 0.036 * u], [-x + tank + 0.006 * u, y, h - 0.006 * u], 0.012 * u, PORCELAIN);
         b.top("cistern", [-x + tank * 0.3, 0.0, h], (tank * 0.28, y * 0.8));
         b.cylinder("button", [-x + tank * 0.7, 0.0, h - 0.008 * u], 0.022 * u, 0.008 * u, CHROME);
@@ -104,7 +114,7 @@ pub(super) fn toilet(b: &mut Build<'_>) {
 /// Seat and lid, each on a hinge of its own.
 fn toilet_seat(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), rim: f32, u: f32) {
     let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, WHITE_PLASTIC, b.style.wood, BLACK_PLASTIC]);
-    let (t, low) = (0.018 * u, rim + 0.002);
+    let (t, low) = (0.018 * u, rim + 0.002 * u);
     let anchor = [x0, 0.0, low + t];
     for cy in [-y * 0.4, y * 0.4] {
         b.rod(
@@ -115,20 +125,20 @@ fn toilet_seat(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), rim: f32, u: f32
             CHROME,
         );
     }
-    let (outer, inner) = (oval(x0 + 0.002, x1, y), oval(x0 + 0.09 * u, x1 - 0.07 * u, y * 0.62));
+    let (outer, inner) = (oval(x0 + 0.002 * u, x1, y), oval(x0 + 0.09 * u, x1 - 0.07 * u, y * 0.62));
     lid(b, anchor, 1.5, |b| {
         oval_rim(b, "seat", &outer, &inner, (low, low + t), mat);
     });
     // A hair's breadth tells the lid's hinge from the seat's.
-    lid(b, [anchor[0], 0.0, anchor[2] + 0.002], 1.55, |b| {
-        b.prism("lid", Axis::Z, [0.0, 0.0, low + t + 0.002], &outer, t * 0.9, mat);
-        b.top("lid", [f32::midpoint(x0, x1), 0.0, low + t * 1.9 + 0.002], ((x1 - x0) * 0.3, y * 0.6));
+    lid(b, [anchor[0], 0.0, anchor[2] + 0.002 * u], 1.55, |b| {
+        b.prism("lid", Axis::Z, [0.0, 0.0, low + t + 0.002 * u], &outer, t * 0.9, mat);
+        b.top("lid", [f32::midpoint(x0, x1), 0.0, low + t * 1.9 + 0.002 * u], ((x1 - x0) * 0.3, y * 0.6));
     });
 }
 
 /// A low bowl like a toilet's with a tap.
 pub(super) fn bidet(b: &mut Build<'_>) {
-    let u = fit(b, [0.26, 0.17, 0.19]);
+    let u = fit(b, [0.416, 0.272, 0.304]);
     let (x, y, h) = spans(b);
     let top = h * 0.82;
     let floor = top * 0.55;
@@ -137,13 +147,13 @@ pub(super) fn bidet(b: &mut Build<'_>) {
         b,
         "foot",
         (-x + 0.01 * u, x * 0.5, y * 0.66, 0.0),
-        (-x + 0.01 * u, x * 0.8, y * 0.86, floor + 0.002),
+        (-x + 0.01 * u, x * 0.8, y * 0.86, floor + 0.002 * u),
         PORCELAIN,
     );
     oval_bowl(b, (-x + 0.1 * u, x, y), (floor, top), wall, PORCELAIN);
     b.soft("deck", [-x, -y * 0.78, floor * 0.8], [-x + 0.15 * u, y * 0.78, top], 0.015 * u, PORCELAIN);
     let tap = b.style.tap;
-    b.cylinder("tap", [-x + 0.06 * u, 0.0, top - 0.001], 0.02 * u, (h - top) * 0.7, tap);
+    b.cylinder("tap", [-x + 0.06 * u, 0.0, top - 0.001 * u], 0.02 * u, (h - top) * 0.7, tap);
     b.bar(
         "spout",
         [-x + 0.06 * u, 0.0, top + (h - top) * 0.5],
@@ -156,26 +166,26 @@ pub(super) fn bidet(b: &mut Build<'_>) {
 
 /// A basin on a pedestal, on the wall over a siphon's cover, or a bowl for a vanity.
 pub(super) fn washbasin(b: &mut Build<'_>) {
-    let u = fit(b, [0.18, 0.2, 0.07]);
+    let u = fit(b, [0.288, 0.32, 0.08]);
     let (x, y, h) = spans(b);
-    if h <= 0.5 {
+    if h <= 0.25 {
         return bowl_basin(b, u);
     }
-    let deep = (h * 0.2).min(0.19);
+    let deep = (h * 0.45).min(0.19);
     let (rim, ledge, t) = (h, 0.1 * u, 0.025 * u);
     let square = b.rng.chance(0.45);
     if square {
         b.block("ledge", [-x, -y, rim - deep], [-x + ledge, y, rim], PORCELAIN);
         pit(b, "basin", [-x + ledge, -y, rim - deep], [x, y, rim], t, PORCELAIN);
-        floor_of(b, "basin", [-x + ledge + t, -y + t, rim - deep + t + 0.0015], [x - t, y - t, rim]);
-        b.cylinder("waste", [ledge / 2.0, 0.0, rim - deep - 0.001], 0.03 * u, t + 0.002, CHROME);
+        floor_of(b, "basin", [-x + ledge + t, -y + t, rim - deep + t + 0.0015 * u], [x - t, y - t, rim]);
+        b.cylinder("waste", [ledge / 2.0, 0.0, rim - deep - 0.001 * u], 0.03 * u, t + 0.002 * u, CHROME);
     } else {
         oval_bowl(b, (-x + ledge * 0.8, x, y), (rim - deep, rim), t, PORCELAIN);
         b.soft("ledge", [-x, -y * 0.8, rim - deep * 0.8], [-x + ledge, y * 0.8, rim], 0.012 * u, PORCELAIN);
-        b.cylinder("waste", [ledge * 0.4, 0.0, rim - deep + t * 0.5], 0.025 * u, t * 0.5 + 0.002, CHROME);
+        b.cylinder("waste", [ledge * 0.4, 0.0, rim - deep + t * 0.5], 0.025 * u, t * 0.5 + 0.002 * u, CHROME);
     }
     b.top("ledge", [-x + ledge * 0.44, 0.0, rim], (ledge * 0.4, (y * 0.7).min(0.14)));
-    let under = rim - deep + 0.002;
+    let under = rim - deep + 0.002 * u;
     match b.rng.below(3) {
         0 => {
             let foot = ([-x + 0.02 * u, -y * 0.32], [x * 0.15, y * 0.32]);
@@ -195,7 +205,7 @@ pub(super) fn washbasin(b: &mut Build<'_>) {
             b.block("plinth", [-x, -y * 0.86, 0.0], [x * 0.7, y * 0.86, low[2]], b.style.cabinet);
             case(b, low, high, t, b.style.cabinet);
             let look = Look::any(b, b.style.cabinet, t);
-            let inner = ([low[0] + t, low[1] + t, low[2] + t], [high[0] - 0.002, high[1] - t, high[2] - t]);
+            let inner = ([low[0] + t, low[1] + t, low[2] + t], [high[0] - 0.002 * u, high[1] - t, high[2] - t]);
             floor_of(b, "cupboard", inner.0, inner.1);
             let look = Look { handle: crate::object::joinery::Handle::None, ..look };
             cupboard_doors(b, &look, ([high[0], low[1], low[2]], [high[0] + t, high[1], high[2]]), 0.5, false);
@@ -214,8 +224,8 @@ fn bowl_basin(b: &mut Build<'_>, u: f32) {
             let profile =
                 [(r * 0.5, 0.0), (r * 0.86, h * 0.4), (r, h), (r - t, h), (r * 0.86 - t, h * 0.42), (r * 0.5, t)];
             b.lathe("bowl", [0.0; 3], &profile, mat);
-            b.cylinder("waste", [0.0, 0.0, t * 0.5], r * 0.12, t * 0.5 + 0.001, CHROME);
-            b.inside("basin", [0.0, 0.0, t + 0.0015], (r * 0.34, r * 0.34), h - t - 0.003);
+            b.cylinder("waste", [0.0, 0.0, t * 0.5], r * 0.12, t * 0.5 + 0.001 * u, CHROME);
+            b.inside("basin", [0.0, 0.0, t + 0.0015 * u], (r * 0.34, r * 0.34), h - t - 0.003 * u);
         }
         1 => {
             oval_hull(b, "foot", (-x * 0.5, x * 0.5, y * 0.5, 0.0), (-x * 0.8, x * 0.8, y * 0.86, h * 0.3), mat);
@@ -224,118 +234,88 @@ fn bowl_basin(b: &mut Build<'_>, u: f32) {
         _ => {
             b.block("foot", [-x * 0.8, -y * 0.85, 0.0], [x * 0.8, y * 0.85, h * 0.15], mat);
             pit(b, "bowl", [-x, -y, h * 0.14], [x, y, h], t, mat);
-            b.cylinder("waste", [0.0, 0.0, h * 0.14], 0.022 * u, t + 0.001, CHROME);
-            floor_of(b, "basin", [-x + t, -y + t, h * 0.14 + t + 0.0015], [x - t, y - t, h]);
+            b.cylinder("waste", [0.0, 0.0, h * 0.14], 0.022 * u, t + 0.001 * u, CHROME);
+            floor_of(b, "basin", [-x + t, -y + t, h * 0.14 + t + 0.0015 * u], [x - t, y - t, h]);
         }
     }
 }
 
-/// A tub: panelled, free-standing or on feet, with a tap at its end or on its side.
+/// A tub: panelled, free-standing or on feet.
 pub(super) fn bathtub(b: &mut Build<'_>) {
-    let u = fit(b, [0.35, 0.7, 0.25]);
+    let u = fit(b, [0.56, 1.12, 0.4]);
     let (x, y, h) = spans(b);
-    let (rim, floor) = (0.07 * u, h * 0.22);
-    let t = 0.03 * u;
-    let free = b.rng.chance(0.4);
-    let feet = free && b.rng.chance(0.6);
+    let (rim, floor) = (0.07 * u, h * 0.24);
+    let free = b.rng.chance(0.5);
+    let feet = free && b.rng.chance(0.5);
     let mat = b.one(&[WHITE_METAL, WHITE_METAL, PORCELAIN]);
-    let (wall_x, wall_y) = (x - rim, y - rim);
-    let base = if feet { floor * 0.75 } else { 0.0 };
-    let inside = (wall_x * 0.84, wall_y * 0.86);
-    if free {
-        let skirt = b.one(&[mat, BLACK_METAL, mat, BLUE_GLAZE]);
-        tub_walls(
-            b,
-            ((x * 0.97, y * 0.98), (x * 0.76, y * 0.84)),
-            (inside, (wall_x, wall_y)),
-            (base, floor, h - 0.02 * u),
-            skirt,
-        );
-        if feet {
-            for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
-                let at = [sx * x * 0.6, sy * y * 0.66, 0.0];
-                b.lathe(
-                    "foot",
-                    at,
-                    &[(0.035 * u, 0.0), (0.022 * u, base * 0.4), (0.04 * u, base + 0.003)],
-                    b.style.tap,
-                );
-            }
-        }
+    let base = if feet { floor * 0.6 } else { 0.0 };
+    let (mouth, bed) = ((x - rim, y - rim), ((x - rim) * 0.84, (y - rim) * 0.86));
+    let round = x * if free { 0.9 } else { 0.35 };
+    let hollow = [
+        (oblong(mouth, round * 0.9), h),
+        (oblong((mouth.0 * 0.95, mouth.1 * 0.95), round * 0.85), floor + (h - floor) * 0.3),
+        (oblong(bed, round * 0.75), floor),
+    ];
+    let outer = if free {
+        let skirt = (x * 0.74, y * 0.84);
+        vec![
+            (oblong(skirt, round * 0.7), base),
+            (oblong((x * 0.9, y * 0.94), round * 0.85), h * 0.55),
+            (oblong((x * 0.95, y * 0.97), round), h - 0.03 * u),
+            (oblong((x, y), round), h - 0.025 * u),
+            (oblong((x, y), round), h),
+        ]
     } else {
+        let edge = oblong((x, y), 0.02 * u);
+        vec![(oblong((x - 0.02 * u, y - 0.004 * u), 0.02 * u), 0.0), (edge.clone(), h - 0.03 * u), (edge, h)]
+    };
+    let loops: Vec<_> = outer.into_iter().chain(hollow).collect();
+    loft(b, "tub", &loops, mat);
+    if feet {
+        for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+            let at = [sx * x * 0.52, sy * y * 0.66, 0.0];
+            b.lathe(
+                "foot",
+                at,
+                &[(0.035 * u, 0.0), (0.022 * u, base * 0.4), (0.045 * u, base + 0.004 * u)],
+                b.style.tap,
+            );
+        }
+    }
+    if !free {
         let panel = b.one(&[WHITE, WHITE, b.style.tile, b.style.wood]);
-        b.block("panel", [x - 0.02 * u, -y + 0.01 * u, 0.0], [x - 0.004 * u, y - 0.01 * u, h - 0.028 * u], panel);
-        tub_walls(
-            b,
-            ((x - 0.022 * u, y - 0.006 * u), (x - 0.022 * u, y - 0.006 * u)),
-            (inside, (wall_x, wall_y)),
-            (0.0, floor, h - 0.02 * u),
-            mat,
-        );
+        b.block("panel", [x - 0.03 * u, -y + 0.012 * u, 0.0], [x - 0.005 * u, y - 0.012 * u, h - 0.04 * u], panel);
     }
-    let hole = ((-wall_x, -wall_y), (wall_x, wall_y));
-    ring(b, "rim", Axis::Z, ([-x, -y, h - 0.03 * u], [x, y, h - 0.0]), hole, mat);
-    b.cylinder("waste", [0.0, -inside.1 * 0.8, floor - 0.01], 0.03 * u, 0.012, CHROME);
-    let centre = [0.0, 0.0, floor + 0.0025];
-    b.inside("basin", centre, (inside.0 * 0.96, inside.1 * 0.96), h - floor - 0.004);
-    b.top("rim", [0.0, wall_y + rim * 0.5, h], (x * 0.9, rim * 0.42));
-    b.lathe_along(
-        "overflow",
-        [0.0, -wall_y - 0.002, h * 0.78],
-        [0.0, 0.0, h * 0.78],
-        &[(0.03 * u, 0.0), (0.03 * u, t * 0.4)],
-        CHROME,
+    b.cylinder("waste", [0.0, -bed.1 * 0.8, floor - 0.01], 0.03 * u, 0.0115, CHROME);
+    b.inside(
+        "basin",
+        [0.0, 0.0, floor + 0.002 * u],
+        ((bed.0 - round * 0.26).max(bed.0 * 0.3), bed.1 - (round * 0.26).min(bed.1 * 0.5)),
+        h - floor - 0.004 * u,
     );
-    let _ = t;
-}
-
-/// Floor and slanting walls of a tub: outer half lengths above and below, inner ones
-/// below and above.
-fn tub_walls(
-    b: &mut Build<'_>,
-    (top, bottom): ((f32, f32), (f32, f32)),
-    (floor, mouth): ((f32, f32), (f32, f32)),
-    (z0, z1, z2): (f32, f32, f32),
-    mat: Mat,
-) {
-    b.taper(
-        "floor",
-        [0.0, 0.0, z0],
-        bottom,
-        (f32::midpoint(bottom.0, top.0), f32::midpoint(bottom.1, top.1)),
-        z1 - z0,
-        mat,
-    );
-    let level = |p: (f32, f32), s: [f32; 2], z: f32| [p.0 * s[0], p.1 * s[1], z];
-    let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
-    for i in 0..4 {
-        let (a, c) = (corners[i], corners[(i + 1) % 4]);
-        let below = z1 - (z1 - z0) * 0.2;
-        let points: Vec<P> = [a, c]
-            .into_iter()
-            .flat_map(|s| [level(top, s, z2), level(mouth, s, z2), level(floor, s, below), level(bottom, s, below)])
-            .collect();
-        b.hull("wall", &points, mat);
-    }
+    let shelf = if free { x * 0.3 } else { x * 0.8 };
+    b.top("rim", [0.0, mouth.1 + rim * 0.5, h], (shelf, rim * 0.42));
+    let z = h * 0.8;
+    b.rod("overflow", [0.0, -mouth.1 - 0.01 * u, z], [0.0, -mouth.1 * 0.97 + 0.012 * u, z], 0.028 * u, CHROME);
 }
 
 /// A tray, one or two panes of glass, a riser with a head and a mixer.
 pub(super) fn shower(b: &mut Build<'_>) {
-    let u = fit(b, [0.4, 0.4, 1.0]);
+    let u = fit(b, [0.64, 0.64, 1.6]);
     let (x, y, h) = spans(b);
     let tray = tray(b, u);
     let (t, tap) = (0.008 * u, b.style.tap);
     let pane = b.one(&[GLASS, GLASS, FROSTED_GLASS]);
     let top = h * 0.96;
     let edge = y - t * 2.0;
-    b.block("pane", [-x + 0.02 * u, edge - t, tray - 0.001], [x - 0.02 * u, edge, top], pane);
-    b.block("profile", [-x, edge - t * 1.6, tray - 0.001], [-x + 0.02 * u, edge + t * 0.6, top], tap);
-    b.block("profile", [x - 0.02 * u, edge - t * 1.6, tray - 0.001], [x, edge + t * 0.6, top], tap);
+    b.block("pane", [-x + 0.02 * u, edge - t, tray - 0.001 * u], [x - 0.02 * u, edge, top], pane);
+    b.block("profile", [-x, edge - t * 1.6, tray - 0.001 * u], [-x + 0.02 * u, edge + t * 0.6, top], tap);
+    b.block("profile", [x - 0.02 * u, edge - t * 1.6, tray - 0.001 * u], [x, edge + t * 0.6, top], tap);
     if b.rng.chance(0.5) {
         let half = -y * b.vary(0.0, 0.3);
-        b.block("pane", [x - 0.02 * u, half, tray - 0.001], [x - 0.012 * u, edge - t * 1.6, top], pane);
+        b.block("pane", [x - 0.02 * u, half, tray - 0.001 * u], [x - 0.012 * u, edge - t * 1.6, top], pane);
     }
-    let panel = [-x, -y * 0.9, tray - 0.001];
+    let panel = [-x, -y * 0.9, tray - 0.001 * u];
     b.block("back_panel", panel, [-x + 0.012 * u, edge - t * 1.6, h], b.style.tile);
     riser(b, [-x + 0.012 * u, -y * 0.05, 0.0], h, u);
 }
@@ -349,7 +329,7 @@ fn tray(b: &mut Build<'_>, u: f32) -> f32 {
     let mat = b.one(&[WHITE_METAL, WHITE_METAL, SLATE_TILE]);
     b.block("tray", [-x, -y, 0.0], [x, y, floor], mat);
     ring(b, "tray", Axis::Z, ([-x, -y, floor], [x, y, tall]), ((-x + rim, -y + rim), (x - rim, y - rim)), mat);
-    b.cylinder("waste", [0.0, 0.0, floor - 0.001], 0.05 * u, 0.004 * u, CHROME);
+    b.cylinder("waste", [0.0, 0.0, floor - 0.001 * u], 0.05 * u, 0.004 * u, CHROME);
     tall
 }
 
@@ -361,10 +341,10 @@ fn riser(b: &mut Build<'_>, at: P, h: f32, u: f32) {
     let (mixer, top) = (h * 0.52, h * 0.94);
     b.rod("mixer", [x + out, y - 0.13 * u, mixer], [x + out, y + 0.13 * u, mixer], 0.02 * u, tap);
     for cy in [-0.075, 0.075] {
-        b.rod("mixer", [x - 0.001, y + cy * u, mixer], [x + out, y + cy * u, mixer], 0.014 * u, tap);
+        b.rod("mixer", [x - 0.001 * u, y + cy * u, mixer], [x + out, y + cy * u, mixer], 0.014 * u, tap);
     }
     b.rod("pole", [x + out, y, mixer], [x + out, y, top], 0.01 * u, tap);
-    b.rod("bracket", [x - 0.001, y, top - 0.05 * u], [x + out, y, top - 0.05 * u], 0.01 * u, tap);
+    b.rod("bracket", [x - 0.001 * u, y, top - 0.05 * u], [x + out, y, top - 0.05 * u], 0.01 * u, tap);
     if b.rng.chance(0.5) {
         let reach = x + (b.size.x * 0.42).min(0.4);
         b.pipe("arm", &[[x + out, y, top], [reach, y, top]], 0.01 * u, tap);
@@ -388,9 +368,9 @@ fn riser(b: &mut Build<'_>, at: P, h: f32, u: f32) {
 
 /// Four glass walls on a tray, one a sliding or hinged door.
 pub(super) fn shower_stall(b: &mut Build<'_>) {
-    let u = fit(b, [0.4, 0.4, 1.0]);
+    let u = fit(b, [0.64, 0.64, 1.6]);
     let (x, y, h) = spans(b);
-    let low = tray(b, u) - 0.001;
+    let low = tray(b, u) - 0.001 * u;
     let (t, post, tap) = (0.008 * u, 0.03 * u, b.style.tap);
     let pane = b.one(&[GLASS, GLASS, FROSTED_GLASS]);
     let roof = b.rng.chance(0.4);
@@ -402,32 +382,38 @@ pub(super) fn shower_stall(b: &mut Build<'_>) {
     let inset = post * 0.4;
     for cy in [-y + inset, y - inset - t] {
         b.block("pane", [-x + post, cy, low], [x - post, cy + t, top], pane);
-        b.block("rail", [-x + post, cy - t * 0.5, top - post], [x - post, cy + t * 1.5, top - 0.001], tap);
+        b.block("rail", [-x + post, cy - t * 0.5, top - post], [x - post, cy + t * 1.5, top - 0.001 * u], tap);
     }
-    b.block("rail", [x - post * 0.9, -y + post, top - post], [x - post * 0.1, y - post, top - 0.001], tap);
+    b.block("rail", [x - post * 0.9, -y + post, top - post], [x - post * 0.1, y - post, top - 0.001 * u], tap);
     let face = x - post * 0.5;
     let (y0, y1, z1) = (-y + post, y - post, top - post);
     let middle = f32::midpoint(y0, y1);
     let grip = |b: &mut Build<'_>, cy: f32| {
         let z = h * 0.5;
-        b.block("grip", [face + t * 0.4, cy - 0.008 * u, z - 0.1 * u], [x - 0.001, cy + 0.008 * u, z + 0.1 * u], tap);
+        b.block(
+            "grip",
+            [face + t * 0.4, cy - 0.008 * u, z - 0.1 * u],
+            [x - 0.001 * u, cy + 0.008 * u, z + 0.1 * u],
+            tap,
+        );
     };
     if b.rng.chance(0.5) {
-        let (dl, dh) = ([face - t * 0.5, y0 + 0.003, low + 0.006 * u], [face + t * 0.5, y1 - 0.003, z1 - 0.003]);
+        let (dl, dh) =
+            ([face - t * 0.5, y0 + 0.003 * u, low + 0.006 * u], [face + t * 0.5, y1 - 0.003 * u, z1 - 0.003 * u]);
         swing(b, Swing::Left, dl, dh, 1.5, |b| {
             b.block("door", dl, dh, pane);
             grip(b, y0 + 0.06 * u);
         });
     } else {
         b.block("pane", [face - t * 1.7, middle - 0.02 * u, low], [face - t * 0.7, y1, z1], pane);
-        let (from, to) = ([face - t * 0.5, y0, low + 0.006 * u], [face + t * 0.5, middle, z1 - 0.003]);
+        let (from, to) = ([face - t * 0.5, y0, low + 0.006 * u], [face + t * 0.5, middle, z1 - 0.003 * u]);
         b.jointed(JointKind::Slide, from, [0.0, 1.0, 0.0], (0.0, (y1 - middle) * 0.9), |b| {
             b.block("door", from, to, pane);
             grip(b, middle - 0.05 * u);
         });
     }
     if roof {
-        b.soft("roof", [-x, -y, top - 0.001], [x, y, h], 0.02 * u, WHITE_PLASTIC);
+        b.soft("roof", [-x, -y, top - 0.001 * u], [x, y, h], 0.02 * u, WHITE_PLASTIC);
     }
     riser(b, [-x + 0.012 * u, 0.0, 0.0], top * 0.98, u);
 }

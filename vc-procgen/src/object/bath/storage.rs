@@ -18,7 +18,7 @@ fn face(b: &Build<'_>, look: &Look) -> f32 {
 
 /// A cabinet under a top for a basin, on legs, on a plinth or hung on the wall.
 pub(super) fn bathroom_vanity(b: &mut Build<'_>) {
-    let u = fit(b, [0.22, 0.3, 0.4]);
+    let u = fit(b, [0.352, 0.48, 0.64]);
     let (x, y, h) = spans(b);
     let look = bath_look(b, u);
     let (slab, t) = (b.vary(0.02, 0.04) * u, look.t);
@@ -34,14 +34,14 @@ pub(super) fn bathroom_vanity(b: &mut Build<'_>) {
         1 => {
             case(b, low, high, t, look.mat);
             let count = if under - floor > 0.4 { b.rng.count(2, 3) } else { 2 };
-            drawers(b, &look, ([low[0] + t, low[1], floor + t * 0.5], [front, high[1], under]), count, 1.2);
+            drawers(b, &look, "drawer", ([low[0] + t, low[1], floor + t * 0.5], [front, high[1], under]), (count, 1.2));
         }
         2 => {
             let middle = high[1] - (high[1] - low[1]) * b.vary(0.3, 0.42);
             cupboard(b, &look, (low, [high[0], middle, under]), 2, "shelf");
             let side = [low[0], middle, floor];
             case(b, side, high, t, look.mat);
-            drawers(b, &look, ([low[0] + t, middle, floor + t * 0.5], [front, high[1], under]), 3, 1.3);
+            drawers(b, &look, "drawer", ([low[0] + t, middle, floor + t * 0.5], [front, high[1], under]), (3, 1.3));
         }
         _ => {
             // Drawers above, an open shelf below.
@@ -49,7 +49,7 @@ pub(super) fn bathroom_vanity(b: &mut Build<'_>) {
             case(b, low, [high[0], high[1], split], t, look.mat);
             floor_of(b, "shelf", [low[0] + t, low[1] + t, floor + t], [high[0], high[1] - t, split - t]);
             case(b, [low[0], low[1], split], high, t, look.mat);
-            drawers(b, &look, ([low[0] + t, low[1], split + t * 0.5], [front, high[1], under]), 1, 1.0);
+            drawers(b, &look, "drawer", ([low[0] + t, low[1], split + t * 0.5], [front, high[1], under]), (1, 1.0));
         }
     }
 }
@@ -63,7 +63,14 @@ fn stand(b: &mut Build<'_>, look: &Look, (front, y): (f32, f32), h: f32, u: f32)
             let metal = b.one(&[look.metal, look.mat]);
             for cx in [-x + 0.03 * u, front - 0.04 * u] {
                 for cy in [-y + 0.03 * u, y - 0.03 * u] {
-                    b.taper("leg", [cx, cy, 0.0], (0.011 * u, 0.011 * u), (0.017 * u, 0.017 * u), floor + 0.002, metal);
+                    b.taper(
+                        "leg",
+                        [cx, cy, 0.0],
+                        (0.011 * u, 0.011 * u),
+                        (0.017 * u, 0.017 * u),
+                        floor + 0.002 * u,
+                        metal,
+                    );
                 }
             }
             floor
@@ -79,7 +86,7 @@ fn stand(b: &mut Build<'_>, look: &Look, (front, y): (f32, f32), h: f32, u: f32)
                 b.block(
                     "side",
                     [-x + 0.004 * u, cy.0, 0.0],
-                    [front - look.t - 0.003 * u, cy.1, floor + 0.002],
+                    [front - look.t - 0.003 * u, cy.1, floor + 0.002 * u],
                     look.mat,
                 );
             }
@@ -100,10 +107,10 @@ fn cupboard(b: &mut Build<'_>, look: &Look, (low, high): (P, P), spaces: usize, 
 
 /// A low or hanging cabinet with doors and perhaps a drawer, its top free.
 pub(super) fn bathroom_cabinet(b: &mut Build<'_>) {
-    let u = fit(b, [0.14, 0.2, 0.28]);
+    let u = fit(b, [0.224, 0.32, 0.448]);
     let (x, y, h) = spans(b);
     let look = bath_look(b, u);
-    let front = face(b, &look);
+    let front = face(b, &look) - 0.006 * u;
     let t = look.t;
     let top = h - 0.02 * u;
     let slab = b.one(&[look.mat, MARBLE, WHITE]);
@@ -128,7 +135,7 @@ pub(super) fn bathroom_cabinet(b: &mut Build<'_>) {
 
 /// A tall, narrow cabinet: doors above and below, open shelves between on some.
 pub(super) fn towel_cabinet(b: &mut Build<'_>) {
-    let u = fit(b, [0.15, 0.15, 0.7]);
+    let u = fit(b, [0.24, 0.24, 1.12]);
     let (x, y, h) = spans(b);
     let look = bath_look(b, u);
     let (front, t) = (face(b, &look), look.t);
@@ -142,7 +149,7 @@ pub(super) fn towel_cabinet(b: &mut Build<'_>) {
     cupboard(b, &look, (low, [high[0], high[1], a]), 2, "shelf");
     let (middle, mat) = ([low[0], low[1], a], look.mat);
     case(b, middle, [high[0], high[1], c], t, mat);
-    let hollow = ([low[0] + t, low[1] + t, a + t], [high[0] - 0.004, high[1] - t, c - t]);
+    let hollow = ([low[0] + t, low[1] + t, a + t], [high[0] - 0.004 * u, high[1] - t, c - t]);
     let open = b.rng.count(1, 2);
     tiers(b, "open_shelf", hollow, open, t, |b, l, h| b.block("shelf", l, h, mat));
     cupboard(b, &look, ([low[0], low[1], c], high), 2, "upper_shelf");
@@ -150,7 +157,7 @@ pub(super) fn towel_cabinet(b: &mut Build<'_>) {
 
 /// A cabinet open to the pipes above, behind doors.
 pub(super) fn under_sink_cabinet(b: &mut Build<'_>) {
-    let u = fit(b, [0.2, 0.25, 0.27]);
+    let u = fit(b, [0.32, 0.4, 0.432]);
     let (x, y, h) = spans(b);
     let look = bath_look(b, u);
     let (front, t, kick) = (face(b, &look), look.t, 0.06 * u);
@@ -182,7 +189,7 @@ pub(super) fn under_sink_cabinet(b: &mut Build<'_>) {
 
 /// Shelves on the wall, a ladder of shelves or one board with a rim.
 pub(super) fn bathroom_shelf(b: &mut Build<'_>) {
-    let u = fit(b, [0.06, 0.15, 0.025]);
+    let u = fit(b, [0.096, 0.24, 0.04]);
     let (x, y, h) = spans(b);
     let (metal, wood) = (b.style.tap, b.one(&[b.style.wood, WHITE, GLASS, BAMBOO]));
     let t = (0.012 * u).min(h * 0.4);
@@ -208,12 +215,12 @@ pub(super) fn bathroom_shelf(b: &mut Build<'_>) {
                 [[-x + r, -y + r, h - r], [x - r, -y + r, h - r], [x - r, y - r, h - r], [-x + r, y - r, h - r]];
             b.pipe("rail", &points, r, metal);
             for p in points {
-                b.rod("post", [p[0], p[1], z + t - 0.001], p, r * 0.9, metal);
+                b.rod("post", [p[0], p[1], z + t - 0.001 * u], p, r * 0.9, metal);
             }
         }
         return;
     }
-    let count = (h / 0.32).round().clamp(2.0, 6.0) as usize;
+    let count = (h / 0.26).round().clamp(2.0, 6.0) as usize;
     let ladder = h > 0.9 && b.rng.chance(0.4);
     let bottom = if h > 0.9 { h * 0.08 } else { 0.0 };
     let pitch = (h - t - bottom - if h > 0.9 { h * 0.12 } else { h * 0.06 }) / (count - 1) as f32;
@@ -224,7 +231,7 @@ pub(super) fn bathroom_shelf(b: &mut Build<'_>) {
         let depth = if ladder { 1.0 - 0.45 * i as f32 / count as f32 } else { 1.0 };
         let front = -x + 2.0 * x * depth;
         b.block("shelf", [-x, -y + post, z], [front, y - post, z + t], wood);
-        let room = if i + 1 == count { (h - z - t).max(0.2) } else { pitch - t - 0.003 };
+        let room = if i + 1 == count { (h - z - t).max(0.2) } else { pitch - t - 0.003 * u };
         b.ledge(
             &format!("shelf_{}", i + 1),
             [(front - x) / 2.0, 0.0, z + t],
@@ -253,7 +260,7 @@ fn wood_or(b: &Build<'_>, mat: Mat) -> Mat {
 
 /// A shallow cabinet on the wall with mirrors for doors.
 pub(super) fn medicine_cabinet(b: &mut Build<'_>) {
-    let u = fit(b, [0.06, 0.2, 0.27]);
+    let u = fit(b, [0.096, 0.32, 0.432]);
     let (x, y, h) = spans(b);
     let body = b.one(&[WHITE, b.style.cabinet, ALUMINIUM]);
     let t = 0.014 * u;
@@ -281,7 +288,13 @@ pub(super) fn medicine_cabinet(b: &mut Build<'_>) {
                 MIRROR,
             );
             if knobs {
-                b.rod("knob", [front - 0.003, grip, h * 0.2], [front + 0.018 * u, grip, h * 0.2], 0.009 * u, CHROME);
+                b.rod(
+                    "knob",
+                    [front - 0.003 * u, grip, h * 0.2],
+                    [front + 0.018 * u, grip, h * 0.2],
+                    0.009 * u,
+                    CHROME,
+                );
             }
         });
     }
@@ -296,13 +309,13 @@ pub(super) fn medicine_cabinet(b: &mut Build<'_>) {
         );
     }
     if x > 0.05 {
-        b.rod("pull", [front - 0.002, y * 0.06, 0.025 * u], [x, y * 0.06, 0.025 * u], 0.006 * u, CHROME);
+        b.rod("pull", [front - 0.002 * u, y * 0.06, 0.025 * u], [x, y * 0.06, 0.025 * u], 0.006 * u, CHROME);
     }
 }
 
 /// A looking glass, framed or not, square or rounded, with a light or a shelf on some.
 pub(super) fn bathroom_mirror(b: &mut Build<'_>) {
-    let u = fit(b, [0.01, 0.2, 0.25]);
+    let u = fit(b, [0.016, 0.32, 0.4]);
     let (x, y, h) = spans(b);
     let depth = (2.0 * x).max(0.004);
     match b.rng.below(5) {
@@ -318,11 +331,11 @@ pub(super) fn bathroom_mirror(b: &mut Build<'_>) {
             b.block("mirror", [x - depth * 0.25, -y, 0.0], [x, y, h], MIRROR);
         }
         2 => {
-            let outline: Vec<(f32, f32)> = round_corners(y, h, y.min(h / 2.0) * b.vary(0.2, 0.98));
+            let outline = oblong((y, h / 2.0), y.min(h / 2.0) * b.vary(0.2, 0.98));
             let rim = b.one(&[b.style.tap, BLACK_METAL, b.style.wood]);
-            let inner: Vec<_> = outline.iter().map(|p| (p.0 * 0.96, (p.1 - h / 2.0) * 0.97 + h / 2.0)).collect();
-            b.prism("frame", Axis::X, [-x, 0.0, 0.0], &outline, depth * 0.7, rim);
-            b.prism("mirror", Axis::X, [x - depth * 0.31, 0.0, 0.0], &inner, depth * 0.31, MIRROR);
+            let inner: Vec<_> = outline.iter().map(|p| (p.0 * 0.96, p.1 * 0.97)).collect();
+            b.prism("frame", Axis::X, [-x, 0.0, h / 2.0], &outline, depth * 0.7, rim);
+            b.prism("mirror", Axis::X, [x - depth * 0.31, 0.0, h / 2.0], &inner, depth * 0.31, MIRROR);
         }
         3 => {
             let low = h * 0.06;
@@ -339,29 +352,9 @@ pub(super) fn bathroom_mirror(b: &mut Build<'_>) {
     }
 }
 
-/// A rectangle of half width `y` and height `h` with cut corners in three steps.
-fn round_corners(y: f32, h: f32, r: f32) -> Vec<(f32, f32)> {
-    let steps = [(1.0, 0.0), (0.924, 0.383), (0.707, 0.707), (0.383, 0.924), (0.0, 1.0)];
-    let (cy, low, high) = (y - r, r, h - r);
-    let corner = move |sy: f32, sz: f32, back: bool| {
-        let z = if sz > 0.0 { high } else { low };
-        let point = move |p: (f32, f32)| (sy * (cy + r * p.0), z + sz * r * p.1);
-        let mut points: Vec<_> = steps.iter().map(|&p| point(p)).collect();
-        if back {
-            points.reverse();
-        }
-        points
-    };
-    let quarters =
-        [corner(1.0, 1.0, false), corner(-1.0, 1.0, true), corner(-1.0, -1.0, false), corner(1.0, -1.0, true)];
-    let mut outline = quarters.concat();
-    outline.dedup_by(|a, b| (a.0 - b.0).abs() + (a.1 - b.1).abs() < 1e-4);
-    outline
-}
-
 /// Bars on the wall: one, two, a shelf of bars over hooks, or a ladder.
 pub(super) fn towel_rack(b: &mut Build<'_>) {
-    let u = fit(b, [0.03, 0.22, 0.03]);
+    let u = fit(b, [0.048, 0.352, 0.048]);
     let (x, y, h) = spans(b);
     let tap = b.style.tap;
     let r = (0.009 * u).min(h * 0.3).min(x * 0.4);
@@ -370,9 +363,10 @@ pub(super) fn towel_rack(b: &mut Build<'_>) {
     }
     let bars = if x > 0.06 { b.rng.count(2, 3) } else { 1 };
     let z = h - r;
+    let arm = (z - r * 1.2).max(r * 1.6);
     for cy in [-y + r * 1.6, y - r * 1.6] {
-        b.lathe_along("rosette", [-x, cy, z - h * 0.1], [x, cy, z - h * 0.1], &[(r * 1.6, 0.0), (r * 1.4, r)], tap);
-        b.rod("arm", [-x, cy, z - h * 0.1], [x - r, cy, z - h * 0.1], r * 0.8, tap);
+        b.lathe_along("rosette", [-x, cy, arm], [x, cy, arm], &[(r * 1.6, 0.0), (r * 1.4, r)], tap);
+        b.rod("arm", [-x, cy, arm], [x - r, cy, arm], r * 0.8, tap);
         if h > 0.1 {
             b.rod("arm", [-x + r, cy, r], [-x + r, cy, z], r * 0.8, tap);
         }
@@ -419,7 +413,7 @@ fn ladder(b: &mut Build<'_>, r: f32) {
 
 /// Level tubes between two upright ones, in groups, a valve below.
 pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
-    let u = fit(b, [0.04, 0.2, 0.35]);
+    let u = fit(b, [0.064, 0.32, 0.56]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[CHROME, WHITE_METAL, BLACK_METAL, CHROME]);
     let flat = b.rng.chance(0.4);
@@ -439,9 +433,9 @@ pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
     for i in (0..rungs).filter(|i| i % (group + 1) != group) {
         let z = 0.06 * u + step * i as f32;
         if flat {
-            b.block("rung", [front - r * 0.4, -y + 0.002, z - r], [x, y - 0.002, z + r], mat);
+            b.block("rung", [front - r * 0.4, -y + 0.002 * u, z - r], [x, y - 0.002 * u, z + r], mat);
         } else {
-            b.rod("rung", [front, -y + 0.002, z], [front, y - 0.002, z], r, mat);
+            b.rod("rung", [front, -y + 0.002 * u, z], [front, y - 0.002 * u, z], r, mat);
         }
     }
     for i in 0..3 {
@@ -450,12 +444,13 @@ pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
             b.hook(&format!("rod_{}", i + 1), [front, 0.0, z - step * 0.5 - r * 1.2], (z * 0.8).min(0.5));
         }
     }
-    b.top("rod", [front - post * 1.1, 0.0, h], (post * 0.8, y - post * 2.2));
+    let last = (0..rungs).rev().find(|i| i % (group + 1) != group).unwrap_or(0);
+    b.top("rod", [front, 0.0, 0.06 * u + step * last as f32 + r], (r * 0.6, y - post * 2.2));
 }
 
 /// Wire baskets one under the other, to hang in a shower.
 pub(super) fn shower_caddy(b: &mut Build<'_>) {
-    let u = fit(b, [0.06, 0.12, 0.08]);
+    let u = fit(b, [0.096, 0.192, 0.128]);
     let (x, y, h) = spans(b);
     let metal = b.one(&[CHROME, STEEL, BLACK_METAL, WHITE_METAL]);
     let w = 0.005 * u;
@@ -477,7 +472,7 @@ pub(super) fn shower_caddy(b: &mut Build<'_>) {
                 b.block("post", [cx, cy, z + w], [cx + w, cy + w, z + tall - w], metal);
             }
         }
-        let clear = if i + 1 < count { room * 0.9 - w - 0.004 } else { (h - z - w).max(0.1) };
+        let clear = if i + 1 < count { room * 0.9 - w - 0.004 * u } else { (h - z - w).max(0.1) };
         let middle = [0.0, 0.0, z + w];
         b.inside(&format!("shelf_{}", i + 1), middle, (x - w * 2.0, y - w * 2.0), clear);
         if i + 1 == count {

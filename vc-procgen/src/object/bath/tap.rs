@@ -6,7 +6,7 @@ use crate::object::cooker::fitting::*;
 
 /// A mixer or a tap with two handles; high and bent, low, or with a hose.
 pub(super) fn faucet(b: &mut Build<'_>) {
-    let u = fit(b, [0.07, 0.03, 0.08]);
+    let u = fit(b, [0.112, 0.048, 0.128]);
     let (x, y, h) = spans(b);
     let tap = b.style.tap;
     let r = (0.022 * u).min(y * 0.8);
@@ -14,13 +14,13 @@ pub(super) fn faucet(b: &mut Build<'_>) {
     b.lathe("base", [root, 0.0, 0.0], &[(r, 0.0), (r, h * 0.02), (r * 0.8, h * 0.04)], tap);
     let pipe = r * b.vary(0.45, 0.6);
     let body = h * if h > 0.25 { b.vary(0.3, 0.45) } else { b.vary(0.4, 0.55) };
-    b.cylinder("body", [root, 0.0, 0.0], r * 0.8, body, tap);
-    let end = reach - pipe;
-    let top = h - pipe;
+    let end = reach - pipe * 1.45;
+    let top = h - pipe * 1.45;
     let aerator = pipe * 1.15;
     match b.rng.below(3) {
         0 => {
             // A swan's neck.
+            b.cylinder("body", [root, 0.0, 0.0], r * 0.8, body, tap);
             let span = (end - root) / 2.0;
             let arc: Vec<P> =
                 ARC.iter().map(|&(c, s)| [root + span - span * c, 0.0, top - span.min(h * 0.3) * (1.0 - s)]).collect();
@@ -38,16 +38,24 @@ pub(super) fn faucet(b: &mut Build<'_>) {
         }
         1 => {
             // Square: up, out and down.
+            b.cylinder("body", [root, 0.0, 0.0], r * 0.8, body, tap);
             let points = [[root, 0.0, body * 0.9], [root, 0.0, top], [end, 0.0, top], [end, 0.0, top - h * 0.08]];
             b.pipe("spout", &points, pipe, tap);
             b.rod("aerator", [end, 0.0, top - h * 0.08 - pipe * 1.3], [end, 0.0, top - h * 0.08], aerator, tap);
         }
         _ => {
-            // A slanting spout from the body.
-            let tip = [end - pipe * 0.3, 0.0, (body * 1.2).min(top * 0.9)];
-            b.bar("spout", [root, 0.0, body * 0.7], tip, pipe * 1.1, tap);
+            // A stout body with its spout near the top and a lever above.
+            let neck = h * 0.8;
+            b.cylinder("body", [root, 0.0, 0.0], r * 0.95, neck, tap);
+            let tip = [end - pipe * 0.3, 0.0, neck * 0.8];
+            b.bar("spout", [root, 0.0, neck * 0.72], tip, pipe * 1.15, tap);
             b.rod("aerator", [tip[0], 0.0, tip[2] - pipe * 2.2], tip, aerator * 0.9, tap);
-            b.cylinder("column", [root, 0.0, body * 0.9], r * 0.7, (h * 0.9 - body * 0.9).max(0.004 * u), tap);
+            b.cylinder("cap", [root, 0.0, neck - 0.001 * u], r * 0.8, h * 0.08, tap);
+            let from = [root, 0.0, neck + h * 0.08];
+            b.bar("lever", from, [root + (end - root) * 0.4, 0.0, h - r * 0.42], r * 0.28, tap);
+            if y <= 0.07 * u {
+                return;
+            }
         }
     }
     handles(b, [root, r, body], (y, h), u, tap);
@@ -78,11 +86,11 @@ fn handles(b: &mut Build<'_>, [root, r, body]: P, (y, h): (f32, f32), u: f32, ta
 
 /// A round or square rose on an arm, or a handset in its holder.
 pub(super) fn shower_head(b: &mut Build<'_>) {
-    let u = fit(b, [0.03, 0.04, 0.025]);
+    let u = fit(b, [0.048, 0.064, 0.04]);
     let (x, y, h) = spans(b);
     let tap = b.style.tap;
     let r = y.min(x * 0.9);
-    let flat = h * 0.2;
+    let flat = (h * 0.2).min(0.022 * u);
     if b.rng.chance(0.6) && x > 0.05 {
         let cx = x - r;
         if b.rng.chance(0.5) {

@@ -1,5 +1,7 @@
 //! What stands and lies on desks beside paper.
 
+use std::f32::consts::PI;
+
 use super::super::build::{Axis, Build};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, mix, oval, room, spline, tube};
 use crate::material::*;
@@ -17,18 +19,19 @@ pub(super) fn pencil_case(b: &mut Build<'_>) {
     b.inside("compartment", [0.0, 0.0, t], (x - 2.0 * t, y - 2.0 * t), lid - t);
     b.hinge([-x, 0.0, lid], [0.0, -1.0, 0.0], 1.6, |b| {
         b.soft("lid", [-x, -y, lid], [x, y, h * 0.97], h * 0.2, cloth);
-        blocks(b, "zip", &[([x * 0.1, -y * 0.9, lid], [x * 0.2, y * 0.9, h])], STEEL);
+        blocks(b, "zip", &[([x * 0.1, -y * 0.9, (lid + h) * 0.5], [x * 0.2, y * 0.9, h])], STEEL);
     });
 }
 
 /// An open box: four walls and a bottom of thickness `t`.
 pub(in crate::object) fn tub(b: &mut Build<'_>, (x, y): (f32, f32), (low, high): (f32, f32), t: f32, mat: Mat) {
-    b.block("bottom", [-x, -y, low], [x, y, low + t], mat);
+    let (mid, foot) = (t * 0.5, low + t * 0.3);
+    b.block("bottom", [mid - x, mid - y, low], [x - mid, y - mid, low + t], mat);
     let list = [
-        ([-x, -y, low + t * 0.9], [x, -y + t, high]),
-        ([-x, y - t, low + t * 0.9], [x, y, high]),
-        ([-x, -y + t * 0.9, low + t * 0.9], [-x + t, y - t * 0.9, high]),
-        ([x - t, -y + t * 0.9, low + t * 0.9], [x, y - t * 0.9, high]),
+        ([-x, -y, foot], [x, -y + t, high]),
+        ([-x, y - t, foot], [x, y, high]),
+        ([-x, -y + t * 0.9, foot], [-x + t, y - t * 0.9, high]),
+        ([x - t, -y + t * 0.9, foot], [x, y - t * 0.9, high]),
     ];
     blocks(b, "wall", &list, mat);
 }
@@ -59,8 +62,8 @@ pub(super) fn stapler(b: &mut Build<'_>) {
     let colour = b.one(&BRIGHT);
     b.soft("base", [-x, -y, 0.0], [x, y, h * 0.14], h * 0.05, BLACK_PLASTIC);
     b.block("anvil", [-x * 0.5, y * 0.6, h * 0.12], [x * 0.5, y * 0.9, h * 0.17], STEEL);
-    b.block("post", [-x * 0.7, -y * 0.95, h * 0.1], [x * 0.7, -y * 0.6, h * 0.5], colour);
-    b.hinge([0.0, -y * 0.85, h * 0.45], [1.0, 0.0, 0.0], 0.9, |b| {
+    b.block("post", [-x * 0.7, -y * 0.95, h * 0.1], [x * 0.7, -y * 0.6, h * 0.42], colour);
+    b.hinge([0.0, -y * 0.85, h * 0.45], [1.0, 0.0, 0.0], 0.4, |b| {
         b.block("magazine", [-x * 0.6, -y * 0.8, h * 0.4], [x * 0.6, y * 0.95, h * 0.58], STEEL);
         let arm = [(-y, 0.45), (-y * 0.96, 0.8), (-y * 0.3, 1.0), (y * 0.75, 0.85), (y * 0.97, 0.68), (y * 0.97, 0.56)];
         let outline: Vec<(f32, f32)> = arm.iter().map(|p| (p.0, p.1 * h)).collect();
@@ -97,7 +100,7 @@ pub(super) fn tape(b: &mut Build<'_>) {
         |outer: f32, inner: f32, z0: f32, z1: f32| [(outer, z0), (outer, z1), (inner, z1), (inner, z0), (outer, z0)];
     b.lathe("tape", [0.0; 3], &ring(r, core, h * 0.02, h * 0.98), colour);
     b.lathe("core", [0.0; 3], &ring(core * 1.01, core * 0.93, 0.0, h), CARDBOARD);
-    b.block("end", [r * 0.55, -r * 0.72, h * 0.03], [r * 0.62, -r * 0.5, h * 0.97], colour);
+    b.block("end", [r * 0.55, -r * 0.72, h * 0.08], [r * 0.62, -r * 0.5, h * 0.92], colour);
 }
 
 /// A glue stick or bottle.
@@ -107,13 +110,13 @@ pub(super) fn glue(b: &mut Build<'_>) {
     let (label, cap) =
         (b.one(&[YELLOW_CARD, BLUE_CARD, RED_CARD]), b.one(&[RED_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC]));
     if b.rng.chance(0.5) {
-        b.cylinder("tube", [0.0; 3], r * 0.97, h * 0.7, WHITE_PLASTIC);
+        b.cylinder("tube", [0.0; 3], r * 0.93, h * 0.7, WHITE_PLASTIC);
         b.lathe("label", [0.0, 0.0, h * 0.08], &[(r, 0.0), (r, h * 0.55)], label);
         b.lathe("cap", [0.0, 0.0, h * 0.69], &[(r * 0.95, 0.0), (r * 0.92, h * 0.29), (r * 0.8, h * 0.31)], cap);
         return;
     }
     let ring = |z: f32, s: f32| oval(Axis::Z, [0.0, 0.0, z * h], (x * s, y * s), 1, 16);
-    loft(b, "bottle", &[ring(0.0, 0.95), ring(0.02, 0.98), ring(0.6, 0.98), ring(0.72, 0.4)], WHITE_PLASTIC);
+    loft(b, "bottle", &[ring(0.0, 0.9), ring(0.02, 0.93), ring(0.6, 0.93), ring(0.72, 0.4)], WHITE_PLASTIC);
     loft(b, "label", &[ring(0.12, 1.0), ring(0.5, 1.0)], label);
     b.lathe(
         "cap",
@@ -134,8 +137,8 @@ pub(super) fn scissors(b: &mut Build<'_>) {
             (side * x * 0.02, y),
             (-side * x * 0.12, y * 0.9),
             (-side * x * 0.16, 0.0),
-            (side * x * 0.3, -y * 0.35),
-            (side * x * 0.45, -y * 0.32),
+            (side * x * 0.3, -y * 0.52),
+            (side * x * 0.62, -y * 0.46),
             (side * x * 0.08, 0.1 * y),
         ];
         b.prism("blade", Axis::Z, [0.0, 0.0, z - h * 0.12], &blade, h * 0.24, STEEL);
@@ -151,21 +154,21 @@ pub(super) fn folder(b: &mut Build<'_>) {
     let card = b.one(&[RED_CARD, BLUE_CARD, GREEN_CARD, YELLOW_CARD, CARDBOARD, BLACK_CARD, TEAL_CARD]);
     let t = (h * 0.12).min(0.002);
     let binder = h > 0.03;
-    b.block("back", [-x, -y, 0.0], [x, y, t], card);
+    b.block("back", [-x, -y, 0.0], [x, y * 0.99, t], card);
     b.block("spine", [-x, -y, t * 0.9], [x, -y + t.max(0.001), h - t * 0.9], card);
     b.inside("pocket", [0.0, 0.0, t], (x * 0.95, y * 0.95), (h - 2.0 * t).max(0.0));
     b.hinge([0.0, -y, h - t], [1.0, 0.0, 0.0], 2.8, |b| {
         b.block("cover", [-x, -y, h - t], [x, y * 0.98, h], card);
     });
     if binder {
-        b.block("label", [-x * 0.3, -y - 0.0004, h * 0.25], [x * 0.4, -y + t, h * 0.75], WHITE_PAPER);
+        b.block("label", [-x * 0.3, -y - 0.0004, h * 0.25], [x * 0.4, -y + t * 0.5, h * 0.75], WHITE_PAPER);
         let r = h * 0.3;
         for side in [-0.4, 0.4] {
             let ring = oval(Axis::X, [x * side, -y + r + 2.0 * t, h / 2.0], (r, r), 0, 14);
             hoop(b, "ring", &ring, h * 0.02, STEEL);
         }
     } else {
-        b.block("tab", [-x * 0.9, y - t * 0.5, 0.0], [-x * 0.5, y, t * 0.8], card);
+        b.block("tab", [-x * 0.9, y * 0.98, 0.0], [-x * 0.5, y, t + h * 0.15], card);
     }
 }
 
@@ -195,7 +198,10 @@ pub(super) fn paper_tray(b: &mut Build<'_>) {
     }
     if count > 1 {
         let post = |sx: f32, sy: f32| {
-            ([sx * x * 0.9 - t, sy * (y - t * 0.5) - t * 0.5, 0.0], [sx * x * 0.9 + t, sy * (y - t * 0.5) + t * 0.5, h])
+            (
+                [sx * x * 0.9 - t, sy * (y - t * 1.5) - t * 0.5, t * 0.3],
+                [sx * x * 0.9 + t, sy * (y - t * 1.5) + t * 0.5, h],
+            )
         };
         blocks(b, "post", &[post(-1.0, -1.0), post(-1.0, 1.0), post(0.6, -1.0), post(0.6, 1.0)], STEEL);
     }
@@ -209,7 +215,7 @@ pub(super) fn clipboard(b: &mut Build<'_>) {
     b.soft("board", [-x, -y, 0.0], [x, y, t], t * 0.4, board);
     b.block("paper", [-x * 0.82, -y * 0.92, t], [x * 0.92, y * 0.92, t + (h * 0.1).min(0.001)], WHITE_PAPER);
     b.block("clip", [-x * 0.97, -y * 0.4, t * 0.9], [-x * 0.75, y * 0.4, h * 0.7], STEEL);
-    let grip = arc(Axis::Y, [-x * 0.9, -y * 0.25, h * 0.6], (x * 0.06, h * 0.38), (0.0, std::f32::consts::PI), 6);
+    let grip = arc(Axis::Y, [-x * 0.9, -y * 0.25, h * 0.6], (x * 0.06, h * 0.38), (0.0, PI), 6);
     let outline: Vec<(f32, f32)> = grip.iter().map(|p| (p[0] + x * 0.9, p[2] - h * 0.6)).collect();
     b.prism("clip", Axis::Y, [-x * 0.9, -y * 0.25, h * 0.6], &outline, y * 0.5, STEEL);
     b.top("board", [x * 0.08, 0.0, t + (h * 0.1).min(0.001)], (x * 0.8, y * 0.9));
@@ -240,10 +246,10 @@ pub(super) fn mousepad(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let cloth = b.one(&[BLACK_FABRIC, NAVY_FABRIC, GREY_FABRIC, RED_FABRIC, TEAL_FABRIC]);
     b.soft("rubber", [-x, -y, 0.0], [x, y, h * 0.6], h * 0.2, RUBBER);
-    b.block("cloth", [-x * 0.985, -y * 0.985, h * 0.5], [x * 0.985, y * 0.985, h * 0.99], cloth);
+    b.block("cloth", [-x * 0.985, -y * 0.985, h * 0.4], [x * 0.985, y * 0.985, h * 0.76], cloth);
     let glow = b.one(&[WHITE_COTTON, RED_FABRIC, BLUE_FABRIC]);
     b.block("logo", [x * 0.6, y * 0.55, h * 0.6], [x * 0.8, y * 0.85, h], glow);
-    b.top("top", [0.0, 0.0, h], (x * 0.95, y * 0.95));
+    b.top("top", [0.0, 0.0, h * 0.76], (x * 0.95, y * 0.95));
 }
 
 /// A paper shredder: a head with a slot on a bin.
@@ -256,14 +262,15 @@ pub(super) fn paper_shredder(b: &mut Build<'_>) {
     let bin = if b.rng.chance(0.5) { CLEAR_PLASTIC } else { case };
     tub(b, wall(0.94), (0.0, split), t, bin);
     b.inside("bin", [0.0, 0.0, t], (x * 0.94 - 2.0 * t, y * 0.94 - 2.0 * t), split - t);
-    b.soft("head", [-x, -y, split], [x, y, h], h * 0.04, case);
-    b.block("slot", [-x * 0.12, -y * 0.75, h - 0.004], [x * 0.02, y * 0.75, h + 0.0008], SCREEN);
-    b.block("panel", [x * 0.4, -y * 0.4, h - 0.004], [x * 0.75, y * 0.4, h + 0.0006], GREY_PLASTIC);
-    b.cylinder("light", [x * 0.55, y * 0.25, h - 0.002], x * 0.05, 0.003, LED);
+    let top = h * 0.995;
+    b.soft("head", [-x, -y, split], [x, y, top], h * 0.04, case);
+    b.block("slot", [-x * 0.12, -y * 0.75, top * 0.99], [x * 0.02, y * 0.75, top + h * 0.002], SCREEN);
+    b.block("panel", [x * 0.4, -y * 0.4, top * 0.99], [x * 0.75, y * 0.4, top + h * 0.003], GREY_PLASTIC);
+    b.cylinder("light", [x * 0.55, y * 0.25, top], x * 0.05, h - top, LED);
     let cord = [
         [-x * 0.9, 0.0, split + 0.02],
-        mix([-x, 0.0, split], [-x, y * 0.3, 0.0], 0.5),
-        [-x * 0.95, y * 0.4, split * 0.03],
+        mix([-x * 0.95, 0.0, split], [-x * 0.95, y * 0.3, 0.0], 0.5),
+        [-x * 0.93, y * 0.4, split * 0.03],
     ];
     tube(b, "cord", &spline(&cord, 4), (x * 0.02).min(0.003), BLACK_PLASTIC);
 }

@@ -41,7 +41,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("credit_card", 1, paper::card),
     indoor("coin", 2, paper::coin),
     indoor("pencil", 2, writing::stick),
-    indoor("pen", 3, writing::stick),
+    indoor("pen", 2, writing::stick),
     indoor("marker", 2, writing::stick),
     indoor("crayon", 1, writing::stick),
     indoor("paintbrush", 1, writing::stick),

@@ -59,8 +59,9 @@ pub(super) fn pad(b: &mut Build<'_>) {
     let paper = if sticky { b.one(&inks) } else { b.one(&[WHITE_PAPER, YELLOW_CARD, CREAM_PAPER]) };
     let relief = (h * 0.1).min(0.001);
     let body = h - relief;
-    b.block("back", [-x, -y, 0.0], [x, y, body * 0.15], if sticky { paper } else { CARDBOARD });
-    b.block("pages", [-x, -y * 0.995, body * 0.15], [x * 0.99, y * 0.995, body], paper);
+    let back = x - (x * 0.02).min(0.0005);
+    b.block("back", [-back, -y * 0.99, 0.0], [x, y * 0.99, body * 0.15], if sticky { paper } else { CARDBOARD });
+    b.block("pages", [-back, -y * 0.98, body * 0.15], [x * 0.99, y * 0.98, body], paper);
     if sticky {
         let tone = b.one(&[BLUE_CARD, BLACK_CARD]);
         let line = |a: f32, w: f32| ([a * x, -0.7 * y, body * 0.9], [(a + 0.08) * x, w * y, h]);
@@ -112,7 +113,7 @@ pub(super) fn envelope(b: &mut Build<'_>) {
 /// A card: greetings with a picture, a stamp with its teeth, or a credit card.
 pub(super) fn card(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
-    let relief = h * 0.3;
+    let relief = h * 0.66;
     let body = h - relief;
     match b.class {
         "credit_card" => {
@@ -130,7 +131,7 @@ pub(super) fn card(b: &mut Build<'_>) {
                         let tooth = |a: f32, c: f32| {
                             (
                                 [a * x - x * 0.07, c * y - y * 0.07, 0.0],
-                                [a * x + x * 0.07, c * y + y * 0.07, body * 0.9],
+                                [a * x + x * 0.07, c * y + y * 0.07, body * 0.3],
                             )
                         };
                         [tooth(t * 0.98, 0.93), tooth(t * 0.98, -0.93), tooth(0.93, t * 0.98), tooth(-0.93, t * 0.98)]

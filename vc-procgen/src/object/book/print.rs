@@ -1,5 +1,7 @@
 //! Printed matter without boards.
 
+use std::f32::consts::TAU;
+
 use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
 use super::super::textile::form::{blocks, facing, lying, room, sheet};
@@ -86,9 +88,9 @@ pub(super) fn map(b: &mut Build<'_>) {
         let (z0, z1) = ((h - relief) * i as f32 / 4.0, (h - relief) * (i as f32 + 0.85) / 4.0);
         b.block("fold", [-x, -y, z0], [x, y, z1], if i == 3 { BLUE_CARD } else { WHITE_PAPER });
     }
-    b.block("fold", [-x * 0.98, -y * 0.99, h * 0.05], [-x * 0.9, y * 0.99, h - relief * 1.5], WHITE_PAPER);
+    b.block("fold", [-x * 0.98, -y * 0.97, h * 0.05], [-x * 0.9, y * 0.97, h - relief * 3.0], WHITE_PAPER);
     let land: Vec<(f32, f32)> = (0..12)
-        .map(|i| i as f32 / 12.0 * std::f32::consts::TAU)
+        .map(|i| i as f32 / 12.0 * TAU)
         .map(|a| (a, b.vary(0.5, 0.9)))
         .map(|(a, r)| (x * r * a.cos(), y * r * a.sin()))
         .collect();
@@ -104,7 +106,7 @@ pub(super) fn bookmark(b: &mut Build<'_>) {
     b.block("stripe", [-x * 0.6, -y * 0.5, h * 0.3], [x * 0.6, y * 0.7, h], CREAM_PAPER);
     let wave = |u: f32, v: f32| {
         let (px, py) = (x * 0.15 * (2.0 * v - 1.0), -y + y * 0.25 * u);
-        ([px, py, h * (0.5 + 0.3 * (u * 7.0).sin())], [px, py, 0.0])
+        ([px, py, h * (0.6 + 0.3 * (u * 7.0).sin())], [px, py, h * 0.26])
     };
     sheet(b, "ribbon", (8, 1), wave, RED_FABRIC);
 }

@@ -1,5 +1,7 @@
 //! Bound books: lying flat, the spine to the right (-Y) of who reads them.
 
+use std::f32::consts::FRAC_PI_2;
+
 use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
 use super::super::textile::form::{Shell, arc, blocks, lying, room};
@@ -36,16 +38,17 @@ pub(super) fn book(b: &mut Build<'_>) {
     let hard = b.rng.chance(0.55) || matches!(b.class, "photo_album" | "picture_book");
     let board = if hard { (h * 0.14).min(0.003) } else { (h * 0.05).min(0.0006) };
     let shelf = if hard { (x * 0.03).min(0.003) } else { 0.0 };
-    let relief = (h * 0.03).min(0.0008);
+    let relief = (h * 0.15).min(0.0008);
     let (low, high) = (relief, h - relief);
     let back = spine(b, board, (low, high), cover);
-    b.block("cover", [-x, back, low], [x, y, low + board], cover);
+    let end = x - (x * 0.02).min(0.0003);
+    b.block("cover", [-end, back, low], [end, y, low + board], cover);
     let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, CREAM_PAPER]);
-    let inset = shelf.max(x * 0.002);
+    let inset = shelf.max((x * 0.03).min(0.0008));
     b.block("pages", [-x + inset, back - board * 0.5, low + board], [x - inset, y - inset, high - board], paper);
     bands(b, (low, high), ink);
     b.hinge([0.0, back, high], [1.0, 0.0, 0.0], 2.8, |b| {
-        b.block("cover", [-x, back, high - board], [x, y, high], cover);
+        b.block("cover", [-end, back, high - board], [end, y, high], cover);
         front(b, high, back, ink);
     });
     blocks(b, "label", &[([x * 0.4, -y * 0.3, 0.0], [x * 0.7, y * 0.5, low + board * 0.5])], ink);
@@ -56,11 +59,12 @@ fn spine(b: &mut Build<'_>, board: f32, (low, high): (f32, f32), cover: Mat) -> 
     let (x, y, _) = room(b);
     let relief = (y * 0.02).min(0.001);
     let middle = f32::midpoint(low, high);
-    let half = (high - low) / 2.0;
+    let tuck = ((high - low) * 0.06).min(0.0003);
+    let half = (high - low) / 2.0 - tuck;
     if b.rng.chance(0.5) {
         let bulge = (half * 0.5).min(y * 0.15);
         let at = [-x, -y + relief + bulge, middle];
-        let curve = arc(Axis::X, at, (bulge, half), (std::f32::consts::FRAC_PI_2, 4.7124), 8);
+        let curve = arc(Axis::X, at, (bulge, half), (FRAC_PI_2, 3.0 * FRAC_PI_2), 8);
         let outer = curve.iter().map(|p| (p[1], p[2]));
         let outline: Vec<(f32, f32)> =
             outer.chain([(at[1] + board, middle - half), (at[1] + board, middle + half)]).collect();
@@ -68,7 +72,7 @@ fn spine(b: &mut Build<'_>, board: f32, (low, high): (f32, f32), cover: Mat) -> 
         at[1] + board * 0.5
     } else {
         let thick = board.max(0.0004);
-        b.block("spine", [-x, -y + relief, low], [x, -y + relief + thick, high], cover);
+        b.block("spine", [-x, -y + relief, low + tuck], [x, -y + relief + thick, high - tuck], cover);
         -y + relief + thick * 0.9
     }
 }
@@ -143,7 +147,8 @@ pub(super) fn notebook(b: &mut Build<'_>) {
     let board = (h * 0.1).min(0.0015);
     let relief = (h * 0.1).min(0.001);
     let (back, low, high) = if spiral { (-y + h * 0.3, h * 0.12, h * 0.88) } else { (-y, 0.0, h - relief) };
-    b.block("cover", [-x, back, low], [x, y, low + board], cover);
+    let end = x - (x * 0.02).min(0.0004);
+    b.block("cover", [-end, back, low], [end, y, low + board], cover);
     b.block("pages", [-x * 0.98, back + 0.001, low + board], [x * 0.98, y * 0.98, high - board], WHITE_PAPER);
     if spiral {
         let r = (h / 2.0).min(y * 0.2);
@@ -159,7 +164,7 @@ pub(super) fn notebook(b: &mut Build<'_>) {
     }
     let ink = contrast(b, cover);
     b.hinge([0.0, back, high], [1.0, 0.0, 0.0], 2.8, |b| {
-        b.block("cover", [-x, back, high - board], [x, y, high], cover);
+        b.block("cover", [-end, back, high - board], [end, y, high], cover);
         b.block("label", [-x * 0.6, -y * 0.3, high - board * 0.5], [-x * 0.25, y * 0.5, (high + relief).min(h)], ink);
         if !spiral {
             b.block("elastic", [-x, y * 0.72, high - board], [x, y * 0.78, h], BLACK_FABRIC);
@@ -173,11 +178,12 @@ pub(super) fn passport(b: &mut Build<'_>) {
     let cover = b.one(&[RED_CARD, BLUE_CARD, GREEN_CARD, BLACK_CARD]);
     let relief = h * 0.12;
     let (leaf, top) = (h * 0.25, h - relief);
-    b.block("back", [-x, -y, 0.0], [x, y, leaf], cover);
+    let edge = y * 0.99;
+    b.block("back", [-x, -edge, 0.0], [x, y, leaf], cover);
     b.block("pages", [-x * 0.98, -y * 0.99, leaf * 0.9], [x * 0.98, y * 0.97, top - leaf], WHITE_PAPER);
-    b.block("spine", [-x * 0.999, -y, leaf * 0.5], [x * 0.999, -y * 0.98, top - leaf * 0.5], cover);
-    b.hinge([0.0, -y, top], [1.0, 0.0, 0.0], 2.8, |b| {
-        b.block("cover", [-x, -y, top - leaf], [x, y, top], cover);
+    b.block("spine", [-x * 0.99, -y, leaf * 0.5], [x * 0.99, -y * 0.98, top - leaf], cover);
+    b.hinge([0.0, -edge, top], [1.0, 0.0, 0.0], 2.8, |b| {
+        b.block("cover", [-x, -edge, top - leaf], [x, y, top], cover);
         b.cylinder("crest", [0.0, 0.0, top - leaf * 0.5], x * 0.3, relief + leaf * 0.5, GOLD);
         b.block("title", [-x * 0.75, -y * 0.5, top - leaf * 0.5], [-x * 0.62, y * 0.5, h], GOLD);
     });

@@ -42,7 +42,7 @@ fn crayon(b: &mut Build<'_>, r: f32, l: f32) {
         (YELLOW_PLASTIC, YELLOW_CARD),
         (ORANGE_PLASTIC, ORANGE_CARD),
     ]);
-    turned(b, "wax", &[(r * 0.94, 0.0), (r * 0.94, l * 0.86), (r * 0.5, l * 0.9), (r * 0.3, l)], wax);
+    turned(b, "wax", &[(r * 0.86, 0.0), (r * 0.86, l * 0.86), (r * 0.5, l * 0.9), (r * 0.3, l)], wax);
     turned(b, "paper", &[(r, l * 0.06), (r, l * 0.82)], card);
 }
 
@@ -54,18 +54,20 @@ fn brush(b: &mut Build<'_>, x: f32, y: f32, l: f32) {
     shaft.loft(&[ring(0.0, 0.4), ring(0.02, 0.6), ring(0.35, 1.0), ring(0.62, 0.75)]);
     shaft.put(b, "handle", handle);
     b.block("ferrule", [-x, -y, l * 0.6], [x, y, l * 0.75], STEEL);
-    b.taper("bristles", [0.0, 0.0, l * 0.745], (x * 0.92, y * 0.95), (x * 0.3, y * 0.85), l * 0.255, BLACK_FABRIC);
+    b.taper("bristles", [0.0, 0.0, l * 0.745], (x * 0.8, y * 0.9), (x * 0.3, y * 0.85), l * 0.255, BLACK_FABRIC);
 }
 
 /// A pen, marker or pointer: barrel, cap or tip, clip.
 fn pen(b: &mut Build<'_>, r: f32, l: f32) {
     let colours = [BLUE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC, STEEL, PURPLE_PLASTIC];
     let (barrel, trim) = (b.one(&colours), b.one(&[STEEL, GOLD, BLACK_PLASTIC]));
-    let clip = r * 0.3;
+    let clip = r * b.vary(0.2, 0.32);
     let body = r - clip;
+    let (cap, slim) = (l * b.vary(0.52, 0.64), body * b.vary(0.8, 0.88));
+    let (tip, clasp) = (l * b.vary(0.06, 0.13), l * b.vary(0.6, 0.72));
     if b.class == "marker" {
-        turned(b, "barrel", &[(body * 0.8, 0.0), (body, l * 0.02), (body, l * 0.62)], WHITE_PLASTIC);
-        turned(b, "cap", &[(body * 1.06, l * 0.6), (body * 1.06, l * 0.97), (body * 0.8, l)], barrel);
+        turned(b, "barrel", &[(slim * 0.8, 0.0), (slim, l * 0.02), (slim, l * 0.66)], WHITE_PLASTIC);
+        turned(b, "cap", &[(body, cap), (body, l * 0.97), (body * 0.8, l)], barrel);
         b.block("clip", [0.0, -clip, l * 0.68], [r, clip, l * 0.95], barrel);
         return;
     }
@@ -75,14 +77,14 @@ fn pen(b: &mut Build<'_>, r: f32, l: f32) {
         b.block("button", [0.0, -clip, l * 0.6], [r, clip, l * 0.68], GREY_PLASTIC);
         return;
     }
-    turned(b, "tip", &[(r * 0.1, 0.0), (r * 0.2, l * 0.02), (body * 0.85, l * 0.1)], trim);
-    turned(b, "barrel", &[(body * 0.84, l * 0.095), (body, l * 0.16), (body, l * 0.95)], barrel);
+    turned(b, "tip", &[(r * 0.1, 0.0), (r * 0.2, l * 0.02), (slim * 0.85, tip)], trim);
+    turned(b, "barrel", &[(slim * 0.84, tip * 0.95), (slim, tip + l * 0.05), (slim, l * 0.95)], barrel);
     if b.rng.chance(0.5) {
         turned(b, "button", &[(body * 0.5, l * 0.94), (body * 0.45, l)], trim);
     } else {
-        turned(b, "cap", &[(body * 1.08, l * 0.58), (body * 1.08, l * 0.97), (body * 0.7, l)], barrel);
+        turned(b, "cap", &[(body, cap), (body, l * 0.97), (body * 0.7, l)], barrel);
     }
-    b.block("clip", [0.0, -clip * 0.5, l * 0.66], [r, clip * 0.5, l * 0.94], trim);
+    b.block("clip", [0.0, -clip * 0.5, clasp], [r, clip * 0.5, l * 0.94], trim);
 }
 
 /// A rubber in a paper sleeve, one end rounded by use.
@@ -140,10 +142,10 @@ pub(super) fn paper_clip(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let r = h / 2.0;
     let (x, y) = ((x - r).max(r), (y - r).max(r));
-    let at = |u: f32, v: f32| [u * x, v * y, r];
+    let at = |u: f32, v: f32| [u * x * 0.96, v * y * 0.94, r];
     let bend = [
-        at(-1.0, 0.4),
-        at(-1.0, -0.6),
+        at(-0.96, 0.4),
+        at(-0.96, -0.6),
         at(-0.5, -1.0),
         at(0.4, -1.0),
         at(0.9, -0.6),

@@ -27,8 +27,8 @@ pub(super) fn clip_hanger(b: &mut Build<'_>, h: f32) -> f32 {
     let waist = hook(b, h * 0.92) - h * 0.005;
     let r = (x * 0.2).min(0.004);
     b.rod("bar", [0.0, -y * 0.62, waist + r], [0.0, y * 0.62, waist + r], r, STEEL);
-    let clips = [-0.5, 0.5]
-        .map(|s| ([-x * 0.85, y * s - y * 0.05, waist * 0.97], [x * 0.85, y * s + y * 0.05, waist + 2.0 * r]));
+    let clips =
+        [-0.5, 0.5].map(|s| ([-x * 0.9, y * s - y * 0.05, waist * 0.97], [x * 0.9, y * s + y * 0.05, waist + 2.0 * r]));
     blocks(b, "clip", &clips, BLACK_PLASTIC);
     waist
 }
@@ -45,17 +45,13 @@ pub(super) fn hanger(b: &mut Build<'_>) {
     line.extend(arc(Axis::X, [0.0, 0.0, h - round - wire], (round, round), (-PI * 0.45, PI), 10));
     tube(b, "hook", &line, wire, STEEL);
     let mut body = Shell::default();
-    let low = h * 0.1;
+    let low = r;
     for s in [-1.0, 1.0] {
         let arm =
             [[0.0, 0.0, neck], [0.0, s * y * 0.35, neck * 0.85], [0.0, s * y * 0.75, h * 0.3], [0.0, s * (y - r), low]];
         body.tube(&spline(&arm, 4), r);
     }
     body.put(b, "arm", mat);
-    b.rod("bar", [0.0, -y + r, r], [0.0, y - r, r], r * 0.7, mat);
-    for s in [-1.0, 1.0] {
-        b.bar("end", [0.0, s * (y - r), r], [0.0, s * (y - r), low], r * 0.9, mat);
-    }
     b.hook("hook", [0.0, 0.0, neck], 1.5_f32.max(h));
 }
 
@@ -123,19 +119,19 @@ pub(super) fn spectacles(b: &mut Build<'_>) {
         hoop(b, "rim", &oval(Axis::X, at, half, square, 20), r, frame);
         let glass: Vec<(f32, f32)> = oval(Axis::Z, [0.0; 3], half, square, 20).iter().map(|p| (p[0], p[1])).collect();
         b.prism("lens", Axis::X, [front - r * 0.2, at[1], at[2]], &glass, r * 0.4, lens);
-        let hinge = [front, s * (y - r), h * 0.68];
+        let hinge = [front, s * (y - r * 2.0), h * 0.68];
         let line = if x > 0.025 {
             [
                 hinge,
-                [0.0, s * (y - r), h * 0.68],
-                [-x * 0.55, s * (y - r), h * 0.66],
-                [-x + r, s * (y - r * 1.5), r * 1.2],
+                [0.0, s * (y - r * 1.5), h * 0.68],
+                [-x * 0.55, s * (y - r * 1.5), h * 0.66],
+                [-x + r, s * (y - r * 2.0), r * 1.2],
             ]
         } else {
             let back = front - r * (2.2 + 1.8 * (s + 1.0) / 2.0);
             [
                 hinge,
-                [back.max(r - x), s * y * 0.9, h * 0.68],
+                [back.max(r - x), s * y * 0.88, h * 0.68],
                 [back.max(r - x), 0.0, h * 0.66],
                 [back.max(r - x), -s * y * 0.8, h * 0.4],
             ]
@@ -154,6 +150,7 @@ pub(super) fn keys(b: &mut Build<'_>) {
     let ring = (h * 0.16).min(y * 0.8);
     let thin = (x * 0.12).min(ring * 0.1);
     hoop(b, "ring", &oval(Axis::X, [0.0, 0.0, h - ring], (ring - thin, ring - thin), 0, 20), thin, STEEL);
+    b.rod("pin", [-x * 0.75, 0.0, h - 2.0 * ring + thin], [x * 0.75, 0.0, h - 2.0 * ring + thin], thin * 1.3, STEEL);
     let count = b.rng.count(2, 3);
     for i in 0..count {
         let metal = b.one(&[BRASS, STEEL, SILVER_METAL]);
@@ -199,18 +196,16 @@ pub(super) fn wallet(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let leather = b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, RED_FABRIC, NAVY_FABRIC]);
         let (x, y) = (t / 2.0, w / 2.0);
-        let leaf = t * 0.28;
-        b.soft("back", [-x, -y, 0.0], [-x + leaf, y, h], leaf * 0.4, leather);
-        b.block("spine", [-x + leaf * 0.5, -y, h * 0.02], [x - leaf * 0.5, -y + leaf * 0.8, h * 0.98], leather);
-        let cards = [(GREEN_CARD, 0.3, 0.42), (CREAM_PAPER, 0.6, 0.7)];
-        b.block("fold", [-x + leaf * 0.9, -y * 0.99, 0.0], [x - leaf * 1.02, y * 0.97, h * 0.03], leather);
-        b.inside("pocket", [t * 0.01, 0.0, h * 0.03], (t * 0.07, y * 0.85), h * 0.9);
-        for (mat, a, c) in cards {
-            b.block("card", [-x + t * a, -y * 0.85, h * 0.03], [-x + t * c, y * 0.9, h * (0.88 + 0.1 * a)], mat);
-        }
-        b.hinge([x - leaf, -y, 0.0], [0.0, 0.0, -1.0], 2.6, |b| {
-            b.soft("cover", [x - leaf, -y, 0.0], [x - leaf * 0.06, y, h], leaf * 0.4, leather);
-            b.block("stitch", [x - leaf * 0.5, -y * 0.9, h * 0.92], [x, y * 0.9, h * 0.94], BEIGE_FABRIC);
+        let leaf = t * 0.1;
+        let edge = y * 0.98;
+        b.block("back", [-x, -edge, 0.0], [-x + leaf, y, h], leather);
+        b.block("spine", [-x + leaf * 0.5, -y, h * 0.02], [x - leaf, -y + (w * 0.04).min(leaf), h * 0.98], leather);
+        b.block("card", [-x + leaf * 0.9, -y * 0.8, h * 0.2], [-x + leaf * 1.3, y * 0.9, h * 0.94], GREEN_CARD);
+        b.block("fold", [-x + leaf * 0.9, -y * 0.97, h * 0.01], [x - leaf * 1.1, y * 0.97, h * 0.04], leather);
+        b.inside("pocket", [leaf * 0.15, 0.0, h * 0.04], (t * 0.38, y * 0.85), h * 0.9);
+        b.hinge([x - leaf, -edge, 0.0], [0.0, 0.0, -1.0], 1.6, |b| {
+            b.block("cover", [x - leaf, -edge, 0.0], [x - leaf * 0.3, y, h], leather);
+            b.block("stitch", [x - leaf * 0.5, -y * 0.9, h * 0.9], [x, y * 0.9, h * 0.93], BEIGE_FABRIC);
         });
     });
 }
@@ -224,7 +219,7 @@ pub(super) fn shoe_horn(b: &mut Build<'_>) {
             let side = 2.0 * v - 1.0;
             let wide = y * (1.0 - 0.55 * u) * (u * 6.0 + 0.5).min(1.0);
             let px = x * (1.8 * side * side - 0.9) * (1.0 - u * 0.5);
-            let z = h * 0.95 * u;
+            let z = (h - y * 0.7).max(h * 0.5) * u;
             ([px + x * 0.1, wide * side, z], [px - x * 0.1, wide * side, z])
         };
         sheet(b, "blade", (10, 8), blade, mat);

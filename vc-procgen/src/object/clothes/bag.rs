@@ -19,10 +19,11 @@ fn pouch(b: &mut Build<'_>, (x, y): (f32, f32), high: f32, spread: f32, mat: Mat
         ring(2.0 * t, low * 0.95, t),
     ];
     loft(b, "bag", &rings, mat);
+    let narrow = low.min(top);
     b.inside(
         "compartment",
         [0.0, 0.0, 2.0 * t],
-        ((x * low - 2.0 * t) * 0.85, (y * low - 2.0 * t) * 0.85),
+        ((x * narrow - 2.0 * t) * 0.85, (y * narrow - 2.0 * t) * 0.85),
         high - 2.0 * t,
     );
 }
@@ -54,6 +55,8 @@ pub(super) fn handbag(b: &mut Build<'_>) {
     let t = h * 0.012;
     let edge = deep * top;
     let drop = body * b.vary(0.3, 0.6);
+    let r = (y * 0.035).min(0.007).min(deep * 0.2);
+    let carried = b.class == "purse" || b.rng.chance(0.4);
     b.hinge([-edge, 0.0, body], [0.0, -1.0, 0.0], 2.4, |b| {
         b.block("flap", [-edge, -y * top, body + h * 0.002], [deep, y * top, body + t], leather);
         let front = [
@@ -65,26 +68,25 @@ pub(super) fn handbag(b: &mut Build<'_>) {
         ];
         b.prism("flap", Axis::X, [deep * 0.99, 0.0, 0.0], &front, deep * 0.01 + clasp * 0.4, leather);
         b.block("clasp", [deep, -y * 0.1, body - drop * 0.85], [x, y * 0.1, body - drop * 0.6], metal);
+        if carried {
+            let strap = [
+                [0.0, -y * top * 0.9, body + t * 0.5],
+                [0.0, -y * top * 0.8, body + (h - body) * 0.6],
+                [0.0, 0.0, h - r * 1.2],
+                [0.0, y * top * 0.8, body + (h - body) * 0.6],
+                [0.0, y * top * 0.9, body + t * 0.5],
+            ];
+            let mut shell = Shell::default();
+            shell.tube(&spline(&strap, 5), r);
+            shell.put(b, "strap", leather);
+        } else {
+            handles(b, (deep * 0.5, y * 0.5), (body, h), r, leather);
+        }
+        let rings = [-1.0, 1.0].map(|s| {
+            ([-x * 0.06, s * y * 0.6 - y * 0.02, body + t * 0.5], [x * 0.06, s * y * 0.6 + y * 0.02, body + t * 2.0])
+        });
+        blocks(b, "ring", &rings, metal);
     });
-    let r = (y * 0.035).min(0.007);
-    if b.class == "purse" || b.rng.chance(0.4) {
-        let strap = [
-            [0.0, -y * top + r, body * 0.9],
-            [0.0, -y * 0.7, h * 0.9],
-            [0.0, 0.0, h - r],
-            [0.0, y * 0.7, h * 0.9],
-            [0.0, y * top - r, body * 0.9],
-        ];
-        let mut shell = Shell::default();
-        shell.tube(&spline(&strap, 5), r);
-        shell.put(b, "strap", leather);
-    } else {
-        handles(b, (deep * 0.5, y * 0.5), (body, h), r, leather);
-    }
-    let rings = [-1.0, 1.0].map(|s| {
-        ([-x * 0.06, s * y * 0.5 - y * 0.02, body + t * 0.5], [x * 0.06, s * y * 0.5 + y * 0.02, body + t * 2.0])
-    });
-    blocks(b, "ring", &rings, metal);
 }
 
 /// A bag of cloth or paper, open above: for shopping or the wash.
@@ -101,6 +103,23 @@ pub(super) fn tote(b: &mut Build<'_>) {
     let ink = b.one(&[RED_CARD, BLACK_CARD, GREEN_CARD, WHITE_PAPER]);
     let low = x * 0.985 * (1.0 - spread.max(0.0) * 0.6);
     b.block("print", [low * 0.8, -y * 0.35, body * 0.35], [x, y * 0.35, body * 0.6], ink);
+    let wide = 1.0_f32.min(1.0 + spread);
+    if b.class == "laundry_bag" {
+        let (lx, ly) = (x * 0.985 * wide, y * wide);
+        b.hinge([-lx, 0.0, body], [0.0, -1.0, 0.0], 2.2, |b| {
+            b.soft("lid", [-lx, -ly, body + h * 0.002], [lx, ly, body + (h - body) * 0.45], h * 0.01, mat);
+            let grip = [
+                [0.0, -ly * 0.4, body + (h - body) * 0.4],
+                [0.0, -ly * 0.3, body + (h - body) * 0.8],
+                [0.0, ly * 0.3, body + (h - body) * 0.8],
+                [0.0, ly * 0.4, body + (h - body) * 0.4],
+            ];
+            let mut shell = Shell::default();
+            shell.tube(&spline(&grip, 4), (h - body) * 0.12);
+            shell.put(b, "handle", ink);
+        });
+        return;
+    }
     let r = (y * 0.03).min(0.006);
-    handles(b, (x * 0.75 * (1.0 + spread.min(0.0)), y * 0.42), (body * 0.92, h), r, mat);
+    handles(b, (x * 0.985 * wide - r * 1.2, y * 0.42), (body * 0.92, h), r, mat);
 }

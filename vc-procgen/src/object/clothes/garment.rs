@@ -146,7 +146,7 @@ fn sleeves(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
             oval(Axis::Z, [0.0, side * y * centre, z], (deep * (0.9 - 0.3 * t) * grow, half), 0, 12)
         };
         arms.loft(&[ring(0.0, 0.55), ring(0.06, 1.0), ring(0.3, 1.0), ring(0.7, 1.0), ring(1.0, 1.0)]);
-        cuffs.loft(&[ring(0.94, 1.04), ring(1.01, 1.04)]);
+        cuffs.loft(&[ring(0.94, 1.1), ring(1.01, 1.1)]);
     }
     arms.put(b, "sleeve", cloth);
     let plain = matches!(cut.front, Front::Lapels | Front::Belt | Front::Buttons) || b.rng.chance(0.6);
@@ -194,11 +194,11 @@ fn closure(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
                 let lapel = [(0.16, 0.94), (0.32, 0.86), (0.4, 0.74), (0.02, 0.48)].map(|(a, z)| (s * y * a, neck * z));
                 b.prism("lapel", Axis::X, [deep * 0.5, 0.0, 0.0], &lapel, deep * 0.5 + step * 2.0, cloth);
             }
-            blocks(b, "seam", &[strip(0.008, 0.0, 0.48, 0.7)], BLACK_FABRIC);
+            blocks(b, "seam", &[strip(0.008, 0.004, 0.48, 0.7)], BLACK_FABRIC);
             buttons(b, b.size.z.mul_add(1.5, 1.0) as usize, 0.46, 2.0, BLACK_PLASTIC);
         }
         Front::Belt => {
-            blocks(b, "seam", &[strip(0.01, 0.0, 0.9, 0.6)], trim);
+            blocks(b, "seam", &[strip(0.01, 0.004, 0.9, 0.6)], trim);
             let band = |z: f32| oval(Axis::Z, [0.0, 0.0, neck * z], (deep + step, y * (cut.waist + 0.03)), 1, 24);
             loft(b, "belt", &[band(0.53), band(0.57)], cloth);
             let ends =
@@ -236,10 +236,14 @@ fn decoration(b: &mut Build<'_>, cut: &Cut, neck: f32, trim: Mat) {
             let count = b.rng.count(0, 4);
             let band = |z: f32| {
                 let w = if z > 0.55 { cut.chest } else { cut.waist + (cut.hem - cut.waist) * (1.0 - z / 0.55) };
-                oval(Axis::Z, [0.0, 0.0, neck * z], (deep * 1.015, y * w * 1.01), 1, 24)
+                oval(Axis::Z, [0.0, 0.0, neck * z], (deep * 1.05, y * w * 1.015), 1, 24)
             };
             let low = if b.class == "dress" { 0.545 } else { b.vary(0.4, 0.6) };
-            let count = if b.class == "dress" { count.min(1) } else { count };
+            let count = match (b.class, cut.front) {
+                ("dress", _) => count.min(1),
+                (_, Front::Closed) => count,
+                _ => 0,
+            };
             for i in 0..count {
                 let z = low + 0.07 * i as f32;
                 loft(b, "stripe", &[band(z), band(z + 0.03)], trim);

@@ -56,7 +56,7 @@ fn bobble(b: &mut Build<'_>) {
     ]);
     let knob = h * 0.14;
     let ring = |z: f32, s: f32| oval(Axis::Z, [0.0, 0.0, z * h], (x * s, y * s), 0, 20);
-    loft(b, "hat", &[ring(0.0, 0.9), ring(0.3, 0.94), ring(0.55, 0.82), ring(0.72, 0.55), ring(0.8, 0.2)], cloth);
+    loft(b, "hat", &[ring(0.03, 0.9), ring(0.3, 0.94), ring(0.55, 0.82), ring(0.72, 0.55), ring(0.8, 0.2)], cloth);
     let edge = vec![ring(0.0, 0.9), ring(0.04, 1.0), ring(0.26, 1.0), ring(0.3, 0.92)];
     loft(b, "edge", &edge, trim);
     b.ball("bobble", [0.0, 0.0, h - knob], knob, trim);

@@ -43,10 +43,10 @@ pub(super) fn trousers(b: &mut Build<'_>) {
     legs.put(b, "leg", cloth);
     let band = |z: f32| oval(Axis::Z, [0.0, 0.0, z], (deep * 0.86, y * 0.815), 1, 24);
     let trim = if b.class == "jeans" { BROWN_LEATHER } else { cloth };
-    loft(b, "waistband", &[band(waist * 0.955), band(waist * 1.0 - 0.001)], cloth);
+    loft(b, "waistband", &[band(waist * 0.955), band(waist * 0.995)], cloth);
     let (step, fly) = (x, (waist - crotch) * 0.6);
     let loops: Vec<(P, P)> = [-0.5, 0.5]
-        .map(|s| ([0.0, y * s - y * 0.025, waist * 0.945], [deep * 0.93, y * s + y * 0.025, waist - 0.002]))
+        .map(|s| ([0.0, y * s - y * 0.025, waist * 0.945], [deep * 0.9, y * s + y * 0.025, waist * 0.997]))
         .to_vec();
     blocks(b, "loop", &loops, trim);
     b.block("fly", [0.0, -y * 0.04, waist - fly], [deep + (step - deep) * 0.4, y * 0.03, waist * 0.95], cloth);

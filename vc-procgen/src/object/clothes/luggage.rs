@@ -65,15 +65,16 @@ pub(super) fn backpack(b: &mut Build<'_>) {
             )
         });
         blocks(b, "strap", &straps, trim);
+        let r = (x * 0.05).min(grip * 0.3);
+        let carry = arc(
+            Axis::X,
+            [back + half * 0.3, 0.0, h - grip * 1.2],
+            (w * 0.25, grip * 1.2 - r),
+            (0.0, std::f32::consts::PI),
+            8,
+        );
+        tube(b, "handle", &carry, r, trim);
     });
-    let r = (x * 0.05).min(grip * 0.3);
-    tube(
-        b,
-        "handle",
-        &arc(Axis::X, [back - r, 0.0, h * 0.9], (w * 0.25, h * 0.1 - r), (0.0, std::f32::consts::PI), 8),
-        r,
-        trim,
-    );
     let mut straps = Shell::default();
     for s in [-1.0, 1.0] {
         let py = s * w * 0.45;
@@ -101,7 +102,8 @@ pub(super) fn suitcase(b: &mut Build<'_>) {
     let half = |b: &mut Build<'_>, from: f32, to: f32, name: &str| {
         let face = if from.abs() > to.abs() { from } else { to };
         let inner = if face < 0.0 { face + t } else { face - t };
-        b.block(name, [face.min(inner), -y, low], [face.max(inner), y, top], shell);
+        let (in_y, in_z) = (t * 0.3, t * 0.3);
+        b.block(name, [face.min(inner), -y + in_y, low + in_z], [face.max(inner), y - in_y, top - in_z], shell);
         let (a, c) = (from.min(to), from.max(to));
         let walls = [
             ([a, -y, low], [c, y, low + t]),
@@ -137,7 +139,7 @@ pub(super) fn suitcase(b: &mut Build<'_>) {
         b.block(
             "lock",
             [seam, -y - 0.0006, (low + top) * 0.5 - h * 0.03],
-            [x * 0.3, -y + t, (low + top) * 0.5 + h * 0.03],
+            [x * 0.3, -y + t * 0.5, (low + top) * 0.5 + h * 0.03],
             STEEL,
         );
     });
@@ -157,10 +159,10 @@ pub(super) fn suitcase(b: &mut Build<'_>) {
     forks.put(b, "fork", BLACK_PLASTIC);
     let r = (x * 0.05).min(grip * 0.2);
     let pull = [
-        [-x * 0.6, -y * 0.35, top - t],
+        [-x * 0.6, -y * 0.35, top - t * 0.6],
         [-x * 0.6, -y * 0.35, h - r],
         [-x * 0.6, y * 0.35, h - r],
-        [-x * 0.6, y * 0.35, top - t],
+        [-x * 0.6, y * 0.35, top - t * 0.6],
     ];
     tube(b, "handle", &pull, r, STEEL);
     let carry = arc(Axis::X, [x * 0.25, 0.0, top - t], (y * 0.25, grip * 0.5), (0.0, std::f32::consts::PI), 8);
@@ -183,7 +185,7 @@ pub(super) fn briefcase(b: &mut Build<'_>) {
     blocks(b, "case", &walls, leather);
     b.inside("compartment", [-x * 0.3, 0.0, t], (x * 0.7 - 2.0 * t, y - 2.0 * t), top - 2.5 * t);
     b.hinge([x * 0.4, 0.0, 0.0], [0.0, 1.0, 0.0], 1.5, |b| {
-        b.soft("lid", [x * 0.4 + h * 0.002, -y, 0.0], [x * 0.95, y, top], x * 0.2, leather);
+        b.soft("lid", [x * 0.4 + h * 0.002, -y, 0.0], [x * 0.95, y, top], t, leather);
         let locks = [-0.6, 0.6].map(|s| ([x * 0.5, y * s - y * 0.05, top * 0.88], [x, y * s + y * 0.05, top * 0.97]));
         blocks(b, "lock", &locks, BRASS);
         b.block("seam", [x * 0.6, -y * 0.95, top * 0.6], [x * 0.95 + h * 0.002, y * 0.95, top * 0.62], BLACK_LEATHER);

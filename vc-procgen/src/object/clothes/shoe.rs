@@ -33,8 +33,9 @@ impl Last {
     fn sole(&self, grow: f32) -> Vec<(f32, f32)> {
         let steps = [-1.0, -0.9, -0.6, -0.2, 0.3, 0.6, 0.85, 1.0];
         let bend = |t: f32| self.side * self.w * 0.06 * (1.0 - t * t);
-        let right = steps.iter().map(|&t| (self.x * t, self.at + bend(t) - self.wide(t) * grow));
-        let left = steps.iter().rev().map(|&t| (self.x * t, self.at + bend(t) + self.wide(t) * grow));
+        let long = self.x * (0.7 + 0.3 * grow);
+        let right = steps.iter().map(|&t| (long * t, self.at + bend(t) - self.wide(t) * grow));
+        let left = steps.iter().rev().map(|&t| (long * t, self.at + bend(t) + self.wide(t) * grow));
         right.chain(left).collect()
     }
 }
@@ -218,16 +219,16 @@ fn sandal(b: &mut Build<'_>, last: Last, leather: Mat, style: usize) {
         for s in [-1.0, 1.0] {
             let end = [-last.x * 0.05, last.at + s * last.wide(0.0) * 0.9, thick];
             straps.tube(
-                &spline(&[toe, [last.x * 0.45, last.at + s * last.w * 0.25, last.h * 0.95], end], 4),
+                &spline(&[toe, [last.x * 0.45, last.at + s * last.w * 0.25, last.h * 0.8], end], 4),
                 last.w * 0.09,
             );
         }
     } else {
         for t in [0.5, 0.15] {
-            straps.leaf(&spline(&bow(t, last.h * 0.96), 3), |_| band, 0.0);
+            straps.leaf(&spline(&bow(t, last.h * 0.93), 3), |_| band, 0.0);
         }
         if style == 2 {
-            straps.leaf(&spline(&bow(-0.7, last.h * 0.96), 3), |_| band * 0.6, 0.0);
+            straps.leaf(&spline(&bow(-0.7, last.h * 0.93), 3), |_| band * 0.6, 0.0);
         }
     }
     straps.put(b, "strap", leather);
@@ -256,8 +257,8 @@ fn slipper(b: &mut Build<'_>, last: Last, (cloth, trim): (Mat, Mat)) {
     hole.put(b, "lining", BLACK_FABRIC);
     let fluff = [
         [-last.x * 0.06, last.at - last.w * 0.62, last.h * 0.5],
-        [-last.x * 0.03, last.at - last.w * 0.3, last.h * 0.9],
-        [-last.x * 0.03, last.at + last.w * 0.3, last.h * 0.9],
+        [-last.x * 0.03, last.at - last.w * 0.3, last.h * 0.86],
+        [-last.x * 0.03, last.at + last.w * 0.3, last.h * 0.86],
         [-last.x * 0.06, last.at + last.w * 0.62, last.h * 0.5],
     ];
     let mut rim = Shell::default();
@@ -281,7 +282,7 @@ fn heel(b: &mut Build<'_>, last: Last, leather: Mat) {
     plate.loft(&rings);
     plate.put(b, "sole", BEIGE_FABRIC);
     let mut upper = Shell::default();
-    let toe: Vec<Vec<P>> = [(0.22, 0.38), (0.4, 0.36), (0.65, 0.3), (0.88, 0.22), (0.99, 0.12)]
+    let toe: Vec<Vec<P>> = [(0.22, 0.38), (0.4, 0.36), (0.65, 0.3), (0.88, 0.22), (0.97, 0.12)]
         .iter()
         .map(|&(t, top)| last.ring(t, z(t) + thick * 0.3, z(t) + last.h * top, 0.96))
         .collect();
@@ -293,7 +294,7 @@ fn heel(b: &mut Build<'_>, last: Last, leather: Mat) {
     upper.loft(&back);
     upper.tapered(
         &[[-last.x * 0.8, last.at, lift * 0.95], [-last.x * 0.86, last.at, lift * 0.4], [-last.x * 0.84, last.at, 0.0]],
-        |t| last.w * (0.5 - 0.34 * t),
+        |t| last.w.min(last.x * 0.3) * (0.5 - 0.34 * t),
     );
     upper.put(b, "upper", leather);
 }

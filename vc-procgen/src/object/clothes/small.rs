@@ -60,16 +60,17 @@ pub(super) fn socks(b: &mut Build<'_>) {
         let slip = y * 0.05 * i as f32;
         let ring = |k: usize, grow: f32| {
             let (t, mid, wide): (f32, f32, f32) = shape[k];
-            let at = [-x * mid, (y * t * 0.95 + slip).min(y), f32::midpoint(low, high)];
+            let along = if grow < 1.0 { 0.92 } else { 0.95 };
+            let at = [-x * mid, (y * t * along + slip).min(y), f32::midpoint(low, high)];
             oval(Axis::Y, at, ((x * wide).min(x - (x * mid).abs()) * grow, (high - low) / 2.0 * grow), 1, 12)
         };
-        let all: Vec<Vec<P>> = (0..shape.len()).map(|k| ring(k, 0.97)).collect();
+        let all: Vec<Vec<P>> = (0..shape.len()).map(|k| ring(k, 0.94)).collect();
         let mut sock = Shell::default();
         sock.loft(&all);
         sock.put(b, "sock", cloth);
         let mut bands = Shell::default();
         bands.loft(&[ring(0, 1.0), ring(1, 1.0)]);
-        bands.loft(&[ring(3, 0.98), ring(4, 1.0), ring(5, 0.98)]);
+        bands.loft(&[ring(3, 1.0), ring(4, 1.0), ring(5, 1.0)]);
         bands.loft(&[ring(7, 1.0), ring(8, 1.0), ring(9, 1.0)]);
         bands.put(b, "cuff", trim);
     }
@@ -203,7 +204,7 @@ pub(super) fn gloves(b: &mut Build<'_>) {
             let px = t * (0.25 - 0.5 * i as f32);
             let deep = t * 0.24;
             let ring = |z: f32, a: f32| oval(Axis::Z, [px, 0.0, h * z], (deep, w * a), 0, 12);
-            hands.loft(&[ring(0.0, 0.36), ring(0.25, 0.3), ring(0.45, 0.36), ring(0.6, 0.37), ring(0.66, 0.3)]);
+            hands.loft(&[ring(0.02, 0.36), ring(0.25, 0.3), ring(0.45, 0.36), ring(0.6, 0.37), ring(0.66, 0.3)]);
             let r = deep.min(w * 0.09);
             for (k, top) in [0.9, 0.99, 0.97, 0.86].into_iter().enumerate() {
                 let py = side * w * (-0.27 + 0.18 * k as f32);
@@ -214,7 +215,7 @@ pub(super) fn gloves(b: &mut Build<'_>) {
             let thumb = -side * w * (0.5 - 0.09);
             hands
                 .tapered(&[[px, -side * w * 0.2, h * 0.35], [px, thumb * 0.95, h * 0.5], [px, thumb, h * 0.66]], |t| {
-                    r * (1.1 - 0.4 * t)
+                    r * (1.0 - 0.3 * t)
                 });
             b.block("cuff", [px - deep, -w * 0.37, 0.0], [px + deep, w * 0.37, h * 0.1], cuff);
         }

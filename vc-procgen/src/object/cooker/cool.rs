@@ -27,14 +27,14 @@ const RACKS: Cold = Cold { name: "shelf", shelves: 4, drawers: 0, door_shelves: 
 
 /// A fridge over or under a freezer, or both side by side.
 pub(super) fn fridge(b: &mut Build<'_>) {
-    let u = fit(b, [0.3, 0.25, 0.7]);
+    let u = fit(b, [0.48, 0.4, 1.12]);
     let (x, y, h) = spans(b);
     let body = b.one(&[b.style.appliance, b.style.appliance, STEEL]);
     let (feet, face, door) = (0.03 * u, x - 0.035 * u, 0.05 * u);
     let back = face - door;
     foot_row(b, (x * 0.75, y * 0.85), 0.025 * u, feet);
     let at = b.one(&[Swing::Left, Swing::Right]);
-    let gap = 0.004 * u;
+    let gap = 0.002 * u;
     if y > 0.37 {
         let split = y * b.vary(-0.15, 0.1);
         chamber(b, &LARDER, ([-x, split, feet], [back, y, h]), door, Swing::Left, body, u);
@@ -58,7 +58,7 @@ pub(super) fn fridge(b: &mut Build<'_>) {
 
 /// One door before two shelves and an ice compartment.
 pub(super) fn mini_fridge(b: &mut Build<'_>) {
-    let u = fit(b, [0.22, 0.21, 0.25]);
+    let u = fit(b, [0.352, 0.336, 0.4]);
     let (x, y, _) = spans(b);
     let h = under_worktop(b, u);
     let body = b.one(&[b.style.appliance, BLACK_METAL, RED_METAL, WHITE_METAL]);
@@ -74,7 +74,7 @@ pub(super) fn mini_fridge(b: &mut Build<'_>) {
 
 /// Drawers behind one door.
 pub(super) fn freezer(b: &mut Build<'_>) {
-    let u = fit(b, [0.28, 0.27, 0.4]);
+    let u = fit(b, [0.448, 0.432, 0.64]);
     let (x, y, _) = spans(b);
     let h = under_worktop(b, u);
     let body = b.style.appliance;
@@ -89,7 +89,7 @@ pub(super) fn freezer(b: &mut Build<'_>) {
 
 /// A chest with a lid hinged at the back; narrow baskets hang in it.
 pub(super) fn chest_freezer(b: &mut Build<'_>) {
-    let u = fit(b, [0.28, 0.3, 0.4]);
+    let u = fit(b, [0.448, 0.48, 0.64]);
     let (x, y, h) = spans(b);
     let body = b.one(&[WHITE_METAL, WHITE_METAL, SILVER_METAL]);
     let (feet, cover, wall) = (0.025 * u, 0.05 * u, 0.05 * u);
@@ -97,20 +97,20 @@ pub(super) fn chest_freezer(b: &mut Build<'_>) {
     foot_row(b, (x * 0.8, y * 0.85), 0.025 * u, feet);
     pit(b, "chest", [-x, -y, feet], [front, y, h - cover], wall, body);
     let step = h * 0.25;
-    let motor = [front - wall - 0.001, y - wall - (y * 0.45).min(0.28), feet + wall];
+    let motor = [front - wall - 0.001 * u, y - wall - (y * 0.45).min(0.28), feet + wall];
     b.block("motor", [-x + wall, motor[1], motor[2]], [front - wall, y - wall, feet + wall + step], body);
     floor_of(b, "compartment_1", [-x + wall, -y + wall, feet + wall], [front - wall, motor[1], h - cover]);
     let raised = [-x + wall, motor[1], feet + wall + step];
     floor_of(b, "compartment_2", raised, [front - wall, y - wall, h - cover]);
     b.block(
         "grille",
-        [front - 0.001, y * 0.55, feet + 0.04 * u],
-        [front + 0.003, y * 0.92, feet + 0.12 * u],
+        [front - 0.001 * u, y * 0.55, feet + 0.04 * u],
+        [front + 0.003 * u, y * 0.92, feet + 0.12 * u],
         BLACK_PLASTIC,
     );
-    b.block("badge", [front - 0.001, -y * 0.9, h * 0.8], [front + 0.002, -y * 0.65, h * 0.83], GREY_PLASTIC);
+    b.block("badge", [front - 0.001 * u, -y * 0.9, h * 0.8], [front + 0.002 * u, -y * 0.65, h * 0.83], GREY_PLASTIC);
     lid(b, [-x, 0.0, h], 1.35, |b| {
-        b.soft("lid", [-x, -y, h - cover + 0.002], [x - 0.01 * u, y, h], 0.015 * u, body);
+        b.soft("lid", [-x, -y, h - cover + 0.002 * u], [x - 0.01 * u, y, h], 0.015 * u, body);
         let w = y * 0.25;
         b.block("grip", [x - 0.02 * u, -w, h - cover * 0.8], [x, w, h - cover * 0.3], GREY_PLASTIC);
         b.top("lid", [0.0, 0.0, h], (x - 0.04 * u, y - 0.03 * u));
@@ -119,7 +119,7 @@ pub(super) fn chest_freezer(b: &mut Build<'_>) {
 
 /// A steel cupboard for restaurants: one or two doors, wire shelves, machinery on top.
 pub(super) fn commercial_fridge(b: &mut Build<'_>) {
-    let u = fit(b, [0.35, 0.32, 0.9]);
+    let u = fit(b, [0.56, 0.512, 1.44]);
     let (x, y, h) = spans(b);
     let (feet, door) = (0.12 * u, 0.05 * u);
     let face = x - 0.035 * u;
@@ -147,7 +147,7 @@ pub(super) fn commercial_fridge(b: &mut Build<'_>) {
 
 /// A steel cooler for trays, low or tall, with a probe's display over the door.
 pub(super) fn blast_chiller(b: &mut Build<'_>) {
-    let u = fit(b, [0.32, 0.35, 0.4]);
+    let u = fit(b, [0.512, 0.56, 0.64]);
     let (x, y, h) = spans(b);
     let (feet, door, head) = (0.1 * u, 0.05 * u, 0.12 * u);
     let face = x - 0.035 * u;
@@ -155,9 +155,14 @@ pub(super) fn blast_chiller(b: &mut Build<'_>) {
     steel_legs(b, (x * 0.8, y * 0.85), feet, castors, u);
     b.block("head", [-x, -y, h - head], [face, y, h], STEEL);
     let board = b.one(&[BLACK_GLASS, BLUE_METAL]);
-    b.block("board", [face - 0.001, -y * 0.95, h - head * 0.9], [face + 0.002, y * 0.95, h - head * 0.1], board);
-    display(b, face + 0.002, (-y * 0.3, h - head * 0.72), (y * 0.1, h - head * 0.28), COOL_BULB);
-    knob(b, [face + 0.002, y * 0.6, h - head * 0.5], head * 0.25, 0.014 * u, (STEEL, BLACK));
+    b.block(
+        "board",
+        [face - 0.001 * u, -y * 0.95, h - head * 0.9],
+        [face + 0.002 * u, y * 0.95, h - head * 0.1],
+        board,
+    );
+    display(b, face + 0.002 * u, (-y * 0.3, h - head * 0.72), (y * 0.1, h - head * 0.28), COOL_BULB);
+    knob(b, [face + 0.002 * u, y * 0.6, h - head * 0.5], head * 0.25, 0.014 * u, (STEEL, BLACK));
     let racks = Cold { name: "rack", shelves: ((h - feet - head) / 0.13).clamp(3.0, 8.0) as usize, ..RACKS };
     let at = b.one(&[Swing::Left, Swing::Right]);
     chamber(b, &racks, ([-x, -y, feet], [face - door, y, h - head]), door, at, STEEL, u);
@@ -168,7 +173,7 @@ pub(super) fn blast_chiller(b: &mut Build<'_>) {
 
 /// A glass door before racks for bottles.
 pub(super) fn wine_cooler(b: &mut Build<'_>) {
-    let u = fit(b, [0.22, 0.15, 0.25]);
+    let u = fit(b, [0.352, 0.24, 0.4]);
     let (x, y, h) = spans(b);
     let body = b.one(&[BLACK_METAL, BLACK_METAL, STEEL]);
     let (feet, door, head) = (0.02 * u, 0.035 * u, 0.05 * u);
@@ -184,7 +189,7 @@ pub(super) fn wine_cooler(b: &mut Build<'_>) {
     let wood = b.one(&[BEECH, OAK, STEEL]);
     tiers(b, "rack", hollow, racks, 0.02 * u, |b, l, h| {
         rack(b, l, h, 6, STEEL);
-        b.block("rack_front", [h[0] + 0.0005, l[1], l[2]], [h[0] + 0.011 * u, h[1], h[2] + 0.01 * u], wood);
+        b.block("rack_front", [h[0] + 0.0005 * u, l[1], l[2]], [h[0] + 0.011 * u, h[1], h[2] + 0.01 * u], wood);
     });
     let at = b.one(&[Swing::Left, Swing::Right]);
     let glass = b.one(&[GLASS, BROWN_GLASS]);
@@ -193,7 +198,7 @@ pub(super) fn wine_cooler(b: &mut Build<'_>) {
 
 /// A box that makes ice, with a flap before the bin; small ones stand on a counter.
 pub(super) fn ice_machine(b: &mut Build<'_>) {
-    let u = fit(b, [0.17, 0.13, 0.16]);
+    let u = fit(b, [0.272, 0.208, 0.256]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, STEEL, BLACK_METAL, RED_METAL]);
     let (feet, wall) = (h * 0.05, 0.02 * u);
@@ -221,7 +226,7 @@ pub(super) fn ice_machine(b: &mut Build<'_>) {
 
 /// A steel bench with cold cupboards or drawers below and machinery at one end.
 pub(super) fn refrigerated_counter(b: &mut Build<'_>) {
-    let u = fit(b, [0.3, 0.5, 0.4]);
+    let u = fit(b, [0.48, 0.8, 0.64]);
     let (x, y, h) = spans(b);
     let (feet, door, slab) = (0.12 * u, 0.045 * u, 0.03 * u);
     let face = x - 0.035 * u;
@@ -255,7 +260,13 @@ pub(super) fn refrigerated_counter(b: &mut Build<'_>) {
                 t: door,
             };
             case(b, bay.0, bay.1, 0.02 * u, STEEL);
-            drawers(b, &look, ([-x + 0.03 * u, y0, feet + 0.012 * u], [face, y1, top - slab]), 2, 1.0);
+            drawers(
+                b,
+                &look,
+                ["drawer", "middle_drawer", "far_drawer"][i.min(2)],
+                ([-x + 0.03 * u, y0, feet + 0.012 * u], [face, y1, top - slab]),
+                (2, 1.0),
+            );
         } else {
             let racks = Cold { name: names[i.min(2)], shelves: 2, ..RACKS };
             let at = if i % 2 == 0 { Swing::Right } else { Swing::Left };
@@ -295,7 +306,7 @@ fn chamber(b: &mut Build<'_>, cold: &Cold, (low, high): (P, P), door: f32, at: S
     let steel = body == STEEL && cold.wire;
     let liner = if steel { ALUMINIUM } else { WHITE_PLASTIC };
     let wall = 0.025 * u;
-    let shell = ([low[0] + skin, low[1] + skin, low[2] + skin], [high[0] - 0.001, high[1] - skin, high[2] - skin]);
+    let shell = ([low[0] + skin, low[1] + skin, low[2] + skin], [high[0] - 0.001 * u, high[1] - skin, high[2] - skin]);
     case(b, shell.0, shell.1, wall, liner);
     let pocket = if cold.door_shelves > 0 { ((high[0] - low[0]) * 0.2).min(0.1) } else { 0.0 };
     let from = [shell.0[0] + wall, shell.0[1] + wall, shell.0[2] + wall];
@@ -312,7 +323,7 @@ fn chamber(b: &mut Build<'_>, cold: &Cold, (low, high): (P, P), door: f32, at: S
         }
         let wire = cold.wire;
         tiers(b, cold.name, ([from[0], from[1], floor], to), cold.shelves, t, |b, l, h| {
-            if wire { rack(b, l, h, 9, STEEL) } else { b.block("shelf", l, h, GLASS) }
+            if wire { rack(b, l, h, 6, STEEL) } else { b.block("shelf", l, h, GLASS) }
         });
     }
     let front = ([high[0], low[1], low[2]], [high[0] + door, high[1], high[2]]);
@@ -322,8 +333,7 @@ fn chamber(b: &mut Build<'_>, cold: &Cold, (low, high): (P, P), door: f32, at: S
     }
     let (dl, dh) = gapped(front.0, front.1, 0.002 * u);
     let grip = if at == Swing::Left { dl[1] + 0.045 * u } else { dh[1] - 0.045 * u };
-    // Fridges are gripped where their doors meet, at about hip height.
-    let (z, length) = (((dl[2] + dh[2]) / 2.0).max(0.5 * (dl[2] + dh[2]) - 0.2).min(1.3), (dh[2] - dl[2]) * 0.45);
+    let (z, length) = (f32::midpoint(dl[2], dh[2]), (dh[2] - dl[2]) * 0.45);
     let metal = if body == STEEL { STEEL } else { CHROME };
     swing(b, at, dl, dh, 1.8, |b| {
         b.soft("door", dl, dh, 0.012 * u, body);
@@ -355,7 +365,7 @@ fn crispers(b: &mut Build<'_>, cold: &Cold, (low, high): (P, P), u: f32) {
             basket(b, &format!("{}_drawer_{}", cold.name, i + 1), from, to, 0.004 * u, CLEAR_PLASTIC);
             let y = (to[1] - from[1]) * 0.25;
             let middle = f32::midpoint(from[1], to[1]);
-            let lip = [to[0] - 0.001, middle - y, to[2] - 0.03 * u];
+            let lip = [to[0] - 0.001 * u, middle - y, to[2] - 0.03 * u];
             b.block("lip", lip, [to[0] + 0.008 * u, middle + y, to[2] - 0.01 * u], WHITE_PLASTIC);
         });
     }

@@ -122,7 +122,7 @@ pub(in crate::object) fn knob(b: &mut Build<'_>, at: P, radius: f32, depth: f32,
 pub(in crate::object) fn knobs(b: &mut Build<'_>, at: P, span: f32, count: usize, radius: f32, mats: (Mat, Mat)) {
     for i in 0..count {
         let y = at[1] + span * ((i as f32 + 0.5) / count as f32 - 0.5);
-        knob(b, [at[0], y, at[2]], radius, radius * 0.9, mats);
+        knob(b, [at[0], y, at[2]], radius, (radius * 0.9).min(0.025), mats);
     }
 }
 
@@ -162,6 +162,42 @@ pub(in crate::object) fn collar(b: &mut Build<'_>, name: &str, (from, to): (P, P
 /// The profile of a cup: outer radius below and above, height, wall.
 pub(in crate::object) fn cup(bottom: f32, top: f32, height: f32, wall: f32) -> [(f32, f32); 4] {
     [(bottom, 0.0), (top, height), ((top - wall).max(wall), height), ((bottom - wall).max(wall), wall)]
+}
+
+/// A solid through level loops of as many points each, from the outside below over
+/// the rim to the inside bottom; the first and the last are closed flat. Loops are
+/// convex and counter-clockwise seen from above.
+pub(in crate::object) fn loft(b: &mut Build<'_>, name: &str, loops: &[(Vec<(f32, f32)>, f32)], mat: Mat) {
+    let Some(n) = loops.first().map(|l| l.0.len() as u32) else { return };
+    let vertices: Vec<P> = loops.iter().flat_map(|(points, z)| points.iter().map(|p| [p.0, p.1, *z])).collect();
+    let mut triangles = Vec::new();
+    for level in 0..loops.len() as u32 - 1 {
+        let (a, c) = (level * n, level * n + n);
+        for i in 0..n {
+            let k = (i + 1) % n;
+            triangles.extend([[a + i, a + k, c + k], [a + i, c + k, c + i]]);
+        }
+    }
+    let last = (loops.len() as u32 - 1) * n;
+    for i in 1..n - 1 {
+        triangles.extend([[0, i + 1, i], [last, last + i, last + i + 1]]);
+    }
+    b.mesh(name, &vertices, triangles, mat);
+}
+
+/// A rectangle of half lengths `half` whose corners are rounded by `r`.
+pub(in crate::object) fn oblong(half: (f32, f32), r: f32) -> Vec<(f32, f32)> {
+    let steps = [(1.0, 0.0), (0.924, 0.383), (0.707, 0.707), (0.383, 0.924), (0.0, 1.0)];
+    let r = r.min(half.0 * 0.98).min(half.1 * 0.98);
+    let (x, y) = (half.0 - r, half.1 - r);
+    // Each quarter turns the steps on by a right angle.
+    let turned = |q: usize, (c, s): (f32, f32)| match q {
+        0 => (x + r * c, y + r * s),
+        1 => (-x - r * s, y + r * c),
+        2 => (-x - r * c, -y - r * s),
+        _ => (x + r * s, -y - r * c),
+    };
+    (0..4).flat_map(|q| steps.map(|p| turned(q, p))).collect()
 }
 
 /// The bottom of something round as a place inside.
@@ -253,7 +289,9 @@ impl Look {
 
     /// A handle on the plane at X, scaled to the front.
     fn grip_at(&self, b: &mut Build<'_>, at: P, length: f32, upright: bool) {
-        handle(b, self.handle, at, length, upright, self.metal);
+        // Posts start within the front: what is behind them may be set back.
+        let into = if self.panel == Panel::Slab { 0.0 } else { self.t * 0.36 };
+        handle(b, self.handle, [at[0] - into, at[1], at[2]], length, upright, self.metal);
     }
 }
 
@@ -347,13 +385,19 @@ pub(in crate::object) fn pull_out(b: &mut Build<'_>, look: &Look, name: &str, (l
 }
 
 /// Drawers one above the other, the lowest as tall as `deep` of the others.
-pub(in crate::object) fn drawers(b: &mut Build<'_>, look: &Look, (low, high): (P, P), count: usize, deep: f32) {
+pub(in crate::object) fn drawers(
+    b: &mut Build<'_>,
+    look: &Look,
+    name: &str,
+    (low, high): (P, P),
+    (count, deep): (usize, f32),
+) {
     let share = (high[2] - low[2]) / (count.max(1) as f32 - 1.0 + deep);
     let mut z = low[2];
     for i in 0..count.max(1) {
         let tall = if i == 0 { share * deep } else { share };
         let space = ([low[0], low[1], z], [high[0], high[1], z + tall]);
-        pull_out(b, look, &format!("drawer_{}", i + 1), space);
+        pull_out(b, look, &format!("{name}_{}", i + 1), space);
         z += tall;
     }
 }

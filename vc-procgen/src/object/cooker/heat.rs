@@ -14,7 +14,7 @@ enum Fire {
 
 /// Burners on top, knobs in front, one oven or two below, a drawer at the bottom.
 pub(super) fn stove(b: &mut Build<'_>) {
-    let u = fit(b, [0.35, 0.3, 0.5]);
+    let u = fit(b, [0.56, 0.48, 0.8]);
     let (x, y, h) = spans(b);
     let body = b.style.appliance;
     let trim = b.one(&[STEEL, BLACK_METAL, body]);
@@ -60,46 +60,46 @@ pub(super) fn stove(b: &mut Build<'_>) {
 
 /// A plate with burners to be let into a worktop.
 pub(super) fn hob(b: &mut Build<'_>) {
-    let u = fit(b, [0.25, 0.28, 0.012]);
+    let u = fit(b, [0.4, 0.448, 0.019]);
     let (x, y, h) = spans(b);
     let fire = b.one(&[Fire::Gas, Fire::Glass, Fire::Glass]);
     if h < 0.03 || fire == Fire::Glass {
         let glass = (h * 0.3).min(0.008);
         if h >= 0.03 {
-            b.taper("tray", [0.0; 3], (x - 0.03, y - 0.03), (x - 0.006, y - 0.006), h - glass, STEEL);
+            b.taper("tray", [0.0; 3], (x - 0.03, y - 0.03), (x - 0.006 * u, y - 0.006 * u), h - glass, STEEL);
         }
         let low = if h >= 0.03 { h - glass } else { 0.0 };
-        b.block("glass", [-x, -y, low], [x, y, h - 0.0012], BLACK_GLASS);
+        b.block("glass", [-x, -y, low], [x, y, h - 0.0012 * u], BLACK_GLASS);
         for (i, (cx, cy, r)) in spots(x * 0.82, y * 0.92, y > 0.37).into_iter().enumerate() {
-            mark(b, [cx, cy, h - 0.0014], r * 0.9);
+            mark(b, [cx, cy, h - 0.0014 * u], r * 0.9);
             b.top(&format!("burner_{}", i + 1), [cx, cy, h], (r, r));
         }
         let w = y * 0.3;
-        let touch = [x * 0.86, -w, h - 0.0013];
-        b.block("touch", touch, [x * 0.94, w, h - 0.0003], SCREEN);
+        let touch = [x * 0.86, -w, h - 0.0013 * u];
+        b.block("touch", touch, [x * 0.94, w, h - 0.0008 * u], SCREEN);
         for i in 0..4 {
             let cy = w * (-0.7 + 0.46 * i as f32);
-            b.block("key", [x * 0.88, cy, h - 0.0004], [x * 0.92, cy + w * 0.1, h], PICTURE_SUN);
+            b.block("key", [x * 0.88, cy, h - 0.001 * u], [x * 0.92, cy + w * 0.1, h], PICTURE_SUN);
         }
         return;
     }
     cooktop(b, fire, ([-x, -y, 0.0], [x, y, h]), u);
     let mats = (BLACK_PLASTIC, WHITE);
     for i in 0..4 {
-        let at = [x * 0.88, y * 0.16 * (i as f32 - 1.5), h * 0.5];
+        let at = [x * 0.88, y * 0.16 * (i as f32 - 1.5), h - (0.03 * u).min(h * 0.6) - 0.001 * u];
         b.lathe("knob", at, &[(y * 0.06, 0.0), (y * 0.05, h * 0.4)], mats.0);
     }
 }
 
 /// A built-in oven: a front of glass and steel, racks inside.
 pub(super) fn oven(b: &mut Build<'_>) {
-    let u = fit(b, [0.3, 0.3, 0.25]);
+    let u = fit(b, [0.48, 0.48, 0.4]);
     oven_box(b, u, 3, Swing::Down);
 }
 
 /// A steamer: tall, with a digital front, its door hinged at the side or the bottom.
 pub(super) fn steam_oven(b: &mut Build<'_>) {
-    let u = fit(b, [0.3, 0.3, 0.3]);
+    let u = fit(b, [0.48, 0.48, 0.48]);
     let tall = b.size.z > 0.7;
     let at = if tall { Swing::Right } else { b.one(&[Swing::Down, Swing::Right]) };
     oven_box(b, u, if tall { 6 } else { 3 }, at);
@@ -121,7 +121,7 @@ fn oven_box(b: &mut Build<'_>, u: f32, racks: usize, at: Swing) {
     glass_door(b, at, ([back, -y, sill], [face, y, lintel]), (body, BLACK_GLASS), 0.03 * u);
     let trim = b.one(&[BLACK_GLASS, body]);
     b.block("controls", [back, -y, lintel], [face, y, h], trim);
-    let (z, r) = (f32::midpoint(lintel, h), ((h - lintel) * 0.26).min(y * 0.12));
+    let (z, r) = (f32::midpoint(lintel, h), ((h - lintel) * 0.26).min(y * 0.12).min(0.03 * u));
     let light = b.one(&[LED, COOL_BULB, SIGNAL_AMBER]);
     let w = y * b.vary(0.22, 0.34);
     display(b, face, (-w, z - r * 0.8), (w, z + r * 0.8), light);
@@ -133,7 +133,7 @@ fn oven_box(b: &mut Build<'_>, u: f32, racks: usize, at: Swing) {
 
 /// A low, wide oven with a stone floor, of steel or with a dome of brick.
 pub(super) fn pizza_oven(b: &mut Build<'_>) {
-    let u = fit(b, [0.25, 0.28, 0.14]);
+    let u = fit(b, [0.4, 0.448, 0.224]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, STEEL]);
     let (feet, face) = (0.04 * u, x - 0.035 * u);
@@ -190,7 +190,7 @@ pub(super) fn pizza_oven(b: &mut Build<'_>) {
 
 /// A box with a door at the left and controls at the right.
 pub(super) fn microwave(b: &mut Build<'_>) {
-    let u = fit(b, [0.18, 0.22, 0.14]);
+    let u = fit(b, [0.288, 0.352, 0.224]);
     let (x, y, h) = spans(b);
     let body = b.one(&[b.style.appliance, STEEL, BLACK_METAL]);
     let (feet, face) = (0.012 * u, x - 0.03 * u);
@@ -205,7 +205,7 @@ pub(super) fn microwave(b: &mut Build<'_>) {
     let disc = 0.01 * u;
     b.cylinder("turntable", [cx, cy, hollow.0[2]], plate, disc, GLASS);
     let half = plate * 0.7;
-    b.inside("compartment_1", [cx, cy, hollow.0[2] + disc], (half, half), h - 2.0 * wall - feet - disc - 0.004);
+    b.inside("compartment_1", [cx, cy, hollow.0[2] + disc], (half, half), h - 2.0 * wall - feet - disc - 0.004 * u);
     b.block("electronics", [-x, split, feet], [back, y, h], body);
     glass_door(b, Swing::Right, ([back, -y, feet], [face, split, h]), (body, BLACK_GLASS), 0.028 * u);
     let panel_mat = b.one(&[BLACK_GLASS, body]);
@@ -229,15 +229,15 @@ fn keypad(b: &mut Build<'_>, face: f32, low: (f32, f32), high: (f32, f32), u: f3
     for row in 0..4 {
         for column in 0..3 {
             let (cy, cz) = (low.0 + w * (0.14 + 0.26 * column as f32), low.1 + tall * (0.12 + 0.15 * row as f32));
-            let to = [face + 0.002, cy + w * 0.2, cz + tall * 0.1];
-            b.block("key", [face - 0.001, cy, cz], to, GREY_PLASTIC);
+            let to = [face + 0.002 * u, cy + w * 0.2, cz + tall * 0.1];
+            b.block("key", [face - 0.001 * u, cy, cz], to, GREY_PLASTIC);
         }
     }
 }
 
 /// A small oven for the counter: glass door in front, knobs at the side.
 pub(super) fn toaster_oven(b: &mut Build<'_>) {
-    let u = fit(b, [0.15, 0.19, 0.11]);
+    let u = fit(b, [0.24, 0.304, 0.176]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, b.style.appliance]);
     let (feet, face) = (0.015 * u, x - 0.028 * u);
@@ -259,7 +259,7 @@ pub(super) fn toaster_oven(b: &mut Build<'_>) {
 
 /// A hood on the wall: a chimney over a canopy, a slanted glass, or a flat box.
 pub(super) fn extractor(b: &mut Build<'_>) {
-    let u = fit(b, [0.15, 0.28, 0.15]);
+    let u = fit(b, [0.24, 0.448, 0.24]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, STEEL, BLACK_METAL, b.style.appliance]);
     let brim = (0.05 * u).min(h * 0.3);
@@ -276,8 +276,8 @@ pub(super) fn extractor(b: &mut Build<'_>) {
         let cy = y * 0.09 * (i as f32 - 1.5);
         b.rod(
             "button",
-            [x - 0.002, cy, brim * 0.5],
-            [x + 0.0005, cy, brim * 0.5],
+            [x - 0.002 * u, cy, brim * 0.5],
+            [x + 0.0005 * u, cy, brim * 0.5],
             (brim * 0.22).min(y * 0.03),
             BLACK_PLASTIC,
         );
@@ -325,7 +325,7 @@ fn baking(b: &mut Build<'_>, name: &str, (low, high): (P, P), wall: f32, racks: 
     case(b, low, high, wall, mat);
     let hollow =
         ([low[0] + wall, low[1] + wall, low[2] + wall], [high[0] - wall * 0.4, high[1] - wall, high[2] - wall]);
-    tiers(b, name, hollow, racks, wall * 0.2, |b, l, h| rack(b, l, h, 9, STEEL));
+    tiers(b, name, hollow, racks, wall * 0.2, |b, l, h| rack(b, l, h, 6, STEEL));
 }
 
 /// A framed pane that opens, with a bar to pull.
@@ -389,7 +389,7 @@ fn cooktop(b: &mut Build<'_>, fire: Fire, (low, high): (P, P), u: f32) {
     for (i, (dx, cy, r)) in spots(x, y, y > 0.37).into_iter().enumerate() {
         let at = [cx + dx, cy, h - rise];
         match fire {
-            Fire::Glass => mark(b, [at[0], cy, h - rise - 0.0002], r * 0.9),
+            Fire::Glass => mark(b, [at[0], cy, h - rise - 0.0002 * u], r * 0.9),
             Fire::Plates => b.lathe("plate", at, &[(r * 0.9, 0.0), (r * 0.86, rise)], IRON),
             Fire::Gas => gas_burner(b, at, r, rise),
         }

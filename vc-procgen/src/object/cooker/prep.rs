@@ -12,7 +12,7 @@ fn machine_mat(b: &mut Build<'_>) -> Mat {
 
 /// A jug with a lid and a handle on a motor with a dial.
 pub(super) fn blender(b: &mut Build<'_>) {
-    let u = fit(b, [0.07, 0.07, 0.17]);
+    let u = fit(b, [0.112, 0.112, 0.272]);
     let (x, y, h) = spans(b);
     let body = machine_mat(b);
     let r = x.min(y) * 0.86;
@@ -23,7 +23,7 @@ pub(super) fn blender(b: &mut Build<'_>) {
         b.taper("base", [0.0; 3], (x * 0.9, y * 0.9), (x * 0.6, y * 0.6), base, body);
     }
     knob(b, [r * 0.86, 0.0, base * 0.36], base * 0.2, (x - r * 0.86) * 0.8, (STEEL, BLACK));
-    b.cylinder("collar", [0.0, 0.0, base - 0.001], r * 0.6, h * 0.03, BLACK_PLASTIC);
+    b.cylinder("collar", [0.0, 0.0, base - 0.001 * u], r * 0.6, h * 0.03, BLACK_PLASTIC);
     let low = base + h * 0.028;
     jug(b, [0.0, 0.0, low], (r * 0.58, r * 0.86), top - low, wall);
     b.lathe("blade", [0.0, 0.0, low + wall], &[(r * 0.3, 0.0), (r * 0.34, wall), (r * 0.05, wall * 2.5)], STEEL);
@@ -56,7 +56,7 @@ pub(super) fn hand_blender(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let r = x.min(y);
     let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, STEEL, RED_PLASTIC]);
-    let bell = h * 0.1;
+    let (bell, stem) = (h * b.vary(0.08, 0.13), h * b.vary(0.26, 0.4));
     b.lathe(
         "bell",
         [0.0; 3],
@@ -71,9 +71,10 @@ pub(super) fn hand_blender(b: &mut Build<'_>) {
         ],
         STEEL,
     );
-    b.cylinder("stem", [0.0, 0.0, bell * 0.95], r * 0.32, h * 0.36, STEEL);
-    let z = h * 0.45;
-    let grip = [(r * 0.5, 0.0), (r * 0.8, h * 0.06), (r * 0.72, h * 0.3), (r * 0.85, h * 0.5), (r * 0.6, h - z)];
+    b.cylinder("stem", [0.0, 0.0, bell * 0.95], r * 0.32, stem, STEEL);
+    let z = bell * 0.94 + stem;
+    let grip =
+        [(r * 0.5, 0.0), (r * 0.8, h * 0.06), (r * 0.72, (h - z) * 0.5), (r * 0.85, (h - z) * 0.9), (r * 0.6, h - z)];
     b.lathe("grip", [0.0, 0.0, z], &grip, body);
     for i in 0..2 {
         let z = h * (0.72 + 0.07 * i as f32);
@@ -83,7 +84,7 @@ pub(super) fn hand_blender(b: &mut Build<'_>) {
 
 /// A head over a bowl on a foot; large ones have a cage and a lever.
 pub(super) fn stand_mixer(b: &mut Build<'_>) {
-    let u = fit(b, [0.17, 0.11, 0.16]);
+    let u = fit(b, [0.272, 0.176, 0.256]);
     let (x, y, h) = spans(b);
     let large = h > 0.45;
     let body = if large { b.one(&[STEEL, WHITE_METAL, SILVER_METAL]) } else { machine_mat(b) };
@@ -92,7 +93,7 @@ pub(super) fn stand_mixer(b: &mut Build<'_>) {
     b.soft("foot", [-x, -y * 0.8, 0.0], [x * 0.92, y * 0.8, foot], 0.02 * u, body);
     b.taper(
         "column",
-        [(-x + column) / 2.0, 0.0, foot - 0.005],
+        [(-x + column) / 2.0, 0.0, foot - 0.005 * u],
         ((column + x) / 2.0, y * 0.55),
         ((column + x) * 0.42, y * 0.45),
         h * 0.52,
@@ -110,7 +111,7 @@ pub(super) fn stand_mixer(b: &mut Build<'_>) {
         (r * 0.94, tall * 0.6),
         (r * 0.6, tall * 0.1),
     ];
-    b.lathe("bowl", [cx, 0.0, foot - 0.002], &bowl, STEEL);
+    b.lathe("bowl", [cx, 0.0, foot - 0.002 * u], &bowl, STEEL);
     round_floor(b, "bowl", [cx, 0.0, foot + tall * 0.12], r * 0.55, tall * 0.35);
     if large {
         for k in [-0.75, 0.0, 0.75] {
@@ -136,11 +137,17 @@ pub(super) fn stand_mixer(b: &mut Build<'_>) {
                 (0.0, 0.0),
                 (r * 0.4, tall * 0.1),
                 (r * 0.42, tall * 0.3),
-                (r * 0.1, low - h * 0.05 - foot - tall * 0.55 + 0.002),
+                (r * 0.1, low - h * 0.05 - foot - tall * 0.55 + 0.002 * u),
             ],
             b.style.metal,
         );
-        b.rod("badge", [x - 0.002, 0.0, f32::midpoint(low, h)], [x, 0.0, f32::midpoint(low, h)], head * 0.35, CHROME);
+        b.rod(
+            "badge",
+            [x - 0.002 * u, 0.0, f32::midpoint(low, h)],
+            [x, 0.0, f32::midpoint(low, h)],
+            head * 0.35,
+            CHROME,
+        );
     });
     knob(b, [column - x * 0.02, -y * 0.3, h * 0.3], 0.018 * u, 0.015 * u, (BLACK_PLASTIC, WHITE));
 }
@@ -151,11 +158,12 @@ pub(super) fn hand_mixer(b: &mut Build<'_>) {
     let body = b.one(&[WHITE_PLASTIC, RED_PLASTIC, BLACK_PLASTIC, BLUE_PLASTIC]);
     let (low, middle) = (h * 0.45, h * 0.74);
     b.soft("body", [-x, -y, low], [x, y, middle], y * 0.5, body);
-    let r = y * 0.32;
+    let r = (y * 0.32).min(h * 0.06);
+    let edge = r * 1.45;
     let points =
-        [[-x * 0.8, 0.0, middle - r], [-x * 0.75, 0.0, h - r], [x * 0.3, 0.0, h - r], [x * 0.85, 0.0, middle - r]];
+        [[-x * 0.7, 0.0, middle - r], [-x * 0.7, 0.0, h - edge], [x * 0.3, 0.0, h - edge], [x * 0.7, 0.0, middle - r]];
     b.pipe("handle", &points, r, body);
-    b.soft("switch", [x * 0.1, -r * 0.7, h - r * 0.4], [x * 0.3, r * 0.7, h], r * 0.3, GREY_PLASTIC);
+    b.soft("switch", [x * 0.05, -r * 0.7, h - r * 1.2], [x * 0.3, r * 0.7, h], r * 0.3, GREY_PLASTIC);
     for side in [-1.0, 1.0] {
         let cy = side * y * 0.5;
         b.cylinder("shaft", [x * 0.55, cy, low * 0.4], y * 0.07, low * 0.62, STEEL);
@@ -180,17 +188,17 @@ pub(super) fn hand_mixer(b: &mut Build<'_>) {
 
 /// A drum with a lid and a chute over a motor.
 pub(super) fn food_processor(b: &mut Build<'_>) {
-    let u = fit(b, [0.1, 0.1, 0.18]);
+    let u = fit(b, [0.16, 0.16, 0.288]);
     let (x, y, h) = spans(b);
     let body = machine_mat(b);
     let (base, top, wall) = (h * 0.34, h * 0.72, 0.004 * u);
     b.soft("base", [-x, -y * 0.94, 0.0], [x, y * 0.94, base], 0.025 * u, body);
-    knob(b, [x - 0.004, 0.0, base * 0.5], base * 0.2, 0.003, (STEEL, BLACK));
+    knob(b, [x - 0.004 * u, 0.0, base * 0.5], base * 0.2, 0.003, (STEEL, BLACK));
     let r = x.min(y) * 0.8;
-    b.lathe("drum", [0.0, 0.0, base - 0.001], &cup(r * 0.96, r, top - base, wall), CLEAR_PLASTIC);
+    b.lathe("drum", [0.0, 0.0, base - 0.001 * u], &cup(r * 0.96, r, top - base, wall), CLEAR_PLASTIC);
     b.cylinder("hub", [0.0, 0.0, base + wall], r * 0.14, (top - base) * 0.2, STEEL);
-    let z = base + wall + (top - base) * 0.2 + 0.001;
-    b.inside("compartment_1", [0.0, 0.0, z], (r * 0.6, r * 0.6), top - z - 0.004);
+    let z = base + wall + (top - base) * 0.2 + 0.001 * u;
+    b.inside("compartment_1", [0.0, 0.0, z], (r * 0.6, r * 0.6), top - z - 0.004 * u);
     let points = [
         [0.0, r * 0.95, top - 0.02 * u],
         [0.0, y - 0.012 * u, top - 0.03 * u],
@@ -207,14 +215,14 @@ pub(super) fn food_processor(b: &mut Build<'_>) {
 
 /// A chute over a strainer, a spout and jugs for juice and pulp.
 pub(super) fn juicer(b: &mut Build<'_>) {
-    let u = fit(b, [0.1, 0.09, 0.15]);
+    let u = fit(b, [0.16, 0.144, 0.24]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, BLACK_METAL, RED_METAL]);
     let r = y.min(x * 0.6) * 0.9;
     let cx = -x + r;
     let (base, top) = (h * 0.42, h * 0.7);
     b.lathe("base", [cx, 0.0, 0.0], &[(r, 0.0), (r * 0.94, base * 0.5), (r * 0.78, base)], body);
-    b.lathe("bowl", [cx, 0.0, base - 0.001], &[(r * 0.8, 0.0), (r, (top - base) * 0.4), (r, top - base)], body);
+    b.lathe("bowl", [cx, 0.0, base - 0.001 * u], &[(r * 0.8, 0.0), (r, (top - base) * 0.4), (r, top - base)], body);
     let glass = (x - cx - r * 0.86).max(r * 0.3);
     let at = [x - glass * 0.5, 0.0, 0.0];
     let wide = (glass * 0.5).min(y);
@@ -231,14 +239,14 @@ pub(super) fn juicer(b: &mut Build<'_>) {
 
 /// A ribbed cone over a cup with a spout.
 pub(super) fn citrus_juicer(b: &mut Build<'_>) {
-    let u = fit(b, [0.07, 0.08, 0.09]);
+    let u = fit(b, [0.112, 0.128, 0.144]);
     let (x, y, h) = spans(b);
     let body = b.one(&[WHITE_PLASTIC, STEEL, ORANGE_PLASTIC, BLACK_METAL]);
     let r = x.min(y) * 0.84;
     let (base, rim) = (h * 0.46, h * 0.66);
     b.lathe("base", [0.0; 3], &[(r * 0.95, 0.0), (r * 0.8, base)], body);
     let wall = 0.004 * u;
-    b.lathe("cup", [0.0, 0.0, base - 0.001], &cup(r * 0.8, r, rim - base, wall), CLEAR_PLASTIC);
+    b.lathe("cup", [0.0, 0.0, base - 0.001 * u], &cup(r * 0.8, r, rim - base, wall), CLEAR_PLASTIC);
     b.lathe(
         "sieve",
         [0.0, 0.0, base + wall],
@@ -278,11 +286,11 @@ pub(super) fn citrus_juicer(b: &mut Build<'_>) {
 
 /// A round blade behind a carriage that slides, on a base with a dial.
 pub(super) fn meat_slicer(b: &mut Build<'_>) {
-    let u = fit(b, [0.15, 0.17, 0.12]);
+    let u = fit(b, [0.24, 0.272, 0.192]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, ALUMINIUM, WHITE_METAL, RED_METAL]);
     let (feet, deck) = (h * 0.07, h * 0.3);
-    foot_row(b, (x * 0.78, y * 0.8), 0.018 * u, feet);
+    b.at([-x * 0.15, -y * 0.2, 0.0], 0.0, |b| foot_row(b, (x * 0.65, y * 0.6), 0.018 * u, feet * 1.1));
     b.soft("base", [-x, -y, feet], [x * 0.7, y * 0.6, deck], 0.02 * u, body);
     let r = ((h - deck) * 0.5).min(x * 0.6);
     let (z, blade) = (deck + (h - deck) * 0.46, y * 0.02);
@@ -297,7 +305,7 @@ pub(super) fn meat_slicer(b: &mut Build<'_>) {
     b.rod("cover", [-x * 0.2, blade - 0.006 * u, z], [-x * 0.2, blade, z], r * 0.6, body);
     b.block(
         "gauge",
-        [x * 0.16 + r * 0.2, blade - 0.002, deck - 0.005],
+        [x * 0.16 + r * 0.2, blade - 0.002 * u, deck - 0.005 * u],
         [x * 0.68, blade + 0.006 * u, z + r * 0.6],
         STEEL,
     );
@@ -311,7 +319,7 @@ pub(super) fn meat_slicer(b: &mut Build<'_>) {
             [tray.0[0] + 0.006 * u, tray.1[1], tray.1[2] + (h - deck) * 0.35],
             STEEL,
         );
-        b.block("rail", [x * 0.0, -y * 0.6, deck - 0.002], [x * 0.3, -y * 0.5, deck + 0.013 * u], STEEL);
+        b.block("rail", [x * 0.0, -y * 0.6, deck - 0.002 * u], [x * 0.3, -y * 0.5, deck + 0.013 * u], STEEL);
         b.bar(
             "grip",
             [tray.0[0] + 0.02 * u, tray.0[1] + 0.02 * u, tray.1[2]],
@@ -328,18 +336,18 @@ pub(super) fn meat_slicer(b: &mut Build<'_>) {
 
 /// A hopper over a worm, a plate with holes in front.
 pub(super) fn meat_grinder(b: &mut Build<'_>) {
-    let u = fit(b, [0.15, 0.08, 0.15]);
+    let u = fit(b, [0.24, 0.128, 0.24]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, WHITE_METAL, RED_METAL, BLACK_METAL]);
     let middle = h * 0.56;
     let r = y * 0.36;
-    foot_row(b, (x * 0.7, y * 0.75), 0.015 * u, h * 0.04);
+    b.at([-x * 0.4, 0.0, 0.0], 0.0, |b| foot_row(b, (x * 0.45, y * 0.65), 0.015 * u, h * 0.045));
     b.soft("motor", [-x, -y * 0.9, h * 0.04], [x * 0.2, y * 0.9, middle + r], 0.03 * u, body);
     b.rod("tube", [x * 0.18, 0.0, middle], [x * 0.9, 0.0, middle], r, STEEL);
     b.rod("ring", [x * 0.82, 0.0, middle], [x, 0.0, middle], r * 1.2, STEEL);
-    b.rod("plate", [x - 0.002, 0.0, middle], [x + 0.0008, 0.0, middle], r * 0.95, BLACK_METAL);
+    b.rod("plate", [x - 0.002 * u, 0.0, middle], [x + 0.0008 * u, 0.0, middle], r * 0.95, BLACK_METAL);
     let tray = h * 0.86;
-    b.cylinder("neck", [x * 0.45, 0.0, middle], r * 0.7, tray - middle + 0.002, STEEL);
+    b.cylinder("neck", [x * 0.45, 0.0, middle], r * 0.7, tray - middle + 0.002 * u, STEEL);
     let (low, high) = ([-x * 0.5, -y, tray], [x * 0.95, y, h]);
     pit(b, "tray", low, high, 0.005 * u, STEEL);
     floor_of(
@@ -353,43 +361,48 @@ pub(super) fn meat_grinder(b: &mut Build<'_>) {
 
 /// A bowl in a cooling case with a clear lid and a motor on top.
 pub(super) fn ice_cream_maker(b: &mut Build<'_>) {
-    let u = fit(b, [0.12, 0.11, 0.11]);
+    let u = fit(b, [0.192, 0.176, 0.176]);
     let (x, y, h) = spans(b);
     let body = b.one(&[WHITE_PLASTIC, STEEL, PINK_PLASTIC, SKY]);
     let (rim, wall) = (h * 0.72, 0.02 * u);
     let r = y.min(x) * 0.84;
     let cx = x - y.min(x);
     let deep = rim - 0.02 * u;
-    pit(b, "case", [-x, -y, 0.0], [x, y, rim - 0.002], wall * 0.6, body);
+    pit(b, "case", [-x, -y, 0.0], [x - 0.003 * u, y, rim - 0.002 * u], wall * 0.6, body);
     ring(
         b,
         "deck",
         Axis::Z,
-        ([-x, -y, rim - 0.004], [x, y, rim]),
+        ([-x, -y, rim - 0.004 * u], [x, y, rim]),
         ((cx - r * 0.74, -r * 0.74), (cx + r * 0.74, r * 0.74)),
         body,
     );
     let bowl = [(r * 0.84, 0.0), (r, deep), (r * 0.84, deep), (r * 0.76, wall)];
     b.lathe("bowl", [cx, 0.0, 0.016 * u], &bowl, STEEL);
     round_floor(b, "bowl", [cx, 0.0, 0.016 * u + wall], r * 0.74, deep - wall * 1.4);
-    display(b, x, (-y * 0.4, rim * 0.4), (y * 0.4, rim * 0.65), COOL_BULB);
+    display(b, x - 0.003 * u, (-y * 0.4, rim * 0.4), (y * 0.4, rim * 0.65), COOL_BULB);
     lid(b, [cx - r, 0.0, rim + 0.017 * u], 1.3, |b| {
-        b.lathe("lid", [cx, 0.0, rim + 0.001], &[(r, 0.0), (r * 0.97, h * 0.04), (r * 0.5, h * 0.07)], CLEAR_PLASTIC);
+        b.lathe(
+            "lid",
+            [cx, 0.0, rim + 0.001 * u],
+            &[(r, 0.0), (r * 0.97, h * 0.04), (r * 0.5, h * 0.07)],
+            CLEAR_PLASTIC,
+        );
         b.soft("motor", [cx - r * 0.5, -r * 0.35, rim + h * 0.06], [cx + r * 0.5, r * 0.35, h], 0.015 * u, body);
     });
 }
 
 /// A long flat case whose top opens along its back.
 pub(super) fn vacuum_sealer(b: &mut Build<'_>) {
-    let u = fit(b, [0.07, 0.18, 0.04]);
+    let u = fit(b, [0.112, 0.288, 0.064]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, BLACK_PLASTIC, WHITE_PLASTIC]);
     let seam = h * 0.55;
     foot_row(b, (x * 0.75, y * 0.9), 0.01 * u, h * 0.06);
     b.soft("base", [-x, -y, h * 0.05], [x, y, seam], 0.012 * u, body);
-    b.block("seal", [x * 0.2, -y * 0.9, seam - 0.002], [x * 0.5, y * 0.9, seam + 0.001], RUBBER);
-    lid(b, [-x, 0.0, seam + 0.002], 1.1, |b| {
-        b.soft("lid", [-x, -y, seam + 0.002], [x, y, h - 0.004 * u], 0.012 * u, body);
+    b.block("seal", [x * 0.2, -y * 0.9, seam - 0.002 * u], [x * 0.5, y * 0.9, seam + 0.001 * u], RUBBER);
+    lid(b, [-x, 0.0, seam + 0.002 * u], 1.1, |b| {
+        b.soft("lid", [-x, -y, seam + 0.002 * u], [x, y, h - 0.004 * u], 0.012 * u, body);
         b.block("panel", [-x * 0.7, -y * 0.5, h - 0.006 * u], [-x * 0.2, y * 0.5, h - 0.003 * u], BLACK_PLASTIC);
         for i in 0..3 {
             let cy = y * 0.25 * (i as f32 - 1.0);
@@ -402,7 +415,7 @@ pub(super) fn vacuum_sealer(b: &mut Build<'_>) {
 
 /// A flat plate with a display, of glass or with a bowl's ring.
 pub(super) fn kitchen_scale(b: &mut Build<'_>) {
-    let u = fit(b, [0.09, 0.07, 0.01]);
+    let u = fit(b, [0.144, 0.112, 0.016]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, GREEN_PLASTIC]);
     let thin = (h * 0.4).min(0.008 * u);
@@ -413,22 +426,22 @@ pub(super) fn kitchen_scale(b: &mut Build<'_>) {
     let plate = b.one(&[GLASS, STEEL, BLACK_GLASS]);
     if b.rng.chance(0.5) {
         let r = (x * 0.72).min(y * 0.92);
-        b.cylinder("plate", [cx, 0.0, top - 0.001], r, thin + 0.001, plate);
+        b.cylinder("plate", [cx, 0.0, top - 0.001 * u], r, thin + 0.001 * u, plate);
         b.top("plate", [cx, 0.0, h], (r * 0.69, r * 0.69));
     } else {
-        b.block("plate", [-x * 0.95, -y * 0.94, top - 0.001], [x * 0.5, y * 0.94, h], plate);
+        b.block("plate", [-x * 0.95, -y * 0.94, top - 0.001 * u], [x * 0.5, y * 0.94, h], plate);
         b.top("plate", [cx, 0.0, h], (x * 0.7, y * 0.88));
     }
-    b.block("display", [x * 0.6, -y * 0.45, top - 0.002], [x * 0.9, y * 0.45, top + 0.001], SCREEN);
+    b.block("display", [x * 0.6, -y * 0.45, top - 0.002 * u], [x * 0.9, y * 0.45, top + 0.001 * u], SCREEN);
     for i in 0..3 {
         let cy = y * 0.2 * (i as f32 - 1.0);
-        b.block("figure", [x * 0.68, cy - y * 0.06, top], [x * 0.82, cy + y * 0.06, top + 0.0016], COOL_BULB);
+        b.block("figure", [x * 0.68, cy - y * 0.06, top], [x * 0.82, cy + y * 0.06, top + 0.0016 * u], COOL_BULB);
     }
 }
 
 /// A bottle turned over on a column with two taps and a niche for a cup.
 pub(super) fn water_dispenser(b: &mut Build<'_>) {
-    let u = fit(b, [0.15, 0.14, 0.45]);
+    let u = fit(b, [0.24, 0.224, 0.72]);
     let (x, y, h) = spans(b);
     let body = b.one(&[WHITE_PLASTIC, WHITE_METAL, STEEL, BLACK_METAL]);
     let top = h * 0.72;
@@ -436,7 +449,7 @@ pub(super) fn water_dispenser(b: &mut Build<'_>) {
     let niche = x * 0.3;
     b.block("case", [-x, -y, 0.0], [x, y, low], body);
     b.block("case", [-x, -y, low], [niche, y, high], body);
-    b.soft("head", [-x, -y, high - 0.001], [x, y, top], 0.015 * u, body);
+    b.soft("head", [-x, -y, high - 0.001 * u], [x, y, top], 0.015 * u, body);
     for side in [-1.0_f32, 1.0] {
         let (a, c) = (side * y, side * y * 0.86);
         b.block("cheek", [niche, a.min(c), low], [x * 0.98, a.max(c), high], body);
@@ -453,7 +466,7 @@ pub(super) fn water_dispenser(b: &mut Build<'_>) {
     }
     b.block(
         "drip_tray",
-        [niche + 0.005 * u, -y * 0.8, low - 0.001],
+        [niche + 0.005 * u, -y * 0.8, low - 0.001 * u],
         [x * 0.95, y * 0.8, low + 0.008 * u],
         GREY_PLASTIC,
     );
@@ -469,13 +482,13 @@ pub(super) fn water_dispenser(b: &mut Build<'_>) {
         (r, z * 0.95),
         (r * 0.9, z),
     ];
-    b.lathe("bottle", [0.0, 0.0, top - 0.001], &bottle, BLUE_GLASS);
+    b.lathe("bottle", [0.0, 0.0, top - 0.001 * u], &bottle, BLUE_GLASS);
     super::cool::grille(b, x, (-y * 0.6, low * 0.15), (y * 0.6, low * 0.3), 4);
 }
 
 /// A drum with a mouth above and a pipe at its side, standing as it is sold.
 pub(super) fn garbage_disposal(b: &mut Build<'_>) {
-    let u = fit(b, [0.08, 0.08, 0.15]);
+    let u = fit(b, [0.128, 0.128, 0.24]);
     let (x, y, h) = spans(b);
     let r = x.min(y) * 0.88;
     let body = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, SILVER_METAL]);
@@ -498,5 +511,5 @@ pub(super) fn garbage_disposal(b: &mut Build<'_>) {
         0.018 * u,
         BLACK_PLASTIC,
     );
-    b.block("label", [-r * 0.3, -r - 0.001, h * 0.2], [r * 0.3, -r * 0.9, h * 0.4], SILVER_METAL);
+    b.block("label", [-r * 0.3, -r - 0.001 * u, h * 0.2], [r * 0.3, -r * 0.9, h * 0.4], SILVER_METAL);
 }

@@ -41,7 +41,7 @@ pub(super) fn kitchen_sink(b: &mut Build<'_>) {
     let edge = 0.012 * u;
     let hole = ((bowls.0[0], bowls.0[1]), (bowls.1[0], bowls.1[1]));
     ring(b, "worktop", Axis::Z, ([-x, -y, under], [x, y, h]), hole, b.style.worktop);
-    basins(b, bowls, (h + 0.0015, depth), edge, steel);
+    basins(b, bowls, (h + 0.0015 * u, depth), edge, steel);
     b.top("ledge", [-x + 0.065 * u, 0.0, h], (0.045 * u, (y - 0.02 * u).min(0.14)));
     for (name, from, to) in [("worktop_right", -y, bowls.0[1]), ("worktop_left", bowls.1[1], y)] {
         if to - from > 0.12 {
@@ -101,7 +101,7 @@ fn bowl(b: &mut Build<'_>, name: &str, (low, high): (P, P), depth: f32, t: f32, 
     pit(b, name, from, to, t, mat);
     let middle = [f32::midpoint(from[0], to[0]), f32::midpoint(from[1], to[1]), from[2] + t];
     let r = (to[0] - from[0]).min(to[1] - from[1]) * 0.11;
-    b.cylinder("waste", [middle[0], middle[1], from[2] - r * 0.4], r, r * 0.4 + t + 0.001, CHROME);
+    b.cylinder("waste", [middle[0], middle[1], from[2] - t * 2.0], r, t * 3.0 + 0.001, CHROME);
     floor_of(b, name, [from[0] + t, from[1] + t, from[2] + t + 0.0015], [to[0] - t, to[1] - t, high[2]]);
 }
 
@@ -112,9 +112,9 @@ fn inset(b: &mut Build<'_>, u: f32) {
     let (rim, edge) = (0.004 * u, 0.012 * u);
     let (low, high) = ([-x + 0.1 * u, -y + 0.03 * u, h], [x - 0.03 * u, y - 0.03 * u, h]);
     let hole = ((low[0] - edge, low[1] - edge), (high[0] + edge, high[1] + edge));
-    ring(b, "deck", Axis::Z, ([-x, -y, h - rim], [x, y, h - 0.0015]), hole, mat);
+    ring(b, "deck", Axis::Z, ([-x, -y, h - rim], [x, y, h - 0.0015 * u]), hole, mat);
     basins(b, (low, high), (h, h - 0.012 * u), edge, mat);
-    b.top("ledge", [-x + 0.045 * u, 0.0, h - 0.0015], (0.035 * u, (y * 0.7).min(0.14)));
+    b.top("ledge", [-x + 0.045 * u, 0.0, h - 0.0015 * u], (0.035 * u, (y * 0.7).min(0.14)));
 }
 
 /// A thick ceramic trough with a plain front.
@@ -129,10 +129,10 @@ fn apron(b: &mut Build<'_>, u: f32) {
     for (i, (y0, y1)) in [(-y, split), (split, y)].into_iter().enumerate().take(if double { 2 } else { 1 }) {
         let (low, high) = ([basin[0], y0, 0.0], [x, y1, h]);
         pit(b, "trough", low, high, t, PORCELAIN);
-        let waste = [f32::midpoint(low[0], x), f32::midpoint(y0, y1), t - 0.001];
+        let waste = [f32::midpoint(low[0], x), f32::midpoint(y0, y1), t - 0.001 * u];
         b.cylinder("waste", waste, 0.04 * u, 0.002, CHROME);
         let name = if i == 0 { "basin" } else { "second_basin" };
-        floor_of(b, name, [low[0] + t, y0 + t, t + 0.0015], [x - t, y1 - t, h]);
+        floor_of(b, name, [low[0] + t, y0 + t, t + 0.0015 * u], [x - t, y1 - t, h]);
     }
     b.top("ledge", [-x + ledge * 0.5, 0.0, h], (ledge * 0.42, (y * 0.7).min(0.14)));
 }
@@ -168,19 +168,19 @@ fn standing(b: &mut Build<'_>, u: f32, deep: f32) {
         ((ledge - 0.016 * u) / 2.0, (y * 0.8).min(0.16)),
     );
     let middle = [f32::midpoint(low[0], x), 0.0];
-    b.cylinder("waste", [middle[0], 0.0, low[2] - 0.001], 0.03 * u, t + 0.002, CHROME);
+    b.cylinder("waste", [middle[0], 0.0, low[2] - 0.001 * u], 0.03 * u, t + 0.002 * u, CHROME);
     let r = 0.018 * u;
     b.pipe(
         "trap",
-        &[[middle[0], 0.0, low[2]], [middle[0], 0.0, low[2] * 0.72], [-x + 0.02 * u, 0.0, low[2] * 0.72]],
+        &[[middle[0], 0.0, low[2] - r * 0.8], [middle[0], 0.0, low[2] * 0.72], [-x + 0.02 * u, 0.0, low[2] * 0.72]],
         r,
         CHROME,
     );
-    floor_of(b, "basin", [low[0] + t, -y + t, low[2] + t + 0.0015], [x - t, y - t, rim]);
+    floor_of(b, "basin", [low[0] + t, -y + t, low[2] + t + 0.0015 * u], [x - t, y - t, rim]);
     let (leg, pole) = (0.018 * u, if mat == PORCELAIN { CHROME } else { STEEL });
     for cx in [-x + 0.03 * u, x - 0.04 * u] {
         for cy in [-y + 0.03 * u, y - 0.03 * u] {
-            let top = if cx < low[0] { rim - 0.028 * u } else { low[2] + 0.002 };
+            let top = if cx < low[0] { rim - 0.028 * u } else { low[2] + 0.002 * u };
             b.rod("leg", [cx, cy, 0.0], [cx, cy, top], leg, pole);
         }
     }

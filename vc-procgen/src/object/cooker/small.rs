@@ -9,7 +9,7 @@ use crate::object::build::{Axis, Build, P};
 
 /// A body with a spout and a handle on a base with a switch, its lid hinged.
 pub(super) fn kettle(b: &mut Build<'_>) {
-    let u = fit(b, [0.08, 0.12, 0.12]);
+    let u = fit(b, [0.128, 0.192, 0.192]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, STEEL, WHITE_PLASTIC, BLACK_METAL, RED_METAL, GLASS]);
     let trim = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
@@ -43,7 +43,7 @@ pub(super) fn kettle(b: &mut Build<'_>) {
         [w * 0.5, edge, root],
     ];
     b.hull("spout", &spout, if body == GLASS { trim } else { body });
-    let reach = -y + 0.012 * u;
+    let reach = -y + 0.018 * u;
     let r = 0.011 * u;
     let grip = b.one(&[0.12, 0.3]);
     let points = [
@@ -72,14 +72,14 @@ pub(super) fn kettle(b: &mut Build<'_>) {
 
 /// Slots between warm walls, a lever at the end, a dial.
 pub(super) fn toaster(b: &mut Build<'_>) {
-    let u = fit(b, [0.1, 0.15, 0.1]);
+    let u = fit(b, [0.16, 0.24, 0.16]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, STEEL, RED_METAL, WHITE_METAL, BLUE_METAL, BLACK_METAL, CREAM]);
     let trim = b.one(&[BLACK_PLASTIC, body]);
-    let (feet, cap) = (0.012 * u, y * 0.14);
+    let (feet, cap) = (0.012 * u, y * b.vary(0.1, 0.22));
     foot_row(b, (x * 0.7, y * 0.75), 0.012 * u, feet);
     let end = y - 0.03 * u;
-    let bottom = h * 0.28;
+    let bottom = h * b.vary(0.22, 0.4);
     let (from, to) = (-y + cap, end - cap);
     b.block("body", [-x, from, feet], [x, to, bottom], body);
     let slots = if x < 0.07 { 1 } else { 2 };
@@ -95,16 +95,16 @@ pub(super) fn toaster(b: &mut Build<'_>) {
     b.soft("end", [-x, -y, feet], [x, from + 0.004 * u, h], radius, trim);
     b.soft("end", [-x, to - 0.004 * u, feet], [x, end, h], radius, trim);
     let travel = h * 0.4;
-    b.block("groove", [-0.004 * u, end - 0.001, h * 0.3], [0.004 * u, end + 0.001, h * 0.85], SCREEN);
+    b.block("groove", [-0.004 * u, end - 0.001 * u, h * 0.3], [0.004 * u, end + 0.001 * u, h * 0.85], SCREEN);
     b.jointed(JointKind::Slide, [0.0; 3], [0.0, 0.0, -1.0], (0.0, travel), |b| {
-        b.soft("lever", [-0.016 * u, end + 0.001, h * 0.76], [0.016 * u, y, h * 0.83], 0.004 * u, BLACK_PLASTIC);
+        b.soft("lever", [-0.016 * u, end + 0.001 * u, h * 0.76], [0.016 * u, y, h * 0.83], 0.004 * u, BLACK_PLASTIC);
     });
-    b.rod("dial", [-x * 0.5, end - 0.001, h * 0.3], [-x * 0.5, end + 0.012 * u, h * 0.3], h * 0.08, STEEL);
+    b.rod("dial", [-x * 0.5, end - 0.001 * u, h * 0.3], [-x * 0.5, end + 0.012 * u, h * 0.3], h * 0.08, STEEL);
 }
 
 /// A jug under a filter, a machine for capsules, or a big automatic one.
 pub(super) fn coffee_maker(b: &mut Build<'_>) {
-    let u = fit(b, [0.1, 0.09, 0.15]);
+    let u = fit(b, [0.16, 0.144, 0.24]);
     let (x, y, h) = spans(b);
     let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, STEEL, RED_PLASTIC, BLACK_METAL]);
     let base = h * 0.1;
@@ -112,13 +112,13 @@ pub(super) fn coffee_maker(b: &mut Build<'_>) {
     let head = h * b.vary(0.66, 0.72);
     let deck = b.rng.below(2) == 0;
     b.soft("base", [-x, -y, 0.0], [x, y, base], 0.012 * u, body);
-    b.block("column", [-x, -y * 0.98, base * 0.5], [back, y * 0.98, head + 0.002], body);
+    b.block("column", [-x, -y * 0.98, base * 0.5], [back, y * 0.98, head + 0.002 * u], body);
     let wall = 0.012 * u;
     pit(b, "head", [-x, -y, head], [x * 0.96, y, h - wall], wall, body);
     let hollow = ([-x + wall, -y + wall, head + wall], [x * 0.96 - wall, y - wall, h - wall]);
     floor_of(b, "compartment_1", hollow.0, hollow.1);
     lid(b, [-x, 0.0, h], 1.4, |b| {
-        b.block("lid", [-x + 0.002, -y + 0.002, h - wall + 0.001], [x * 0.96, y - 0.002, h], body);
+        b.block("lid", [-x + 0.002 * u, -y + 0.002 * u, h - wall + 0.001 * u], [x * 0.96, y - 0.002 * u, h], body);
         b.block("tab", [x * 0.96, -y * 0.2, h - wall], [x, y * 0.2, h], STEEL);
     });
     let centre = [f32::midpoint(back, x), 0.0];
@@ -126,7 +126,7 @@ pub(super) fn coffee_maker(b: &mut Build<'_>) {
     if deck {
         // A glass jug on a warm plate.
         let r = (room * 0.9).min(y * 0.8);
-        b.cylinder("plate", [centre[0], 0.0, base - 0.001], r * 0.95, 0.005 * u, BLACK_METAL);
+        b.cylinder("plate", [centre[0], 0.0, base - 0.001 * u], r * 0.95, 0.005 * u, BLACK_METAL);
         let tall = (head - base) * 0.86;
         let z = base + 0.005 * u;
         let wall = 0.003 * u;
@@ -150,8 +150,8 @@ pub(super) fn coffee_maker(b: &mut Build<'_>) {
         let ear = centre[0] + r * 0.7;
         let points = [
             [ear, 0.0, z + tall * 0.9],
-            [x - 0.008 * u, 0.0, z + tall * 0.8],
-            [x - 0.008 * u, 0.0, z + tall * 0.35],
+            [x - 0.012 * u, 0.0, z + tall * 0.8],
+            [x - 0.012 * u, 0.0, z + tall * 0.35],
             [ear + r * 0.2, 0.0, z + tall * 0.22],
         ];
         b.pipe("jug_handle", &points, 0.007 * u, BLACK_PLASTIC);
@@ -165,13 +165,13 @@ pub(super) fn coffee_maker(b: &mut Build<'_>) {
     } else {
         // A nozzle over a grid.
         let z = head - (head - base) * 0.3;
-        b.block("group", [back - 0.002, -y * 0.4, z], [x * 0.7, y * 0.4, head + 0.002], BLACK_PLASTIC);
+        b.block("group", [back - 0.002 * u, -y * 0.4, z], [x * 0.7, y * 0.4, head + 0.002 * u], BLACK_PLASTIC);
         for cy in [-y * 0.14, y * 0.14] {
             b.rod("nozzle", [centre[0], cy, z - 0.02 * u], [centre[0], cy, z], 0.008 * u, STEEL);
         }
         for i in 0..5 {
             let cx = back + 2.0 * room * (0.15 + 0.16 * i as f32);
-            b.block("grid", [cx, -y * 0.8, base - 0.001], [cx + room * 0.12, y * 0.8, base + 0.004 * u], STEEL);
+            b.block("grid", [cx, -y * 0.8, base - 0.001 * u], [cx + room * 0.12, y * 0.8, base + 0.004 * u], STEEL);
         }
         b.block("drip_tray", [back, -y * 0.85, base * 0.2], [x + 0.0, y * 0.85, base * 0.8], STEEL);
     }
@@ -180,7 +180,7 @@ pub(super) fn coffee_maker(b: &mut Build<'_>) {
 
 /// Groups with filter holders over a drip tray, a steam pipe, cups on top.
 pub(super) fn espresso_machine(b: &mut Build<'_>) {
-    let u = fit(b, [0.14, 0.12, 0.15]);
+    let u = fit(b, [0.224, 0.192, 0.24]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, STEEL, CHROME, RED_METAL, BLACK_METAL, CREAM]);
     let (feet, base) = (0.02 * u, h * 0.22);
@@ -188,12 +188,12 @@ pub(super) fn espresso_machine(b: &mut Build<'_>) {
     let back = -x * 0.1;
     let head = h * 0.66;
     b.soft("base", [-x, -y, feet], [x, y, base], 0.01 * u, body);
-    b.block("column", [-x, -y * 0.98, base - 0.005], [back, y * 0.98, head + 0.005], body);
+    b.block("column", [-x, -y * 0.98, base - 0.005 * u], [back, y * 0.98, head + 0.005 * u], body);
     let top = h - 0.025 * u;
     b.soft("head", [-x, -y, head], [x * 0.72, y, top], 0.015 * u, body);
     for i in 0..7 {
         let cx = back + (x - back) * (0.1 + 0.12 * i as f32);
-        b.block("grid", [cx, -y * 0.9, base - 0.002], [cx + x * 0.05, y * 0.9, base + 0.004 * u], STEEL);
+        b.block("grid", [cx, -y * 0.9, base - 0.002 * u], [cx + x * 0.05, y * 0.9, base + 0.004 * u], STEEL);
     }
     // A rail around the place for cups.
     ring(
@@ -245,7 +245,7 @@ pub(super) fn espresso_machine(b: &mut Build<'_>) {
 
 /// Beans above, a chute, a cup for the powder below.
 pub(super) fn coffee_grinder(b: &mut Build<'_>) {
-    let u = fit(b, [0.05, 0.05, 0.09]);
+    let u = fit(b, [0.08, 0.08, 0.144]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, WHITE_METAL, BLACK_PLASTIC]);
     let r = x.min(y);
@@ -261,7 +261,7 @@ pub(super) fn coffee_grinder(b: &mut Build<'_>) {
     }
     let (low, wide) = (r * 0.62, r * 0.9);
     let tall = h * 0.93 - cut;
-    let at = [if h > 0.24 { -x * 0.3 } else { 0.0 }, 0.0, cut - 0.001];
+    let at = [if h > 0.24 { -x * 0.3 } else { 0.0 }, 0.0, cut - 0.001 * u];
     let spread = if h > 0.24 { wide.min(x * 0.7) } else { wide };
     b.lathe("hopper", at, &cup(low.min(spread), spread, tall, wall), CLEAR_PLASTIC);
     b.lathe(
@@ -278,7 +278,7 @@ pub(super) fn coffee_grinder(b: &mut Build<'_>) {
 
 /// One or two iron plates on a flat box.
 pub(super) fn hot_plate(b: &mut Build<'_>) {
-    let u = fit(b, [0.11, 0.12, 0.03]);
+    let u = fit(b, [0.176, 0.192, 0.048]);
     let (x, y, h) = spans(b);
     let body = b.one(&[WHITE_METAL, BLACK_METAL, STEEL]);
     let (feet, top) = (h * 0.18, h * 0.78);
@@ -291,8 +291,8 @@ pub(super) fn hot_plate(b: &mut Build<'_>) {
         let cy = -y + step * (i as f32 + 0.5);
         let r = (x * 0.72).min(step * 0.42) * if i == 1 { 0.82 } else { 1.0 };
         let cx = -x * 0.12;
-        collar(b, "rim", ([cx, cy, top - 0.001], [cx, cy, top + (h - top) * 0.4]), (r * 1.0, r * 1.1), STEEL);
-        b.lathe("plate", [cx, cy, top - 0.001], &[(r * 0.98, 0.0), (r * 0.94, h - top + 0.001)], IRON);
+        collar(b, "rim", ([cx, cy, top - 0.001 * u], [cx, cy, top + (h - top) * 0.4]), (r * 1.0, r * 1.1), STEEL);
+        b.lathe("plate", [cx, cy, top - 0.001 * u], &[(r * 0.98, 0.0), (r * 0.94, h - top + 0.001 * u)], IRON);
         let half = r * 0.9;
         b.top(&format!("burner_{}", i + 1), [cx, cy, h], (half, half));
         knob(b, [face, cy, f32::midpoint(feet, top)], (top - feet) * 0.32, 0.013 * u, (BLACK_PLASTIC, WHITE));
@@ -301,12 +301,12 @@ pub(super) fn hot_plate(b: &mut Build<'_>) {
 
 /// Oil baths with wire baskets, one or two; professional ones of steel with taps.
 pub(super) fn deep_fryer(b: &mut Build<'_>) {
-    let u = fit(b, [0.14, 0.12, 0.11]);
+    let u = fit(b, [0.224, 0.192, 0.176]);
     let (x, y, h) = spans(b);
     let round = x < 0.17 && b.rng.chance(0.5);
     let body = if round { b.one(&[BLACK_PLASTIC, WHITE_PLASTIC]) } else { STEEL };
     let (feet, face, rim) = (0.015 * u, x - 0.05 * u, h * 0.74);
-    foot_row(b, (x * 0.75, y * 0.8), 0.015 * u, feet);
+    foot_row(b, (x * 0.6, y * 0.7), 0.015 * u, feet);
     let (wall, back) = (0.008 * u, -x + 0.06 * u);
     // The bath: walls, oil, one basket in each.
     pit(b, "bath", [back, -y, feet], [face, y, rim], wall, body);
@@ -320,15 +320,17 @@ pub(super) fn deep_fryer(b: &mut Build<'_>) {
     for i in 0..baths {
         let y0 = -y + wall + step * i as f32;
         let w = 0.003 * u;
-        let (low, high) =
-            ([back + wall * 3.0, y0 + step * 0.07, oil + 0.002], [face - wall * 3.0, y0 + step * 0.93, rim + 0.01 * u]);
+        let (low, high) = (
+            [back + wall * 3.0, y0 + step * 0.07, oil + 0.002 * u],
+            [face - wall * 3.0, y0 + step * 0.93, rim + 0.01 * u],
+        );
         let name = if baths == 1 { "basin".to_owned() } else { format!("basin_{}", i + 1) };
         basket(b, &name, low, high, w, STEEL);
         let cy = y0 + step / 2.0;
         let z = high[2] - 0.006 * u;
         b.pipe(
             "handle",
-            &[[high[0] - 0.004 * u, cy, z], [face + 0.005 * u, cy, z + 0.01 * u], [x - 0.008 * u, cy, z + 0.012 * u]],
+            &[[high[0] + 0.004 * u, cy, z], [face + 0.005 * u, cy, z + 0.01 * u], [x - 0.008 * u, cy, z + 0.012 * u]],
             0.0065 * u,
             BLACK_PLASTIC,
         );
@@ -336,7 +338,7 @@ pub(super) fn deep_fryer(b: &mut Build<'_>) {
     knobs(b, [face, 0.0, feet + (rim - feet) * 0.4], y, baths, (rim - feet) * 0.12, (BLACK_PLASTIC, WHITE));
     if baths == 1 {
         lid(b, [back, 0.0, rim + 0.023 * u], 1.3, |b| {
-            let from = [back + 0.001, -y, rim + 0.0115 * u];
+            let from = [back + 0.001 * u, -y, rim + 0.0115 * u];
             b.block("lid", from, [face - 0.02 * u, y, rim + 0.023 * u], STEEL);
         });
     }
@@ -344,16 +346,16 @@ pub(super) fn deep_fryer(b: &mut Build<'_>) {
 
 /// A pod with a drawer for food.
 pub(super) fn air_fryer(b: &mut Build<'_>) {
-    let u = fit(b, [0.15, 0.13, 0.14]);
+    let u = fit(b, [0.24, 0.208, 0.224]);
     let (x, y, h) = spans(b);
     let body = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, SAGE]);
     let face = x - 0.065 * u;
     let (bottom, head, wall) = (h * 0.05, h * b.vary(0.55, 0.62), y * 0.1);
     b.soft("base", [-x, -y, 0.0], [face, y, bottom + wall], wall * 0.5, body);
-    b.block("back", [-x, -y * 0.96, bottom], [-x + wall, y * 0.96, head + 0.002], body);
+    b.block("back", [-x, -y * 0.96, bottom], [-x + wall, y * 0.96, head + 0.002 * u], body);
     for side in [-1.0, 1.0] {
         let (a, z) = (side * y * 0.98, side * (y - wall));
-        b.block("side", [-x + wall, a.min(z), bottom + wall * 0.8], [face, a.max(z), head + 0.002], body);
+        b.block("side", [-x + wall, a.min(z), bottom + wall * 0.8], [face, a.max(z), head + 0.002 * u], body);
     }
     let radius = b.vary(0.02, 0.07) * u;
     b.soft("head", [-x, -y, head], [face, y, h], radius, body);
@@ -361,7 +363,7 @@ pub(super) fn air_fryer(b: &mut Build<'_>) {
     let round = b.rng.chance(0.5);
     let z = f32::midpoint(head, h);
     if round {
-        knob(b, [face - 0.004, 0.0, z], (h - head) * 0.3, 0.025 * u, (trim, WHITE));
+        knob(b, [face - 0.004 * u, 0.0, z], (h - head) * 0.3, 0.025 * u, (trim, WHITE));
     } else {
         display(b, face, (-y * 0.4, z - (h - head) * 0.15), (y * 0.4, z + (h - head) * 0.15), COOL_BULB);
     }
@@ -378,7 +380,7 @@ pub(super) fn air_fryer(b: &mut Build<'_>) {
 
 /// A thick plate with raised sides over a box with knobs, for professionals.
 pub(super) fn griddle(b: &mut Build<'_>) {
-    let u = fit(b, [0.2, 0.25, 0.1]);
+    let u = fit(b, [0.32, 0.4, 0.16]);
     let (x, y, h) = spans(b);
     let (feet, plate, guard) = (h * 0.14, h * 0.74, 0.012 * u);
     let face = x - 0.035 * u;
@@ -400,7 +402,7 @@ pub(super) fn griddle(b: &mut Build<'_>) {
             let cy = y * (0.1 + 0.1 * i as f32);
             b.block(
                 "rib",
-                [-x + guard * 1.5, cy, plate - 0.001],
+                [-x + guard * 1.5, cy, plate - 0.001 * u],
                 [face - 0.055 * u, cy + y * 0.04, plate + 0.005 * u],
                 iron,
             );
@@ -427,20 +429,20 @@ pub(super) fn griddle(b: &mut Build<'_>) {
         (BLACK_PLASTIC, WHITE),
     );
     for cy in [-y * 0.93, y * 0.93] {
-        b.rod("light", [face, cy, feet + 0.02 * u], [face + 0.003, cy, feet + 0.02 * u], 0.005 * u, SIGNAL_AMBER);
+        b.rod("light", [face, cy, feet + 0.02 * u], [face + 0.003 * u, cy, feet + 0.02 * u], 0.005 * u, SIGNAL_AMBER);
     }
 }
 
 /// Two ribbed plates that close like a book.
 pub(super) fn electric_grill(b: &mut Build<'_>) {
-    let u = fit(b, [0.13, 0.14, 0.05]);
+    let u = fit(b, [0.208, 0.224, 0.08]);
     let body = b.one(&[STEEL, BLACK_METAL, RED_METAL]);
     clamshell(b, u, body, false);
 }
 
 /// Two plates with a grid that close like a book, square or round.
 pub(super) fn waffle_maker(b: &mut Build<'_>) {
-    let u = fit(b, [0.12, 0.1, 0.045]);
+    let u = fit(b, [0.192, 0.16, 0.072]);
     let body = b.one(&[STEEL, BLACK_PLASTIC, WHITE_PLASTIC, RED_METAL]);
     clamshell(b, u, body, true);
 }
@@ -453,39 +455,44 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
     let cx = (front - x) / 2.0;
     let stance = if round { (r * 0.5, r * 0.55) } else { ((front + x) * 0.4, y * 0.8) };
     b.at([cx, 0.0, 0.0], 0.0, |b| foot_row(b, stance, 0.01 * u, feet));
-    let plate = (seam - feet) * 0.2;
+    let plate = (seam - feet) * 0.5;
     let half = if round { (r * 0.68, r * 0.68) } else { ((front + x) * 0.44, y * 0.88) };
     if round {
         b.lathe("base", [cx, 0.0, feet], &[(r * 0.9, 0.0), (r, (seam - feet) * 0.4), (r, seam - feet - plate)], body);
     } else {
         b.soft("base", [-x, -y, feet], [front, y, seam - plate], 0.02 * u, body);
     }
-    let low = [cx - half.0, -half.1, seam - plate - 0.002];
-    b.block("plate", low, [cx + half.0, half.1, seam - plate * 0.6], BLACK_METAL);
+    let low = [cx - half.0, -half.1, seam - plate - 0.002 * u];
+    b.block("plate", low, [cx + half.0, half.1, seam - plate * 0.8], BLACK_METAL);
     let count = if waffle { 6 } else { 9 };
     for i in 0..count {
         let cy = half.1 * (2.0 * (i as f32 + 0.5) / count as f32 - 1.0);
         b.block(
             "rib",
-            [cx - half.0 * 0.95, cy - half.1 * 0.04, seam - plate * 0.62],
-            [cx + half.0 * 0.95, cy + half.1 * 0.04, seam - plate * 0.3],
+            [cx - half.0 * 0.95, cy - half.1 * 0.04, seam - plate * 0.82],
+            [cx + half.0 * 0.95, cy + half.1 * 0.04, seam - plate * 0.66],
             BLACK_METAL,
         );
     }
-    let gap = plate * 0.3;
-    b.inside("slot_1", [cx, 0.0, seam - plate * 0.3], (half.0 * 0.9, half.1 * 0.9), gap);
-    b.block("hinge", [-x, -y * 0.5, seam - plate - 0.002], [-x + 0.018 * u, y * 0.5, seam + 0.004 * u], BLACK_PLASTIC);
+    let gap = plate * 0.64;
+    b.inside("slot_1", [cx, 0.0, seam - plate * 0.66], (half.0 * 0.9, half.1 * 0.9), gap);
+    b.block(
+        "hinge",
+        [-x, -y * 0.5, seam - plate - 0.002 * u],
+        [-x + 0.018 * u, y * 0.5, seam + 0.004 * u],
+        BLACK_PLASTIC,
+    );
     let grip = b.one(&[STEEL, BLACK_PLASTIC]);
     lid(b, [-x, 0.0, seam], 1.6, |b| {
         if round {
             b.lathe(
                 "lid",
-                [cx, 0.0, seam + 0.001],
-                &[(r, 0.0), (r, (h - seam) * 0.5), (r * 0.85, h - seam - 0.001)],
+                [cx, 0.0, seam + 0.001 * u],
+                &[(r, 0.0), (r, (h - seam) * 0.5), (r * 0.85, h - seam - 0.001 * u)],
                 body,
             );
         } else {
-            b.soft("lid", [-x, -y, seam + 0.001], [front, y, h], 0.02 * u, body);
+            b.soft("lid", [-x, -y, seam + 0.001 * u], [front, y, h], 0.02 * u, body);
         }
         let z = f32::midpoint(seam, h);
         if waffle {
@@ -493,13 +500,13 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
         } else {
             let points = [
                 [front - 0.01 * u, -y * 0.8, z],
-                [x - 0.009 * u, -y * 0.7, z],
-                [x - 0.009 * u, y * 0.7, z],
+                [x - 0.012 * u, -y * 0.7, z],
+                [x - 0.012 * u, y * 0.7, z],
                 [front - 0.01 * u, y * 0.8, z],
             ];
             b.pipe("grip", &points, 0.008 * u, grip);
         }
-        b.cylinder("light", [cx, 0.0, h - 0.003], 0.006 * u, 0.003, SIGNAL_GREEN);
+        b.cylinder("light", [cx, 0.0, h - 0.003 * u], 0.006 * u, 0.003, SIGNAL_GREEN);
         if !waffle {
             b.top("lid", [cx, y * 0.5, h], ((front + x) * 0.3, y * 0.3));
         }
@@ -507,7 +514,7 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
     if !waffle {
         knob(
             b,
-            [front - 0.002, 0.0, f32::midpoint(feet, seam - plate)],
+            [front - 0.002 * u, 0.0, f32::midpoint(feet, seam - plate)],
             (seam - feet) * 0.24,
             0.02 * u,
             (BLACK_PLASTIC, WHITE),
@@ -517,7 +524,7 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
 
 /// A round pot in a shell with a hinged lid and one switch.
 pub(super) fn rice_cooker(b: &mut Build<'_>) {
-    let u = fit(b, [0.11, 0.11, 0.1]);
+    let u = fit(b, [0.176, 0.176, 0.16]);
     let (x, y, h) = spans(b);
     let body = b.one(&[WHITE_PLASTIC, STEEL, BLACK_METAL, RED_METAL]);
     let r = y.min(x);
@@ -546,11 +553,11 @@ pub(super) fn rice_cooker(b: &mut Build<'_>) {
     }
     let glass = b.rng.chance(0.4);
     let trim = if glass { GLASS } else { body };
-    lid(b, [cx - wide, 0.0, rim + 0.002], 1.4, |b| {
+    lid(b, [cx - wide, 0.0, rim + 0.002 * u], 1.4, |b| {
         let dome = h * 0.93 - rim;
         b.lathe(
             "lid",
-            [cx, 0.0, rim + 0.001],
+            [cx, 0.0, rim + 0.001 * u],
             &[(wide, 0.0), (wide, dome * 0.3), (wide * 0.8, dome * 0.8), (wide * 0.4, dome)],
             trim,
         );
@@ -563,7 +570,7 @@ pub(super) fn rice_cooker(b: &mut Build<'_>) {
     });
     switch_plate(b, [cx + wide * 0.985, foot + tall * 0.35], (r * 0.3, tall * 0.2), u);
     for side in [-1.0, 1.0] {
-        let cy = side * (wide + 0.004 * u);
+        let cy = side * (wide + 0.002 * u);
         b.soft(
             "ear",
             [cx - r * 0.2, cy - 0.009 * u, rim * 0.78],
@@ -594,7 +601,7 @@ fn switch_plate(b: &mut Build<'_>, at: [f32; 2], half: (f32, f32), u: f32) {
 
 /// An oval crock in a shell with ears and a glass lid.
 pub(super) fn slow_cooker(b: &mut Build<'_>) {
-    let u = fit(b, [0.12, 0.15, 0.11]);
+    let u = fit(b, [0.192, 0.24, 0.176]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, CREAM]);
     let (feet, rim, wall) = (h * 0.05, h * 0.72, 0.014 * u);
@@ -607,9 +614,9 @@ pub(super) fn slow_cooker(b: &mut Build<'_>) {
         let (a, z) = (s * (side - 0.004 * u), s * y);
         b.soft("ear", [-x * 0.3, a.min(z), rim * 0.76], [x * 0.3, a.max(z), rim * 0.84], 0.008 * u, BLACK_PLASTIC);
     }
-    knob(b, [depth - 0.002, 0.0, h * 0.22], h * 0.08, 0.014 * u, (BLACK_PLASTIC, WHITE));
-    lid(b, [-depth, 0.0, rim + 0.002], 1.2, |b| {
-        oval_lid(b, (depth * 0.97, side * 0.97), (rim + 0.001, h * 0.88), GLASS);
+    knob(b, [depth - 0.002 * u, 0.0, h * 0.22], h * 0.08, 0.014 * u, (BLACK_PLASTIC, WHITE));
+    lid(b, [-depth, 0.0, rim + 0.002 * u], 1.2, |b| {
+        oval_lid(b, (depth * 0.97, side * 0.97), (rim + 0.001 * u, h * 0.88), GLASS);
         b.lathe(
             "knob",
             [0.0, 0.0, h * 0.879],
@@ -631,15 +638,10 @@ fn twelve(half: (f32, f32)) -> Vec<(f32, f32)> {
     (0..12).map(corner).collect()
 }
 
-/// A flat-bottomed shell with twelve sides: the floor and a wall for each.
+/// A flat-bottomed shell with twelve sides.
 fn oval_shell(b: &mut Build<'_>, name: &str, half: (f32, f32), (z0, z1): (f32, f32), wall: f32, mat: Mat) {
     let (outer, inner) = (twelve(half), twelve((half.0 - wall, half.1 - wall)));
-    b.prism(name, Axis::Z, [0.0, 0.0, z0], &outer, wall, mat);
-    for i in 0..outer.len() {
-        let k = (i + 1) % outer.len();
-        let side = [outer[i], outer[k], inner[k], inner[i]];
-        b.prism(name, Axis::Z, [0.0, 0.0, z0 + wall], &side, z1 - z0 - wall, mat);
-    }
+    loft(b, name, &[(outer.clone(), z0), (outer, z1), (inner.clone(), z1), (inner, z0 + wall)], mat);
 }
 
 /// A low dome over an oval.
@@ -651,7 +653,7 @@ fn oval_lid(b: &mut Build<'_>, half: (f32, f32), (z0, z1): (f32, f32), mat: Mat)
 
 /// A tall box with a lid over a bread pan, a display on its slope.
 pub(super) fn bread_maker(b: &mut Build<'_>) {
-    let u = fit(b, [0.12, 0.15, 0.14]);
+    let u = fit(b, [0.192, 0.24, 0.224]);
     let (x, y, h) = spans(b);
     let body = b.one(&[WHITE_PLASTIC, STEEL, BLACK_METAL]);
     let (feet, rim, wall) = (h * 0.04, h * 0.84, 0.014 * u);
@@ -661,18 +663,23 @@ pub(super) fn bread_maker(b: &mut Build<'_>) {
     pit(b, "body", [-x, -y, feet], [x, split + 0.004 * u, rim], wall, body);
     let low = [-x * 0.6, -y + wall * 3.0, feet + wall];
     basket(b, "compartment_1", low, [x * 0.6, split - wall * 2.0, rim - 0.03 * u], 0.003 * u, GREY_PLASTIC);
-    let panel_top = rim + 0.002;
-    b.block("panel", [x * 0.1, split + (y - split) * 0.1, rim - 0.002], [x * 0.9, y * 0.95, panel_top], BLACK_PLASTIC);
-    b.block("display", [x * 0.3, split + (y - split) * 0.3, rim], [x * 0.6, y * 0.82, panel_top + 0.002], LED);
-    lid(b, [-x, 0.0, rim + 0.003], 1.4, |b| {
-        b.soft("lid", [-x, -y, rim + 0.003], [x, split, h], (h - rim) * 0.4, body);
-        b.block("window", [-x * 0.4, -y * 0.6, h - 0.003], [x * 0.4, -y * 0.05, h], BROWN_GLASS);
+    let panel_top = rim + 0.002 * u;
+    b.block(
+        "panel",
+        [x * 0.1, split + (y - split) * 0.1, rim - 0.002 * u],
+        [x * 0.9, y * 0.95, panel_top],
+        BLACK_PLASTIC,
+    );
+    b.block("display", [x * 0.3, split + (y - split) * 0.3, rim], [x * 0.6, y * 0.82, panel_top + 0.002 * u], LED);
+    lid(b, [-x, 0.0, rim + 0.003 * u], 1.4, |b| {
+        b.soft("lid", [-x, -y, rim + 0.003 * u], [x, split, h], (h - rim) * 0.4, body);
+        b.block("window", [-x * 0.4, -y * 0.6, h - 0.003 * u], [x * 0.4, -y * 0.05, h], BROWN_GLASS);
     });
 }
 
 /// Pans in a warm bath of steel, each with its own lid; a tap and a dial in front.
 pub(super) fn bain_marie(b: &mut Build<'_>) {
-    let u = fit(b, [0.17, 0.25, 0.12]);
+    let u = fit(b, [0.272, 0.4, 0.192]);
     let (x, y, h) = spans(b);
     let (feet, rim, wall) = (h * 0.08, h * 0.82, 0.008 * u);
     let face = x - 0.05 * u;
@@ -689,14 +696,14 @@ pub(super) fn bain_marie(b: &mut Build<'_>) {
         let hole = ((-x + wall * 2.2, y0 + wall * 1.6), (face - wall * 2.2, y1 - wall * 1.6));
         ring(b, "rim", Axis::Z, ([-x, y0 - wall * 0.6, rim - 0.003 * u], [face, y1 + wall * 0.6, rim]), hole, STEEL);
         if i <= covered {
-            lid(b, [-x + wall, 0.0, rim + 0.001], 1.3, |b| {
-                b.at([(face - x) / 2.0, f32::midpoint(y0, y1), rim + 0.001], 0.0, |b| {
+            lid(b, [-x + wall, 0.0, rim + 0.001 * u], 1.3, |b| {
+                b.at([(face - x) / 2.0, f32::midpoint(y0, y1), rim + 0.001 * u], 0.0, |b| {
                     let half = ((face + x) / 2.0 - wall, (y1 - y0) / 2.0 - wall * 0.5);
                     b.taper("lid", [0.0; 3], half, (half.0 * 0.9, half.1 * 0.85), (h - rim) * 0.5, STEEL);
                     b.block(
                         "knob",
                         [-half.0 * 0.25, -0.008 * u, (h - rim) * 0.49],
-                        [half.0 * 0.25, 0.008 * u, h - rim - 0.001],
+                        [half.0 * 0.25, 0.008 * u, h - rim - 0.001 * u],
                         BLACK_PLASTIC,
                     );
                 });
@@ -705,7 +712,7 @@ pub(super) fn bain_marie(b: &mut Build<'_>) {
     }
     let z = f32::midpoint(feet, rim);
     knob(b, [face, y * 0.7, z], (rim - feet) * 0.18, 0.025 * u, (BLACK_PLASTIC, WHITE));
-    b.rod("tap", [face - 0.002, -y * 0.7, z * 0.7], [x - 0.015 * u, -y * 0.7, z * 0.7], 0.01 * u, BRASS);
+    b.rod("tap", [face - 0.002 * u, -y * 0.7, z * 0.7], [x - 0.015 * u, -y * 0.7, z * 0.7], 0.01 * u, BRASS);
     b.rod("tap", [x - 0.015 * u, -y * 0.7, z * 0.45], [x - 0.015 * u, -y * 0.7, z * 0.7 + 0.01 * u], 0.01 * u, BRASS);
     b.block(
         "tap_lever",
@@ -717,7 +724,7 @@ pub(super) fn bain_marie(b: &mut Build<'_>) {
 
 /// Warm drawers for plates: one built in, or several under each other.
 pub(super) fn plate_warmer(b: &mut Build<'_>) {
-    let u = fit(b, [0.25, 0.22, 0.07]);
+    let u = fit(b, [0.4, 0.352, 0.112]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, STEEL, BLACK_GLASS]);
     let (face, t) = (x - 0.032 * u, 0.02 * u);
@@ -729,7 +736,7 @@ pub(super) fn plate_warmer(b: &mut Build<'_>) {
     case(b, low, [face - t, y, h], 0.01 * u, STEEL);
     let look = Look { panel: Panel::Slab, handle: crate::object::joinery::Handle::Bar, mat: body, metal: STEEL, t };
     let count = (h / 0.24).round().clamp(1.0, 4.0) as usize;
-    drawers(b, &look, ([-x + 0.02 * u, -y, feet + 0.006 * u], [face, y, h]), count, 1.0);
+    drawers(b, &look, "drawer", ([-x + 0.02 * u, -y, feet + 0.006 * u], [face, y, h]), (count, 1.0));
     knob(b, [face, y * 0.8, h - (h * 0.15).min(0.035 * u)], (h * 0.1).min(0.02 * u), 0.018 * u, (BLACK_PLASTIC, WHITE));
     if h > 0.4 {
         b.top("top", [0.0, 0.0, h], (x - 0.04 * u, y - 0.02 * u));

@@ -66,9 +66,14 @@ pub(super) fn kitchen_counter(b: &mut Build<'_>) {
     b.block("rail", [-x + 0.02 * u, -side + t, under - depth], [-x + 0.04 * u, side - t, under], rail);
     if b.rng.chance(0.5) {
         let z = h * b.vary(0.2, 0.35);
-        b.block("shelf", [-x + 0.042 * u, -side + t, z], [front - 0.02 * u, side - t, z + 0.02 * u], mat);
-        let half = ((front + x) / 2.0 - 0.07 * u, side - 0.08 * u);
-        b.ledge("shelf", [(front - x) / 2.0, 0.0, z + 0.02 * u], half, (under - z - depth - 0.03 * u).max(0.0));
+        let pitch = (2.0 * side - t) / panels as f32;
+        for i in 0..panels {
+            let (y0, y1) = (-side + pitch * i as f32 + t, -side + pitch * (i + 1) as f32);
+            b.block("shelf", [-x + 0.042 * u, y0, z], [front - 0.02 * u, y1, z + 0.02 * u], mat);
+            let half = ((front + x) / 2.0 - 0.075 * u, (y1 - y0) / 2.0 - 0.05 * u);
+            let centre = [(front - x) / 2.0, f32::midpoint(y0, y1), z + 0.02 * u];
+            b.ledge(&format!("shelf_{}", i + 1), centre, half, (under - z - depth - 0.03 * u).max(0.0));
+        }
     }
 }
 
@@ -77,7 +82,10 @@ pub(super) fn kitchen_counter(b: &mut Build<'_>) {
 pub(super) fn kitchen_island(b: &mut Build<'_>) {
     let u = fit(b, [0.5, 0.7, 0.6]);
     let (x, y, _) = spans(b);
-    let look = unit_look(b, u);
+    let mut look = unit_look(b, u);
+    if look.panel == Panel::Boards {
+        look.panel = Panel::Framed;
+    }
     let under = worktop(b, u);
     let bar = if b.rng.chance(0.5) && x > 0.36 { b.vary(0.2, 0.28) } else { 0.03 * u };
     let side = y - 0.03 * u;
@@ -155,7 +163,7 @@ pub(in crate::object) fn inner(low: P, high: P, t: f32) -> (P, P) {
 }
 
 fn fill(b: &mut Build<'_>, look: &Look, low: P, high: P, u: f32) {
-    fill_named(b, look, low, high, (u, "shelf"));
+    fill_named(b, look, low, high, (u, ""));
 }
 
 /// A case with one of three fillings: doors before shelves, drawers, a drawer over doors.
@@ -166,23 +174,24 @@ fn fill_named(b: &mut Build<'_>, look: &Look, low: P, high: P, (u, name): (f32, 
     let (hollow_low, hollow_high) = inner(low, high, t);
     let mat = look.mat;
     let shelf = move |b: &mut Build<'_>, l: P, h: P| b.block("shelf", l, [h[0] - 0.02 * u, h[1], h[2]], mat);
+    let named = |what: &str| if name.is_empty() { what.to_owned() } else { format!("{name}_{what}") };
     match b.rng.below(5) {
         0 | 1 => {
-            tiers(b, name, (hollow_low, hollow_high), if tall > 0.45 { 2 } else { 1 }, t, shelf);
+            tiers(b, &named("shelf"), (hollow_low, hollow_high), if tall > 0.45 { 2 } else { 1 }, t, shelf);
             cupboard_doors(b, look, front, 0.6, false);
         }
         2 => {
             let split = high[2] - tall * 0.25;
             let divider = [hollow_low[0], hollow_low[1], split - t];
             b.block("divider", divider, [hollow_high[0], hollow_high[1], split], mat);
-            tiers(b, name, (hollow_low, [hollow_high[0], hollow_high[1], split - t]), 1, t, shelf);
+            tiers(b, &named("shelf"), (hollow_low, [hollow_high[0], hollow_high[1], split - t]), 1, t, shelf);
             cupboard_doors(b, look, (front.0, [front.1[0], front.1[1], split]), 0.6, false);
-            pull_out(b, look, "drawer", ([low[0] + t, low[1], split], front.1));
+            pull_out(b, look, &named("drawer"), ([low[0] + t, low[1], split], front.1));
         }
         _ => {
             let count = b.rng.count(2, 4).min((tall / 0.12).max(1.0) as usize);
             let deep = b.vary(1.0, 1.8);
-            drawers(b, look, ([low[0] + t, low[1], low[2] + t * 0.5], front.1), count, deep);
+            drawers(b, look, &named("drawer"), ([low[0] + t, low[1], low[2] + t * 0.5], front.1), (count, deep));
         }
     }
 }

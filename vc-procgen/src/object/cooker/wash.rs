@@ -11,7 +11,7 @@ use crate::object::joinery::Handle;
 
 /// A door that falls open before two baskets that slide out.
 pub(super) fn dishwasher(b: &mut Build<'_>) {
-    let u = fit(b, [0.28, 0.22, 0.4]);
+    let u = fit(b, [0.448, 0.352, 0.64]);
     let (x, y, _) = spans(b);
     let h = under_worktop(b, u);
     let built_in = b.rng.chance(0.4);
@@ -45,7 +45,13 @@ pub(super) fn dishwasher(b: &mut Build<'_>) {
         display(b, face, (-y * 0.3, h - 0.075 * u), (y * 0.1, h - 0.045 * u), LED);
         for i in 0..4 {
             let cy = y * (0.3 + 0.14 * i as f32);
-            b.rod("button", [face - 0.001, cy, h - 0.06 * u], [face + 0.003, cy, h - 0.06 * u], 0.008 * u, STEEL);
+            b.rod(
+                "button",
+                [face - 0.001 * u, cy, h - 0.06 * u],
+                [face + 0.003 * u, cy, h - 0.06 * u],
+                0.008 * u,
+                STEEL,
+            );
         }
         grab(b, [face, 0.0, strip - 0.03 * u], y * 1.2, false, 0.028 * u, STEEL);
     });
@@ -54,6 +60,10 @@ pub(super) fn dishwasher(b: &mut Build<'_>) {
 /// A basket of wire on a slide.
 fn dish_basket(b: &mut Build<'_>, name: &str, (low, high): (P, P), room: f32, u: f32) {
     let w = 0.005 * u;
+    // Runners on the walls carry it.
+    for y in [(low[1] - 0.014 * u, low[1] + w), (high[1] - w, high[1] + 0.014 * u)] {
+        b.block("runner", [low[0], y.0, low[2] - w], [high[0], y.1, low[2] - 0.0005 * u], STEEL);
+    }
     b.jointed(JointKind::Slide, low, [1.0, 0.0, 0.0], (0.0, (high[0] - low[0]) * 0.85), |b| {
         rack(b, low, [high[0], high[1], low[2] + w], 9, WHITE_PLASTIC);
         for z in [f32::midpoint(low[2], high[2]), high[2]] {
@@ -75,7 +85,7 @@ fn dish_basket(b: &mut Build<'_>, name: &str, (low, high): (P, P), room: f32, u:
 
 /// A hood over a basket on a steel table, or a low one with a door.
 pub(super) fn commercial_dishwasher(b: &mut Build<'_>) {
-    let u = fit(b, [0.3, 0.3, 0.4]);
+    let u = fit(b, [0.48, 0.48, 0.64]);
     let (x, y, h) = spans(b);
     let feet = 0.1 * u;
     steel_legs(b, (x * 0.8, y * 0.85), feet, false, u);
@@ -99,7 +109,7 @@ pub(super) fn commercial_dishwasher(b: &mut Build<'_>) {
     let tray = BLUE_PLASTIC;
     basket(b, "rack_1", low, [high[0], high[1], table + 0.05 * u], 0.008 * u, tray);
     // The hood rises along the masts; the basket beneath is free then.
-    let hood = ([-x + 0.05 * u, -y, table + 0.003], [face, y, h - lift - 0.01 * u]);
+    let hood = ([-x + 0.05 * u, -y, table + 0.003 * u], [face, y, h - lift - 0.01 * u]);
     b.jointed(JointKind::Slide, hood.0, [0.0, 0.0, 1.0], (0.0, lift), |b| {
         let t = 0.012 * u;
         b.block("hood", [hood.0[0], hood.0[1], hood.1[2] - t], hood.1, STEEL);
@@ -152,7 +162,7 @@ pub(super) fn dryer(b: &mut Build<'_>) {
 }
 
 fn drum_machine(b: &mut Build<'_>, washes: bool) {
-    let u = fit(b, [0.28, 0.3, 0.42]);
+    let u = fit(b, [0.448, 0.48, 0.672]);
     let (x, y, _) = spans(b);
     let h = under_worktop(b, u);
     if !in_run(b) {
@@ -173,13 +183,13 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
     collar(
         b,
         "bezel",
-        ([face - 0.001, 0.0, middle], [face + 0.008 * u, 0.0, middle]),
+        ([face - 0.001 * u, 0.0, middle], [face + 0.008 * u, 0.0, middle]),
         (radius * 0.84, radius * 1.24),
         body,
     );
     let drum = radius.max(y * 0.75).min((strip - feet) * 0.46);
     let depth = (plate + x - 0.08 * u).max(0.02);
-    let start = [plate - 0.002 - depth, 0.0, middle];
+    let start = [plate - 0.002 * u - depth, 0.0, middle];
     let t = 0.008 * u;
     let profile = [
         (drum, 0.0),
@@ -220,7 +230,7 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
     display(b, face, (y * 0.32, z - 0.02 * u), (y * 0.62, z + 0.02 * u), light);
     for i in 0..3 {
         let cy = y * (0.7 + 0.09 * i as f32);
-        b.rod("button", [face - 0.001, cy, z], [face + 0.004 * u, cy, z], 0.008 * u, bezel);
+        b.rod("button", [face - 0.001 * u, cy, z], [face + 0.004 * u, cy, z], 0.008 * u, bezel);
     }
 }
 
@@ -242,7 +252,7 @@ fn drum_door(b: &mut Build<'_>, at: P, radius: f32, rim: Mat, u: f32) {
         );
         b.block(
             "grip",
-            [x + t - 0.002, y + r * 0.76, z - r * 0.18],
+            [x + t - 0.002 * u, y + r * 0.76, z - r * 0.18],
             [x + t + 0.006 * u, y + r * 0.95, z + r * 0.18],
             rim,
         );

@@ -1,5 +1,7 @@
 //! Boxes and baskets.
 
+use std::f32::consts::PI;
+
 use super::super::book::desk::tub;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, spline};
@@ -38,7 +40,7 @@ pub(super) fn carton(b: &mut Build<'_>) {
     let side = |y0: f32, y1: f32, z0: f32, z1: f32| ([x - t * 0.5, y * y0, h * z0], [x + 0.0006, y * y1, h * z1]);
     blocks(b, "print", &[side(-0.8, -0.45, 0.15, 0.35), side(0.3, 0.8, 0.3, 0.36), side(0.3, 0.7, 0.2, 0.26)], ink);
     if b.rng.chance(0.6) {
-        b.block("tape", [x - t * 0.5, -y * 0.08, h * 0.6], [x + 0.0006, y * 0.08, rim], BROWN_PLASTIC);
+        b.block("tape", [x - t * 0.5, -y * 0.08, h * 0.6], [x + 0.0006, y * 0.08, rim * 0.99], BROWN_PLASTIC);
     }
 }
 
@@ -50,7 +52,7 @@ fn lidded(b: &mut Build<'_>, mat: Mat, t: f32) {
     b.inside("compartment", [0.0, 0.0, t], (x - 3.0 * t, y - 3.0 * t), rim - t);
     let low = rim - (h * 0.1);
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.9, |b| {
-        b.block("lid", [-x, -y, h - t], [x, y, h], mat);
+        b.block("lid", [-x, t * 0.15 - y, h - t], [x - t * 0.15, y - t * 0.15, h], mat);
         let skirt = [
             ([x - t, -y, low], [x, y, h - t * 0.9]),
             ([-x + t * 0.9, -y, low], [x - t * 0.9, -y + t, h - t * 0.9]),
@@ -104,13 +106,15 @@ pub(super) fn gift(b: &mut Build<'_>) {
     tub(b, (x * 0.97, y * 0.97), (0.0, rim), t, paper);
     b.inside("compartment", [0.0, 0.0, t], (x * 0.97 - 1.5 * t, y * 0.97 - 1.5 * t), rim - t);
     let e = 0.001_f32.min(x * 0.01);
-    let band = |s: f32| ([x * 0.97 * s - e * (1.0 - s), -wide, 0.0], [x * 0.97 + e, wide, rim]);
-    let (front, back) = (band(0.99), ([-x * 0.97 - e, -wide, 0.0], [-x * 0.96, wide, rim]));
-    let (left, right) =
-        (([-wide, y * 0.96, 0.0], [wide, y * 0.97 + e, rim]), ([-wide, -y * 0.97 - e, 0.0], [wide, -y * 0.96, rim]));
+    let band = |s: f32| ([x * 0.97 * s - e * (1.0 - s), -wide, h * 0.02], [x * 0.97 + e, wide, rim]);
+    let (front, back) = (band(0.99), ([-x * 0.97 - e, -wide, h * 0.02], [-x * 0.96, wide, rim]));
+    let (left, right) = (
+        ([-wide, y * 0.96, h * 0.02], [wide, y * 0.97 + e, rim]),
+        ([-wide, -y * 0.97 - e, h * 0.02], [wide, -y * 0.96, rim]),
+    );
     blocks(b, "ribbon", &[front, back, left, right], ribbon);
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.9, |b| {
-        b.block("lid", [-x, -y, rim], [x, y, top], paper);
+        b.block("lid", [e - x, e - y, rim], [x - e, y - e, top], paper);
         blocks(b, "ribbon", &[([-x, -wide, rim + t], [x, wide, top + e])], ribbon);
         b.block("ribbon", [-wide, -y, rim + t], [wide, y, top + e * 0.5], ribbon);
         let mut loops = Shell::default();
@@ -136,16 +140,20 @@ pub(super) fn basket(b: &mut Build<'_>) {
     };
     let handles = !laundry && b.rng.chance(0.5);
     let r = (h * 0.035).min(x * 0.05);
-    let grip = if handles { h * 0.16 } else { 0.0 };
+    let grip = match (handles, laundry) {
+        (true, _) => h * 0.16,
+        (false, true) => h * 0.07,
+        _ => 0.0,
+    };
     let rim = h - grip - r;
     let square = b.rng.below(3);
     let draft = b.vary(0.72, 0.92);
     let size = |z: f32| draft + (1.0 - draft) * (z / rim).clamp(0.0, 1.0);
     let ring = |z: f32, out: f32| {
         let s = size(z);
-        oval(Axis::Z, [0.0, 0.0, z], (x * s - r + out, y * s - r + out), square, 28)
+        oval(Axis::Z, [0.0, 0.0, z], (x * s - r + out, y * s - r + out), square, 20)
     };
-    let rows = ((rim / r / 2.2) as usize).clamp(4, 12);
+    let rows = ((rim / r / 2.2) as usize).clamp(4, 10);
     let mut weave = Shell::default();
     for i in 0..rows {
         let z = r + (rim - r) * i as f32 / (rows - 1) as f32;
@@ -160,23 +168,23 @@ pub(super) fn basket(b: &mut Build<'_>) {
     if handles {
         let mut shell = Shell::default();
         for side in [-1.0, 1.0] {
-            let end = side * (y - r);
-            let curve = arc(Axis::Y, [0.0, end, rim], (x * 0.32, h - rim - r * 0.7), (0.0, std::f32::consts::PI), 10);
+            let end = side * (y - r) * 0.94;
+            let curve = arc(Axis::Y, [0.0, end, rim], (x * 0.3, h - rim - r * 0.7), (0.0, PI), 10);
             shell.tube(&curve, r * 0.7);
         }
         let accent = b.one(&[mat, BROWN_LEATHER, JUTE]);
         shell.put(b, "handle", accent);
     } else if laundry {
-        let cloth = b.one(&[LINEN, WHITE_COTTON, GREY_FABRIC]);
-        let lining = vec![
-            ring(rim * 0.8, r * 0.9),
-            ring(rim + r * 0.7, r * 0.9),
-            ring(rim + r * 0.7, -r * 0.9),
-            ring(rim * 0.8, -r * 0.9),
-        ];
-        let mut shell = Shell::default();
-        shell.torus(&lining);
-        shell.put(b, "lining", cloth);
+        b.hinge([r * 0.15 - x, 0.0, rim + r], [0.0, -1.0, 0.0], 1.5, |b| {
+            let low = rim + r * 0.9;
+            loft(
+                b,
+                "lid",
+                &[ring(low, r * 0.8), ring(low + (h - low) * 0.5, r * 0.8), ring(h - (h - low) * 0.15, -r)],
+                mat,
+            );
+            b.block("grip", [x * 0.6, -y * 0.15, h - (h - low) * 0.4], [x * 0.7, y * 0.15, h], BROWN_LEATHER);
+        });
     }
 }
 
@@ -260,7 +268,9 @@ pub(super) fn jewelry(b: &mut Build<'_>) {
         b.rod("knob", [front - 0.001, 0.0, f32::midpoint(z0, z1)], [x, 0.0, f32::midpoint(z0, z1)], knob * 0.6, BRASS);
     });
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.7, |b| {
-        b.soft("lid", [-x, -y, rim + h * 0.002], [front, y, h], (h - rim) * 0.4, wood);
+        let flat = rim + (h - rim) * 0.4;
+        b.block("lid", [-x, -y, rim + h * 0.002], [front, y, flat], wood);
+        b.soft("lid", [-x * 0.97, -y * 0.98, flat - t * 0.5], [front * 0.97, y * 0.98, h], (h - rim) * 0.4, wood);
         b.block("mirror", [-x * 0.7, -y * 0.75, rim - h * 0.002], [front * 0.7, y * 0.75, rim + t * 0.5], MIRROR);
     });
 }

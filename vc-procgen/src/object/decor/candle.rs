@@ -1,5 +1,7 @@
 //! Candles and what they stand in.
 
+use std::f32::consts::TAU;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, oval, room, spline};
 use crate::material::*;
@@ -33,14 +35,19 @@ pub(super) fn candle(b: &mut Build<'_>) {
         1 => {
             let glass = b.one(&[GLASS, FROSTED_GLASS, BROWN_GLASS, BLUE_GLASS]);
             let t = r * 0.06;
-            b.lathe("glass", [0.0; 3], &[(r * 0.95, 0.0), (r, h * 0.05), (r, h), (r - t, h), (r - t, h * 0.06)], glass);
+            b.lathe(
+                "glass",
+                [0.0; 3],
+                &[(r * 0.92, 0.0), (r * 0.97, h * 0.05), (r * 0.97, h), (r * 0.97 - t, h), (r * 0.97 - t, h * 0.06)],
+                glass,
+            );
             let fill = h * b.vary(0.5, 0.7);
-            b.cylinder("wax", [0.0, 0.0, h * 0.061], r - t * 1.3, fill, wax);
+            b.cylinder("wax", [0.0, 0.0, h * 0.061], r * 0.97 - t * 1.3, fill, wax);
             wick(b, [0.0, 0.0, h * 0.061 + fill], string);
             b.lathe(
                 "label",
                 [0.0, 0.0, h * 0.2],
-                &[(r * 1.0, 0.0), (r * 1.0, h * 0.3), (r * 0.98, h * 0.3), (r * 0.98, 0.0), (r * 1.0, 0.0)],
+                &[(r * 1.0, 0.0), (r * 1.0, h * 0.3), (r * 0.96, h * 0.3), (r * 0.96, 0.0), (r * 1.0, 0.0)],
                 CREAM_PAPER,
             );
         }
@@ -77,7 +84,7 @@ fn drips(b: &mut Build<'_>, r: f32, top: f32, wax: Mat) {
     let count = b.rng.count(0, 4);
     let mut shell = Shell::default();
     for _ in 0..count {
-        let (s, c) = b.vary(0.0, std::f32::consts::TAU).sin_cos();
+        let (s, c) = b.vary(0.0, TAU).sin_cos();
         let long = top * b.vary(0.1, 0.3);
         shell.egg([r * 0.95 * c, r * 0.95 * s, top - long * 0.9], [r * 0.05, r * 0.05, long * 0.9]);
     }
@@ -113,20 +120,21 @@ pub(super) fn candlestick(b: &mut Build<'_>) {
     let cup = (r * 0.35).clamp(0.004, 0.014);
     let stem = [
         (r, 0.0),
-        (r * 0.96, holder * 0.06),
-        (r * 0.4, holder * 0.14),
+        (r, holder * 0.05),
+        (r * 0.3, holder * 0.06),
+        (cup * 0.8, holder * 0.1),
         (cup * 0.6, holder * 0.3),
         (cup * 1.1, holder * 0.45),
         (cup * 0.6, holder * 0.6),
         (cup * 0.7, holder * 0.8),
-        (cup * 1.6, holder * 0.9),
-        (cup * 1.6, holder),
+        (cup * 1.05, holder * 0.9),
+        (cup * 1.05, holder),
         (cup, holder),
         (cup, holder * 0.9),
     ];
     b.lathe("holder", [0.0; 3], &stem, metal);
     taper(b, [0.0, 0.0, holder * 0.9], cup * 0.9, h - holder * 0.9);
-    b.top("plate", [0.0, 0.0, h], (cup * 0.3, cup * 0.3));
+    b.top("plate", [-r * 0.64, 0.0, holder * 0.055], (r * 0.25, r * 0.3));
 }
 
 /// A slim candle with its wick, from a point upwards.
@@ -141,10 +149,11 @@ fn branched(b: &mut Build<'_>, metal: Mat) {
     let (x, y, h) = room(b);
     let (arms, level) = (b.one(&[3, 5]), h * 0.55);
     let r = (y * 0.12).min(x).min(0.014);
+    let foot = x.min(y * 0.6);
     b.lathe(
         "foot",
         [0.0; 3],
-        &[(x.min(y * 0.6), 0.0), (x.min(y * 0.6) * 0.9, h * 0.04), (r * 0.5, h * 0.09), (r * 0.5, level)],
+        &[(foot, 0.0), (foot, h * 0.03), (foot * 0.3, h * 0.04), (r * 0.5, h * 0.07), (r * 0.5, level)],
         metal,
     );
     let mut shell = Shell::default();
@@ -167,5 +176,5 @@ fn branched(b: &mut Build<'_>, metal: Mat) {
     shell.put(b, "arm", metal);
     let knob = oval(Axis::Z, [0.0, 0.0, level - h * 0.18], (r * 0.5, r * 0.5), 0, 12);
     super::super::textile::form::hoop(b, "knob", &knob, r * 0.3, metal);
-    b.top("plate", [0.0, 0.0, h], (r * 0.3, r * 0.3));
+    b.top("plate", [-foot * 0.64, 0.0, h * 0.035], (foot * 0.25, foot * 0.3));
 }

@@ -9,17 +9,17 @@ use crate::material::*;
 /// A dial that faces +X: plate, marks and hands. It stands out by `depth`.
 pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats: (Mat, Mat)) {
     let (plate, ink) = mats;
-    b.prism("dial", Axis::X, at, &ngon((r, r), 32), depth * 0.4, plate);
+    b.prism("dial", Axis::X, at, &ngon((r, r), 32), depth * 0.35, plate);
     let mut marks = Shell::default();
     for i in 0..12 {
         let (s, c) = (TAU * i as f32 / 12.0).sin_cos();
         let half = r * if i % 3 == 0 { 0.05 } else { 0.03 };
         let m = [at[1] + r * 0.84 * s, at[2] + r * 0.84 * c];
-        marks.block([at[0] + depth * 0.2, m[0] - half, m[1] - half], [at[0] + depth * 0.55, m[0] + half, m[1] + half]);
+        marks.block([at[0] + depth * 0.2, m[0] - half, m[1] - half], [at[0] + depth * 0.7, m[0] + half, m[1] + half]);
     }
     marks.put(b, "marks", ink);
     let time = b.vary(0.0, 12.0);
-    for (turn, long, wide, z) in [(time / 12.0, 0.5, 0.05, 0.6), (time.fract(), 0.76, 0.035, 0.8)] {
+    for (turn, long, wide, z) in [(time / 12.0, 0.5, 0.05, 0.55), (time.fract(), 0.74, 0.035, 0.78)] {
         let (s, c) = (TAU * turn).sin_cos();
         let (l, w) = (r * long, r * wide);
         let point = |a: f32, o: f32| (a * s * l + o * c * w, a * c * l - o * s * w);

@@ -51,7 +51,7 @@ fn framed(b: &mut Build<'_>, at: P, t: f32, w: f32, h: f32) {
         ([back, y - bar, z0 + bar * 0.99], [face, y, z1 - bar * 0.99]),
     ];
     blocks(b, "frame", &list, wood);
-    moulding(b, (y - bar, z0 + bar, z1 - bar), face, bar, wood);
+    moulding(b, (y - bar, z0 + bar, z1 - bar), (face, t), bar, wood);
     b.block(
         "back",
         [back + t * 0.05, -y + bar * 0.9, z0 + bar * 0.9],
@@ -70,11 +70,11 @@ fn framed(b: &mut Build<'_>, at: P, t: f32, w: f32, h: f32) {
 }
 
 /// A bead along the inner edge of a frame.
-fn moulding(b: &mut Build<'_>, (y, z0, z1): (f32, f32, f32), face: f32, bar: f32, wood: Mat) {
+fn moulding(b: &mut Build<'_>, (y, z0, z1): (f32, f32, f32), (face, deep): (f32, f32), bar: f32, wood: Mat) {
     if b.rng.chance(0.5) {
         return;
     }
-    let bead = bar * 0.2;
+    let bead = (bar * 0.2).min(deep * 0.3);
     let (x0, x1) = (face - bead, face - bead * 0.25);
     let gold = if wood == GOLD { BRASS } else { b.one(&[GOLD, wood, SILVER_METAL]) };
     let list = [
@@ -93,7 +93,7 @@ pub(super) fn print(b: &mut Build<'_>) {
         if framed_one {
             return framed(b, [0.0; 3], t, w, h);
         }
-        let plane = -t / 2.0 + t * 0.4;
+        let plane = -t / 2.0 + t * 0.3;
         b.block("paper", [-t / 2.0, -w / 2.0, 0.0], [plane, w / 2.0, h], WHITE_PAPER);
         let border = b.one(&[0.86, 0.94, 0.998]);
         let half = (w / 2.0 * border, h / 2.0 * border);
@@ -101,7 +101,7 @@ pub(super) fn print(b: &mut Build<'_>) {
             "picture" => Inks::photo(),
             _ => Inks::printed(b),
         };
-        motif(b, Canvas { half, step: t * 0.2 }, [plane, 0.0, h / 2.0], inks);
+        motif(b, Canvas { half, step: t * 0.23 }, [plane, 0.0, h / 2.0], inks);
     });
 }
 
@@ -119,14 +119,17 @@ pub(super) fn tapestry(b: &mut Build<'_>) {
         let cloth_width = w * 0.94;
         let hang = |u: f32, v: f32| {
             let (py, pz) = (cloth_width * (u - 0.5), low + (high - low) * v);
-            let wave = t * 0.12 * (u * 25.0).sin() * (1.0 - v);
+            let wave = t * 0.4 * (u * 25.0).sin() * v * (1.0 - v);
             ([plane + wave, py, pz], [plane + wave - t * 0.3, py, pz])
         };
         sheet(b, "cloth", (24, 4), hang, cloth);
         let mut fringe: Vec<(P, P)> = Vec::new();
         for i in 0..30 {
             let y0 = cloth_width * (i as f32 / 30.0 - 0.5);
-            fringe.push(([plane - t * 0.25, y0, 0.0], [plane - t * 0.05, y0 + cloth_width * 0.02, low * 1.1]));
+            fringe.push((
+                [plane - t * 0.2, y0 + cloth_width * 0.004, 0.0],
+                [plane - t * 0.1, y0 + cloth_width * 0.022, low * 1.1],
+            ));
         }
         blocks(b, "fringe", &fringe, cloth);
         let rows = b.rng.count(2, 4);
@@ -140,9 +143,9 @@ pub(super) fn tapestry(b: &mut Build<'_>) {
                 b.prism(
                     "motif",
                     Axis::X,
-                    [plane - t * 0.2, y0, z],
+                    [plane - t * 0.06, y0, z],
                     &[(-wide, 0.0), (0.0, -tall), (wide, 0.0), (0.0, tall)],
-                    t * 0.55,
+                    t * 0.41,
                     ink,
                 );
             }

@@ -34,7 +34,7 @@ pub(super) fn necklace(b: &mut Build<'_>) {
     let metal = precious(b);
     let (pearls, r) = (b.rng.chance(0.5), h * 0.5);
     let wave = b.vary(0.0, TAU);
-    let count = if pearls { ((x + y) * 3.0 / (2.0 * r)).clamp(24.0, 48.0) as usize } else { 36 };
+    let count = if pearls { ((x + y) * 3.0 / (2.0 * r)).clamp(14.0, 22.0) as usize } else { 36 };
     let line: Vec<P> = (0..count)
         .map(|i| {
             let a = TAU * i as f32 / count as f32;
@@ -123,14 +123,14 @@ pub(super) fn watch(b: &mut Build<'_>) {
     let (back, front) = (x - 3.0 * t, x);
     let r = wide.min(h / 2.0) * 0.92;
     if smart {
-        b.soft("case", [back, -r, h / 2.0 - r], [front - t * 0.4, r, h / 2.0 + r], r * 0.3, case);
+        b.soft("case", [back, -r, h / 2.0 - r], [front - t * 0.45, r, h / 2.0 + r], r * 0.3, case);
         b.block(
             "screen",
             [front - t, -r * 0.8, h / 2.0 - r * 0.8],
-            [front - t * 0.3, r * 0.8, h / 2.0 + r * 0.8],
+            [front - t * 0.15, r * 0.8, h / 2.0 + r * 0.8],
             SCREEN,
         );
-        digits(b, [front - t * 0.4, 0.0, h / 2.0], (r * 0.7, r * 0.35), t * 0.4, COOL_BULB);
+        digits(b, [front - t * 0.2, 0.0, h / 2.0], (r * 0.7, r * 0.35), t * 0.2, COOL_BULB);
         return;
     }
     let outline = ngon((r, r), 28);

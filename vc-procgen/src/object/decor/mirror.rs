@@ -39,12 +39,6 @@ fn pane(b: &mut Build<'_>, t: f32, w: f32, h: f32) {
                 [plane, y - bar * 0.9, h - bar * 0.9],
                 MIRROR,
             );
-            if b.class == "bathroom_mirror" && b.rng.chance(0.5) {
-                let list = [-0.6, 0.6].map(|s| {
-                    ([plane - t * 0.1, y * s - bar * 0.6, h * 0.2], [plane + t * 0.15, y * s + bar * 0.6, h * 0.85])
-                });
-                blocks(b, "light", &list, COOL_BULB);
-            }
         }
         _ => {
             let arch = |s: f32| -> Vec<(f32, f32)> {

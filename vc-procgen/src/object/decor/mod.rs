@@ -29,7 +29,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("poster", 6, frame::print),
     indoor("drawing", 3, frame::print),
     indoor("tapestry", 3, frame::tapestry),
-    indoor("mirror", 6, mirror::wall),
+    indoor("mirror", 8, mirror::wall),
     indoor("standing_mirror", 4, mirror::standing),
     indoor("hand_mirror", 4, mirror::hand),
     indoor("sculpture", 8, ornament::sculpture),

@@ -139,7 +139,7 @@ pub(super) fn figurine(b: &mut Build<'_>) {
             b.lathe(
                 "base",
                 [0.0; 3],
-                &[(r * 0.6, 0.0), (r * 0.5, h * 0.1), (r * 0.1, h * 0.15), (r * 0.1, h * 0.4)],
+                &[(r * 0.6, 0.0), (r * 0.5, h * 0.1), (r * 0.3, h * 0.15), (r * 0.3, h * 0.3), (r * 0.6, h * 0.36)],
                 glaze,
             );
             pet::bird(b, [0.0, 0.0, h * 0.35], h * 0.65, (glaze, glaze, BRASS));
@@ -155,7 +155,7 @@ pub(super) fn wreath(b: &mut Build<'_>) {
     let line = oval(Axis::X, [0.0, 0.0, mid], (r * 0.78, r * 0.78), 0, 32);
     hoop(b, "ring", &line, (thick * 0.5).min(x * 0.5), BARK);
     let mut leaves = [Shell::default(), Shell::default()];
-    let count = b.rng.count(56, 76);
+    let count = b.rng.count(34, 44);
     for i in 0..count {
         let a = TAU * i as f32 / count as f32;
         let reach = b.vary(0.5, 0.98);
@@ -170,7 +170,7 @@ pub(super) fn wreath(b: &mut Build<'_>) {
     a.put(b, "leaf", first);
     c.put(b, "leaf", second);
     let mut berries = Shell::default();
-    for _ in 0..14 {
+    for _ in 0..9 {
         let (s, c) = b.vary(0.0, TAU).sin_cos();
         let size = r * 0.05;
         berries.egg([x * 0.4, r * 0.78 * c, mid + r * 0.78 * s], [size, size, size]);
@@ -249,6 +249,7 @@ pub(super) fn christmas_tree(b: &mut Build<'_>) {
         .map(|i| (TAU * i as f32 / 10.0, if i % 2 == 0 { 0.52 } else { 0.22 }))
         .map(|(a, s)| (size * s * a.sin(), size * s * a.cos()))
         .collect();
+    b.cylinder("spike", [0.0, 0.0, tip - size], size * 0.05, size * 1.5, GOLD);
     b.prism("star", Axis::X, [-size * 0.06, 0.0, h - size * 0.52], &star, size * 0.12, GOLD);
 }
 
@@ -257,7 +258,7 @@ pub(super) fn bookend(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let mat = b.one(&[IRON, MARBLE, b.style.wood, BRASS, BLACK_GRANITE]);
     let t = (y * 0.12).min(0.012);
-    b.block("foot", [-x, -y, 0.0], [x, y, t * 0.6], mat);
+    b.block("foot", [-x * 0.98, -y, 0.0], [x * 0.98, y - t * 0.3, t * 0.6], mat);
     b.block("back", [-x, y - t, t * 0.5], [x, y, h], mat);
     match b.rng.below(3) {
         0 => {

@@ -62,7 +62,8 @@ struct Brush<'a, 'b> {
 
 impl Brush<'_, '_> {
     fn fill(&mut self, layer: usize, outline: &[(f32, f32)], mat: Mat) {
-        let (w, h) = self.canvas.half;
+        let shrink = 1.0 - 0.006 * layer as f32;
+        let (w, h) = (self.canvas.half.0 * shrink, self.canvas.half.1 * shrink);
         let outline: Vec<(f32, f32)> =
             outline.iter().map(|&(u, v)| (u.clamp(-1.0, 1.0) * w, v.clamp(-1.0, 1.0) * h)).collect();
         let step = self.canvas.step;

@@ -44,7 +44,7 @@ pub(super) fn loaf(b: &mut Build<'_>) {
         }
         loft(b, "loaf", &rings, crust);
         if sliced {
-            let cut: Vec<_> = SLICE.iter().map(|p| (p.0 * hx * 0.93, p.1 * z * 0.93 + z * 0.03)).collect();
+            let cut: Vec<_> = SLICE.iter().map(|p| (p.0 * hx * 0.93, p.1 * z * 0.9 + z * 0.03)).collect();
             b.prism(
                 "crumb",
                 Axis::Y,
@@ -54,10 +54,10 @@ pub(super) fn loaf(b: &mut Build<'_>) {
                 crumb,
             );
             for i in 0..3 {
-                let at = hy * (0.47 + 0.17 * i as f32);
+                let at = hy * (0.36 + 0.2 * i as f32);
                 let outline: Vec<_> = SLICE.iter().map(|p| (p.0 * hx, p.1 * z * (0.98 - 0.01 * i as f32))).collect();
-                b.prism("slice", Axis::Y, [0.0, at, 0.0], &outline, hy * 0.13, crust);
-                b.prism("crumb", Axis::Y, [0.0, at - 0.0005, 0.0], &cut, hy * 0.13 + 0.001, crumb);
+                b.prism("slice", Axis::Y, [0.0, at, 0.0], &outline, hy * 0.19, crust);
+                b.prism("crumb", Axis::Y, [0.0, at - hy * 0.004, 0.0], &cut, hy * 0.2, crumb);
             }
         }
         if cake {
@@ -113,7 +113,7 @@ fn domed(b: &mut Build<'_>, name: &str, (low, high): ([f32; 2], [f32; 2]), h: f3
 fn scores(b: &mut Build<'_>, count: usize, (hx, hy): (f32, f32), z: f32, mat: Mat) {
     for i in 0..count {
         let at = hy * 1.3 * ((i as f32 + 0.5) / count as f32 - 0.5);
-        let w = hy * 0.28 / count as f32;
+        let w = (hy * 0.28 / count as f32).min(hx * 0.2);
         b.hull(
             "score",
             &[
@@ -260,7 +260,7 @@ pub(super) fn stack(b: &mut Build<'_>) {
     let pancake = b.class == "pancake";
     let mat = if pancake { CRUST } else { b.one(&[CRUMB, PALE_FLESH]) };
     let count = ((z / if pancake { 0.012 } else { 0.005 }).round() as usize).clamp(1, 5);
-    let room = if pancake && count > 2 { z * 0.85 } else { z };
+    let room = z * if pancake && count > 2 { 0.85 } else { 0.94 };
     let t = room / count as f32;
     for i in 0..count {
         let k = 0.94 + 0.06 * ((i * 5) % 3) as f32 / 2.0;
@@ -272,7 +272,7 @@ pub(super) fn stack(b: &mut Build<'_>) {
             for j in 0..6 {
                 let (s, c) = (2.4 * j as f32).sin_cos();
                 let out = 0.7 * (j as f32 / 6.0).sqrt();
-                b.cylinder("spot", [hx * out * c, hy * out * s, room - t * 0.2], hx * 0.09, t * 0.2, CRUST);
+                b.cylinder("spot", [hx * out * c, hy * out * s, room - t * 0.3], hx * 0.09, z - room + t * 0.3, CRUST);
             }
         }
     }
@@ -396,7 +396,7 @@ pub(super) fn muffin(b: &mut Build<'_>) {
             (0.05, 0.95),
         ]
         .to_vec();
-        turn(b, "swirl", [0.0, 0.0, low * 0.97], (r, z * 0.9 - low * 0.97), &swirl, cream);
+        turn(b, "swirl", [0.0, 0.0, low * 0.97], (r, (z - r * 0.2 - low * 0.97).max(z * 0.2)), &swirl, cream);
         berry(b, [0.0, 0.0, z - r * 0.17], r * 0.17, RED_SKIN);
     }
 }
@@ -409,15 +409,15 @@ pub(super) fn pie(b: &mut Build<'_>) {
     let outside: Vec<_> = [(0.8, 0.0), (0.93, 0.85), (0.97, 0.9)].iter().map(|p| (p.0 * r, p.1 * z)).collect();
     b.lathe("crust", [0.0; 3], &shell(&outside, r * 0.05), CRUST);
     b.cylinder("filling", [0.0, 0.0, z * 0.1], r * 0.86, z * 0.68, filling);
-    for i in 0..24 {
-        let (s, c) = (TAU * i as f32 / 24.0).sin_cos();
+    for i in 0..16 {
+        let (s, c) = (TAU * i as f32 / 16.0).sin_cos();
         berry(b, [r * 0.93 * c, r * 0.93 * s, z * 0.9], (r * 0.07).min(z * 0.1), CRUST);
     }
     for i in 0..4 {
         let at = r * 0.8 * (i as f32 / 1.5 - 1.0) * 0.72;
         let reach = ((r * 0.88).powi(2) - at * at).max(0.0).sqrt();
-        b.block("lattice", [at - r * 0.06, -reach, z * 0.7], [at + r * 0.06, reach, z * 0.86], CRUST);
-        b.block("lattice", [-reach, at - r * 0.06, z * 0.7], [reach, at + r * 0.06, z * 0.9], CRUST);
+        b.block("lattice", [at - r * 0.06, -reach, z * 0.7], [at + r * 0.06, reach, z * 0.84], CRUST);
+        b.block("lattice", [-reach, at - r * 0.06, z * 0.7], [reach, at + r * 0.06, z * 0.88], CRUST);
     }
 }
 
@@ -573,12 +573,14 @@ pub(super) fn ice_cream(b: &mut Build<'_>) {
         lump(
             b,
             "scoop",
-            [0.0, k * (hy - r) * reach, z - (z * 0.33).min(r)],
-            [r.min(hx * 0.9), r, (z * 0.33).min(r)],
+            [0.0, k * (hy - r) * reach, z * 0.66],
+            [r.min(hx * 0.9), r, z * 0.34],
             0.04,
             flavours[(start + i) % 5],
         );
     }
+    let filling = flavours[(start + 3) % 5];
+    loft(b, "filling", &[at(low * 0.32, 0.5), at(low * 0.4, 0.8), at(low * 0.95, 0.95)], filling);
     let wafer = z * 0.98;
     b.prism(
         "wafer",

@@ -67,7 +67,14 @@ pub(super) fn bowlful(b: &mut Build<'_>) {
     let h = if heap { z * 0.72 } else { z * 0.94 };
     let fill = h * if heap { 0.7 } else { 0.75 };
     bowl(b, h, fill, content);
-    let count = if b.class == "soup" { 6 } else { 15 };
+    let count = match b.class {
+        "soup" => 6,
+        "pasta" => 9,
+        _ => 15,
+    };
+    if heap {
+        lump(b, "heap", [0.0, 0.0, fill], [hx * 0.7, hy * 0.7, (z - fill) * 0.8], 0.06, content);
+    }
     for i in 0..count {
         let (s, c) = (2.4 * i as f32).sin_cos();
         let k = ((i as f32 + 0.4) / count as f32).sqrt();
@@ -97,7 +104,7 @@ pub(super) fn bowlful(b: &mut Build<'_>) {
     }
     if b.class == "pasta" {
         let r = hx * 0.36;
-        lump(b, "sauce", [0.0, 0.0, z - z * 0.1], [r, r, z * 0.1], 0.08, TOMATO);
+        lump(b, "sauce", [0.0, 0.0, z - z * 0.13], [r, r, z * 0.13], 0.08, TOMATO);
     }
 }
 
@@ -122,7 +129,7 @@ pub(super) fn meal(b: &mut Build<'_>) {
     let main = b.one(&[COOKED_MEAT, CRUST, ORANGE_SKIN]);
     lump(b, "main", [hx * 0.22, -hy * 0.12, floor + room * 0.32], [hx * 0.38, hy * 0.42, room * 0.33], 0.08, main);
     let side = b.one(&[RICE, PALE_FLESH, CREAM_FOOD]);
-    lump(b, "side", [-hx * 0.3, -hy * 0.25, floor + room * 0.46], [hx * 0.3, hy * 0.32, room * 0.54], 0.1, side);
+    lump(b, "side", [-hx * 0.3, -hy * 0.25, floor + room * 0.5], [hx * 0.3, hy * 0.32, room * 0.5], 0.1, side);
     let green = b.one(&[LEAF, ORANGE_SKIN, LIGHT_LEAF]);
     for i in 0..9 {
         let (s, c) = (2.4 * i as f32).sin_cos();
@@ -168,7 +175,7 @@ pub(super) fn pizza(b: &mut Build<'_>) {
     }
     for i in 0..4 {
         b.at([0.0; 3], TAU * i as f32 / 8.0, |b| {
-            b.block("cut", [-r * 0.89, -r * 0.008, z * 0.5], [r * 0.89, r * 0.008, z * 0.64], TOMATO)
+            b.block("cut", [-r * 0.89, -r * 0.008, z * 0.5], [r * 0.89, r * 0.008, z * (0.6 + 0.02 * i as f32)], TOMATO)
         });
     }
 }
@@ -181,11 +188,13 @@ pub(super) fn sandwich(b: &mut Build<'_>) {
         (0.0, 0.26, 0.97, CRUST, "bread"),
         (0.27, 0.4, 1.0, LEAF, "lettuce"),
         (0.41, 0.52, 0.95, PETAL_PINK, "ham"),
-        (0.53, 0.63, 0.98, CHEESE, "cheese"),
+        (0.53, 0.615, 0.98, CHEESE, "cheese"),
         (0.62, 0.73, 0.92, RED_SKIN, "tomato"),
         (0.74, 1.0, 0.97, CRUST, "bread"),
     ];
     let triangle = b.rng.chance(0.5);
+    // Towards the middle of the triangle.
+    let shift = if triangle { 0.05 } else { 0.0 };
     for (low, high, k, mat, name) in layers {
         let plan = if triangle {
             vec![(-hx * k, -hy * k), (hx * k, -hy * k), (hx * k, -hy * k + hy * 0.1), (-hx * k, hy * k)]
@@ -194,10 +203,10 @@ pub(super) fn sandwich(b: &mut Build<'_>) {
         };
         b.prism(name, Axis::Z, [0.0, 0.0, z * low], &plan, z * (high - low), mat);
         if name == "bread" {
-            let crumb: Vec<_> = plan.iter().map(|p| (p.0 * 0.93, p.1 * 0.93)).collect();
-            let t = (z * 0.006).min(0.001);
+            let crumb: Vec<_> = plan.iter().map(|p| (p.0 * 0.9 - shift * hx, p.1 * 0.9 - shift * hy)).collect();
+            let t = (z * 0.012).min(0.001);
             let (from, tall) =
-                if low > 0.5 { (z * low - t, z * (high - low) + t) } else { (z * low, z * (high - low) + t) };
+                if low > 0.5 { (z * low - t, z * (high - low)) } else { (z * low + t, z * (high - low)) };
             b.prism("crumb", Axis::Z, [0.0, 0.0, from], &crumb, tall, CRUMB);
         }
     }
@@ -344,6 +353,8 @@ pub(super) fn french_fries(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let floor = plate(b, z * 0.3);
     let w = z * 0.055;
+    let mound = (z - floor) * 0.42;
+    lump(b, "fries", [0.0, 0.0, floor + mound], [hx * 0.55, hy * 0.55, mound], 0.1, YELLOW_SKIN);
     for i in 0..34 {
         let (s, c) = (2.4 * i as f32).sin_cos();
         let k = ((i as f32 + 0.5) / 34.0).sqrt();
@@ -428,7 +439,7 @@ pub(super) fn drink(b: &mut Build<'_>) {
                 [0.0, 1.0, 0.0],
                 RED_PLASTIC,
             );
-            berry(b, [-r * 0.85, 0.0, h], r * 0.18, RED_SKIN);
+            berry(b, [-r * 0.8, 0.0, h], r * 0.18, RED_SKIN);
         }
         _ => {}
     }

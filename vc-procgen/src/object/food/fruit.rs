@@ -401,7 +401,7 @@ pub(super) fn banana(b: &mut Build<'_>) {
     let pitch = (x - r * 3.1) / count.max(2) as f32 * if count > 1 { 1.0 } else { 0.0 };
     for i in 0..count {
         let shift = pitch * (i as f32 - (count as f32 - 1.0) / 2.0);
-        let bow = if count == 1 { (x - 2.0 * r).max(r * 0.2) } else { r * 1.1 };
+        let bow = if count == 1 { (x - 2.0 * r).max(r * 0.2).min(y * 0.23) } else { r * 1.1 };
         let at = |k: f32, r: f32| {
             let bend = 4.0 * k * (1.0 - k);
             let pull = shift * (0.25 + 0.75 * (k * 1.6).min(1.0));
@@ -416,10 +416,9 @@ pub(super) fn banana(b: &mut Build<'_>) {
             at(0.8, r * 0.85),
             at(0.93, r * 0.45),
             at(0.98, r * 0.2),
-            at(1.0, r * 0.15),
         ];
         sweep(b, "banana", &path, [0.0, 0.0, 1.0], skin);
-        let (tip, before) = (at(1.0, 0.0).0, at(0.985, 0.0).0);
+        let (tip, before) = (at(1.0, 0.0).0, at(0.96, 0.0).0);
         tube(b, "tip", &[before, tip], r * 0.2, [0.0, 0.0, 1.0], BARK);
     }
 }
@@ -434,11 +433,16 @@ pub(super) fn cluster(b: &mut Build<'_>) {
     };
     let mat = b.one(mat);
     let cherries = b.class == "cherries";
-    let count = if cherries { 9 } else { 26 };
+    let count = if cherries { 9 } else { 15 };
     let (wide, room) = (x.min(y) / 2.0, (x * y / count as f32).sqrt());
     let r = if cherries { room * 0.34 } else { room * 0.52 }.min(z * 0.36).min(wide * 0.45);
     let (hx, hy) = (x / 2.0 - r, y / 2.0 - r);
     let lift = if cherries { 0.0 } else { z - 2.0 * r };
+    if !cherries {
+        // What is under the berries that show.
+        let narrow = if taper { 0.75 } else { 0.95 };
+        lump(b, "berries", [0.0, 0.0, r + lift * 0.35], [hx * narrow, hy, r + lift * 0.35], 0.05, mat);
+    }
     for i in 0..count {
         let k = (i as f32 + 0.5) / count as f32;
         let (s, c) = (2.399_963 * i as f32).sin_cos();

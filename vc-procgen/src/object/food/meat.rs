@@ -57,21 +57,27 @@ pub(super) fn steak(b: &mut Build<'_>) {
         class => {
             let cooked = b.rng.chance(0.35);
             let (meat, fat) = if cooked { (COOKED_MEAT, CRUST) } else { (MEAT, PALE_FLESH) };
-            slab(b, "fat", &outline, [0.0, 0.0, hz * 0.96], [hx, hy, hz * 0.96], fat);
+            slab(b, "fat", &outline, [0.0, 0.0, hz * 0.8], [hx, hy, hz * 0.8], fat);
             let inner: Vec<_> = outline.iter().map(|p| (p.0 * 0.93 - 0.03, p.1 * 0.95)).collect();
-            slab(b, "meat", &inner, [0.0, 0.0, hz], [hx, hy, hz], meat);
+            slab(b, "meat", &inner, [0.0, 0.0, z * 0.535], [hx, hy, z * 0.435], meat);
             if class == "pork_chop" {
                 tube(
                     b,
                     "bone",
                     &[[hx * 0.6, -hy * 0.9, hz], [hx * 0.1, -hy * 0.45, hz], [hx * 0.2, hy * 0.1, hz]],
-                    hz * 0.6 + 0.0005,
+                    (hz * 0.6 + 0.0005).min(hy * 0.1),
                     [0.0, 0.0, 1.0],
                     WAX,
                 );
                 b.block("bone", [0.0, -hy * 0.5, hz], [hx * 0.14, -hy * 0.05, z], WAX);
             }
-            for i in 0..if cooked { 4 } else { 2 } {
+            for i in 0..if class == "pork_chop" {
+                0
+            } else if cooked {
+                4
+            } else {
+                2
+            } {
                 let at = hy * (-0.5 + 0.3 * i as f32);
                 b.block(
                     "mark",
@@ -100,9 +106,9 @@ pub(super) fn roast(b: &mut Build<'_>) {
         (0.5, 0.99),
         (0.0, 1.0),
     ];
-    let (low, high) = ([-hx * 0.97, -hy, z * 0.015], [hx * 0.97, hy, z * 0.985]);
+    let (low, high) = ([-hx * 0.97, -hy * 0.985, z * 0.015], [hx * 0.97, hy, z * 0.985]);
     spun(b, "roast", (low, high), &profile, true, meat);
-    b.rod("cut", [0.0, -hy, hz], [0.0, -hy * 0.985, hz], hx.min(hz) * 0.66, cut);
+    b.rod("cut", [0.0, -hy, hz], [0.0, -hy * 0.9, hz], hx.min(hz) * 0.66, cut);
     for k in [0.22, 0.4, 0.58, 0.76] {
         let at = -hy + y * k;
         spun(
@@ -127,7 +133,7 @@ pub(super) fn bird(b: &mut Build<'_>) {
     let body =
         [(0.0, 0.0), (0.35, 0.01), (0.72, 0.12), (0.95, 0.35), (1.0, 0.55), (0.85, 0.8), (0.5, 0.96), (0.0, 1.0)];
     spun(b, "body", ([-hx * 0.72, -hy, 0.0], [hx * 0.72, hy * 0.65, z]), &body, true, mat);
-    lump(b, "breast", [0.0, -hy * 0.1, z * 0.62], [hx * 0.5, hy * 0.5, z * 0.38], 0.02, mat);
+    lump(b, "breast", [0.0, -hy * 0.1, z * 0.645], [hx * 0.5, hy * 0.5, z * 0.355], 0.02, mat);
     for side in [-1.0, 1.0] {
         let at = |k: f32, lift: f32, r: f32| {
             ([side * hx * (0.95 - r / hx * 0.9) * (1.0 - 0.45 * k), -hy * 0.1 + (hy * 1.02) * k, z * lift], r, r)
@@ -147,8 +153,9 @@ pub(super) fn bird(b: &mut Build<'_>) {
             [0.0, 0.0, 1.0],
             mat,
         );
-        b.ball("knuckle", [side * hx * 0.48, hy - bone * 1.6, z * 0.68], bone * 1.5, WAX);
-        let wing = |k: f32, out: f32, r: f32| ([side * (hx - r) * out, -hy * 0.75 + hy * 0.8 * k, z * 0.5], r, r * 1.2);
+        b.ball("knuckle", [at(0.97, 0.0, bone).0[0], (hy - bone * 1.5).min(hy * 0.92), z * 0.68], bone * 1.5, WAX);
+        let wing =
+            |k: f32, out: f32, r: f32| ([side * (hx - r * 1.25) * out, -hy * 0.75 + hy * 0.8 * k, z * 0.5], r, r * 1.2);
         sweep(
             b,
             "wing",
@@ -167,31 +174,22 @@ pub(super) fn bird(b: &mut Build<'_>) {
 /// Drumsticks side by side.
 fn leg_pieces(b: &mut Build<'_>, mat: Mat) {
     let (x, y, z) = dims(b);
-    let r = (z / 2.0).min(x * 0.2);
-    for (i, side) in [-1.0_f32, 1.0].into_iter().enumerate() {
-        let flip = if i == 0 { 1.0 } else { -1.0 };
-        let at = |k: f32, w: f32| ([side * (x / 2.0 - r), flip * y * (k - 0.5), r], w, w);
-        sweep(
-            b,
-            "drumstick",
-            &[
-                at(0.0, r * 0.4),
-                at(0.06, r * 0.8),
-                at(0.22, r),
-                at(0.45, r * 0.8),
-                at(0.68, r * 0.35),
-                at(0.72, r * 0.25),
-            ],
-            [0.0, 0.0, 1.0],
-            mat,
-        );
-        sweep(
-            b,
-            "bone",
-            &[at(0.7, r * 0.2), at(0.93, r * 0.2), at(0.97, r * 0.35), at(1.0, r * 0.25)],
-            [0.0, 0.0, 1.0],
-            WAX,
-        );
+    let r = (z / 2.0).min(x * 0.24);
+    let count = ((x / (1.9 * r)).ceil() as usize).clamp(2, 6);
+    for i in 0..count {
+        let side = (x / 2.0 - r) * (2.0 * i as f32 / (count - 1) as f32 - 1.0);
+        let at = |k: f32, w: f32| ([side, y * (k - 0.5), r], w, w);
+        let flesh = [
+            at(0.0, r * 0.4),
+            at(0.06, r * 0.8),
+            at(0.22, r),
+            at(0.45, r * 0.8),
+            at(0.68, r * 0.35),
+            at(0.72, r * 0.25),
+        ];
+        sweep(b, "drumstick", &flesh, [0.0, 0.0, 1.0], mat);
+        let bone = [at(0.7, r * 0.2), at(0.93, r * 0.2), at(0.97, r * 0.35), at(1.0, r * 0.25)];
+        sweep(b, "bone", &bone, [0.0, 0.0, 1.0], WAX);
     }
 }
 
@@ -202,21 +200,25 @@ pub(super) fn slices(b: &mut Build<'_>) {
     match b.class {
         "bacon" => {
             let count = 4;
-            let w = hx * 0.9 / count as f32;
+            let w = hx * 0.26;
             for i in 0..count {
-                let centre = -hx + hx * (2.0 * i as f32 + 1.0) / count as f32;
+                let centre = (hx - w) * (2.0 * i as f32 / (count - 1) as f32 - 1.0);
                 let t = z * 0.08;
                 for (shift, wide, mat) in [(0.0, 1.0, MEAT), (-0.35, 0.16, CREAM_FOOD), (0.3, 0.2, CREAM_FOOD)] {
                     let wave = |k: usize| {
                         let up = (1.3 * k as f32 + 0.9 * i as f32).sin() * 0.5 + 0.5;
                         let extra = if shift == 0.0 { 0.0 } else { t * 0.5 };
                         (
-                            [centre + w * shift, hy * (k as f32 / 4.5 - 1.0), t * 1.5 + (z - 3.0 * t) * up],
+                            [
+                                centre + w * shift,
+                                hy * (k as f32 / 3.5 - 1.0) * if shift == 0.0 { 1.0 } else { 0.985 },
+                                t * 1.5 + (z - 3.0 * t) * up,
+                            ],
                             w * wide,
                             t + extra,
                         )
                     };
-                    let path: Vec<_> = (0..10).map(wave).collect();
+                    let path: Vec<_> = (0..8).map(wave).collect();
                     sweep(b, "rasher", &path, [1.0, 0.0, 0.0], mat);
                 }
             }
@@ -230,7 +232,7 @@ pub(super) fn slices(b: &mut Build<'_>) {
                 let rim: Vec<_> = CUT.iter().map(|p| (p.0 * hx, p.1 * hy * 0.68)).collect();
                 b.prism("rind", Axis::Z, [0.0, shift, low], &rim, t * 0.9, PALE_FLESH);
                 let meat: Vec<_> = rim.iter().map(|p| (p.0 * 0.93, p.1 * 0.94)).collect();
-                b.prism("ham", Axis::Z, [0.0, shift, low + t * 0.1], &meat, t * 0.95, PETAL_PINK);
+                b.prism("ham", Axis::Z, [0.0, shift, low + t * 0.25], &meat, t * 0.9, PETAL_PINK);
             }
         }
         _ => {
@@ -262,7 +264,7 @@ pub(super) fn sausage(b: &mut Build<'_>) {
     let at = |k: f32, r: f32| ([bow * (1.0 - 2.0 * (2.0 * k - 1.0).powi(2)), y * (k - 0.5), z / 2.0], r, r);
     let end = if salami { 0.97 } else { 0.25 };
     let path = [
-        at(0.0, r * end),
+        at(if salami { 0.006 } else { 0.0 }, r * end),
         at(0.03, r * end.max(0.7)),
         at(0.1, r),
         at(0.35, r),
@@ -300,7 +302,7 @@ pub(super) fn mince(b: &mut Build<'_>) {
         let wave = |k: usize| {
             [
                 at + r * 0.5 * (1.7 * k as f32 + i as f32).sin(),
-                hy * 0.8 * (k as f32 / 3.0 - 1.0),
+                hy * (0.8 - 0.02 * (i % 3) as f32) * (k as f32 / 3.0 - 1.0),
                 (z * 0.8 + z * 0.06 * (2.1 * k as f32 + i as f32).cos()).min(z - r),
             ]
         };
@@ -393,6 +395,8 @@ pub(super) fn shrimp(b: &mut Build<'_>) {
     let mat = b.one(&[PETAL_PINK, ORANGE_SKIN, TERRACOTTA]);
     let r = (z * 0.3).min(x * 0.13);
     let (hx, hy) = (x / 2.0, y / 2.0);
+    let under = b.one(&[LEAF, LIGHT_LEAF]);
+    slab(b, "leaf", CUT, [0.0, 0.0, z * 0.06], [hx * 0.95, hy * 0.95, z * 0.06], under);
     for i in 0..7 {
         let (s, c) = (2.4 * i as f32).sin_cos();
         let k = (i as f32 / 7.0).sqrt();
@@ -413,9 +417,9 @@ pub(super) fn shrimp(b: &mut Build<'_>) {
 /// A block of tofu in its dish.
 pub(super) fn tofu(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    b.soft("tofu", [-x / 2.0, -y / 2.0, 0.0], [x / 2.0, y / 2.0, z * 0.98], z * 0.08, CREAM_FOOD);
+    b.soft("tofu", [-x * 0.49, -y / 2.0, 0.0], [x * 0.49, y / 2.0, z * 0.98], z * 0.08, CREAM_FOOD);
     let cut = b.vary(0.1, 0.3);
-    b.block("cut", [-x * 0.499, y * cut, z * 0.2], [x * 0.5, y * cut + y * 0.008, z], PALE_FLESH);
+    b.block("cut", [-x * 0.5, y * cut, z * 0.2], [x * 0.5, y * cut + y * 0.008, z], PALE_FLESH);
 }
 
 /// Cheese: a wedge with holes, a round with a wedge out of it, or a block with a rind.
@@ -429,19 +433,25 @@ pub(super) fn cheese(b: &mut Build<'_>) {
             b.prism(
                 "paste",
                 Axis::Z,
-                [0.0, 0.0, 0.0],
+                [0.0, 0.0, z * 0.02],
                 &[(-hx, -hy * 0.9), (hx, -hy * 0.9), (0.0, hy)],
-                z * 0.98,
+                z * 0.95,
                 paste,
             );
             b.block("rind", [-hx, -hy, 0.0], [hx, -hy * 0.88, z], rind);
             for (k, u, r) in [(0.1, 0.3, 0.16), (-0.5, 0.6, 0.2), (0.45, 0.55, 0.12), (-0.2, 0.25, 0.1)] {
                 // Holes show on the cut that faces +X.
-                let (px, py) = (hx * (0.5 - 0.5 * k) * 0.95, hy * (0.05 + 0.95 * k) * 0.95);
+                let (px, py) = (hx * (0.5 - 0.5 * k), hy * (0.05 + 0.95 * k));
                 let n = [hy * 1.9, hx];
                 let length = (n[0] * n[0] + n[1] * n[1]).sqrt().max(1e-6);
                 let (nx, ny) = (n[0] / length * z * 0.02, n[1] / length * z * 0.02);
-                b.rod("hole", [px - nx * 2.0, py - ny * 2.0, z * u], [px + nx, py + ny, z * u], z * r, MUSTARD);
+                b.rod(
+                    "hole",
+                    [px - nx * 3.0, py - ny * 3.0, z * u],
+                    [px + nx * 0.5, py + ny * 0.5, z * u],
+                    z * r,
+                    MUSTARD,
+                );
             }
         }
         1 => {
@@ -457,11 +467,11 @@ pub(super) fn cheese(b: &mut Build<'_>) {
             b.prism("paste", Axis::Z, [hx * 0.015, 0.0, z * 0.04], &inner, z * 0.96, paste);
         }
         _ => {
-            b.soft("paste", [-hx, -hy, 0.0], [hx, hy * 0.6, z], z * 0.06, paste);
+            b.soft("paste", [-hx, -hy, 0.0], [hx, hy * 0.62, z], z * 0.06, paste);
             let count = 3;
             for i in 0..count {
-                let at = hy * (0.66 + 0.13 * i as f32);
-                let slice: Vec<_> = rounded((hx * 0.99, hy * 0.05), 0.1);
+                let at = hy * (0.68 + 0.125 * i as f32);
+                let slice: Vec<_> = rounded((hx * 0.99, hy * 0.062), 0.1);
                 b.prism("slice", Axis::Z, [0.0, at, 0.0], &slice, z * (0.97 - 0.02 * i as f32), paste);
             }
         }

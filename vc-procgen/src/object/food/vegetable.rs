@@ -14,18 +14,18 @@ pub(super) fn florets(b: &mut Build<'_>) {
     let (flower, stem) = if white { (CREAM_FOOD, LIGHT_LEAF) } else { (b.one(&[DARK_LEAF, LEAF]), LIGHT_LEAF) };
     let (hx, hy) = (x / 2.0, y / 2.0);
     let low = if white { z * 0.25 } else { z * 0.45 };
-    turn(b, "stem", [0.0; 3], (hx * 0.4, low * 1.5), &[(0.8, 0.0), (0.85, 0.4), (1.4, 1.0)], stem);
+    turn(b, "stem", [0.0; 3], (hx.min(hy) * 0.4, low * 1.5), &[(0.8, 0.0), (0.85, 0.4), (1.4, 1.0)], stem);
     let count = 13;
     for i in 0..count {
         let k = (i as f32 + 0.3) / count as f32;
         let (s, c) = (2.399_963 * i as f32).sin_cos();
         let out = k.sqrt();
-        let r = hx.min(hy) * b.vary(0.3, 0.36);
+        let r = ((hx * hy).sqrt() * b.rng.between(0.32, 0.37)).min(hx * 0.8).min(hy * 0.8);
         let centre = [(hx - r) * out * c, (hy - r) * out * s, low + (z - low - r * 0.9) * (1.0 - 0.7 * k) + r * 0.1];
         lump(b, "floret", centre, [r, r, r * 0.85], 0.09, flower);
     }
     if white {
-        leaves(b, (hx, hy), (0.0, z * 0.65), 7, LEAF);
+        leaves(b, (hx, hy), (0.0, z * 0.65), 8, LEAF);
     }
 }
 
@@ -34,6 +34,7 @@ fn leaves(b: &mut Build<'_>, (hx, hy): (f32, f32), (low, high): (f32, f32), coun
     for i in 0..count {
         let angle = TAU * i as f32 / count as f32 + b.vary(-0.1, 0.1);
         let half = TAU / count as f32 * 0.52;
+        let (hx, hy) = if i % 2 == 0 { (hx, hy) } else { (hx * 0.97, hy * 0.97) };
         let at = |turn: f32, out: f32, z: f32| {
             let (s, c) = (angle + turn).sin_cos();
             [hx * out * c, hy * out * s, low + (high - low) * z]
@@ -119,15 +120,15 @@ pub(super) fn greens(b: &mut Build<'_>) {
         if bunch {
             b.rod(
                 "stem",
-                [centre[0] * 0.5, hy * 0.3, z * 0.35 + low * 0.2],
-                [hx * 0.4 * c * k, -hy * 0.98, z * (0.3 + 0.3 * k * s)],
+                [centre[0], centre[1], low + t * 0.5],
+                [hx * 0.15 * c * k, -hy * 0.98, z * (0.4 + 0.1 * k * s)],
                 (z * 0.03).min(hx * 0.05),
                 LIGHT_LEAF,
             );
         }
     }
     if bunch {
-        b.rod("band", [0.0, -hy * 0.35, z * 0.4], [0.0, -hy * 0.28, z * 0.4], (hx * 0.4).min(z * 0.39), RED_RUBBER);
+        b.soft("band", [-hx * 0.62, -hy * 0.35, z * 0.1], [hx * 0.62, -hy * 0.28, z * 0.75], z * 0.25, RED_RUBBER);
     }
 }
 
@@ -151,14 +152,24 @@ pub(super) fn stalks(b: &mut Build<'_>) {
         sweep(
             b,
             "shaft",
-            &[at(0.0, r * 0.6, 1.0), at(0.02, r * 0.85, 1.0), at(0.08, r * 0.75, 1.0), at(0.56, r * 0.72, 1.0)],
+            &[
+                at(0.004 * (i % 3) as f32, r * 0.6, 1.0),
+                at(0.02, r * 0.85, 1.0),
+                at(0.08, r * 0.75, 1.0),
+                at(0.56, r * 0.72, 1.0),
+            ],
             [1.0, 0.0, 0.0],
             white,
         );
         sweep(
             b,
             "leaf",
-            &[at(0.52, r * 0.73, 1.0), at(0.75, r * 0.9, 0.7), at(0.92, r * 0.7, 0.35), at(1.0, r * 0.15, 0.2)],
+            &[
+                at(0.53 + 0.005 * (i % 6) as f32, r * 0.8, 1.0),
+                at(0.75, r * 0.9, 0.7),
+                at(0.92, r * 0.7, 0.35),
+                at(1.0, r * 0.15, 0.2),
+            ],
             [1.0, 0.0, 0.0],
             if b.class == "celery" { LEAF } else { DARK_LEAF },
         );
@@ -175,6 +186,10 @@ pub(super) fn stalks(b: &mut Build<'_>) {
             }
         }
     }
+    if count > 1 {
+        let r = hx.min(mid);
+        b.rod("band", [0.0, -hy * 0.3, mid], [0.0, -hy * 0.27, mid], r * 0.88, RED_RUBBER);
+    }
 }
 
 /// Peas and beans: pods side by side and on each other.
@@ -183,11 +198,11 @@ pub(super) fn pods(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let peas = b.class == "peas";
     let count = 9;
-    let r = (z * 0.2).min(x * 0.06);
+    let r = (z * 0.31).min(x * 0.2);
     for i in 0..count {
-        let tier = i % 3;
+        let tier = [0, 1, 2, 1][i % 4];
         let across = (hx - 1.5 * r) * (i as f32 / (count - 1) as f32 * 2.0 - 1.0);
-        let (low, bow) = (r + (z - 2.0 * r) * tier as f32 / 2.0, hx * b.vary(-0.1, 0.1));
+        let (low, bow) = (r + (z - 2.0 * r) * tier as f32 / 2.0, hx * b.vary(-0.03, 0.03));
         let at = |k: f32, w: f32| {
             let way = (2.0 * k - 1.0) * hy * (1.0 - 0.06 * tier as f32);
             ([(across + bow * (1.0 - (2.0 * k - 1.0).powi(2))).max(-hx + r * 1.3).min(hx - r * 1.3), way, low], w, r)
@@ -248,7 +263,7 @@ pub(super) fn corn(b: &mut Build<'_>) {
         ];
         sweep(b, "husk", &path, side, LIGHT_LEAF);
     }
-    tube(b, "stalk", &[[0.0, -hy, z / 2.0], [0.0, -hy * 0.8, z / 2.0]], hx * 0.3, [1.0, 0.0, 0.0], LIGHT_LEAF);
+    tube(b, "stalk", &[[0.0, -hy * 0.985, z / 2.0], [0.0, -hy * 0.8, z / 2.0]], hx * 0.3, [1.0, 0.0, 0.0], LIGHT_LEAF);
 }
 
 /// A pumpkin of ribs around a stalk.
@@ -264,6 +279,7 @@ pub(super) fn pumpkin(b: &mut Build<'_>) {
         lump(b, "rib", centre, [hx * r, hy * r, h / 2.0], 0.01, mat);
     }
     let lean = hx * b.vary(-0.15, 0.15);
+    b.cylinder("core", [0.0, 0.0, h * 0.1], hx.min(hy) * 0.4, h * 0.75, mat);
     tube(
         b,
         "stalk",

@@ -11,7 +11,7 @@ fn turn(i: usize, count: usize) -> (f32, f32) {
 
 /// A cage with blades on a stand, low or tall; or a tower.
 pub(super) fn fan(b: &mut Build<'_>) {
-    let u = fit(b, [0.12, 0.15, 0.17]);
+    let u = fit(b, [0.192, 0.24, 0.272]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, STEEL, COPPER]);
     if h > 0.7 && b.rng.chance(0.3) {
@@ -23,12 +23,12 @@ pub(super) fn fan(b: &mut Build<'_>) {
     b.lathe("foot", [0.0; 3], &[(foot, 0.0), (foot * 0.95, 0.02 * u), (foot * 0.2, 0.04 * u)], mat);
     b.cylinder("pole", [-x * 0.2, 0.0, 0.02 * u], 0.014 * u, z - 0.02 * u, mat);
     b.rod("motor", [-x * 0.5, 0.0, z], [x * 0.1, 0.0, z], r * 0.24, mat);
-    let (back, front) = (-x * 0.02, x * 0.62);
+    let (back, front) = (-x * 0.02, x * 0.94);
     cage(b, (back, front), z, r, u);
-    b.rod("hub", [x * 0.09, 0.0, z], [x * 0.5, 0.0, z], r * 0.16, mat);
+    b.rod("hub", [x * 0.09, 0.0, z], [x * 0.8, 0.0, z], r * 0.16, mat);
     for i in 0..4 {
         let (s, c) = turn(i, 4);
-        let at = |k: f32, w: f32, dx: f32| [x * 0.3 + dx, (c * k - s * w) * r, z + (s * k + c * w) * r];
+        let at = |k: f32, w: f32, dx: f32| [x * 0.45 + dx, (c * k - s * w) * r, z + (s * k + c * w) * r];
         let points: Vec<P> = [(0.1, -0.08, 0.04), (0.1, 0.08, -0.04), (0.82, -0.22, 0.1), (0.82, 0.26, -0.1)]
             .into_iter()
             .flat_map(|(k, w, dx)| [at(k, w, dx * x), at(k, w, dx * x + 0.004 * u)])
@@ -72,13 +72,13 @@ fn tower(b: &mut Build<'_>, u: f32, mat: Mat) {
         let z = h * (0.2 + 0.048 * i as f32);
         b.block("slot", [slim * 0.6, -slim * 0.7, z], [slim * 0.99, slim * 0.7, z + h * 0.02], BLACK_PLASTIC);
     }
-    b.cylinder("cap", [0.0, 0.0, h - 0.004], slim * 0.7, 0.004, BLACK_PLASTIC);
+    b.cylinder("cap", [0.0, 0.0, h - 0.004 * u], slim * 0.7, 0.004, BLACK_PLASTIC);
     display(b, slim * 0.98, (-slim * 0.3, h * 0.92), (slim * 0.3, h * 0.95), COOL_BULB);
 }
 
 /// Blades around a motor on a rod, a light beneath.
 pub(super) fn ceiling_fan(b: &mut Build<'_>) {
-    let u = fit(b, [0.4, 0.4, 0.14]);
+    let u = fit(b, [0.64, 0.64, 0.224]);
     let (x, y, h) = spans(b);
     let r = x.min(y);
     let metal = b.one(&[b.style.metal, WHITE_METAL, BRASS]);
@@ -95,7 +95,7 @@ pub(super) fn ceiling_fan(b: &mut Build<'_>) {
     b.lathe(
         "light",
         [0.0; 3],
-        &[(r * 0.05, 0.0), (r * 0.14, low * 0.3), (r * 0.18, low * 0.7), (r * 0.16, low + 0.002)],
+        &[(r * 0.05, 0.0), (r * 0.14, low * 0.3), (r * 0.18, low * 0.7), (r * 0.16, low + 0.002 * u)],
         WARM_BULB,
     );
     let count = b.rng.count(3, 5);
@@ -116,7 +116,7 @@ pub(super) fn ceiling_fan(b: &mut Build<'_>) {
 
 /// A square or round grille on the wall.
 pub(super) fn extractor_fan(b: &mut Build<'_>) {
-    let u = fit(b, [0.04, 0.07, 0.07]);
+    let u = fit(b, [0.064, 0.112, 0.112]);
     let (x, y, h) = spans(b);
     let z = h / 2.0;
     let r = y.min(z);
@@ -137,7 +137,6 @@ pub(super) fn extractor_fan(b: &mut Build<'_>) {
 
 /// A long case on the wall with a flap for the air.
 pub(super) fn air_conditioner(b: &mut Build<'_>) {
-    let u = fit(b, [0.1, 0.37, 0.13]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
     let outline = [(-x, 0.0), (x * 0.5, 0.0), (x, h * 0.28), (x, h * 0.86), (x * 0.8, h), (-x, h)];
@@ -161,14 +160,13 @@ pub(super) fn air_conditioner(b: &mut Build<'_>) {
         b.block("slot", [cx, -y * 0.92, h - 0.001], [cx + x * 0.06, y * 0.92, h], BLACK_PLASTIC);
     }
     b.block("seam", [x - 0.001, -y * 0.99, h * 0.33], [x + 0.0005, y * 0.99, h * 0.34], GREY_PLASTIC);
-    display(b, x - 0.001, (y * 0.6, h * 0.4), (y * 0.75, h * 0.5), COOL_BULB);
+    display(b, x - 0.0025, (y * 0.6, h * 0.4), (y * 0.75, h * 0.5), COOL_BULB);
     b.block("badge", [x - 0.001, -y * 0.06, h * 0.6], [x + 0.0008, y * 0.06, h * 0.65], SILVER_METAL);
-    let _ = u;
 }
 
 /// A column or a box with fine slots and a ring of light.
 pub(super) fn air_purifier(b: &mut Build<'_>) {
-    let u = fit(b, [0.1, 0.1, 0.17]);
+    let u = fit(b, [0.16, 0.16, 0.272]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]);
     if (x - y).abs() < x * 0.35 && b.rng.chance(0.6) {
@@ -181,23 +179,23 @@ pub(super) fn air_purifier(b: &mut Build<'_>) {
         );
         for i in 0..12 {
             let z = h * (0.06 + 0.05 * i as f32);
-            collar(b, "slot", ([0.0, 0.0, z], [0.0, 0.0, z + h * 0.018]), (r * 0.9, r * 1.0 + 0.0008), GREY_FABRIC);
+            collar(b, "slot", ([0.0, 0.0, z], [0.0, 0.0, z + h * 0.018]), (r * 0.9, r + 0.0004 * u), GREY_FABRIC);
         }
         collar(b, "ring", ([0.0, 0.0, h * 0.958], [0.0, 0.0, h * 0.965]), (r * 0.3, r * 0.4), LED);
     } else {
         b.soft("case", [-x, -y, 0.0], [x, y, h], 0.03 * u, mat);
         for i in 0..14 {
             let z = h * (0.12 + 0.042 * i as f32);
-            b.block("slot", [x - 0.002, -y * 0.75, z], [x, y * 0.75, z + h * 0.016], BLACK_PLASTIC);
+            b.block("slot", [x - 0.002 * u, -y * 0.75, z], [x, y * 0.75, z + h * 0.016], BLACK_PLASTIC);
         }
-        display(b, x - 0.001, (-y * 0.3, h * 0.82), (y * 0.3, h * 0.9), COOL_BULB);
-        b.block("grille", [-x * 0.6, -y * 0.7, h - 0.002], [x * 0.6, y * 0.7, h], BLACK_PLASTIC);
+        display(b, x - 0.0025 * u, (-y * 0.3, h * 0.82), (y * 0.3, h * 0.9), COOL_BULB);
+        b.block("grille", [-x * 0.6, -y * 0.7, h - 0.002 * u], [x * 0.6, y * 0.7, h], BLACK_PLASTIC);
     }
 }
 
 /// A drop or a tank on a base with a nozzle.
 pub(super) fn humidifier(b: &mut Build<'_>) {
-    let u = fit(b, [0.07, 0.07, 0.1]);
+    let u = fit(b, [0.112, 0.112, 0.16]);
     let (x, y, h) = spans(b);
     let r = x.min(y);
     let mat = b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC, GREY_PLASTIC]);
@@ -215,18 +213,18 @@ pub(super) fn humidifier(b: &mut Build<'_>) {
         (r * 0.96 - wall, tall * 0.35),
         (r * 0.94 - wall, wall),
     ];
-    b.lathe("tank", [0.0, 0.0, base - 0.001], &tank, if drop { mat } else { CLEAR_PLASTIC });
+    b.lathe("tank", [0.0, 0.0, base - 0.001 * u], &tank, if drop { mat } else { CLEAR_PLASTIC });
     b.lathe(
         "water",
-        [0.0, 0.0, base + wall - 0.0005],
+        [0.0, 0.0, base + wall - 0.0005 * u],
         &[(r * 0.94 - wall * 1.6, 0.0), (r * 0.95 - wall * 1.6, tall * 0.3)],
         WATER,
     );
     lid(b, [-top, 0.0, h * 0.86], 1.4, |b| {
         b.lathe(
             "lid",
-            [0.0, 0.0, h * 0.86 - 0.001],
-            &[(top, 0.0), (top * 0.7, h * 0.07), (top * 0.25, h * 0.08), (top * 0.22, h * 0.14 + 0.001)],
+            [0.0, 0.0, h * 0.86 - 0.001 * u],
+            &[(top, 0.0), (top * 0.7, h * 0.07), (top * 0.25, h * 0.08), (top * 0.22, h * 0.14 + 0.001 * u)],
             mat,
         );
     });
@@ -236,7 +234,7 @@ pub(super) fn humidifier(b: &mut Build<'_>) {
 
 /// A case on castors with louvres and a bucket that slides out.
 pub(super) fn dehumidifier(b: &mut Build<'_>) {
-    let u = fit(b, [0.1, 0.13, 0.22]);
+    let u = fit(b, [0.16, 0.208, 0.352]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_PLASTIC, GREY_PLASTIC]);
     let (foot, split) = (0.03 * u, h * 0.38);
@@ -249,14 +247,19 @@ pub(super) fn dehumidifier(b: &mut Build<'_>) {
     case(b, [-x, -y, foot], [face, y, split + 0.005 * u], wall, mat);
     for i in 0..8 {
         let z = split + (h - split) * (0.12 + 0.075 * i as f32);
-        b.block("slot", [face - 0.002, -y * 0.8, z], [face, y * 0.8, z + (h - split) * 0.03], BLACK_PLASTIC);
+        b.block("slot", [face - 0.002 * u, -y * 0.8, z], [face, y * 0.8, z + (h - split) * 0.03], BLACK_PLASTIC);
     }
-    display(b, face - 0.001, (-y * 0.3, h * 0.86), (y * 0.3, h * 0.92), LED);
-    b.block("outlet", [-x * 0.6, -y * 0.7, h - 0.002], [x * 0.3, y * 0.7, h], BLACK_PLASTIC);
+    display(b, face - 0.001 * u, (-y * 0.3, h * 0.86), (y * 0.3, h * 0.92), LED);
+    b.block("outlet", [-x * 0.6, -y * 0.7, h - 0.002 * u], [x * 0.3, y * 0.7, h], BLACK_PLASTIC);
     let (low, high) = ([-x + wall * 1.5, -y + wall * 1.5, foot + wall * 1.2], [face, y - wall * 1.5, split - wall]);
     b.jointed(vc_graph::asset::JointKind::Slide, low, [1.0, 0.0, 0.0], (0.0, x * 1.4), |b| {
-        basket(b, "compartment_1", low, [high[0] - 0.001, high[1], high[2] - 0.02 * u], 0.004 * u, CLEAR_PLASTIC);
-        b.block("bucket", [face, -y * 0.94, foot + wall * 0.5], [x - 0.002, y * 0.94, split - wall * 0.4], BLUE_GLASS);
-        b.block("grip", [x - 0.003, -y * 0.3, split - wall * 2.4], [x, y * 0.3, split - wall * 1.2], mat);
+        basket(b, "compartment_1", low, [high[0] - 0.001 * u, high[1], high[2] - 0.02 * u], 0.004 * u, CLEAR_PLASTIC);
+        b.block(
+            "bucket",
+            [face, -y * 0.94, foot + wall * 0.5],
+            [x - 0.002 * u, y * 0.94, split - wall * 0.4],
+            BLUE_GLASS,
+        );
+        b.block("grip", [x - 0.003 * u, -y * 0.3, split - wall * 2.4], [x, y * 0.3, split - wall * 1.2], mat);
     });
 }

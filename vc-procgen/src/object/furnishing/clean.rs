@@ -11,7 +11,7 @@ fn case_mat(b: &mut Build<'_>) -> Mat {
 
 /// A sledge with wheels and a hose, or an upright with a handle.
 pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
-    let u = fit(b, [0.14, 0.12, 0.12]);
+    let u = fit(b, [0.224, 0.192, 0.192]);
     let (x, y, h) = spans(b);
     let mat = case_mat(b);
     if h > 0.6 {
@@ -31,10 +31,10 @@ pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
     let t = 0.016 * u;
     let hose: [P; 6] = [
         [x * 0.7, 0.0, h * 0.5],
-        [x - t, 0.0, h * 0.6],
-        [x * 0.86, y * 0.2, h - t * 1.2],
-        [x * 0.3, y * 0.45, h - t],
-        [-x * 0.3, y * 0.3, h - t * 1.2],
+        [x - t * 1.45, 0.0, h * 0.6],
+        [x * 0.8, y * 0.2, h - t * 1.5],
+        [x * 0.3, y * 0.45, h - t * 1.5],
+        [-x * 0.3, y * 0.3, h - t * 1.6],
         [-x * 0.5, 0.0, top],
     ];
     b.pipe("hose", &hose, t, BLACK_PLASTIC);
@@ -49,7 +49,7 @@ pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
         t * 0.7,
         GREY_PLASTIC,
     );
-    b.cylinder("button", [-x * 0.65, -y * 0.4, top - 0.004], h * 0.06, h * 0.04, RED_PLASTIC);
+    b.cylinder("button", [-x * 0.65, -y * 0.4, top - 0.004 * u], h * 0.06, h * 0.04, RED_PLASTIC);
 }
 
 /// A wide foot, a bin of clear plastic, a handle.
@@ -57,9 +57,15 @@ fn upright(b: &mut Build<'_>, u: f32, mat: Mat) {
     let (x, y, h) = spans(b);
     let foot = h * 0.09;
     b.soft("foot", [x * 0.1, -y, 0.0], [x, y, foot], foot * 0.4, mat);
-    b.rod("wheel", [-x * 0.5, -y * 0.5, foot * 0.8], [-x * 0.5, y * 0.5, foot * 0.8], foot * 0.8, BLACK_PLASTIC);
+    b.rod(
+        "wheel",
+        [-x * 0.5, -y * 0.5, foot * 0.8],
+        [-x * 0.5, y * 0.5, foot * 0.8],
+        (foot * 0.8).min(x * 0.45),
+        BLACK_PLASTIC,
+    );
     b.bar("neck", [x * 0.3, 0.0, foot * 0.8], [-x * 0.3, 0.0, h * 0.2], 0.03 * u, mat);
-    let r = (y * 0.55).min(x * 0.6);
+    let r = (y * 0.55).min(x * 0.5);
     b.cylinder("motor", [-x * 0.35, 0.0, h * 0.14], r, h * 0.12, mat);
     b.cylinder("bin", [-x * 0.35, 0.0, h * 0.255], r * 0.85, h * 0.24, CLEAR_PLASTIC);
     b.lathe(
@@ -77,7 +83,7 @@ fn upright(b: &mut Build<'_>, u: f32, mat: Mat) {
         "handle",
         &[
             [back + 0.01 * u, 0.0, h * 0.84],
-            [back - 0.002, 0.0, h * 0.95],
+            [back - 0.002 * u, 0.0, h * 0.95],
             [-x * 0.5, 0.0, h - t],
             [-x * 0.25, 0.0, h * 0.93],
         ],
@@ -124,7 +130,7 @@ pub(super) fn robot_vacuum(b: &mut Build<'_>) {
 
 /// A mop on a pole, or a small tank with a hose.
 pub(super) fn steam_cleaner(b: &mut Build<'_>) {
-    let u = fit(b, [0.1, 0.12, 0.15]);
+    let u = fit(b, [0.16, 0.192, 0.24]);
     let (x, y, h) = spans(b);
     let mat = case_mat(b);
     if h < 0.6 {
@@ -148,7 +154,7 @@ pub(super) fn steam_cleaner(b: &mut Build<'_>) {
             t,
             BLACK_PLASTIC,
         );
-        b.bar("nozzle", [-x * 0.3, -y * 0.4, h - t], [-x * 0.7, -y * 0.5, h * 0.74], t * 1.4, mat);
+        b.bar("nozzle", [-x * 0.3, -y * 0.4, h - t * 2.2], [-x * 0.7, -y * 0.5, h * 0.74], t * 1.4, mat);
         b.ball("castor", [x * 0.5, 0.0, r * 0.5], r * 0.5, BLACK_PLASTIC);
         return;
     }
@@ -161,10 +167,10 @@ pub(super) fn steam_cleaner(b: &mut Build<'_>) {
         foot,
         GREY_FABRIC,
     );
-    b.soft("plate", [-x * 0.8, -y * 0.8, foot - 0.002], [x * 0.8, y * 0.8, foot * 1.9], 0.01 * u, mat);
+    b.soft("plate", [-x * 0.8, -y * 0.8, foot - 0.002 * u], [x * 0.8, y * 0.8, foot * 1.9], 0.01 * u, mat);
     let lean = -x * 0.5;
     b.bar("neck", [0.0, 0.0, foot * 1.6], [lean, 0.0, h * 0.2], 0.018 * u, mat);
-    b.soft("tank", [lean - x * 0.35, -y * 0.4, h * 0.18], [lean + x * 0.5, y * 0.4, h * 0.46], 0.03 * u, mat);
+    b.soft("tank", [lean - x * 0.3, -y * 0.4, h * 0.18], [lean + x * 0.5, y * 0.4, h * 0.46], 0.03 * u, mat);
     b.soft("water", [lean + x * 0.3, -y * 0.3, h * 0.2], [lean + x * 0.65, y * 0.3, h * 0.36], 0.02 * u, BLUE_GLASS);
     b.bar("pole", [lean, 0.0, h * 0.44], [lean, 0.0, h * 0.86], 0.013 * u, STEEL);
     b.pipe(
@@ -172,7 +178,7 @@ pub(super) fn steam_cleaner(b: &mut Build<'_>) {
         &[
             [lean, 0.0, h * 0.86],
             [lean - x * 0.2, 0.0, h * 0.95],
-            [lean, 0.0, h - 0.015 * u],
+            [lean, 0.0, h - 0.022 * u],
             [lean + x * 0.3, 0.0, h * 0.94],
             [lean + x * 0.05, 0.0, h * 0.86],
         ],
@@ -183,7 +189,7 @@ pub(super) fn steam_cleaner(b: &mut Build<'_>) {
 
 /// A sole with a tip, a body with a handle, a dial and a tank.
 pub(super) fn iron(b: &mut Build<'_>) {
-    let u = fit(b, [0.14, 0.055, 0.065]);
+    let u = fit(b, [0.224, 0.088, 0.104]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[BLUE_PLASTIC, WHITE_PLASTIC, PURPLE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, RED_PLASTIC]);
     let sole = [
@@ -212,17 +218,21 @@ pub(super) fn iron(b: &mut Build<'_>) {
         .collect();
     b.hull("tank", &tank, BLUE_GLASS);
     let r = (y * 0.27).min(h * 0.11);
-    let points =
-        [[x * 0.4, 0.0, h * 0.36], [x * 0.5, 0.0, h - r * 1.2], [-x * 0.6, 0.0, h - r], [-x * 0.82, 0.0, h * 0.36]];
+    let points = [
+        [x * 0.4, 0.0, h * 0.36],
+        [x * 0.5, 0.0, h - r * 1.6],
+        [-x * 0.6, 0.0, h - r * 1.45],
+        [-x * 0.82, 0.0, h * 0.36],
+    ];
     b.pipe("handle", &points, r, mat);
     b.block("back", [-x, -y * 0.5, h * 0.06], [-x * 0.8, y * 0.5, h * 0.45], mat);
     b.cylinder("dial", [-x * 0.1, 0.0, h * 0.4], y * 0.45, h * 0.06, GREY_PLASTIC);
-    b.soft("button", [x * 0.3, -r * 0.4, h - r * 0.6], [x * 0.4, r * 0.4, h], 0.003 * u, GREY_PLASTIC);
+    b.soft("button", [x * 0.3, -r * 0.4, h - r * 1.3], [x * 0.4, r * 0.4, h], 0.003 * u, GREY_PLASTIC);
 }
 
 /// A handset with a head of holes, or a stand with a pole and a tank.
 pub(super) fn garment_steamer(b: &mut Build<'_>) {
-    let u = fit(b, [0.05, 0.05, 0.12]);
+    let u = fit(b, [0.08, 0.08, 0.192]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]);
     if h < 0.6 {
@@ -234,26 +244,25 @@ pub(super) fn garment_steamer(b: &mut Build<'_>) {
         return;
     }
     let base = h * 0.2;
-    let body = x.min(y) / x.max(0.01);
+    let (body, wheel) = (x.min(y) / x, (h * 0.03).min(x * 0.3));
     b.soft("base", [-x, -y, h * 0.02], [x, y, base], 0.04 * u * body.max(0.3), mat);
-    b.soft("tank", [-x * 0.8, -y * 0.7, base - 0.005], [x * 0.1, y * 0.7, base * 1.5], 0.02 * u, BLUE_GLASS);
+    b.soft("tank", [-x * 0.8, -y * 0.7, base - 0.005 * u], [x * 0.1, y * 0.7, base * 1.5], 0.02 * u, BLUE_GLASS);
     for cy in [-y * 0.8, y * 0.8] {
-        b.rod(
-            "wheel",
-            [-x * 0.6, cy - 0.01 * u, h * 0.03],
-            [-x * 0.6, cy + 0.01 * u, h * 0.03],
-            h * 0.03,
-            BLACK_PLASTIC,
-        );
-        b.rod("wheel", [x * 0.6, cy - 0.01 * u, h * 0.03], [x * 0.6, cy + 0.01 * u, h * 0.03], h * 0.03, BLACK_PLASTIC);
+        b.rod("wheel", [-x * 0.6, cy - 0.01 * u, wheel], [-x * 0.6, cy + 0.01 * u, wheel], h * 0.03, BLACK_PLASTIC);
+        b.rod("wheel", [x * 0.6, cy - 0.01 * u, wheel], [x * 0.6, cy + 0.01 * u, wheel], wheel, BLACK_PLASTIC);
     }
     b.bar("pole", [x * 0.4, 0.0, base], [x * 0.4, 0.0, h - 0.03 * u], 0.011 * u, STEEL);
-    let w = y * 0.9;
+    let w = y - 0.016 * u;
     b.pipe("hanger", &[[x * 0.4, -w, h * 0.9], [x * 0.4, 0.0, h - 0.012 * u], [x * 0.4, w, h * 0.9]], 0.009 * u, mat);
     b.soft("head", [x * 0.45, -y * 0.35, h * 0.82], [x * 0.8, y * 0.35, h * 0.9], 0.015 * u, mat);
     b.pipe(
         "hose",
-        &[[x * 0.6, 0.0, h * 0.83], [x * 0.8, y * 0.3, h * 0.5], [x * 0.75, y * 0.3, h * 0.3], [x * 0.5, 0.0, base]],
+        &[
+            [x * 0.6, 0.0, h * 0.83],
+            [x - 0.017 * u, y * 0.3, h * 0.5],
+            [x * 0.75, y * 0.3, h * 0.3],
+            [x * 0.5, 0.0, base],
+        ],
         0.011 * u,
         GREY_FABRIC,
     );
@@ -261,7 +270,7 @@ pub(super) fn garment_steamer(b: &mut Build<'_>) {
 
 /// A bed, a column, an arm with a needle, a wheel at the side.
 pub(super) fn sewing_machine(b: &mut Build<'_>) {
-    let u = fit(b, [0.08, 0.19, 0.14]);
+    let u = fit(b, [0.128, 0.304, 0.224]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_METAL, BLACK_METAL, SAGE, SKY, PINK_PLASTIC]);
     let bed = h * 0.24;
@@ -277,17 +286,17 @@ pub(super) fn sewing_machine(b: &mut Build<'_>) {
     b.cylinder("bar", [0.0, needle, h * 0.4], 0.005 * u, h * 0.14, STEEL);
     b.block(
         "foot",
-        [-x * 0.1, needle - 0.008 * u, bed + 0.002],
+        [-x * 0.1, needle - 0.008 * u, bed + 0.002 * u],
         [x * 0.15, needle + 0.008 * u, bed + 0.006 * u],
         STEEL,
     );
-    b.block("plate", [-x * 0.5, -y * 0.85, bed - 0.001], [x * 0.5, -y * 0.5, bed + 0.001], STEEL);
-    b.top("bed", [0.0, -y * 0.02, bed], (x * 0.6, (inner + y * 0.46) / 2.0 * 0.9));
+    b.block("plate", [-x * 0.5, -y * 0.85, bed - 0.001 * u], [x * 0.5, -y * 0.5, bed + 0.001 * u], STEEL);
+    b.ledge("bed", [0.0, (inner - y * 0.46) / 2.0, bed], (x * 0.6, (inner + y * 0.46) / 2.0 * 0.9), h * 0.36);
     b.rod("wheel", [0.0, y - wheel * 1.1, h * 0.75], [0.0, y, h * 0.75], h * 0.13, GREY_PLASTIC);
     for i in 0..2 {
         knob(
             b,
-            [x * 0.7 - 0.001, inner + (y - inner) * 0.45, h * (0.45 + 0.25 * i as f32)],
+            [x * 0.7 - 0.001 * u, inner + (y - inner) * 0.45, h * (0.45 + 0.25 * i as f32)],
             h * 0.07,
             x * 0.2,
             (GREY_PLASTIC, BLACK),

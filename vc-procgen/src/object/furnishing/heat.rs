@@ -6,13 +6,13 @@ use crate::object::cooker::fitting::*;
 
 /// A flat panel with ribs, columns of cast iron, or a smooth plate, on the wall.
 pub(super) fn radiator(b: &mut Build<'_>) {
-    let u = fit(b, [0.035, 0.25, 0.22]);
+    let u = fit(b, [0.056, 0.4, 0.352]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_METAL, WHITE_METAL, WHITE_METAL, SILVER_METAL, BLACK_METAL]);
     let foot = 0.06 * u;
     let side = y - 0.035 * u;
     let pipe = [-x * 0.2, -side, 0.0];
-    for dy in [0.0, -0.02 * u] {
+    for dy in [0.0, -0.014 * u] {
         b.rod("pipe", [pipe[0], pipe[1] + dy, 0.0], [pipe[0], pipe[1] + dy, h * 0.3], 0.008 * u, WHITE_METAL);
     }
     b.rod("valve", [pipe[0], -side, h - 0.06 * u], [pipe[0], -y, h - 0.06 * u], (0.02 * u).min(x * 0.8), WHITE_PLASTIC);
@@ -27,7 +27,7 @@ pub(super) fn radiator(b: &mut Build<'_>) {
                 let cy = -side + step * (i as f32 + 0.5);
                 b.block(
                     "rib",
-                    [front - 0.001, cy - step * 0.28, foot + 0.02 * u],
+                    [front - 0.001 * u, cy - step * 0.28, foot + 0.02 * u],
                     [x, cy + step * 0.28, h - 0.03 * u],
                     mat,
                 );
@@ -40,8 +40,8 @@ pub(super) fn radiator(b: &mut Build<'_>) {
             for z in [0.2, 0.4, 0.6, 0.8] {
                 b.block(
                     "groove",
-                    [x - 0.002, -side * 0.98, h * z],
-                    [x + 0.0005, side * 0.98, h * z + 0.004 * u],
+                    [x - 0.002 * u, -side * 0.98, h * z],
+                    [x + 0.0005 * u, side * 0.98, h * z + 0.004 * u],
                     GREY_PLASTIC,
                 );
             }
@@ -57,14 +57,14 @@ pub(super) fn radiator(b: &mut Build<'_>) {
 /// The cover on a panel radiator.
 fn top_grille(b: &mut Build<'_>, (back, front): (f32, f32), side: f32, u: f32, mat: Mat) {
     let h = b.size.z;
-    b.block("cover", [back, -side, h - 0.0125 * u], [front - 0.001, side, h], mat);
+    b.block("cover", [back, -side, h - 0.0125 * u], [front - 0.001 * u, side, h], mat);
 }
 
 /// Rounded sections side by side.
 fn columns(b: &mut Build<'_>, side: f32, foot: f32, u: f32) {
     let (x, h) = (b.size.x / 2.0, b.size.z);
     let mat = b.one(&[WHITE_METAL, WHITE_METAL, IRON, SILVER_METAL]);
-    let count = (side / 0.028).clamp(5.0, 28.0) as usize;
+    let count = (side / 0.028).clamp(5.0, 20.0) as usize;
     let step = 2.0 * side / count as f32;
     let (back, r) = (-x + 0.015 * u, step * 0.4);
     let deep = (x - back) / 2.0 - r;
@@ -85,7 +85,7 @@ fn columns(b: &mut Build<'_>, side: f32, foot: f32, u: f32) {
 
 /// A small heater: oil-filled ribs on wheels, a fan in a box, or glowing bars.
 pub(super) fn heater(b: &mut Build<'_>) {
-    let u = fit(b, [0.06, 0.11, 0.12]);
+    let u = fit(b, [0.096, 0.176, 0.192]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_METAL, BLACK_METAL, SILVER_METAL]);
     let foot = h * 0.1;
@@ -115,7 +115,7 @@ pub(super) fn heater(b: &mut Build<'_>) {
                 }
             }
             for z in [0.5, 0.72] {
-                b.rod("knob", [0.0, y - 0.004, h * z], [0.0, y - 0.0005, h * z], x * 0.3, RED_PLASTIC);
+                b.rod("knob", [0.0, y - 0.004 * u, h * z], [0.0, y - 0.0005 * u, h * z], x * 0.3, RED_PLASTIC);
             }
         }
         1 => {
@@ -124,18 +124,23 @@ pub(super) fn heater(b: &mut Build<'_>) {
                 b.block("foot", [-x, y * side - 0.02 * u, 0.0], [x, y * side + 0.02 * u, foot * 0.6], BLACK_PLASTIC);
             }
             let face = x * 0.9;
-            b.block("grille", [face - 0.002, -y * 0.82, h * 0.2], [face + 0.001, y * 0.82, h * 0.75], BLACK_PLASTIC);
+            b.block(
+                "grille",
+                [face - 0.002 * u, -y * 0.82, h * 0.2],
+                [face + 0.001 * u, y * 0.82, h * 0.75],
+                BLACK_PLASTIC,
+            );
             for i in 0..8 {
                 let z = h * (0.22 + 0.066 * i as f32);
                 b.block("slat", [face, -y * 0.82, z], [x, y * 0.82, z + h * 0.02], mat);
             }
-            knobs(b, [face, 0.0, h * 0.87], y, 2, h * 0.05, (BLACK_PLASTIC, WHITE));
+            knobs(b, [face, 0.0, h * 0.87], y, 2, (h * 0.05).min(x * 0.1), (BLACK_PLASTIC, WHITE));
         }
         _ => {
             // Quartz bars before a reflector.
             let wall = 0.02 * u;
             b.block("base", [-x, -y * 0.7, 0.0], [x, y * 0.7, foot], mat);
-            case(b, [-x, -y, foot - 0.001], [x * 0.5, y, h], wall, mat);
+            case(b, [-x, -y, foot - 0.001 * u], [x * 0.5, y, h], wall, mat);
             b.block("reflector", [-x + wall, -y + wall, foot + wall], [-x + wall * 1.5, y - wall, h - wall], CHROME);
             for i in 0..2 {
                 let z = foot + (h - foot) * (0.35 + 0.3 * i as f32);
@@ -151,19 +156,19 @@ pub(super) fn heater(b: &mut Build<'_>) {
 
 /// A white case on the wall with pipes below and a gauge.
 pub(super) fn boiler(b: &mut Build<'_>) {
-    let u = fit(b, [0.14, 0.2, 0.32]);
+    let u = fit(b, [0.224, 0.32, 0.512]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_METAL, WHITE_METAL, SILVER_METAL]);
     let low = 0.12 * u;
     let board = low + (h - low) * 0.16;
-    b.soft("case", [-x, -y, board], [x - 0.01 * u, y, h - 0.08 * u], 0.02 * u, mat);
-    b.soft("controls", [-x, -y, low], [x, y, board + 0.004 * u], 0.015 * u, GREY_PLASTIC);
+    b.soft("case", [-x, -y, board], [x, y, h - 0.08 * u], 0.02 * u, mat);
+    b.soft("controls", [-x, -y, low], [x - 0.026 * u, y, board + 0.004 * u], 0.015 * u, GREY_PLASTIC);
     b.cylinder("flue", [-x * 0.2, 0.0, h - 0.09 * u], 0.05 * u, 0.09 * u, WHITE_METAL);
     let z = f32::midpoint(low, board);
-    display(b, x, (-y * 0.15, z - 0.02 * u), (y * 0.15, z + 0.02 * u), LED);
-    knobs(b, [x - 0.012 * u, -y * 0.55, z], y * 0.5, 2, (board - low) * 0.24, (BLACK_PLASTIC, WHITE));
+    display(b, x - 0.0265 * u, (-y * 0.15, z - 0.02 * u), (y * 0.15, z + 0.02 * u), LED);
+    knobs(b, [x - 0.027 * u, -y * 0.55, z], y * 0.5, 2, ((board - low) * 0.24).min(0.025 * u), (BLACK_PLASTIC, WHITE));
     let r = (board - low) * 0.3;
-    b.rod("gauge", [x - 0.003, y * 0.6, z], [x - 0.0005, y * 0.6, z], r, WHITE_PAPER);
+    b.rod("gauge", [x - 0.03 * u, y * 0.6, z], [x - 0.024 * u, y * 0.6, z], r, WHITE_PAPER);
     for i in 0..5 {
         let cy = y * (-0.7 + 0.35 * i as f32);
         let (r, mat) = if i == 2 { (0.011 * u, YELLOW_PLASTIC) } else { (0.009 * u, COPPER) };
@@ -173,9 +178,9 @@ pub(super) fn boiler(b: &mut Build<'_>) {
 
 /// A round tank on the wall or the floor, or a flat one.
 pub(super) fn water_heater(b: &mut Build<'_>) {
-    let u = fit(b, [0.19, 0.19, 0.25]);
+    let u = fit(b, [0.304, 0.304, 0.4]);
     let (x, y, h) = spans(b);
-    let r = x.min(y);
+    let r = (x - 0.006 * u).min(y);
     let (low, top) = (0.08 * u, h - 0.05 * u);
     let tall = top - low;
     let bend = (0.06 * u).min(tall * 0.2);
@@ -204,20 +209,20 @@ pub(super) fn water_heater(b: &mut Build<'_>) {
         "gauge",
         [r * 0.99, 0.0, z],
         [r + 1.0, 0.0, z],
-        &[(r * 0.14, 0.0), (r * 0.14, (x - r).max(0.004))],
+        &[(r * 0.14, 0.0), (r * 0.14, (x - r * 0.99).min(0.02 * u))],
         WHITE_PLASTIC,
     );
     b.block(
         "badge",
         [r * 0.98, -r * 0.2, low + tall * 0.7],
-        [r * 1.0 + 0.0005, r * 0.2, low + tall * 0.74],
+        [r * 1.0 + 0.0005 * u, r * 0.2, low + tall * 0.74],
         GREY_PLASTIC,
     );
 }
 
 /// A hearth with logs and flames behind a glass door, under a mantel; or an iron stove.
 pub(super) fn fireplace(b: &mut Build<'_>) {
-    let u = fit(b, [0.2, 0.25, 0.35]);
+    let u = fit(b, [0.32, 0.4, 0.56]);
     let (x, y, h) = spans(b);
     if y < 0.36 || b.rng.chance(0.25) {
         return iron_stove(b, u);
@@ -288,13 +293,13 @@ fn iron_stove(b: &mut Build<'_>, u: f32) {
     let (foot, wall, top) = (h * 0.12, 0.03 * u, h * b.vary(0.66, 0.76));
     let front = x - 0.06 * u;
     for (cx, cy) in [(-x * 0.7, -y * 0.75), (-x * 0.7, y * 0.75), (front * 0.7, -y * 0.75), (front * 0.7, y * 0.75)] {
-        b.taper("foot", [cx, cy, 0.0], (0.02 * u, 0.02 * u), (0.03 * u, 0.03 * u), foot + 0.002, mat);
+        b.taper("foot", [cx, cy, 0.0], (0.02 * u, 0.02 * u), (0.03 * u, 0.03 * u), foot + 0.002 * u, mat);
     }
     let lintel = top - 0.04 * u;
     case(b, [-x * 0.9, -y * 0.92, foot], [front - 0.03 * u, y * 0.92, lintel], wall, mat);
     b.soft("plate", [-x, -y, lintel], [x - 0.02 * u, y, top], 0.012 * u, mat);
     let flue = (x * 0.3).min(0.075 * u);
-    b.cylinder("flue", [-x * 0.55, 0.0, top - 0.002], flue, h - top + 0.002, mat);
+    b.cylinder("flue", [-x * 0.55, 0.0, top - 0.002 * u], flue, h - top + 0.002 * u, mat);
     b.ledge("plate", [x * 0.3, 0.0, top], (x * 0.45, y * 0.85), h * 0.4);
     let hollow = ([-x * 0.9 + wall, -y * 0.92 + wall, foot + wall], [front - 0.04 * u, y * 0.92 - wall, lintel - wall]);
     hearth_fire(b, hollow, u * 0.8);

@@ -15,20 +15,20 @@ pub(super) fn thermostat(b: &mut Build<'_>) {
             "case",
             [-x, 0.0, z],
             [x, 0.0, z],
-            &[(r * 0.9, 0.0), (r, x * 0.6), (r, x * 1.2), (r * 0.85, x * 1.9)],
+            &[(r * 0.9, 0.0), (r, x * 0.6), (r, x * 1.2), (r * 0.85, x * 1.7)],
             mat,
         );
-        b.rod("glass", [x * 0.5, 0.0, z], [x * 0.95, 0.0, z], r * 0.7, BLACK_GLASS);
-        display(b, x * 0.95, (-r * 0.4, z - r * 0.2), (r * 0.4, z + r * 0.2), COOL_BULB);
+        b.rod("glass", [x * 0.4, 0.0, z], [x - 0.0025, 0.0, z], r * 0.7, BLACK_GLASS);
+        display(b, x - 0.0025, (-r * 0.4, z - r * 0.2), (r * 0.4, z + r * 0.2), COOL_BULB);
     } else {
-        b.soft("case", [-x, -y, 0.0], [x * 0.8, y, h], x * 0.5, mat);
-        display(b, x * 0.8, (-y * 0.6, z), (y * 0.6, h * 0.85), LED);
+        b.soft("case", [-x, -y, 0.0], [x - 0.0025, y, h], x * 0.5, mat);
+        display(b, x - 0.0025, (-y * 0.6, z), (y * 0.6, h * 0.85), LED);
         let r = (h * 0.14).min(y * 0.5);
         b.lathe_along(
             "dial",
             [x * 0.78, 0.0, h * 0.25],
             [x * 2.0, 0.0, h * 0.25],
-            &[(r, 0.0), (r * 0.9, x * 0.2)],
+            &[(r, 0.0), (r * 0.9, 0.004)],
             GREY_PLASTIC,
         );
     }
@@ -88,7 +88,7 @@ pub(super) fn intercom(b: &mut Build<'_>) {
         }
     } else {
         b.block("screen", [face - 0.001, -y * 0.85, h * 0.45], [face + x * 0.1, y * 0.85, h * 0.94], SCREEN);
-        b.block("picture", [face, -y * 0.75, h * 0.5], [face + x * 0.12, y * 0.75, h * 0.9], PICTURE_DARK);
+        b.block("picture", [face, -y * 0.75, h * 0.5], [face + x * 0.2, y * 0.75, h * 0.9], PICTURE_DARK);
         for i in 0..5 {
             b.block(
                 "slot",

@@ -107,13 +107,13 @@ pub(super) fn coffee_filter(b: &mut Build<'_>) {
         (-hy * 0.98, z * 0.9),
     ];
     let (count, depth) = (3, if x > 0.05 { x * 0.5 } else { x });
-    let t = depth * 0.6 / count as f32;
+    let t = depth / count as f32;
     for i in 0..count {
         b.prism(
             "filter",
             Axis::X,
-            [-depth / 2.0 + depth * i as f32 / count as f32, 0.0, z * 0.001 * i as f32],
-            &outline.map(|p| (p.0, p.1 * (1.0 - 0.004 * i as f32))),
+            [-depth / 2.0 + depth * i as f32 / count as f32, 0.0, z * 0.012 * (1.0 + 0.3 * i as f32)],
+            &outline.map(|p| (p.0, p.1 * (0.98 - 0.01 * i as f32))),
             t,
             paper,
         );
@@ -129,13 +129,13 @@ pub(super) fn roll_box(b: &mut Build<'_>) {
         "plastic_wrap" => (b.one(&[GREEN_CARD, YELLOW_CARD, TEAL_CARD]), WHITE_PAPER, CLEAR_PLASTIC),
         _ => (b.one(&[CARDBOARD, ORANGE_CARD, GREEN_CARD]), BLACK_CARD, CREAM_PAPER),
     };
-    b.block("box", [-hx, -hy, 0.0], [hx, hy, z * 0.9], card);
+    b.block("box", [-hx, -hy * 0.992, 0.0], [hx, hy * 0.992, z * 0.9], card);
     b.block("lid", [-hx - 0.0007, -hy * 0.999, z * 0.62], [hx * 0.9, hy * 0.999, z * 0.97], card);
     panel(b, hx, (0.0, hy * 0.85), (z * 0.08, z * 0.5), (print, card));
     let rolled = b.rng.chance(0.6);
     if rolled {
-        b.block("sheet", [hx * 0.55, -hy * 0.9, z * 0.95], [hx + 0.0012, hy * 0.9, z], sheet);
-        b.block("sheet", [hx + 0.0002, -hy * 0.9, z * 0.55], [hx + 0.0014, hy * 0.9, z * 0.97], sheet);
+        b.block("sheet", [hx * 0.55, -hy * 0.9, z * 0.95], [hx + 0.0005, hy * 0.9, z], sheet);
+        b.block("sheet", [hx + 0.0002, -hy * 0.88, z * 0.55], [hx + 0.0014, hy * 0.88, z * 0.97], sheet);
     } else {
         b.block("print", [-hx * 0.8, -hy * 0.8, z * 0.96], [hx * 0.6, hy * 0.8, z], print);
     }

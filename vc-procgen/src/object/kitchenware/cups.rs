@@ -12,7 +12,8 @@ const COLOURS: [Mat; 9] =
 /// Cups, mugs and small jugs: a body with an ear.
 pub(super) fn cup(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
-    let r = (x / 2.0).min(y * 0.39) - 0.0008;
+    let milk = b.class == "milk_jug";
+    let r = (x / 2.0).min(y * if milk { 0.34 } else { 0.39 }) * 0.99;
     let t = (r * 0.09).clamp(1e-4, 0.0045);
     let mug = b.class == "mug";
     let mat = b.style.crockery;
@@ -30,7 +31,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
     // Where the handle leaves the body, by the outline there.
     let wall = shape.iter().filter(|p| p.1 > 0.15 && p.1 < 0.9).fold(1.0_f32, |least, p| least.min(p.0)) * r;
     let (low, high) = if mug { (0.18, 0.86) } else { (0.3, 0.88) };
-    ear(b, (wall - t * 0.5, r + (y - 2.0 * r).max(r * 0.3) - 0.001), (h * low, h * high), (r * 0.11).min(0.006), mat);
+    ear(b, (wall - t * 0.5, y - r * if milk { 1.32 } else { 1.02 }), (h * low, h * high), (r * 0.11).min(0.006), mat);
     if b.class == "milk_jug" {
         spout(b, (shape[4].0 * r, h), r * 0.3, mat);
     } else if shape[3].0 == 1.0 && shape[1].0 == 1.0 && b.rng.chance(0.6) {
@@ -42,7 +43,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
 
 /// A lip at the -Y side of a vessel's rim.
 fn spout(b: &mut Build<'_>, (r, h): (f32, f32), reach: f32, mat: Mat) {
-    let y = -r * 0.9;
+    let (y, h) = (-r * 0.9, h * 0.992);
     let points = [
         [r * 0.4, y, h],
         [-r * 0.4, y, h],
@@ -98,7 +99,12 @@ pub(super) fn stemmed(b: &mut Build<'_>) {
     ];
     turn(b, "glass", [0.0; 3], (r, h), &profile, GLASS);
     let floor = h * (stem + rise * 0.09);
-    b.inside("inside", [0.0, 0.0, floor], (r * belly * 0.26, r * belly * 0.26), (h - floor).max(0.0));
+    b.inside(
+        "inside",
+        [0.0, 0.0, floor],
+        ((r * belly * 0.26).max(0.0042), (r * belly * 0.26).max(0.0042)),
+        (h - floor).max(0.0),
+    );
 }
 
 /// Glasses for beer: mugs of thick glass with a handle, or tall ones.
@@ -150,14 +156,13 @@ pub(super) fn carafe(b: &mut Build<'_>) {
     };
     vessel(b, "carafe", (r, h), shape, (r * 0.05).min(0.003), GLASS);
     if stopper {
-        turn(
-            b,
-            "stopper",
-            [0.0, 0.0, h * 0.95],
-            (r * 0.28, z - h * 0.95),
-            &[(0.7, 0.0), (0.85, 0.3), (0.5, 0.4), (1.0, 0.7), (0.5, 1.0)],
-            CORK,
-        );
+        let (neck, plug) = (shape[4].0 * r * 0.85, h * 0.06);
+        let cork = b.one(&[CORK, BLACK_PLASTIC]);
+        b.slide([0.0, 0.0, 1.0], z * 0.3, |b| {
+            b.cylinder("plug", [0.0, 0.0, h - plug], neck * 0.9, plug, cork);
+            let knob = [(1.0, 0.0), (1.0, 0.15), (0.6, 0.25), (0.95, 0.7), (0.5, 1.0)];
+            turn(b, "stopper", [0.0, 0.0, h + 0.0003], (shape[5].0 * r * 0.98, z - h), &knob, cork);
+        });
     }
 }
 
@@ -276,10 +281,10 @@ pub(super) fn flask(b: &mut Build<'_>) {
             }
         }
         "thermos" if y > x * 1.05 => ear(b, (r * 0.95, y - r), (z * 0.35, z * 0.75), r * 0.12, BLACK_PLASTIC),
-        "water_bottle" if b.rng.chance(0.5) => {
+        "water_bottle" if b.rng.chance(0.5) => b.slide([0.0, 0.0, 1.0], z * 0.4, |b| {
             let loop_ = arch([0.0, 0.0, z * 0.97], [0.0, c * 0.6, 0.0], [0.0, 0.0, z * 0.025]);
             tube(b, "strap", &loop_, z * 0.005, [1.0, 0.0, 0.0], cap);
-        }
+        }),
         _ => {}
     }
 }
@@ -312,8 +317,12 @@ pub(super) fn coffee_pot(b: &mut Build<'_>) {
         super::form::loft(b, "lid", &rings, mat);
         turn(b, "knob", [0.0, 0.0, z * 0.92], (r * 0.2, z * 0.08), KNOB, BLACK_PLASTIC);
     });
-    let points =
-        [[r * 0.3, -r * 0.8, h], [-r * 0.3, -r * 0.8, h], [0.0, -r - spare * 0.2, h], [0.0, -r * 0.8, h * 0.8]];
+    let points = [
+        [r * 0.3, -r * 0.8, h * 0.992],
+        [-r * 0.3, -r * 0.8, h * 0.992],
+        [0.0, -r - spare * 0.2, h * 0.992],
+        [0.0, -r * 0.8, h * 0.8],
+    ];
     b.hull("lip", &points, mat);
     let (g, out) = (r * 0.11, r + spare * 0.8 - r * 0.11);
     let path = [

@@ -152,7 +152,12 @@ pub(super) fn knife(b: &mut Build<'_>) {
     ];
     sweep(b, "handle", &path, ACROSS, grip);
     if !plain && grip != STEEL {
-        b.block("bolster", [middle - w, root - y * 0.015, h * 0.2], [middle + w, root + y * 0.015, z - h * 0.2], STEEL);
+        b.block(
+            "bolster",
+            [middle - w * 0.97, root - y * 0.015, h * 0.2],
+            [middle + w * 0.97, root + y * 0.015, z - h * 0.2],
+            STEEL,
+        );
         for k in [0.3, 0.55, 0.8] {
             let p = at(k);
             b.cylinder("rivet", [p[0], p[1], z * 0.02], w * 0.16, z * 0.96, STEEL);
@@ -167,9 +172,9 @@ pub(super) fn chopsticks(b: &mut Build<'_>) {
     let thick = z.min(x * 0.4) / 2.0;
     for side in [-1.0, 1.0] {
         let at = |k: f32, r: f32| ([side * (x / 2.0 - thick), y * k, thick], r, r);
-        sweep(b, "stick", &[at(-0.5, thick), at(0.0, thick * 0.9), at(0.5, thick * 0.5)], ACROSS, mat);
+        sweep(b, "stick", &[at(-0.5, thick * 0.95), at(0.0, thick * 0.85), at(0.5, thick * 0.5)], ACROSS, mat);
         if side > 0.0 || mat == BLACK {
-            let band = thick * 0.99;
+            let band = thick;
             b.rod(
                 "band",
                 [side * (x / 2.0 - thick), -y * 0.42, thick],
@@ -189,7 +194,7 @@ pub(super) fn drinking_straw(b: &mut Build<'_>) {
         b.one(&[WHITE_PAPER, WHITE_PLASTIC, STEEL, BAMBOO]),
         b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, PINK_PLASTIC]),
     );
-    let profile = [(0.93, 0.0), (0.93, 1.0), (0.75, 1.0), (0.75, 0.0), (0.93, 0.0)];
+    let profile = [(0.82, 0.0), (0.82, 1.0), (0.56, 1.0), (0.56, 0.0), (0.82, 0.0)];
     let from = [0.0, -y / 2.0, r];
     let straw: Vec<_> = profile.iter().map(|p| (p.0 * r, p.1 * y)).collect();
     b.lathe_along("straw", from, [0.0, y / 2.0, r], &straw, mat);
@@ -198,7 +203,7 @@ pub(super) fn drinking_straw(b: &mut Build<'_>) {
         for i in 0..stripes {
             let at = y * (i as f32 + 0.3) / stripes as f32;
             let wide = y * 0.4 / stripes as f32;
-            let ring = [(r * 0.9, at), (r, at), (r, at + wide), (r * 0.9, at + wide), (r * 0.9, at)];
+            let ring = [(r * 0.72, at), (r, at), (r, at + wide), (r * 0.72, at + wide), (r * 0.72, at)];
             b.lathe_along("stripe", from, [0.0, y / 2.0, r], &ring, stripe);
         }
     }

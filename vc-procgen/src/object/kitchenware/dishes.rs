@@ -24,11 +24,13 @@ pub(super) fn plate(b: &mut Build<'_>) {
         (_, true) => vec![(flat, 0.0), (0.85, 0.3), (0.95, 0.65), (1.0, 1.0)],
         _ => vec![(flat, 0.0), (flat + 0.08, 0.3), (flat + 0.13, 0.55), (1.0, 1.0)],
     };
-    let outside: Vec<_> = outside.into_iter().map(|p| (p.0 * r, p.1 * h)).collect();
+    let painted = b.rng.chance(0.4);
+    let rim = if painted { (h * 0.06).min(0.0008) } else { 0.0 };
+    let outside: Vec<_> = outside.into_iter().map(|p| (p.0 * (r - rim), p.1 * (h - rim))).collect();
     b.lathe("plate", [0.0; 3], &shell(&outside, t), mat);
-    if b.rng.chance(0.4) {
+    if painted {
         let colour = b.one(&[BLUE_GLAZE, GREEN_GLAZE, RED_GLAZE, YELLOW_GLAZE, BLACK_GLAZE]);
-        hoop(b, "ring", (h * 0.94, h), (r * 0.955, r * 0.985), colour);
+        hoop(b, "ring", (h * 0.88, h), (r * 0.955, r), colour);
     }
     if saucer {
         let well = flat * 0.7 * r;
@@ -64,19 +66,21 @@ pub(super) fn bowl(b: &mut Build<'_>) {
     let t = (r * 0.05).min(h * 0.08).clamp(1e-4, 0.006);
     if b.class == "ramekin" {
         let mut outside = vec![(0.9, 0.0)];
-        for i in 0..6 {
-            let z = 0.06 + 0.13 * i as f32;
-            outside.extend([(0.9, z), (0.94, z + 0.03), (0.94, z + 0.08)]);
+        for i in 0..5 {
+            let z = 0.06 + 0.16 * i as f32;
+            outside.extend([(0.9, z), (0.94, z + 0.05)]);
         }
         outside.extend([(0.95, 0.88), (1.0, 0.92), (1.0, 1.0)]);
         vessel(b, "bowl", (r, h), &outside, t, mat);
         return;
     }
     let shape = b.one(&BOWLS);
-    vessel(b, "bowl", (r, h), shape, t, mat);
-    if b.rng.chance(0.5) {
+    let rimmed = b.rng.chance(0.5);
+    let body = if rimmed { h - (h * 0.03).min(0.0008) } else { h };
+    vessel(b, "bowl", (r, body), shape, t, mat);
+    if rimmed {
         let colour = b.one(&[mat, BLUE_GLAZE, GREEN_GLAZE, RED_GLAZE, STONEWARE]);
-        hoop(b, "rim", (h * 0.93, h), (r - t * 0.4, r + 0.0005), colour);
+        hoop(b, "rim", (h * 0.93, h), (r - t * 1.3, r + 0.0005), colour);
     }
 }
 

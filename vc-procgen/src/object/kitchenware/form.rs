@@ -10,6 +10,9 @@ use crate::material::Mat;
 /// Points around a bent or oval thing; a multiple of four, and enough to look round.
 const SIDES: usize = 12;
 
+/// Half the side of the smallest place for things, metres.
+const LEAST: f32 = 0.0042;
+
 /// Half a turn in some steps: what handles and loops are bent along.
 const BENDS: usize = 7;
 
@@ -98,7 +101,12 @@ pub(in crate::object) fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f
         let up = way.cross(&side).try_normalize(1e-12).unwrap_or_else(Vector3::z);
         let point = move |k: usize| {
             let (s, c) = (TAU * k as f32 / SIDES as f32).sin_cos();
-            (centre + side * (width * c) + up * (thick * s)).into()
+            let mut p: P = (centre + side * (width * c) + up * (thick * s)).into();
+            // Both ends are cut square to an axis, so that they stay where they were put.
+            if i == 0 || i + 1 == path.len() {
+                p[way.iamax()] = path[i].0[way.iamax()];
+            }
+            p
         };
         (0..SIDES).map(point).collect()
     };
@@ -258,5 +266,10 @@ pub(in crate::object) fn vessel(
     let narrowest = profile[outside.len()..].iter().fold(r, |least, p| least.min(p.0));
     b.lathe(name, [0.0; 3], &profile, mat);
     let floor = profile.last().map_or(t, |p| p.1);
-    b.inside("inside", [0.0, 0.0, floor], (narrowest * 0.66, narrowest * 0.66), (h - floor).max(0.0));
+    b.inside(
+        "inside",
+        [0.0, 0.0, floor],
+        ((narrowest * 0.66).max(LEAST), (narrowest * 0.66).max(LEAST)),
+        (h - floor).max(0.0),
+    );
 }

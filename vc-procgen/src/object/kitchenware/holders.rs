@@ -19,13 +19,14 @@ pub(super) fn knife_block(b: &mut Build<'_>) {
     let handle = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, WALNUT, STEEL]);
     let count = ((y / 0.03) as usize).clamp(3, 6);
     for row in 0..2 {
-        for i in 0..count {
+        // The left half of the back row is free.
+        for i in 0..if row == 0 { count } else { count.div_ceil(2) } {
             let at = hy * 0.8 * (2.0 * (i as f32 + 0.5) / count as f32 - 1.0);
             let k = 0.3 + 0.4 * row as f32;
             let (mx, mz) = (hx * (0.9 - 1.3 * k), h * (0.55 + 0.45 * k));
             let long = (z - mz) * if row == 0 { 0.75 } else { 0.97 };
             let w = (hy * 0.5 / count as f32).min(hx * 0.12);
-            let (ux, uz) = (0.35 * long, long);
+            let (ux, uz) = ((0.35 * long).min(hx * 0.35), long);
             let points: Vec<_> = [(0.0, 1.0), (1.0, 0.8)]
                 .iter()
                 .flat_map(|&(k, s)| {
@@ -41,8 +42,8 @@ pub(super) fn knife_block(b: &mut Build<'_>) {
             b.hull("knife", &points, handle);
         }
     }
-    let mouth = [hx * 0.55, 0.0, h * 0.82];
-    b.inside("slot", mouth, (hx * 0.05, hy * 0.2), z * 0.1);
+    let lift = 0.45 * h / (1.3 * hx) * 0.0045;
+    b.inside("slot", [-hx * 0.01, hy * 0.45, h * 0.865 + lift], (0.0045, (hy * 0.3).max(0.0045)), z - h);
 }
 
 /// A crock or a basket of wire for spoons and whisks.
@@ -56,9 +57,9 @@ pub(super) fn utensil_holder(b: &mut Build<'_>) {
         [(0.8, 0.0), (1.0, 0.3), (0.95, 0.7), (0.98, 1.0)],
     ]);
     let r = r - 0.0006;
-    vessel(b, "crock", (r, z), &shape, (r * 0.07).min(0.005), mat);
+    vessel(b, "crock", (r, z - (z * 0.02).min(0.001)), &shape, (r * 0.07).min(0.005), mat);
     let band = b.one(&[mat, STEEL, b.style.wood]);
-    hoop(b, "rim", (z * 0.94, z), (r * 0.95, r + 0.0005), band);
+    hoop(b, "rim", (z * 0.94, z), (r * 0.9, r + 0.0005), band);
 }
 
 /// A tray with compartments for cutlery.
@@ -83,7 +84,7 @@ pub(super) fn cutlery_tray(b: &mut Build<'_>) {
     for i in 0..lanes {
         let at = -hy + t + pitch * i as f32;
         if i > 0 {
-            b.block("wall", [-hx + t * 0.5, at - t / 2.0, t * 0.5], [cross - t * 0.5, at + t / 2.0, high], mat);
+            b.block("wall", [-hx + t * 0.5, at - t / 2.0, t * 0.5], [cross - t * 0.5, at + t / 2.0, high * 0.97], mat);
         }
         let name = format!("compartment_{}", i + 2);
         let half = (((cross - 2.0 * t + hx) / 2.0 * 0.94).max(1e-4), (pitch / 2.0 - t).max(1e-4) * 0.95);
@@ -241,9 +242,9 @@ pub(super) fn food_container(b: &mut Build<'_>) {
             b,
             "lid",
             &[
-                at(h + 0.0003, 0.99),
-                at(h + (z - h) * 0.2, 1.0),
-                at(z - (z - h) * 0.3, 1.0),
+                at(h + 0.0003, 0.975),
+                at(h + (z - h) * 0.2, 0.985),
+                at(z - (z - h) * 0.3, 0.985),
                 at(z - (z - h) * 0.3, 0.9),
                 at(z, 0.86),
             ],
@@ -417,8 +418,8 @@ pub(super) fn ice_box(b: &mut Build<'_>) {
     b.hinge([-hx, 0.0, h + 0.001], [0.0, -1.0, 0.0], 1.75, |b| {
         let at = |z: f32, k: f32| level(z, (hx * k, hy * 0.95 * k), 0.2);
         loft(b, "lid", &[at(h + 0.001, 0.98), at(h + (z - h) * 0.2, 1.0), at(z * 0.97, 1.0), at(z, 0.95)], cap);
+        b.top("top", [0.0, 0.0, z], (hx * 0.85, hy * 0.8));
     });
-    b.top("top", [0.0, 0.0, z], (hx * 0.85, hy * 0.8));
     let w = (hy * 0.03).min(0.01);
     for side in [-1.0_f32, 1.0] {
         let (y0, y1) = (side * (hy * 0.88), side * (hy - w * 0.1));
@@ -439,14 +440,22 @@ pub(super) fn mat(b: &mut Build<'_>) {
     };
     let edge = b.one(&[colour, b.style.accent, WENGE]);
     let round = if placemat { b.one(&[0.05, 0.3, 1.0]) } else { b.one(&[1.0, 1.0, 0.1, 0.3]) };
-    let low = z * 0.75;
+    let striped = placemat && round < 0.2;
+    let low = z * if striped { 0.6 } else { 0.75 };
     b.prism("mat", Axis::Z, [0.0; 3], &rounded((hx, hy), round), low, edge);
-    b.prism("middle", Axis::Z, [0.0, 0.0, low * 0.5], &rounded((hx * 0.93, hy * 0.93), round), z - low * 0.5, colour);
+    b.prism(
+        "middle",
+        Axis::Z,
+        [0.0, 0.0, low * 0.5],
+        &rounded((hx * 0.93, hy * 0.93), round),
+        (if striped { z * 0.85 } else { z }) - low * 0.5,
+        colour,
+    );
     b.top("top", [0.0, 0.0, z], (hx * 0.66, hy * 0.66));
-    if placemat && round < 0.2 {
+    if striped {
         for i in 0..10 {
             let at = hy * 0.86 * (i as f32 / 4.5 - 1.0);
-            b.block("stripe", [-hx * 0.9, at - hy * 0.015, low], [hx * 0.9, at + hy * 0.015, z * 0.995], edge);
+            b.block("stripe", [-hx * 0.9, at - hy * 0.015, low], [hx * 0.9, at + hy * 0.015, z], edge);
         }
     }
 }
@@ -468,7 +477,7 @@ pub(super) fn trivet(b: &mut Build<'_>) {
             }
             for i in 0..3 {
                 b.at([0.0; 3], TAU * i as f32 / 3.0, |b| {
-                    b.block("bar", [0.0, -r * 0.05, 0.0], [r * 0.99, r * 0.05, z * 0.9], colour)
+                    b.block("bar", [0.0, -r * 0.05, 0.0], [r * 0.99, r * 0.05, z * (0.82 + 0.05 * i as f32)], colour)
                 });
             }
         }

@@ -3,7 +3,7 @@
 use std::f32::consts::TAU;
 
 use super::dishes::KNOB;
-use super::form::{arch, dims, hoop, sweep, tub, tube, turn, vessel};
+use super::form::{arch, dims, hoop, shell, sweep, tub, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::Build;
 
@@ -63,7 +63,7 @@ pub(super) fn pot(b: &mut Build<'_>) {
     let t = (r * 0.04).min(if cast { 0.006 } else { 0.003 });
     vessel(b, "pot", (r, h), &[(foot, 0.0), (belly, 0.1), (1.0, 0.5), (1.0, 1.0)], t, mat);
     if cover == GLASS {
-        hoop(b, "rim", (h - 0.002, h + 0.003), (r * 0.94, r), STEEL);
+        hoop(b, "rim", (h * 0.98, h + (knob * 0.1).min(0.003)), (r * 0.92, r * 0.985), STEEL);
     }
     lid(b, r * if cover == GLASS { 0.93 } else { 0.99 }, (h, z), (cover, grip));
     if b.class == "pressure_cooker" {
@@ -74,11 +74,11 @@ pub(super) fn pot(b: &mut Build<'_>) {
     }
     let thick = (r * 0.07).min(0.008);
     if long {
-        long_grip(b, (r * 0.97, h * 0.75), (y - r, h * 0.9), (thick * 1.5, thick), grip);
+        long_grip(b, (r * 0.97, h * 0.75), (y - r - (y - 2.0 * r) * 0.12, h * 0.9), (thick * 1.5, thick), grip);
         loop_grip(b, -1.0, (r * 0.97, r + (y - 2.0 * r) * 0.12), h * 0.8, r * 0.3, thick, grip);
     } else {
         for side in [-1.0, 1.0] {
-            loop_grip(b, side, (r * 0.97, y / 2.0), h * 0.82, r * 0.32, thick, grip);
+            loop_grip(b, side, (r * 0.94, y / 2.0), h * 0.82, r * 0.32, thick, grip);
         }
     }
 }
@@ -108,11 +108,22 @@ pub(super) fn pan(b: &mut Build<'_>) {
         b.top("top", [0.0, 0.0, t], (r * 0.46, r * 0.46));
     }
     let thick = (z * 0.12).min(0.009);
-    long_grip(b, (r * 0.95, h * 0.75), (y - r, z - thick), (thick * 1.6, thick), grip);
+    long_grip(
+        b,
+        (r * 0.95, h * 0.75),
+        (y - r * if saucepan { 1.1 } else { 1.0 }, z - thick),
+        (thick * 1.6, thick),
+        grip,
+    );
     let plate = r * 0.09;
     b.block("rivets", [-plate, r * 0.93, h * 0.6], [plate, r + thick * 0.5, h * 0.9], STEEL);
     if saucepan && b.rng.chance(0.4) {
-        let points = [[r * 0.3, -r * 0.9, h], [-r * 0.3, -r * 0.9, h], [0.0, -r * 1.1, h], [0.0, -r * 0.92, h * 0.8]];
+        let points = [
+            [r * 0.3, -r * 0.9, h * 0.992],
+            [-r * 0.3, -r * 0.9, h * 0.992],
+            [0.0, -r * 1.1, h * 0.992],
+            [0.0, -r * 0.92, h * 0.8],
+        ];
         b.hull("lip", &points, mat);
     }
 }
@@ -172,8 +183,10 @@ pub(super) fn tin(b: &mut Build<'_>) {
         b.top("top", [0.0, 0.0, t], half);
     }
     if grips {
+        // The ends of round dishes fall back from their middle.
+        let grip_wall = if round > 0.5 { wy - lip - wx * 0.075 } else { (wy - lip) * 0.97 };
         for side in [-1.0, 1.0] {
-            loop_grip(b, side, (wy - lip, hy), h * 0.85, wx * 0.35, (h * 0.08).min(0.006), mat);
+            loop_grip(b, side, (grip_wall, hy), h * 0.85, wx * 0.35, (h * 0.08).min(0.006), mat);
         }
     }
     if lidded {
@@ -198,7 +211,7 @@ pub(super) fn round_tin(b: &mut Build<'_>) {
         // The wavy rim of a tart dish.
         for i in 0..24 {
             b.at([0.0; 3], TAU * i as f32 / 24.0, |b| {
-                let (low, high) = (r * 0.86, r * 0.99);
+                let (low, high, h) = (r * 0.86, r * 0.99, h * 0.98);
                 b.hull(
                     "wave",
                     &[
@@ -327,9 +340,10 @@ pub(super) fn mortar_and_pestle(b: &mut Build<'_>) {
     let mat = b.one(&[GRANITE, MARBLE, PORCELAIN, b.style.wood, BLACK_GRANITE]);
     let shape =
         b.one(&[[(0.6, 0.0), (0.62, 0.12), (0.9, 0.4), (1.0, 1.0)], [(0.8, 0.0), (0.9, 0.2), (0.98, 0.6), (1.0, 1.0)]]);
-    vessel(b, "mortar", (r, h), &shape, r * 0.16, mat);
+    let outside: Vec<_> = shape.iter().map(|p| (p.0 * r, p.1 * h)).collect();
+    b.lathe("mortar", [0.0; 3], &shell(&outside, r * 0.16), mat);
     let (thick, lean) = (r * 0.13, r * 0.5);
-    let foot = [-r * 0.15, 0.0, r * 0.16 + thick * 1.3];
+    let foot = [-r * 0.15, 0.0, r * 0.155];
     let way = [lean + r * 0.15, 0.0, z - thick - foot[2]];
     let at = |k: f32| [foot[0] + way[0] * k, 0.0, foot[2] + way[2] * k];
     let path = [

@@ -58,7 +58,7 @@ pub(super) fn spatula(b: &mut Build<'_>) {
         b.prism("blade", Axis::Z, [0.0, root, z / 2.0 - t / 2.0], &blade, t, mat);
     } else {
         // Four bars between the ends leave three slots.
-        for k in [-0.86, -0.3, 0.3, 0.86] {
+        for k in [-0.84, -0.29, 0.29, 0.84] {
             b.block(
                 "blade",
                 [hx * k - hx * 0.14, root + length * 0.2, 0.0],
@@ -66,9 +66,9 @@ pub(super) fn spatula(b: &mut Build<'_>) {
                 mat,
             );
         }
-        b.block("blade", [-hx, tip - length * 0.2, 0.0], [hx, tip, t * 0.9], mat);
+        b.block("blade", [-hx, tip - length * 0.2, 0.0], [hx, tip, t * 0.8], mat);
         let fan = [(-hx * 0.2, 0.0), (hx * 0.2, 0.0), (hx, length * 0.25), (-hx, length * 0.25)];
-        b.prism("blade", Axis::Z, [0.0, root, t * 0.05], &fan, t * 0.9, mat);
+        b.prism("blade", Axis::Z, [0.0, root, t * 0.15], &fan, t * 0.65, mat);
     }
     let r = (z * 0.28).min(0.008);
     let lift = if soft { z / 2.0 } else { z - r };
@@ -111,9 +111,14 @@ pub(super) fn ladle(b: &mut Build<'_>) {
         hoop_at(b, [0.0, centre, 0.0], (t, rim), (r * 0.9, r), mat);
         for i in 0..9 {
             let at = r * 0.92 * (i as f32 / 4.0 - 1.0);
-            let reach = ((r * 0.95).powi(2) - at * at).max(0.0).sqrt().max(r * 0.1);
+            let reach = ((r * 0.96).powi(2) - at * at).max(0.0).sqrt().max(r * 0.1);
             b.block("wire", [at - r * 0.05, centre - reach, t * 0.5], [at + r * 0.05, centre + reach, t * 1.5], mat);
-            b.block("wire", [-reach, centre + at - r * 0.03, 0.0], [reach, centre + at + r * 0.03, t], mat);
+            b.block(
+                "wire",
+                [-reach * 0.98, centre + at - r * 0.03, 0.0],
+                [reach * 0.98, centre + at + r * 0.03, t],
+                mat,
+            );
         }
         tube(b, "neck", &[[0.0, centre - r * 0.95, rim * 0.6], [0.0, -y * 0.1, z - neck]], neck, ACROSS, mat);
         grip(b, [0.0, -y / 2.0, z - neck], [0.0, -y * 0.05, z - neck], (neck * 1.8, neck), handle);
@@ -177,7 +182,7 @@ pub(super) fn kitchen_tongs(b: &mut Build<'_>) {
         ];
         sweep(b, "tip", &path, [0.0, 0.0, 1.0], tip_mat);
     }
-    b.block("hinge", [-hx * 0.3, -y / 2.0, z * 0.2], [hx * 0.3, -y * 0.46, z * 0.8], mat);
+    b.block("hinge", [-hx * 0.3, -y * 0.49, z * 0.2], [hx * 0.3, -y * 0.46, z * 0.8], mat);
 }
 
 /// Graters: boxes with four sides, or flat ones with a grip.
@@ -252,16 +257,18 @@ pub(super) fn mandoline(b: &mut Build<'_>) {
     let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC, STEEL]);
     let t = (z * 0.2).min(0.012);
     let slab = |b: &mut Build<'_>, name: &str, x: f32, (y0, y1): (f32, f32), lift: f32, thick: f32, mat: Mat| {
-        let height = |y: f32| (z - thick - lift) * (y / hy + 1.0) / 2.0 + lift;
+        // The rails stand out above and below.
+        let high = if name == "rail" { z } else { z * 0.96 };
+        let height = |y: f32| (high - thick - lift) * (y / hy + 1.0) / 2.0 + lift;
         let points: Vec<P> = [(y0, 0.0), (y0, thick), (y1, 0.0), (y1, thick)]
             .iter()
             .flat_map(|&(y, up)| [[-x, y, height(y) + up], [x, y, height(y) + up]])
             .collect();
         b.hull(name, &points, mat);
     };
-    slab(b, "board", hx * 0.85, (-hy, hy * 0.1), 0.0, t * 0.6, mat);
-    slab(b, "board", hx * 0.85, (hy * 0.16, hy), 0.0, t * 0.6, mat);
-    slab(b, "blade", hx * 0.84, (hy * 0.08, hy * 0.18), t * 0.3, t * 0.4, STEEL);
+    slab(b, "board", hx * 0.85, (-hy * 0.985, hy * 0.1), t * 0.15, t * 0.6, mat);
+    slab(b, "board", hx * 0.85, (hy * 0.16, hy * 0.985), t * 0.15, t * 0.6, mat);
+    slab(b, "blade", hx * 0.84, (hy * 0.08, hy * 0.18), t * 0.4, t * 0.5, STEEL);
     for side in [-1.0, 1.0] {
         b.at([side * hx * 0.92, 0.0, 0.0], 0.0, |b| slab(b, "rail", hx * 0.08, (-hy, hy), 0.0, t, mat));
         b.block(
@@ -285,7 +292,11 @@ pub(super) fn peeler(b: &mut Build<'_>) {
             tube(
                 b,
                 "fork",
-                &[[side * hx * 0.3, fork, mid], [side * hx * 0.85, y * 0.32, mid], [side * hx * 0.9, y / 2.0, mid]],
+                &[
+                    [side * hx * 0.3, fork, mid],
+                    [side * (hx - z * 0.3) * 0.95, y * 0.32, mid],
+                    [side * (hx - z * 0.3), y / 2.0, mid],
+                ],
                 z * 0.28,
                 [0.0, 0.0, 1.0],
                 STEEL,
@@ -301,9 +312,9 @@ pub(super) fn peeler(b: &mut Build<'_>) {
         b.prism(
             "slot",
             Axis::Z,
-            [0.0, y * 0.1, mid - z * 0.12],
-            &rounded((hx * 0.2, y * 0.001 + hx * 0.2), 1.0),
-            z * 0.24,
+            [0.0, y * 0.1, mid - z * 0.2],
+            &rounded((hx * 0.2, hx * 0.2), 1.0),
+            z * 0.4,
             BLACK_PLASTIC,
         );
         grip(b, [0.0, -y / 2.0, mid], [0.0, y * 0.1, mid], (hx * 0.95, mid), handle);
@@ -315,7 +326,7 @@ pub(super) fn levers(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let handle = b.one(&[BLACK_PLASTIC, RED_PLASTIC, STEEL, GREEN_PLASTIC]);
     let (hx, mid) = (x / 2.0, z / 2.0);
-    let head = y * 0.18;
+    let head = y * if b.class == "garlic_press" { 0.26 } else { 0.18 };
     let thick = (z * 0.25).min(x * 0.12);
     if b.class == "kitchen_scissors" {
         return scissors(b, handle);
@@ -352,14 +363,14 @@ fn scissors(b: &mut Build<'_>, handle: Mat) {
             (side * hx * 0.22, -y * 0.06),
             (side * hx * 0.3, pivot),
             (side * hx * 0.28, y * 0.25),
-            (0.0, y * 0.49),
-            (-side * hx * 0.04, y * 0.49),
+            (0.0, y * 0.475),
+            (-side * hx * 0.04, y * 0.475),
             (-side * hx * 0.15, pivot),
             (-side * hx * 0.1, -y * 0.06),
         ];
         b.prism("blade", Axis::Z, [0.0, pivot, low], &blade, t, STEEL);
         let r = (hx * 0.13).min(z * 0.45);
-        let (ox, oy) = (hx * 0.5 - r * 0.5, y * 0.17);
+        let (ox, oy) = ((hx * 0.5 - r).max(r * 0.2), y * 0.17);
         let centre = [-side * (hx - ox - r), -y / 2.0 + oy + r, z / 2.0];
         let mut bow = oval(centre, (ox, oy));
         bow.push(bow[0]);
@@ -401,7 +412,7 @@ pub(super) fn corkscrew(b: &mut Build<'_>) {
     let mid = z / 2.0;
     let r = (z * 0.3).min(x * 0.2);
     let w = r * 0.25;
-    let (top, tip) = (-y / 2.0 + z, y / 2.0);
+    let (top, tip) = (-y / 2.0 + z, y / 2.0 - w);
     let turns = 24;
     let points: Vec<P> = (0..=turns)
         .map(|i| {
@@ -411,7 +422,7 @@ pub(super) fn corkscrew(b: &mut Build<'_>) {
             [thin * c, top + (tip - top) * (0.35 + 0.65 * k), mid + thin * s]
         })
         .collect();
-    helix(b, &points, w);
+    helix(b, &points, mid, w);
     b.rod("shaft", [0.0, top - z * 0.2, mid], [0.0, top + (tip - top) * 0.37, mid], w * 1.6, STEEL);
     let hx = x / 2.0;
     let path = [
@@ -424,13 +435,19 @@ pub(super) fn corkscrew(b: &mut Build<'_>) {
     sweep(b, "grip", &path, [0.0, 0.0, 1.0], handle);
 }
 
-/// A wire of three sides through points anywhere.
-fn helix(b: &mut Build<'_>, points: &[P], w: f32) {
-    let ring = |p: &P| vec![[p[0], p[1] - w, p[2] - w], [p[0], p[1] + w, p[2] - w], [p[0], p[1], p[2] + w]];
-    for pair in points.windows(2) {
-        let corners: Vec<P> = pair.iter().flat_map(ring).collect();
-        b.hull("screw", &corners, STEEL);
-    }
+/// A wire wound around the Y axis at height `mid`.
+fn helix(b: &mut Build<'_>, points: &[P], mid: f32, w: f32) {
+    let ring = |p: &P| {
+        let (x, z) = (p[0], p[2] - mid);
+        let out = x.hypot(z).max(1e-6);
+        let point = |k: usize| {
+            let (s, c) = (TAU * k as f32 / 6.0).sin_cos();
+            [p[0] + x / out * w * c, p[1] + w * s, p[2] + z / out * w * c]
+        };
+        (0..6).map(point).collect()
+    };
+    let rings: Vec<Vec<P>> = points.iter().map(ring).collect();
+    loft(b, "screw", &rings, STEEL);
 }
 
 /// A bent wire or a plate with holes, on a grip.
@@ -522,7 +539,7 @@ pub(super) fn pastry_brush(b: &mut Build<'_>) {
     let (mid, root) = (z / 2.0, y * 0.22);
     b.soft("ferrule", [-x / 2.0, y * 0.12, 0.0], [x / 2.0, root + y * 0.02, z], z * 0.2, STEEL);
     for i in 0..7 {
-        let at = x * 0.44 * (i as f32 / 3.0 - 1.0);
+        let at = x * 0.42 * (i as f32 / 3.0 - 1.0);
         b.block(
             "bristles",
             [at - x * 0.055, root, z * 0.1],
@@ -588,8 +605,13 @@ pub(super) fn measuring_cup(b: &mut Build<'_>) {
         (r * 0.05).min(0.004),
         mat,
     );
-    ear(b, (r * 0.88, y - r), (h * 0.25, h * 0.93), r * 0.1, mat);
-    let lip = [[r * 0.35, -r * 0.92, h], [-r * 0.35, -r * 0.92, h], [0.0, -r * 1.12, h], [0.0, -r * 0.9, h * 0.82]];
+    ear(b, (r * 0.88, y - r * 1.13), (h * 0.25, h * 0.93), r * 0.1, mat);
+    let lip = [
+        [r * 0.35, -r * 0.92, h * 0.992],
+        [-r * 0.35, -r * 0.92, h * 0.992],
+        [0.0, -r * 1.12, h * 0.992],
+        [0.0, -r * 0.9, h * 0.82],
+    ];
     b.hull("lip", &lip, mat);
     for i in 1..6 {
         let z = h * 0.14 * i as f32;
@@ -608,7 +630,12 @@ pub(super) fn measuring_spoon(b: &mut Build<'_>) {
     let outside: Vec<_> =
         [(0.5, 0.0), (0.85, 0.25), (0.98, 0.7), (1.0, 1.0)].iter().map(|p| (p.0 * r, p.1 * z)).collect();
     b.lathe("bowl", [0.0, centre, 0.0], &shell(&outside, (r * 0.08).min(0.0015)), mat);
-    b.inside("inside", [0.0, centre, (r * 0.08).min(0.0015)], (r * 0.28, r * 0.28), z * 0.9);
+    b.inside(
+        "inside",
+        [0.0, centre, (r * 0.08).min(0.0015)],
+        ((r * 0.28).max(0.0042), (r * 0.28).max(0.0042)),
+        z * 0.9,
+    );
     let t = (z * 0.08).min(0.0015);
     let at = |k: f32| [0.0, -y / 2.0 + (centre - r * 0.93 + y / 2.0) * k, z - t];
     let path = [(at(0.0), x * 0.1, t), (at(0.05), x * 0.2, t), (at(0.6), x * 0.16, t), (at(1.0), x * 0.2, t)];
@@ -625,7 +652,7 @@ pub(super) fn colander(b: &mut Build<'_>) {
     b.at([0.0, 0.0, foot], 0.0, |b| {
         vessel(b, "bowl", (r, h), &[(0.4, 0.0), (0.68, 0.2), (0.9, 0.6), (1.0, 1.0)], t, mat)
     });
-    hoop(b, "foot", (0.0, foot + t), (r * 0.36, r * 0.42), mat);
+    hoop(b, "foot", (0.0, foot + t * 0.4), (r * 0.36, r * 0.42), mat);
     for row in 0..4 {
         let (k, rise) = ([0.62, 0.76, 0.86, 0.93][row], [0.16, 0.34, 0.5, 0.68][row]);
         let holes = 12;
@@ -650,9 +677,9 @@ pub(super) fn colander(b: &mut Build<'_>) {
     for side in [-1.0, 1.0] {
         let w = (r * 0.04).min(0.005);
         let path = arch(
-            [0.0, side * r * 0.98, z - w],
+            [0.0, side * r * 0.94, z - w],
             [r * 0.3, 0.0, 0.0],
-            [0.0, side * (y / 2.0 - r * 0.98 - w).max(1e-3), 0.0],
+            [0.0, side * (y / 2.0 - r * 0.94 - w).max(1e-3), 0.0],
         );
         tube(b, "handle", &path, w, [0.0, 0.0, 1.0], mat);
     }
@@ -841,10 +868,10 @@ pub(super) fn meat_thermometer(b: &mut Build<'_>) {
         "dial",
         from,
         to,
-        &[(r * 0.95, 0.0), (r, depth * 0.2), (r, depth), (r * 0.5, depth * 1.5), (r * 0.15, depth * 2.5)],
+        &[(r * 0.95, depth * 0.08), (r, depth * 0.2), (r, depth), (r * 0.5, depth * 1.5), (r * 0.15, depth * 2.5)],
         STEEL,
     );
-    b.rod("face", [0.0, -y / 2.0 - 0.0, r], [0.0, -y / 2.0 + depth * 0.1, r], r * 0.82, WHITE_PAPER);
+    b.rod("face", [0.0, -y / 2.0 - 0.0, r], [0.0, -y / 2.0 + depth * 0.2, r], r * 0.82, WHITE_PAPER);
     b.lathe_along("needle", from, to, &[(r * 0.12, depth), (r * 0.12, y * 0.92), (0.0, y)], STEEL);
 }
 

@@ -11,7 +11,8 @@ pub(super) fn ceiling_lamp(b: &mut Build<'_>) {
     let r = x.min(y);
     let metal = stand_mat(b);
     let plate = h * 0.12;
-    match b.rng.below(5) {
+    let design = b.rng.below(5);
+    match if h > r && design == 2 { 1 } else { design } {
         0 => {
             b.cylinder("plate", [0.0, 0.0, h - plate], r * 0.6, plate, metal);
             let bowl = [(r * 0.1, 0.0), (r * 0.6, h * 0.12), (r * 0.9, h * 0.4), (r, h * 0.8), (r, h - plate * 0.9)];
@@ -78,7 +79,7 @@ fn ring_of_spokes(b: &mut Build<'_>, r: f32, z: f32, thick: f32, mat: Mat) {
 
 /// A shade on a cord from a rose at the ceiling: cloth, metal, glass or a globe.
 pub(super) fn pendant_lamp(b: &mut Build<'_>) {
-    let u = fit(b, [0.1, 0.1, 0.15]);
+    let u = fit(b, [0.16, 0.16, 0.24]);
     let (x, y, h) = spans(b);
     let r = x.min(y);
     let metal = stand_mat(b);
@@ -136,7 +137,7 @@ pub(super) fn pendant_lamp(b: &mut Build<'_>) {
 
 /// Arms with candles or small shades around a stem, on a chain.
 pub(super) fn chandelier(b: &mut Build<'_>) {
-    let u = fit(b, [0.3, 0.3, 0.25]);
+    let u = fit(b, [0.48, 0.48, 0.4]);
     let (x, y, h) = spans(b);
     let r = x.min(y);
     let metal = b.one(&[BRASS, GOLD, IRON, CHROME, b.style.metal]);
@@ -144,7 +145,7 @@ pub(super) fn chandelier(b: &mut Build<'_>) {
     let level = h * b.vary(0.22, 0.3);
     let top = h * 0.93;
     b.lathe("rose", [0.0, 0.0, top], &[(0.02 * u, 0.0), (0.06 * u, h - top)], metal);
-    b.rod("chain", [0.0, 0.0, h * 0.5], [0.0, 0.0, top + 0.005], 0.007 * u, metal);
+    b.rod("chain", [0.0, 0.0, h * 0.5], [0.0, 0.0, top + 0.005 * u], 0.007 * u, metal);
     let body = [
         (0.012 * u, 0.0),
         (0.035 * u, h * 0.05),
@@ -162,12 +163,7 @@ pub(super) fn chandelier(b: &mut Build<'_>) {
     for i in 0..arms {
         let (s, c) = turn(i, arms);
         let at = |k: f32, z: f32| [c * reach * k, s * reach * k, z];
-        b.pipe(
-            "arm",
-            &[at(0.05, level), at(0.45, level * 0.6), at(0.8, level * 0.7), at(1.0, level * 1.05)],
-            0.008 * u,
-            metal,
-        );
+        b.pipe("arm", &[at(0.05, level), at(0.6, level * 0.6), at(1.0, level * 1.05)], 0.008 * u, metal);
         let z = level * 1.05;
         b.lathe("cup", at(1.0, z), &[(cup_r * 0.2, 0.0), (cup_r * 0.6, h * 0.02), (cup_r * 0.5, h * 0.025)], metal);
         let tall = h * 0.14;
@@ -201,11 +197,12 @@ pub(super) fn chandelier(b: &mut Build<'_>) {
 
 /// On a wall: a shade on an arm, a box of light up and down, or a half bowl.
 pub(super) fn wall_lamp(b: &mut Build<'_>) {
-    let u = fit(b, [0.04, 0.05, 0.05]);
+    let u = fit(b, [0.064, 0.08, 0.08]);
     let (x, y, h) = spans(b);
     let metal = stand_mat(b);
     let plate = (0.015 * u).min(x * 0.3);
-    match b.rng.below(4) {
+    let design = b.rng.below(4);
+    match if h < y * 2.4 && design == 1 { 2 } else { design } {
         0 => {
             let r = y.min(x * 0.8);
             let z = h * 0.36;
@@ -217,7 +214,7 @@ pub(super) fn wall_lamp(b: &mut Build<'_>) {
             let design = b.one(&[0, 2, 2, 3]);
             shade(b, design, [cx, 0.0, h * 0.3], (r, h * 0.7), mat);
             bulb(b, [cx, 0.0, h * 0.58], r * 0.34, false);
-            b.rod("arm", [cx, 0.0, z - 0.001], [cx, 0.0, h * 0.58], 0.005 * u, metal);
+            b.rod("arm", [cx, 0.0, z - 0.001 * u], [cx, 0.0, h * 0.58], 0.005 * u, metal);
             b.rod("cross", [cx - r * 0.6, 0.0, h * 0.55], [cx + r * 0.6, 0.0, h * 0.55], 0.003 * u, metal);
             let edge = if design == 0 { r * 0.98 } else { r * 0.75 };
             b.rod("cross", [cx, -edge, h * 0.56], [cx, edge, h * 0.56], 0.003 * u, metal);
@@ -255,7 +252,7 @@ pub(super) fn wall_lamp(b: &mut Build<'_>) {
 
 /// Cylinders that turn on a rail, or one on a round plate.
 pub(super) fn spotlight(b: &mut Build<'_>) {
-    let u = fit(b, [0.04, 0.04, 0.04]);
+    let u = fit(b, [0.064, 0.064, 0.064]);
     let (x, y, h) = spans(b);
     let metal = b.one(&[WHITE_METAL, BLACK_METAL, STEEL, BRASS]);
     let rail = h * 0.18;
@@ -275,12 +272,18 @@ pub(super) fn spotlight(b: &mut Build<'_>) {
         b.rod("neck", [0.0, cy, z], [0.0, cy, h - rail * 0.9], 0.008 * u.min(r / 0.02), metal);
         let way = if i % 2 == 0 { 1.0 } else { 0.6 };
         let length = if long { x * 0.95 } else { x * 0.7 };
-        let (from, to) = ([-length * 0.5, cy, z + r * 0.3 * way], [length, cy, z - r * 0.1]);
+        let (from, to) = ([-length * 0.8, cy, z + r * 0.3 * way], [length, cy, z - r * 0.1]);
         b.lathe_along(
             "head",
             from,
             to,
-            &[(r * 0.6, 0.0), (r, length * 0.4), (r, length * 1.3), (r * 0.85, length * 1.3), (r * 0.85, length * 1.2)],
+            &[
+                (r * 0.6, 0.0),
+                (r, length * 0.4),
+                (r, length * 1.62),
+                (r * 0.85, length * 1.62),
+                (r * 0.85, length * 1.5),
+            ],
             metal,
         );
         b.rod("bulb", [length * 0.4, cy, z], [length * 0.72, cy, z - r * 0.05], r * 0.8, WARM_BULB);
@@ -289,7 +292,7 @@ pub(super) fn spotlight(b: &mut Build<'_>) {
 
 /// A bar of light over a mirror, or round lamps in a row.
 pub(super) fn mirror_light(b: &mut Build<'_>) {
-    let u = fit(b, [0.03, 0.15, 0.02]);
+    let u = fit(b, [0.048, 0.24, 0.032]);
     let (x, y, h) = spans(b);
     let metal = b.style.tap;
     let z = h / 2.0;

@@ -88,14 +88,20 @@ fn mushroom(b: &mut Build<'_>, r: f32, h: f32) {
 fn tripod(b: &mut Build<'_>, spread: f32, top: f32, mat: Mat) {
     for (c, s) in [(1.0, 0.0), (-0.5, 0.866), (-0.5, -0.866)] {
         let r = spread * 0.07;
-        b.bar("leg", [c * (spread - r), s * (spread - r), r], [c * spread * 0.12, s * spread * 0.12, top - r], r, mat);
+        b.bar(
+            "leg",
+            [c * (spread - r * 1.5), s * (spread - r * 1.5), r * 1.45],
+            [c * spread * 0.12, s * spread * 0.12, top - r],
+            r,
+            mat,
+        );
     }
     b.cylinder("hub", [0.0, 0.0, top * 0.93], spread * 0.2, top * 0.07, mat);
 }
 
 /// A foot, arms with joints, and a head that shines down.
 pub(super) fn desk_lamp(b: &mut Build<'_>) {
-    let u = fit(b, [0.07, 0.07, 0.17]);
+    let u = fit(b, [0.112, 0.112, 0.272]);
     let (x, y, h) = spans(b);
     let mat = b.one(&[BLACK_METAL, WHITE_METAL, RED_METAL, STEEL, YELLOW_METAL, BLUE_METAL, b.style.metal]);
     let foot_r = (y * 0.92).min(x * 0.6);
@@ -168,7 +174,7 @@ pub(super) fn desk_lamp(b: &mut Build<'_>) {
                 deep * 0.18,
                 WARM_BULB,
             );
-            b.rod("arm", [stem, 0.0, low + tall * 0.5], [stem.max(-x + deep), 0.0, low + tall * 0.5], r, BRASS);
+            b.rod("arm", [stem - r, 0.0, low + tall * 0.5], [stem.max(-x + deep) + r, 0.0, low + tall * 0.5], r, BRASS);
             b.block("switch", [stem + r, -r * 0.4, low * 0.8], [stem + r * 2.5, r * 0.4, low * 0.83], BRASS);
             b.cylinder("finial", [stem, 0.0, low + tall * 0.6], r * 1.3, h - low - tall * 0.6, BRASS);
         }
@@ -177,7 +183,7 @@ pub(super) fn desk_lamp(b: &mut Build<'_>) {
 
 /// A tall stand: a shade on a pole or on three legs, a bow, an uplighter, spots.
 pub(super) fn floor_lamp(b: &mut Build<'_>) {
-    let u = fit(b, [0.12, 0.12, 0.7]);
+    let u = fit(b, [0.192, 0.192, 1.12]);
     let (x, y, h) = spans(b);
     let r = x.min(y);
     let metal = stand_mat(b);
@@ -202,7 +208,7 @@ pub(super) fn floor_lamp(b: &mut Build<'_>) {
         3 => {
             b.lathe("foot", [0.0; 3], &[(foot, 0.0), (foot, 0.015 * u), (pole * 2.0, 0.03 * u)], metal);
             let bowl = h * 0.07;
-            b.cylinder("pole", [0.0, 0.0, 0.01 * u], pole, h - bowl - 0.005, metal);
+            b.cylinder("pole", [0.0, 0.0, 0.01 * u], pole, h - bowl - 0.005 * u, metal);
             let wall = 0.006 * u;
             let profile = [
                 (pole * 1.5, 0.0),
@@ -225,7 +231,7 @@ pub(super) fn floor_lamp(b: &mut Build<'_>) {
                 [cx, 0.0, 0.03 * u],
                 [cx - x * 0.05, 0.0, h * 0.6],
                 [cx + (tip - cx) * 0.12, 0.0, h * 0.88],
-                [cx + (tip - cx) * 0.5, 0.0, h - pole],
+                [cx + (tip - cx) * 0.5, 0.0, h - pole * 1.4],
                 [cx + (tip - cx) * 0.85, 0.0, h * 0.96],
                 [tip, 0.0, h * 0.9],
             ];

@@ -182,7 +182,7 @@ pub(super) fn sponge(b: &mut Build<'_>) {
         .map(|p| (p.0 * (waist + (1.0 - waist) * (p.1 / hy).abs().powi(2)), p.1))
         .collect();
     b.prism("foam", Axis::Z, [0.0; 3], &plan, z * 0.76, foam);
-    let upper: Vec<_> = plan.iter().map(|p| (p.0 * 0.995, p.1 * 0.995)).collect();
+    let upper: Vec<_> = plan.iter().map(|p| (p.0 * 0.98, p.1 * 0.98)).collect();
     b.prism("pad", Axis::Z, [0.0, 0.0, z * 0.75], &upper, z * 0.25, pad);
     for i in 0..7 {
         let (s, c) = (2.4 * i as f32).sin_cos();
@@ -273,22 +273,27 @@ pub(super) fn dustpan(b: &mut Build<'_>) {
     b.hull(
         "floor",
         &[
-            [hx, -hy, 0.0],
-            [hx, hy, 0.0],
-            [back, -hy * 0.85, 0.0],
-            [back, hy * 0.85, 0.0],
-            [back, -hy * 0.85, t * 1.5],
-            [back, hy * 0.85, t * 1.5],
-            [hx, -hy, t * 0.4],
-            [hx, hy, t * 0.4],
+            [hx * 0.99, -hy * 0.985, 0.0],
+            [hx * 0.99, hy * 0.985, 0.0],
+            [back, -hy * 0.835, 0.0],
+            [back, hy * 0.835, 0.0],
+            [back, -hy * 0.835, t * 1.5],
+            [back, hy * 0.835, t * 1.5],
+            [hx * 0.99, -hy * 0.985, t * 0.4],
+            [hx * 0.99, hy * 0.985, t * 0.4],
         ],
         mat,
     );
-    b.block("back", [back, -hy * 0.85, 0.0], [back + t, hy * 0.85, z * 0.7], mat);
+    b.block("back", [back - t * 0.4, -hy * 0.84, t * 0.4], [back + t, hy * 0.84, z * 0.7], mat);
     for side in [-1.0, 1.0] {
         let wall = |x: f32, k: f32, z: f32| [[x, side * hy * k, z], [x, side * (hy * k - t), z]];
-        let points: Vec<P> =
-            [wall(hx, 1.0, 0.0), wall(hx, 1.0, t), wall(back, 0.85, 0.0), wall(back, 0.85, z * 0.7)].concat();
+        let points: Vec<P> = [
+            wall(hx, 1.0, 0.0),
+            wall(hx, 1.0, t),
+            wall(back + t * 0.4, 0.855, t * 0.2),
+            wall(back + t * 0.4, 0.855, z * 0.69),
+        ]
+        .concat();
         b.hull("side", &points, mat);
     }
     let hood = [
@@ -303,7 +308,7 @@ pub(super) fn dustpan(b: &mut Build<'_>) {
     let w = (hy * 0.14).min(x * 0.06);
     let h = (z * 0.14).min(w);
     let path = [
-        ([back + t, 0.0, z * 0.6], w, h),
+        ([back + t * 0.3, 0.0, z * 0.6], w, h),
         ([back - x * 0.1, 0.0, z * 0.75], w * 0.8, h),
         ([-hx + x * 0.1, 0.0, z - h], w, h),
         ([-hx, 0.0, z - h], w * 0.6, h * 0.7),
@@ -322,9 +327,9 @@ pub(super) fn lint_roller(b: &mut Build<'_>) {
     b.rod("core", [0.0, -hy * 0.98, axis], [0.0, hy * 0.98, axis], r * 0.4, mat);
     let w = r * 0.28;
     let points = [
-        [0.0, hy * 0.9, axis],
-        [0.0, hy - w, axis - r * 0.5],
-        [0.0, hy - w, axis - r * 1.3],
+        [0.0, hy - w * 3.5, axis],
+        [0.0, hy - w * 1.6, axis - r * 0.5],
+        [0.0, hy - w * 1.6, axis - r * 1.3],
         [0.0, 0.0, axis - r * 1.9],
         [0.0, 0.0, z * 0.42],
     ];
@@ -353,7 +358,8 @@ pub(super) fn garbage_bag(b: &mut Build<'_>) {
     };
     b.lathe_along("band", from, [0.0, y / 2.0, r], &band(y * 0.3, y * 0.7, GROWTH.min(x * 0.02) * 0.5), paper);
     b.lathe_along("print", from, [0.0, y / 2.0, r], &band(y * 0.42, y * 0.5, GROWTH.min(x * 0.02)), ink);
-    b.inside("inside", [0.0, 0.0, r], (1e-4, 1e-4), 0.0);
+    // A bag pulled off the roll opens over it.
+    b.inside("inside", [0.0, 0.0, 2.0 * r], ((r * 0.3).max(0.0045), y * 0.1), x);
 }
 
 /// A pair of rubber gloves hanging down, their fingers below.
@@ -399,6 +405,6 @@ pub(super) fn dishwasher_tablets(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0 - g, y / 2.0);
     let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), 0.4);
     loft(b, "tub", &[at(0.0, 0.9, 0.92), at(z * 0.04, 0.97, 0.97), at(z * 0.78, 1.0, 1.0)], look.body);
-    loft(b, "lid", &[at(z * 0.775, 1.0, 0.995), at(z * 0.95, 1.0, 0.99), at(z, 0.9, 0.95)], look.cap);
+    loft(b, "lid", &[at(z * 0.785, 1.0, 0.995), at(z * 0.95, 1.0, 0.99), at(z, 0.9, 0.95)], look.cap);
     panel(b, hx, (0.0, hy * 0.7), (z * 0.1, z * 0.7), look.label());
 }

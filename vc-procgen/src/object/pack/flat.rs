@@ -11,7 +11,7 @@ use super::look::{Look, look};
 use crate::material::*;
 
 /// How far a panel stands out.
-const PANEL: f32 = 0.0013;
+const PANEL: f32 = 0.0019;
 
 /// Builds on the top as if it were the front: what is up there points to -X here.
 fn on_top(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>)) {
@@ -51,13 +51,13 @@ pub(super) fn carton_box(b: &mut Build<'_>) {
                     (hy * 0.5 * c, -z * 0.12 * s)
                 })
                 .collect();
-            b.prism("picture", Axis::X, [hx - g, 0.0, low + (high - low) * 0.36], &bowl, g * 0.95, BLUE_CARD);
+            b.prism("picture", Axis::X, [hx - g, 0.0, low + (high - low) * 0.35], &bowl, g, BLUE_CARD);
         }
         "dry_pasta" | "rice" => {
             b.block(
                 "window",
-                [hx - g, -hy * 0.4, low + (high - low) * 0.12],
-                [hx - g * 0.1, hy * 0.4, low + (high - low) * 0.38],
+                [hx - g, -hy * 0.4, low + (high - low) * 0.08],
+                [hx + g * 0.1, hy * 0.4, low + (high - low) * 0.4],
                 HAY,
             );
         }
@@ -73,7 +73,7 @@ pub(super) fn gable(b: &mut Build<'_>) {
     }
     let look = look(b);
     let g = PANEL.min(x * 0.05);
-    let (hx, hy) = (x / 2.0 - g, y / 2.0);
+    let (hx, hy) = (x / 2.0 - g, y / 2.0 - 0.0006_f32.min(y * 0.01));
     let body = z * b.vary(0.76, 0.82);
     b.block("carton", [-hx, -hy, 0.0], [hx, hy, body], look.body);
     let crest = z * 0.93;
@@ -81,7 +81,7 @@ pub(super) fn gable(b: &mut Build<'_>) {
         let slope =
             [[-hx, -hy, body], [hx, -hy, body], [-hx, hy, body], [hx, hy, body], [0.0, -hy, crest], [0.0, hy, crest]];
         b.hull("gable", &slope, look.body);
-        b.block("crest", [-x * 0.015, -hy, crest - z * 0.01], [x * 0.015, hy, z], look.body);
+        b.block("crest", [-x * 0.015, -hy * 0.985, crest - z * 0.01], [x * 0.015, hy * 0.985, z], look.body);
         let (sx, sz) = (hx * 0.5, f32::midpoint(body, crest));
         let up = (z - sz) * 0.35;
         b.rod(
@@ -96,7 +96,7 @@ pub(super) fn gable(b: &mut Build<'_>) {
         b.cylinder("cap", [0.0, 0.0, body + z * 0.055], (hx * 0.5).min(hy * 0.5), z - body - z * 0.055, look.cap);
     }
     panel(b, hx, (0.0, hy * 0.92), (z * 0.06, body * 0.92), look.label());
-    b.block("stripe", [-hx - 0.0004, -hy - 0.0004_f32.min(g), body * 0.2], [hx - 0.0004, hy, body * 0.3], look.ink);
+    b.block("stripe", [-hx - 0.0005, -hy - 0.0005, body * 0.2], [hx - 0.0005, hy + 0.0005, body * 0.3], look.ink);
 }
 
 /// Bags: pillows sealed at both ends, and paper bags with a folded top.
@@ -178,7 +178,8 @@ fn patch(b: &mut Build<'_>, x: (f32, f32), (half, z0, z1): (f32, f32, f32), mat:
 pub(super) fn squeeze_tube(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
-    let (hx, hy) = (x / 2.0, y / 2.0);
+    let g = 0.0012_f32.min(x.min(y) * 0.03);
+    let (hx, hy) = (x / 2.0 - g, y / 2.0 - g);
     let cap = z * b.vary(0.13, 0.2);
     let r = hx.min(hy);
     turn(b, "cap", [0.0; 3], (r, cap), &[(0.95, 0.0), (0.95, 0.9), (0.85, 1.0)], look.cap);
@@ -201,7 +202,7 @@ pub(super) fn squeeze_tube(b: &mut Build<'_>) {
             } else {
                 f32::midpoint(r, hy) + (hy - r) * 0.5 * (k - 0.5) / 0.43
             };
-            level(zk, (hx * hk + 0.0004, wide.min(hy) * 0.985), 1.0)
+            level(zk, (hx * hk + g, wide.min(hy) + g), 1.0)
         };
         loft(b, "print", &[ring(low), ring(0.5_f32.max(low).min(high)), ring(high)], mat);
     }
@@ -319,7 +320,7 @@ pub(super) fn trigger_spray(b: &mut Build<'_>) {
         look.body,
     );
     panel(b, hx, (0.0, hy * 0.55), (h * 0.1, h * 0.55), look.label());
-    b.cylinder("collar", [0.0, 0.0, h * 0.98], neck * 1.2, z * 0.06, look.cap);
+    b.cylinder("collar", [0.0, 0.0, h * 0.98], neck * 1.2, z * 0.115, look.cap);
     // The nozzle points to +Y, along the longer side.
     let w = neck * 0.75;
     let top = z - h;
@@ -417,7 +418,7 @@ pub(super) fn bent_bottle(b: &mut Build<'_>) {
         ([0.0, hy * 0.08, z * 0.78], r, r),
         ([0.0, hy * 0.2, z * 0.84], r * 1.05, r),
         ([0.0, hy * 0.55, z * 0.92], r * 0.9, r * 0.85),
-        ([0.0, hy * 0.92, z * 0.965], r * 0.55, r * 0.45),
+        ([0.0, hy * 0.86, z * 0.965], r * 0.55, r * 0.45),
     ];
     sweep(b, "cap", &path, [1.0, 0.0, 0.0], look.cap);
     b.block("crest", [-r * 0.3, hy * 0.2, z * 0.9], [r * 0.3, hy * 0.5, z], look.cap);
@@ -454,7 +455,7 @@ pub(super) fn bar(b: &mut Build<'_>) {
                 [cx, cy, z * 0.5],
                 (hx * 0.2, pitch * 0.44),
                 (hx * 0.15, pitch * 0.34),
-                z * 0.4,
+                z * 0.33,
                 CHOCOLATE,
             );
         }
@@ -486,7 +487,7 @@ pub(super) fn block_pack(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let g = PANEL.min(z * 0.05);
     if b.class == "butter" && b.rng.chance(0.7) {
-        b.soft("block", [-hx, -hy, 0.0], [hx, hy, z - g], z * 0.08, look.body);
+        b.soft("block", [-hx, -hy * 0.985, 0.0], [hx, hy * 0.985, z - g], z * 0.08, look.body);
         for side in [-1.0_f32, 1.0] {
             let (y0, y1) = if side < 0.0 { (-hy * 1.0, -hy * 0.9) } else { (hy * 0.9, hy) };
             b.hull(
@@ -570,9 +571,17 @@ pub(super) fn takeaway(b: &mut Build<'_>) {
                 b.hull("stripe", &points, RED_CARD);
             }
         }
-        for i in 0..24 {
+        super::super::kitchenware::form::lump(
+            b,
+            "popcorn",
+            [0.0, 0.0, h],
+            [hx * 0.8, hy * 0.8, (z - h) * 0.8],
+            0.08,
+            CREAM_FOOD,
+        );
+        for i in 0..18 {
             let (s, c) = (2.4 * i as f32).sin_cos();
-            let k = 0.8 * ((i as f32 + 0.5) / 24.0).sqrt();
+            let k = 0.8 * ((i as f32 + 0.5) / 18.0).sqrt();
             let r = hx * 0.17;
             super::super::food::berry(
                 b,

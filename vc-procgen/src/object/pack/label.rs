@@ -7,18 +7,18 @@ use super::super::kitchenware::form::hoop;
 use crate::material::Mat;
 
 /// How far a label stands out, metres.
-const RAISED: f32 = 0.0006;
+const RAISED: f32 = 0.0007;
 
 /// What a label adds to a radius at most, metres.
-pub(super) const GROWTH: f32 = 0.0013;
+pub(super) const GROWTH: f32 = 0.0017;
 
 /// A band around a round body of radius `r` with bars on its front; it stands out by
-/// less than 1.3 mm.
+/// less than 1.7 mm.
 pub(in crate::object) fn wrap(b: &mut Build<'_>, r: f32, (low, high): (f32, f32), (paper, ink): (Mat, Mat)) {
     let tall = high - low;
-    let band = r + RAISED.min(r * 0.02);
+    let band = r + RAISED.min(r * 0.05);
     hoop(b, "label", (low, high), (r * 0.97, band), paper);
-    let out = band + 0.0005_f32.min(r * 0.02);
+    let out = band + 0.0009_f32.min(r * 0.05);
     for (from, to, turn) in [(0.62, 0.84, 0.15), (0.42, 0.5, 0.11), (0.12, 0.3, 0.08)] {
         patch(b, (band * 0.97, out), turn * TAU, (low + tall * from, low + tall * to), ink);
     }
@@ -27,15 +27,15 @@ pub(in crate::object) fn wrap(b: &mut Build<'_>, r: f32, (low, high): (f32, f32)
 /// A piece of a ring on the front, `angle` to either side.
 fn patch(b: &mut Build<'_>, (inner, outer): (f32, f32), angle: f32, (low, high): (f32, f32), mat: Mat) {
     let at = |r: f32, k: usize| {
-        let (s, c) = (angle * (k as f32 / 3.0 - 1.0)).sin_cos();
+        let (s, c) = (angle * (k as f32 / 5.0 - 1.0)).sin_cos();
         (r * c, r * s)
     };
-    let outline: Vec<_> = (0..=6).map(|k| at(outer, k)).chain((0..=6).rev().map(|k| at(inner, k))).collect();
+    let outline: Vec<_> = (0..=10).map(|k| at(outer, k)).chain((0..=10).rev().map(|k| at(inner, k))).collect();
     b.prism("print", Axis::Z, [0.0, 0.0, low], &outline, high - low, mat);
 }
 
 /// A panel on a flat front at `x`, from `y.0 - y.1` to `y.0 + y.1`, with bars on it; it
-/// stands out by 1.2 mm.
+/// stands out by 1.4 mm.
 pub(in crate::object) fn panel(b: &mut Build<'_>, x: f32, y: (f32, f32), z: (f32, f32), (paper, ink): (Mat, Mat)) {
     let ((mid, half), tall) = (y, z.1 - z.0);
     b.block("label", [x - RAISED, mid - half, z.0], [x + RAISED, mid + half, z.1], paper);

@@ -43,6 +43,12 @@ const PET_STRAIGHT: Bottle =
 const SAUCE: Bottle = (&[(0.9, 0.0), (1.0, 0.04), (1.0, 0.55), (0.75, 0.72), (0.48, 0.84), (0.45, 1.0)], (0.12, 0.48));
 const SQUAT: Bottle = (&[(0.9, 0.0), (1.0, 0.05), (1.0, 0.7), (0.8, 0.86), (0.5, 0.92), (0.5, 1.0)], (0.16, 0.6));
 
+/// The radius of a body whose label stays within depth and width.
+fn body_radius(x: f32, y: f32) -> f32 {
+    let half = x.min(y) / 2.0;
+    half - GROWTH.min(half * 0.1)
+}
+
 /// Bottles of glass and plastic with a cap or a foil.
 pub(super) fn bottle(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
@@ -56,7 +62,7 @@ pub(super) fn bottle(b: &mut Build<'_>) {
         return drink_can(b);
     }
     let look = look(b);
-    let r = x.min(y) / 2.0 - GROWTH;
+    let r = body_radius(x, y);
     let outline: Bottle = match b.class {
         "wine" => b.one(&[WINE, WINE, HOCK]),
         "champagne" => SPARKLING,
@@ -108,7 +114,7 @@ fn content(glass: Mat) -> Option<Mat> {
 /// The foil over a cork and the neck.
 fn foil_cap(b: &mut Build<'_>, (r, h, z): (f32, f32, f32), profile: &[(f32, f32)], mat: Mat) {
     let from = profile.iter().position(|p| p.1 > 0.75).unwrap_or(0);
-    let grow = 0.0007_f32.min(r * 0.02);
+    let grow = r * 0.03;
     let mut outline: Vec<_> = profile[from..].iter().map(|p| (p.0 * r + grow, p.1 * h)).collect();
     outline.push((profile.last().map_or(0.4, |p| p.0) * r, z));
     b.lathe("foil", [0.0; 3], &outline, mat);
@@ -118,7 +124,7 @@ fn foil_cap(b: &mut Build<'_>, (r, h, z): (f32, f32, f32), profile: &[(f32, f32)
 fn drink_can(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
-    let r = x.min(y) / 2.0 - GROWTH;
+    let r = body_radius(x, y);
     let skin = if b.class == "beer" { b.one(&[GREEN_METAL, RED_METAL, BLUE_METAL, WHITE_METAL]) } else { look.body };
     turn(b, "can", [0.0; 3], (r, z), &[(0.8, 0.0), (0.82, 0.015), (1.0, 0.08), (1.0, 0.88), (0.86, 0.96)], skin);
     hoop(b, "rim", (z * 0.955, z), (r * 0.78, r * 0.87), ALUMINIUM);
@@ -131,7 +137,7 @@ fn drink_can(b: &mut Build<'_>) {
 pub(super) fn can(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
-    let r = x.min(y) / 2.0 - GROWTH;
+    let r = body_radius(x, y);
     let rim = (z * 0.05).min(0.003);
     let k = 1.0 - rim / r * 0.6;
     turn(
@@ -160,13 +166,13 @@ pub(super) fn can(b: &mut Build<'_>) {
 pub(super) fn jar(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
-    let r = x.min(y) / 2.0 - GROWTH;
+    let r = body_radius(x, y);
     let small = matches!(b.class, "spices" | "vitamins");
     let flat = b.class == "face_cream";
     let share = if flat { 0.55 } else { b.vary(0.8, 0.88) };
     let (h, rim) = (z * share, if flat { 1.0 } else { b.vary(0.82, 0.95) });
     let shape: [(f32, f32); 5] = if small || flat {
-        [(0.95, 0.0), (1.0, 0.03), (1.0, 0.9), (rim, 0.97), (rim, 1.0)]
+        [(0.92, 0.0), (0.97, 0.03), (0.97, 0.9), (rim * 0.97, 0.97), (rim * 0.97, 1.0)]
     } else {
         b.one(&[
             [(0.88, 0.0), (1.0, 0.08), (1.0, 0.75), (rim, 0.93), (rim, 1.0)],
@@ -212,7 +218,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
     );
     b.cylinder("lid", [0.0, 0.0, z * (1.0 - rim)], r * 0.99, z * rim, look.cap);
     // The band follows the slanted wall.
-    let wall = |k: f32| r * (foot + (0.95 - foot) * k) + 0.0006_f32.min(r * 0.02);
+    let wall = |k: f32| r * (foot + (0.95 - foot) * k) + 0.0006_f32.min(r * 0.05);
     let band = |low: f32, high: f32| {
         [
             (wall(low), z * low),
@@ -223,7 +229,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
         ]
     };
     b.lathe("label", [0.0; 3], &band(0.12, 0.82), look.paper);
-    let grow = |p: [(f32, f32); 5]| p.map(|(a, h)| (a + 0.0004_f32.min(r * 0.01), h));
+    let grow = |p: [(f32, f32); 5]| p.map(|(a, h)| (a + 0.0006_f32.min(r * 0.05), h));
     b.lathe("print", [0.0; 3], &grow(band(0.6, 0.74)), look.ink);
     b.lathe("print", [0.0; 3], &grow(band(0.2, 0.34)), look.ink);
 }
@@ -232,7 +238,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
 pub(super) fn aerosol(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
-    let r = x.min(y) / 2.0 - GROWTH;
+    let r = body_radius(x, y);
     let h = z * b.vary(0.76, 0.82);
     turn(b, "can", [0.0; 3], (r, h), &[(0.97, 0.0), (1.0, 0.015), (1.0, 0.9), (0.85, 0.97), (0.6, 1.0)], look.body);
     let nozzle: &[(f32, f32)] = if b.class == "whipped_cream" {
@@ -252,7 +258,7 @@ pub(super) fn shaker(b: &mut Build<'_>) {
     match (b.class, b.rng.below(3)) {
         ("salt", 0) => {
             let card = Look { body: BLUE_CARD, ..look(b) };
-            turn(b, "drum", [0.0; 3], (r - GROWTH, z), &[(1.0, 0.0), (1.0, 0.97), (0.97, 1.0)], card.body);
+            turn(b, "drum", [0.0; 3], (r - GROWTH.min(r * 0.1), z), &[(1.0, 0.0), (1.0, 0.97), (0.97, 1.0)], card.body);
             b.hull(
                 "spout",
                 &[
@@ -264,7 +270,7 @@ pub(super) fn shaker(b: &mut Build<'_>) {
                 ],
                 STEEL,
             );
-            wrap(b, r - GROWTH, (z * 0.2, z * 0.8), card.label());
+            wrap(b, r - GROWTH.min(r * 0.1), (z * 0.2, z * 0.8), card.label());
         }
         ("condiment_shaker" | "salt", _) => {
             let (body, content) = (b.one(&[GLASS, GLASS, PORCELAIN, STEEL]), b.one(&[PETAL_WHITE, BLACK]));

@@ -251,7 +251,7 @@ pub(super) fn comb(b: &mut Build<'_>) {
             (-hx * 0.4, -hy),
             (-hx * 0.8, -hy * 0.95),
         ];
-        b.prism("grip", Axis::Z, [0.0, 0.0, z * 0.02], &grip, z * 0.96, mat);
+        b.prism("grip", Axis::Z, [0.0, 0.0, z * 0.1], &grip, z * 0.8, mat);
     }
 }
 
@@ -310,7 +310,7 @@ pub(super) fn hair_dryer(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let r = hx.min(z * 0.24);
     let axis = z - r;
-    let barrel: Vec<_> = [(0.65, 0.0), (0.95, 0.1), (1.0, 0.3), (0.9, 0.6), (0.7, 0.75), (0.68, 0.8)]
+    let barrel: Vec<_> = [(0.65, 0.008), (0.95, 0.1), (1.0, 0.3), (0.9, 0.6), (0.7, 0.75), (0.68, 0.8)]
         .iter()
         .map(|p| (p.0 * r, p.1 * y))
         .collect();
@@ -372,20 +372,26 @@ pub(super) fn nippers(b: &mut Build<'_>) {
             sweep(
                 b,
                 "arm",
-                &[at(0.0, 0.15, 0.9), at(0.15, 0.5, 1.0), at(0.6, 1.0, 0.8), at(0.9, 0.7, 0.4), at(1.0, 0.5, 0.3)],
+                &[
+                    at(if up > 0.0 { 0.004 } else { 0.0 }, 0.15, 0.9),
+                    at(0.15, 0.5, 1.0),
+                    at(0.6, 1.0, 0.8),
+                    at(0.9, 0.7, 0.4),
+                    at(1.0, 0.5, 0.3),
+                ],
                 [1.0, 0.0, 0.0],
                 mat,
             );
         }
-        return b.block("root", [-hx * 0.9, -hy, z * 0.3], [hx * 0.9, -hy * 0.85, z * 0.7], mat);
+        return b.block("root", [-hx * 0.9, -hy * 0.97, z * 0.3], [hx * 0.9, -hy * 0.85, z * 0.7], mat);
     }
     let t = z * 0.16;
-    b.soft("lever", [-hx, -hy, z * 0.05], [hx, hy, z * 0.05 + t], t * 0.3, mat);
-    b.soft("lever", [-hx, -hy * 0.98, z * 0.35], [hx, hy, z * 0.35 + t], t * 0.3, mat);
+    b.soft("lever", [-hx, -hy * 0.985, 0.0], [hx, hy * 0.985, z * 0.05 + t], t * 0.3, mat);
+    b.soft("lever", [-hx, -hy * 0.98, z * 0.35], [hx, hy * 0.985, z * 0.35 + t], t * 0.3, mat);
     let slant = [(-hy * 0.9, z * 0.95), (-hy * 0.9, z), (hy * 0.7, z * 0.55), (hy * 0.7, z * 0.48)];
     b.prism("handle", Axis::X, [-hx * 0.9, 0.0, 0.0], &slant, x * 0.9, mat);
     b.cylinder("pin", [0.0, hy * 0.6, 0.0], hx * 0.3, z * 0.75, mat);
-    b.block("jaw", [-hx, hy * 0.92, z * 0.05], [hx, hy, z * 0.5], mat);
+    b.block("jaw", [-hx * 0.95, hy * 0.92, z * 0.05], [hx * 0.95, hy, z * 0.46], mat);
 }
 
 /// A pouch with a zip.
@@ -424,7 +430,7 @@ pub(super) fn roll(b: &mut Build<'_>) {
     let kitchen = b.class == "paper_towel";
     let tube_r = if kitchen { r * 0.34 } else { r * 0.38 };
     let paper = b.one(&[WHITE_PAPER, WHITE_PAPER, CREAM_PAPER]);
-    let body = r * 0.99;
+    let body = r * 0.985;
     let bulge = [
         (body * 0.985, 0.0),
         (body, z * 0.03),
@@ -462,7 +468,7 @@ pub(super) fn cotton_pads(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
     let sleeve = b.one(&[BLUE_PLASTIC, PINK_PLASTIC, GREEN_PLASTIC]);
-    let count = ((z / 0.012) as usize).clamp(5, 12);
+    let count = ((z / 0.012) as usize).clamp(5, 8);
     let mut profile = vec![];
     for i in 0..count {
         let (low, t) = (z * 0.94 * i as f32 / count as f32, z * 0.94 / count as f32);
@@ -488,7 +494,7 @@ pub(super) fn tissue_box(b: &mut Build<'_>) {
     let skin = b.one(&[look.body, b.style.wood, WHITE_PAPER, look.ink]);
     let g = GROWTH.min(x * 0.01);
     b.soft("box", [-hx, -hy, 0.0], [hx - g, hy, h], 0.0015, skin);
-    b.prism("slot", Axis::Z, [0.0, 0.0, h - z * 0.01], &rounded((hx * 0.35, hy * 0.55), 1.0), z * 0.014, BLACK_CARD);
+    b.prism("slot", Axis::Z, [0.0, 0.0, h - z * 0.01], &rounded((hx * 0.35, hy * 0.55), 1.0), z * 0.03, BLACK_CARD);
     let fold = |s: f32| {
         [
             [s * hx * 0.05, -hy * 0.4, h * 0.97],
@@ -633,7 +639,7 @@ pub(super) fn first_aid_kit(b: &mut Build<'_>) {
         b.soft("door", [split + 0.001_f32.min(x * 0.01), -hy, 0.0], [face, hy, h], t, body);
         let (long, wide) = (z * 0.26, z * 0.09);
         b.block("cross", [face - t, -long, h / 2.0 - wide], [hx, long, h / 2.0 + wide], cross);
-        b.block("cross", [face - t, -wide, h / 2.0 - long], [hx, wide, h / 2.0 + long], cross);
+        b.block("cross", [face - t, -wide, h / 2.0 - long], [hx - (x * 0.01).min(0.0005), wide, h / 2.0 + long], cross);
         b.block("latch", [face * 0.6, hy * 0.9, h * 0.4], [hx * 0.98, hy * 0.97, h * 0.6], BLACK_PLASTIC);
     });
     let w = (z - h) * 0.2;

@@ -1,6 +1,6 @@
 //! What grows in pots.
 
-use std::f32::consts::TAU;
+use std::f32::consts::{PI, TAU};
 
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, hoop, mix, oval, room, spline};
@@ -46,7 +46,7 @@ pub(super) fn plant(b: &mut Build<'_>) {
     let (pot_radius, pot_height) = (narrow * if bowl { 0.7 } else { b.vary(0.42, 0.6) }, h * share);
     let pot_height = pot_height.min(pot_radius * 2.2);
     let earth = pot(b, pot_radius, pot_height);
-    let crown = Crown { x, y, low: earth, high: h };
+    let crown = Crown { x: x * 0.97, y: y * 0.97, low: earth, high: h * 0.99 };
     match kind {
         0 => cactus(b, crown, pot_radius),
         1 | 2 => succulent(b, crown),
@@ -138,42 +138,38 @@ fn cushion(b: &mut Build<'_>, c: Crown) {
         let level = (i as f32 + 0.5) / count as f32;
         let turn = i as f32 * 2.399_963;
         let out = (1.0 - level * level).sqrt();
-        let tip = c.at(turn, out * 0.97, 0.1 + 0.88 * level);
-        let root = c.at(turn, out * 0.62, 0.05 + 0.75 * level);
+        let tip = c.at(turn, out * 0.97, 0.1 + 0.85 * level);
+        let root = c.at(turn, out * 0.56, 0.05 + 0.62 * level);
         shells[i % 4 / 3].leaf(&[root, mix(root, tip, 0.5), tip], blade(c.x.min(c.y) * 0.13, 0.5), 0.2);
     }
     let [a, d] = shells;
     a.put(b, "leaf", mat);
     d.put(b, "leaf", other);
     let mut stems = Shell::default();
-    stems.egg(c.at(0.0, 0.0, 0.15), [c.x * 0.5, c.y * 0.5, (c.high - c.low) * 0.55]);
+    let deep = ((c.high - c.low) * 0.62).min((c.low + (c.high - c.low) * 0.15) * 0.95);
+    stems.egg(c.at(0.0, 0.0, 0.15), [c.x * 0.68, c.y * 0.68, deep]);
     stems.put(b, "shade", DARK_LEAF);
 }
 
 /// Upright sword leaves.
 fn sword(b: &mut Build<'_>, c: Crown, pot: f32) {
     let mat = b.one(&[DARK_LEAF, LEAF]);
-    let edge = b.one(&[LIGHT_LEAF, YELLOW_SKIN, DARK_LEAF]);
-    let (mut core, mut rim) = (Shell::default(), Shell::default());
-    let count = b.rng.count(7, 12);
-    let wide = pot * b.vary(0.14, 0.2);
+    let other = b.one(&[LIGHT_LEAF, LEAF, DARK_LEAF]);
+    let mut shells = [Shell::default(), Shell::default()];
+    let count = b.rng.count(9, 14);
+    let wide = pot * b.vary(0.16, 0.24);
     for i in 0..count {
         let turn = i as f32 * 2.4;
-        let (from, out) = (0.12 + 0.5 * (i as f32 / count as f32), b.vary(0.3, 0.9));
-        let root = [pot * from * turn.cos(), pot * from * turn.sin(), c.low - 0.002];
+        let (from, out) = (0.12 + 0.5 * (i as f32 / count as f32), b.vary(0.3, 0.95));
+        let root = [pot * from * turn.cos(), pot * from * turn.sin(), c.low - (c.high - c.low) * 0.004];
         let up = if i == 0 { 0.99 } else { b.vary(0.55, 0.97) };
         let tip = c.at(turn, out, up);
         let line = spline(&[root, mix(root, [root[0] * 1.6, root[1] * 1.6, tip[2]], 0.5), tip], 3);
-        let turned: Vec<P> = line;
-        core.leaf(&turned, blade(wide, 0.45), 0.25);
-        rim.leaf(
-            &turned.iter().map(|p| [p[0], p[1], p[2] - 0.0015]).collect::<Vec<_>>(),
-            blade(wide * 1.18, 0.45),
-            0.25,
-        );
+        shells[i % 2].leaf(&line, blade(wide, 0.45), 0.25);
     }
+    let [core, rest] = shells;
     core.put(b, "leaf", mat);
-    rim.put(b, "edge", edge);
+    rest.put(b, "leaf", other);
 }
 
 /// A slim trunk and a round head of leaves.
@@ -204,7 +200,7 @@ fn tree(b: &mut Build<'_>, c: Crown) {
     for i in 0..branches {
         let turn = i as f32 * 2.4;
         let level = (i as f32 + 0.5) / branches as f32;
-        let out = (0.35 + 0.5 * (level * std::f32::consts::PI).sin()) * b.vary(0.85, 1.0);
+        let out = (0.35 + 0.5 * (level * PI).sin()) * b.vary(0.85, 1.0);
         let tip = c.at(turn, out, fork + (0.95 - fork) * level);
         let root = [0.0, 0.0, c.low + tall * (fork * 0.95 + 0.4 * (1.0 - fork) * level)];
         wood.tapered(&[root, mix(root, tip, 0.6), tip], |t| r * (0.6 - 0.4 * t));
@@ -463,12 +459,12 @@ pub(super) fn orchid(b: &mut Build<'_>) {
         );
         stems.tapered(&line, |t| x * (0.025 - 0.01 * t));
         let size = x.min(y) * 0.3;
-        for (k, p) in line.iter().enumerate().skip(9).step_by(2) {
+        for (k, p) in line.iter().enumerate().skip(9).step_by(3) {
             let size = size * (1.1 - 0.4 * k as f32 / line.len() as f32);
             blossom(
                 &mut petals,
                 &mut hearts,
-                [p[0] + x * 0.1, p[1], (p[2] - size * 0.25).min(h - size * 0.85)],
+                [p[0] + size * 0.05, p[1], (p[2] - size * 0.12).min(h - size * 0.85)],
                 size,
                 c,
             );

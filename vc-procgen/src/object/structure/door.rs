@@ -74,9 +74,9 @@ pub(super) fn main_door(b: &mut Build<'_>) {
             let z = h * 0.68;
             b.lathe_along(
                 "knocker",
-                [low[0], 0.0, z],
+                [low[0] + t * 0.3, 0.0, z],
                 [low[0] - 1.0, 0.0, z],
-                &[(0.04 * u, 0.0), (0.03 * u, 0.02)],
+                &[(0.04 * u, 0.0), (0.03 * u, 0.02 + t * 0.3)],
                 metal,
             );
         }
@@ -217,7 +217,7 @@ pub(super) fn doorknob(b: &mut Build<'_>) {
     let mat = b.style.metal;
     b.lathe_along("rose", [-x, 0.0, r], [x, 0.0, r], &[(r, 0.0), (r * 0.9, x * 0.2)], mat);
     if y > r * 1.4 {
-        let neck = x * 1.3;
+        let neck = 2.0 * x - r * 0.3;
         b.rod("neck", [-x, 0.0, r], [-x + neck, 0.0, r], r * 0.35, mat);
         b.bar("lever", [x - r * 0.3, 0.0, r], [x - r * 0.3, y - r * 0.3, r], r * 0.3, mat);
         b.rod("lever", [x - r * 0.3, -y, r], [x - r * 0.3, 0.0, r], r * 0.28, mat);
@@ -260,7 +260,7 @@ fn frame_of(b: &mut Build<'_>, post: f32, mat: Mat, proud: f32) {
 
 /// The box of a leaf between posts, flush with the front.
 fn leaf_box((x, y, h): (f32, f32, f32), post: f32, t: f32) -> (P, P) {
-    let gap = post * 0.08;
+    let gap = post * 0.05;
     ([x - t, -y + post + gap, gap * 2.0], [x, y - post - gap, h - post - gap])
 }
 

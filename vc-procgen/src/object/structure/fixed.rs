@@ -9,7 +9,7 @@ pub(super) fn lightswitch(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let mat = plate_mat(b);
     plate(b, mat);
-    let (inner_y, inner_z, z) = (y * 0.68, h * 0.34, h / 2.0);
+    let (inner_y, inner_z, z) = (y * b.vary(0.5, 0.8), h * b.vary(0.26, 0.4), h / 2.0);
     let face = x * 0.1;
     if b.rng.chance(0.2) {
         let r = inner_y.min(inner_z) * 0.75;

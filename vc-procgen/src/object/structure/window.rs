@@ -97,7 +97,7 @@ pub(super) fn roof_window(b: &mut Build<'_>) {
 }
 
 /// Where cloth is over one pleat, from -1 to 1.
-const PLEAT: [f32; 8] = [0.0, 0.72, 1.0, 0.72, 0.0, -0.72, -1.0, -0.72];
+const PLEAT: [f32; 12] = [0.0, 0.5, 0.87, 1.0, 0.87, 0.5, 0.0, -0.5, -0.87, -1.0, -0.87, -0.5];
 
 /// The outline of cloth in pleats along Y, `t` thick and `deep` to either side.
 fn pleated(y: f32, deep: f32, t: f32, count: usize) -> Vec<(f32, f32)> {
@@ -115,7 +115,7 @@ pub(super) fn curtain(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let cloth = b.style.curtain;
     let t = (0.004 * u).min(x * 0.3);
-    let count = ((y / b.vary(0.05, 0.075)).round().clamp(2.0, 14.0)) as usize;
+    let count = ((y / b.vary(0.055, 0.085)).round().clamp(2.0, 11.0)) as usize;
     let head = 0.05 * u;
     match b.rng.below(3) {
         0 => {
@@ -143,7 +143,7 @@ pub(super) fn curtain(b: &mut Build<'_>) {
             let middle = side * (y - slim);
             tied(b, (y, x, 0.0), (slim, x * 0.8, middle), (band, h), count, cloth);
             tied(b, (slim * 1.0, x, middle), (slim, x * 0.8, middle), (band, 0.0), count, cloth);
-            let from = [-x, middle - slim - 0.002, band - 0.03 * u];
+            let from = [-x, (middle - slim - 0.002).max(-y), band - 0.03 * u];
             b.soft("tie", from, [x, (middle + slim + 0.002).min(y), band + 0.03 * u], 0.012 * u, b.style.accent);
         }
     }

@@ -14,7 +14,7 @@ fn driver(b: &mut Build<'_>, at: P, r: f32, cone: Mat) {
         "rim",
         at,
         to,
-        &[(r, -d), (r, d * 0.6), (r * 0.92, d), (r * 0.84, d * 0.5), (r * 0.8, -d)],
+        &[(r, -d), (r, d * 0.6), (r * 0.92, d), (r * 0.84, d * 0.5), (r * 0.8, -d), (r, -d)],
         SILVER_METAL,
     );
     b.lathe_along(
@@ -32,7 +32,7 @@ pub(super) fn speaker(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let body = b.one(&[BLACK, WALNUT, b.style.wood, WHITE, OAK, BLACK_PLASTIC]);
     let cone = b.one(&[RUBBER, YELLOW, GREY, RUBBER]);
-    let out = (y * 0.07).min(0.007);
+    let out = (y * 0.1).min(0.007);
     let (front, foot) = (x - out, if b.class == "speaker" { 0.0 } else { (h * 0.03).min(0.03) });
     let round = b.vary(0.002, 0.012);
     let wide = if foot > 0.0 { y * 0.94 } else { y };
@@ -47,8 +47,8 @@ pub(super) fn speaker(b: &mut Build<'_>) {
     match b.class {
         "subwoofer" => driver(b, [front, 0.0, z(0.52)], (wide * 0.82).min((h - foot) * 0.42), cone),
         "floor_speaker" => {
-            let r = wide * 0.72;
             let count = b.rng.count(2, 3);
+            let r = (wide * 0.72).min((h - foot) * 0.28 / count as f32);
             for i in 0..count {
                 driver(b, [front, 0.0, z(0.95) - r * (2.5 + 2.15 * i as f32)], r, cone);
             }
@@ -69,7 +69,7 @@ pub(super) fn speaker(b: &mut Build<'_>) {
             });
         }
         spikes.put(b, "spike", b.style.metal);
-        b.block("plinth", [-x, -y, foot * 0.7], [x * 0.97, y, foot * 1.2], BLACK);
+        b.block("plinth", [-x * 0.985, -y, foot * 0.7], [x * 0.955, y, foot * 1.2], BLACK);
     } else {
         let mark = ([front - 0.001, -y * 0.15, h * 0.02], [front + h * 0.002, y * 0.15, h * 0.035]);
         blocks(b, "mark", &[mark], SILVER_METAL);
@@ -180,8 +180,8 @@ pub(super) fn headset(b: &mut Build<'_>) {
     hoop_.leaf(&line, |_| band * 1.6, 0.0);
     hoop_.tube(&line, band * 0.5);
     hoop_.put(b, "band", shell);
-    let upper: Vec<P> = line[5..12].iter().map(|p| [p[0], p[1] * 0.96, cup + (p[2] - cup) * 0.97]).collect();
-    tube(b, "cushion", &upper, band * 0.8, pad);
+    let upper: Vec<P> = line[5..12].iter().map(|p| [p[0], p[1] * 0.92, cup + (p[2] - cup) * 0.945]).collect();
+    tube(b, "cushion", &upper, band * 0.85, pad);
     for side in [-1.0_f32, 1.0] {
         let at = |o: f32| [0.0, side * (reach - o), cup];
         let deep = y * 0.16;
@@ -228,13 +228,7 @@ pub(super) fn earphone(b: &mut Build<'_>) {
     }
     buds.put(b, "bud", body);
     if b.rng.chance(0.5) {
-        b.soft("case", [-x, -y * 0.55, 0.0], [(x - r * 2.4).max(-x * 0.3), y * 0.55, h], h * 0.45, body);
-        b.block(
-            "seam",
-            [-x * 0.9, -y * 0.56, h * 0.6],
-            [(x - r * 2.4).max(-x * 0.3) * 0.95, y * 0.56, h * 0.63],
-            GREY_PLASTIC,
-        );
+        b.soft("case", [-x, r * 1.2 - y, 0.0], [(x - r * 2.4).max(-x * 0.3), y - r * 1.2, h], (h * 0.45).min(r), body);
     } else {
         let wire = r * 0.14;
         let line: Vec<P> = (0..=36)
@@ -248,6 +242,7 @@ pub(super) fn earphone(b: &mut Build<'_>) {
                 ]
             })
             .collect();
+        let line: Vec<P> = line.into_iter().chain([[x - r * 2.0, y - r * 1.3, r * 0.7]]).collect();
         tube(b, "cable", &line, wire, body);
     }
 }

@@ -1,5 +1,7 @@
 //! Cameras and what a studio has.
 
+use std::f32::consts::PI;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, hoop, oval, room, spline, tube};
 use super::lens;
@@ -36,7 +38,7 @@ pub(super) fn camera(b: &mut Build<'_>) {
     b.soft("body", [-x, -y, 0.0], [front, y, top], x.min(top) * 0.12, body);
     let mid = if b.class == "action_camera" { y * 0.4 } else { y * b.vary(-0.05, 0.15) };
     let r = (top * if b.class == "action_camera" { 0.28 } else { 0.42 }).min((y - mid.abs()) * 0.9);
-    b.block("skin", [-x * 0.9, -y * 0.995, top * 0.15], [front + 0.0006, y * 0.995, top * 0.78], trim);
+    b.block("skin", [-x * 0.9, -y * 0.96, top * 0.15], [front + 0.0006, y * 0.96, top * 0.78], trim);
     lens(
         b,
         [front - 0.003, mid, top * 0.47],
@@ -47,13 +49,19 @@ pub(super) fn camera(b: &mut Build<'_>) {
     if reflex {
         b.taper(
             "hump",
-            [-x * 0.5, mid, top - 0.002],
+            [-x * 0.5, mid, top - hump * 0.05],
             (x * 0.35, y * 0.4),
             (x * 0.25, y * 0.22),
-            hump * 0.9,
+            hump * 0.95,
             BLACK_PLASTIC,
         );
-        b.soft("grip", [-x, -y, 0.0], [(front + x * 0.25).min(x), -y * 0.55, top * 0.97], x * 0.1, RUBBER);
+        b.soft(
+            "grip",
+            [-x * 0.94, -y * 0.96, top * 0.03],
+            [(front + x * 0.25).min(x), -y * 0.55, top * 0.97],
+            x * 0.1,
+            RUBBER,
+        );
         blocks(b, "shoe", &[([-x * 0.7, mid - y * 0.12, h - hump * 0.15], [-x * 0.35, mid + y * 0.12, h])], STEEL);
     } else {
         b.cylinder("shutter", [-x * 0.3, -y * 0.65, top - 0.001], (y * 0.1).min(x * 0.3), hump, SILVER_METAL);
@@ -76,9 +84,6 @@ pub(super) fn camera(b: &mut Build<'_>) {
                 mat,
             );
         }
-        b.hinge([front, 0.0, 0.0], [0.0, 1.0, 0.0], 1.2, |b| {
-            b.block("door", [front - x * 0.02, -y * 0.8, top * 0.1], [front + h * 0.002, y * 0.5, top * 0.145], body);
-        });
     }
     b.block("screen", [-x - 0.0004, -y * 0.6, top * 0.15], [-x + 0.003, y * 0.4, top * 0.8], SCREEN);
 }
@@ -140,7 +145,7 @@ pub(super) fn webcam(b: &mut Build<'_>) {
     b.soft("body", [-x * 0.6, -wide, low], [x * 0.75, wide, h], h * round, body);
     lens(b, [x * 0.6, 0.0, (low + h) / 2.0], [x, 0.0, (low + h) / 2.0], (h - low) * 0.34, BLACK_PLASTIC);
     b.block("neck", [-x * 0.2, -y * 0.15, low * 0.5], [x * 0.2, y * 0.15, low * 1.2], body);
-    b.block("clip", [-x, -y * 0.45, 0.0], [x * 0.8, y * 0.45, low * 0.3], body);
+    b.block("clip", [-x * 0.97, -y * 0.44, 0.0], [x * 0.8, y * 0.44, low * 0.3], body);
     b.block("clip", [-x, -y * 0.45, low * 0.25], [-x * 0.8, y * 0.45, low * 0.9], body);
     b.block("clip", [-x * 0.9, -y * 0.4, low * 0.6], [x * 0.1, y * 0.4, low * 0.85], body);
     b.block("light", [x * 0.7, y * 0.4, h * 0.72], [x * 0.78, y * 0.5, h * 0.76], LED);
@@ -175,7 +180,7 @@ pub(super) fn tripod(b: &mut Build<'_>) {
         BLACK_PLASTIC,
     );
     b.block("head", [-r * 0.35, -r * 0.35, h * 0.88], [r * 0.35, r * 0.35, h * 0.96], BLACK_PLASTIC);
-    b.block("plate", [-r * 0.45, -r * 0.35, h * 0.95], [r * 0.45, r * 0.35, h], GREY_PLASTIC);
+    b.block("plate", [-r * 0.45, -r * 0.42, h * 0.95], [r * 0.45, r * 0.42, h], GREY_PLASTIC);
     let handle = [[-r * 0.3, r * 0.2, h * 0.9], [-r * 0.6, r * 0.5, h * 0.75], [-r * 0.68, r * 0.55, h * 0.62]];
     tube(b, "handle", &handle, leg * 0.35, BLACK_PLASTIC);
 }
@@ -235,7 +240,7 @@ pub(super) fn drone(b: &mut Build<'_>) {
         arms.tapered(&[[sx * x * 0.3, sy * y * 0.1, h * 0.6], hub], |t| h * (0.12 - 0.03 * t));
         arms.tube(&[[at[0], at[1], high - h * 0.1], [at[0], at[1], h * 0.92]], r * 0.14);
         feet.tapered(&[[at[0], at[1], high - h * 0.05], [at[0], at[1], 0.0]], |t| h * (0.07 - 0.03 * t));
-        let turn = b.vary(0.0, std::f32::consts::PI);
+        let turn = b.vary(0.0, PI);
         let (s, c) = turn.sin_cos();
         let tip = |f: f32, z: f32| [at[0] + r * 0.98 * f * c, at[1] + r * 0.98 * f * s, z];
         blades.leaf(

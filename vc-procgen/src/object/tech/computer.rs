@@ -15,7 +15,7 @@ pub(super) fn laptop(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let body = b.one(&[SILVER_METAL, ANTHRACITE, BLACK_PLASTIC, ALUMINIUM, WHITE_PLASTIC, NAVY]);
     let keys = if body == BLACK_PLASTIC || body == ANTHRACITE { ANTHRACITE } else { BLACK_PLASTIC };
-    let (gap, base) = ((h * 0.14).min(0.003), h * 0.56);
+    let (gap, base) = ((h * 0.17).min(0.003), h * 0.54);
     b.soft("base", [-x, -y, 0.0], [x, y, base], h * 0.2, body);
     let (x0, px, py) = (-x * 0.78, x * 0.9 / 5.0, y * 1.72 / 12.0);
     let key = |i: f32, j: f32| {
@@ -152,7 +152,7 @@ fn window(b: &mut Build<'_>, side: f32, foot: f32, glow: Mat) {
     );
     let r = (h - foot) * 0.09;
     for z in [0.72, 0.3] {
-        let centre = [-x * 0.45, side + deep * 0.45, foot + (h - foot) * z];
+        let centre = [-x * 0.45, side + deep * 0.12, foot + (h - foot) * z];
         hoop(b, "fan", &oval(Axis::Y, centre, (r, r), 0, 18), deep * 0.14, glow);
     }
     b.block("window", [-x * 0.98, y - deep * 0.15, foot + h * 0.008], [x * 0.88, y, h * 0.985], CLEAR_PLASTIC);

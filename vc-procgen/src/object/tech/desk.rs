@@ -104,10 +104,10 @@ pub(super) fn graphic_tablet(b: &mut Build<'_>) {
     let pen = (h * 0.25).min(x * 0.04);
     let top = h - 2.0 * pen;
     b.soft("body", [-x, -y, 0.0], [x, y, top], top * 0.4, BLACK_PLASTIC);
-    b.block("surface", [-x * 0.9, -y * 0.72, top * 0.5], [x * 0.9, y * 0.92, top + h * 0.002], GREY_PLASTIC);
+    b.block("surface", [-x * 0.9, -y * 0.72, top * 0.5], [x * 0.9, y * 0.92, top + h * 0.05], GREY_PLASTIC);
     let keys: Vec<(P, P)> = (0..6)
         .map(|i| x * (-0.75 + 0.25 * i as f32))
-        .map(|a| ([a, -y * 0.93, top * 0.5], [a + x * 0.18, -y * 0.8, top + 0.001]))
+        .map(|a| ([a, -y * 0.93, top * 0.5], [a + x * 0.18, -y * 0.8, top + h * 0.12]))
         .collect();
     blocks(b, "key", &keys, SILVER_METAL);
     let turn = b.vary(0.1, 0.5);
@@ -136,7 +136,7 @@ pub(super) fn usb_stick(b: &mut Build<'_>) {
         blocks(
             b,
             "hole",
-            &[-0.35, 0.35].map(|s| ([x * s - x * 0.15, y * 0.75, h * 0.7], [x * s + x * 0.15, y * 0.88, h * 0.83])),
+            &[-0.35, 0.35].map(|s| ([x * s - x * 0.15, y * 0.75, h * 0.7], [x * s + x * 0.15, y * 0.88, h * 0.87])),
             BLACK_PLASTIC,
         );
         b.block("label", [-x * 0.6, -y * 0.8, h * 0.5], [x * 0.6, 0.0, h + 0.0006], WHITE_PAPER);
@@ -149,11 +149,11 @@ pub(super) fn charger(b: &mut Build<'_>) {
     let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC]);
     let pins = y * 0.35;
     let split = y - pins;
-    b.soft("block", [-x, -y, 0.0], [x, split, h], x.min(h) * 0.25, body);
+    b.soft("block", [-x, -y * 0.97, 0.0], [x, split, h], x.min(h) * 0.25, body);
     for s in [-0.35, 0.35] {
         b.rod("pin", [x * s, split - y * 0.05, h / 2.0], [x * s, y, h / 2.0], (x * 0.1).min(h * 0.1), STEEL);
     }
-    b.block("port", [-x * 0.35, -y - h * 0.002, h * 0.4], [x * 0.35, -y * 0.9, h * 0.55], SCREEN);
+    b.block("port", [-x * 0.35, -y, h * 0.4], [x * 0.35, -y * 0.9, h * 0.55], SCREEN);
     b.block("mark", [-x * 0.3, -y * 0.5, h * 0.9], [x * 0.3, -y * 0.2, h + 0.0006], GREY_PLASTIC);
 }
 
@@ -170,6 +170,7 @@ pub(super) fn cable(b: &mut Build<'_>) {
             let reach = 1.0 - 0.18 * (t * 9.0).sin().abs();
             [(x - r) * c * reach, (y - r) * s * reach, r + (h - 2.0 * r) * t]
         })
+        .chain([[x * 0.2, -y * 0.3, r * 1.5]])
         .collect();
     tube(b, "cable", &line, r, colour);
     let plug = (x * 0.14).min(h * 0.3);

@@ -145,7 +145,13 @@ pub(super) fn joystick(b: &mut Build<'_>) {
     ];
     loft(b, "grip", &rings, body);
     let high = base + (h - base) * 0.86;
-    b.rod("trigger", [-lean - r * 0.6, 0.0, high - h * 0.12], [-lean - r * 1.25, 0.0, high - h * 0.14], r * 0.3, trim);
+    b.rod(
+        "trigger",
+        [lean * 0.7 - r * 0.5, 0.0, high - h * 0.12],
+        [lean * 0.7 - r * 1.25, 0.0, high - h * 0.14],
+        r * 0.3,
+        trim,
+    );
     let mut buttons = Shell::default();
     for side in [-0.5, 0.5] {
         buttons.egg([lean + r * 0.75, r * side, high], [r * 0.25, r * 0.25, r * 0.25]);

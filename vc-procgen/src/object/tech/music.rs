@@ -54,21 +54,16 @@ pub(super) fn radio(b: &mut Build<'_>) {
     }
     let thick = (grip * 0.2).min(x * 0.15);
     let handle = [
-        [-x * 0.2, -y * 0.7, top * 0.97],
-        [-x * 0.2, -y * 0.6, h - thick * 1.9],
-        [-x * 0.2, y * 0.6, h - thick * 1.9],
-        [-x * 0.2, y * 0.7, top * 0.97],
+        [-x * 0.72, -y * 0.7, top * 0.97],
+        [-x * 0.72, -y * 0.6, h - thick * 1.9],
+        [-x * 0.72, y * 0.6, h - thick * 1.9],
+        [-x * 0.72, y * 0.7, top * 0.97],
     ];
     tube(b, "handle", &spline(&handle, 3), thick, if wooden { BROWN_LEATHER } else { BLACK_PLASTIC });
     if boombox {
-        b.hinge([-x * 0.7, 0.0, top - h * 0.002], [0.0, -1.0, 0.0], 1.2, |b| {
-            b.cylinder(
-                "lid",
-                [0.0, 0.0, top - h * 0.002],
-                (x * 0.6).min(y * 0.35),
-                (grip * 0.35).min(0.02),
-                BLACK_PLASTIC,
-            );
+        let r = (x * 0.42).min(y * 0.35);
+        b.hinge([x * 0.05 - r, 0.0, top], [0.0, -1.0, 0.0], 1.2, |b| {
+            b.cylinder("lid", [x * 0.05, 0.0, top * 0.998], r, (grip * 0.35).min(0.02), BLACK_PLASTIC);
         });
     }
 }
@@ -78,7 +73,7 @@ fn portable_player(b: &mut Build<'_>, body: Mat) {
     let (x, y, h) = room(b);
     let r = x.min(y);
     b.lathe("base", [0.0; 3], &[(r * 0.94, 0.0), (r, h * 0.2), (r, h * 0.6)], BLACK_PLASTIC);
-    b.hinge([-r * 0.9, 0.0, h * 0.6], [0.0, -1.0, 0.0], 1.4, |b| {
+    b.hinge([-r, 0.0, h * 0.6], [0.0, -1.0, 0.0], 1.4, |b| {
         b.lathe("lid", [0.0, 0.0, h * 0.605], &[(r * 0.99, 0.0), (r * 0.97, h * 0.2), (r * 0.85, h * 0.36)], body);
         b.cylinder("window", [0.0, 0.0, h * 0.9], r * 0.4, h * 0.1, SCREEN);
     });
@@ -122,9 +117,9 @@ pub(super) fn turntable(b: &mut Build<'_>) {
     b.block("head", [x * 0.55, at[1] + r * 0.55, disc + h * 0.02], [x * 0.7, at[1] + r * 0.68, high], BLACK_PLASTIC);
     b.cylinder("knob", [x * 0.78, y * 0.8, base - 0.001], y * 0.06, h * 0.08, SILVER_METAL);
     let t = (x * 0.015).min(0.004);
-    b.top("top", [0.0, 0.0, h], (x * 0.9, y * 0.9));
     b.hinge([-x, 0.0, base], [0.0, -1.0, 0.0], 1.2, |b| {
         let low = base + h * 0.003;
+        b.top("top", [0.0, 0.0, h], (x * 0.9, y * 0.9));
         b.block("lid", [-x, -y, h - t], [x, y, h], CLEAR_PLASTIC);
         let walls = [
             ([-x, -y, low], [x, -y + t, h - t * 1.01]),
@@ -141,7 +136,8 @@ pub(super) fn mixer(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let key = h * 0.12;
     let (low, high) = (h * 0.35, h - key);
-    let outline = [(-x, 0.0), (x, 0.0), (x, low), (-x, high)];
+    let end = x * 0.985;
+    let outline = [(-end, h * 0.03), (end, h * 0.03), (end, low), (-end, high)];
     b.prism("body", Axis::Y, [0.0, -y * 0.96, 0.0], &outline, 1.92 * y, ANTHRACITE);
     let wood = b.one(&[WALNUT, BLACK_PLASTIC, OAK]);
     for s in [-1.0_f32, 1.0] {
@@ -164,7 +160,7 @@ pub(super) fn mixer(b: &mut Build<'_>) {
         let py = -0.9 * y + pitch * (i as f32 + 0.5);
         slots.block(
             [x * 0.3, py - pitch * 0.06, at(x * 0.85) - key * 0.3],
-            [x * 0.85, py + pitch * 0.06, at(x * 0.3) - 0.0002],
+            [x * 0.85, py + pitch * 0.06, at(x * 0.3) * 0.98],
         );
         let f = x * b.vary(0.35, 0.75);
         faders.block([f, py - pitch * 0.25, at(f) - key * 0.5], [f + x * 0.1, py + pitch * 0.25, at(f) + key * 0.6]);
@@ -187,7 +183,7 @@ pub(super) fn sleeve(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let (x, y) = (t / 2.0, w / 2.0);
         let step = (t * 0.1).min(0.0008);
-        let face = x - step * 3.0;
+        let face = x - step * 4.0;
         let record = b.class == "vinyl_record";
         let shell = if record {
             b.one(&[BLACK_CARD, WHITE_PAPER, RED_CARD])
@@ -199,12 +195,12 @@ pub(super) fn sleeve(b: &mut Build<'_>) {
         let inks = Inks::printed(b);
         motif(b, Canvas { half: (y * share, h / 2.0 * share), step }, [face, 0.0, h / 2.0], inks);
         let ink = b.one(&[WHITE_PAPER, BLACK_CARD, YELLOW_CARD]);
-        blocks(b, "title", &[([face, -y * 0.8, h * 0.86], [x, y * 0.3, h * 0.92])], ink);
+        blocks(b, "title", &[([face, -y * 0.77, h * 0.86], [x, y * 0.3, h * 0.92])], ink);
         if record {
             b.rod(
                 "record",
-                [-x * 0.3, y * 0.02, h * 0.5],
-                [x * 0.2, y * 0.02, h * 0.5],
+                [-x * 0.45, y * 0.02, h * 0.5],
+                [-x * 0.1, y * 0.02, h * 0.5],
                 (y * 0.98).min(h * 0.499),
                 BLACK_PLASTIC,
             );

@@ -11,7 +11,7 @@ pub(super) fn slab(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let body = b.one(&[BLACK_PLASTIC, SILVER_METAL, WHITE_PLASTIC, NAVY, DUSTY_ROSE, ANTHRACITE]);
         let (x, y) = (t / 2.0, w / 2.0);
-        let step = (t * 0.06).min(0.001);
+        let step = (t * 0.08).min(0.001);
         let face = x - step * 3.0;
         b.soft("body", [-x * 0.9, -y, 0.0], [face, y, h], t * 0.3, body);
         let (low, edge) = match b.class {
@@ -25,25 +25,25 @@ pub(super) fn slab(b: &mut Build<'_>) {
         b.block(
             "glass",
             [face - t * 0.1, -half.0 - edge * 0.3, low],
-            [face + step * 0.5, half.0 + edge * 0.3, h - edge],
+            [face + step, half.0 + edge * 0.3, h - edge],
             SCREEN,
         );
-        let at = [face + step * 0.5, 0.0, middle];
+        let at = [face + step, 0.0, middle];
         if b.class == "e_reader" {
-            let page = ([face, -half.0, low + h * 0.01], [face + step, half.0, h - edge * 1.2]);
+            let page = ([face, -half.0, low + h * 0.01], [face + step * 2.0, half.0, h - edge * 1.2]);
             blocks(b, "page", &[page], LIGHT_GREY);
             let lines = grid((10, 1), |i, _| {
                 (
                     [face, -half.0 * 0.85, low + h * (0.05 + 0.075 * i)],
-                    [face + step * 2.0, half.0 * 0.85, low + h * (0.075 + 0.075 * i)],
+                    [x, half.0 * 0.85, low + h * (0.075 + 0.075 * i)],
                 )
             });
             blocks(b, "text", &lines, ANTHRACITE);
         } else {
-            motif(b, Canvas { half: (half.0 * 0.98, half.1 * 0.98), step: step * 0.8 }, at, Inks::screen());
+            motif(b, Canvas { half: (half.0 * 0.98, half.1 * 0.98), step: step * 0.66 }, at, Inks::screen());
         }
         if b.class == "mp3_player" {
-            let wheel = oval(Axis::X, [face, 0.0, h * 0.25], (w * 0.28, w * 0.28), 0, 20);
+            let wheel = oval(Axis::X, [face, 0.0, h * 0.25], ((w * 0.28).min(h * 0.2), (w * 0.28).min(h * 0.2)), 0, 20);
             super::super::textile::form::hoop(b, "wheel", &wheel, step.min(w * 0.05), GREY_PLASTIC);
         } else {
             let (y0, z0, size) = (y - w * 0.22, h - w * 0.24, w * 0.14);
@@ -62,15 +62,16 @@ fn dial_keys(x: (f32, f32), y: (f32, f32), z: (f32, f32)) -> Vec<(P, P)> {
 /// A receiver along Y: a grip with two cups.
 fn receiver(b: &mut Build<'_>, at: P, half: f32, thick: f32, mat: Mat) {
     let mut shell = Shell::default();
+    let ear = half.min(b.size.x * 0.8);
     let line = [
         [at[0], at[1] - half * 0.8, at[2]],
         [at[0], at[1] - half * 0.4, at[2] + thick * 0.8],
         [at[0], at[1] + half * 0.4, at[2] + thick * 0.8],
         [at[0], at[1] + half * 0.8, at[2]],
     ];
-    shell.tube(&spline(&line, 4), thick * 0.62);
+    shell.tube(&spline(&line, 4), thick * 0.55);
     for s in [-0.78, 0.78] {
-        let ring = |z: f32, r: f32| oval(Axis::Z, [at[0], at[1] + s * half, at[2] + z], (half * r, half * r), 0, 14);
+        let ring = |z: f32, r: f32| oval(Axis::Z, [at[0], at[1] + s * half, at[2] + z], (ear * r, ear * r), 0, 14);
         shell.loft(&[ring(-thick, 0.2), ring(-thick * 0.4, 0.22), ring(thick * 0.5, 0.16)]);
     }
     shell.put(b, "receiver", mat);
@@ -83,10 +84,10 @@ pub(super) fn desk_phone(b: &mut Build<'_>) {
     if y < 0.05 || h > 1.8 * y {
         return cradle(b, body);
     }
-    let (thick, low) = (h * 0.16, h * 0.2);
+    let (thick, low) = ((h * 0.16).min(x * 0.5), h * 0.2);
     let slope = [(-x, 0.0), (x, 0.0), (x, low), (-x * 0.2, h * 0.6), (-x, h * 0.62)];
     b.prism("body", Axis::Y, [0.0, -y, 0.0], &slope, 2.0 * y, body);
-    receiver(b, [-x * 0.62, 0.0, h - thick * 1.45], y * 0.98, thick, body);
+    receiver(b, [-x * 0.62, 0.0, (h - thick * 1.6).min(h * 0.61 + thick * 0.9)], y * 0.98, thick, body);
     let angle = ((h * 0.6 - low) / (x * 1.2)).atan();
     let pose = nalgebra::Isometry3::new(
         nalgebra::Vector3::new(x * 0.4, 0.0, f32::midpoint(low, h * 0.6)),
@@ -155,7 +156,7 @@ pub(super) fn handset(b: &mut Build<'_>) {
     if b.class == "baby_monitor" {
         b.soft("foot", [-x, -y, 0.0], [x, y, h * 0.1], h * 0.03, body);
     }
-    let (t, w) = (x * if b.class == "baby_monitor" { 0.6 } else { 1.0 }, y);
+    let (t, w) = if b.class == "baby_monitor" { (x * 0.6, y * 0.9) } else { (x, y) };
     upright(b, (t, w, tall), body);
     let at = [-t * 0.2, y * 0.6, tall * 0.97];
     b.lathe(
@@ -176,8 +177,8 @@ pub(super) fn wall_phone(b: &mut Build<'_>) {
     let wide = y * 0.3;
     let line = [
         [front, -y + wide, h * 0.2],
-        [x * 0.75, -y + wide, h * 0.35],
-        [x * 0.75, -y + wide, h * 0.8],
+        [x * 0.62, -y + wide, h * 0.35],
+        [x * 0.62, -y + wide, h * 0.8],
         [front, -y + wide, h * 0.93],
     ];
     let mut shell = Shell::default();

@@ -19,7 +19,7 @@ pub(super) fn printer(b: &mut Build<'_>) {
     let out = (x * 0.05).min(0.02);
     let front = x - out;
     let scanner = b.class == "multifunction_printer";
-    let top = if scanner { h * 0.8 } else { h };
+    let top = if scanner { h * 0.8 } else { h * 0.993 };
     let (low, high) = (h * 0.24, h * 0.46);
     // Cassette below, a mouth above it, the works on top.
     let walls = [
@@ -31,7 +31,7 @@ pub(super) fn printer(b: &mut Build<'_>) {
     ];
     blocks(b, "case", &walls, body);
     b.soft("works", [-x, -y, high - 0.001], [front, y, top], x * 0.06, body);
-    b.block("dark", [-x * 0.2, -y + t * 0.9, low + t * 0.9], [x * 0.1, y - t * 0.9, high], SCREEN);
+    b.block("dark", [-x * 0.2, -y + t * 0.9, low + t * 0.9], [x * 0.1, y - t * 0.9, high * 0.99], SCREEN);
     b.inside(
         "compartment",
         [(x * 0.1 + front) / 2.0, 0.0, low + t],
@@ -41,7 +41,7 @@ pub(super) fn printer(b: &mut Build<'_>) {
     b.slide([1.0, 0.0, 0.0], x, |b| {
         let w = y - 1.3 * t;
         b.block("cassette", [front - t, -w, t * 1.3], [front + out * 0.3, w, low * 0.96], trim);
-        b.block("cassette", [-x + 2.0 * t, -w, t * 1.3], [front - t * 0.9, w, t * 2.2], trim);
+        b.block("cassette", [-x + 2.0 * t, -w * 0.98, t * 1.5], [front - t * 0.9, w * 0.98, t * 2.2], trim);
         b.block("paper", [-x + 3.0 * t, -w * 0.8, t * 2.1], [front - 2.0 * t, w * 0.8, low * 0.6], WHITE_PAPER);
         b.block("grip", [front + out * 0.2, -y * 0.25, low * 0.4], [x, y * 0.25, low * 0.6], body);
     });
@@ -75,7 +75,7 @@ pub(super) fn printer(b: &mut Build<'_>) {
         });
         b.block("glass", [-x * 0.8, -y * 0.85, top - 0.002], [front * 0.85, y * 0.6, top + h * 0.002], BLACK_GLASS);
     } else {
-        b.block("slot", [-x * 0.75, -y * 0.7, h - 0.004], [-x * 0.6, y * 0.7, h + h * 0.002], SCREEN);
+        b.block("slot", [-x * 0.75, -y * 0.7, h * 0.96], [-x * 0.6, y * 0.7, h], SCREEN);
     }
 }
 
@@ -87,8 +87,8 @@ pub(super) fn label_printer(b: &mut Build<'_>) {
     let seam = h * 0.55;
     b.soft("body", [-x, -y, 0.0], [front, y, seam], h * 0.1, body);
     b.hinge([-x, 0.0, seam], [0.0, -1.0, 0.0], 1.4, |b| {
-        b.soft("lid", [-x, -y, seam + h * 0.002], [front, y, h], h * 0.15, body);
-        b.block("window", [-x * 0.4, -y * 0.5, h * 0.9], [x * 0.3, y * 0.5, h + h * 0.002], SCREEN);
+        b.soft("lid", [-x, -y, seam + h * 0.002], [front, y, h * 0.97], h * 0.15, body);
+        b.block("window", [-x * 0.4, -y * 0.5, h * 0.9], [x * 0.3, y * 0.5, h], SCREEN);
     });
     b.block("label", [front - x * 0.1, -y * 0.5, h * 0.4], [x, y * 0.5, h * 0.4 + (h * 0.02).min(0.001)], WHITE_PAPER);
     let keys: Vec<(P, P)> = [-0.6, 0.0, 0.4]
@@ -103,7 +103,7 @@ pub(super) fn three_d_printer(b: &mut Build<'_>) {
     let frame = b.one(&[BLACK_METAL, ALUMINIUM, ORANGE_PLASTIC]);
     let t = (x * 0.1).min(0.022);
     let base = h * 0.14;
-    b.soft("base", [-x, -y, 0.0], [x, y, base], t * 0.4, BLACK_PLASTIC);
+    b.soft("base", [-x, -y, 0.0], [x * 0.995, y, base], t * 0.4, BLACK_PLASTIC);
     let top = h - t;
     let post = |sy: f32| {
         ([-x * 0.2 - t * 0.5, sy * (y - t) - t * 0.5, base - 0.002], [-x * 0.2 + t * 0.5, sy * (y - t) + t * 0.5, top])
@@ -150,7 +150,7 @@ pub(super) fn three_d_printer(b: &mut Build<'_>) {
         t * 0.1,
         colour,
     );
-    b.block("panel", [x - t * 0.2, y * 0.2, base * 0.25], [x + h * 0.002, y * 0.7, base * 0.8], PICTURE_SKY);
+    b.block("panel", [x - t * 0.2, y * 0.2, base * 0.25], [x, y * 0.7, base * 0.8], PICTURE_SKY);
     b.top("bed", [x * 0.55, 0.0, bed], (x * 0.3, y * 0.7));
 }
 
@@ -162,8 +162,8 @@ pub(super) fn scanner(b: &mut Build<'_>) {
     b.soft("body", [-x, -y, 0.0], [x, y, seam], h * 0.15, body);
     b.block("glass", [-x * 0.85, -y * 0.85, seam - 0.003], [x * 0.75, y * 0.85, seam + 0.0003], BLACK_GLASS);
     b.hinge([-x, 0.0, seam], [0.0, -1.0, 0.0], 1.5, |b| {
-        b.soft("lid", [-x, -y * 0.98, seam + 0.0008], [x * 0.88, y * 0.98, h], h * 0.15, body);
-        b.block("mark", [x * 0.5, -y * 0.2, h * 0.9], [x * 0.62, y * 0.2, h + h * 0.002], SILVER_METAL);
+        b.soft("lid", [-x, -y * 0.98, seam + h * 0.01], [x * 0.88, y * 0.98, h * 0.97], h * 0.15, body);
+        b.block("mark", [x * 0.5, -y * 0.2, h * 0.9], [x * 0.62, y * 0.2, h], SILVER_METAL);
     });
     let keys: Vec<(P, P)> = (0..4)
         .map(|i| y * (-0.4 + 0.22 * i as f32))

@@ -17,21 +17,21 @@ pub(super) fn rack(b: &mut Build<'_>) {
     if b.class == "console" && b.rng.chance(0.5) {
         return swept(b);
     }
-    b.block("case", [-x, -y * 0.99, foot], [front - out * 0.4, y * 0.99, h], body);
-    b.soft(
-        "front",
-        [front - out * 0.5, -y, foot],
-        [front, y, h * 0.995],
-        out * 0.2,
-        if body == BLACK_METAL { BLACK_PLASTIC } else { body },
-    );
+    b.block("case", [-x, -y * 0.99, foot + h * 0.03], [front - out * 0.4, y * 0.99, h], body);
+    let z = |t: f32| foot + (h - foot) * t;
+    let slot = match b.class {
+        "stereo" => Some(((-y * 0.85, -y * 0.28), (z(0.55), z(0.8)))),
+        "dvd_player" | "console" => Some(((-y * 0.7, y * 0.1), (z(0.5), z(0.75)))),
+        _ => None,
+    };
+    let face = if body == BLACK_METAL { BLACK_PLASTIC } else { body };
+    panel(b, ([front - out * 0.5, -y, foot], [front, y, h * 0.98]), slot, face);
     let mut feet = Shell::default();
     for (sx, sy) in [(-0.8, -0.85), (-0.8, 0.85), (0.7, -0.85), (0.7, 0.85)] {
         feet.block([x * sx - foot, y * sy - foot, 0.0], [x * sx + foot, y * sy + foot, foot * 1.1]);
     }
     feet.put(b, "foot", RUBBER);
     b.top("top", [-out * 0.7, 0.0, h], (x - out, y * 0.95));
-    let z = |t: f32| foot + (h - foot) * t;
     let glow = b.one(&[PICTURE_SKY, LED, SIGNAL_RED, COOL_BULB]);
     let window = ([front - out * 0.3, -y * 0.2, z(0.45)], [front + 0.0006, y * 0.3, z(0.85)]);
     match b.class {
@@ -53,7 +53,7 @@ pub(super) fn rack(b: &mut Build<'_>) {
             blocks(b, "window", &[window], SCREEN);
             digits(b, [front, y * 0.05, z(0.65)], (y * 0.2, (h - foot) * 0.12), 0.0014, glow);
             if b.class == "stereo" {
-                tray(b, (front, out), (-y * 0.85, -y * 0.28), (z(0.55), z(0.8)), dark);
+                tray(b, (front, out), slot, dark);
             }
             let vents = grid((1, 9), |_, j| {
                 ([-x * 0.7, -y * 0.8 + y * 0.18 * j, h - 0.003], [x * 0.4, -y * 0.72 + y * 0.18 * j, h + 0.0006])
@@ -63,7 +63,7 @@ pub(super) fn rack(b: &mut Build<'_>) {
         class => {
             let disc = class == "dvd_player" || class == "console";
             if disc {
-                tray(b, (front, out), (-y * 0.7, y * 0.1), (z(0.5), z(0.75)), dark);
+                tray(b, (front, out), slot, dark);
             }
             let narrow = ([front - out * 0.3, y * 0.25, z(0.4)], [front + 0.0006, y * 0.8, z(0.85)]);
             blocks(b, "window", &[narrow], SCREEN);
@@ -86,17 +86,30 @@ pub(super) fn rack(b: &mut Build<'_>) {
     );
 }
 
-/// A tray for discs that slides out of the front.
-fn tray(b: &mut Build<'_>, (front, out): (f32, f32), (y0, y1): (f32, f32), (z0, z1): (f32, f32), mat: Mat) {
+/// Where a front is open: ranges of width and height.
+type Slot = Option<((f32, f32), (f32, f32))>;
+
+/// A front panel, with a slot in it or without.
+fn panel(b: &mut Build<'_>, (low, high): (P, P), slot: Slot, mat: Mat) {
+    let Some(((y0, y1), (z0, z1))) = slot else { return b.block("front", low, high, mat) };
+    let list = [
+        (low, [high[0], high[1], z0]),
+        ([low[0], low[1], z1], high),
+        ([low[0], low[1], z0 * 0.999], [high[0], y0, z1 * 1.001]),
+        ([low[0], y1, z0 * 0.999], [high[0], high[1], z1 * 1.001]),
+    ];
+    blocks(b, "front", &list, mat);
+}
+
+/// A tray for discs that slides out of the slot in the front.
+fn tray(b: &mut Build<'_>, (front, out): (f32, f32), slot: Slot, mat: Mat) {
+    let Some(((y0, y1), (z0, z1))) = slot else { return };
     let deep = b.size.x * 0.45;
+    let (gap, drop) = ((y1 - y0) * 0.01, (z1 - z0) * 0.03);
     b.slide([1.0, 0.0, 0.0], deep * 0.8, |b| {
-        b.block("tray", [front - out * 0.3, y0, z0], [front + out * 0.25, y1, z1], mat);
-        b.block(
-            "tray",
-            [front - deep, y0 * 0.98, z0 + (z1 - z0) * 0.1],
-            [front - out * 0.29, y1 - (y1 - y0) * 0.02, z0 + (z1 - z0) * 0.4],
-            BLACK_PLASTIC,
-        );
+        b.block("tray", [front - out * 0.45, y0 + gap, z0 + drop], [front + out * 0.15, y1 - gap, z1 - drop], mat);
+        let low = [front - deep, y0 + 2.0 * gap, z0 + (z1 - z0) * 0.1];
+        b.block("tray", low, [front - out * 0.4, y1 - 2.0 * gap, z0 + (z1 - z0) * 0.4], BLACK_PLASTIC);
     });
 }
 
@@ -114,7 +127,6 @@ fn swept(b: &mut Build<'_>) {
         b.prism("plate", Axis::Y, [0.0, -y, 0.0], &outline, 2.0 * y, plate);
     }
     b.block("light", [x * 0.9, -y * 0.9, h * 0.7], [x * 0.97, y * 0.9, h * 0.74], PICTURE_SKY);
-    b.block("slot", [x * 0.9, -y * 0.6, h * 0.4], [x * 0.975, y * 0.1, h * 0.45], GREY_PLASTIC);
     b.top("top", [0.0, 0.0, h], (x * 0.3, y * 0.9));
     b.slide([1.0, 0.0, 0.0], 0.1_f32.min(x), |b| {
         b.block("disc", [x * 0.1, -y * 0.5, h * 0.415], [x * 0.968, 0.0, h * 0.435], SILVER_METAL);
@@ -180,7 +192,7 @@ pub(super) fn router(b: &mut Build<'_>) {
         let count = b.rng.count(2, 4);
         for i in 0..count {
             let py = y * (-0.85 + 1.7 * i as f32 / (count - 1) as f32);
-            b.cylinder("joint", [-x * 0.94, py, tall * 0.3], r, tall * 0.5, body);
+            b.cylinder("joint", [-x * 0.94, py, tall * 0.3], r * 1.15, tall * 0.5, body);
             b.lathe(
                 "aerial",
                 [-x * 0.94, py, tall * 0.7],

@@ -74,7 +74,7 @@ fn stand(b: &mut Build<'_>, low: f32, back: f32, metal: Mat) {
             b.soft("foot", [-x, -wide, 0.0], [x, wide, flat], flat * 0.4, metal);
             let neck = y * b.vary(0.06, 0.14);
             let top = if monitor { low + (h - low) * 0.5 } else { low + (h - low) * 0.2 };
-            b.block("neck", [back - (x + back).min(0.03), -neck, flat * 0.5], [back + 0.003, neck, top], metal);
+            b.block("neck", [back - (x + back).min(0.03) * 0.8, -neck, flat * 0.5], [back + 0.003, neck, top], metal);
         }
     }
 }

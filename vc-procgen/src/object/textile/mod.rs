@@ -4,6 +4,8 @@ mod bedding;
 pub(in crate::object) mod form;
 mod rug;
 
+use std::f32::consts::PI;
+
 use super::build::{Axis, Build, P};
 use super::{Generator, indoor};
 use crate::material::*;
@@ -95,8 +97,8 @@ fn hung(b: &mut Build<'_>, cloth: Mat, border: Mat) {
     let (x, y, h) = room(b);
     let back = h * b.vary(0.0, 0.3);
     let (outer, inner) = (x * 0.96, x * 0.4);
-    let over = form::arc(Axis::Y, [0.0, 0.0, h - outer], (outer, outer), (0.0, std::f32::consts::PI), 8);
-    let under = form::arc(Axis::Y, [0.0, 0.0, h - outer], (inner, inner), (std::f32::consts::PI, 0.0), 8);
+    let over = form::arc(Axis::Y, [0.0, 0.0, h - outer], (outer, outer), (0.0, PI), 8);
+    let under = form::arc(Axis::Y, [0.0, 0.0, h - outer], (inner, inner), (PI, 0.0), 8);
     let outline: Vec<(f32, f32)> = [(inner, 0.0), (outer, 0.0)]
         .into_iter()
         .chain(over.iter().map(|p| (p[0], p[2])))

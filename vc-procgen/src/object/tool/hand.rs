@@ -31,8 +31,8 @@ pub(super) fn hammer(b: &mut Build<'_>) {
             (-y * 0.3, l - head * 0.7),
         ];
         for side in [-1.0_f32, 1.0] {
-            let from = if side > 0.0 { x * 0.15 } else { -x * 0.75 };
-            b.prism("claw", Axis::X, [from, 0.0, 0.0], &claw, x * 0.6, IRON);
+            let from = if side > 0.0 { x * 0.12 } else { -x * 0.7 };
+            b.prism("claw", Axis::X, [from, 0.0, 0.0], &claw, x * 0.58, IRON);
         }
     });
 }
@@ -113,8 +113,8 @@ pub(super) fn pliers(b: &mut Build<'_>) {
             let r = (x * 0.95).min(y * 0.27);
             let way = [
                 [0.0, side * (y * 0.4), pivot * 0.9],
-                [0.0, side * (y - r), pivot * 0.5],
-                [0.0, side * (y - r), pivot * 0.25],
+                [0.0, side * (y - r * 1.25), pivot * 0.5],
+                [0.0, side * (y - r * 1.25), pivot * 0.25],
                 [0.0, side * (y * 0.55), r * 0.3],
             ];
             grips.tapered(&spline(&way, 4), |t| r * (0.7 + 0.3 * (t * 3.1).sin()));

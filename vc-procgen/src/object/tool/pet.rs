@@ -154,17 +154,19 @@ pub(in crate::object) fn sitting(b: &mut Build<'_>, coat: Mat, trim: Mat) {
     ];
     loft(b, "body", &rings, coat);
     let (mut legs, mut paws) = (Shell::default(), Shell::default());
+    let slim = y.min(h * 0.3);
     for side in [-1.0, 1.0] {
         let foot = [deep * 0.5, side * y * 0.35, h * 0.03];
         legs.tapered(&[[deep * 0.3, side * y * 0.35, h * 0.45], [deep * 0.45, side * y * 0.35, h * 0.2], foot], |t| {
-            y * (0.24 - 0.08 * t)
+            slim * (0.24 - 0.08 * t)
         });
         legs.egg([0.0, side * y * 0.68, h * 0.12], [deep * 0.5, y * 0.3, h * 0.12]);
         paws.egg([deep * 0.6, side * y * 0.35, h * 0.03], [deep * 0.2, y * 0.2, h * 0.03]);
         paws.egg([deep * 0.4, side * y * 0.75, h * 0.03], [deep * 0.25, y * 0.2, h * 0.03]);
     }
-    let tail = [[-deep * 0.75, 0.0, h * 0.06], [-deep * 0.9, y * 0.5, h * 0.05], [-deep * 0.4, y * 0.86, h * 0.05]];
-    legs.tapered(&spline(&tail, 4), |t| y * (0.13 - 0.04 * t));
+    let tail =
+        [[-deep * 0.75, 0.0, slim * 0.15], [-deep * 0.85, y * 0.5, slim * 0.13], [-deep * 0.4, y * 0.82, slim * 0.13]];
+    legs.tapered(&spline(&tail, 4), |t| slim * (0.13 - 0.04 * t));
     legs.put(b, "leg", coat);
     paws.put(b, "paw", trim);
     let size = [deep * 0.42, y * 0.6, h * 0.15];
@@ -188,7 +190,7 @@ fn lying(b: &mut Build<'_>, coat: Mat, trim: Mat) {
     ];
     loft(b, "body", &rings, coat);
     let (mut legs, mut paws) = (Shell::default(), Shell::default());
-    let r = high * 0.08;
+    let r = (high * 0.08).min(y * 0.1);
     for side in [-1.0, 1.0] {
         let py = side * y * 0.45;
         legs.tapered(&[[x * 0.2, py, high * 0.2], [x * 0.45, py, r], [x * 0.85, py, r]], |t| r * (1.5 - 0.6 * t));

@@ -1,7 +1,7 @@
 //! Cages, bowls, carriers and leashes.
 
 use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, spline, tube};
+use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, tube};
 use crate::material::*;
 
 /// A cage of wires on a tray, with a door, a perch and a cup; domed for birds.
@@ -12,10 +12,10 @@ pub(super) fn cage(b: &mut Build<'_>) {
     let (tall, r) = (h * 0.13, 0.0016_f32.min(x * 0.01));
     let ring = |z: f32, s: f32| oval(Axis::Z, [0.0, 0.0, z], (x * s, y * s), 2, 24);
     loft(b, "tray", &[ring(0.0, 0.94), ring(tall, 1.0), ring(tall, 0.97), ring(h * 0.015, 0.91)], tray);
-    b.inside("compartment", [0.0, 0.0, h * 0.015], (x * 0.85, y * 0.85), h * 0.3);
+    b.inside("compartment", [0.0, 0.0, h * 0.015], (x * 0.8, y * 0.8), h * 0.3);
     let domed = b.rng.chance(0.5);
     let eave = if domed { h * 0.7 } else { h - r };
-    let (wx, wy) = (x * 0.97, y * 0.97);
+    let (wx, wy) = (x * 0.955, y * 0.97);
     let door = (y * 0.3, tall + (eave - tall) * 0.12, tall + (eave - tall) * 0.62);
     let mut bars = Shell::default();
     let (nx, ny) = (8, 10);
@@ -62,10 +62,10 @@ pub(super) fn cage(b: &mut Build<'_>) {
     });
     b.rod("perch", [0.0, -wy, h * 0.42], [0.0, wy, h * 0.42], 0.006_f32.min(x * 0.04), PINE);
     if !domed {
-        let wheel = arc(Axis::Y, [-x * 0.4, wy * 0.6, h * 0.62], (x * 0.3, h * 0.15), (0.0, 5.9), 18);
-        hoop(b, "wheel", &wheel, r * 3.0, YELLOW_PLASTIC);
-        b.rod("axle", [-x * 0.4, wy, h * 0.62], [-x * 0.4, wy * 0.55, h * 0.62], r * 2.0, wire);
-        b.block("spoke", [-x * 0.4 - r, wy * 0.58, h * 0.48], [-x * 0.4 + r, wy * 0.62, h * 0.76], wire);
+        let (px, r) = (-wx * 0.5, r * 2.0);
+        hoop(b, "wheel", &oval(Axis::Y, [px, wy * 0.6, h * 0.62], (x * 0.3, h * 0.15), 0, 18), r, YELLOW_PLASTIC);
+        b.rod("axle", [px, wy, h * 0.62], [px, wy * 0.55, h * 0.62], r, wire);
+        b.block("spoke", [px - r, wy * 0.6 - r * 0.5, h * 0.47], [px + r, wy * 0.6 + r * 0.5, h * 0.77], wire);
     }
 }
 
@@ -75,7 +75,7 @@ pub(super) fn bowl(b: &mut Build<'_>) {
     let r = x.min(y);
     let mat = b.one(&[STEEL, RED_PLASTIC, BLUE_PLASTIC, PORCELAIN, STONEWARE, GREEN_PLASTIC]);
     let slope = b.vary(0.72, 0.86);
-    let foot = if b.rng.chance(0.5) { (r, r * slope) } else { (r * slope, r) };
+    let foot = if b.rng.chance(0.5) { (r * 0.97, r * slope) } else { (r * slope, r) };
     let inner = foot.1.min(r * 0.9) * 0.92;
     b.lathe(
         "bowl",
@@ -87,8 +87,8 @@ pub(super) fn bowl(b: &mut Build<'_>) {
     if b.rng.chance(0.6) {
         b.cylinder("food", [0.0, 0.0, h * 0.201], inner * 0.82, h * 0.4, fill);
     }
-    if foot.0 >= r {
-        b.lathe("band", [0.0; 3], &[(r, 0.0), (r, h * 0.05)], RUBBER);
+    if foot.0 > r * 0.9 {
+        b.lathe("band", [0.0; 3], &[(r, h * 0.01), (r, h * 0.06)], RUBBER);
     }
 }
 
@@ -102,27 +102,25 @@ pub(super) fn carrier(b: &mut Build<'_>) {
         (BROWN_PLASTIC, WHITE_PLASTIC),
     ]);
     let (grip, t) = (h * 0.1, 0.006_f32.min(y * 0.06));
-    let (top, seam) = (h - grip, h * 0.42);
+    let (top, seam) = (h - grip - t, h * 0.42);
     let front = x - t;
-    let half = |z0: f32, z1: f32| {
+    let half = |z0: f32, z1: f32, y: f32, x: f32| {
         [
             ([-x, -y, z0], [front, -y + t, z1]),
             ([-x, y - t, z0], [front, y, z1]),
             ([-x, -y + t * 0.9, z0], [-x + t, y - t * 0.9, z1]),
         ]
     };
-    blocks(b, "shell", &half(0.0, seam), lower);
-    b.block("floor", [-x + t * 0.9, -y + t * 0.9, 0.0], [front, y - t * 0.9, t], lower);
-    blocks(b, "shell", &half(seam, top), upper);
-    b.block("roof", [-x + t * 0.9, -y + t * 0.9, top - t], [front, y - t * 0.9, top - h * 0.002], upper);
-    let rim = oval(Axis::Z, [0.0, 0.0, seam], (x - t, y - t * 1.2), 2, 24);
-    hoop(b, "seam", &rim, t * 0.9, lower);
+    blocks(b, "shell", &half(0.0, seam, y, x), lower);
+    b.block("floor", [-x + t * 0.9, -y + t * 0.9, 0.0], [front - t * 0.3, y - t * 0.9, t], lower);
+    blocks(b, "shell", &half(seam, top, y * 0.98, x * 0.99), upper);
+    b.block("roof", [-x * 0.98, -y * 0.97, top - h * 0.001], [front - t * 0.4, y * 0.97, top + t], upper);
     b.inside("compartment", [0.0, 0.0, t], (x - 3.0 * t, y - 3.0 * t), top - 3.0 * t);
     let slots: Vec<(P, P)> = (0..5)
         .flat_map(|i| {
             let px = -x * 0.7 + x * 0.3 * i as f32;
             [-1.0_f32, 1.0].map(|s| {
-                let (a, c) = (s * (y - t * 0.5), s * (y + h * 0.002));
+                let (a, c) = (s * y * 0.96, s * y * 0.99);
                 ([px, a.min(c), seam + (top - seam) * 0.3], [px + x * 0.15, a.max(c), seam + (top - seam) * 0.75])
             })
         })
@@ -142,9 +140,8 @@ pub(super) fn carrier(b: &mut Build<'_>) {
         door.put(b, "door", STEEL);
     });
     let r = t * 0.9;
-    let handle =
-        [[-x * 0.4, 0.0, top - t], [-x * 0.3, 0.0, h - r * 2.0], [x * 0.3, 0.0, h - r * 2.0], [x * 0.4, 0.0, top - t]];
-    tube(b, "handle", &spline(&handle, 3), r, lower);
+    let handle = [[-x * 0.4, 0.0, top], [-x * 0.3, 0.0, h - r * 1.4], [x * 0.3, 0.0, h - r * 1.4], [x * 0.4, 0.0, top]];
+    tube(b, "handle", &handle, r, lower);
 }
 
 /// A leash: a coil of strap with a snap hook, or a reel with a grip.
@@ -161,8 +158,9 @@ pub(super) fn leash(b: &mut Build<'_>) {
             let shrink = 1.0 - 0.15 * t;
             [(x - r) * c * shrink, (y - r) * s * shrink, r + (h - 2.0 * r) * t]
         })
+        .chain([[x * 0.35, 0.0, h - r]])
         .collect();
     tube(b, "strap", &coil, r, strap);
-    let hook = arc(Axis::Z, [0.0, -y * 0.25, r], (x * 0.25, y * 0.18), (0.0, 5.6), 10);
+    let hook = arc(Axis::Z, [0.0, 0.0, h - r], (x * 0.35, y * 0.35), (0.0, 5.6), 12);
     tube(b, "hook", &hook, r * 0.5, STEEL);
 }

@@ -93,10 +93,10 @@ pub(super) fn yarn(b: &mut Build<'_>) {
     b.ball("ball", at, r * 0.93, colour);
     let mut strands = Shell::default();
     let thick = r * 0.07;
-    for i in 0..9 {
-        let (s, c) = (i as f32 * 0.7).sin_cos();
+    for i in 0..7 {
+        let (s, c) = (i as f32 * 0.9).sin_cos();
         let (tilt_s, tilt_c) = (i as f32 * 1.3).sin_cos();
-        let ring: Vec<P> = oval(Axis::Z, [0.0; 3], (r - thick, r - thick), 0, 20)
+        let ring: Vec<P> = oval(Axis::Z, [0.0; 3], (r - thick, r - thick), 0, 18)
             .iter()
             .map(|p| {
                 let q = [p[0], p[1] * tilt_c, p[1] * tilt_s];
@@ -132,8 +132,8 @@ pub(super) fn tape_measure(b: &mut Build<'_>) {
             );
         }
         b.block("base", [-x * 0.85, 0.0, 0.0], [x * 0.85, wide, h * 0.14], case);
-        b.block("tape", [-x * 0.6, wide * 0.9, h * 0.06], [x * 0.6, wide + tongue * 0.9, h * 0.08], YELLOW_CARD);
-        b.block("hook", [-x * 0.6, wide + tongue * 0.8, 0.0], [x * 0.6, wide + tongue, h * 0.09], STEEL);
+        b.block("tape", [-x * 0.6, wide * 0.9, h * 0.06], [x * 0.6, wide + tongue * 0.85, h * 0.08], YELLOW_CARD);
+        b.block("hook", [-x * 0.7, wide + tongue * 0.75, 0.0], [x * 0.7, wide + tongue, h * 0.12], STEEL);
     });
 }
 

@@ -1,5 +1,7 @@
 //! Toolboxes, cans, cords and what stands ready in a house.
 
+use std::f32::consts::FRAC_PI_2;
+
 use super::super::book::desk::tub;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, lengthwise, longwise, oval, room, spline, tube};
@@ -24,10 +26,10 @@ pub(super) fn toolbox(b: &mut Build<'_>) {
         tub(b, (half, y), (split, rim), t, body);
         b.inside("compartment", [0.0, 0.0, split + t], (half - 2.0 * t, y - 2.0 * t), rim - split - t);
         let list = [
-            ([-half, -y, 0.0], [half, y, t]),
-            ([-half, -y, t * 0.9], [half, -y + t, split + t * 0.1]),
-            ([-half, y - t, t * 0.9], [half, y, split + t * 0.1]),
-            ([-half, -y + t * 0.9, t * 0.9], [-half + t, y - t * 0.9, split + t * 0.1]),
+            ([t * 0.2 - half, t * 0.2 - y, 0.0], [half - t * 0.2, y - t * 0.2, t]),
+            ([t * 0.2 - half, t * 0.2 - y, t * 0.9], [half - t * 0.2, -y + t, split + t * 0.3]),
+            ([t * 0.2 - half, y - t, t * 0.9], [half - t * 0.2, y - t * 0.2, split + t * 0.3]),
+            ([t * 0.2 - half, -y + t * 0.9, t * 0.9], [-half + t, y - t * 0.9, split + t * 0.3]),
         ];
         blocks(b, "base", &list, body);
         b.slide([1.0, 0.0, 0.0], x * 1.2, |b| {
@@ -47,7 +49,12 @@ pub(super) fn toolbox(b: &mut Build<'_>) {
                 ((ahead - back) / 2.0 - 2.0 * t, w - 2.0 * t),
                 (z1 - z0 - 2.0 * t).max(0.0),
             );
-            b.block("pull", [ahead - t, -y * 0.2, split * 0.55], [half + latch * 0.9, y * 0.2, split * 0.7], STEEL);
+            b.block(
+                "pull",
+                [ahead - t * 0.5, -y * 0.2, split * 0.55],
+                [half + latch * 0.9, y * 0.2, split * 0.7],
+                STEEL,
+            );
         });
         b.hinge([-half, 0.0, rim], [0.0, -1.0, 0.0], 1.8, |b| {
             b.soft("lid", [-half, -y, rim + h * 0.002], [half, y, top], (top - rim) * 0.35, lid);
@@ -95,8 +102,7 @@ pub(super) fn paint_can(b: &mut Build<'_>) {
         drips.egg([r * 0.97 * c, r * 0.97 * s, h * 0.84], [r * 0.05, r * 0.05, h * b.vary(0.06, 0.14)]);
     }
     drips.put(b, "drip", paint);
-    let bail =
-        arc(Axis::Z, [0.0, 0.0, h * 0.86], (r + ear * 0.5, r + ear * 0.5), (std::f32::consts::FRAC_PI_2, 4.7124), 14);
+    let bail = arc(Axis::Z, [0.0, 0.0, h * 0.86], (r + ear * 0.5, r + ear * 0.5), (FRAC_PI_2, 3.0 * FRAC_PI_2), 14);
     let bail: Vec<P> = bail.iter().map(|p| [p[0], p[1], p[2] + p[0] * 0.5]).collect();
     tube(b, "bail", &bail, ear * 0.35, STEEL);
 }
@@ -125,7 +131,7 @@ pub(super) fn extinguisher(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let side = y * 0.22;
     let r = x.min(y - side) * 0.98;
-    let shift = -(y - r);
+    let shift = -(y - r * 1.04);
     let body =
         [(r * 0.9, 0.0), (r, h * 0.02), (r, h * 0.68), (r * 0.8, h * 0.76), (r * 0.35, h * 0.8), (r * 0.3, h * 0.86)];
     b.lathe("bottle", [0.0, shift, 0.0], &body, RED_METAL);
@@ -139,7 +145,7 @@ pub(super) fn extinguisher(b: &mut Build<'_>) {
     let out = y - hose_radius;
     let hose =
         [[0.0, shift + r * 0.25, h * 0.88], [0.0, out * 0.9, h * 0.86], [0.0, out, h * 0.6], [0.0, out, h * 0.35]];
-    tube(b, "hose", &spline(&hose, 4), hose_radius * 0.8, RUBBER);
+    tube(b, "hose", &hose, hose_radius * 0.8, RUBBER);
     b.lathe("nozzle", [0.0, out, h * 0.2], &[(hose_radius, 0.0), (hose_radius * 0.7, h * 0.17)], BLACK_PLASTIC);
     b.block("bracket", [-r * 0.1, out - hose_radius - side, h * 0.3], [r * 0.1, out, h * 0.33], BLACK_METAL);
 }
@@ -181,7 +187,7 @@ pub(super) fn matches(b: &mut Build<'_>) {
     );
     b.slide([0.0, 1.0, 0.0], y * 1.4, |b| {
         let w = x - e - 1.3 * t;
-        b.block("tray", [-w, -y * 0.99, t * 1.3], [w, y * 0.99, t * 2.2], WHITE_PAPER);
+        b.block("tray", [-w * 0.97, -y * 0.97, t * 1.3], [w * 0.97, y * 0.97, t * 2.2], WHITE_PAPER);
         let ends = [
             ([-w, -y * 0.99, t * 2.0], [w, -y * 0.99 + t, h - e - t * 1.3]),
             ([-w, y * 0.99 - t, t * 2.0], [w, y * 0.99, h - e - t * 1.3]),
@@ -244,10 +250,11 @@ pub(super) fn battery(b: &mut Build<'_>) {
             (YELLOW_PLASTIC, BLACK_PLASTIC),
             (BLUE_PLASTIC, SILVER_METAL),
         ]);
-        let cap = l * 0.96;
+        let cap = l * b.vary(0.945, 0.97);
+        let band = l * b.vary(0.55, 0.75);
         if y > 1.3 * x || x > 1.3 * y {
-            b.block("case", [-x, -y, 0.0], [x, y, l * 0.7], wrap);
-            b.block("top", [-x, -y, l * 0.7], [x, y, cap], end);
+            b.block("case", [-x, -y, 0.0], [x, y, band], wrap);
+            b.block("top", [-x, -y, band], [x, y, cap], end);
             let r = x.min(y) * 0.4;
             let offset = if y > x { [0.0, y * 0.5] } else { [x * 0.5, 0.0] };
             for s in [-1.0, 1.0] {
@@ -256,8 +263,8 @@ pub(super) fn battery(b: &mut Build<'_>) {
             return;
         }
         let r = x.min(y);
-        b.lathe("case", [0.0; 3], &[(r * 0.96, 0.0), (r, l * 0.02), (r, l * 0.68)], wrap);
-        b.lathe("top", [0.0, 0.0, l * 0.68], &[(r, 0.0), (r, cap - l * 0.7), (r * 0.95, cap - l * 0.68)], end);
+        b.lathe("case", [0.0; 3], &[(r * 0.96, 0.0), (r, l * 0.02), (r, band)], wrap);
+        b.lathe("top", [0.0, 0.0, band], &[(r, 0.0), (r, cap - band - l * 0.02), (r * 0.95, cap - band)], end);
         b.cylinder("pole", [0.0, 0.0, cap - l * 0.01], r * 0.35, l - cap + l * 0.01, STEEL);
     });
 }

@@ -5,7 +5,7 @@ mod car;
 mod cycle;
 mod small;
 mod truck;
-mod wheel;
+pub(super) mod wheel;
 
 use super::{Generator, outdoor};
 

@@ -12,7 +12,7 @@ const FREE: (f32, f32) = (-1e4, 1e4);
 
 /// Looks of a rim.
 #[derive(Clone, Copy)]
-pub(super) struct Rim {
+pub(crate) struct Rim {
     spokes: usize,
     star: f32,
     mat: Mat,
@@ -20,13 +20,13 @@ pub(super) struct Rim {
 }
 
 impl Rim {
-    pub(super) fn any(b: &mut Build<'_>) -> Self {
+    pub(crate) fn any(b: &mut Build<'_>) -> Self {
         let mat = b.one(&[ALUMINIUM, STEEL, ALUMINIUM, ANTHRACITE, CHROME, BLACK_METAL]);
         Self { spokes: b.rng.count(4, 10), star: b.vary(0.25, 0.6), mat, tyre: b.vary(0.58, 0.74) }
     }
 
     /// Plain steel discs of working vehicles.
-    pub(super) fn plain(b: &mut Build<'_>) -> Self {
+    pub(crate) fn plain(b: &mut Build<'_>) -> Self {
         let mat = b.one(&[SILVER_METAL, WHITE_METAL, GALVANISED, ANTHRACITE]);
         Self { spokes: b.rng.count(6, 10), star: 0.8, mat, tyre: b.vary(0.55, 0.62) }
     }
@@ -34,7 +34,7 @@ impl Rim {
 
 /// A tyred wheel with its middle at a point, its outer face towards `side` (1 is
 /// left), on a hinge of its own.
-pub(super) fn wheel(b: &mut Build<'_>, name: &str, at: P, radius: f32, width: f32, side: f32, rim: Rim) {
+pub(crate) fn wheel(b: &mut Build<'_>, name: &str, at: P, radius: f32, width: f32, side: f32, rim: Rim) {
     b.jointed(JointKind::Hinge, at, [0.0, 1.0, 0.0], FREE, |b| {
         let (half, inner) = (width / 2.0, radius * rim.tyre);
         let shoulder = radius * 0.93;

@@ -1,0 +1,763 @@
+//! Garden furniture.
+
+use std::f32::consts::{PI, TAU};
+
+use crate::material::*;
+use crate::object::build::{Axis, Build, P};
+use crate::object::joinery::legs;
+use crate::object::park::shape::{grown, limb, mix, plate, polar, polygon, spaced};
+
+const WOODS: &[Mat] = &[TEAK, OAK, PINE, GREY_OAK, WALNUT, WHITE];
+const METALS: &[Mat] = &[WHITE_METAL, IRON, ANTHRACITE, GREEN_METAL, GALVANISED];
+const CLOTHS: &[Mat] =
+    &[NAVY_FABRIC, BEIGE_FABRIC, GREEN_FABRIC, GREY_FABRIC, RED_FABRIC, MUSTARD_FABRIC, WHITE_COTTON, TEAL_FABRIC];
+
+/// A garden chair: wooden slats, a metal frame with cloth, wicker or plastic.
+pub(super) fn chair(b: &mut Build<'_>) {
+    grown(b, [0.25, 0.25, 0.4]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let design = b.rng.below(4);
+    let mat = match design {
+        0 => b.one(WOODS),
+        1 => b.one(METALS),
+        2 => b.one(&[WICKER, BROWN_PLASTIC, ANTHRACITE, WICKER]),
+        _ => b.one(&[WHITE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, BROWN_PLASTIC]),
+    };
+    let seat = (h * 0.48).min(0.44);
+    let leg = if design == 1 { 0.022 } else { 0.04 };
+    let arms = b.rng.chance(0.75);
+    let lean = x * b.vary(0.2, 0.4);
+    let front = x - 0.01;
+    let back = -x + lean;
+    let side = y - if arms { leg + 0.005 } else { 0.0 };
+    let arm = (seat + 0.2).min(h * 0.8);
+    for s in [-1.0, 1.0] {
+        let (y0, y1) = (s * y, s * (y - leg));
+        let top = if arms { arm - 0.02 } else { seat - 0.01 };
+        b.block("leg", [front - leg, y0.min(y1), 0.0], [front, y0.max(y1), top], mat);
+        let outline = [
+            (back - 0.02, 0.0),
+            (back - 0.02 + leg, 0.0),
+            (back + leg, seat),
+            (-x + leg * 0.8, h - 0.01),
+            (-x, h - 0.01),
+            (back, seat),
+        ];
+        b.prism("leg", Axis::Y, [0.0, y0.min(y1), 0.0], &outline, leg, mat);
+        if arms {
+            let z = arm;
+            let share = (z - seat) / (h - seat);
+            let from = back + (-x - back) * share;
+            b.soft(
+                "arm",
+                [from + leg * 0.3, (s * (y - leg * 1.25)).min(y0), z - 0.025],
+                [x, (s * (y - leg * 1.25)).max(y0), z],
+                0.008,
+                mat,
+            );
+        }
+        b.block("rail", [back, y0.min(y1) + 0.004, seat - 0.06], [front - leg, y0.max(y1) - 0.004, seat - 0.02], mat);
+    }
+    let inner = y - leg;
+    match design {
+        0 => {
+            for cx in spaced(6, back + 0.035, front - 0.03) {
+                b.block("slat", [cx - 0.026, -side, seat - 0.018], [cx + 0.026, side, seat], mat);
+            }
+            b.block("apron", [front - leg + 0.005, -inner, seat - 0.07], [front - 0.008, inner, seat - 0.017], mat);
+        }
+        1 => {
+            let cloth = b.one(CLOTHS);
+            b.block("seat", [back + 0.02, -inner - 0.004, seat - 0.012], [front - 0.005, inner + 0.004, seat], cloth);
+            b.rod(
+                "rail",
+                [front - leg / 2.0, -inner, seat - 0.03],
+                [front - leg / 2.0, inner, seat - 0.03],
+                leg / 2.0,
+                mat,
+            );
+        }
+        _ => b.soft(
+            "seat",
+            [back - 0.01, -inner - 0.003, seat - 0.035],
+            [front - 0.002, inner + 0.003, seat],
+            0.012,
+            mat,
+        ),
+    }
+    b.rod("rail", [back + leg * 0.5, -inner, seat - 0.04], [back + leg * 0.5, inner, seat - 0.04], leg * 0.35, mat);
+    let at = |share: f32| [back + (-x - back) * share + leg * 0.45, seat + (h - 0.01 - seat) * share];
+    back_rest(b, &at, inner, (design, h), mat);
+    b.top(
+        "seat",
+        [f32::midpoint(back + leg, front) + 0.01, 0.0, seat],
+        ((front - back - leg) / 2.0 - 0.03, inner - 0.03),
+    );
+}
+
+/// What fills a chair's back between its two uprights: a place at each share of its
+/// height.
+fn back_rest(b: &mut Build<'_>, at: &dyn Fn(f32) -> [f32; 2], inner: f32, (design, h): (usize, f32), mat: Mat) {
+    let board = |b: &mut Build<'_>, name: &str, (s0, s1): (f32, f32), (y0, y1): (f32, f32), t: f32, mat: Mat| {
+        let ([x0, z0], [x1, z1]) = (at(s0), at(s1));
+        let quad = [[x0 + t / 2.0, y0, z0], [x0 + t / 2.0, y1, z0], [x1 + t / 2.0, y1, z1], [x1 + t / 2.0, y0, z1]];
+        plate(b, name, quad, t, mat);
+    };
+    let wide = inner + 0.003;
+    match design {
+        0 => {
+            board(b, "rail", (0.88, 0.985), (-wide, wide), 0.022, mat);
+            board(b, "rail", (0.1, 0.18), (-wide, wide), 0.022, mat);
+            let count = b.rng.count(4, 8);
+            let half = inner / count as f32 * 0.6;
+            for cy in spaced(count, -inner + half + 0.01, inner - half - 0.01) {
+                board(b, "slat", (0.15, 0.92), (cy - half, cy + half), 0.012, mat);
+            }
+        }
+        1 => {
+            let cloth = b.one(CLOTHS);
+            board(b, "back", (0.12, 0.95), (-wide, wide), 0.01, cloth);
+            board(b, "rail", (0.955, 0.985), (-wide, wide), 0.02, mat);
+        }
+        2 => board(b, "back", (0.02, 0.98), (-wide, wide), (h * 0.03).max(0.012), mat),
+        _ => {
+            board(b, "rail", (0.75, 0.985), (-wide, wide), 0.02, mat);
+            for i in 0..4 {
+                let s = 0.1 + 0.16 * i as f32;
+                board(b, "bar", (s, s + 0.09), (-wide, wide), 0.016, mat);
+            }
+        }
+    }
+}
+
+/// A deck chair: two crossed frames and a sling of cloth.
+pub(super) fn deck_chair(b: &mut Build<'_>) {
+    grown(b, [0.4, 0.27, 0.37]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let (wood, cloth) = (b.one(&[BEECH, TEAK, PINE, WHITE]), b.one(CLOTHS));
+    let stripe = b.one(&[WHITE_COTTON, BEIGE_FABRIC, cloth]);
+    let w = 0.015;
+    let (rear, front) = ([-x + 0.03, h - 0.02], [x - 0.03, h * b.vary(0.36, 0.44)]);
+    let (toe, heel) = ([x * 0.72, 0.018], [-x * 0.7, 0.018]);
+    let beam = |b: &mut Build<'_>, from: [f32; 2], to: [f32; 2], cy: f32| {
+        let (dx, dz) = (to[0] - from[0], to[1] - from[1]);
+        let long = dx.hypot(dz).max(1e-3);
+        let (nx, nz) = (-dz / long * 0.017, dx / long * 0.017);
+        let outline = [
+            (from[0] + nx, from[1] + nz),
+            (from[0] - nx, from[1] - nz),
+            (to[0] - nx, to[1] - nz),
+            (to[0] + nx, to[1] + nz),
+        ];
+        b.prism("beam", Axis::Y, [0.0, cy - w, 0.0], &outline, 2.0 * w, wood);
+    };
+    for s in [-1.0, 1.0] {
+        beam(b, rear, toe, s * (y - w));
+        beam(b, heel, front, s * (y - 3.2 * w));
+        let low = [x * 0.15, h * 0.24];
+        beam(
+            b,
+            [rear[0] + (toe[0] - rear[0]) * 0.35, rear[1] + (toe[1] - rear[1]) * 0.35],
+            [heel[0], heel[1]],
+            s * (y - 5.2 * w),
+        );
+        b.rod("bolt", [low[0], s * y * 0.8, low[1]], [low[0], s * (y - 0.002), low[1]], 0.008, STEEL);
+    }
+    for [rx, rz] in [rear, front, toe, heel] {
+        b.rod("rail", [rx, -y + 0.004, rz], [rx, y - 0.004, rz], 0.014, wood);
+    }
+    let inner = y - 6.6 * w;
+    let sag = |t: f32| {
+        let dip = h * 0.3 * (1.0 - (2.0 * t - 1.0).powi(2));
+        [rear[0] + (front[0] - rear[0]) * t, rear[1] + (front[1] - rear[1]) * t - dip]
+    };
+    let strips = 5;
+    for (i, cy) in spaced(strips, -inner * 0.8, inner * 0.8).enumerate() {
+        let half = inner * 0.2 - 0.0005;
+        let steps = 7;
+        let upper: Vec<(f32, f32)> =
+            (0..=steps).map(|k| sag(k as f32 / steps as f32)).map(|p| (p[0], p[1] + 0.004)).collect();
+        let lower: Vec<(f32, f32)> = upper.iter().rev().map(|p| (p.0, p.1 - 0.006)).collect();
+        let outline: Vec<(f32, f32)> = upper.into_iter().chain(lower).collect();
+        b.prism("sling", Axis::Y, [0.0, cy - half, 0.0], &outline, 2.0 * half, if i % 2 == 0 { cloth } else { stripe });
+    }
+}
+
+/// A sun lounger: a slatted or cushioned bed whose head end is raised.
+pub(super) fn lounger(b: &mut Build<'_>) {
+    grown(b, [0.9, 0.28, 0.14]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let (frame, cloth) = (b.one(&[TEAK, PINE, WHITE_PLASTIC, ANTHRACITE, WICKER, ALUMINIUM]), b.one(CLOTHS));
+    let deck = h * b.vary(0.6, 0.72);
+    let knee = -x * b.vary(0.25, 0.4);
+    let (rise, t) = (h - deck, 0.03_f32.min(h * 0.12));
+    let cushion = if b.rng.chance(0.6) { (h * 0.14).min(0.06) } else { 0.0 };
+    let level = deck - cushion;
+    for s in [-1.0, 1.0] {
+        b.block(
+            "rail",
+            [-x + 0.02, s * (y - 0.02) - 0.02, level - 2.0 * t],
+            [x, s * (y - 0.02) + 0.02, level - t * 0.3],
+            frame,
+        );
+        for cx in [-x * 0.8, x * 0.75] {
+            b.block(
+                "leg",
+                [cx - 0.025, s * (y - 0.025) - 0.022, 0.0],
+                [cx + 0.025, s * (y - 0.025) + 0.022, level - 1.5 * t],
+                frame,
+            );
+        }
+    }
+    let slats = b.rng.count(8, 14);
+    let pitch = (x - knee) / slats as f32;
+    for cx in spaced(slats, knee + pitch / 2.0, x - pitch / 2.0) {
+        b.block("slat", [cx - pitch * 0.42, -y + 0.004, level - t], [cx + pitch * 0.42, y - 0.004, level], frame);
+    }
+    // The head end, hinged where the bed bends; it folds flat.
+    let angle = (rise.max(0.03) / (x + knee).max(0.05)).atan();
+    b.hinge([knee, 0.0, level], [0.0, -1.0, 0.0], angle, |b| {
+        let top = h - if cushion > 0.0 { cushion * 1.1 } else { 0.0 };
+        let at = |share: f32| [knee + (-x + 0.01 - knee) * share, level + (top - level) * share];
+        let ([x0, z0], [x1, z1]) = (at(0.02), at(1.0));
+        b.prism(
+            "head",
+            Axis::Y,
+            [0.0, -y + 0.045, 0.0],
+            &[(x0, z0), (x1, z1), (x1, z1 - t), (x0, z0 - t * 0.8)],
+            2.0 * y - 0.09,
+            frame,
+        );
+        if cushion > 0.0 {
+            b.prism(
+                "cushion",
+                Axis::Y,
+                [0.0, -y + 0.03, 0.0],
+                &[
+                    (x0 - 0.005, z0 + 0.001),
+                    (x1 + 0.01, z1 + 0.001),
+                    (x1 + 0.02, z1 + cushion),
+                    (x0 - 0.005, z0 + cushion),
+                ],
+                2.0 * y - 0.06,
+                cloth,
+            );
+        }
+    });
+    if cushion > 0.0 {
+        b.soft("cushion", [knee + 0.005, -y + 0.02, level], [x - 0.02, y - 0.02, deck], 0.02, cloth);
+    }
+    b.top("seat", [f32::midpoint(knee, x), 0.0, deck], ((x - knee) / 2.0 - 0.05, y - 0.06));
+}
+
+/// An adirondack chair: broad arms, a fan of boards leaning back.
+pub(super) fn adirondack(b: &mut Build<'_>) {
+    grown(b, [0.4, 0.36, 0.45]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let mat = b.one(&[TEAK, PINE, WHITE, RED, BLUE, GREEN, YELLOW, GREY_OAK]);
+    let (front, rear) = (h * b.vary(0.36, 0.4), h * b.vary(0.24, 0.28));
+    let (nose, knee) = (x - 0.07, -x * 0.25);
+    let t = 0.02;
+    let arm = h * b.vary(0.56, 0.6);
+    let inner = y - 0.11_f32.min(y * 0.3);
+    for s in [-1.0, 1.0] {
+        let cy = s * inner;
+        b.prism(
+            "side",
+            Axis::Y,
+            [0.0, cy - 0.013, 0.0],
+            &[
+                (nose, front - 0.002),
+                (nose, front - 0.09),
+                (-x + 0.12, 0.0),
+                (-x, 0.0),
+                (-x, 0.06),
+                (knee, rear - 0.002),
+            ],
+            0.026,
+            mat,
+        );
+        b.block(
+            "leg",
+            [nose - 0.075, (cy + s * 0.012).min(cy + s * 0.038), 0.0],
+            [nose + 0.02, (cy + s * 0.012).max(cy + s * 0.038), arm - t],
+            mat,
+        );
+        let (from, to) = (s * (inner - 0.02), s * y);
+        b.soft("arm", [-x * 0.62, from.min(to), arm - t], [x, from.max(to), arm], 0.008, mat);
+        b.block(
+            "post",
+            [-x * 0.6, (cy - 0.013).min(cy + 0.013), rear * 0.5],
+            [-x * 0.6 + 0.06, cy + 0.013, arm - t + 0.001],
+            mat,
+        );
+    }
+    let slats = 6;
+    let fall = (front - rear) / (nose - knee);
+    let pitch = (nose - knee) / slats as f32;
+    for cx in spaced(slats, knee + pitch / 2.0, nose - pitch / 2.0) {
+        let z = |px: f32| front - (nose - px) * fall;
+        let (x0, x1) = (cx - pitch * 0.46, cx + pitch * 0.46);
+        b.prism(
+            "slat",
+            Axis::Y,
+            [0.0, -inner - 0.013, 0.0],
+            &[(x0, z(x0) - 0.004), (x1, z(x1) - 0.004), (x1, z(x1) + t), (x0, z(x0) + t)],
+            2.0 * inner + 0.026,
+            mat,
+        );
+    }
+    b.block("apron", [nose - 0.002, -inner - 0.012, front - 0.1], [nose + 0.018, inner + 0.012, front - 0.005], mat);
+    let boards = b.rng.below(2) * 2 + 5;
+    let half = inner * 0.9 / boards as f32;
+    for (i, cy) in spaced(boards, -inner + half * 1.2, inner - half * 1.2).enumerate() {
+        let u = (2.0 * i as f32 / (boards - 1) as f32 - 1.0).abs();
+        let top = h * (1.0 - 0.13 * u * u);
+        let at = |z: f32| knee + 0.03 + (-x + 0.025 - knee - 0.03) * (z - rear) / (h - rear);
+        let fan = cy * 0.08;
+        let points = [
+            [at(rear), cy - half, rear],
+            [at(rear), cy + half, rear],
+            [at(top), cy + fan - half * 1.05, top],
+            [at(top), cy + fan + half * 1.05, top],
+        ];
+        b.hull("board", &points.iter().flat_map(|p| [*p, [p[0] - 0.018, p[1], p[2]]]).collect::<Vec<P>>(), mat);
+    }
+    let z = arm - t;
+    let at = knee + 0.03 + (-x + 0.025 - knee - 0.03) * (z - rear) / (h - rear) - 0.018;
+    b.block("brace", [at - 0.035, -inner - 0.03, z - 0.03], [at + 0.004, inner + 0.03, z + 0.001], mat);
+    b.top(
+        "seat",
+        [f32::midpoint(knee, nose) + 0.1 * (nose - knee), 0.0, front + t],
+        ((nose - knee) * 0.26, inner * 0.75),
+    );
+}
+
+/// A garden sofa: a wicker, wooden or metal frame with cushions.
+pub(super) fn sofa(b: &mut Build<'_>) {
+    grown(b, [0.34, 0.6, 0.32]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let wicker = b.rng.chance(0.5);
+    let frame = if wicker {
+        b.one(&[WICKER, BROWN_PLASTIC, ANTHRACITE, WHITEWASHED])
+    } else {
+        b.one(&[TEAK, OAK, ANTHRACITE, WHITE_METAL, GREY_OAK])
+    };
+    let cloth = b.one(&[BEIGE_FABRIC, GREY_FABRIC, WHITE_COTTON, NAVY_FABRIC, GREEN_FABRIC, LINEN]);
+    let seat = (h * 0.56).min(0.44);
+    let pad = (seat * 0.3).min(0.14);
+    let arm = seat + (h - seat) * b.vary(0.4, 0.7);
+    let wide = b.vary(0.05, 0.13).min(y * 0.2);
+    let deep = if wicker { 0.08 } else { 0.04 };
+    let low = if wicker { 0.04 } else { seat - pad - 0.05 };
+    let inner = y - wide;
+    b.block("base", [-x + deep, -inner, low], [x - 0.01, inner, seat - pad], frame);
+    b.block("back", [-x, -inner, low], [-x + deep, inner, h], frame);
+    for s in [-1.0, 1.0] {
+        let (from, to) = (s * inner, s * y);
+        let (y0, y1) = (from.min(to), from.max(to));
+        if wicker {
+            b.block("arm", [-x, y0, 0.02], [x, y1, arm], frame);
+            for cx in [-x + 0.05, x - 0.05] {
+                b.block(
+                    "foot",
+                    [cx - 0.03, (y0 + y1) / 2.0 - 0.02, 0.0],
+                    [cx + 0.03, (y0 + y1) / 2.0 + 0.02, 0.025],
+                    BLACK_PLASTIC,
+                );
+            }
+        } else {
+            b.block("leg", [x - 0.06, y0, 0.0], [x, y1, arm - 0.03], frame);
+            b.block("leg", [-x, y0, 0.0], [-x + 0.06, y1, arm - 0.03], frame);
+            b.block("arm", [-x, y0, arm - 0.031], [x, y1, arm], frame);
+            b.block(
+                "rail",
+                [-x + 0.06, (y0 + y1) / 2.0 - 0.012, seat - pad - 0.04],
+                [x - 0.06, (y0 + y1) / 2.0 + 0.012, seat - pad],
+                frame,
+            );
+        }
+    }
+    let seats = ((2.0 * inner / 0.62) as usize).clamp(1, 4);
+    let half = inner / seats as f32;
+    for cy in spaced(seats, -inner + half, inner - half) {
+        b.soft(
+            "cushion",
+            [-x + deep, cy - half + 0.004, seat - pad + 0.001],
+            [x - 0.005, cy + half - 0.004, seat],
+            0.04,
+            cloth,
+        );
+        let lean = (x * 0.32).min(0.16);
+        let points = [
+            [-x + deep, seat + 0.002],
+            [-x + deep + lean, seat + 0.002],
+            [-x + deep + lean * 0.6, h - 0.01],
+            [-x + deep, h - 0.01],
+        ];
+        let outline: Vec<(f32, f32)> = points.iter().map(|p| (p[0] + 0.002, p[1])).collect();
+        b.prism("cushion", Axis::Y, [0.0, cy - half + 0.012, 0.0], &outline, 2.0 * half - 0.024, cloth);
+    }
+    let from = -x + deep + (x * 0.32).min(0.16) + 0.01;
+    b.top("seat", [f32::midpoint(from, x - 0.02), 0.0, seat], ((x - 0.02 - from) / 2.0 - 0.01, inner - 0.03));
+}
+
+/// A garden or bistro table: slats, a plate or glass, on legs or on one foot.
+pub(super) fn table(b: &mut Build<'_>) {
+    grown(b, [0.25, 0.25, 0.33]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let bistro = b.class == "bistro_table" || (y < 0.5 && b.rng.chance(0.4));
+    let (wood, metal) = (b.one(WOODS), b.one(METALS));
+    let round = if bistro { b.rng.chance(0.75) } else { (x - y).abs() < 0.12 && b.rng.chance(0.6) };
+    let t = b.vary(0.018, 0.03);
+    let r = x.min(y);
+    let top = b.rng.below(3);
+    if round {
+        let mat = b.one(&[wood, metal, FROSTED_GLASS, GRANITE]);
+        b.lathe("top", [0.0, 0.0, h - t], &[(r - 0.005, 0.0), (r, t * 0.3), (r, t), (0.0, t)], mat);
+        b.top("top", [0.0, 0.0, h], (r * 0.69, r * 0.69));
+    } else {
+        match top {
+            0 => {
+                let slats = ((2.0 * x / b.vary(0.07, 0.12)) as usize).clamp(3, 14);
+                let half = x / slats as f32;
+                for cx in spaced(slats, -x + half, x - half) {
+                    b.block("slat", [cx - half + 0.004, -y, h - t], [cx + half - 0.004, y, h], wood);
+                }
+                for cy in [-y * 0.75, 0.0, y * 0.75] {
+                    b.block(
+                        "batten",
+                        [-x + 0.03, cy - 0.03, h - t - 0.022],
+                        [x - 0.03, cy + 0.03, h - t + 0.004],
+                        wood,
+                    );
+                }
+            }
+            1 => {
+                b.block("rim", [-x, -y, h - t - 0.015], [x, y, h - 0.004], metal);
+                b.block("glass", [-x + 0.025, -y + 0.025, h - 0.009], [x - 0.025, y - 0.025, h], FROSTED_GLASS);
+            }
+            _ => b.soft("top", [-x, -y, h - t], [x, y, h], 0.008, wood),
+        }
+        b.top("top", [0.0, 0.0, h], (x - 0.03, y - 0.03));
+    }
+    let under = h - t - if !round && top == 1 { 0.012 } else { -0.003 };
+    if bistro {
+        let spread = r * b.vary(0.6, 0.8);
+        foot(b, spread, under, metal);
+        return;
+    }
+    let mat = if top == 1 { metal } else { wood };
+    let leg = b.vary(0.04, 0.07);
+    let half = if round { (r * 0.68, r * 0.68) } else { (x - 0.03, y - 0.03) };
+    let round_legs = b.rng.chance(0.4);
+    legs(b, half, under, leg, round_legs, mat);
+    let rail = (half.0 - leg * 0.5, half.1 - leg * 0.5);
+    for s in [-1.0, 1.0] {
+        b.block("apron", [-rail.0, s * rail.1 - 0.011, under - 0.08], [rail.0, s * rail.1 + 0.011, under - 0.002], mat);
+        b.block(
+            "apron",
+            [s * rail.0 - 0.011, -rail.1, under - 0.078],
+            [s * rail.0 + 0.011, rail.1, under - 0.003],
+            mat,
+        );
+    }
+}
+
+/// A column on three or four feet, or on a disc.
+fn foot(b: &mut Build<'_>, r: f32, top: f32, metal: Mat) {
+    b.cylinder("column", [0.0, 0.0, 0.012], 0.025, top - 0.012, metal);
+    b.cylinder("plate", [0.0, 0.0, top - 0.012], r * 0.45, 0.012, metal);
+    match b.rng.below(3) {
+        0 => b.lathe("foot", [0.0; 3], &[(r, 0.0), (r, 0.012), (r * 0.3, 0.03), (0.025, 0.06)], metal),
+        n => {
+            let count = n + 2;
+            for i in 0..count {
+                let (px, py) = polar(TAU * i as f32 / count as f32 + 0.4, r - 0.012);
+                b.pipe(
+                    "foot",
+                    &[[0.0, 0.0, top * 0.25], [px * 0.5, py * 0.5, top * 0.14], [px, py, 0.012]],
+                    0.012,
+                    metal,
+                );
+            }
+        }
+    }
+}
+
+/// A picnic table with benches along both sides.
+pub(super) fn picnic_table(b: &mut Build<'_>) {
+    grown(b, [0.7, 0.75, 0.35]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let mat = b.one(&[PINE, OAK, TEAK, GREY_OAK, GREEN_PLASTIC, BROWN_PLASTIC]);
+    let t = 0.035;
+    let (top, seat) = (x * b.vary(0.46, 0.52), (h * 0.6).min(0.46));
+    let bench = x * b.vary(0.15, 0.19);
+    let boards = b.rng.count(4, 6);
+    let half = top / boards as f32;
+    for cx in spaced(boards, -top + half, top - half) {
+        b.block("top", [cx - half + 0.004, -y, h - t], [cx + half - 0.004, y, h], mat);
+    }
+    b.top("top", [0.0, 0.0, h], (top - 0.02, y - 0.02));
+    for s in [-1.0, 1.0] {
+        let cx = s * (x - bench);
+        for k in [-0.5, 0.5] {
+            b.block(
+                "bench",
+                [cx + k * bench - bench * 0.47, -y, seat - t],
+                [cx + k * bench + bench * 0.47, y, seat],
+                mat,
+            );
+        }
+        let name = if s > 0.0 { "seat_front" } else { "seat_rear" };
+        b.top(name, [cx, 0.0, seat], (bench * 0.85, y - 0.04));
+    }
+    for cy in [-y * 0.7, y * 0.7] {
+        b.block(
+            "beam",
+            [-x + bench * 0.4, cy - 0.02, seat - t - 0.09],
+            [x - bench * 0.4, cy + 0.02, seat - t + 0.002],
+            mat,
+        );
+        b.block("beam", [-top + 0.02, cy - 0.02, h - t - 0.08], [top - 0.02, cy + 0.02, h - t + 0.002], mat);
+        for s in [-1.0_f32, 1.0] {
+            let (foot, head) = (s * x * 0.72, s * top * 0.55);
+            let leg = [(foot, 0.0), (foot - s * 0.1, 0.0), (head - s * 0.1, h - t - 0.001), (head, h - t - 0.001)];
+            let out = if cy > 0.0 { 0.019 } else { -0.054 };
+            b.prism("leg", Axis::Y, [0.0, cy + out, 0.0], &leg, 0.035, mat);
+        }
+    }
+    b.block("stretcher", [-0.02, -y * 0.7, seat - 0.12], [0.02, y * 0.7, seat - 0.05], mat);
+}
+
+/// A parasol on its pole: open, a cone of panels with a valance.
+pub(super) fn parasol(b: &mut Build<'_>) {
+    grown(b, [0.8, 0.8, 1.0]);
+    let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
+    let (cloth, second) = (b.one(CLOTHS), b.one(CLOTHS));
+    let second = if b.rng.chance(0.5) { cloth } else { second };
+    let pole = b.one(&[PINE, WHITE_METAL, ALUMINIUM, ANTHRACITE, TEAK]);
+    let ribs = b.one(&[6, 8, 8, 4]);
+    let rise = r * b.vary(0.22, 0.4);
+    let eaves = h - rise - 0.06;
+    b.cylinder("foot", [0.0; 3], 0.2_f32.min(r * 0.3), 0.03, CONCRETE);
+    b.cylinder("pole", [0.0, 0.0, 0.02], 0.02, h - 0.05, pole);
+    let turn = if ribs == 4 { TAU / 8.0 } else { 0.0 };
+    let reach = if ribs == 4 { r * 2.0_f32.sqrt() } else { r };
+    let corners = polygon(ribs, reach, turn);
+    let top: P = [0.0, 0.0, h - 0.06];
+    for i in 0..ribs {
+        let ((x0, y0), (x1, y1)) = (corners[i], corners[(i + 1) % ribs]);
+        let mat = if i % 2 == 0 { cloth } else { second };
+        let (a, c) = ([x0, y0, eaves], [x1, y1, eaves]);
+        let points: Vec<P> = [top, a, c].into_iter().flat_map(|p| [p, [p[0], p[1], p[2] + 0.008]]).collect();
+        b.hull("panel", &points, mat);
+        let drop = 0.12_f32.min(h * 0.06);
+        let valance: Vec<P> = [a, c]
+            .into_iter()
+            .flat_map(|p| [[p[0], p[1], p[2] + 0.006], [p[0], p[1], p[2] - drop]])
+            .flat_map(|p| [p, [p[0] * 0.994, p[1] * 0.994, p[2]]])
+            .collect();
+        b.hull("valance", &valance, mat);
+        let rib = mix(top, a, 0.97);
+        b.rod("rib", [0.0, 0.0, top[2] - 0.02], [rib[0], rib[1], rib[2] - 0.012], 0.006, pole);
+        b.rod(
+            "strut",
+            [0.0, 0.0, eaves - r * 0.25],
+            mix([0.0, 0.0, top[2] - 0.02], [rib[0], rib[1], rib[2] - 0.012], 0.5),
+            0.005,
+            pole,
+        );
+    }
+    b.cylinder("runner", [0.0, 0.0, eaves - r * 0.25 - 0.04], 0.03, 0.08, pole);
+    b.lathe("finial", [0.0, 0.0, h - 0.062], &[(0.05, 0.0), (0.03, 0.02), (0.015, 0.05), (0.0, 0.062)], pole);
+    b.rod("crank", [0.02, 0.0, h * 0.5], [0.07, 0.0, h * 0.5], 0.012, BLACK_PLASTIC);
+}
+
+/// A parasol's base: a slab, a filled drum or a cross with stones, and its tube.
+pub(super) fn parasol_base(b: &mut Build<'_>) {
+    grown(b, [0.15, 0.15, 0.06]);
+    let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
+    let mat = b.one(&[CONCRETE, GRANITE, BLACK_PLASTIC, IRON, WHITE_PLASTIC, GREEN_PLASTIC]);
+    let low = (h * b.vary(0.2, 0.4)).min(0.12);
+    match b.rng.below(3) {
+        0 => b.lathe(
+            "slab",
+            [0.0; 3],
+            &[(r, 0.0), (r, low * 0.7), (r * 0.9, low), (0.027, low), (0.027, low * 0.4), (0.0, low * 0.4)],
+            mat,
+        ),
+        1 => {
+            for (sx, sy) in [(1.0_f32, 1.0_f32), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+                let (from, to) = (0.032, r);
+                let (x0, x1) = ((sx * from).min(sx * to), (sx * from).max(sx * to));
+                let (y0, y1) = ((sy * from).min(sy * to), (sy * from).max(sy * to));
+                b.block("stone", [x0, y0, 0.004], [x1, y1, low], CONCRETE);
+            }
+            b.block("bar", [-r, -0.03, 0.0], [r, 0.03, 0.02_f32.min(low * 0.6)], IRON);
+            b.block("bar", [-0.03, -r, 0.0], [0.03, r, 0.019_f32.min(low * 0.55)], IRON);
+        }
+        _ => b.lathe(
+            "drum",
+            [0.0; 3],
+            &[(r * 0.95, 0.0), (r, low * 0.3), (r * 0.8, low), (0.027, low), (0.027, low * 0.4), (0.0, low * 0.4)],
+            mat,
+        ),
+    }
+    let floor = low * 0.5;
+    b.lathe(
+        "tube",
+        [0.0; 3],
+        &[(0.03, floor * 0.8), (0.03, h), (0.025, h), (0.025, floor), (0.0, floor)],
+        b.style.metal,
+    );
+    b.rod("screw", [0.028, 0.0, (low + h) / 2.0], [(r * 0.8).min(0.07), 0.0, (low + h) / 2.0], 0.008, BLACK_PLASTIC);
+    b.inside("slot", [0.0, 0.0, floor], (0.016, 0.016), h);
+}
+
+/// A hammock between the hooks of a stand, or lying with its bars.
+pub(super) fn hammock(b: &mut Build<'_>) {
+    grown(b, [0.9, 0.38, 0.14]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let (cloth, second) = (b.one(CLOTHS), b.one(CLOTHS));
+    let wood = b.one(&[PINE, TEAK, OAK, IRON]);
+    let beam = (h * 0.08).clamp(0.015, 0.04);
+    let (hook, tip) = (h - beam, x - beam * 1.2);
+    // A stand: two feet, a bowed beam in segments.
+    for s in [-1.0, 1.0] {
+        b.block("foot", [s * x * 0.55 - beam, -y * 0.8, 0.0], [s * x * 0.55 + beam, y * 0.8, 1.6 * beam], wood);
+        let post = limb([s * x * 0.5, 0.0, beam * 1.3], [s * tip, 0.0, hook], beam * 1.1, beam * 0.9);
+        let keep = |p: P| [p[0].max(-x).min(x), p[1], p[2].max(0.0).min(h)];
+        b.hull("post", &post.into_iter().map(keep).collect::<Vec<P>>(), wood);
+    }
+    b.block("beam", [-x * 0.55, -beam * 0.9, 0.004], [x * 0.55, beam * 0.9, 1.5 * beam], wood);
+    let (end, sag) = (x * 0.68, h * 0.38);
+    let rim = h * 0.82;
+    let steps = 9;
+    let z = |t: f32| rim - sag * (1.0 - t * t);
+    let strips = 6;
+    let half = y * 0.92 / strips as f32;
+    for (i, cy) in spaced(strips, -y * 0.92 + half, y * 0.92 - half).enumerate() {
+        let dip = 0.12 * sag * (1.0 - (cy / y).powi(2));
+        let upper: Vec<(f32, f32)> = spaced(steps, -1.0, 1.0).map(|t| (end * t, z(t) - dip)).collect();
+        let outline: Vec<(f32, f32)> =
+            upper.iter().copied().chain(upper.iter().rev().map(|p| (p.0, p.1 - 0.012))).collect();
+        b.prism(
+            "bed",
+            Axis::Y,
+            [0.0, cy - half - 0.001 * (i % 2) as f32, 0.0],
+            &outline,
+            2.0 * half + 0.002,
+            if i % 2 == 0 { cloth } else { second },
+        );
+    }
+    for s in [-1.0, 1.0] {
+        b.rod("bar", [s * end, -y, rim - 0.012], [s * end, y, rim - 0.012], 0.012, wood);
+        for cy in spaced(5, -y * 0.9, y * 0.9) {
+            b.rod("cord", [s * end, cy, rim - 0.012], [s * (tip - beam * 0.3), 0.0, hook - beam * 0.5], 0.004, WOOL);
+        }
+    }
+}
+
+/// A swing seat under a canopy on a standing frame.
+pub(super) fn porch_swing(b: &mut Build<'_>) {
+    grown(b, [0.55, 0.8, 0.75]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let (metal, cloth) = (b.one(METALS), b.one(CLOTHS));
+    let r = 0.022;
+    let top = h - 0.14;
+    for s in [-1.0, 1.0] {
+        let cy = s * (y - 0.04);
+        b.rod("foot", [-x, cy, r], [x, cy, r], r, metal);
+        for fx in [-x * 0.9, x * 0.9] {
+            b.rod("post", [fx, cy, r], [fx * 0.12, cy, top], r, metal);
+        }
+    }
+    b.rod("beam", [0.0, -y + 0.02, top], [0.0, y - 0.02, top], r * 1.1, metal);
+    b.taper("canopy", [0.0, 0.0, h - 0.1], (x * 0.97, y), (x * 0.4, y * 0.96), 0.1, cloth);
+    for s in [-1.0, 1.0] {
+        b.block("valance", [s * (x * 0.965) - 0.004, -y, h - 0.2], [s * (x * 0.965) + 0.004, y, h - 0.096], cloth);
+        b.rod("bracket", [0.0, s * y * 0.9, top], [s * x * 0.9, s * y * 0.9, h - 0.11], 0.01, metal);
+        b.rod("bracket", [0.0, s * y * 0.9, top], [-s * x * 0.9, s * y * 0.9, h - 0.11], 0.01, metal);
+    }
+    let (seat, half, deep) = ((h * 0.3).min(0.5), y - 0.14, x * 0.42);
+    let pad = 0.08_f32.min(h * 0.06);
+    b.jointed(vc_graph::asset::JointKind::Hinge, [0.0, 0.0, top], [0.0, 1.0, 0.0], (-0.12, 0.12), |b| {
+        b.block("seat", [-deep, -half, seat - pad - 0.03], [deep, half, seat - pad], metal);
+        b.soft("cushion", [-deep + 0.01, -half + 0.01, seat - pad + 0.001], [deep, half - 0.01, seat], 0.03, cloth);
+        let lean = deep * 0.5;
+        let outline = [
+            (-deep, seat - pad),
+            (-deep + 0.09, seat),
+            (-deep - lean + 0.08, seat + h * 0.27),
+            (-deep - lean, seat + h * 0.27),
+        ];
+        b.prism("back", Axis::Y, [0.0, -half, 0.0], &outline, 2.0 * half, cloth);
+        for s in [-1.0, 1.0] {
+            let cy = s * (half - 0.012);
+            b.rod("arm", [-deep - lean * 0.3, cy, seat + 0.2], [deep, cy, seat + 0.2], 0.014, metal);
+            b.rod("arm", [deep, cy, seat - pad - 0.015], [deep, cy, seat + 0.205], 0.014, metal);
+            b.rod("chain", [deep * 0.9, cy, seat + 0.2], [0.0, cy, top], 0.006, STEEL);
+            b.rod("chain", [-deep - lean * 0.3, cy, seat + 0.2], [0.0, cy, top], 0.006, STEEL);
+        }
+        b.ledge("seat", [deep * 0.35, 0.0, seat], (deep * 0.5, half - 0.06), h * 0.35);
+    });
+}
+
+/// An egg-shaped chair of bars hanging from a bowed stand.
+pub(super) fn hanging_chair(b: &mut Build<'_>) {
+    grown(b, [0.45, 0.45, 0.85]);
+    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    let r = x.min(y);
+    let (metal, wicker, cloth) =
+        (b.one(METALS), b.one(&[WICKER, GREY_PLASTIC, WHITE_PLASTIC, ANTHRACITE]), b.one(CLOTHS));
+    let tube = 0.025;
+    b.lathe("foot", [0.0; 3], &[(r, 0.0), (r, 0.03), (r - 0.06, 0.03), (r - 0.06, 0.0), (r, 0.0)], metal);
+    b.block("foot", [-r + 0.02, -0.03, 0.002], [r - 0.02, 0.03, 0.026], metal);
+    let spine = -r + tube;
+    let stand: Vec<P> = (0..=6)
+        .map(|i| PI * 0.5 * i as f32 / 6.0)
+        .map(|a| [spine * a.cos().powf(0.6), 0.0, h * 0.6 + (h * 0.4 - tube * 1.1) * a.sin()])
+        .collect();
+    b.pipe("stand", &[[spine, 0.0, 0.03], [spine, 0.0, h * 0.6]], tube, metal);
+    b.pipe("stand", &stand, tube, metal);
+    let (low, high) = (h * 0.2, h * 0.9);
+    let (middle, half) = ((low + high) / 2.0, (high - low) / 2.0);
+    let (wide, cx) = (r * 0.86, (r * 0.86 - r + 3.0 * tube).max(0.0) * 0.6);
+    b.rod("chain", [0.0, 0.0, h - tube * 2.0], [cx * 0.3, 0.0, high - 0.012], 0.008, STEEL);
+    // Meridians around the back and the sides, open in front.
+    let egg = |a: f32, t: f32| {
+        let s = (PI * t).sin();
+        [(cx + wide * 0.8 * s * a.cos()).max(spine + 2.2 * tube), wide * s * a.sin(), middle + half * (PI * t).cos()]
+    };
+    for i in 0..9 {
+        let a = 1.0 + (TAU - 2.0) * i as f32 / 8.0;
+        let points: Vec<P> = (0..=7).map(|k| egg(a, k as f32 / 7.0)).collect();
+        for pair in points.windows(2) {
+            b.rod("weave", pair[0], pair[1], if i == 0 || i == 8 { 0.014 } else { 0.007 }, wicker);
+        }
+    }
+    for t in [0.3, 0.45, 0.6, 0.75] {
+        let ring: Vec<P> = (0..=10).map(|k| egg(1.0 + (TAU - 2.0) * k as f32 / 10.0, t)).collect();
+        for pair in ring.windows(2) {
+            b.rod("weave", pair[0], pair[1], 0.007, wicker);
+        }
+    }
+    let seat = low + half * 0.62;
+    let deep = wide * 0.62;
+    b.lathe(
+        "cushion",
+        [cx, 0.0, seat - half * 0.34],
+        &[(deep * 0.6, 0.0), (deep, half * 0.2), (deep, half * 0.3), (deep * 0.9, half * 0.34)],
+        cloth,
+    );
+    b.rod("post", [cx, 0.0, low - 0.004], [cx, 0.0, seat - half * 0.3], 0.02, wicker);
+    b.soft(
+        "cushion",
+        [cx - wide * 0.72, -wide * 0.4, seat - 0.02],
+        [cx - wide * 0.45, wide * 0.4, seat + half * 0.75],
+        0.05,
+        cloth,
+    );
+    b.ledge("seat", [cx + wide * 0.1, 0.0, seat], (wide * 0.3, wide * 0.3), half * 0.6);
+}
