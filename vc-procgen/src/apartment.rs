@@ -5,12 +5,15 @@ use vc_graph::Seed;
 use crate::check::{self, Violation};
 use crate::error::Impossible;
 use crate::furnish::{self, Item, Rest};
-use crate::plan::Plan;
+use crate::plan::{Plan, Programme};
 use crate::reach::Reach;
 use crate::{Specification, Style, clutter, structure};
 
 /// How many plans are drawn before a specification is given up.
 const ATTEMPTS: u64 = 24;
+
+/// Plans drawn for one programme before another is drawn.
+const REDRAW: u64 = 8;
 
 /// An apartment: rooms, and everything in them.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,7 +73,10 @@ impl Apartment {
 
     fn attempt(specification: &Specification, style: Style, seed: Seed, attempt: u64) -> Result<Self, Impossible> {
         let own = seed.child("apartment").nth(attempt);
-        let plan = Plan::generate(specification, own)?;
+        // Rooms that are hard to furnish are not given up at once: else homes would
+        // have fewer of them than were drawn.
+        let programme = Programme::draw(specification, seed.nth(attempt / REDRAW))?;
+        let plan = Plan::lay_out(&programme, own)?;
         let mut furniture = furnish::furnish(&plan, &style, own)?;
         clear_ways(&plan, &mut furniture)?;
         let mut items = structure::build(&plan, &style, own.child("structure"));
@@ -84,19 +90,19 @@ impl Apartment {
     }
 
     /// Takes out what can be spared and is in the way of something; returns what is
-    /// wrong all the same.
+    /// wrong all the same. To take out what nothing needs makes nothing else wrong.
     fn repair(&mut self) -> Option<Violation> {
-        for _ in 0..4 {
-            let violations = self.check();
-            let mut out: Vec<usize> = violations.iter().filter_map(|v| self.spared(v)).collect();
-            if out.is_empty() {
-                return violations.into_iter().next();
-            }
-            out.sort_unstable();
-            out.dedup();
-            remove(&mut self.items, &out);
+        let violations = self.check();
+        let (spared, wrong): (Vec<_>, Vec<_>) = violations.into_iter().map(|v| (self.spared(&v), v)).unzip();
+        let mut out = Vec::with_capacity(spared.len());
+        for (item, violation) in spared.into_iter().zip(wrong) {
+            let Some(item) = item else { return Some(violation) };
+            out.push(item);
         }
-        self.check().into_iter().next()
+        out.sort_unstable();
+        out.dedup();
+        remove(&mut self.items, &out);
+        None
     }
 
     /// The item whose removal ends a violation, if it may go.

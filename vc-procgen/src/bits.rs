@@ -14,14 +14,22 @@ impl Bits {
         Self { words, width, rows: vec![0; words * height] }
     }
 
+    /// A grid of the same size with no bit set.
+    pub(crate) fn empty(&self) -> Self {
+        Self { rows: vec![0; self.rows.len()], ..*self }
+    }
+
+    #[inline]
     pub(crate) fn height(&self) -> usize {
         self.rows.len() / self.words
     }
 
+    #[inline]
     pub(crate) fn get(&self, x: usize, y: usize) -> bool {
         x < self.width && y < self.height() && self.rows[y * self.words + x / 64] >> (x % 64) & 1 == 1
     }
 
+    #[inline]
     pub(crate) fn set(&mut self, x: usize, y: usize) {
         self.rows[y * self.words + x / 64] |= 1 << (x % 64);
     }
@@ -51,6 +59,30 @@ impl Bits {
         })
     }
 
+    /// Whether any bit within a distance of a rectangle is set.
+    pub(crate) fn any_within(&self, x: (i32, i32), y: (i32, i32), distance: usize) -> bool {
+        let far = distance as i32;
+        // Rows of the rectangle grown by a disc, nearest first.
+        self.any((x.0 - far, x.1 + far), y)
+            || (1..=far).any(|off| {
+                let half = ((far * far - off * off) as f32).sqrt() as i32;
+                let x = (x.0 - half, x.1 + half);
+                self.any(x, (y.0 - off, y.0 - off + 1)) || self.any(x, (y.1 + off - 1, y.1 + off))
+            })
+    }
+
+    /// Clears all bits within a distance of a rectangle.
+    pub(crate) fn clear_within(&mut self, x: (i32, i32), y: (i32, i32), distance: usize) {
+        let far = distance as i32;
+        self.fill((x.0 - far, x.1 + far), y, false);
+        for off in 1..=far {
+            let half = ((far * far - off * off) as f32).sqrt() as i32;
+            let x = (x.0 - half, x.1 + half);
+            self.fill(x, (y.0 - off, y.0 - off + 1), false);
+            self.fill(x, (y.1 + off - 1, y.1 + off), false);
+        }
+    }
+
     /// How many bits are set.
     pub(crate) fn count(&self) -> usize {
         self.rows.iter().map(|w| w.count_ones() as usize).sum()
@@ -60,7 +92,7 @@ impl Bits {
     ///
     /// Costs a few operations for each word and each row of the disc.
     pub(crate) fn dilated(&self, radius: usize) -> Self {
-        let mut out = Self { rows: vec![0; self.rows.len()], ..*self };
+        let mut out = self.empty();
         let height = self.height();
         let mut wide = self.clone();
         let mut reach = 0;
@@ -97,23 +129,58 @@ impl Bits {
 
     /// Everything that can be reached from a set bit over set bits, by steps along
     /// the axes; nothing from a bit that is not set.
+    ///
+    /// Sweeps down and up, whole runs of a row at once, until nothing is new.
     pub(crate) fn flood(&self, x: usize, y: usize) -> Self {
-        let mut seen = Self { rows: vec![0; self.rows.len()], ..*self };
+        let mut seen = self.empty();
         if !self.get(x, y) {
             return seen;
         }
         seen.set(x, y);
-        let mut open = vec![(x, y)];
-        while let Some((x, y)) = open.pop() {
-            let steps = [(x + 1, y), (x.wrapping_sub(1), y), (x, y + 1), (x, y.wrapping_sub(1))];
-            for (x, y) in steps {
-                if self.get(x, y) && !seen.get(x, y) {
-                    seen.set(x, y);
-                    open.push((x, y));
-                }
-            }
+        seen.fill_runs(self, y);
+        let (mut news, height) = (true, self.height());
+        while news {
+            news = false;
+            (1..height).for_each(|row| news |= seen.spread(self, row, row - 1));
+            (1..height).rev().for_each(|row| news |= seen.spread(self, row - 1, row));
         }
         seen
+    }
+
+    /// Adds what of a row is reached from a neighbouring one, and the runs of `free`
+    /// that belongs to; returns whether that is more than before.
+    fn spread(&mut self, free: &Self, row: usize, from: usize) -> bool {
+        let (at, from) = (row * self.words, from * self.words);
+        let mut news = 0;
+        for i in 0..self.words {
+            let seeds = self.rows[from + i] & free.rows[at + i] & !self.rows[at + i];
+            self.rows[at + i] |= seeds;
+            news |= seeds;
+        }
+        if news != 0 {
+            self.fill_runs(free, row);
+        }
+        news != 0
+    }
+
+    /// Grows set bits of a row to the ends of their runs of `free`.
+    fn fill_runs(&mut self, free: &Self, row: usize) {
+        let span = row * self.words..(row + 1) * self.words;
+        let mut carry = false;
+        for i in span.clone() {
+            (self.rows[i], carry) = run_up(self.rows[i], free.rows[i], carry);
+        }
+        carry = false;
+        for i in span.rev() {
+            let (filled, over) = run_up(self.rows[i].reverse_bits(), free.rows[i].reverse_bits(), carry);
+            (self.rows[i], carry) = (filled.reverse_bits(), over);
+        }
+    }
+
+    /// The bits that two grids of one size share.
+    pub(crate) fn and(&self, other: &Self) -> Self {
+        let rows = self.rows.iter().zip(&other.rows).map(|(a, b)| a & b).collect();
+        Self { rows, ..*self }
     }
 
     /// The first set bit of a rectangle.
@@ -133,6 +200,15 @@ impl Bits {
         }
         out
     }
+}
+
+/// The bits of `open` from `seeds` upwards, to the ends of their runs; whether the
+/// last run goes on in the next word. Adding a bit to a run of ones carries to the
+/// run's end.
+fn run_up(seeds: u64, open: u64, carry: bool) -> (u64, bool) {
+    let (sum, first) = open.overflowing_add(seeds);
+    let (sum, second) = sum.overflowing_add(u64::from(carry));
+    (((sum ^ open) & open) | seeds, first || second)
 }
 
 /// The bits from `from` up to `to`, `to` excluded, of a word.

@@ -7,7 +7,7 @@ use crate::furnish::{Area, Item, Rest};
 use crate::plan::{CELLS, OpeningKind, Plan, Rect, RoomKind};
 
 /// Radius of a person, cells.
-const BODY: usize = 5;
+pub(crate) const BODY: usize = 5;
 /// A person's height, metres: what hangs above does not hinder.
 const HEIGHT: f32 = 1.7;
 /// What one steps over, metres.
@@ -23,16 +23,8 @@ pub(crate) struct Reach {
     west: i32,
     south: i32,
     standing: Bits,
-    /// For each room what is reached from within it or its doorways.
-    near: Vec<Near>,
-}
-
-/// What is reached from within a room: a cut-out of the grid.
-#[derive(Debug, Clone)]
-struct Near {
-    west: i32,
-    south: i32,
-    bits: Bits,
+    /// For each room where one stands within it or in its doorways.
+    within: Vec<Bits>,
 }
 
 impl Apartment {
@@ -60,10 +52,11 @@ impl Reach {
         for opening in plan.openings.iter().filter(|o| o.is_way() && o.kind != OpeningKind::Entrance) {
             fill(&doorway(plan, opening), true);
         }
+        boards(plan).for_each(|(_, board)| fill(&board, false));
         // Walls are what is no floor, and doors are opened.
         for item in items.iter().filter(|i| i.rest != Rest::Built) {
             let (low, high) = item.corners();
-            if low.z < HEIGHT && high.z > STEP {
+            if is_in_the_way((low.z, high.z)) {
                 fill(&outward(&item.area()), false);
             }
         }
@@ -72,9 +65,17 @@ impl Reach {
             let inside = o.before(o.high.is_some(), 2 * BODY as i32 + 6);
             free.first((inside.x0 - west, inside.x1 - west), (inside.y0 - south, inside.y1 - south))
         });
-        let standing = start.map_or_else(|| Bits::new(1, 1), |(x, y)| free.flood(x, y));
-        let near = (0..plan.rooms.len()).map(|room| Near::of(plan, room, &standing, (west, south))).collect();
-        Self { west, south, standing, near }
+        let standing = start.map_or_else(|| free.empty(), |(x, y)| free.flood(x, y));
+        let mut within = Vec::with_capacity(plan.rooms.len());
+        for (index, room) in plan.rooms.iter().enumerate() {
+            let mut mask = standing.empty();
+            let ways = plan.doors_of(index).map(|o| doorway(plan, o));
+            for r in room.net().into_iter().chain(ways) {
+                mask.fill((r.x0 - west, r.x1 - west), (r.y0 - south, r.y1 - south), true);
+            }
+            within.push(mask.and(&standing));
+        }
+        Self { west, south, standing, within }
     }
 
     /// Whether a person can stand somewhere in a room.
@@ -88,27 +89,9 @@ impl Reach {
     /// Whether a person in a room, or in one of its doorways, reaches some point of a
     /// rectangle.
     pub(crate) fn touches(&self, room: usize, area: &Area) -> bool {
-        let (r, near) = (outward(area), &self.near[room]);
-        near.bits.any((r.x0 - near.west, r.x1 - near.west), (r.y0 - near.south, r.y1 - near.south))
-    }
-}
-
-impl Near {
-    fn of(plan: &Plan, room: usize, standing: &Bits, origin: (i32, i32)) -> Self {
-        let hull = plan.rooms[room].hull().grown(ARM as i32 + MARGIN);
-        let (west, south) = (hull.x0, hull.y0);
-        let mut bits = Bits::new(hull.width() as usize, hull.depth() as usize);
-        let ways = plan.doors_of(room).map(|o| doorway(plan, o));
-        for rect in plan.rooms[room].net().into_iter().chain(ways) {
-            for y in rect.y0..rect.y1 {
-                for x in rect.x0..rect.x1 {
-                    if standing.get((x - origin.0) as usize, (y - origin.1) as usize) {
-                        bits.set((x - west) as usize, (y - south) as usize);
-                    }
-                }
-            }
-        }
-        Self { west, south, bits: bits.dilated(ARM) }
+        let r = outward(area);
+        let (x, y) = ((r.x0 - self.west, r.x1 - self.west), (r.y0 - self.south, r.y1 - self.south));
+        self.within[room].any_within(x, y, ARM)
     }
 }
 
@@ -120,8 +103,20 @@ pub(crate) fn doorway(plan: &Plan, opening: &crate::plan::Opening) -> Rect {
     opening.across(opening.at - low, opening.at + high)
 }
 
+/// Where the boards of window sills stand out into their rooms, by room.
+pub(crate) fn boards(plan: &Plan) -> impl Iterator<Item = (usize, Rect)> {
+    const DEPTH: i32 = 2;
+    let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.sill < HEIGHT);
+    windows.filter_map(|o| o.high.or(o.low).map(|room| (room, o.before(o.high.is_some(), DEPTH))))
+}
+
+/// Whether somebody walking meets a thing that reaches from one height to another.
+pub(crate) fn is_in_the_way((low, high): (f32, f32)) -> bool {
+    low < HEIGHT && high > STEP
+}
+
 /// The cells that an area touches.
-fn outward(area: &Area) -> Rect {
+pub(crate) fn outward(area: &Area) -> Rect {
     let low = |v: f32| (v * CELLS + 0.02).floor() as i32;
     let high = |v: f32| (v * CELLS - 0.02).ceil() as i32;
     Rect { x0: low(area.x0), y0: low(area.y0), x1: high(area.x1), y1: high(area.y1) }

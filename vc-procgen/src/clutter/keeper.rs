@@ -2,16 +2,18 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::Translation3;
 use vc_graph::asset::{Hold, Surface};
 use vc_graph::{Pose, Seed, State, Stream};
 
 use crate::apartment::Apartment;
 use crate::furnish::{Area, Item, Rest, standing};
-use crate::object::{self, Object};
+use crate::object::{self, Draft, Object};
 
 /// Gap between things, and from a surface's edge, metres.
 const GAP: f32 = 0.004;
+/// What stays free below the ceiling, metres.
+const HEADROOM: f32 = 0.05;
 /// How often a place is drawn before a thing is left out.
 const TRIES: usize = 12;
 
@@ -80,14 +82,13 @@ impl<'a> Keeper<'a> {
     }
 
     /// An object of a class, of its usual size or of one given.
-    pub(super) fn make(&mut self, class: &str, size: Option<[f32; 3]>) -> Option<Arc<Object>> {
+    pub(super) fn make(&mut self, class: &str, size: Option<[f32; 3]>) -> Option<Draft> {
         self.made += 1;
         let seed = self.seed.child("thing").nth(self.made);
-        let generator = object::generator(class)?;
-        Some(Arc::new(match size {
-            Some(size) => generator.sized(size.into(), &self.home.style, seed),
-            None => generator.object(&self.home.style, seed),
-        }))
+        match size {
+            Some(size) => Draft::sized(class, size.into(), seed),
+            None => Draft::usual(class, seed),
+        }
     }
 
     /// Puts a thing of a class somewhere on a surface.
@@ -106,12 +107,12 @@ impl<'a> Keeper<'a> {
 
     /// Puts another thing like one that is there.
     pub(super) fn put_beside(&mut self, like: usize, surface: usize) -> Option<usize> {
-        let object = self.home.items[like].object.clone();
+        let object = Draft::of(self.home.items[like].object.clone());
         self.put_object(&object, surface)
     }
 
     /// Puts an object somewhere on a surface, turned so that it fits.
-    pub(super) fn put_object(&mut self, object: &Arc<Object>, surface: usize) -> Option<usize> {
+    pub(super) fn put_object(&mut self, object: &Draft, surface: usize) -> Option<usize> {
         let (centre, half, hold) = self.surface(surface).map(|s| (s.centre, s.half, s.hold))?;
         let aligned = hold == Hold::Inside;
         for _ in 0..TRIES {
@@ -133,18 +134,19 @@ impl<'a> Keeper<'a> {
 
     /// Puts an object at a point of a surface (in the carrier's frame), if it is free
     /// there and the object fits below what is above.
-    pub(super) fn place(&mut self, object: &Arc<Object>, surface: usize, at: (f32, f32), yaw: f32) -> Option<usize> {
+    pub(super) fn place(&mut self, object: &Draft, surface: usize, at: (f32, f32), yaw: f32) -> Option<usize> {
         let (centre, half, hold, clearance) = self.surface(surface).map(|s| (s.centre, s.half, s.hold, s.clearance))?;
         let (hx, hy) = extent(object, yaw);
         let area = Area::around(at.0, at.1, hx + GAP / 2.0, hy + GAP / 2.0);
         let edge = Area::around(centre.x, centre.y, half.0 + GAP, half.1 + GAP);
         let height = object.size().z;
-        let tall = clearance.is_some_and(|c| height > c - GAP);
+        let base = self.home.items[self.carrier].pose.translation.z + centre.z;
+        let tall = clearance.is_some_and(|c| height > c - GAP) || base + height > self.home.plan.ceiling - HEADROOM;
         if tall || !edge.holds(&area) || self.taken[surface].iter().any(|t| t.overlaps(&area)) {
             return None;
         }
         self.taken[surface].push(area);
-        let local = standing(object, at, centre.z + 0.001, yaw);
+        let local = |object: &Object| standing(object, at, centre.z + 0.001, yaw);
         let rest =
             if hold == Hold::Inside { Rest::Inside(self.carrier, surface) } else { Rest::On(self.carrier, surface) };
         Some(self.add(object, local, rest))
@@ -152,17 +154,17 @@ impl<'a> Keeper<'a> {
 
     /// Puts an object whose foot alone needs the surface: a tap's spout reaches over
     /// the bowl in front.
-    pub(super) fn place_over(&mut self, object: &Arc<Object>, surface: usize, at: (f32, f32)) -> Option<usize> {
+    pub(super) fn place_over(&mut self, object: &Draft, surface: usize, at: (f32, f32)) -> Option<usize> {
         let (centre, half) = self.surface(surface).map(|s| (s.centre, s.half))?;
         let size = object.size();
         let back = centre.x - half.0 + GAP;
         self.taken[surface].push(Area::around(centre.x, at.1, half.0, size.y / 2.0));
-        let local = standing(object, (back + size.x / 2.0, at.1), centre.z + 0.001, 0.0);
+        let local = |object: &Object| standing(object, (back + size.x / 2.0, at.1), centre.z + 0.001, 0.0);
         Some(self.add(object, local, Rest::On(self.carrier, surface)))
     }
 
     /// Hangs an object from a hook, its back off the wall.
-    pub(super) fn hang(&mut self, object: &Arc<Object>, surface: usize) -> Option<usize> {
+    pub(super) fn hang(&mut self, object: &Draft, surface: usize) -> Option<usize> {
         let (point, drop) = self.surface(surface).map(|s| (s.centre, s.clearance.unwrap_or(2.0)))?;
         let size = object.size();
         let carrier = self.home.items[self.carrier].object.bounds;
@@ -181,15 +183,17 @@ impl<'a> Keeper<'a> {
             return None;
         }
         self.taken[surface].push(area);
-        let local = standing(object, (x, point.y), point.z - size.z, yaw);
+        let local = |object: &Object| standing(object, (x, point.y), point.z - object.size().z, yaw);
         Some(self.add(object, local, Rest::On(self.carrier, surface)))
     }
 
-    fn add(&mut self, object: &Arc<Object>, local: Pose, rest: Rest) -> usize {
+    /// Adds an item at a pose in the carrier's frame.
+    fn add(&mut self, draft: &Draft, local: impl Fn(&Object) -> Pose, rest: Rest) -> usize {
+        let object = draft.object(&self.home.style);
         let carrier = &self.home.items[self.carrier];
         let item = Item {
-            object: object.clone(),
-            pose: carrier.pose * local,
+            pose: carrier.pose * local(&object),
+            object,
             rest,
             room: carrier.room,
             states: Vec::new(),
@@ -205,35 +209,28 @@ impl<'a> Keeper<'a> {
         self.home.items[item].states.push(state);
     }
 
-    /// An object laid on its side: what was its X now points up.
-    pub(super) fn upright(object: &Object, turn: Pose) -> Object {
-        let mut turned = object.clone();
-        for part in turned.asset.parts.iter_mut().chain(&mut turned.asset.collision) {
-            part.pose = turn * part.pose;
+    /// An object laid on its side by quarter turns: made for that, its surfaces gone.
+    pub(super) fn upright(&self, draft: Draft, turn: Pose) -> Draft {
+        let mut object = draft.into_object(&self.home.style);
+        let aabb = object.bounds.aabb(&turn);
+        let centre = nalgebra::center(&aabb.min, &aabb.max);
+        let pose = Translation3::new(-centre.x, -centre.y, -aabb.min.z) * turn;
+        for part in object.asset.parts.iter_mut().chain(&mut object.asset.collision) {
+            part.pose = pose * part.pose;
             if let Some(joint) = &mut part.joint {
-                joint.anchor = turn * joint.anchor;
-                joint.axis = turn.rotation * joint.axis;
+                joint.anchor = pose * joint.anchor;
+                joint.axis = pose.rotation * joint.axis;
             }
         }
-        turned.asset.surfaces.clear();
-        if let Some((low, high)) = turned.asset.extent() {
-            let shift = Vector3::new(-(low.x + high.x) / 2.0, -(low.y + high.y) / 2.0, -low.z);
-            let moved = Isometry3::translation(shift.x, shift.y, shift.z);
-            for part in turned.asset.parts.iter_mut().chain(&mut turned.asset.collision) {
-                part.pose = moved * part.pose;
-                if let Some(joint) = &mut part.joint {
-                    joint.anchor += shift;
-                }
-            }
-            turned.bounds = vc_graph::Bounds::standing(high - low);
-        }
-        turned
+        object.asset.surfaces.clear();
+        object.bounds = vc_graph::Bounds::standing(aabb.max - aabb.min);
+        Draft::of(Arc::new(object))
     }
 }
 
 /// Half lengths along X and Y of an object turned around Z.
-fn extent(object: &Object, yaw: f32) -> (f32, f32) {
+fn extent(object: &Draft, yaw: f32) -> (f32, f32) {
     let (sin, cos) = (yaw.sin().abs(), yaw.cos().abs());
-    let half = object.bounds.half;
+    let half = object.size() / 2.0;
     (half.x * cos + half.y * sin, half.x * sin + half.y * cos)
 }

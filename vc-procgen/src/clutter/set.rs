@@ -1,13 +1,11 @@
 //! What belongs to a piece of furniture: bedding, taps, screens, books in rows.
 
-use std::sync::Arc;
-
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use vc_graph::asset::Hold;
 use vc_graph::{State, Stream};
 
 use super::keeper::Keeper;
-use crate::object::Object;
+use crate::object::Draft;
 
 /// Dresses a piece with what it cannot do without, and what it usually has.
 pub(super) fn dress(k: &mut Keeper<'_>, amount: f32) {
@@ -212,11 +210,11 @@ fn books(k: &mut Keeper<'_>, amount: f32) {
         }
         let fill = k.rng.between(0.3, 0.8) * 2.0 * half.1;
         let mut y = 0.01;
-        let mut book: Option<Arc<Object>> = None;
+        let mut book: Option<Draft> = None;
         while y < fill {
             if book.is_none() || k.rng.chance(0.7) {
                 let class = ["novel", "novel", "textbook", "cookbook"][k.rng.below(4)];
-                book = k.make(class, None).map(|b| Arc::new(Keeper::upright(&b, on_edge())));
+                book = k.make(class, None).map(|b| k.upright(b, on_edge()));
             }
             let Some(standing) = &book else { break };
             let size = standing.size();
@@ -226,7 +224,7 @@ fn books(k: &mut Keeper<'_>, amount: f32) {
                 continue;
             }
             let at = (centre.x + half.0 - size.x / 2.0 - 0.006, centre.y + half.1 - y - size.y / 2.0);
-            if k.place(&standing.clone(), surface, at, 0.0).is_none() {
+            if k.place(standing, surface, at, 0.0).is_none() {
                 break;
             }
             y += size.y + 0.005;

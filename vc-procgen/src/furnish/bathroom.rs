@@ -1,12 +1,10 @@
 //! Bathrooms: shower or bath, toilet and basin, then what fits.
 
-use std::sync::Arc;
-
 use super::place::{Need, Spot};
 use super::space::Solid;
 use super::{Area, Rest, Setter};
 use crate::error::Impossible;
-use crate::object::Object;
+use crate::object::Draft;
 use crate::plan::RoomKind;
 
 /// How often the fittings are dealt anew.
@@ -14,7 +12,7 @@ const TRIES: usize = 40;
 
 pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
     let bath = s.kind() == RoomKind::Bathroom;
-    let mut fittings: Vec<Vec<(Arc<Object>, Need)>> = Vec::new();
+    let mut fittings: Vec<Vec<(Draft, Need)>> = Vec::new();
     if bath {
         let long = s.space.square_metres > 4.3 && s.rng.chance(0.5);
         let mut wet = Vec::new();
@@ -50,10 +48,10 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
 }
 
 /// One of each list of alternatives, dealt until all fit.
-fn place_all(s: &mut Setter<'_>, fittings: &[Vec<(Arc<Object>, Need)>]) -> Option<Vec<usize>> {
+fn place_all(s: &mut Setter<'_>, fittings: &[Vec<(Draft, Need)>]) -> Option<Vec<usize>> {
     let (solids, zones) = (s.space.solids.len(), s.space.zones.len());
     for attempt in 0..TRIES {
-        let mut spots: Vec<(Arc<Object>, Spot, Need)> = Vec::new();
+        let mut spots: Vec<(Draft, Spot, Need)> = Vec::new();
         for options in fittings {
             // Later attempts begin with smaller fittings.
             let skip = (attempt * options.len() / TRIES).min(options.len().saturating_sub(1));
@@ -70,14 +68,15 @@ fn place_all(s: &mut Setter<'_>, fittings: &[Vec<(Arc<Object>, Need)>]) -> Optio
         }
         s.space.solids.truncate(solids);
         s.space.zones.truncate(zones);
-        if spots.len() == fittings.len() {
+        let areas: Vec<Area> = spots.iter().map(|(_, spot, _)| spot.area).collect();
+        if spots.len() == fittings.len() && s.space.walk.stays_open(&areas) {
             return Some(spots.into_iter().map(|(object, spot, need)| commit(s, &object, &spot, need)).collect());
         }
     }
     None
 }
 
-fn commit(s: &mut Setter<'_>, object: &Arc<Object>, spot: &Spot, need: Need) -> usize {
+fn commit(s: &mut Setter<'_>, object: &Draft, spot: &Spot, need: Need) -> usize {
     let index = s.settle(object, spot.area, spot.facing, need);
     s.item(index).required = true;
     index
@@ -129,7 +128,7 @@ fn extras(s: &mut Setter<'_>) {
 }
 
 /// A mat before the shower or bath.
-fn bath_mat(s: &mut Setter<'_>, mat: Option<Arc<Object>>) {
+fn bath_mat(s: &mut Setter<'_>, mat: Option<Draft>) {
     let Some(mat) = mat else { return };
     let wet = s.items.iter().find(|i| matches!(i.object.class, "shower" | "bathtub"));
     let Some((area, facing)) = wet.map(|i| (i.area(), i.facing())) else { return };

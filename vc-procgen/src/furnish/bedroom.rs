@@ -1,12 +1,10 @@
 //! Bedrooms: the bed with its night stands first, a wardrobe, then what fits.
 
-use std::sync::Arc;
-
 use super::place::{Need, Spot};
 use super::space::Solid;
 use super::{Area, Facing, Rest, Setter};
 use crate::error::Impossible;
-use crate::object::Object;
+use crate::object::Draft;
 use crate::plan::RoomKind;
 
 pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
@@ -82,7 +80,7 @@ fn bed_place(s: &Setter<'_>, spot: &Spot) -> f32 {
 }
 
 /// Night stands at the head, where there is room.
-fn night_stands(s: &mut Setter<'_>, bed: usize, stand: Option<&Arc<Object>>) {
+fn night_stands(s: &mut Setter<'_>, bed: usize, stand: Option<&Draft>) {
     let Some(stand) = stand else { return };
     let (area, facing) = (s.item(bed).area(), s.item(bed).facing());
     let size = stand.size();
@@ -105,7 +103,8 @@ fn night_stands(s: &mut Setter<'_>, bed: usize, stand: Option<&Arc<Object>>) {
         };
         // It may stand in the bed's own zone: one gets up beyond it.
         let spot = Area::around(x, y, hx, hy);
-        if s.space.is_off_ways(&Solid { area: spot, low: 0.0, high: size.z }) {
+        let solid = Solid { area: spot, low: 0.0, high: size.z };
+        if s.space.is_off_ways(&solid) && s.space.stays_open(&solid) {
             s.add(stand, (x, y), 0.0, facing, Rest::Floor);
         }
     }
@@ -172,15 +171,15 @@ pub(super) fn desk(s: &mut Setter<'_>, width: f32) -> Option<usize> {
 }
 
 /// Puts a chair in front of an area, facing it, so far along its edge.
-pub(super) fn seat(s: &mut Setter<'_>, chair: &Arc<Object>, area: &Area, facing: Facing, along: f32) -> Option<usize> {
+pub(super) fn seat(s: &mut Setter<'_>, chair: &Draft, area: &Area, facing: Facing, along: f32) -> Option<usize> {
     let size = chair.size();
     let gap = s.rng.between(0.02, 0.08);
     let before = facing.before(area, size.x + gap);
     let (dx, dy) = facing.step();
     let (cx, cy) = before.centre();
     let centre = (cx + dx * gap / 2.0 - dy * along, cy + dy * gap / 2.0 + dx * along);
-    let (hx, hy) = if facing.is_along_x() { (size.x, size.y) } else { (size.y, size.x) };
-    let spot = Area::around(centre.0, centre.1, hx / 2.0, hy / 2.0);
+    let spot = Setter::around(centre, size, facing);
     let solid = Solid { area: spot, low: 0.0, high: size.z };
-    s.space.is_off_ways(&solid).then(|| s.add(chair, centre, 0.0, facing.turned(2), Rest::Floor))
+    (s.space.is_off_ways(&solid) && s.space.stays_open(&solid))
+        .then(|| s.add(chair, centre, 0.0, facing.turned(2), Rest::Floor))
 }

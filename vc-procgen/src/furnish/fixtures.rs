@@ -96,7 +96,8 @@ fn radiator(s: &mut Setter<'_>, side: usize, window: (f32, f32), sill: f32) {
     let size = radiator.size();
     let solid = Solid { area: wall.facing.area(wall.point(along, 0.016), size.x, size.y), low: 0.0, high: size.z };
     let mut kept = s.space.ways.iter().chain(&s.space.zones);
-    if s.space.is_empty(&solid) && s.space.is_floor(&solid.area) && !kept.any(|w| w.overlaps(&solid.area)) {
+    let free = s.space.is_empty(&solid) && s.space.is_floor(&solid.area) && !kept.any(|w| w.overlaps(&solid.area));
+    if free && s.space.stays_open(&solid) {
         let (facing, centre) = (wall.facing, solid.area.centre());
         s.add(&radiator, centre, 0.0, facing, Rest::Floor);
     }
@@ -132,13 +133,7 @@ fn dress_window(s: &mut Setter<'_>, side: usize, window: (f32, f32), heights: (f
 }
 
 /// Hangs something on a wall that may cover a window.
-fn hang_over(
-    s: &mut Setter<'_>,
-    object: &std::sync::Arc<crate::object::Object>,
-    side: usize,
-    along: f32,
-    z: f32,
-) -> Option<usize> {
+fn hang_over(s: &mut Setter<'_>, object: &crate::object::Draft, side: usize, along: f32, z: f32) -> Option<usize> {
     let wall: &Side = &s.space.sides[side];
     let size = object.size();
     // Off the wall by more than the sill board's joint and the skirting.
@@ -149,7 +144,7 @@ fn hang_over(
     let door = wall.has_way(along - size.y / 2.0 - 0.06, along + size.y / 2.0 + 0.06)
         || s.space.ways.iter().any(|w| z < 2.1 && w.overlaps(&area));
     let facing = wall.facing;
-    let free = inside && !door && s.space.is_empty(&solid);
+    let free = inside && !door && s.space.is_empty(&solid) && s.space.stays_open(&solid);
     free.then(|| s.add(object, area.centre(), z, facing, Rest::Wall))
 }
 

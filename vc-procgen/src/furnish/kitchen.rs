@@ -1,13 +1,11 @@
 //! Kitchens: a run of units along one or two walls, cupboards above, a table where
 //! it fits.
 
-use std::sync::Arc;
-
 use super::Setter;
 use super::place::{Need, Spot};
 use super::space::OFF_WALL;
 use crate::error::Impossible;
-use crate::object::Object;
+use crate::object::Draft;
 use crate::plan::RoomKind;
 
 /// Depth and height of units, metres.
@@ -23,7 +21,7 @@ struct Unit {
 }
 
 /// Units in place: which of the list, where, and the object.
-type Run = Vec<(usize, Spot, Arc<Object>)>;
+type Run = Vec<(usize, Spot, Draft)>;
 
 const fn unit(class: &'static str, widths: &'static [f32], required: bool) -> Unit {
     Unit { class, widths, height: TOP, required }
@@ -88,7 +86,7 @@ fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossibl
     let mut best: Option<Run> = None;
     let tries = s.space.sides.len() * 2;
     // Made once: every way to lay the run uses the same objects.
-    let made: Vec<Vec<Arc<Object>>> = units
+    let made: Vec<Vec<Draft>> = units
         .iter()
         .map(|u| u.widths.iter().filter_map(|&width| s.make(u.class, [DEPTH, width, u.height])).collect())
         .collect();
@@ -96,7 +94,9 @@ fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossibl
         let run = lay_run(s, &made, attempt / 2, attempt % 2 == 1);
         let placed = run.len();
         let missing = units.iter().enumerate().filter(|(i, u)| u.required && !run.iter().any(|r| r.0 == *i)).count();
-        if missing == 0 && best.as_ref().is_none_or(|b| placed > b.len()) {
+        let areas = || run.iter().map(|(_, spot, _)| spot.area).collect::<Vec<_>>();
+        let better = missing == 0 && best.as_ref().is_none_or(|b| placed > b.len());
+        if better && s.space.walk.stays_open(&areas()) {
             best = Some(run);
         }
     }
@@ -111,12 +111,7 @@ fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossibl
 }
 
 /// Lays the units out from one end of a wall on, in a copy of the room.
-fn lay_run(
-    s: &mut Setter<'_>,
-    units: &[Vec<Arc<Object>>],
-    first: usize,
-    backwards: bool,
-) -> Vec<(usize, Spot, Arc<Object>)> {
+fn lay_run(s: &mut Setter<'_>, units: &[Vec<Draft>], first: usize, backwards: bool) -> Vec<(usize, Spot, Draft)> {
     let solids = s.space.solids.len();
     let zones = s.space.zones.len();
     let mut run = Vec::new();
@@ -151,7 +146,7 @@ fn lay_run(
 }
 
 /// The first place along a wall from a distance on, and where it ends.
-fn next_spot(s: &Setter<'_>, side: usize, from: f32, object: &Object, backwards: bool) -> Option<(Spot, f32)> {
+fn next_spot(s: &Setter<'_>, side: usize, from: f32, object: &Draft, backwards: bool) -> Option<(Spot, f32)> {
     let wall = &s.space.sides[side];
     let size = object.size();
     let mut at = from.max(OFF_WALL);

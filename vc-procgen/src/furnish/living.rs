@@ -1,12 +1,10 @@
 //! Living rooms: a place to sit before the television, a place to eat, shelves.
 
-use std::sync::Arc;
-
 use super::place::{Need, Spot};
 use super::space::Solid;
 use super::{Area, Facing, Rest, Setter};
 use crate::error::Impossible;
-use crate::object::Object;
+use crate::object::{Draft, Object};
 
 pub(super) fn furnish(s: &mut Setter<'_>, open_kitchen: bool) -> Result<(), Impossible> {
     sitting(s)?;
@@ -92,7 +90,7 @@ fn sitting(s: &mut Setter<'_>) -> Result<(), Impossible> {
 }
 
 /// The stand at a wall, the sofa opposite, at its own wall or free in the room.
-fn group(s: &mut Setter<'_>, sofa: &Arc<Object>, stand: &Arc<Object>) -> Option<usize> {
+fn group(s: &mut Setter<'_>, sofa: &Draft, stand: &Draft) -> Option<usize> {
     let need = Need::front(0.5);
     let mut spots: Vec<Spot> = s.spots(stand, need);
     spots.retain(|spot| spot.sill.is_none());
@@ -101,7 +99,9 @@ fn group(s: &mut Setter<'_>, sofa: &Arc<Object>, stand: &Arc<Object>) -> Option<
     for spot in spots.into_iter().take(24) {
         for distance in [1.9, 2.3, 2.7, 3.1, 3.5] {
             let Some((centre, value)) = sofa_place(s, sofa, &spot, distance) else { continue };
-            if best.as_ref().is_none_or(|(b, ..)| value > *b) {
+            let seat = Setter::around(centre, sofa.size(), spot.facing);
+            let better = best.as_ref().is_none_or(|(b, ..)| value > *b);
+            if better && s.space.walk.stays_open(&[spot.area, seat]) {
                 best = Some((value, spot, centre));
             }
         }
@@ -124,7 +124,7 @@ fn gap(a: &Area, b: &Area, facing: Facing) -> f32 {
 }
 
 /// Where a sofa stands that looks at a stand from a distance, and how good that is.
-fn sofa_place(s: &Setter<'_>, sofa: &Object, stand: &Spot, distance: f32) -> Option<((f32, f32), f32)> {
+fn sofa_place(s: &Setter<'_>, sofa: &Draft, stand: &Spot, distance: f32) -> Option<((f32, f32), f32)> {
     let size = sofa.size();
     let (dx, dy) = stand.facing.step();
     let (sx, sy) = stand.area.centre();
@@ -132,8 +132,7 @@ fn sofa_place(s: &Setter<'_>, sofa: &Object, stand: &Spot, distance: f32) -> Opt
     let half_stand = if stand.facing.is_along_x() { half_stand.0 } else { half_stand.1 } / 2.0;
     let reach = half_stand + distance + half_sofa;
     let centre = (sx + dx * reach, sy + dy * reach);
-    let (hx, hy) = if stand.facing.is_along_x() { (size.x, size.y) } else { (size.y, size.x) };
-    let area = Area::around(centre.0, centre.1, hx / 2.0, hy / 2.0);
+    let area = Setter::around(centre, size, stand.facing);
     let facing = stand.facing.turned(2);
     let view = facing.before(&area, distance);
     if !s.fits(area, 0.0, size.z, facing, Need::default()) || !s.space.is_clear(&view) {
@@ -173,11 +172,11 @@ fn coffee_table(s: &mut Setter<'_>, sofa: &Area, facing: Facing, gap: f32) {
         let (dx, dy) = facing.step();
         let centre = (spot.centre().0 + dx * 0.03, spot.centre().1 + dy * 0.03);
         let flat = rug.size();
-        let (hx, hy) = if facing.is_along_x() { (flat.x, flat.y) } else { (flat.y, flat.x) };
-        let solid = Solid { area: Area::around(centre.0, centre.1, hx / 2.0, hy / 2.0), low: 0.0, high: flat.z };
+        let solid = Solid { area: Setter::around(centre, flat, facing), low: 0.0, high: flat.z };
         let swing = s.space.ways.iter().any(|w| w.overlaps(&solid.area));
         if s.space.is_floor(&solid.area) && s.space.is_empty(&solid) && !swing {
             let index = s.add(&rug, centre, 0.0, facing, Rest::Floor);
+            let (rug, flat) = (s.item(index).object.clone(), s.item(index).object.size());
             let under = solid.area.holds(&Area::around(
                 before.centre().0,
                 before.centre().1,
@@ -191,9 +190,8 @@ fn coffee_table(s: &mut Setter<'_>, sofa: &Area, facing: Facing, gap: f32) {
         }
     }
     let centre = before.centre();
-    let (hx, hy) = if facing.is_along_x() { (size.x, size.y) } else { (size.y, size.x) };
-    let solid = Solid { area: Area::around(centre.0, centre.1, hx / 2.0, hy / 2.0), low: z, high: z + size.z };
-    if s.space.is_off_ways(&solid) {
+    let solid = Solid { area: Setter::around(centre, size, facing), low: z, high: z + size.z };
+    if s.space.is_off_ways(&solid) && s.space.stays_open(&solid) {
         s.add(&table, centre, z, facing, rest);
     }
 }
@@ -217,7 +215,7 @@ fn beside(s: &mut Setter<'_>, sofa: &Area, facing: Facing) {
         let centre = spot.centre();
         let area = Area::around(centre.0, centre.1, size.x.max(size.y) / 2.0, size.x.max(size.y) / 2.0);
         let solid = Solid { area, low: 0.0, high: size.z };
-        if s.space.is_free(&solid) {
+        if s.space.is_free(&solid) && s.space.stays_open(&solid) {
             s.add(&table, centre, 0.0, facing, Rest::Floor);
             return;
         }
@@ -253,7 +251,7 @@ pub(super) fn dining(s: &mut Setter<'_>, places: usize) {
 }
 
 /// A small table with its long side to a wall, chairs on the other.
-fn at_wall(s: &mut Setter<'_>, chair: &Arc<Object>) {
+fn at_wall(s: &mut Setter<'_>, chair: &Draft) {
     for (depth, length) in [(0.75, 1.2), (0.65, 0.8)] {
         let Some(table) = s.make("dining_table", [depth, length, 0.75]) else { return };
         let need = Need::front(chair.size().x + 0.35);
@@ -266,7 +264,7 @@ fn at_wall(s: &mut Setter<'_>, chair: &Arc<Object>) {
     }
 }
 
-fn dining_at(s: &mut Setter<'_>, table: &Arc<Object>, chair: &Arc<Object>, seats: usize) -> bool {
+fn dining_at(s: &mut Setter<'_>, table: &Draft, chair: &Draft, seats: usize) -> bool {
     let size = table.size();
     let sit = chair.size().x + 0.1;
     // Chairs along both long sides; around it a way on at least those.
@@ -282,8 +280,7 @@ fn dining_at(s: &mut Setter<'_>, table: &Arc<Object>, chair: &Arc<Object>, seats
     for _ in 0..60 {
         let centre = (s.rng.between(hull.x0, hull.x1), s.rng.between(hull.y0, hull.y1));
         let facing = Facing(s.rng.below(2) as u8);
-        let (hx, hy) = if facing.is_along_x() { (size.x, size.y) } else { (size.y, size.x) };
-        let mut area = Area::around(centre.0, centre.1, hx / 2.0, hy / 2.0);
+        let mut area = Setter::around(centre, size, facing);
         if !s.space.is_floor(&area) {
             continue;
         }
@@ -299,7 +296,7 @@ fn dining_at(s: &mut Setter<'_>, table: &Arc<Object>, chair: &Arc<Object>, seats
             continue;
         }
         let value = s.space.door_distance(&area).min(1.5);
-        if best.as_ref().is_none_or(|(b, ..)| value > *b) {
+        if best.as_ref().is_none_or(|(b, ..)| value > *b) && s.space.stays_open(&solid) {
             best = Some((value, area.centre(), facing));
         }
     }

@@ -14,9 +14,11 @@ mod living;
 mod other;
 mod place;
 mod space;
+mod walk;
 
 pub use area::{Area, Facing};
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
@@ -24,9 +26,12 @@ use vc_graph::{Pose, Seed, State, Stream};
 
 use crate::Style;
 use crate::error::Impossible;
-use crate::object::{self, Object};
+use crate::object::{Draft, Object};
 use crate::plan::{OpeningKind, Plan, RoomKind};
 use space::{Solid, Space};
+
+/// How often a room is dealt anew before the plan is given up.
+const DEALS: u64 = 5;
 
 /// What an item rests on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -103,31 +108,56 @@ pub(crate) fn furnish(plan: &Plan, style: &Style, seed: Seed) -> Result<Vec<Item
         o.kind == OpeningKind::Passage
             && [o.low, o.high].into_iter().flatten().any(|r| plan.rooms[r].kind == RoomKind::Kitchen)
     });
+    let mut order: Vec<usize> = (0..plan.rooms.len()).collect();
+    // Rooms that most often cannot hold what they need come first: what fails fails early.
+    order.sort_by_key(|&r| strictness(plan.rooms[r].kind));
     let mut items = Vec::new();
-    for (index, room) in plan.rooms.iter().enumerate() {
+    for index in order {
+        let space = Space::of(plan, index);
         let own = seed.child("furnish").nth(index as u64);
-        let mut setter = Setter {
-            room: index,
-            style,
-            seed: own,
-            rng: own.stream(),
-            space: Space::of(plan, index),
-            base: items.len(),
-            items: Vec::new(),
-            made: 0,
-        };
-        match room.kind {
-            RoomKind::Bedroom | RoomKind::Kids => bedroom::furnish(&mut setter),
-            RoomKind::Living if plan.scheme == crate::plan::Scheme::Studio => living::furnish_studio(&mut setter),
-            RoomKind::Living => living::furnish(&mut setter, open_kitchen),
-            RoomKind::Kitchen => kitchen::furnish(&mut setter),
-            RoomKind::Bathroom | RoomKind::Wc => bathroom::furnish(&mut setter),
-            _ => other::furnish(&mut setter),
-        }?;
-        fixtures::fix(&mut setter, plan);
-        items.append(&mut setter.items);
+        let dealt = (0..DEALS).try_fold(None, |_, deal| {
+            let mut setter = Setter::new(index, style, own.nth(deal), space.clone(), items.len());
+            match furnish_room(&mut setter, plan, open_kitchen) {
+                Ok(()) => ControlFlow::Break(setter.items),
+                Err(error) => ControlFlow::Continue(Some(error)),
+            }
+        });
+        match dealt {
+            ControlFlow::Break(mut dealt) => items.append(&mut dealt),
+            ControlFlow::Continue(error) => return Err(error.unwrap_or_else(|| unwalkable(plan, index))),
+        }
     }
     Ok(items)
+}
+
+/// Small for what it needs first.
+fn strictness(kind: RoomKind) -> u8 {
+    match kind {
+        RoomKind::Bathroom | RoomKind::Wc => 0,
+        RoomKind::Bedroom | RoomKind::Kids => 1,
+        RoomKind::Kitchen | RoomKind::Living => 2,
+        _ => 3,
+    }
+}
+
+fn unwalkable(plan: &Plan, room: usize) -> Impossible {
+    Impossible::NoPlace { kind: plan.rooms[room].kind, room, piece: "way to walk" }
+}
+
+fn furnish_room(s: &mut Setter<'_>, plan: &Plan, open_kitchen: bool) -> Result<(), Impossible> {
+    if !s.space.walk.stays_open(&[]) {
+        return Err(unwalkable(plan, s.room));
+    }
+    match s.kind() {
+        RoomKind::Bedroom | RoomKind::Kids => bedroom::furnish(s),
+        RoomKind::Living if plan.scheme == crate::plan::Scheme::Studio => living::furnish_studio(s),
+        RoomKind::Living => living::furnish(s, open_kitchen),
+        RoomKind::Kitchen => kitchen::furnish(s),
+        RoomKind::Bathroom | RoomKind::Wc => bathroom::furnish(s),
+        _ => other::furnish(s),
+    }?;
+    fixtures::fix(s, plan);
+    Ok(())
 }
 
 /// Puts things into one room.
@@ -144,6 +174,12 @@ struct Setter<'a> {
     made: u64,
 }
 
+impl<'a> Setter<'a> {
+    fn new(room: usize, style: &'a Style, seed: Seed, space: Space, base: usize) -> Self {
+        Self { room, style, seed, rng: seed.stream(), space, base, items: Vec::new(), made: 0 }
+    }
+}
+
 impl Setter<'_> {
     fn kind(&self) -> RoomKind {
         self.space.kind
@@ -151,10 +187,9 @@ impl Setter<'_> {
 
     /// An object of a class, no larger than `size`; `None` where no generator knows
     /// the class.
-    fn make(&mut self, class: &str, size: [f32; 3]) -> Option<Arc<Object>> {
+    fn make(&mut self, class: &str, size: [f32; 3]) -> Option<Draft> {
         self.made += 1;
-        let seed = self.seed.child("object").nth(self.made);
-        Some(Arc::new(object::generator(class)?.sized(size.into(), self.style, seed)))
+        Draft::sized(class, size.into(), self.seed.child("object").nth(self.made))
     }
 
     /// What is missing, as an error.
@@ -163,19 +198,17 @@ impl Setter<'_> {
     }
 
     /// Adds an item whose footprint is centred on a point, its base at `z`; returns
-    /// its position in the list of all items.
-    fn add(&mut self, object: &Arc<Object>, centre: (f32, f32), z: f32, facing: Facing, rest: Rest) -> usize {
-        let pose = standing(object, centre, z, facing.yaw());
-        let item = Item {
-            object: object.clone(),
-            pose,
-            rest,
-            room: self.room,
-            states: Vec::new(),
-            between: None,
-            required: false,
-        };
+    /// its position in the list of all items. What comes out less deep than it might
+    /// keeps its back where it was to be.
+    fn add(&mut self, draft: &Draft, centre: (f32, f32), z: f32, facing: Facing, rest: Rest) -> usize {
+        let object = draft.object(self.style);
+        let spare = if rest == Rest::Ceiling { 0.0 } else { (draft.size().x - object.size().x) / 2.0 };
+        let (dx, dy) = facing.step();
+        let z = if rest == Rest::Ceiling { z + draft.size().z - object.size().z } else { z };
+        let pose = standing(&object, (centre.0 - dx * spare, centre.1 - dy * spare), z, facing.yaw());
+        let item = Item { object, pose, rest, room: self.room, states: Vec::new(), between: None, required: false };
         let solid = item.solid();
+        self.space.walk.put(&solid.area, (solid.low, solid.high), rest != Rest::Ceiling);
         self.space.solids.push(solid);
         self.items.push(item);
         self.base + self.items.len() - 1

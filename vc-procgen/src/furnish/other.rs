@@ -1,13 +1,11 @@
 //! Halls, studies, laundries, stores and balconies; plants and baskets everywhere.
 
-use std::sync::Arc;
-
 use super::Setter;
 use super::bedroom::{bookcase, desk, in_corner};
 use super::place::Need;
 use super::space::Solid;
 use crate::error::Impossible;
-use crate::object::Object;
+use crate::object::Draft;
 use crate::plan::RoomKind;
 
 pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
@@ -53,7 +51,9 @@ fn hooks(s: &mut Setter<'_>) {
         let coats = facing.area(wall.point(along, 0.0), 0.3, width);
         let solid = Solid { area: coats, low: 0.0, high: 1.7 };
         let pass = facing.before(&coats, 0.72);
-        if s.space.is_free(&solid) && s.space.is_clear(&pass) && s.hang(&rack, side, along, 1.65).is_some() {
+        let free = s.space.is_free(&solid) && s.space.is_clear(&pass) && s.space.stays_open(&solid);
+        if free && s.hang(&rack, side, along, 1.65).is_some() {
+            s.space.walk.put(&coats, (solid.low, solid.high), false);
             s.space.solids.push(solid);
             s.space.zones.push(pass);
             return;
@@ -141,7 +141,7 @@ pub(super) fn basket(s: &mut Setter<'_>, class: &str, chance: f32) {
 }
 
 /// Hangs something at a height on a wall where there is room, tried at random.
-pub(super) fn hang_somewhere(s: &mut Setter<'_>, object: Option<Arc<Object>>, z: f32) -> Option<usize> {
+pub(super) fn hang_somewhere(s: &mut Setter<'_>, object: Option<Draft>, z: f32) -> Option<usize> {
     let object = object?;
     (0..24).find_map(|_| {
         let side = s.rng.below(s.space.sides.len());

@@ -1,11 +1,14 @@
 //! Finding a place: against a wall, beside another piece, or free in the room.
 
-use std::sync::Arc;
+use nalgebra::Vector3;
 
 use super::area::{Area, Facing};
 use super::space::{OFF_WALL, Side, Solid};
 use super::{Rest, Setter};
-use crate::object::Object;
+use crate::object::Draft;
+
+/// Places tried for a piece, the best first.
+const TRIED: usize = 8;
 
 /// What a piece needs around it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -45,7 +48,7 @@ impl Need {
 
 impl Setter<'_> {
     /// Places along all walls where an object may stand with its back to the wall.
-    pub(super) fn spots(&self, object: &Object, need: Need) -> Vec<Spot> {
+    pub(super) fn spots(&self, object: &Draft, need: Need) -> Vec<Spot> {
         let size = object.size();
         let mut spots = Vec::new();
         for (index, side) in self.space.sides.iter().enumerate() {
@@ -64,7 +67,7 @@ impl Setter<'_> {
     }
 
     /// The place at a position along a wall, if it is free.
-    fn spot(&self, index: usize, side: &Side, along: f32, object: &Object, need: Need) -> Option<Spot> {
+    fn spot(&self, index: usize, side: &Side, along: f32, object: &Draft, need: Need) -> Option<Spot> {
         let size = object.size();
         let area = side.facing.area(side.point(along, OFF_WALL), size.x, size.y);
         let (from, to) = (along - size.y / 2.0, along + size.y / 2.0);
@@ -84,21 +87,14 @@ impl Setter<'_> {
     }
 
     /// Puts an object where `score` is highest; a little chance breaks ties.
-    pub(super) fn against(
-        &mut self,
-        object: &Arc<Object>,
-        need: Need,
-        score: impl Fn(&Self, &Spot) -> f32,
-    ) -> Option<usize> {
+    pub(super) fn against(&mut self, object: &Draft, need: Need, score: impl Fn(&Self, &Spot) -> f32) -> Option<usize> {
         let spots = self.spots(object, need);
-        let mut best: Option<(f32, Spot)> = None;
-        for spot in spots {
-            let value = score(self, &spot) + self.rng.between(0.0, 0.35);
-            if best.as_ref().is_none_or(|(b, _)| value > *b) {
-                best = Some((value, spot));
-            }
-        }
-        let (_, spot) = best?;
+        let mut rated: Vec<(f32, Spot)> =
+            spots.into_iter().map(|spot| (score(self, &spot) + self.rng.between(0.0, 0.35), spot)).collect();
+        rated.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let high = object.size().z;
+        let open = |spot: &Spot| self.space.stays_open(&Solid { area: spot.area, low: 0.0, high });
+        let spot = rated.into_iter().map(|(_, spot)| spot).take(TRIED).find(open)?;
         Some(self.settle(object, spot.area, spot.facing, need))
     }
 
@@ -117,22 +113,28 @@ impl Setter<'_> {
     }
 
     /// Puts an object on an area of the floor and keeps its zones free.
-    pub(super) fn settle(&mut self, object: &Arc<Object>, area: Area, facing: Facing, need: Need) -> usize {
+    pub(super) fn settle(&mut self, object: &Draft, area: Area, facing: Facing, need: Need) -> usize {
         let zones = need.zones(&area, facing);
         self.space.zones.extend(zones.into_iter().filter(|z| *z != area && z.square_metres() > 1e-4).take(2));
         self.add(object, area.centre(), 0.0, facing, Rest::Floor)
     }
 
     /// Puts an object on the floor at a point, if it is free there.
-    pub(super) fn at(&mut self, object: &Arc<Object>, centre: (f32, f32), facing: Facing, need: Need) -> Option<usize> {
+    pub(super) fn at(&mut self, object: &Draft, centre: (f32, f32), facing: Facing, need: Need) -> Option<usize> {
         let size = object.size();
+        let area = Self::around(centre, size, facing);
+        let open = self.space.stays_open(&Solid { area, low: 0.0, high: size.z });
+        (open && self.fits(area, 0.0, size.z, facing, need)).then(|| self.settle(object, area, facing, need))
+    }
+
+    /// The area of something of a size that faces a way, centred on a point.
+    pub(super) fn around(centre: (f32, f32), size: Vector3<f32>, facing: Facing) -> Area {
         let (hx, hy) = if facing.is_along_x() { (size.x, size.y) } else { (size.y, size.x) };
-        let area = Area::around(centre.0, centre.1, hx / 2.0, hy / 2.0);
-        self.fits(area, 0.0, size.z, facing, need).then(|| self.settle(object, area, facing, need))
+        Area::around(centre.0, centre.1, hx / 2.0, hy / 2.0)
     }
 
     /// Hangs an object on a wall, its lower edge at `z`, where it is free.
-    pub(super) fn hang(&mut self, object: &Arc<Object>, side: usize, along: f32, z: f32) -> Option<usize> {
+    pub(super) fn hang(&mut self, object: &Draft, side: usize, along: f32, z: f32) -> Option<usize> {
         let wall = &self.space.sides[side];
         let size = object.size();
         let (from, to) = (along - size.y / 2.0, along + size.y / 2.0);
@@ -149,7 +151,8 @@ impl Setter<'_> {
         let mut zones = self.space.ways.iter().chain(self.space.zones.iter().filter(|_| size.x > 0.06));
         let low = z < 1.9 && size.x > 0.05 && zones.any(|q| q.overlaps(&area));
         let pane = self.space.panes.iter().any(|p| p.hits(&solid));
-        if low || pane || !self.space.is_empty(&solid) || !self.space.is_floor(&area) {
+        let empty = !low && !pane && self.space.is_empty(&solid) && self.space.is_floor(&area);
+        if !empty || !self.space.stays_open(&solid) {
             return None;
         }
         Some(self.add(object, area.centre(), z, facing, Rest::Wall))

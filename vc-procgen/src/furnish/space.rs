@@ -2,6 +2,7 @@
 //! there and what must stay free.
 
 use super::area::{Area, Facing};
+use super::walk::Walk;
 use crate::plan::{Edge, OpeningKind, Plan, Rect, Room, RoomKind, metres};
 
 /// Distance of furniture from walls: room for the skirting, metres.
@@ -71,6 +72,7 @@ pub(super) struct Space {
     pub(super) ways: Vec<Area>,
     /// Rectangles that pieces need free, but for what belongs to them.
     pub(super) zones: Vec<Area>,
+    pub(super) walk: Walk,
     pub(super) ceiling: f32,
     pub(super) square_metres: f32,
 }
@@ -82,6 +84,7 @@ impl Space {
         let mut space = Self {
             kind: room.kind,
             sides: sides(plan, index, &net),
+            walk: Walk::of(plan, index, &net),
             net,
             solids: Vec::new(),
             panes: panes(plan, index),
@@ -129,6 +132,12 @@ impl Space {
     pub(super) fn is_off_ways(&self, solid: &Solid) -> bool {
         let off = !self.ways.iter().any(|z| z.overlaps(&solid.area)) && !self.panes.iter().any(|p| p.hits(solid));
         off && self.is_floor(&solid.area) && self.is_empty(solid)
+    }
+
+    /// Whether one can still walk and reach everything with something more in the
+    /// room.
+    pub(super) fn stays_open(&self, solid: &Solid) -> bool {
+        !crate::reach::is_in_the_way((solid.low, solid.high)) || self.walk.stays_open(&[solid.area])
     }
 
     /// Whether a zone is floor with nothing standing on it.

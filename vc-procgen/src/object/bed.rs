@@ -128,8 +128,8 @@ fn upholstered(b: &mut Build<'_>, bed: &Bed) {
         leg(b, "leg", ([cx, cy, 0.0], 0.016), ([cx, cy, lift + 0.004], 0.024), Cut::Round, bed.wood);
     }
     let (x0, w) = (-bed.x + t, 0.05);
-    b.soft("frame", [x0 - 0.01, -bed.y + 0.004, lift], [bed.x, w - bed.y, rim], 0.02, bed.cloth);
-    b.soft("frame", [x0 - 0.01, bed.y - w, lift], [bed.x, bed.y - 0.004, rim], 0.02, bed.cloth);
+    b.soft("frame", [-bed.x + t * 0.5, -bed.y + 0.004, lift], [bed.x, w - bed.y, rim], 0.02, bed.cloth);
+    b.soft("frame", [-bed.x + t * 0.5, bed.y - w, lift], [bed.x, bed.y - 0.004, rim], 0.02, bed.cloth);
     b.soft(
         "frame",
         [bed.x - w, -bed.y + 0.006, lift + 0.001],
@@ -306,7 +306,8 @@ fn crib(b: &mut Build<'_>) {
         }
     }
     let (deck, half) = (low + rail * 0.5, (x - t - 0.004, y - t - 0.004));
-    b.block("deck", [-half.0, -half.1, deck - 0.015], [half.0, half.1, deck], wood);
+    let reach = (x - t * 0.5 - 0.009, y - t * 0.5 - 0.009);
+    b.block("deck", [-reach.0, -reach.1, deck - 0.015], [reach.0, reach.1, deck], wood);
     let thick = 0.1_f32.min(h * 0.12);
     let sheet = b.one(&[WHITE_COTTON, b.style.linen, SKY, CREAM]);
     b.soft("mattress", [-half.0, -half.1, deck], [half.0, half.1, deck + thick], 0.025, sheet);
@@ -356,7 +357,8 @@ fn bunk_bed(b: &mut Build<'_>) {
                 mat,
             );
         }
-        b.block("slats", [-in_x, -in_y, deck - 0.02], [in_x, in_y, deck - 0.001], BIRCH);
+        let reach = half - r - 0.012;
+        b.block("slats", [-in_x, -reach, deck - 0.02], [in_x, reach, deck - 0.001], BIRCH);
         let linen = b.style.linen;
         b.soft("mattress", [-in_x, -in_y, deck], [in_x, in_y, top], 0.03, linen);
         let (centre, free) = ([0.0, 0.0, top], (in_x - 0.03, in_y - 0.03));
@@ -371,6 +373,8 @@ fn bunk_bed(b: &mut Build<'_>) {
     let w = (inset * 0.5).min(0.02);
     for cx in [lx, end - 0.03] {
         b.block("ladder", [cx, cy - w * 0.9, 0.0], [cx + 0.03, y, h * 0.93], mat);
+        let z = h * 0.8 - thick;
+        b.block("hook", [cx + 0.002, half - r, z - 0.03], [cx + 0.028, cy, z + 0.01], mat);
     }
     let rungs = (h / 0.3).clamp(3.0, 7.0) as usize;
     for i in 1..rungs {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Hold, Joint, JointKind, Part, Shape, Surface};
-use vc_graph::{Asset, Pose, Stream};
+use vc_graph::{Asset, Bounds, Frame, Pose, Stream};
 
 use crate::material::Mat;
 use crate::style::Style;
@@ -51,14 +51,16 @@ impl<'a> Build<'a> {
         self.anchored = true;
     }
 
-    /// The finished asset, moved so that its origin is the centre of its base.
-    pub(crate) fn finish(self) -> Asset {
+    /// The finished asset, moved so that its origin is the centre of its base, and its
+    /// box.
+    pub(crate) fn finish(self) -> (Asset, Bounds) {
         let mut asset = self.asset;
-        super::reveal::reveal(&mut asset);
+        let Some((low, high)) = super::reveal::reveal(&mut asset) else { return (asset, Bounds::standing(self.size)) };
+        let half = (high - low) / 2.0;
         if self.anchored {
-            return asset;
+            let offset = nalgebra::center(&low, &high).coords;
+            return (asset, Bounds { offset, half, frame: Frame::Object });
         }
-        let Some((low, high)) = asset.extent() else { return asset };
         let shift = Vector3::new(-(low.x + high.x) / 2.0, -(low.y + high.y) / 2.0, -low.z);
         let moved = Translation3::from(shift);
         asset.parts.iter_mut().for_each(|p| {
@@ -69,7 +71,7 @@ impl<'a> Build<'a> {
             s.centre += shift;
             shift_joint(&mut s.joint, shift);
         });
-        asset
+        (asset, Bounds::standing(high - low))
     }
 
     /// Names the asset: a book's title, a poster's motif.

@@ -37,12 +37,14 @@ mod tool;
 mod vehicle;
 mod yard;
 
+use std::cell::OnceCell;
 use std::collections::HashMap;
-use std::sync::LazyLock;
+use std::rc::Rc;
+use std::sync::{Arc, LazyLock};
 
 use nalgebra::Vector3;
 use vc_graph::class::Range;
-use vc_graph::{Asset, Bounds, ClassTable, Frame, Seed};
+use vc_graph::{Asset, Bounds, ClassTable, Seed};
 
 use crate::style::Style;
 use build::Build;
@@ -148,13 +150,65 @@ impl Generator {
     pub fn sized(&self, size: Vector3<f32>, style: &Style, seed: Seed) -> Object {
         let mut build = Build::new(self.class, size, style, seed.child("object").stream());
         (self.make)(&mut build);
-        let asset = build.finish();
-        let bounds = asset.extent().map_or(Bounds::standing(size), |(low, high)| Bounds {
-            offset: nalgebra::center(&low, &high).coords,
-            half: (high - low) / 2.0,
-            frame: Frame::Object,
-        });
+        let (asset, bounds) = build.finish();
         Object { class: self.class, asset, bounds }
+    }
+}
+
+/// An object that may yet have to be made: places are found by its size, and it is
+/// made once it has one.
+#[derive(Debug, Clone)]
+pub(crate) struct Draft {
+    pub(crate) class: &'static str,
+    size: Vector3<f32>,
+    source: Source,
+}
+
+#[derive(Debug, Clone)]
+enum Source {
+    Made(Arc<Object>),
+    /// Clones of a draft share what is made of it.
+    Planned(&'static Generator, Seed, Rc<OnceCell<Arc<Object>>>),
+}
+
+impl Draft {
+    /// An object no larger than `size`; `None` where no generator knows the class.
+    pub(crate) fn sized(class: &str, size: Vector3<f32>, seed: Seed) -> Option<Self> {
+        let generator = generator(class)?;
+        Some(Self { class: generator.class, size, source: Source::Planned(generator, seed, Rc::default()) })
+    }
+
+    /// An object of the class's usual size.
+    pub(crate) fn usual(class: &str, seed: Seed) -> Option<Self> {
+        Self::sized(class, usual_size(class, seed), seed)
+    }
+
+    /// An object that is there.
+    pub(crate) fn of(object: Arc<Object>) -> Self {
+        Self { class: object.class, size: object.size(), source: Source::Made(object) }
+    }
+
+    /// Depth, width and height it has at most, metres.
+    pub(crate) fn size(&self) -> Vector3<f32> {
+        self.size
+    }
+
+    /// The object for its owner alone.
+    pub(crate) fn into_object(self, style: &Style) -> Object {
+        match self.source {
+            Source::Made(object) => Arc::unwrap_or_clone(object),
+            Source::Planned(generator, seed, _) => generator.sized(self.size, style, seed),
+        }
+    }
+
+    /// The object, made if need be.
+    pub(crate) fn object(&self, style: &Style) -> Arc<Object> {
+        match &self.source {
+            Source::Made(object) => object.clone(),
+            Source::Planned(generator, seed, made) => {
+                made.get_or_init(|| Arc::new(generator.sized(self.size, style, *seed))).clone()
+            }
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 //! a plane with an earlier one is made a hair smaller on that side, so that it is
 //! never chance which of the two is seen.
 
-use nalgebra::{Matrix3, Point3, Vector3};
+use nalgebra::{Matrix3, Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Part, Shape};
 use vc_graph::{Asset, Pose};
 
@@ -13,28 +13,41 @@ const HAIR: f32 = 4e-4;
 /// Sides set back at most for one part.
 const TURNS: usize = 8;
 
-/// Sets back what would share a plane. O(n²) in the parts, almost all of it one test
-/// of two boxes.
-pub(super) fn reveal(asset: &mut Asset) {
-    let Some((low, high)) = asset.extent() else { return };
-    let hair = HAIR.min((high - low).min() * 0.25);
+/// Sets back what would share a plane; returns the asset's extent. O(n²) in the
+/// parts, almost all of it one test of two boxes.
+pub(super) fn reveal(asset: &mut Asset) -> Option<(Point3<f32>, Point3<f32>)> {
     let mut boxes: Vec<Around> = asset.parts.iter().map(Around::new).collect();
+    let mut corners: Vec<(Point3<f32>, Point3<f32>)> = boxes.iter().map(Around::corners).collect();
+    let (low, high) = around(&corners)?;
+    let hair = HAIR.min((high - low).min() * 0.25);
     for j in 1..asset.parts.len() {
         for _ in 0..TURNS {
-            let flush = (0..j).find_map(|i| boxes[j].flush(&boxes[i], hair * 0.75));
+            if !boxes[j].flat {
+                break;
+            }
+            let near = (0..j).filter(|&i| boxes[i].flat && meet(&corners[i], &corners[j], hair));
+            let flush = near.filter_map(|i| boxes[j].flush(&boxes[i], hair * 0.75)).next();
             let Some((axis, high)) = flush else { break };
             if !set_back(&mut asset.parts[j], axis, high, hair) {
                 break;
             }
             boxes[j] = Around::new(&asset.parts[j]);
+            corners[j] = boxes[j].corners();
         }
     }
+    around(&corners)
 }
 
-/// What surrounds a part: corners in the asset's frame and in its own.
+fn around(corners: &[(Point3<f32>, Point3<f32>)]) -> Option<(Point3<f32>, Point3<f32>)> {
+    corners.iter().copied().reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))
+}
+
+fn meet(a: &(Point3<f32>, Point3<f32>), b: &(Point3<f32>, Point3<f32>), same: f32) -> bool {
+    (0..3).all(|k| a.0[k] <= b.1[k] + same && b.0[k] <= a.1[k] + same)
+}
+
+/// The box around a part, in its own frame, and that frame.
 struct Around {
-    low: Point3<f32>,
-    high: Point3<f32>,
     centre: Point3<f32>,
     half: Vector3<f32>,
     axes: Matrix3<f32>,
@@ -47,19 +60,21 @@ impl Around {
     fn new(part: &Part) -> Self {
         let (least, most) = part.shape.extent();
         let (centre, half) = (nalgebra::center(&least, &most), (most - least) / 2.0);
-        let axes = part.pose.rotation.to_rotation_matrix().into_inner();
-        let (middle, reach) = (part.pose * centre, axes.abs() * half);
+        let straight = part.pose.rotation == UnitQuaternion::identity();
+        let axes = if straight { Matrix3::identity() } else { part.pose.rotation.to_rotation_matrix().into_inner() };
         let flat = !matches!(part.shape, Shape::Sphere { .. } | Shape::Capsule { .. });
-        Self { low: middle - reach, high: middle + reach, centre, half, axes, pose: part.pose, flat }
+        Self { centre, half, axes, pose: part.pose, flat }
+    }
+
+    /// Smallest and largest corner in the asset's frame.
+    fn corners(&self) -> (Point3<f32>, Point3<f32>) {
+        let (middle, reach) = (self.pose * self.centre, self.axes.abs() * self.half);
+        (middle - reach, middle + reach)
     }
 
     /// A side of this box, as axis and whether it is the higher one, that lies in a
     /// plane with the same side of another box and overlaps it.
     fn flush(&self, other: &Self, same: f32) -> Option<(usize, bool)> {
-        let apart = |k: usize| self.low[k] > other.high[k] + same || other.low[k] > self.high[k] + same;
-        if !self.flat || !other.flat || apart(0) || apart(1) || apart(2) {
-            return None;
-        }
         let turn = self.axes.tr_mul(&other.axes);
         let middle = self.pose.inverse_transform_point(&(other.pose * other.centre)) - self.centre;
         let reach = turn.abs() * other.half;

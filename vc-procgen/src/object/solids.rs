@@ -46,7 +46,7 @@ impl Solids {
             let centre = [metres(rect.x0 + rect.x1) / 2.0 - at.x, metres(rect.y0 + rect.y1) / 2.0 - at.y, -at.z];
             build.top(name, centre, area);
         }
-        let asset = build.finish();
+        let (asset, _) = build.finish();
         Some((Object { class: self.class, asset, bounds: Bounds::standing(high - low) }, at))
     }
 }

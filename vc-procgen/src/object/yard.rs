@@ -156,8 +156,8 @@ fn kiddie_pool(b: &mut Build<'_>) {
     if (x - y).abs() < 0.25 || b.rng.chance(0.5) {
         let r = x.min(y);
         let rings = b.rng.count(2, 4);
-        let s = (h / (2.0 * rings as f32 * 0.93)).min(r * 0.2);
-        let level = (s * (2.0 * rings as f32 - 1.4)).max(0.03);
+        let s = (h / (1.86 * rings as f32 + 0.1)).min(r * 0.2);
+        let level = (s * (1.86 * rings as f32 - 1.1)).max(0.03);
         b.cylinder("floor", [0.0, 0.0, 0.001], r - s, 0.02, base);
         for i in 0..rings {
             let mat = if i % 2 == 0 { base } else { b.one(BRIGHT) };
@@ -257,12 +257,12 @@ fn jacuzzi(b: &mut Build<'_>) {
         });
     } else {
         let r = x.min(y);
-        let (s, rings) = (rim / 6.0, 3);
+        let (s, rings) = (rim / 5.75, 3);
         b.cylinder("floor", [0.0; 3], r - 0.04, floor, side);
         for i in 0..rings {
             b.lathe(
                 "ring",
-                [0.0, 0.0, 2.0 * s * i as f32],
+                [0.0, 0.0, 1.9 * s * i as f32],
                 &hoop(r - s, s),
                 if i == rings - 1 { shell_mat } else { side },
             );
@@ -291,7 +291,7 @@ fn diving_board(b: &mut Build<'_>) {
     let t = 0.05;
     b.soft("board", [-x, -y * 0.92, top - t], [x, y * 0.92, top], 0.012, board);
     b.block("grip", [-x * 0.98, -y * 0.8, top - 0.004], [x * 0.985, y * 0.8, top + 0.002], GREY_RUBBER);
-    let (rear, roll) = (-x * 0.88, -x * b.vary(0.0, 0.25));
+    let (rear, roll) = ((-x * 0.88).max(-x + 0.15), -x * b.vary(0.0, 0.25));
     for (cx, wide) in [(rear, 0.1), (roll, 0.07)] {
         b.taper("stand", [cx, 0.0, 0.0], (wide * 1.5, y), (wide, y * 0.85), top - t + 0.003, stand);
     }
@@ -530,7 +530,7 @@ fn pool_float(b: &mut Build<'_>) {
     let t = flat / 2.0;
     if across {
         let half = y / count as f32;
-        for (i, cy) in spaced(count, -y + half, y - half).enumerate() {
+        for (i, cy) in spaced(count, -y + half * 1.02, y - half * 1.02).enumerate() {
             b.soft(
                 "tube",
                 [-x, cy - half * 1.02, 0.0],
@@ -541,7 +541,7 @@ fn pool_float(b: &mut Build<'_>) {
         }
     } else {
         let half = x / count as f32;
-        for (i, cx) in spaced(count, -x + half, x - half).enumerate() {
+        for (i, cx) in spaced(count, -x + half * 1.02, x - half * 1.02).enumerate() {
             b.soft(
                 "tube",
                 [cx - half * 1.02, -y, 0.0],
@@ -888,7 +888,7 @@ fn solar_shower(b: &mut Build<'_>) {
     b.lathe("head", [reach, 0.0, h - tube - 0.045], &[(head * 0.95, 0.0), (head, 0.012), (tube, 0.035)], metal);
     let z = h * 0.52;
     b.hinge([back, 0.0, z], [1.0, 0.0, 0.0], PI * 0.5, |b| {
-        b.rod("tap", [back + r * 0.8, 0.0, z], [(back + r + 0.04).min(x), 0.0, z], 0.02_f32.min(r * 0.6), metal);
+        b.rod("tap", [back + r - 0.004, 0.0, z], [(back + r + 0.04).min(x), 0.0, z], 0.02_f32.min(r * 0.6), metal);
         b.block(
             "tap",
             [(back + r + 0.028).min(x - 0.012), -0.008, z - 0.002],
@@ -1019,7 +1019,7 @@ fn swim_fins(b: &mut Build<'_>) {
                 "rib",
                 &limb(
                     [shoe - 0.03, cy + k * foot * 0.7, h * 0.2],
-                    [reach, cy + k * half * 0.88, h * 0.15],
+                    [reach, cy + k * (half * 0.88).min(half - h * 0.07), h * 0.15],
                     h * 0.12,
                     h * 0.06,
                 ),
@@ -1027,7 +1027,7 @@ fn swim_fins(b: &mut Build<'_>) {
             );
         }
     }
-    b.rod("clip", [shoe * 0.8, -y * 0.12, h * 0.2], [shoe * 0.8, y * 0.12, h * 0.2], h * 0.04, BLACK_PLASTIC);
+    b.rod("clip", [shoe - 0.01, -y * 0.25, h * 0.2], [shoe - 0.01, y * 0.25, h * 0.2], h * 0.04, BLACK_PLASTIC);
 }
 
 /// A life jacket, upright: two front panels, a back, a collar, straps with buckles.

@@ -217,18 +217,25 @@ pub enum Scheme {
 }
 
 impl Plan {
+    /// A plan after wishes: draws a programme and lays it out.
+    ///
+    /// # Errors
+    /// [`Impossible`] says which wish cannot be met.
+    pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
+        Self::lay_out(&Programme::draw(specification, seed)?, seed)
+    }
+
     /// A plan for a programme.
     ///
     /// Tries schemes with seeded rejection until one holds the programme; a few
     /// microseconds to a few hundred.
     ///
     /// # Errors
-    /// [`Impossible`] says which wish cannot be met.
-    pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
-        let programme = Programme::draw(specification, seed)?;
+    /// [`Impossible::NoPlan`] if no scheme holds it.
+    pub fn lay_out(programme: &Programme, seed: Seed) -> Result<Self, Impossible> {
         let mut rng = seed.child("plan").stream();
         for scheme in programme.schemes(&mut rng) {
-            if let Some(plan) = Self::attempt(&programme, scheme, &mut rng) {
+            if let Some(plan) = Self::attempt(programme, scheme, &mut rng) {
                 return Ok(plan);
             }
         }

@@ -183,7 +183,7 @@ impl Programme {
         }
         let small = bedrooms == 1;
         let weights = [
-            (Scheme::Bar, if small { 4.0 } else { 0.4 }),
+            (Scheme::Bar, if small { 4.0 } else { 0.8 }),
             (Scheme::Corridor, if small { 0.5 } else { 3.0 }),
             (Scheme::CentralHall, if small { 0.5 } else { 1.6 }),
             (Scheme::OpenPlan, if self.open_kitchen { 2.0 } else { 0.3 }),
@@ -191,10 +191,10 @@ impl Programme {
             (Scheme::Irregular, 0.35),
         ];
         let first = rng.weighted(weights.iter().map(|w| w.1)).unwrap_or(0);
-        let mut order = vec![weights[first].0; 6];
+        let mut order = vec![weights[first].0; 4];
         let rest =
             [Scheme::OpenPlan, Scheme::Corridor, Scheme::LPlan, Scheme::CentralHall, Scheme::Bar, Scheme::Irregular];
-        order.extend(rest.into_iter().flat_map(|s| [s; 4]));
+        order.extend(rest.into_iter().flat_map(|s| [s; 2]));
         order
     }
 }

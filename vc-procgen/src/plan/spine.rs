@@ -11,8 +11,10 @@ use vc_graph::Stream;
 use super::programme::{Programme, Wish};
 use super::{Layout, Rect, Room, RoomKind, Scheme, Topology, cells};
 
-/// Candidates drawn before the best so far is taken.
-const TRIES: usize = 400;
+/// Candidates drawn before a scheme is given up.
+const TRIES: usize = 300;
+/// Candidates drawn in vain before the best so far is taken.
+const PATIENCE: usize = 120;
 /// Least stretch of wall for a door with its frame, cells.
 const DOOR: i32 = 24;
 
@@ -24,6 +26,15 @@ struct Notch {
     depth: i32,
     /// At the window side, so only to be reached from the cell itself.
     outside: bool,
+    /// The cell's own bathroom behind this one, and its depth: both share a wall and
+    /// the pipes in it.
+    behind: Option<(usize, i32)>,
+}
+
+impl Notch {
+    fn area(&self) -> f32 {
+        (self.width * (self.depth + self.behind.map_or(0, |b| b.1))) as f32
+    }
 }
 
 /// A main room in a band, with what is cut out of its west and east corners.
@@ -57,7 +68,11 @@ pub(super) fn lay_out(programme: &Programme, scheme: Scheme, rng: &mut Stream) -
     let kitchen = count(|k| k == RoomKind::Kitchen) > 0;
     let mut best: Option<(usize, Layout)> = None;
     let mut scale = 1.0;
-    for _ in 0..TRIES {
+    let mut latest = 0;
+    for candidate in 0..TRIES {
+        if best.is_some() && candidate - latest > PATIENCE {
+            break;
+        }
         let Some(layout) = (Draft { programme, scheme, scale }).attempt(rng) else { continue };
         let area: f32 = layout.rooms.iter().map(Room::area).sum();
         let off = programme.wished_area.map_or(0.0, |wished| {
@@ -71,6 +86,7 @@ pub(super) fn lay_out(programme: &Programme, scheme: Scheme, rng: &mut Stream) -
         let cost = missed + if off > 0.02 { 10 } else { 0 };
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, layout));
+            latest = candidate;
         }
         if cost == 0 {
             break;
@@ -156,9 +172,13 @@ impl Draft<'_> {
         shallow: bool,
         rng: &mut Stream,
     ) -> Option<()> {
-        for index in 1..self.programme.wishes.len() {
+        let mut services: Vec<usize> =
+            (1..self.programme.wishes.len()).filter(|&i| is_service(self.wish(i).kind)).collect();
+        // A bedroom's own bathroom may lie behind one for all.
+        services.sort_by_key(|&i| self.wish(i).of.is_some());
+        for index in services {
             let wish = self.wish(index);
-            if !is_service(wish.kind) {
+            if self.stack(index, souths, depths.0, rng) || self.stack(index, norths, depths.1, rng) {
                 continue;
             }
             if shallow && wish.of.is_none() {
@@ -181,11 +201,30 @@ impl Draft<'_> {
             self.prefer(wish.kind, souths, norths, &mut hosts);
             let &(north, at, side) = rng.pick(&hosts)?;
             let depth = if north { depths.1 } else { depths.0 };
-            let notch = self.notch(index, depth, owner.is_some() && rng.chance(0.4), rng)?;
+            let outside = owner.is_some() && rng.chance(0.4);
+            let notch = self.notch(index, depth, outside, rng)?;
             let band = if north { &mut norths[..] } else { &mut *souths };
             band[at].notches[side] = Some(notch);
         }
         Some(())
+    }
+
+    /// Puts a bedroom's own bathroom behind the one for all in a corner of that
+    /// bedroom, where bathrooms shall meet.
+    fn stack(&self, index: usize, band: &mut [Cell], depth: i32, rng: &mut Stream) -> bool {
+        let Some(owner) = self.wish(index).of.filter(|_| self.programme.topology.bath_bath) else { return false };
+        let notches = band.iter_mut().filter(|c| c.wish == Some(owner)).flat_map(|c| c.notches.iter_mut().flatten());
+        let bath = |n: &&mut Notch| self.wish(n.wish).kind == RoomKind::Bathroom && !n.outside && n.behind.is_none();
+        let Some(notch) = notches.into_iter().find(bath).filter(|_| rng.chance(0.85)) else { return false };
+        let wished = (self.gross(index) / notch.width as f32).round() as i32;
+        let left = depth - notch.depth;
+        // What would be left of the bedroom behind both must be of use.
+        let deep = if left - wished < 18 { left } else { wished };
+        if deep < 32 || deep > wished * 5 / 4 || deep < wished * 4 / 5 {
+            return false;
+        }
+        notch.behind = Some((index, deep));
+        true
     }
 
     /// Keeps the corners next to a bathroom, or next to the kitchen, or away from
@@ -195,6 +234,12 @@ impl Draft<'_> {
             return;
         }
         let topology = self.programme.topology;
+        let own = |main: Option<usize>| main.is_some() && self.programme.wishes.iter().any(|w| w.of == main);
+        let suites: Vec<_> =
+            hosts.iter().copied().filter(|h| own(if h.0 { &*norths } else { &*souths }[h.1].wish)).collect();
+        if topology.bath_bath && !suites.is_empty() {
+            *hosts = suites;
+        }
         let kind_of = |wish: usize| self.wish(wish).kind;
         let meets = |&(north, at, side): &(bool, usize, usize), what: RoomKind| {
             let band = if north { norths } else { souths };
@@ -215,12 +260,13 @@ impl Draft<'_> {
     fn notch(&self, index: usize, band: i32, outside: bool, rng: &mut Stream) -> Option<Notch> {
         let area = self.gross(index);
         let width = match self.wish(index).kind {
-            RoomKind::Wc => rng.count(20, 24),
+            RoomKind::Wc => rng.count(23, 26),
             RoomKind::Storage => rng.count(22, 32),
+            RoomKind::Bathroom if self.programme.topology.bath_bath => rng.count(34, 48),
             _ => rng.count(32, 42),
         } as i32;
         let depth = (area / width as f32).round() as i32;
-        (depth >= 22 && depth <= band - 18).then_some(Notch { wish: index, width, depth, outside })
+        (depth >= 22 && depth <= band - 18).then_some(Notch { wish: index, width, depth, outside, behind: None })
     }
 
     /// Widths in closed form, and positions.
@@ -237,7 +283,7 @@ impl Draft<'_> {
             for cell in band {
                 let Some(main) = cell.wish else { continue };
                 let notches = cell.notches.iter().flatten();
-                let area = self.gross(main) + notches.clone().map(|n| (n.width * n.depth) as f32).sum::<f32>();
+                let area = self.gross(main) + notches.clone().map(Notch::area).sum::<f32>();
                 let passage = notches.filter(|n| !n.outside).map(|n| n.width).sum::<i32>() + DOOR;
                 cell.width = ((area / depth as f32).round() as i32).max(passage).max(least_width(self.wish(main).kind));
             }
@@ -426,12 +472,18 @@ impl Cell {
                 rooms[main].rects.push(rect(x0, x1, 0, depth));
                 continue;
             };
-            let (cut, rest) = match notch.outside {
+            let (cut, mut rest) = match notch.outside {
                 true => ((depth - notch.depth, depth), (0, depth - notch.depth)),
                 false => ((0, notch.depth), (notch.depth, depth)),
             };
             rooms[notch.wish].rects.push(rect(x0, x1, cut.0, cut.1));
-            rooms[main].rects.push(rect(x0, x1, rest.0, rest.1));
+            if let Some((own, deep)) = notch.behind {
+                rooms[own].rects.push(rect(x0, x1, rest.0, rest.0 + deep));
+                rest.0 += deep;
+            }
+            if rest.0 < rest.1 {
+                rooms[main].rects.push(rect(x0, x1, rest.0, rest.1));
+            }
         }
     }
 }
@@ -444,7 +496,7 @@ fn is_service(kind: RoomKind) -> bool {
 fn least_width(kind: RoomKind) -> i32 {
     match kind {
         RoomKind::Living => 60,
-        RoomKind::Wc => 20,
+        RoomKind::Wc => 23,
         RoomKind::Storage => 24,
         _ => kind.least_side() + 2,
     }

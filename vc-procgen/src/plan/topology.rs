@@ -21,13 +21,15 @@ pub struct Topology {
 const CONTACT: i32 = 6;
 
 impl Topology {
-    /// How real plans lie: shares of plans in which the kinds share a wall.
+    /// How real plans lie. Not every scheme can follow every wish: the shares drawn
+    /// are those with which the shares that come out are the real ones, which
+    /// [`crate::statistics`] holds them against.
     pub(super) fn draw(rng: &mut Stream) -> Self {
         Self {
-            bedroom_bedroom: rng.chance(0.62),
-            bath_bath: rng.chance(0.53),
-            bedroom_kitchen: rng.chance(0.36),
-            bath_kitchen: rng.chance(0.36),
+            bedroom_bedroom: rng.chance(0.53),
+            bath_bath: rng.chance(0.7),
+            bedroom_kitchen: rng.chance(0.03),
+            bath_kitchen: rng.chance(0.5),
         }
     }
 

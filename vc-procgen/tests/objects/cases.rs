@@ -22,6 +22,7 @@ pub(crate) enum Rule {
     Size,
     Base,
     Floating,
+    Stable,
     Triangles,
     Faces,
     Surface,

@@ -1,5 +1,6 @@
 //! The object as a whole: closed parts, size, base, of one piece, triangles.
 
+use vc_graph::Property;
 use vc_graph::class::Category;
 
 use crate::cases::{Case, Rule};
@@ -79,6 +80,9 @@ const SETS: &[&str] = &[
     "virtual_headset",
 ];
 
+/// What is made as it hangs.
+const HUNG: &[&str] = &["hanger", "wind_chime"];
+
 pub(crate) fn check(case: &Case, say: Say<'_>) {
     closed(case, say);
     let start = (case.solids[0].low, case.solids[0].high);
@@ -89,6 +93,7 @@ pub(crate) fn check(case: &Case, say: Say<'_>) {
         base(low, high, say);
     }
     floating(case, say);
+    stable(case, low, say);
     triangles(case, low, high, say);
 }
 
@@ -149,6 +154,39 @@ fn floating(case: &Case, say: Say<'_>) {
         let more = if loose.len() > 4 { format!(" and {} more", loose.len() - 4) } else { String::new() };
         say(Rule::Floating, format!("{}{more} touch nothing of the rest", loose[..loose.len().min(4)].join(", ")));
     }
+}
+
+/// What one can grasp lies or stands where it is put: the middle of its mass is
+/// above what touches the ground.
+fn stable(case: &Case, low: P, say: Say<'_>) {
+    if !case.class.affordances.contains(Property::Graspable) || HUNG.contains(&&*case.class.name) {
+        return;
+    }
+    let size = f64::from(case.object.size().max());
+    let ground = low.z + (0.02 * size).clamp(5e-4, 4e-3);
+    let corners = || case.solids.iter().flat_map(|s| s.triangles.iter().flatten());
+    let feet: Vec<&P> = corners().filter(|p| p.z <= ground).collect();
+    let middle = middle(case);
+    let beyond = (0..32).map(|i| {
+        let (s, c) = (std::f64::consts::TAU * f64::from(i) / 32.0).sin_cos();
+        let along = |p: &P| p.x * c + p.y * s;
+        along(&middle) - feet.iter().map(|p| along(p)).fold(f64::NEG_INFINITY, f64::max)
+    });
+    let beyond = beyond.fold(f64::NEG_INFINITY, f64::max);
+    if beyond > 0.01 * size {
+        say(Rule::Stable, format!("its middle is {:.1} mm beyond what it stands on", beyond * 1e3));
+    }
+}
+
+/// The middle of all parts' volumes.
+fn middle(case: &Case) -> P {
+    let (mut sum, mut all) = (P::origin().coords, 0.0);
+    for [a, b, c] in case.solids.iter().flat_map(|s| &s.triangles) {
+        let volume = a.coords.dot(&b.coords.cross(&c.coords));
+        sum += (a.coords + b.coords + c.coords) / 4.0 * volume;
+        all += volume;
+    }
+    P::from(sum / all)
 }
 
 /// Two thousand triangles, and six thousand for every metre.

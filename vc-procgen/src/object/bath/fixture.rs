@@ -64,8 +64,10 @@ fn oval_bowl(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (z0, z1): (f32, f3
         (inner(0.16, 0.7), floor),
     ];
     loft(b, "bowl", &loops, mat);
-    let centre = f32::midpoint(x0, x1);
-    b.inside("basin", [centre, 0.0, floor], ((x1 - x0) * 0.22, (y * 0.7 - wall).max(wall) * 0.6), z1 - floor - 0.004);
+    let bed = inner(0.16, 0.7);
+    let (rear, front) = (bed[0].0, bed[5].0);
+    let half = ((front - rear) * 0.29, (y * 0.7 - wall).max(wall) * 0.6);
+    b.inside("basin", [f32::midpoint(rear, front), 0.0, floor], half, z1 - floor - 0.004);
 }
 
 /// A bowl with a seat and a lid on hinges; the cistern on it, or hidden in the wall.

@@ -376,7 +376,8 @@ pub(super) fn towel_rack(b: &mut Build<'_>) {
         b.rod("bar", [cx, -y, z], [cx, y, z], r, tap);
     }
     let deep = x * 0.7;
-    b.top("bars", [x - deep - r * 0.2, 0.0, h], (if bars > 1 { deep } else { r }, y - r * 4.0));
+    let (cx, deep) = if bars > 1 { (x - deep - r * 0.2, deep) } else { (x - r, r) };
+    b.top("bars", [cx, 0.0, h], (deep, y - r * 4.0));
     if h > 0.1 {
         let low = r;
         b.rod("bar", [-x + r, -y, low], [-x + r, y, low], r, tap);
@@ -402,7 +403,8 @@ fn ladder(b: &mut Build<'_>, r: f32) {
     for i in 0..count {
         let z = h * (0.12 + 0.8 * i as f32 / count as f32);
         b.rod("bar", [x - r * 0.9, -y, z], [x - r * 0.9, y, z], r * 0.9, mat);
-        b.hook(&format!("bar_{}", i + 1), [x - r * 0.9, 0.0, z - r], h * 0.3);
+        let drop = if i == 0 { z } else { h * 0.8 / count as f32 } - 2.5 * r;
+        b.hook(&format!("bar_{}", i + 1), [x - r * 0.9, 0.0, z - r], drop);
     }
     for i in 0..3 {
         let cx = -x + r + (2.0 * x - 3.0 * r) * i as f32 / 2.0;
@@ -419,7 +421,8 @@ pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
     let flat = b.rng.chance(0.4);
     let r = 0.012 * u;
     let post = 0.016 * u;
-    let front = x - r;
+    // Bars for towels stand out before the rungs.
+    let front = x - 0.03 * u;
     for cy in [-y + post, y - post] {
         b.block("post", [front - 2.0 * post, cy - post, 0.02 * u], [front - r * 0.2, cy + post, h], mat);
         for z in [h * 0.12, h * 0.88] {
@@ -433,7 +436,7 @@ pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
     for i in (0..rungs).filter(|i| i % (group + 1) != group) {
         let z = 0.06 * u + step * i as f32;
         if flat {
-            b.block("rung", [front - r * 0.4, -y + 0.002 * u, z - r], [x, y - 0.002 * u, z + r], mat);
+            b.block("rung", [front - r * 0.4, -y + 0.002 * u, z - r], [front + r, y - 0.002 * u, z + r], mat);
         } else {
             b.rod("rung", [front, -y + 0.002 * u, z], [front, y - 0.002 * u, z], r, mat);
         }
@@ -441,7 +444,17 @@ pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
     for i in 0..3 {
         let z = 0.06 * u + step * (group + (group + 1) * i) as f32;
         if z < h - step {
-            b.hook(&format!("rod_{}", i + 1), [front, 0.0, z - step * 0.5 - r * 1.2], (z * 0.8).min(0.5));
+            let (out, wide, thin) = (x - 0.0065 * u, y * 0.7, 0.006 * u);
+            let bar = [[front - r, -wide, z], [out, -wide, z], [out, wide, z], [front - r, wide, z]];
+            b.pipe("bar", &bar, thin, mat);
+            for cy in [-wide, wide] {
+                b.block("stem", [front - post, cy - thin, z - step], [front - r * 0.3, cy + thin, z + step], mat);
+            }
+            b.hook(
+                &format!("rod_{}", i + 1),
+                [out, 0.0, z - thin],
+                (z - 0.02 * u).min(step * (group + 1) as f32) - 0.02 * u,
+            );
         }
     }
     let last = (0..rungs).rev().find(|i| i % (group + 1) != group).unwrap_or(0);
@@ -473,17 +486,20 @@ pub(super) fn shower_caddy(b: &mut Build<'_>) {
             }
         }
         let clear = if i + 1 < count { room * 0.9 - w - 0.004 * u } else { (h - z - w).max(0.1) };
-        let middle = [0.0, 0.0, z + w];
-        b.inside(&format!("shelf_{}", i + 1), middle, (x - w * 2.0, y - w * 2.0), clear);
+        let ledge = if i + 1 == count { 0.02 * u } else { 0.0 };
+        let middle = [-ledge / 2.0, 0.0, z + w];
+        b.inside(&format!("shelf_{}", i + 1), middle, (x - w * 2.0 - ledge / 2.0, y - w * 2.0), clear);
         if i + 1 == count {
-            b.top("rim", [x - w / 2.0, 0.0, z + tall], (w / 2.0, y * 0.8));
+            // A ledge for soap along the front.
+            b.block("ledge", [x - ledge, -y + w * 0.5, z + tall - w], [x - w * 0.1, y - w * 0.5, z + tall], metal);
+            b.top("rim", [x - ledge / 2.0, 0.0, z + tall], (ledge / 2.0, y * 0.8));
         }
     }
     if h > tall * 1.5 {
         for cy in [-y * 0.4, y * 0.4] {
-            b.rod("hanger", [-x + w * 0.4, cy, 0.0], [-x + w * 0.4, cy * 0.5, h * 0.94], w * 0.4, metal);
+            b.rod("hanger", [-x + w * 0.6, cy, 0.0], [-x + w * 0.6, cy * 0.5, h * 0.94], w * 0.4, metal);
         }
-        b.rod("hanger", [-x + w * 0.4, -y * 0.22, h * 0.94], [-x + w * 0.4, y * 0.22, h * 0.94], w * 0.6, metal);
+        b.rod("hanger", [-x + w * 0.6, -y * 0.22, h * 0.94], [-x + w * 0.6, y * 0.22, h * 0.94], w * 0.6, metal);
         b.bar("hook", [-x + w, 0.0, h * 0.94], [-x + w, 0.0, h - w], w, metal);
     }
     for side in [-0.6, 0.6] {

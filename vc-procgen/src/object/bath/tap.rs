@@ -105,13 +105,14 @@ pub(super) fn shower_head(b: &mut Build<'_>) {
     } else {
         let grip = 0.013 * u;
         b.block("holder", [-x, -0.02 * u, 0.0], [-x + 0.012 * u, 0.02 * u, h * 0.5], tap);
-        b.bar("handle", [-x + grip + 0.008 * u, 0.0, grip], [x * 0.4, 0.0, h * 0.72], grip * 0.9, tap);
-        let centre = [x * 0.5, 0.0, h * 0.74];
-        let out = (x * 0.5).min(h * 0.26).min(r);
+        let out = (x * 0.6).min(h * 0.26).min(r);
+        let cx = x - out * 0.72 - 0.009 * u;
+        b.bar("handle", [-x + grip + 0.008 * u, 0.0, grip], [cx - x * 0.1, 0.0, h * 0.72], grip * 0.9, tap);
+        let centre = [cx, 0.0, h * 0.74];
         b.lathe_along(
             "rose",
             centre,
-            [x * 0.5 + 0.4, 0.0, h * 0.74 - 0.4],
+            [cx + 0.4, 0.0, h * 0.74 - 0.4],
             &[(out * 0.9, -0.008 * u), (out, 0.004 * u), (out * 0.94, 0.012 * u)],
             tap,
         );

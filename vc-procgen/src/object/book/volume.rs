@@ -59,7 +59,7 @@ fn spine(b: &mut Build<'_>, board: f32, (low, high): (f32, f32), cover: Mat) -> 
     let (x, y, _) = room(b);
     let relief = (y * 0.02).min(0.001);
     let middle = f32::midpoint(low, high);
-    let tuck = ((high - low) * 0.06).min(0.0003);
+    let tuck = ((high - low) * 0.12).min(0.0006);
     let half = (high - low) / 2.0 - tuck;
     if b.rng.chance(0.5) {
         let bulge = (half * 0.5).min(y * 0.15);

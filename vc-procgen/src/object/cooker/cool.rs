@@ -19,11 +19,16 @@ struct Cold {
     wire: bool,
     /// A glass door.
     pane: bool,
+    /// Colour of the figures on the door's display, if it has one.
+    display: Option<Mat>,
 }
 
-const LARDER: Cold = Cold { name: "shelf", shelves: 4, drawers: 1, door_shelves: 3, wire: false, pane: false };
-const FREEZER: Cold = Cold { name: "freezer", shelves: 0, drawers: 3, door_shelves: 0, wire: false, pane: false };
-const RACKS: Cold = Cold { name: "shelf", shelves: 4, drawers: 0, door_shelves: 0, wire: true, pane: false };
+const LARDER: Cold =
+    Cold { name: "shelf", shelves: 4, drawers: 1, door_shelves: 3, wire: false, pane: false, display: None };
+const FREEZER: Cold =
+    Cold { name: "freezer", shelves: 0, drawers: 3, door_shelves: 0, wire: false, pane: false, display: None };
+const RACKS: Cold =
+    Cold { name: "shelf", shelves: 4, drawers: 0, door_shelves: 0, wire: true, pane: false, display: None };
 
 /// A fridge over or under a freezer, or both side by side.
 pub(super) fn fridge(b: &mut Build<'_>) {
@@ -49,11 +54,10 @@ pub(super) fn fridge(b: &mut Build<'_>) {
     let frozen = Cold { drawers: count, shelves: usize::from(!low_freezer) * 2, ..FREEZER };
     let (cold, ice) = if low_freezer { (above, below) } else { (below, above) };
     let shelves = if split > 0.9 || low_freezer { b.rng.count(3, 5) } else { 3 };
-    chamber(b, &Cold { shelves, ..LARDER }, cold, door, at, body, u);
-    chamber(b, &frozen, ice, door, at, body, u);
-    if b.rng.chance(0.4) {
-        display(b, face, (-y * 0.12, h - 0.16 * u), (y * 0.12, h - 0.12 * u), COOL_BULB);
-    }
+    let display = b.rng.chance(0.4).then_some(COOL_BULB);
+    let larder = Cold { shelves, display: display.filter(|_| low_freezer), ..LARDER };
+    chamber(b, &larder, cold, door, at, body, u);
+    chamber(b, &Cold { display: display.filter(|_| !low_freezer), ..frozen }, ice, door, at, body, u);
 }
 
 /// One door before two shelves and an ice compartment.
@@ -82,9 +86,8 @@ pub(super) fn freezer(b: &mut Build<'_>) {
     foot_row(b, (x * 0.75, y * 0.85), 0.02 * u, feet);
     let drawers = (h / 0.24).round().clamp(2.0, 7.0) as usize;
     let at = b.one(&[Swing::Left, Swing::Right]);
-    let frozen = Cold { drawers, ..FREEZER };
+    let frozen = Cold { drawers, display: Some(LED), ..FREEZER };
     chamber(b, &frozen, ([-x, -y, feet], [x - 0.035 * u - door, y, h]), door, at, body, u);
-    display(b, x - 0.035 * u, (-y * 0.2, h - 0.09 * u), (y * 0.2, h - 0.05 * u), LED);
 }
 
 /// A chest with a lid hinged at the back; narrow baskets hang in it.
@@ -166,9 +169,7 @@ pub(super) fn blast_chiller(b: &mut Build<'_>) {
     let racks = Cold { name: "rack", shelves: ((h - feet - head) / 0.13).clamp(3.0, 8.0) as usize, ..RACKS };
     let at = b.one(&[Swing::Left, Swing::Right]);
     chamber(b, &racks, ([-x, -y, feet], [face - door, y, h - head]), door, at, STEEL, u);
-    if h < 1.2 {
-        b.top("top", [0.0, 0.0, h], (x - 0.045 * u, y - 0.01 * u));
-    }
+    b.top("top", [0.0, 0.0, h], (x - 0.045 * u, y - 0.01 * u));
 }
 
 /// A glass door before racks for bottles.
@@ -338,12 +339,20 @@ fn chamber(b: &mut Build<'_>, cold: &Cold, (low, high): (P, P), door: f32, at: S
     swing(b, at, dl, dh, 1.8, |b| {
         b.soft("door", dl, dh, 0.012 * u, body);
         grab(b, [dh[0], grip, z], length.min(0.5), true, 0.032 * u, metal);
+        if let Some(light) = cold.display {
+            let (middle, wide) = (f32::midpoint(dl[1], dh[1]), (dh[1] - dl[1]) * 0.1);
+            display(b, dh[0], (middle - wide, dh[2] - 0.09 * u), (middle + wide, dh[2] - 0.05 * u), light);
+        }
         let inset = skin + wall + 0.004 * u;
+        // Their free end is as far in as the door's turn wants it.
+        let reach = ((dh[1] - dl[1] - inset).powi(2) - (pocket + door).powi(2)).max(0.0).sqrt();
+        let (left, right) =
+            if at == Swing::Left { (dh[1] - inset, dh[1] - reach) } else { (dl[1] + reach, dl[1] + inset) };
         let space = (dh[2] - dl[2] - 2.0 * inset) / cold.door_shelves.max(1) as f32;
         for i in 0..cold.door_shelves {
             let z = dl[2] + inset + space * i as f32 + 0.005 * u;
-            let shelf_low = [dl[0] - pocket, dl[1] + inset, z];
-            let shelf_high = [dl[0] + 0.002 * u, dh[1] - inset, z + (space * 0.3).min(0.09)];
+            let shelf_low = [dl[0] - pocket, right, z];
+            let shelf_high = [dl[0] + 0.002 * u, left, z + (space * 0.3).min(0.09)];
             let name = format!("{}_door_{}", cold.name, i + 1);
             pit(b, &name, shelf_low, shelf_high, 0.004 * u, CLEAR_PLASTIC);
             let wall = 0.004 * u;

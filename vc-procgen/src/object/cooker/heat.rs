@@ -37,7 +37,7 @@ pub(super) fn stove(b: &mut Build<'_>) {
         glass_door(b, Swing::Down, door, (trim, BLACK_GLASS), 0.028 * u);
     }
     b.block("controls", [-x, -y, lintel], [face, y, top - 0.025 * u], trim);
-    let radius = (h - lintel - 0.055 * u) * 0.34;
+    let radius = ((h - lintel - 0.055 * u) * 0.34).min(0.03 * u);
     let knob_mats = b.one(&[(BLACK_PLASTIC, WHITE), (STEEL, BLACK), (WHITE_PLASTIC, BLACK)]);
     let z = f32::midpoint(lintel, top - 0.025 * u);
     let count = 4 + ovens + b.rng.below(2);
@@ -87,7 +87,7 @@ pub(super) fn hob(b: &mut Build<'_>) {
     let mats = (BLACK_PLASTIC, WHITE);
     for i in 0..4 {
         let at = [x * 0.88, y * 0.16 * (i as f32 - 1.5), h - (0.03 * u).min(h * 0.6) - 0.001 * u];
-        b.lathe("knob", at, &[(y * 0.06, 0.0), (y * 0.05, h * 0.4)], mats.0);
+        b.lathe("knob", at, &[(y * 0.06, 0.0), (y * 0.05, (h * 0.4).min(0.03 * u))], mats.0);
     }
 }
 
@@ -359,7 +359,7 @@ pub(super) fn foot_row(b: &mut Build<'_>, half: (f32, f32), radius: f32, height:
 /// Middles and radii of burners on a plate of half lengths `x` and `y`.
 fn spots(x: f32, y: f32, five: bool) -> Vec<(f32, f32, f32)> {
     let (dx, dy) = (x * 0.52, y * if five { 0.64 } else { 0.5 });
-    let r = dx.min(dy) * 0.78;
+    let r = (dx.min(dy) * 0.78).min(y - dy);
     let mut spots = vec![(dx, dy, r), (-dx, dy, r * 0.82), (-dx, -dy, r), (dx, -dy, r * 0.82)];
     if five {
         spots.push((0.0, 0.0, (dy - r).min(r)));

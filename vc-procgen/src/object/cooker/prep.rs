@@ -96,7 +96,7 @@ pub(super) fn stand_mixer(b: &mut Build<'_>) {
         [(-x + column) / 2.0, 0.0, foot - 0.005 * u],
         ((column + x) / 2.0, y * 0.55),
         ((column + x) * 0.42, y * 0.45),
-        h * 0.52,
+        h * 0.56 + 0.007 * u,
         body,
     );
     let r = y.min((x * 0.96 - column) / 2.0) * 0.96;
@@ -114,21 +114,12 @@ pub(super) fn stand_mixer(b: &mut Build<'_>) {
     b.lathe("bowl", [cx, 0.0, foot - 0.002 * u], &bowl, STEEL);
     round_floor(b, "bowl", [cx, 0.0, foot + tall * 0.12], r * 0.55, tall * 0.35);
     if large {
-        for k in [-0.75, 0.0, 0.75] {
-            b.rod(
-                "guard",
-                [cx + r * 0.6, r * k * 0.8, foot + tall * 0.98],
-                [cx + r * 0.5, r * k * 0.6, h * 0.68],
-                0.004 * u,
-                STEEL,
-            );
-        }
         b.bar("lever", [column, y * 0.5, h * 0.4], [column + x * 0.2, y * 0.9, h * 0.55], 0.012 * u, BLACK_PLASTIC);
     }
-    let (low, anchor) = (h * 0.66, [-x * 0.8, 0.0, h * 0.66]);
+    let (low, anchor) = (h * 0.66, [-x * 0.97, 0.0, h * 0.66]);
     let head = y * if large { 0.62 } else { 0.52 };
     lid(b, anchor, 0.7, |b| {
-        b.soft("head", [-x, -head, low], [x, head, h], (h - low) * 0.42, body);
+        b.soft("head", [-x, -head, low], [x - 0.003 * u, head, h], (h - low) * 0.42, body);
         b.cylinder("hub", [cx, 0.0, low - h * 0.05], r * 0.26, h * 0.06, STEEL);
         b.lathe(
             "whisk",
@@ -143,11 +134,17 @@ pub(super) fn stand_mixer(b: &mut Build<'_>) {
         );
         b.rod(
             "badge",
-            [x - 0.002 * u, 0.0, f32::midpoint(low, h)],
+            [x - 0.006 * u, 0.0, f32::midpoint(low, h)],
             [x, 0.0, f32::midpoint(low, h)],
             head * 0.35,
             CHROME,
         );
+        if large {
+            for k in [-0.75, 0.0, 0.75] {
+                let foot = [cx + r * 0.6, r * k * 0.8, foot + tall * 0.98];
+                b.rod("guard", foot, [cx + r * 0.5, r * k * 0.6, h * 0.74], 0.004 * u, STEEL);
+            }
+        }
     });
     knob(b, [column - x * 0.02, -y * 0.3, h * 0.3], 0.018 * u, 0.015 * u, (BLACK_PLASTIC, WHITE));
 }
@@ -167,7 +164,7 @@ pub(super) fn hand_mixer(b: &mut Build<'_>) {
     for side in [-1.0, 1.0] {
         let cy = side * y * 0.5;
         b.cylinder("shaft", [x * 0.55, cy, low * 0.4], y * 0.07, low * 0.62, STEEL);
-        let w = y * 0.42;
+        let w = (y * 0.42).min(x * 0.44);
         b.lathe(
             "beater",
             [x * 0.55, cy, 0.0],
@@ -192,12 +189,13 @@ pub(super) fn food_processor(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let body = machine_mat(b);
     let (base, top, wall) = (h * 0.34, h * 0.72, 0.004 * u);
-    b.soft("base", [-x, -y * 0.94, 0.0], [x, y * 0.94, base], 0.025 * u, body);
-    knob(b, [x - 0.004 * u, 0.0, base * 0.5], base * 0.2, 0.003, (STEEL, BLACK));
+    b.soft("base", [-x, -y * 0.94, 0.0], [x - 0.013 * u, y * 0.94, base], 0.025 * u, body);
+    knob(b, [x - 0.014 * u, 0.0, base * 0.5], base * 0.2, 0.012 * u, (STEEL, BLACK));
     let r = x.min(y) * 0.8;
     b.lathe("drum", [0.0, 0.0, base - 0.001 * u], &cup(r * 0.96, r, top - base, wall), CLEAR_PLASTIC);
     b.cylinder("hub", [0.0, 0.0, base + wall], r * 0.14, (top - base) * 0.2, STEEL);
     let z = base + wall + (top - base) * 0.2 + 0.001 * u;
+    b.cylinder("disc", [0.0, 0.0, z - 0.004 * u], r * 0.88, 0.004 * u, STEEL);
     b.inside("compartment_1", [0.0, 0.0, z], (r * 0.6, r * 0.6), top - z - 0.004 * u);
     let points = [
         [0.0, r * 0.95, top - 0.02 * u],
@@ -226,8 +224,15 @@ pub(super) fn juicer(b: &mut Build<'_>) {
     let glass = (x - cx - r * 0.86).max(r * 0.3);
     let at = [x - glass * 0.5, 0.0, 0.0];
     let wide = (glass * 0.5).min(y);
-    b.lathe("jug", at, &cup(wide * 0.9, wide, base * 0.84, 0.003 * u), CLEAR_PLASTIC);
-    round_floor(b, "jug", [at[0], 0.0, 0.0035 * u], wide * 0.8, base * 0.8);
+    let tray = 0.008 * u;
+    b.block("tray", [cx, -wide * 0.7, 0.0], [x, wide * 0.7, tray], body);
+    b.lathe(
+        "jug",
+        [at[0], 0.0, tray - 0.001 * u],
+        &cup(wide * 0.9, wide, base * 0.84 - tray, 0.003 * u),
+        CLEAR_PLASTIC,
+    );
+    round_floor(b, "jug", [at[0], 0.0, tray + 0.0025 * u], wide * 0.8, base * 0.8 - tray);
     b.bar("spout", [cx + r * 0.9, 0.0, base * 1.12], [at[0], 0.0, base * 0.95], r * 0.14, STEEL);
     lid(b, [cx - r, 0.0, top], 1.2, |b| {
         b.lathe("lid", [cx, 0.0, top], &[(r, 0.0), (r * 0.9, h * 0.05), (r * 0.4, h * 0.09)], CLEAR_PLASTIC);
@@ -253,8 +258,11 @@ pub(super) fn citrus_juicer(b: &mut Build<'_>) {
         &[(r * 0.76, 0.0), (r * 0.9, (rim - base) * 0.5), (r * 0.3, (rim - base) * 0.55)],
         body,
     );
-    let cone = [(0.42, 0.0), (0.4, 0.3), (0.26, 0.75), (0.05, 1.0)].map(|(a, z)| (a * r, z * (h - rim)));
-    b.lathe("cone", [0.0, 0.0, rim - 0.012 * u], &cone, body);
+    // The cone's shaft stands in the sieve.
+    let root = base + wall + (rim - base) * 0.5;
+    let shaft = (rim - 0.012 * u - root).max(0.001 * u);
+    let cone = [(0.42, 0.0), (0.4, 0.3), (0.26, 0.75), (0.05, 1.0)].map(|(a, z)| (a * r, z * (h - rim) + shaft));
+    b.lathe("cone", [0.0, 0.0, rim - 0.012 * u - shaft], &[&[(r * 0.3, 0.0)], &cone[..]].concat(), body);
     for (c, s) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (0.7, 0.7), (-0.7, 0.7), (0.7, -0.7), (-0.7, -0.7)]
     {
         b.bar("rib", [c * r * 0.42, s * r * 0.42, rim], [c * r * 0.1, s * r * 0.1, h - 0.014 * u], r * 0.05, body);
@@ -483,7 +491,7 @@ pub(super) fn water_dispenser(b: &mut Build<'_>) {
         (r * 0.9, z),
     ];
     b.lathe("bottle", [0.0, 0.0, top - 0.001 * u], &bottle, BLUE_GLASS);
-    super::cool::grille(b, x, (-y * 0.6, low * 0.15), (y * 0.6, low * 0.3), 4);
+    super::cool::grille(b, x - 0.0004, (-y * 0.6, low * 0.15), (y * 0.6, low * 0.3), 4);
 }
 
 /// A drum with a mouth above and a pipe at its side, standing as it is sold.

@@ -41,7 +41,7 @@ pub(super) fn kitchen_sink(b: &mut Build<'_>) {
     let edge = 0.012 * u;
     let hole = ((bowls.0[0], bowls.0[1]), (bowls.1[0], bowls.1[1]));
     ring(b, "worktop", Axis::Z, ([-x, -y, under], [x, y, h]), hole, b.style.worktop);
-    basins(b, bowls, (h + 0.0015 * u, depth), edge, steel);
+    basins(b, bowls, (h + 0.0008, depth), edge, steel);
     b.top("ledge", [-x + 0.065 * u, 0.0, h], (0.045 * u, (y - 0.02 * u).min(0.14)));
     for (name, from, to) in [("worktop_right", -y, bowls.0[1]), ("worktop_left", bowls.1[1], y)] {
         if to - from > 0.12 {
@@ -82,12 +82,12 @@ fn basins(b: &mut Build<'_>, (low, high): (P, P), (top, depth): (f32, f32), edge
                 let y = split + step * i as f32;
                 b.block(
                     "groove",
-                    [low[0] + edge * 2.0, y, top - 0.0005],
-                    [high[0] - edge * 2.0, y + step * 0.4, top + 0.002],
+                    [low[0] + edge * 2.0, y, top - 0.004],
+                    [high[0] - edge * 2.0, y + step * 0.4, top - 0.0008],
                     mat,
                 );
             }
-            let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(split, high[1]), top + 0.002];
+            let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(split, high[1]), top - 0.0008];
             b.top("drainer", centre, ((high[0] - low[0]) * 0.44, (high[1] - split) * 0.42));
         }
         _ => {}

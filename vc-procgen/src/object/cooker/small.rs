@@ -11,6 +11,7 @@ use crate::object::build::{Axis, Build, P};
 pub(super) fn kettle(b: &mut Build<'_>) {
     let u = fit(b, [0.128, 0.192, 0.192]);
     let (x, y, h) = spans(b);
+    let x = x.min(y * 0.86);
     let body = b.one(&[STEEL, STEEL, WHITE_PLASTIC, BLACK_METAL, RED_METAL, GLASS]);
     let trim = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
     let foot = h * 0.09;
@@ -59,7 +60,7 @@ pub(super) fn kettle(b: &mut Build<'_>) {
         [0.01 * u, reach, foot + tall * 0.58],
         RED_PLASTIC,
     );
-    b.hinge([0.0, centre[1] - top * 0.8, foot + tall], [1.0, 0.0, 0.0], 1.3, |b| {
+    b.hinge([0.0, centre[1] - top * 0.98, foot + tall], [1.0, 0.0, 0.0], 1.3, |b| {
         b.lathe("lid", at(foot + tall), &[(top * 0.98, 0.0), (top * 0.8, h * 0.05)], trim);
         b.lathe(
             "knob",
@@ -184,7 +185,7 @@ pub(super) fn espresso_machine(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, STEEL, CHROME, RED_METAL, BLACK_METAL, CREAM]);
     let (feet, base) = (0.02 * u, h * 0.22);
-    foot_row(b, (x * 0.8, y * 0.85), 0.018 * u, feet);
+    foot_row(b, (x * 0.8, y * 0.8), 0.018 * u, feet);
     let back = -x * 0.1;
     let head = h * 0.66;
     b.soft("base", [-x, -y, feet], [x, y, base], 0.01 * u, body);
@@ -336,10 +337,13 @@ pub(super) fn deep_fryer(b: &mut Build<'_>) {
         );
     }
     knobs(b, [face, 0.0, feet + (rim - feet) * 0.4], y, baths, (rim - feet) * 0.12, (BLACK_PLASTIC, WHITE));
-    if baths == 1 {
-        lid(b, [back, 0.0, rim + 0.023 * u], 1.3, |b| {
-            let from = [back + 0.001 * u, -y, rim + 0.0115 * u];
-            b.block("lid", from, [face - 0.02 * u, y, rim + 0.023 * u], STEEL);
+    let wide = 2.0 * y / baths as f32;
+    for i in 0..baths {
+        // An anchor of its own keeps it from moving with the other one.
+        let (from, low) = (-y + wide * i as f32, rim + 0.0115 * u);
+        lid(b, [back + 0.006 * u, from, rim + 0.023 * u], 1.3, |b| {
+            let to = [face - 0.02 * u, from + wide - 0.001 * u, rim + 0.023 * u];
+            b.block("lid", [back + 0.006 * u, from + 0.001 * u, low], to, STEEL);
         });
     }
 }
@@ -359,6 +363,8 @@ pub(super) fn air_fryer(b: &mut Build<'_>) {
     }
     let radius = b.vary(0.02, 0.07) * u;
     b.soft("head", [-x, -y, head], [face, y, h], radius, body);
+    // The head's edge is round: what carries it is further in.
+    b.block("neck", [-x + 0.02 * u, -y * 0.9, head - 0.004 * u], [face - 0.003, y * 0.9, head + 0.01 * u], body);
     let trim = b.one(&[STEEL, BLACK_GLASS, BROWN_PLASTIC]);
     let round = b.rng.chance(0.5);
     let z = f32::midpoint(head, h);
@@ -453,6 +459,7 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
     let round = waffle && b.rng.chance(0.5);
     let r = y.min((front + x) / 2.0);
     let cx = (front - x) / 2.0;
+    let (rear, edge) = if round { (cx - r + 0.01 * u, cx + r) } else { (-x, front) };
     let stance = if round { (r * 0.5, r * 0.55) } else { ((front + x) * 0.4, y * 0.8) };
     b.at([cx, 0.0, 0.0], 0.0, |b| foot_row(b, stance, 0.01 * u, feet));
     let plate = (seam - feet) * 0.5;
@@ -479,7 +486,7 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
     b.block(
         "hinge",
         [-x, -y * 0.5, seam - plate - 0.002 * u],
-        [-x + 0.018 * u, y * 0.5, seam + 0.004 * u],
+        [rear.max(-x + 0.018 * u), y * 0.5, seam + 0.004 * u],
         BLACK_PLASTIC,
     );
     let grip = b.one(&[STEEL, BLACK_PLASTIC]);
@@ -496,7 +503,7 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
         }
         let z = f32::midpoint(seam, h);
         if waffle {
-            b.soft("grip", [front - 0.01 * u, -y * 0.2, z - 0.008 * u], [x, y * 0.2, z + 0.008 * u], 0.006 * u, grip);
+            b.soft("grip", [edge - 0.01 * u, -y * 0.2, z - 0.008 * u], [x, y * 0.2, z + 0.008 * u], 0.006 * u, grip);
         } else {
             let points = [
                 [front - 0.01 * u, -y * 0.8, z],
@@ -542,12 +549,7 @@ pub(super) fn rice_cooker(b: &mut Build<'_>) {
     ];
     b.lathe("body", [cx, 0.0, foot], &shell, body);
     round_floor(b, "compartment_1", [cx, 0.0, foot + wall], wide * 0.84 - wall, tall - wall * 1.2);
-    b.block(
-        "hinge",
-        [cx - wide - 0.012 * u, -r * 0.3, rim * 0.6],
-        [cx - wide + 0.01 * u, r * 0.3, rim + 0.01 * u],
-        body,
-    );
+    b.block("hinge", [cx - wide - 0.012 * u, -r * 0.3, rim * 0.6], [cx - wide + 0.01 * u, r * 0.3, rim], body);
     if x - r > 0.02 {
         b.soft("cord_box", [-x, -r * 0.35, foot], [cx - wide + 0.01 * u, r * 0.35, rim * 0.8], 0.01 * u, body);
     }
@@ -672,7 +674,7 @@ pub(super) fn bread_maker(b: &mut Build<'_>) {
     );
     b.block("display", [x * 0.3, split + (y - split) * 0.3, rim], [x * 0.6, y * 0.82, panel_top + 0.002 * u], LED);
     lid(b, [-x, 0.0, rim + 0.003 * u], 1.4, |b| {
-        b.soft("lid", [-x, -y, rim + 0.003 * u], [x, split, h], (h - rim) * 0.4, body);
+        b.soft("lid", [-x, -y, rim + 0.003 * u], [x, split, h], ((h - rim) * 0.4).min(0.008 * u), body);
         b.block("window", [-x * 0.4, -y * 0.6, h - 0.003 * u], [x * 0.4, -y * 0.05, h], BROWN_GLASS);
     });
 }
@@ -727,7 +729,7 @@ pub(super) fn plate_warmer(b: &mut Build<'_>) {
     let u = fit(b, [0.4, 0.352, 0.112]);
     let (x, y, h) = spans(b);
     let body = b.one(&[STEEL, STEEL, BLACK_GLASS]);
-    let (face, t) = (x - 0.032 * u, 0.02 * u);
+    let (face, t) = (x - 0.032, 0.02 * u);
     let feet = if h > 0.4 { 0.08 * u } else { 0.0 };
     if feet > 0.0 {
         super::cool::steel_legs(b, (x * 0.75, y * 0.85), feet, b.size.z > 0.6, u);
@@ -736,8 +738,10 @@ pub(super) fn plate_warmer(b: &mut Build<'_>) {
     case(b, low, [face - t, y, h], 0.01 * u, STEEL);
     let look = Look { panel: Panel::Slab, handle: crate::object::joinery::Handle::Bar, mat: body, metal: STEEL, t };
     let count = (h / 0.24).round().clamp(1.0, 4.0) as usize;
-    drawers(b, &look, "drawer", ([-x + 0.02 * u, -y, feet + 0.006 * u], [face, y, h]), (count, 1.0));
-    knob(b, [face, y * 0.8, h - (h * 0.15).min(0.035 * u)], (h * 0.1).min(0.02 * u), 0.018 * u, (BLACK_PLASTIC, WHITE));
+    let strip = (h * 0.2).min(0.06 * u);
+    drawers(b, &look, "drawer", ([-x + 0.02 * u, -y, feet + 0.006 * u], [face, y, h - strip]), (count, 1.0));
+    b.block("controls", [face - t - 0.001 * u, -y, h - strip], [face, y, h], body);
+    knob(b, [face, y * 0.8, h - strip * 0.5], strip * 0.35, 0.018 * u, (BLACK_PLASTIC, WHITE));
     if h > 0.4 {
         b.top("top", [0.0, 0.0, h], (x - 0.04 * u, y - 0.02 * u));
     }

@@ -66,6 +66,13 @@ fn dish_basket(b: &mut Build<'_>, name: &str, (low, high): (P, P), room: f32, u:
     }
     b.jointed(JointKind::Slide, low, [1.0, 0.0, 0.0], (0.0, (high[0] - low[0]) * 0.85), |b| {
         rack(b, low, [high[0], high[1], low[2] + w], 9, WHITE_PLASTIC);
+        // A perforated bottom keeps cutlery from falling through.
+        b.block(
+            "bottom",
+            [low[0] + w, low[1] + w, low[2] + w * 0.4],
+            [high[0] - w, high[1] - w, low[2] + w],
+            WHITE_PLASTIC,
+        );
         for z in [f32::midpoint(low[2], high[2]), high[2]] {
             ring(
                 b,

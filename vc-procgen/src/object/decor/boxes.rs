@@ -271,6 +271,11 @@ pub(super) fn jewelry(b: &mut Build<'_>) {
         let flat = rim + (h - rim) * 0.4;
         b.block("lid", [-x, -y, rim + h * 0.002], [front, y, flat], wood);
         b.soft("lid", [-x * 0.97, -y * 0.98, flat - t * 0.5], [front * 0.97, y * 0.98, h], (h - rim) * 0.4, wood);
-        b.block("mirror", [-x * 0.7, -y * 0.75, rim - h * 0.002], [front * 0.7, y * 0.75, rim + t * 0.5], MIRROR);
+        b.block(
+            "mirror",
+            [-x * 0.7, -y * 0.75, rim - (h * 0.015).min(0.001)],
+            [front * 0.7, y * 0.75, rim + t * 0.5],
+            MIRROR,
+        );
     });
 }

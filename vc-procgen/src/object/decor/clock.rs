@@ -26,7 +26,7 @@ pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats
         let hand = [point(-0.2, 1.0), point(-0.2, -1.0), point(1.0, -0.5), point(1.0, 0.5)];
         b.prism("hand", Axis::X, [at[0] + depth * (z - 0.2), at[1], at[2]], &hand, depth * 0.2, ink);
     }
-    b.prism("hub", Axis::X, [at[0] + depth * 0.3, at[1], at[2]], &ngon((r * 0.06, r * 0.06), 10), depth * 0.7, ink);
+    b.prism("hub", Axis::X, [at[0] + depth * 0.3, at[1], at[2]], &ngon((r * 0.075, r * 0.075), 10), depth * 0.7, ink);
 }
 
 /// Dial and ink of a clock.

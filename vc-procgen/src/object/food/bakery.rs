@@ -347,7 +347,7 @@ pub(super) fn muffin(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
     let paper = b.one(&[WHITE_PAPER, CARDBOARD, PINK_CARD, BLUE_CARD, CREAM_PAPER]);
-    let low = z * 0.5;
+    let low = z * b.vary(0.42, 0.56);
     let pleats = 20;
     let ring = |z: f32, k: f32| -> Vec<P> {
         (0..2 * pleats)
@@ -370,9 +370,10 @@ pub(super) fn muffin(b: &mut Build<'_>) {
             dough,
         );
         let bits = if dough == CHOCOLATE { CRUMB } else { b.one(&[CHOCOLATE, PURPLE_SKIN]) };
-        for i in 0..7 {
+        let count = b.rng.count(4, 10);
+        for i in 0..count {
             let (s, c) = (2.4 * i as f32).sin_cos();
-            let k = 0.3 + 0.5 * i as f32 / 7.0;
+            let k = 0.3 + 0.5 * i as f32 / count as f32;
             berry(
                 b,
                 [r * k * c, r * k * s, low * 0.9 + (z - low * 0.9) * (1.0 - k * k * 0.75) - r * 0.09],
@@ -413,11 +414,36 @@ pub(super) fn pie(b: &mut Build<'_>) {
         let (s, c) = (TAU * i as f32 / 16.0).sin_cos();
         berry(b, [r * 0.93 * c, r * 0.93 * s, z * 0.9], (r * 0.07).min(z * 0.1), CRUST);
     }
-    for i in 0..4 {
-        let at = r * 0.8 * (i as f32 / 1.5 - 1.0) * 0.72;
+    if b.rng.chance(0.6) { lattice(b, r, z) } else { closed_crust(b, r, z, filling) }
+}
+
+/// Strips of dough across a pie.
+fn lattice(b: &mut Build<'_>, r: f32, z: f32) {
+    let strips = b.rng.count(3, 6);
+    let half = r * 0.26 / strips as f32;
+    for i in 0..strips {
+        let at = r * 0.6 * (2.0 * i as f32 / (strips - 1) as f32 - 1.0);
         let reach = ((r * 0.88).powi(2) - at * at).max(0.0).sqrt();
-        b.block("lattice", [at - r * 0.06, -reach, z * 0.7], [at + r * 0.06, reach, z * 0.84], CRUST);
-        b.block("lattice", [-reach, at - r * 0.06, z * 0.7], [reach, at + r * 0.06, z * 0.88], CRUST);
+        b.block("lattice", [at - half, -reach, z * 0.7], [at + half, reach, z * 0.84], CRUST);
+        b.block("lattice", [-reach, at - half, z * 0.7], [reach, at + half, z * 0.88], CRUST);
+    }
+}
+
+/// A domed crust with slits that show the filling.
+fn closed_crust(b: &mut Build<'_>, r: f32, z: f32, filling: Mat) {
+    turn(
+        b,
+        "cover",
+        [0.0, 0.0, z * 0.74],
+        (r * 0.9, z * 0.2),
+        &[(1.0, 0.0), (0.8, 0.6), (0.4, 0.92), (0.0, 1.0)],
+        CRUST,
+    );
+    let slits = b.rng.count(4, 8);
+    for i in 0..slits {
+        b.at([0.0; 3], TAU * i as f32 / slits as f32, |b| {
+            b.block("slit", [r * 0.2, -r * 0.03, z * 0.76], [r * 0.5, r * 0.03, z * 0.935], filling);
+        });
     }
 }
 

@@ -259,7 +259,9 @@ pub(super) fn sausage(b: &mut Build<'_>) {
     let salami = b.class == "salami";
     let mat =
         if salami { b.one(&[RED_SKIN, PALE_FLESH, COOKED_MEAT]) } else { b.one(&[COOKED_MEAT, CRUST, MEAT, SKIN]) };
-    let r = (z / 2.0).min(x * 0.5);
+    let full = (z / 2.0).min(x * 0.5);
+    // Strings lie around a salami.
+    let r = if salami { full * 0.97 } else { full };
     let bow = (x / 2.0 - r).max(0.0);
     let at = |k: f32, r: f32| ([bow * (1.0 - 2.0 * (2.0 * k - 1.0).powi(2)), y * (k - 0.5), z / 2.0], r, r);
     let end = if salami { 0.97 } else { 0.25 };
@@ -276,10 +278,16 @@ pub(super) fn sausage(b: &mut Build<'_>) {
     sweep(b, "sausage", &path, [0.0, 0.0, 1.0], mat);
     if salami {
         let (face, inner) = (at(0.0, 0.0).0, at(0.01, 0.0).0);
-        b.rod("cut", [inner[0], face[1], r], [inner[0], inner[1], r], r * 0.85, RED_SKIN);
+        b.rod("cut", [inner[0], face[1], z / 2.0], [inner[0], inner[1], z / 2.0], r * 0.85, RED_SKIN);
         for k in [0.3, 0.6, 0.88] {
             let ring = at(k, 0.0).0;
-            b.rod("string", [ring[0], ring[1] - y * 0.006, r], [ring[0], ring[1] + y * 0.006, r], r * 0.999, WAX);
+            b.rod(
+                "string",
+                [ring[0], ring[1] - y * 0.006, z / 2.0],
+                [ring[0], ring[1] + y * 0.006, z / 2.0],
+                full,
+                WAX,
+            );
         }
     } else {
         for i in 0..4 {

@@ -139,7 +139,8 @@ pub(super) fn extractor_fan(b: &mut Build<'_>) {
 pub(super) fn air_conditioner(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
-    let outline = [(-x, 0.0), (x * 0.5, 0.0), (x, h * 0.28), (x, h * 0.86), (x * 0.8, h), (-x, h)];
+    let top = h - 0.002;
+    let outline = [(-x, 0.0), (x * 0.5, 0.0), (x, h * 0.28), (x, h * 0.86), (x * 0.8, top), (-x, top)];
     b.prism("case", crate::object::build::Axis::Y, [0.0, -y, 0.0], &outline, 2.0 * y, mat);
     b.hull(
         "flap",
@@ -157,7 +158,7 @@ pub(super) fn air_conditioner(b: &mut Build<'_>) {
     );
     for i in 0..9 {
         let cx = -x * 0.8 + x * 0.16 * i as f32;
-        b.block("slot", [cx, -y * 0.92, h - 0.001], [cx + x * 0.06, y * 0.92, h], BLACK_PLASTIC);
+        b.block("slot", [cx, -y * 0.92, h - 0.004], [cx + x * 0.06, y * 0.92, h], BLACK_PLASTIC);
     }
     b.block("seam", [x - 0.001, -y * 0.99, h * 0.33], [x + 0.0005, y * 0.99, h * 0.34], GREY_PLASTIC);
     display(b, x - 0.0025, (y * 0.6, h * 0.4), (y * 0.75, h * 0.5), COOL_BULB);
@@ -197,7 +198,7 @@ pub(super) fn air_purifier(b: &mut Build<'_>) {
 pub(super) fn humidifier(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.112, 0.16]);
     let (x, y, h) = spans(b);
-    let r = x.min(y);
+    let r = (x - 0.006 * u).min(y);
     let mat = b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC, GREY_PLASTIC]);
     let base = h * 0.28;
     b.lathe("base", [0.0; 3], &[(r * 0.9, 0.0), (r, base * 0.4), (r * 0.96, base)], WHITE_PLASTIC);
@@ -228,7 +229,7 @@ pub(super) fn humidifier(b: &mut Build<'_>) {
             mat,
         );
     });
-    knob(b, [r * 0.96, 0.0, base * 0.5], base * 0.24, (x - r * 0.96).max(0.003), (mat, WHITE));
+    knob(b, [r * 0.96, 0.0, base * 0.5], base * 0.24, (x - r * 0.96 - 0.001).clamp(0.001, 0.02), (mat, WHITE));
     b.rod("light", [r * 0.9, r * 0.3, base * 0.5], [r * 0.965, r * 0.3, base * 0.5], base * 0.08, LED);
 }
 
@@ -247,7 +248,12 @@ pub(super) fn dehumidifier(b: &mut Build<'_>) {
     case(b, [-x, -y, foot], [face, y, split + 0.005 * u], wall, mat);
     for i in 0..8 {
         let z = split + (h - split) * (0.12 + 0.075 * i as f32);
-        b.block("slot", [face - 0.002 * u, -y * 0.8, z], [face, y * 0.8, z + (h - split) * 0.03], BLACK_PLASTIC);
+        b.block(
+            "slot",
+            [face - 0.002 * u, -y * 0.8, z],
+            [face + 0.001, y * 0.8, z + (h - split) * 0.03],
+            BLACK_PLASTIC,
+        );
     }
     display(b, face - 0.001 * u, (-y * 0.3, h * 0.86), (y * 0.3, h * 0.92), LED);
     b.block("outlet", [-x * 0.6, -y * 0.7, h - 0.002 * u], [x * 0.3, y * 0.7, h], BLACK_PLASTIC);

@@ -20,7 +20,7 @@ pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
     let top = h * 0.72;
     b.soft("body", [-x * 0.9, -y * 0.82, h * 0.12], [x * 0.8, y * 0.82, top], h * 0.2, mat);
     b.soft("hood", [-x * 0.5, -y * 0.6, top * 0.8], [x * 0.7, y * 0.6, top * 1.08], h * 0.1, GREY_PLASTIC);
-    let r = h * 0.3;
+    let r = (h * 0.3).min(x * 0.6);
     for side in [-1.0_f32, 1.0] {
         let (a, c) = (side * y * 0.78, side * y);
         b.rod("wheel", [-x + r, a, r], [-x + r, c, r], r, BLACK_PLASTIC);
@@ -134,7 +134,7 @@ pub(super) fn steam_cleaner(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let mat = case_mat(b);
     if h < 0.6 {
-        let r = h * 0.2;
+        let r = (h * 0.2).min(x * 0.48);
         b.soft("body", [-x, -y * 0.85, r * 0.6], [x * 0.8, y * 0.85, h * 0.75], 0.05 * u, mat);
         for side in [-1.0_f32, 1.0] {
             let (a, c) = (side * y * 0.8, side * y);
@@ -248,7 +248,7 @@ pub(super) fn garment_steamer(b: &mut Build<'_>) {
     b.soft("base", [-x, -y, h * 0.02], [x, y, base], 0.04 * u * body.max(0.3), mat);
     b.soft("tank", [-x * 0.8, -y * 0.7, base - 0.005 * u], [x * 0.1, y * 0.7, base * 1.5], 0.02 * u, BLUE_GLASS);
     for cy in [-y * 0.8, y * 0.8] {
-        b.rod("wheel", [-x * 0.6, cy - 0.01 * u, wheel], [-x * 0.6, cy + 0.01 * u, wheel], h * 0.03, BLACK_PLASTIC);
+        b.rod("wheel", [-x * 0.6, cy - 0.01 * u, wheel], [-x * 0.6, cy + 0.01 * u, wheel], wheel, BLACK_PLASTIC);
         b.rod("wheel", [x * 0.6, cy - 0.01 * u, wheel], [x * 0.6, cy + 0.01 * u, wheel], wheel, BLACK_PLASTIC);
     }
     b.bar("pole", [x * 0.4, 0.0, base], [x * 0.4, 0.0, h - 0.03 * u], 0.011 * u, STEEL);

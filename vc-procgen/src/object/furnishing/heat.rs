@@ -11,11 +11,12 @@ pub(super) fn radiator(b: &mut Build<'_>) {
     let mat = b.one(&[WHITE_METAL, WHITE_METAL, WHITE_METAL, SILVER_METAL, BLACK_METAL]);
     let foot = 0.06 * u;
     let side = y - 0.035 * u;
-    let pipe = [-x * 0.2, -side, 0.0];
+    let pipe = [0.0075 * u, -side];
     for dy in [0.0, -0.014 * u] {
         b.rod("pipe", [pipe[0], pipe[1] + dy, 0.0], [pipe[0], pipe[1] + dy, h * 0.3], 0.008 * u, WHITE_METAL);
     }
-    b.rod("valve", [pipe[0], -side, h - 0.06 * u], [pipe[0], -y, h - 0.06 * u], (0.02 * u).min(x * 0.8), WHITE_PLASTIC);
+    let valve = (0.02 * u).min(x * 0.8);
+    b.rod("valve", [pipe[0], -side + 0.01 * u, h * 0.3], [pipe[0], -y, h * 0.3], valve, WHITE_PLASTIC);
     match b.rng.below(3) {
         0 => columns(b, side, foot, u),
         1 => {
@@ -66,7 +67,8 @@ fn columns(b: &mut Build<'_>, side: f32, foot: f32, u: f32) {
     let mat = b.one(&[WHITE_METAL, WHITE_METAL, IRON, SILVER_METAL]);
     let count = (side / 0.028).clamp(5.0, 20.0) as usize;
     let step = 2.0 * side / count as f32;
-    let (back, r) = (-x + 0.015 * u, step * 0.4);
+    let back = -x + 0.015 * u;
+    let r = (step * 0.4).min((x - back) * 0.3);
     let deep = (x - back) / 2.0 - r;
     let middle = f32::midpoint(back, x);
     for i in 0..count {
@@ -109,9 +111,10 @@ pub(super) fn heater(b: &mut Build<'_>) {
             b.soft("controls", [-x * 0.95, end - 0.01 * u, foot], [x * 0.95, y, h], 0.015 * u, mat);
             for cy in [-y * 0.7, y * 0.6] {
                 b.block("axle", [-x, cy - 0.012 * u, foot * 0.5], [x, cy + 0.012 * u, foot + 0.01 * u], BLACK_PLASTIC);
-                for side in [-0.88, 0.88] {
-                    let r = foot * 0.5;
-                    b.rod("wheel", [x * side, cy - 0.02 * u, r], [x * side, cy + 0.02 * u, r], r, BLACK_PLASTIC);
+                for side in [-1.0, 1.0] {
+                    let r = (foot * 0.5).min(x * 0.3);
+                    let cx = side * (x - r);
+                    b.rod("wheel", [cx, cy - 0.02 * u, r], [cx, cy + 0.02 * u, r], r, BLACK_PLASTIC);
                 }
             }
             for z in [0.5, 0.72] {
@@ -254,7 +257,7 @@ fn hearth_fire(b: &mut Build<'_>, (low, high): ([f32; 3], [f32; 3]), u: f32) {
     for k in [-1.3, 1.3] {
         b.rod("log", [cx + k * r, cy - w, z], [cx + k * r, cy + w, z], r, BARK);
     }
-    b.rod("log", [cx, cy - w * 0.8, z + r * 1.6], [cx, cy + w * 0.8, z + r * 1.6], r * 0.9, BARK);
+    b.rod("log", [cx, cy - w * 0.8, z + r * 1.3], [cx, cy + w * 0.8, z + r * 1.3], r * 0.9, BARK);
     for i in 0..3 {
         let fy = cy + w * 0.5 * (i as f32 - 1.0);
         let tall = (high[2] - low[2]) * if i == 1 { 0.4 } else { 0.28 };

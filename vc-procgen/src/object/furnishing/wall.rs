@@ -26,8 +26,8 @@ pub(super) fn thermostat(b: &mut Build<'_>) {
         let r = (h * 0.14).min(y * 0.5);
         b.lathe_along(
             "dial",
-            [x * 0.78, 0.0, h * 0.25],
-            [x * 2.0, 0.0, h * 0.25],
+            [x - 0.004, 0.0, h * 0.25],
+            [x + 1.0, 0.0, h * 0.25],
             &[(r, 0.0), (r * 0.9, 0.004)],
             GREY_PLASTIC,
         );

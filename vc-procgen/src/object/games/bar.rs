@@ -122,10 +122,10 @@ pub(super) fn cue(b: &mut Build<'_>) {
         let wrap = b.one(&[BLACK_LEATHER, WHITE_COTTON, RUBBER, GREEN_FABRIC]);
         let (joint, grip) = (h * b.vary(0.48, 0.56), h * b.vary(0.09, 0.14));
         b.lathe("bumper", [0.0; 3], &[(r * 0.8, 0.0), (r * 0.95, h * 0.005), (r * 0.95, h * 0.012)], RUBBER);
-        b.lathe("butt", [0.0, 0.0, h * 0.01], &[(r, 0.0), (r * 0.72, joint - h * 0.01)], butt);
-        b.lathe("wrap", [0.0, 0.0, grip], &[(r * 0.98, 0.0), (r * 0.9, h * 0.2)], wrap);
-        b.lathe("collar", [0.0, 0.0, joint - 0.012], &[(r * 0.76, 0.0), (r * 0.74, 0.02)], BRASS);
-        b.lathe("shaft", [0.0, 0.0, joint], &[(r * 0.71, 0.0), (r * 0.44, h * 0.985 - joint)], MAPLE);
+        b.lathe("butt", [0.0, 0.0, h * 0.01], &[(r, 0.0), (r * 0.9, h * 0.07), (r * 0.72, joint - h * 0.01)], butt);
+        b.lathe("wrap", [0.0, 0.0, grip], &[(r * 0.95, 0.0), (r * 0.87, h * 0.2)], wrap);
+        b.lathe("collar", [0.0, 0.0, joint - 0.012], &[(r * 0.8, 0.0), (r * 0.78, 0.02)], BRASS);
+        b.lathe("shaft", [0.0, 0.0, joint], &[(r * 0.71, 0.0), (r * 0.44, h * 0.978 - joint)], MAPLE);
         b.lathe("ferrule", [0.0, 0.0, h * 0.978], &[(r * 0.46, 0.0), (r * 0.45, h * 0.017)], WHITE_PLASTIC);
         b.lathe(
             "tip",

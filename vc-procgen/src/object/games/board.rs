@@ -36,7 +36,7 @@ fn loop_free(b: &mut Build<'_>, lid: Mat) -> Mat {
 
 /// Something flat on the lid, `level` 0 to 2 high.
 fn flat(b: &mut Build<'_>, low: (f32, f32), high: (f32, f32), level: usize, mat: Mat) {
-    b.slab("print", [low.0, low.1, 0.95], [high.0, high.1, 0.978 + 0.011 * level as f32], mat);
+    b.slab("print", [low.0, low.1, 0.95], [high.0, high.1, 0.984 + 0.0155 * level as f32], mat);
 }
 
 /// A title band and shapes.
@@ -49,7 +49,7 @@ fn emblem(b: &mut Build<'_>, mat: Mat) {
         let colour = b.one(CARDS);
         let (x, y) = (-0.45 + 0.2 * (i % 2) as f32, -0.7 + 1.4 * i as f32 / (count - 1) as f32);
         let size = b.vary(0.1, 0.13);
-        b.plan("print", (0.95, 0.985), &oval((x, y), (size * 1.3, size), 10), colour);
+        b.plan("print", (0.95, 0.992), &oval((x, y), (size * 1.3, size), 10), colour);
     }
 }
 
@@ -59,7 +59,7 @@ fn cross(b: &mut Build<'_>, mat: Mat) {
     for ((x, y), colour) in CORNERS.into_iter().zip([RED_CARD, BLUE_CARD, YELLOW_CARD, GREEN_CARD]) {
         flat(b, (0.58 * x - 0.26, 0.58 * y - 0.26), (0.58 * x + 0.26, 0.58 * y + 0.26), 1, colour);
     }
-    b.plan("print", (0.95, 0.989), &oval((0.0, 0.0), (0.2, 0.2), 4), BLACK_CARD);
+    b.plan("print", (0.95, 0.9985), &oval((0.0, 0.0), (0.2, 0.2), 4), BLACK_CARD);
 }
 
 /// Rows of picture cards.
@@ -80,12 +80,12 @@ fn landscape(b: &mut Build<'_>) {
     let (left, right) = (b.vary(0.0, 0.5), b.vary(-0.2, 0.3));
     b.plan(
         "print",
-        (0.95, 0.989),
+        (0.95, 0.996),
         &[(0.84, -0.89), (left - 0.1, -0.89), (left, -0.2), (right, 0.4), (0.3, 0.89), (0.84, 0.89)],
         hill,
     );
     let y = b.vary(-0.5, 0.5);
-    b.plan("print", (0.95, 0.9885), &oval((-0.55, y), (0.15, 0.13), 12), YELLOW_CARD);
+    b.plan("print", (0.95, 0.9995), &oval((-0.55, y), (0.15, 0.13), 12), YELLOW_CARD);
 }
 
 /// A row of letter tiles.

@@ -123,15 +123,12 @@ pub(super) fn pinball(b: &mut Build<'_>) {
         b.cylinder("bumper", [cx, cy, cz - 0.01], 0.028, 0.035, BRIGHT[i]);
         b.cylinder("cap", [cx, cy, cz + 0.024], 0.038, 0.008, WHITE_PLASTIC);
     }
+    // Bars of these heights lie on the field.
+    let on = |x: f32, tall: f32| z(x) + 0.002 + tall / 2.0 / b.size.z;
+    let (ends, rails) = ([on(0.66, 0.02), on(0.78, 0.02)], [on(0.2, 0.024), on(0.66, 0.024)]);
     for s in SIDES {
-        b.plank(
-            "flipper",
-            [0.66, 0.35 * s, z(0.66) + 0.012],
-            [0.78, 0.08 * s, z(0.78) + 0.012],
-            (0.02, 0.02),
-            YELLOW_PLASTIC,
-        );
-        b.plank("guide", [0.2, 0.78 * s, z(0.2) + 0.01], [0.66, 0.42 * s, z(0.66) + 0.01], (0.012, 0.024), metal);
+        b.plank("flipper", [0.66, 0.35 * s, ends[0]], [0.78, 0.08 * s, ends[1]], (0.02, 0.02), YELLOW_PLASTIC);
+        b.plank("guide", [0.2, 0.78 * s, rails[0]], [0.66, 0.42 * s, rails[1]], (0.012, 0.024), metal);
         b.disc("button", Axis::Y, [0.8, 0.94 * s, front - 0.09], (0.016, 0.04), RED_PLASTIC);
     }
     b.pole("plunger", [0.94, -0.7, front - 0.1], [1.0, -0.7, front - 0.1], 0.012, CHROME);

@@ -63,11 +63,13 @@ pub(super) fn tower(b: &mut Build<'_>) {
         let gone = if i > 2 && i < layers - 1 && b.rng.chance(0.25) { b.rng.below(3) } else { 3 };
         for k in (0..3).filter(|k| *k != gone) {
             let shift = b.vary(-0.03, 0.03);
-            let low = (k as f32 - 1.5) * 0.64 + 0.005;
+            let low = (k as f32 - 1.5) * 0.64 + 0.02;
             let (z0, z1) = (tall * i as f32, tall * (i + 1) as f32 - 0.0002);
-            let (across, along) = ((low, low + 0.63), (-0.96 + shift, 0.96 + shift));
+            let (across, along) = ((low, low + 0.6), (-0.96 + shift, 0.96 + shift));
             let (x, y) = if i % 2 == 0 { (across, along) } else { (along, across) };
-            shells[(i + k * 2) % 3].block([x.0 * hx, y.0 * hy, z0], [x.1 * hx, y.1 * hy, z1]);
+            // The lowest and highest layers are of one wood each.
+            let wood = if (3..layers - 3).contains(&i) { i + k * 2 } else { i };
+            shells[wood % 3].block([x.0 * hx, y.0 * hy, z0], [x.1 * hx, y.1 * hy, z1]);
         }
     }
     for (shell, wood) in shells.into_iter().zip(woods) {
@@ -90,7 +92,7 @@ pub(super) fn cube(b: &mut Build<'_>) {
         for (i, j) in [-1.0, 0.0, 1.0].into_iter().flat_map(|i| [-1.0, 0.0, 1.0].map(|j| (i, j))) {
             let colour = if b.rng.chance(mixed) { b.rng.below(6) } else { face };
             let (out, inner) = (side * s, side * skin * 0.97);
-            let half = s * 0.29;
+            let half = s * 0.28;
             let mut corners = [[0.0_f32; 3]; 2];
             for (corner, sign) in corners.iter_mut().zip(SIDES) {
                 corner[axis] = if sign < 0.0 { out.min(inner) } else { out.max(inner) };
@@ -110,10 +112,11 @@ pub(super) fn cube(b: &mut Build<'_>) {
 pub(super) fn deck(b: &mut Build<'_>) {
     let mat = b.one(&[RED_CARD, BLUE_CARD, BLACK_CARD, GREEN_CARD]);
     let print = b.one(&[WHITE_PAPER, YELLOW_CARD, CREAM_PAPER]);
-    b.slab("box", [-0.94, -1.0, 0.0], [0.94, 1.0, 0.985], mat);
+    let step = (0.0008 / b.size.x).min(0.06) * 2.0;
+    b.slab("box", [-0.94, -1.0, 0.0], [1.0 - 2.0 * step, 1.0, 0.985], mat);
     let high = b.vary(0.72, 0.8);
-    b.slab("flap", [0.9, -0.9, high], [0.97, 0.9, 0.98], mat);
-    b.slab("seal", [0.85, -0.25, high - 0.06], [0.99, 0.25, high + 0.04], WHITE_PAPER);
+    b.slab("flap", [0.8, -0.9, high], [1.0 - step, 0.9, 0.98], mat);
+    b.slab("seal", [0.8, -0.25, high - 0.06], [1.0, 0.25, high + 0.04], WHITE_PAPER);
     b.slab("seam", [-0.9, -0.97, 0.93], [0.9, 0.97, 1.0], print);
     let r = b.vary(0.3, 0.45);
     for side in SIDES {
@@ -144,7 +147,8 @@ pub(super) fn cards(b: &mut Build<'_>) {
             pips[(i + first) % 2]
                 .block([x - size, at - size, z1 - thick * 0.3], [x + size, at + size, z1 + thick * 0.4]);
         };
-        pip(x0 + wide * 0.12, 0.1, wide * 0.05);
+        let strip = ((2.0 * hy - wide) / (count - 1) as f32 / wide).min(0.2);
+        pip(x0 + wide * 0.12, strip * 0.5, wide * strip * 0.3);
         if i + 1 == count {
             let (mid, half) = ((x0 + x1) / 2.0, (x1 - x0) / 2.0);
             CORNERS.into_iter().for_each(|(a, c)| pip(mid + a * half * 0.5, 0.5 + 0.2 * c, wide * 0.08));
@@ -166,12 +170,12 @@ pub(super) fn dice(b: &mut Build<'_>) {
         (BLUE_PLASTIC, WHITE_PLASTIC),
     ]);
     let s = hx.min(h / 2.0).min(hy);
-    let count = if hy > 1.9 * s { 2 } else { 1 };
+    let (s, count) = if hy > 1.9 * s { (s.min(hy / 2.02), 2) } else { (s, 1) };
     let round = s * b.vary(0.12, 0.3);
     let mut pips = Shell::default();
     for apart in SIDES.iter().take(count) {
         let y = if count == 2 { (hy - s) * apart } else { 0.0 };
-        let c = s * 0.97;
+        let c = s * 0.93;
         b.soft("die", [-c, y - c, s - c], [c, y + c, s + c], round, body);
         let turn = b.rng.below(3);
         for face in 0..6_usize {

@@ -150,7 +150,7 @@ pub(super) fn pool(b: &mut Build<'_>) {
     let bed = h * 0.93;
     let under = b.vary(0.62, 0.72) * h;
     stand(b, ((px - 2.6 * r) / hx, (py - 3.2 * r) / hy), under / h + 0.02, wood);
-    b.block("body", [-px + 1.1 * r, -py + 1.1 * r, under], [px - 1.1 * r, py - 1.1 * r, bed - 0.03], wood);
+    b.block("body", [-px + 1.16 * r, -py + 1.16 * r, under], [px - 1.16 * r, py - 1.16 * r, bed - 0.03], wood);
     slate(b, (px, py, r), (bed - 0.04, bed), felt);
     let top = h - 0.004;
     let (in_x, in_y) = (hx - 1.8 * r, hy - 1.8 * r);
@@ -173,7 +173,7 @@ pub(super) fn pool(b: &mut Build<'_>) {
     for (x, y) in [(1.0, 1.0), (1.0, 0.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, 0.0), (-1.0, -1.0)] {
         pocket(b, [x * px, y * py], r, h, leather);
     }
-    b.top("bed", [0.0, 0.0, bed], (in_x - cushion - 0.01, in_y - cushion - 0.01));
+    b.top("bed", [0.0, 0.0, bed], (px - 1.48 * r - 0.004, in_y - cushion - 0.01));
 }
 
 /// The bed of a billiard table with room for its pockets.

@@ -176,7 +176,9 @@ pub(super) fn hanging_basket(b: &mut Build<'_>) {
 /// A gnome: boots, coat, beard, pointed cap, and a spade or lantern.
 pub(super) fn gnome(b: &mut Build<'_>) {
     grown(b, [0.04, 0.05, 0.1]);
-    let (r, y, h) = (b.size.x.min(b.size.y) / 2.0, b.size.y / 2.0, b.size.z);
+    let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
+    // A head keeps to the width there is.
+    let k = h.min(r * 6.5);
     let (coat, cap) = (b.one(&[BLUE, GREEN, RED, MUSTARD, FOREST]), b.one(&[RED, RED, GREEN, BLUE]));
     let (waist, neck) = (h * b.vary(0.16, 0.2), h * b.vary(0.46, 0.5));
     for side in [-1.0, 1.0] {
@@ -203,54 +205,54 @@ pub(super) fn gnome(b: &mut Build<'_>) {
         GOLD,
     );
     let face = neck + h * 0.09;
-    b.ball("head", [0.0, 0.0, face], h * 0.105, SKIN);
-    b.ball("nose", [h * 0.11, 0.0, face], h * 0.025, SKIN);
+    b.ball("head", [0.0, 0.0, face], k * 0.105, SKIN);
+    b.ball("nose", [k * 0.11, 0.0, face], k * 0.025, SKIN);
     let beard = [
-        [h * 0.1, 0.5, face - h * 0.01],
-        [h * 0.02, 0.75, face],
-        [h * 0.12, 0.3, face - h * 0.1],
-        [h * 0.1, 0.0, face - h * 0.22],
-        [h * 0.04, 0.5, face - h * 0.1],
+        [k * 0.1, 0.5, face - h * 0.01],
+        [k * 0.02, 0.75, face],
+        [k * 0.12, 0.3, face - h * 0.1],
+        [k * 0.1, 0.0, face - h * 0.22],
+        [k * 0.04, 0.5, face - h * 0.1],
     ];
     b.hull(
         "beard",
-        &beard.iter().flat_map(|p| [[p[0], p[1] * h * 0.13, p[2]], [p[0], -p[1] * h * 0.13, p[2]]]).collect::<Vec<P>>(),
+        &beard.iter().flat_map(|p| [[p[0], p[1] * k * 0.13, p[2]], [p[0], -p[1] * k * 0.13, p[2]]]).collect::<Vec<P>>(),
         WHITE,
     );
     let droop = b.vary(-0.3, 0.3) * r;
     let brim = face + h * 0.03;
     b.hull(
         "cap",
-        &limb([0.0, 0.0, brim], [-droop * 0.4, droop * 0.5, brim + (h - brim) * 0.55], h * 0.12, h * 0.06),
+        &limb([0.0, 0.0, brim], [-droop * 0.4, droop * 0.5, brim + (h - brim) * 0.55], k * 0.12, k * 0.06),
         cap,
     );
     let tip =
-        limb([-droop * 0.4, droop * 0.5, brim + (h - brim) * 0.54], [-droop, droop, h - 0.004], h * 0.06, h * 0.006);
+        limb([-droop * 0.4, droop * 0.5, brim + (h - brim) * 0.54], [-droop, droop, h - 0.004], k * 0.06, k * 0.006);
     b.hull("cap", &tip.into_iter().map(|p| [p[0], p[1], p[2].min(h)]).collect::<Vec<P>>(), cap);
     for side in [-1.0, 1.0] {
-        let hand = [r * 0.55, side * (r * 0.85).min(y * 0.8), waist + (neck - waist) * 0.35];
-        b.hull("arm", &limb([0.0, side * r * 0.5, neck - h * 0.04], hand, h * 0.045, h * 0.035), coat);
-        b.ball("hand", hand, h * 0.035, SKIN);
+        let hand = [r * 0.55, side * r * 0.76, waist + (neck - waist) * 0.35];
+        b.hull("arm", &limb([0.0, side * r * 0.5, neck - h * 0.04], hand, k * 0.045, k * 0.035), coat);
+        b.ball("hand", hand, k * 0.035, SKIN);
     }
-    let grip = [r * 0.55, (r * 0.85).min(y * 0.8)];
+    let grip = [r * 0.55, r * 0.76];
     match b.rng.below(3) {
         0 => {
-            b.cylinder("spade", [grip[0], grip[1], h * 0.1], h * 0.014, h * 0.45, BEECH);
+            b.cylinder("spade", [grip[0], grip[1], h * 0.1], k * 0.014, h * 0.45, BEECH);
             b.block(
                 "spade",
-                [grip[0] - h * 0.008, grip[1] - h * 0.04, 0.0],
-                [grip[0] + h * 0.008, grip[1] + h * 0.04, h * 0.14],
+                [grip[0] - k * 0.008, grip[1] - k * 0.035, 0.0],
+                [grip[0] + k * 0.008, grip[1] + k * 0.035, h * 0.14],
                 STEEL,
             );
         }
         1 => {
             let z = waist + (neck - waist) * 0.35 - h * 0.13;
-            b.cylinder("lantern", [grip[0], grip[1], z], h * 0.032, h * 0.09, WARM_BULB);
-            b.cone("lantern", [grip[0], grip[1], z + h * 0.085], h * 0.036, h * 0.035, IRON);
+            b.cylinder("lantern", [grip[0], grip[1], z], k * 0.032, h * 0.09, WARM_BULB);
+            b.cone("lantern", [grip[0], grip[1], z + h * 0.085], k * 0.036, h * 0.035, IRON);
         }
         _ => {
             let z = waist + (neck - waist) * 0.35;
-            b.rod("rod", [grip[0], grip[1], z - h * 0.08], [grip[0], grip[1], h * 0.85], h * 0.01, BAMBOO);
+            b.rod("rod", [grip[0], grip[1], z - h * 0.08], [grip[0], grip[1], h * 0.85], k * 0.01, BAMBOO);
         }
     }
 }
@@ -258,7 +260,9 @@ pub(super) fn gnome(b: &mut Build<'_>) {
 /// A bird bath: a basin with water on a foot.
 pub(super) fn bird_bath(b: &mut Build<'_>) {
     grown(b, [0.15, 0.15, 0.22]);
-    let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
+    let r = b.size.x.min(b.size.y) / 2.0;
+    let guest = if b.rng.chance(0.3) { 0.03_f32.min(r * 0.2) } else { 0.0 };
+    let h = b.size.z - guest * 0.8;
     let mat = b.one(&[CONCRETE, SANDSTONE, GRANITE, POTTERY, BLUE_GLAZE, COPPER, MARBLE]);
     let deep = (h * 0.16).min(r * 0.45);
     let (base, waist) = (r * b.vary(0.55, 0.75), r * b.vary(0.18, 0.35));
@@ -271,9 +275,9 @@ pub(super) fn bird_bath(b: &mut Build<'_>) {
     b.lathe("foot", [0.0; 3], &column, mat);
     let full = b.vary(0.45, 0.8);
     basin(b, [0.0, 0.0, low], (r, deep), full, mat);
-    if b.rng.chance(0.3) {
+    if guest > 0.0 {
         let (px, py) = polar(b.vary(0.0, TAU), r - 0.025);
-        bird(b, [px, py, h], (0.03_f32).min(r * 0.2));
+        bird(b, [px, py, h], guest);
     }
 }
 
@@ -594,7 +598,7 @@ pub(super) fn statue(b: &mut Build<'_>) {
                     (r * 0.85, tall * 0.4),
                     (r * 0.8, tall * 0.5),
                     (r * 0.28, tall * 0.6),
-                    (r * 0.26, tall * 0.75),
+                    (r * 0.26, (tall * 0.75).max(tall - head)),
                 ],
                 mat,
             );
@@ -613,6 +617,7 @@ pub(super) fn statue(b: &mut Build<'_>) {
         }
         1 => {
             // A robed figure with one arm raised.
+            let head = (tall * 0.085).min(r * 0.4);
             b.lathe(
                 "robe",
                 [0.0, 0.0, foot - 0.002],
@@ -622,11 +627,10 @@ pub(super) fn statue(b: &mut Build<'_>) {
                     (r * 0.42, tall * 0.5),
                     (r * 0.5, tall * 0.7),
                     (r * 0.15, tall * 0.8),
-                    (r * 0.14, tall * 0.86),
+                    (r * 0.14, (tall * 0.86).max(tall - head)),
                 ],
                 mat,
             );
-            let head = (tall * 0.085).min(r * 0.4);
             b.ball("head", [0.0, 0.0, h - head], head, mat);
             let up = b.rng.chance(0.5);
             for side in [-1.0, 1.0] {
@@ -657,11 +661,12 @@ pub(super) fn statue(b: &mut Build<'_>) {
         }
         _ => {
             // A lion or dog, seated.
-            let chest = limb([-r * 0.1, 0.0, at(0.1)], [r * 0.25, 0.0, at(0.72)], r * 0.45, r * 0.34);
+            let head = (tall * 0.16).min(r * 0.5);
+            let neck = at(0.72).max(h - head * 1.7);
+            let chest = limb([-r * 0.1, 0.0, at(0.1)], [r * 0.25, 0.0, neck], r * 0.45, r * 0.34);
             b.hull("body", &chest, mat);
             let points = blob(b, [-r * 0.3, 0.0, at(0.18)], [r * 0.55, r * 0.6, tall * 0.2], 26, 0.1);
             b.hull("body", &points.into_iter().map(|p| [p[0], p[1], p[2].max(foot - 0.002)]).collect::<Vec<P>>(), mat);
-            let head = (tall * 0.16).min(r * 0.5);
             let points = blob(b, [r * 0.35, 0.0, h - head], [head * 0.9, head, head], 30, 0.08);
             b.hull("head", &points, mat);
             b.hull(
@@ -862,6 +867,65 @@ pub(super) fn scarecrow(b: &mut Build<'_>) {
     b.lathe("band", [0.0, 0.0, brim + 0.015], &[(head, 0.0), (head * 0.93, 0.03_f32.min(h * 0.02))], coat);
 }
 
+/// N, W, S and E, as high as wide, around their middle.
+const LETTERS: [&[(f32, f32)]; 4] = [
+    &[
+        (-1.0, -1.0),
+        (-0.5, -1.0),
+        (-0.5, 0.3),
+        (0.5, -1.0),
+        (1.0, -1.0),
+        (1.0, 1.0),
+        (0.5, 1.0),
+        (0.5, -0.3),
+        (-0.5, 1.0),
+        (-1.0, 1.0),
+    ],
+    &[
+        (-1.0, 1.0),
+        (-0.65, -1.0),
+        (-0.3, -1.0),
+        (0.0, -0.1),
+        (0.3, -1.0),
+        (0.65, -1.0),
+        (1.0, 1.0),
+        (0.65, 1.0),
+        (0.45, -0.3),
+        (0.15, 0.5),
+        (-0.15, 0.5),
+        (-0.45, -0.3),
+        (-0.65, 1.0),
+    ],
+    &[
+        (-0.8, -1.0),
+        (0.8, -1.0),
+        (0.8, 0.2),
+        (-0.35, 0.2),
+        (-0.35, 0.6),
+        (0.8, 0.6),
+        (0.8, 1.0),
+        (-0.8, 1.0),
+        (-0.8, -0.2),
+        (0.35, -0.2),
+        (0.35, -0.6),
+        (-0.8, -0.6),
+    ],
+    &[
+        (-0.8, -1.0),
+        (0.8, -1.0),
+        (0.8, -0.6),
+        (-0.35, -0.6),
+        (-0.35, -0.2),
+        (0.6, -0.2),
+        (0.6, 0.2),
+        (-0.35, 0.2),
+        (-0.35, 0.6),
+        (0.8, 0.6),
+        (0.8, 1.0),
+        (-0.8, 1.0),
+    ],
+];
+
 /// A weather vane: a mast, letters of the compass, a turning arrow with a figure.
 pub(super) fn weather_vane(b: &mut Build<'_>) {
     grown(b, [0.12, 0.12, 0.2]);
@@ -872,19 +936,14 @@ pub(super) fn weather_vane(b: &mut Build<'_>) {
     let arms = h - figure - h * 0.12;
     let thin = (h * 0.008).clamp(0.004, 0.012);
     b.lathe("foot", [0.0; 3], &[(r * 0.5, 0.0), (r * 0.45, h * 0.02), (thin * 2.0, h * 0.05)], metal);
-    b.cylinder("mast", [0.0, 0.0, h * 0.03], thin * 1.3, h * 0.97 - figure * 0.9, metal);
-    for i in 0..4 {
+    // The arrow turns on its tip.
+    b.cylinder("mast", [0.0, 0.0, h * 0.03], thin * 1.3, h * 0.97 - figure - thin * 0.8 + 0.001, metal);
+    for (i, letter) in LETTERS.iter().enumerate() {
         let (px, py) = polar(FRAC_PI_2 * i as f32, r * 0.86);
         b.rod("arm", [0.0, 0.0, arms], [px, py, arms], thin * 0.7, metal);
         let s = (r * 0.11).min(h * 0.05);
-        b.block("letter", [px - s * 0.25, py - s, arms - s], [px + s * 0.25, py + s, arms - s * 0.6], metal);
-        b.block("letter", [px - s * 0.24, py - s, arms - s * 0.7], [px + s * 0.24, py - s * 0.5, arms + s], metal);
-        b.block(
-            "letter",
-            [px - s * 0.23, py + s * 0.5, arms - s * 0.7],
-            [px + s * 0.23, py + s, arms + s * 0.97],
-            metal,
-        );
+        let outline: Vec<(f32, f32)> = letter.iter().map(|&(u, v)| (py + s * u, arms + s * v)).collect();
+        b.prism("letter", Axis::X, [px - s * 0.25, 0.0, 0.0], &outline, s * 0.5, metal);
     }
     b.ball("ball", [0.0, 0.0, arms + h * 0.04], thin * 2.5, BRASS);
     let z = h - figure;

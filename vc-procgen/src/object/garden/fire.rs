@@ -5,7 +5,7 @@ use std::f32::consts::{FRAC_PI_2, PI, TAU};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{Handle, Side, door};
-use crate::object::park::shape::{blob, grown, limb, polar, spaced, star};
+use crate::object::park::shape::{blob, grown, limb, polar, polygon, spaced, star};
 
 /// A fire of logs in a ring of stones.
 pub(super) fn campfire(b: &mut Build<'_>) {
@@ -14,7 +14,9 @@ pub(super) fn campfire(b: &mut Build<'_>) {
     let stones = b.rng.count(7, 12);
     let mat = b.one(&[ROCK, GRANITE, GRAVEL, SANDSTONE]);
     let size = (x.min(y) * 2.4 / stones as f32).min(x.min(y) * 0.28);
-    b.lathe("ash", [0.0; 3], &[(x.min(y) * 0.75, 0.0), (x.min(y) * 0.6, 0.02), (0.0, 0.03)], BLACK_GRANITE);
+    let (ax, ay) = (x - size * 0.8, y - size * 0.8);
+    let oval = |share: f32, z: f32| polygon(20, share, 0.0).into_iter().map(move |(px, py)| [px * ax, py * ay, z]);
+    b.hull("ash", &oval(1.0, 0.0).chain(oval(0.8, 0.02)).chain(oval(0.2, 0.03)).collect::<Vec<P>>(), BLACK_GRANITE);
     for i in 1..stones {
         let angle = TAU * i as f32 / stones as f32;
         let (cx, cy) = ((x - size) * angle.cos(), (y - size) * angle.sin());
@@ -90,7 +92,8 @@ pub(super) fn fire_pit(b: &mut Build<'_>) {
         let foot = r * b.vary(0.35, 0.6);
         let profile = [
             (foot, 0.0),
-            (foot * 0.9, bed * 0.8),
+            (foot * 0.9, bed * 0.4),
+            (inner * 0.74, bed * 0.8),
             (r * 0.9, h - 0.03),
             (r, h - 0.02),
             (r, h),
@@ -116,7 +119,7 @@ pub(super) fn fire_pit(b: &mut Build<'_>) {
     }
     let square = b.size.x.min(b.size.y) / 2.0;
     b.top("rim", [b.size.x / 2.0 - rim * 0.5 - (b.size.x / 2.0 - square), 0.0, h], (rim * 0.35, inner * 0.25));
-    b.inside("basin", [0.0, -inner * 0.28, bed], (inner * 0.38, inner * 0.3), deep);
+    b.inside("basin", [0.0, -inner * 0.26, bed], (inner * 0.34, inner * 0.26), deep);
 }
 
 /// Firewood: a log, a split log, or a few tied together; they lie along Y.
@@ -216,7 +219,7 @@ pub(super) fn firewood_rack(b: &mut Build<'_>) {
         "rack",
         [0.0, f32::midpoint(from, inner), low],
         (x - 0.04, ((inner - from) / 2.0 - 0.005).max(0.02)),
-        room - 0.02,
+        room - 0.06,
     );
 }
 
@@ -438,10 +441,11 @@ pub(super) fn gas_grill(b: &mut Build<'_>) {
         b.block("table", [back + 0.02, from.min(to), z - 0.03], [front - 0.01, from.max(to), z], b.style.metal);
         let cy = (side * body + to) / 2.0;
         if side > 0.0 && y - body > 0.16 {
+            let (out, hole) = (0.07_f32.min(r * 0.3), 0.05_f32.min(r * 0.22));
             b.lathe(
                 "burner",
                 [middle - r * 0.45, cy, z - 0.001],
-                &[(0.07, 0.0), (0.07, 0.012), (0.05, 0.012), (0.05, 0.0), (0.07, 0.0)],
+                &[(out, 0.0), (out, 0.012), (hole, 0.012), (hole, 0.0), (out, 0.0)],
                 IRON,
             );
             b.top("table", [middle + r * 0.35, cy, z], (r * 0.45, (y - body) / 2.0 - 0.01));
@@ -469,7 +473,7 @@ pub(super) fn smoker(b: &mut Build<'_>) {
         let r = (x - 0.06).min(h * 0.22);
         let (rim, cx) = (h * 0.72, -x + r + 0.01);
         let split = -y + 2.0 * y * 0.28;
-        barrel(b, [cx, rim], r, (split, y - 0.002), mat);
+        barrel(b, [cx, rim], r, (split, y - 0.094), mat);
         b.rod("fire_box", [cx, -y, rim - r * 0.75], [cx, split + 0.01, rim - r * 0.75], r * 0.72, mat);
         b.rod(
             "fire_box_door",
@@ -478,9 +482,11 @@ pub(super) fn smoker(b: &mut Build<'_>) {
             r * 0.35,
             mat,
         );
-        let stack = y - r * 0.5;
-        b.cylinder("chimney", [cx - r - 0.004 + 0.05, stack, rim - 0.05], 0.03, h - rim + 0.04, mat);
-        b.lathe("chimney", [cx - r + 0.046, stack, h - 0.03], &[(0.045, 0.0), (0.045, 0.005), (0.01, 0.03)], mat);
+        // The chimney stands before the barrel's end, out of the lid's way.
+        let stack = y - 0.047;
+        b.cylinder("chimney", [cx, stack, rim - r * 0.6], 0.03, h - rim + r * 0.6 - 0.01, mat);
+        b.rod("flue", [cx, y - 0.098, rim - r * 0.4], [cx, stack, rim - r * 0.4], 0.024, mat);
+        b.lathe("chimney", [cx, stack, h - 0.03], &[(0.045, 0.0), (0.045, 0.005), (0.01, 0.03)], mat);
     } else {
         let r = x.min(y) - 0.04;
         let (rim, low, t) = (h * 0.78, h * 0.14, 0.008);
@@ -545,7 +551,7 @@ pub(super) fn gas_tank(b: &mut Build<'_>) {
         arc.iter().map(|&a| polar(a, collar)).chain(arc.iter().rev().map(|&a| polar(a, collar - 0.006))).collect();
     let low = neck - h * 0.08;
     b.prism("collar", Axis::Z, [0.0, 0.0, low], &outline, h - low, mat);
-    b.cylinder("valve", [0.0, 0.0, neck - 0.01], 0.015, (h - neck) * 0.5, BRASS);
+    b.cylinder("valve", [0.0, 0.0, neck - 0.01], 0.015, (h - neck) * 0.45 + 0.011, BRASS);
     b.rod(
         "valve",
         [0.0, 0.0, neck + (h - neck) * 0.25],

@@ -56,7 +56,8 @@ pub(super) fn chair(b: &mut Build<'_>) {
                 mat,
             );
         }
-        b.block("rail", [back, y0.min(y1) + 0.004, seat - 0.06], [front - leg, y0.max(y1) - 0.004, seat - 0.02], mat);
+        let (outer, within) = (s * (y - 0.004), s * (y - leg - 0.01));
+        b.block("rail", [back, outer.min(within), seat - 0.06], [front - leg, outer.max(within), seat - 0.016], mat);
     }
     let inner = y - leg;
     match design {
@@ -139,6 +140,7 @@ pub(super) fn deck_chair(b: &mut Build<'_>) {
     let w = 0.015;
     let (rear, front) = ([-x + 0.03, h - 0.02], [x - 0.03, h * b.vary(0.36, 0.44)]);
     let (toe, heel) = ([x * 0.72, 0.018], [-x * 0.7, 0.018]);
+    let pivot = crossing([rear, toe], [heel, front]);
     let beam = |b: &mut Build<'_>, from: [f32; 2], to: [f32; 2], cy: f32| {
         let (dx, dz) = (to[0] - from[0], to[1] - from[1]);
         let long = dx.hypot(dz).max(1e-3);
@@ -154,14 +156,13 @@ pub(super) fn deck_chair(b: &mut Build<'_>) {
     for s in [-1.0, 1.0] {
         beam(b, rear, toe, s * (y - w));
         beam(b, heel, front, s * (y - 3.2 * w));
-        let low = [x * 0.15, h * 0.24];
         beam(
             b,
             [rear[0] + (toe[0] - rear[0]) * 0.35, rear[1] + (toe[1] - rear[1]) * 0.35],
             [heel[0], heel[1]],
             s * (y - 5.2 * w),
         );
-        b.rod("bolt", [low[0], s * y * 0.8, low[1]], [low[0], s * (y - 0.002), low[1]], 0.008, STEEL);
+        b.rod("bolt", [pivot[0], s * (y - 4.2 * w), pivot[1]], [pivot[0], s * (y - 0.002), pivot[1]], 0.008, STEEL);
     }
     for [rx, rz] in [rear, front, toe, heel] {
         b.rod("rail", [rx, -y + 0.004, rz], [rx, y - 0.004, rz], 0.014, wood);
@@ -181,6 +182,14 @@ pub(super) fn deck_chair(b: &mut Build<'_>) {
         let outline: Vec<(f32, f32)> = upper.into_iter().chain(lower).collect();
         b.prism("sling", Axis::Y, [0.0, cy - half, 0.0], &outline, 2.0 * half, if i % 2 == 0 { cloth } else { stripe });
     }
+}
+
+/// Where two lines of a plane cross, each through two points.
+fn crossing([a, c]: [[f32; 2]; 2], [p, q]: [[f32; 2]; 2]) -> [f32; 2] {
+    let (u, v) = ([c[0] - a[0], c[1] - a[1]], [q[0] - p[0], q[1] - p[1]]);
+    let across = u[0] * v[1] - u[1] * v[0];
+    let share = ((p[0] - a[0]) * v[1] - (p[1] - a[1]) * v[0]) / if across.abs() < 1e-6 { 1.0 } else { across };
+    [a[0] + u[0] * share, a[1] + u[1] * share]
 }
 
 /// A sun lounger: a slatted or cushioned bed whose head end is raised.
@@ -223,9 +232,9 @@ pub(super) fn lounger(b: &mut Build<'_>) {
         b.prism(
             "head",
             Axis::Y,
-            [0.0, -y + 0.045, 0.0],
+            [0.0, -y + 0.043, 0.0],
             &[(x0, z0), (x1, z1), (x1, z1 - t), (x0, z0 - t * 0.8)],
-            2.0 * y - 0.09,
+            2.0 * y - 0.086,
             frame,
         );
         if cushion > 0.0 {
@@ -328,7 +337,7 @@ pub(super) fn adirondack(b: &mut Build<'_>) {
     b.block("brace", [at - 0.035, -inner - 0.03, z - 0.03], [at + 0.004, inner + 0.03, z + 0.001], mat);
     b.top(
         "seat",
-        [f32::midpoint(knee, nose) + 0.1 * (nose - knee), 0.0, front + t],
+        [f32::midpoint(knee, nose) + 0.1 * (nose - knee), 0.0, front + t - (front - rear) * 0.14],
         ((nose - knee) * 0.26, inner * 0.75),
     );
 }
@@ -473,10 +482,11 @@ fn foot(b: &mut Build<'_>, r: f32, top: f32, metal: Mat) {
         n => {
             let count = n + 2;
             for i in 0..count {
-                let (px, py) = polar(TAU * i as f32 / count as f32 + 0.4, r - 0.012);
+                let (px, py) = polar(TAU * i as f32 / count as f32 + 0.4, r - 0.017);
+                b.cylinder("pad", [px, py, 0.0], 0.017, 0.014, BLACK_PLASTIC);
                 b.pipe(
                     "foot",
-                    &[[0.0, 0.0, top * 0.25], [px * 0.5, py * 0.5, top * 0.14], [px, py, 0.012]],
+                    &[[0.0, 0.0, top * 0.25], [px * 0.5, py * 0.5, top * 0.14], [px, py, 0.021]],
                     0.012,
                     metal,
                 );
@@ -550,8 +560,9 @@ pub(super) fn parasol(b: &mut Build<'_>) {
         let ((x0, y0), (x1, y1)) = (corners[i], corners[(i + 1) % ribs]);
         let mat = if i % 2 == 0 { cloth } else { second };
         let (a, c) = ([x0, y0, eaves], [x1, y1, eaves]);
-        let points: Vec<P> = [top, a, c].into_iter().flat_map(|p| [p, [p[0], p[1], p[2] + 0.008]]).collect();
-        b.hull("panel", &points, mat);
+        let within = |p: P| [p[0] * 0.997, p[1] * 0.997, p[2]];
+        let rim = [top, within(a), within(c)];
+        b.hull("panel", &rim.iter().flat_map(|&p| [p, [p[0], p[1], p[2] + 0.008]]).collect::<Vec<P>>(), mat);
         let drop = 0.12_f32.min(h * 0.06);
         let valance: Vec<P> = [a, c]
             .into_iter()
@@ -605,12 +616,7 @@ pub(super) fn parasol_base(b: &mut Build<'_>) {
         ),
     }
     let floor = low * 0.5;
-    b.lathe(
-        "tube",
-        [0.0; 3],
-        &[(0.03, floor * 0.8), (0.03, h), (0.025, h), (0.025, floor), (0.0, floor)],
-        b.style.metal,
-    );
+    b.lathe("tube", [0.0; 3], &[(0.03, 0.002), (0.03, h), (0.025, h), (0.025, floor), (0.0, floor)], b.style.metal);
     b.rod("screw", [0.028, 0.0, (low + h) / 2.0], [(r * 0.8).min(0.07), 0.0, (low + h) / 2.0], 0.008, BLACK_PLASTIC);
     b.inside("slot", [0.0, 0.0, floor], (0.016, 0.016), h);
 }
@@ -639,15 +645,15 @@ pub(super) fn hammock(b: &mut Build<'_>) {
     let half = y * 0.92 / strips as f32;
     for (i, cy) in spaced(strips, -y * 0.92 + half, y * 0.92 - half).enumerate() {
         let dip = 0.12 * sag * (1.0 - (cy / y).powi(2));
-        let upper: Vec<(f32, f32)> = spaced(steps, -1.0, 1.0).map(|t| (end * t, z(t) - dip)).collect();
+        let upper: Vec<(f32, f32)> = spaced(steps, -1.0, 1.0).map(|t| (end * t, z(t) - dip * (1.0 - t * t))).collect();
         let outline: Vec<(f32, f32)> =
             upper.iter().copied().chain(upper.iter().rev().map(|p| (p.0, p.1 - 0.012))).collect();
         b.prism(
             "bed",
             Axis::Y,
-            [0.0, cy - half - 0.001 * (i % 2) as f32, 0.0],
+            [0.0, cy - half, 0.0],
             &outline,
-            2.0 * half + 0.002,
+            2.0 * half - 0.0004,
             if i % 2 == 0 { cloth } else { second },
         );
     }
@@ -670,7 +676,7 @@ pub(super) fn porch_swing(b: &mut Build<'_>) {
         let cy = s * (y - 0.04);
         b.rod("foot", [-x, cy, r], [x, cy, r], r, metal);
         for fx in [-x * 0.9, x * 0.9] {
-            b.rod("post", [fx, cy, r], [fx * 0.12, cy, top], r, metal);
+            b.rod("post", [fx, cy, r], [fx * 0.03, cy, top], r, metal);
         }
     }
     b.rod("beam", [0.0, -y + 0.02, top], [0.0, y - 0.02, top], r * 1.1, metal);
@@ -697,8 +703,8 @@ pub(super) fn porch_swing(b: &mut Build<'_>) {
             let cy = s * (half - 0.012);
             b.rod("arm", [-deep - lean * 0.3, cy, seat + 0.2], [deep, cy, seat + 0.2], 0.014, metal);
             b.rod("arm", [deep, cy, seat - pad - 0.015], [deep, cy, seat + 0.205], 0.014, metal);
-            b.rod("chain", [deep * 0.9, cy, seat + 0.2], [0.0, cy, top], 0.006, STEEL);
-            b.rod("chain", [-deep - lean * 0.3, cy, seat + 0.2], [0.0, cy, top], 0.006, STEEL);
+            b.rod("chain", [deep * 0.9, cy, seat + 0.2], [0.0, cy, top - r], 0.006, STEEL);
+            b.rod("chain", [-deep - lean * 0.3, cy, seat + 0.2], [0.0, cy, top - r], 0.006, STEEL);
         }
         b.ledge("seat", [deep * 0.35, 0.0, seat], (deep * 0.5, half - 0.06), h * 0.35);
     });
@@ -717,14 +723,14 @@ pub(super) fn hanging_chair(b: &mut Build<'_>) {
     let spine = -r + tube;
     let stand: Vec<P> = (0..=6)
         .map(|i| PI * 0.5 * i as f32 / 6.0)
-        .map(|a| [spine * a.cos().powf(0.6), 0.0, h * 0.6 + (h * 0.4 - tube * 1.1) * a.sin()])
+        .map(|a| [spine * a.cos().max(0.0).powf(0.6), 0.0, h * 0.6 + (h * 0.4 - tube * 1.1) * a.sin()])
         .collect();
     b.pipe("stand", &[[spine, 0.0, 0.03], [spine, 0.0, h * 0.6]], tube, metal);
     b.pipe("stand", &stand, tube, metal);
     let (low, high) = (h * 0.2, h * 0.9);
     let (middle, half) = ((low + high) / 2.0, (high - low) / 2.0);
     let (wide, cx) = (r * 0.86, (r * 0.86 - r + 3.0 * tube).max(0.0) * 0.6);
-    b.rod("chain", [0.0, 0.0, h - tube * 2.0], [cx * 0.3, 0.0, high - 0.012], 0.008, STEEL);
+    b.rod("chain", [0.0, 0.0, h - tube * 2.0], [cx.max(spine + 2.2 * tube), 0.0, high], 0.008, STEEL);
     // Meridians around the back and the sides, open in front.
     let egg = |a: f32, t: f32| {
         let s = (PI * t).sin();

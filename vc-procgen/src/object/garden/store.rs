@@ -150,8 +150,8 @@ pub(super) fn storage_box(b: &mut Build<'_>) {
     for side in [-1.0, 1.0] {
         b.block(
             "handle",
-            [-0.08, side * y * 0.985 - 0.01, rim * 0.7],
-            [0.08, side * y * 0.985 + 0.01, rim * 0.76],
+            [-0.08, side * (y - 0.012) - 0.011, rim * 0.7],
+            [0.08, side * (y - 0.012) + 0.011, rim * 0.76],
             mat,
         );
     }
@@ -208,7 +208,8 @@ pub(super) fn carport(b: &mut Build<'_>) {
 /// A greenhouse: a frame with glass, a door, a bench for pots.
 pub(super) fn greenhouse(b: &mut Build<'_>) {
     grown(b, [0.6, 0.65, 0.9]);
-    let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+    // The door's handle stands out in front.
+    let (x, y, h) = (b.size.x / 2.0 - 0.011, b.size.y / 2.0, b.size.z);
     let frame = b.one(&[ALUMINIUM, GREEN_METAL, WHITE_METAL, ANTHRACITE, PINE]);
     let glass = b.one(&[GLASS, GLASS, CLEAR_PLASTIC]);
     let (eaves, r) = (h * b.vary(0.62, 0.75), 0.02);
@@ -260,7 +261,7 @@ pub(super) fn greenhouse(b: &mut Build<'_>) {
     }
     b.block("lintel", [x - 2.0 * r + 0.001, -y + 2.0 * r, top], [x - 0.001, y - 2.0 * r, top + 2.0 * r], frame);
     b.hinge([x, half - r, 0.0], [0.0, 0.0, 1.0], FRAC_PI_2, |b| {
-        let w = half - r - 0.006;
+        let w = half - r - 0.003;
         b.block("door", [x - r - 0.003, -w, 0.05], [x - r + 0.003, w, top - 0.01], glass);
         for cy in [-w + 0.015, w - 0.015] {
             b.block("door", [x - 1.6 * r, cy - 0.015, 0.03], [x - 0.4 * r, cy + 0.015, top - 0.006], frame);
@@ -420,9 +421,10 @@ pub(super) fn kennel(b: &mut Build<'_>) {
     house.walls(b, (-wide, wide, high), mat);
     house.roof(b, (x, y, h), roof);
     if b.rng.chance(0.6) {
+        let bow = wide - 0.004;
         let arch: Vec<(f32, f32)> = (0..=8)
             .map(|i| PI * i as f32 / 8.0)
-            .map(|a| (wide * a.cos(), low + high - wide * 0.6 * (1.0 - a.sin())))
+            .map(|a| (bow * a.cos(), low + high - wide * 0.6 * (1.0 - a.sin())))
             .collect();
         // Both spandrels in one frame around the arch.
         let mut frame: Vec<(f32, f32)> = vec![
@@ -430,10 +432,10 @@ pub(super) fn kennel(b: &mut Build<'_>) {
             (-wide - 0.03, low + high + 0.02),
             (wide + 0.03, low + high + 0.02),
             (wide + 0.03, low),
-            (wide, low),
+            (bow, low),
         ];
         frame.extend(arch);
-        frame.push((-wide, low));
+        frame.push((-bow, low));
         b.prism("frame", Axis::X, [house.x - 0.004, 0.0, 0.0], &frame, 0.018, WHITE);
     }
     b.block(
@@ -545,13 +547,9 @@ pub(super) fn gazebo(b: &mut Build<'_>) {
         b.block("post", [cx - post, cy - post, 0.0], [cx + post, cy + post, eaves + 0.01], mat);
         b.block("foot", [cx - post - 0.02, cy - post - 0.02, 0.0], [cx + post + 0.02, cy + post + 0.02, 0.03], mat);
     }
+    let beam = if open { h - 0.085 } else { eaves + 0.1_f32.min(h - eaves - 0.06) };
     for side in [-1.0, 1.0] {
-        b.block(
-            "beam",
-            [-x + 0.05, side * (y - 0.12) - 0.04, eaves],
-            [x - 0.05, side * (y - 0.12) + 0.04, eaves + 0.1_f32.min(h - eaves - 0.06)],
-            mat,
-        );
+        b.block("beam", [-x + 0.05, side * (y - 0.12) - 0.04, eaves], [x - 0.05, side * (y - 0.12) + 0.04, beam], mat);
     }
     if open {
         // A pergola: rafters across the beams.
@@ -625,16 +623,19 @@ pub(super) fn awning(b: &mut Build<'_>) {
             2.0 * half - 0.001,
             mat,
         );
-        b.block("valance", [x - 0.012, cy - half, low], [x - 0.006, cy + half - 0.001, z1 + 0.02], mat);
     }
     b.slide([1.0, 0.0, 0.0], 0.01, |b| {
-        b.block("bar", [x - 0.05, -y + 0.01, z1 - 0.01], [x - 0.011, y - 0.01, z1 + 0.025], case)
+        b.block("bar", [x - 0.05, -y + 0.01, z1 - 0.01], [x - 0.011, y - 0.01, z1 + 0.025], case);
+        for (i, cy) in spaced(stripes, -y + 0.03 + half, y - 0.03 - half).enumerate() {
+            let mat = if i % 2 == 0 { cloth } else { second };
+            b.block("valance", [x - 0.012, cy - half, low], [x - 0.006, cy + half - 0.001, z1 + 0.02], mat);
+        }
     });
     for side in [-1.0, 1.0] {
         let (root, elbow, tip) = (
             [from - 0.01, side * y * 0.85, box_z + 0.015],
             [(from + x) / 2.0, side * y * 0.45, f32::midpoint(box_z, z1)],
-            [x - 0.04, side * y * 0.85, z1],
+            [x - 0.063, side * y * 0.85, z1],
         );
         b.pipe("arm", &[root, elbow, tip], 0.015, case);
     }
@@ -654,10 +655,12 @@ pub(super) fn clothesline(b: &mut Build<'_>) {
             [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)].map(|(a, c)| (a * (x - 0.02), c * (y - 0.02))).to_vec();
         b.jointed(vc_graph::asset::JointKind::Hinge, [0.0; 3], [0.0, 0.0, 1.0], (-PI, PI), |b| {
             for &(cx, cy) in &corners {
-                b.rod("arm", [cx * 0.03, cy * 0.03, h * 0.7], [cx, cy, level], 0.012, metal);
+                // They end at the pole, around which they turn.
+                let share = 0.031 / (cx.abs() + cy.abs());
+                b.rod("arm", [cx * share, cy * share, h * 0.7], [cx, cy, level], 0.012, metal);
                 b.rod(
                     "brace",
-                    [0.0, 0.0, level],
+                    [cx * share * 0.87, cy * share * 0.87, level],
                     [cx * 0.5, cy * 0.5, h * 0.7 + (level - h * 0.7) * 0.49],
                     0.008,
                     metal,
@@ -686,8 +689,11 @@ pub(super) fn clothesline(b: &mut Build<'_>) {
             b.hook(&format!("rod_{}", i + 1), [cx, 0.0, top], top - 0.1);
         }
         b.inside("line", [-x + 0.05, 0.0, top + thin], (0.04, y * 0.5), 0.2);
-        b.jointed(vc_graph::asset::JointKind::Hinge, [x * 0.3, 0.0, top], [0.0, 1.0, 0.0], (-PI, PI), |b| {
-            b.rod("peg_bag", [x * 0.3, -y + 0.3, top - 0.012], [x * 0.3, -y + 0.5, top - 0.012], 0.01, JUTE)
+        let cx = (x - 0.05) / 3.0;
+        b.jointed(vc_graph::asset::JointKind::Hinge, [cx, 0.0, top], [0.0, 1.0, 0.0], (-0.5, 0.5), |b| {
+            let bag = [(cx - 0.008, top), (cx + 0.008, top), (cx + 0.03, top - 0.18), (cx - 0.03, top - 0.18)];
+            let bag = bag.map(|p| (p.0, p.1 - thin));
+            b.prism("peg_bag", Axis::Y, [0.0, -y + 0.12, 0.0], &bag, 0.2, JUTE);
         });
     }
 }

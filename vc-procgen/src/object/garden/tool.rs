@@ -4,7 +4,7 @@ use std::f32::consts::{FRAC_PI_2, TAU};
 
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{blob, grown, hoop, limb, polar, polygon, spaced, star, tub};
+use crate::object::park::shape::{blob, grown, limb, polar, polygon, spaced, star, tub};
 use crate::object::vehicle::wheel::{Rim, wheel};
 
 /// A long-handled tool, upright, its head below: shovel, spade, fork, hoe, rake, axe,
@@ -87,19 +87,12 @@ fn blade(b: &mut Build<'_>, (x, y): (f32, f32), head: f32, square: bool, steel: 
     let point = if square { b.vary(0.0, 0.06) } else { b.vary(0.2, 0.4) };
     let at = |u: f32, v: f32| {
         // Across from -1 to 1, up from 0 to 1.
-        let half = y * if v > 0.85 { 0.75 } else { 1.0 };
+        let half = y * (1.0 - 0.24 * v);
         let z = head * (v + point * u * u * (1.0 - v).max(0.0));
         [x * 0.9 - x * 1.5 * (1.0 - u * u) * 0.6 - x * 0.5 * v, half * u, z]
     };
     for pair in [-1.0_f32, -0.35, 0.35, 1.0].windows(2) {
-        let corners = [
-            at(pair[0], 0.0),
-            at(pair[1], 0.0),
-            at(pair[1], 0.84),
-            at(pair[0], 0.84),
-            at(pair[0], 1.0),
-            at(pair[1], 1.0),
-        ];
+        let corners = [at(pair[0], 0.0), at(pair[1], 0.0), at(pair[0], 1.0), at(pair[1], 1.0)];
         let points: Vec<P> = corners.iter().flat_map(|p| [*p, [p[0] + t, p[1], p[2]]]).collect();
         b.hull("blade", &points, steel);
     }
@@ -157,12 +150,8 @@ fn rake(b: &mut Build<'_>, (x, y, h, r): (f32, f32, f32, f32), (steel, wood): (M
             b.hull("tine", &limb([-x + r, cy * 0.05, root], [x * 0.2, cy, low], 0.003, 0.003), mat);
             b.hull("tip", &limb([x * 0.2, cy, low], [x - 0.003, cy, 0.003], 0.003, 0.002), mat);
         }
-        b.block(
-            "bridge",
-            [-x * 0.55 - 0.004, -y * 0.5, root * 0.5],
-            [-x * 0.55 + 0.004, y * 0.5, root * 0.5 + 0.02],
-            mat,
-        );
+        let cx = -x + r + (1.2 * x - r) * 0.5 * (root - 0.02) / (root - bend * 0.6);
+        b.block("bridge", [cx - 0.005, -y * 0.5, root * 0.5], [cx + 0.005, y * 0.5, root * 0.5 + 0.02], mat);
     } else {
         let tines = b.rng.count(10, 16);
         let low = (x * 0.9).min(h * 0.08);
@@ -318,13 +307,14 @@ pub(super) fn bag(b: &mut Build<'_>) {
 
 /// A bottle with a screw cap and a label.
 fn bottle(b: &mut Build<'_>, (r, h): (f32, f32), mat: Mat, label: Mat) {
+    let body = r - 0.0008;
     b.lathe(
         "bottle",
         [0.0; 3],
-        &[(r * 0.9, 0.0), (r, h * 0.03), (r, h * 0.65), (r * 0.4, h * 0.82), (r * 0.4, h * 0.88)],
+        &[(r * 0.9, 0.0), (body, h * 0.03), (body, h * 0.65), (r * 0.4, h * 0.82), (r * 0.4, h * 0.88)],
         mat,
     );
-    b.cylinder("label", [0.0, 0.0, h * 0.15], r - 0.0002 + 0.0008, h * 0.4, label);
+    b.cylinder("label", [0.0, 0.0, h * 0.15], r, h * 0.4, label);
     b.jointed(vc_graph::asset::JointKind::Hinge, [0.0; 3], [0.0, 0.0, 1.0], (0.0, TAU), |b| {
         b.cylinder("cap", [0.0, 0.0, h * 0.86], r * 0.46, h * 0.14, label)
     });
@@ -336,23 +326,16 @@ pub(super) fn seed_packet(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, GREEN_CARD, YELLOW_CARD]);
     let petal = b.one(&[PETAL_RED, PETAL_YELLOW, PETAL_PINK, PETAL_BLUE, RED_SKIN, ORANGE_SKIN]);
-    let front = x * 0.4;
     let flap = h * b.vary(0.08, 0.15);
-    b.block("packet", [-x, -y, 0.0], [front, y, h - flap * 0.3], paper);
-    b.prism(
-        "flap",
-        Axis::X,
-        [-x, 0.0, 0.0],
-        &[(-y, h - flap), (-y * 0.8, h), (y * 0.8, h), (y, h - flap)],
-        x * 0.5,
-        paper,
-    );
-    b.block("title", [front - 0.0003, -y * 0.8, h * 0.72], [front + x * 0.2, y * 0.8, h * 0.82], b.style.accent);
+    b.block("packet", [-x * 0.7, -y, 0.0], [0.0, y, h - flap * 0.3], paper);
+    let lid = [(-y, h - flap), (-y * 0.8, h), (y * 0.8, h), (y, h - flap)];
+    b.prism("flap", Axis::X, [-x, 0.0, 0.0], &lid, x * 0.8, paper);
+    b.block("title", [-x * 0.1, -y * 0.8, h * 0.72], [x * 0.4, y * 0.8, h * 0.82], b.style.accent);
     let points = b.rng.count(5, 8);
     let (size, z) = (y * b.vary(0.55, 0.75), h * b.vary(0.36, 0.46));
-    b.prism("flower", Axis::X, [front - 0.0003, 0.0, z], &star(points, size, size * 0.4), x * 0.35, petal);
-    b.prism("flower", Axis::X, [front, 0.0, z], &polygon(10, size * 0.3, 0.0), x * 0.6, PETAL_YELLOW);
-    b.block("stem", [front - 0.0003, -y * 0.04, h * 0.05], [front + x * 0.2, y * 0.04, z], LEAF);
+    b.prism("flower", Axis::X, [-x * 0.1, 0.0, z], &star(points, size, size * 0.4), x * 0.75, petal);
+    b.prism("flower", Axis::X, [0.0, 0.0, z], &polygon(10, size * 0.3, 0.0), x, PETAL_YELLOW);
+    b.block("stem", [-x * 0.1, -y * 0.04, h * 0.05], [x * 0.3, y * 0.04, z], LEAF);
 }
 
 /// A ladder, upright: two stiles, rungs between, perhaps a second part before it.
@@ -361,9 +344,9 @@ pub(super) fn ladder(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[ALUMINIUM, ALUMINIUM, PINE, OAK, ORANGE]);
     let double = x > 0.055 && b.rng.chance(0.6);
-    let deep = if double { x * 0.48 } else { x };
+    let deep = if double { x * 0.5 } else { x };
     for (i, cx) in if double { vec![-x + deep, x - deep] } else { vec![0.0] }.into_iter().enumerate() {
-        let (inset, top) = (0.026 * i as f32, h - if i == 1 { b.vary(0.0, 0.15) * h } else { 0.0 });
+        let (inset, top) = (0.024 * i as f32, h - if i == 1 { b.vary(0.0, 0.15) * h } else { 0.0 });
         let w = 0.012;
         for side in [-1.0, 1.0] {
             let cy = side * (y - w - inset);
@@ -443,11 +426,11 @@ pub(super) fn wheelbarrow(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[GREEN_METAL, GALVANISED, RED_METAL, BLUE_METAL, BLACK_PLASTIC, YELLOW_METAL]);
     let frame = b.one(&[IRON, GALVANISED, PINE, RED_METAL]);
-    let r = h * b.vary(0.26, 0.31);
+    let r = h * b.vary(0.23, 0.27);
     let axle = x - r;
     let rim = Rim::plain(b);
     wheel(b, "wheel", [axle, 0.0, r], r, r * 0.45, 1.0, rim);
-    let (low, deep) = (h * b.vary(0.46, 0.52), x * b.vary(0.5, 0.56));
+    let (low, deep) = (2.0 * r + h * b.vary(0.03, 0.05), x * b.vary(0.5, 0.56));
     let middle = x - deep - r * 0.35;
     let shrink = b.vary(0.5, 0.65);
     tub(b, "tray", [middle, 0.0, low], (deep * shrink, y * shrink), (deep, y), h - low, 0.008, mat);
@@ -462,7 +445,9 @@ pub(super) fn wheelbarrow(b: &mut Build<'_>) {
         b.rod("leg", [knee[0] - 0.1, side * y * 0.6, 0.012], [knee[0] + 0.02, side * y * 0.6, 0.012], 0.012, frame);
         b.rod("strut", [axle, near, r], [middle + deep * 0.5, side * y * shrink * 0.5, low + 0.003], 0.01, frame);
     }
-    b.rod("axle", [axle, -r * 0.4, r], [axle, r * 0.4, r], 0.012, STEEL);
+    for (from, to) in [(-0.4, -0.16), (0.15, 0.4)] {
+        b.rod("axle", [axle, from * r, r], [axle, to * r, r], 0.012, STEEL);
+    }
     b.rod(
         "brace",
         [middle - deep * 0.45, -y * 0.6, low - 0.012],
@@ -564,14 +549,15 @@ pub(super) fn garden_hose(b: &mut Build<'_>) {
     grown(b, [0.17, 0.17, 0.06]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let mat = b.one(&[GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
-    let (layers, rings) = (b.rng.count(4, 7), b.rng.count(1, 2));
+    let rings = b.rng.count(1, 2);
+    let layers = if rings == 1 { b.rng.count(4, 6) } else { b.rng.count(3, 4) };
     let tube = (h * 0.97 / (2.0 * layers as f32)).min(0.016);
     for layer in 0..layers {
         for ring in 0..rings {
             let out = r - tube * (1.0 + 2.1 * ring as f32) - b.vary(0.0, 0.5) * tube;
             let (dx, dy) = polar(b.vary(0.0, TAU), tube * 0.3);
             let out = (out - tube * 0.3).max(tube * 2.0);
-            b.lathe("hose", [dx, dy, layer as f32 * tube * 1.96], &hoop(out, tube), mat);
+            b.lathe("hose", [dx, dy, layer as f32 * tube * 1.96], &coil(out, tube), mat);
         }
     }
     let z = tube * 1.96 * layers as f32 - tube;
@@ -588,6 +574,12 @@ pub(super) fn garden_hose(b: &mut Build<'_>) {
     if z + 2.0 * tube < h {
         b.pipe("hose", &[at(3.4, out), [0.0, 0.0, h - tube * 1.2], at(5.6, out)], tube, mat);
     }
+}
+
+/// The profile of a ring of hose, with fewer corners than a hoop's.
+fn coil(radius: f32, section: f32) -> Vec<(f32, f32)> {
+    let corners = (0..=7).map(|i| polar(TAU * (i % 7) as f32 / 7.0, section));
+    corners.map(|(r, z)| ((radius + r).max(0.0), z + section)).collect()
 }
 
 /// A hose on a reel: a frame, a drum with hose, a crank, wheels on tall ones.
@@ -612,17 +604,20 @@ pub(super) fn hose_reel(b: &mut Build<'_>) {
         for cy in spaced(coils, -inner + 0.035 + step / 2.0, inner - 0.035 - step / 2.0) {
             b.rod("hose", [0.0, cy - step * 0.47, axle], [0.0, cy + step * 0.47, axle], full, hose);
         }
-        b.rod("crank", [0.0, -inner + 0.02, axle], [0.0, -y + 0.034, axle], 0.012, frame);
+        b.rod("axle", [0.0, -y + 0.034, axle], [0.0, inner + 0.018, axle], 0.012, frame);
         b.rod("crank", [0.0, -y + 0.034, axle], [r * 0.55, -y + 0.034, axle], 0.009, frame);
         b.rod("crank", [r * 0.55, -y + 0.044, axle], [r * 0.55, -y, axle], 0.012, BLACK_PLASTIC);
     });
     let tube = 0.011;
     for side in [-1.0, 1.0] {
         let cy = side * (inner + 0.002);
-        for foot in [-x + tube, x - tube] {
-            b.rod("frame", [foot, cy, tube], [0.0, cy, axle], tube, frame);
+        // The axle turns in a ring that the tubes end at.
+        let ring = [(0.022, -0.012), (0.022, 0.012), (0.0125, 0.012), (0.0125, -0.012), (0.022, -0.012)];
+        b.lathe_along("bearing", [0.0, cy, axle], [0.0, cy + 1.0, axle], &ring, frame);
+        for (fx, fz) in [(-x + tube, tube), (x - tube, tube), (-x * 0.75, h - tube)] {
+            let short = 0.02 / fx.hypot(fz - axle).max(0.04);
+            b.rod("frame", [fx, cy, fz], [fx * short, cy, axle + (fz - axle) * short], tube, frame);
         }
-        b.rod("frame", [0.0, cy, axle], [-x * 0.75, cy, h - tube], tube, frame);
     }
     b.rod("handle", [-x * 0.75, -inner, h - tube], [-x * 0.75, inner, h - tube], tube, frame);
     for foot in [-x + tube, x - tube] {
@@ -639,29 +634,19 @@ pub(super) fn sprinkler(b: &mut Build<'_>) {
         b.one(&[BLACK_PLASTIC, GREY_PLASTIC, BRASS]),
     );
     if y > 0.14 {
-        let bow = (h * 0.09).max(0.005);
+        let (bow, end) = ((h * 0.09).max(0.005), y - 0.0125);
         for side in [-1.0, 1.0] {
-            b.block(
-                "foot",
-                [-x, side * y * 0.75 - 0.012, 0.0],
-                [x, side * y * 0.75 + 0.012, 0.02_f32.min(h * 0.3)],
-                second,
-            );
-            b.block(
-                "post",
-                [-0.012, side * y * 0.75 - 0.011, 0.005],
-                [0.012, side * y * 0.75 + 0.011, h * 0.55],
-                second,
-            );
+            b.block("foot", [-x, side * end - 0.012, 0.0], [x, side * end + 0.012, 0.02_f32.min(h * 0.3)], second);
+            b.block("post", [-0.012, side * end - 0.011, 0.005], [0.012, side * end + 0.011, h * 0.55], second);
         }
-        b.block("rail", [-0.01, -y * 0.75, 0.004], [0.01, y * 0.75, 0.016_f32.min(h * 0.25)], second);
+        b.block("rail", [-0.01, -end, 0.004], [0.01, end, 0.016_f32.min(h * 0.25)], second);
         let points: Vec<P> = spaced(7, -1.0, 1.0)
-            .map(|s| [0.0, s * (y - 2.0 * bow), h * 0.5 + (h * 0.48 - 2.0 * bow) * (1.0 - s * s)])
+            .map(|s| [0.0, s * (end - 0.008 - bow), h * 0.5 + (h * 0.48 - 2.0 * bow) * (1.0 - s * s)])
             .collect();
         b.jointed(vc_graph::asset::JointKind::Hinge, [0.0, 0.0, h * 0.5], [0.0, 1.0, 0.0], (-1.0, 1.0), |b| {
             b.pipe("bow", &points, bow, mat)
         });
-        b.rod("coupling", [0.0, y * 0.7, h * 0.4], [x * 0.6, y * 0.7, h * 0.4], bow * 1.6, ORANGE_PLASTIC);
+        b.rod("coupling", [0.0, end, h * 0.3], [x * 0.6, end, h * 0.3], (bow * 1.6).min(0.0105), ORANGE_PLASTIC);
     } else {
         let r = x.min(y);
         b.lathe("base", [0.0; 3], &[(r, 0.0), (r, h * 0.08), (r * 0.35, h * 0.2), (r * 0.2, h * 0.7)], second);
@@ -691,7 +676,7 @@ pub(super) fn lawnmower(b: &mut Build<'_>) {
         wheel(b, name, [wx, side * (y - y * 0.09), r], r, y * 0.16, side, rim);
     }
     for wx in [rear, fore] {
-        b.rod("axle", [wx, -y * 0.9, r], [wx, y * 0.9, r], r * 0.15, IRON);
+        b.rod("axle", [wx, -y * 0.85 - 0.002, r], [wx, y * 0.85 + 0.002, r], r * 0.15, IRON);
     }
     let (low, top) = (r * 0.45, r * 1.9);
     let (middle, half) = ((rear + fore) / 2.0, (fore - rear) / 2.0);
@@ -753,8 +738,8 @@ pub(super) fn lawnmower(b: &mut Build<'_>) {
     b.rod("grip", [grip[0], -wide * 0.9, grip[1]], [grip[0], wide * 0.9, grip[1]], tube * 1.3, RUBBER);
     b.rod(
         "lever",
-        [grip[0] + 0.05, -wide * 0.8, grip[1] - 0.05],
-        [grip[0] + 0.05, wide * 0.8, grip[1] - 0.05],
+        [grip[0] + 0.05, -wide * 0.97, grip[1] - 0.026],
+        [grip[0] + 0.05, wide * 0.97, grip[1] - 0.026],
         0.006,
         RED_PLASTIC,
     );
@@ -776,11 +761,12 @@ pub(super) fn ride_on_mower(b: &mut Build<'_>) {
         ("wheel_rl", rear, big, 1.0),
         ("wheel_rr", rear, big, -1.0),
     ] {
-        let width = r * 0.8;
-        wheel(b, name, [wx, side * (y * 0.86 - width / 2.0), r], r, width.min(y * 0.4), side, rim);
+        let width = (r * 0.8).min(y * 0.4);
+        wheel(b, name, [wx, side * (y * 0.86 - width / 2.0), r], r, width, side, rim);
     }
     for (wx, r) in [(rear, big), (fore, small)] {
-        b.rod("axle", [wx, -y * 0.7, r], [wx, y * 0.7, r], 0.025, IRON);
+        let end = y * 0.86 - (r * 0.8).min(y * 0.4) * 0.875 + 0.003;
+        b.rod("axle", [wx, -end, r], [wx, end, r], 0.025, IRON);
     }
     let half = y * 0.42;
     let belt = big * 1.5;
@@ -835,17 +821,20 @@ pub(super) fn ride_on_mower(b: &mut Build<'_>) {
         BLACK_LEATHER,
     );
     b.soft("back", [rear - big * 0.55, -half * 0.7, seat], [rear - big * 0.2, half * 0.7, h], 0.05, BLACK_LEATHER);
-    b.top("seat", [rear + big * 0.35, 0.0, seat + 0.05], (big * 0.35, half * 0.55));
     let hub = [dash - 0.12, 0.0, h * 0.82];
+    let hold = ((h * 0.18 - 0.02) / 0.6).clamp(0.03, 0.15);
+    let room = (big * 0.7).min(hub[0] - hold - 0.02 - rear).max(0.04);
+    b.top("seat", [rear + room / 2.0, 0.0, seat + 0.05], (room / 2.0, half * 0.55));
     b.rod("column", [dash + 0.02, 0.0, h * 0.62], hub, 0.018, IRON);
     b.lathe_along(
         "steering_wheel",
         hub,
         [hub[0] - 0.6, hub[1], hub[2] + 0.8],
-        &[(0.15, 0.0), (0.15, 0.02), (0.12, 0.02), (0.12, 0.0), (0.15, 0.0)],
+        &[(hold, 0.0), (hold, 0.02), (hold * 0.8, 0.02), (hold * 0.8, 0.0), (hold, 0.0)],
         BLACK_PLASTIC,
     );
-    b.rod("steering_wheel", [hub[0], -0.13, hub[2]], [hub[0], 0.13, hub[2]], 0.01, BLACK_PLASTIC);
+    let across = hold * 0.87;
+    b.rod("steering_wheel", [hub[0], -across, hub[2]], [hub[0], across, hub[2]], 0.01, BLACK_PLASTIC);
     let (d0, d1) = (rear + big * 1.05, fore - small * 1.1);
     b.taper(
         "deck",
@@ -994,7 +983,7 @@ pub(super) fn leaf_blower(b: &mut Build<'_>) {
         ((h - body) * 0.28).min(x * 0.4),
         BLACK_PLASTIC,
     );
-    b.soft("motor", [at - x * 0.3, -y * 0.5, body], [at + tube, y * 0.4, body + (h - body) * 0.75], 0.02, paint);
+    b.soft("motor", [at - x * 0.3, -y * 0.5, body], [at + tube * 0.7, y * 0.4, body + (h - body) * 0.75], 0.02, paint);
     let thin = (tube * 0.4).min(0.016);
     b.pipe(
         "handle",

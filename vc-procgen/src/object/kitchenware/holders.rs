@@ -472,18 +472,22 @@ pub(super) fn trivet(b: &mut Build<'_>) {
             return;
         }
         1 => {
-            for k in [0.25, 0.6, 0.97] {
+            let (rings, bars) = (b.rng.count(2, 4), b.rng.count(3, 6));
+            for i in 0..rings {
+                let k = 0.25 + 0.72 * i as f32 / (rings - 1) as f32;
                 hoop(b, "ring", (z * 0.2, z), (r * (k - 0.1), r * k), colour);
             }
-            for i in 0..3 {
-                b.at([0.0; 3], TAU * i as f32 / 3.0, |b| {
-                    b.block("bar", [0.0, -r * 0.05, 0.0], [r * 0.99, r * 0.05, z * (0.82 + 0.05 * i as f32)], colour)
+            for i in 0..bars {
+                b.at([0.0; 3], TAU * i as f32 / bars as f32, |b| {
+                    let top = z * (0.82 + 0.15 * i as f32 / bars as f32);
+                    b.block("bar", [0.0, -r * 0.05, 0.0], [r * 0.99, r * 0.05, top], colour)
                 });
             }
         }
         _ => {
-            for i in 0..6 {
-                let at = r * (i as f32 / 2.5 - 1.0) * 0.88;
+            let bars = b.rng.count(5, 8);
+            for i in 0..bars {
+                let at = r * (2.0 * i as f32 / (bars - 1) as f32 - 1.0) * 0.88;
                 b.block("bar", [at - r * 0.08, -r, z * 0.4], [at + r * 0.08, r, z], colour);
             }
             for side in [-0.7, 0.7] {

@@ -3,6 +3,8 @@
 
 use std::f32::consts::{PI, TAU};
 
+use nalgebra::{Isometry3, Vector3};
+
 use super::cutlery::scoop;
 use super::form::{arch, dims, ear, hoop, level, loft, oval, rounded, shell, sweep, tube, turn, vessel};
 use crate::material::*;
@@ -111,7 +113,7 @@ pub(super) fn ladle(b: &mut Build<'_>) {
         hoop_at(b, [0.0, centre, 0.0], (t, rim), (r * 0.9, r), mat);
         for i in 0..9 {
             let at = r * 0.92 * (i as f32 / 4.0 - 1.0);
-            let reach = ((r * 0.96).powi(2) - at * at).max(0.0).sqrt().max(r * 0.1);
+            let reach = ((r * 0.925).powi(2) - at * at).max(0.0).sqrt().max(r * 0.1);
             b.block("wire", [at - r * 0.05, centre - reach, t * 0.5], [at + r * 0.05, centre + reach, t * 1.5], mat);
             b.block(
                 "wire",
@@ -830,14 +832,18 @@ pub(super) fn knife_sharpener(b: &mut Build<'_>) {
 pub(super) fn kitchen_timer(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[WHITE_PLASTIC, RED_PLASTIC, STEEL, YELLOW_PLASTIC, BLACK_PLASTIC]);
+    if b.rng.chance(0.4) {
+        return dial_timer(b, mat);
+    }
     if x > 0.05 {
         let r = x.min(y) / 2.0;
+        let (waist, tip) = (b.vary(0.28, 0.45), b.vary(0.6, 0.75));
         turn(
             b,
             "egg",
             [0.0; 3],
             (r, z),
-            &[(0.6, 0.0), (0.92, 0.15), (1.0, 0.35), (0.93, 0.6), (0.68, 0.85), (0.35, 0.97), (0.0, 1.0)],
+            &[(0.6, 0.0), (0.92, 0.15), (1.0, waist), (0.93, 0.6), (tip, 0.85), (0.35, 0.97), (0.0, 1.0)],
             mat,
         );
         hoop(b, "dial", (z * 0.38, z * 0.42), (r * 0.9, r * 1.0), BLACK_PLASTIC);
@@ -856,6 +862,24 @@ pub(super) fn kitchen_timer(b: &mut Build<'_>) {
             [RED_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC][i],
         );
     }
+}
+
+/// A round timer that stands: a plate with marks and a grip across its dial.
+fn dial_timer(b: &mut Build<'_>, mat: Mat) {
+    let (x, y, z) = dims(b);
+    let (r, hx) = (y.min(z) / 2.0, x / 2.0);
+    let at = |px: f32| [px, 0.0, r];
+    b.lathe_along("case", at(-hx), at(hx), &[(r * 0.95, 0.0), (r, x * 0.1), (r, x * 0.45), (r * 0.9, x * 0.6)], mat);
+    let dial = r * b.vary(0.66, 0.8);
+    b.rod("dial", at(hx * 0.1), at(hx * 0.4), dial, WHITE_PLASTIC);
+    for i in 0..12 {
+        b.posed(Isometry3::new(Vector3::new(0.0, 0.0, r), Vector3::x() * (TAU * i as f32 / 12.0)), |b| {
+            let wide = r * if i % 3 == 0 { 0.04 } else { 0.02 };
+            b.block("mark", [hx * 0.3, -wide, dial * 0.78], [hx * 0.45, wide, dial * 0.94], BLACK_PLASTIC);
+        });
+    }
+    b.rod("knob", at(hx * 0.3), at(hx * 0.6), dial * 0.55, mat);
+    b.soft("grip", [hx * 0.4, -dial * 0.12, r - dial * 0.5], [hx, dial * 0.12, r + dial * 0.5], dial * 0.1, mat);
 }
 
 /// A dial on a needle.

@@ -1,6 +1,6 @@
 //! Lamps on ceilings and walls.
 
-use super::{bulb, shade, shade_mat, stand_mat};
+use super::{bulb, shade, shade_at, shade_mat, stand_mat};
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::cooker::fitting::*;
@@ -41,7 +41,9 @@ pub(super) fn ceiling_lamp(b: &mut Build<'_>) {
                 b.bar("arm", [c * r * 0.3, s * r * 0.3, h - plate], [at[0], at[1], at[2] + h * 0.2], h * 0.03, metal);
                 let spot = r * 0.3;
                 b.lathe("spot", [at[0], at[1], h * 0.1], &cup_down(spot, h * 0.62), metal);
-                b.ball("bulb", [at[0], at[1], h * 0.1 + spot * 0.62], (spot * 0.6).min(h * 0.3), WARM_BULB);
+                let middle = h * 0.1 + spot * 0.62;
+                b.ball("bulb", [at[0], at[1], middle], (spot * 0.6).min(h * 0.3), WARM_BULB);
+                b.rod("socket", [at[0], at[1], middle], [at[0], at[1], h * 0.72], spot * 0.33, metal);
             }
             b.cylinder("finial", [0.0, 0.0, 0.0], r * 0.06, h - plate + 0.001, metal);
         }
@@ -216,7 +218,7 @@ pub(super) fn wall_lamp(b: &mut Build<'_>) {
             bulb(b, [cx, 0.0, h * 0.58], r * 0.34, false);
             b.rod("arm", [cx, 0.0, z - 0.001 * u], [cx, 0.0, h * 0.58], 0.005 * u, metal);
             b.rod("cross", [cx - r * 0.6, 0.0, h * 0.55], [cx + r * 0.6, 0.0, h * 0.55], 0.003 * u, metal);
-            let edge = if design == 0 { r * 0.98 } else { r * 0.75 };
+            let edge = shade_at(design, 0.26 / 0.7, r);
             b.rod("cross", [cx, -edge, h * 0.56], [cx, edge, h * 0.56], 0.003 * u, metal);
         }
         1 => {

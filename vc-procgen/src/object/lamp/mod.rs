@@ -59,6 +59,15 @@ fn shade(b: &mut Build<'_>, design: usize, base: P, (r, h): (f32, f32), mat: Mat
     b.lathe("shade", base, &profile, mat);
 }
 
+/// Radius to the middle of a shade's wall at a share of its height, as it is `r` wide.
+fn shade_at(design: usize, share: f32, r: f32) -> f32 {
+    let outline = SHADES[design % SHADES.len()];
+    let between = |p: &[(f32, f32)]| {
+        (p[0].1..=p[1].1).contains(&share).then(|| p[0].0 + (p[1].0 - p[0].0) * (share - p[0].1) / (p[1].1 - p[0].1))
+    };
+    outline.windows(2).find_map(between).unwrap_or(1.0) * r - (r * 0.02).min(0.002)
+}
+
 /// A bulb with its neck up or down, `r` its radius; `at` is its middle.
 fn bulb(b: &mut Build<'_>, at: P, r: f32, neck_up: bool) {
     let light = b.one(&[WARM_BULB, WARM_BULB, COOL_BULB]);

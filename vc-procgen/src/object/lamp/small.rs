@@ -63,19 +63,33 @@ pub(super) fn string_lights(b: &mut Build<'_>) {
         let rise = ((i * 5) % 7) as f32 / 7.0;
         let at = [c * (x - bead) * k, s * (y - bead) * k, bead + (h - 2.0 * bead) * rise * (1.0 - k * 0.3)];
         if let Some(from) = before {
-            b.bar("cable", from, at, r * 0.45, cable);
+            b.rod("cable", from, at, r * 0.45, cable);
         }
-        b.ball("bulb", at, bead * 0.8, lights[i % lights.len()]);
+        bead_light(b, at, bead * 0.8, lights[i % lights.len()]);
         before = Some(at);
     }
     let plug = [-x, -y * 0.2, 0.0];
     b.soft("box", plug, [-x * 0.3, y * 0.2, (h * 0.3).min(x)], r * 0.5, cable);
-    b.bar("cable", [-x * 0.5, 0.0, r], [x * 0.4, y * 0.3, r], r * 0.45, cable);
-    b.ball("bulb", [0.0, y - bead, bead], bead, lights[0]);
-    b.ball("bulb", [0.0, -y + bead, bead], bead, lights[0]);
-    b.bar("cable", [0.0, y - bead, bead], [0.0, -y + bead, bead], r * 0.45, cable);
-    b.ball("bulb", [x - bead, 0.0, h - bead], bead, lights[0]);
-    b.bar("cable", [x - bead, 0.0, h - bead], [0.0, 0.0, bead], r * 0.45, cable);
+    b.rod("cable", [-x * 0.5, 0.0, r], [x * 0.4, y * 0.3, r], r * 0.45, cable);
+    let ends = [[0.0, y - bead, bead], [0.0, -y + bead, bead], [x - bead, 0.0, h - bead]];
+    for end in ends {
+        bead_light(b, end, bead, lights[0]);
+    }
+    b.rod("cable", ends[0], ends[1], r * 0.45, cable);
+    b.rod("cable", ends[2], [0.0, 0.0, bead], r * 0.45, cable);
+}
+
+/// A light the size of a bead, cut like a gem.
+fn bead_light(b: &mut Build<'_>, at: P, r: f32, mat: Mat) {
+    let ring = |z: f32, out: f32, shift: f32| {
+        (0..6).map(move |i| {
+            let (s, c) = (std::f32::consts::TAU * (i as f32 + shift) / 6.0).sin_cos();
+            [at[0] + out * c, at[1] + out * s, at[2] + z]
+        })
+    };
+    let tips = [[at[0], at[1], at[2] - r], [at[0], at[1], at[2] + r]];
+    let points: Vec<P> = ring(-r * 0.4, r * 0.9, 0.0).chain(ring(r * 0.4, r * 0.9, 0.5)).chain(tips).collect();
+    b.hull("bulb", &points, mat);
 }
 
 /// A pear, a globe, a candle or a spiral on a screw thread, standing on its contact.

@@ -1,6 +1,6 @@
 //! Lamps on tables, desks and floors.
 
-use super::{bulb, shade, shade_mat, stand_mat};
+use super::{bulb, shade, shade_at, shade_mat, stand_mat};
 use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::cooker::fitting::*;
@@ -63,9 +63,15 @@ fn topped(b: &mut Build<'_>, design: usize, (r, tall): (f32, f32), neck: f32, h:
     shade(b, design, [0.0, 0.0, base], (r, tall), cloth);
     let lamp = (r * 0.2).min(tall * 0.16);
     bulb(b, [0.0, 0.0, base + tall * 0.42], lamp, false);
-    b.cylinder("socket", [0.0, 0.0, neck * 0.98], lamp * 0.45, base + tall * 0.3 - neck * 0.98, BLACK_PLASTIC);
+    b.cylinder(
+        "socket",
+        [0.0, 0.0, neck * 0.98],
+        lamp * 0.45,
+        base + tall * 0.42 - lamp * 1.2 - neck * 0.98,
+        BLACK_PLASTIC,
+    );
     // The shade rests on a cross of wire.
-    let spread = r * [1.0, 0.72, 0.88, 0.66][design.min(3)] * 0.97;
+    let spread = shade_at(design, 0.36, r);
     let z = base + tall * 0.36;
     let wire = r * 0.012;
     b.rod("wire", [-spread, 0.0, z], [spread, 0.0, z], wire, BRASS);
@@ -131,6 +137,7 @@ pub(super) fn desk_lamp(b: &mut Build<'_>) {
             shade(b, 3, [cx, 0.0, low], (head, h * 0.22), mat);
             bulb(b, [cx, 0.0, low + h * 0.08], head * 0.4, true);
             b.bar("neck", wrist, [cx, 0.0, low + h * 0.2], r * 1.2, mat);
+            b.cylinder("cap", [cx, 0.0, low + h * 0.2], head * 0.46, h * 0.025, mat);
             b.rod("stem", [cx, 0.0, low + h * 0.09], [cx, 0.0, low + h * 0.22], head * 0.3, mat);
         }
         1 => {

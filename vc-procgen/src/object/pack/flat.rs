@@ -157,21 +157,16 @@ pub(super) fn bag(b: &mut Build<'_>) {
         look.body,
     );
     // A print that follows the belly: a little bulged patch.
-    let (py, z0, z1) = (hy * 0.62, z * 0.3, z * 0.68);
-    let depth = |z_: f32| hx * if z_ < z * 0.5 { 1.0 } else { 1.0 - 0.75 * (z_ / z - 0.5) };
-    patch(b, (depth(z0), depth(z1)), (py, z0, z1), look.paper, 0.0);
-    let (m0, m1) = (z0 + (z1 - z0) * 0.55, z0 + (z1 - z0) * 0.85);
-    patch(b, (depth(m0), depth(m1)), (py * 0.75, m0, m1), look.ink, 0.0006);
+    let py = hy * 0.62;
+    let depth = |k: f32| hx * if k < 0.5 { 0.97 + 0.15 * (k - 0.3) } else { 1.0 - 0.75 * (k - 0.5) };
+    patch(b, &[0.3, 0.5, 0.68].map(|k| (depth(k) + 0.0006, z * k)), py, look.paper);
+    patch(b, &[0.51, 0.62].map(|k| (depth(k) + 0.0012, z * k)), py * 0.75, look.ink);
 }
 
-/// A patch on a bulging front whose depth goes from `x.0` below to `x.1` above.
-fn patch(b: &mut Build<'_>, x: (f32, f32), (half, z0, z1): (f32, f32, f32), mat: Mat, lift: f32) {
-    let outer = |k: f32| x.0 + (x.1 - x.0) * k + 0.0006 + lift;
-    let corners = |k: f32, z: f32| {
-        [[outer(k), -half, z], [outer(k), half, z], [outer(k) * 0.5, -half, z], [outer(k) * 0.5, half, z]]
-    };
-    let points: Vec<P> = corners(0.0, z0).into_iter().chain(corners(1.0, z1)).collect();
-    b.hull("print", &points, mat);
+/// A patch on a bulging front: its depth at some heights, half its width.
+fn patch(b: &mut Build<'_>, front: &[(f32, f32)], half: f32, mat: Mat) {
+    let corners = |&(x, z): &(f32, f32)| [[x, -half, z], [x, half, z], [x * 0.5, -half, z], [x * 0.5, half, z]];
+    b.hull("print", &front.iter().flat_map(corners).collect::<Vec<P>>(), mat);
 }
 
 /// Tubes that stand on their cap, flat at the other end.
@@ -193,16 +188,19 @@ pub(super) fn squeeze_tube(b: &mut Build<'_>) {
         at(z, 0.08, hy),
     ];
     loft(b, "tube", &rings, look.body);
+    let belly = cap / z + 0.03;
     for (low, high, mat) in [(0.32, 0.52, look.paper), (0.58, 0.66, look.ink)] {
         let ring = |k: f32| {
             // Between the ring below the middle and the flat end.
-            let (zk, hk) = (z * k, if k < 0.5 { 1.0 - 0.15 * (k - 0.2) / 0.3 } else { 0.85 - 0.7 * (k - 0.5) / 0.43 });
-            let wide = if k < 0.5 {
-                r + (hy - r) * 0.5 * (k - 0.2) / 0.3
+            let middle = f32::midpoint(r, hy);
+            let (hk, wide) = if k < 0.5 {
+                let share = (k - belly) / (0.5 - belly);
+                (1.0 - 0.15 * share, r + (middle - r) * share)
             } else {
-                f32::midpoint(r, hy) + (hy - r) * 0.5 * (k - 0.5) / 0.43
+                let share = (k - 0.5) / 0.43;
+                (0.85 - 0.7 * share, middle + (hy * 0.97 - middle) * share)
             };
-            level(zk, (hx * hk + g, wide.min(hy) + g), 1.0)
+            level(z * k, (hx * hk + g, wide.min(hy) + g), 1.0)
         };
         loft(b, "print", &[ring(low), ring(0.5_f32.max(low).min(high)), ring(high)], mat);
     }

@@ -6,19 +6,24 @@ use super::super::build::{Axis, Build};
 use super::super::kitchenware::form::hoop;
 use crate::material::Mat;
 
-/// How far a label stands out, metres.
+/// How far a panel stands out, metres.
 const RAISED: f32 = 0.0007;
 
+/// How far a band around a body stands out, and a print on it: more than what the
+/// corners of something round stand out over its sides.
+const BAND: f32 = 0.001;
+const PRINT: f32 = 0.0012;
+
 /// What a label adds to a radius at most, metres.
-pub(super) const GROWTH: f32 = 0.0017;
+pub(super) const GROWTH: f32 = BAND + PRINT;
 
 /// A band around a round body of radius `r` with bars on its front; it stands out by
-/// less than 1.7 mm.
+/// less than 2.3 mm.
 pub(in crate::object) fn wrap(b: &mut Build<'_>, r: f32, (low, high): (f32, f32), (paper, ink): (Mat, Mat)) {
     let tall = high - low;
-    let band = r + RAISED.min(r * 0.05);
+    let band = r + BAND.min(r * 0.05);
     hoop(b, "label", (low, high), (r * 0.97, band), paper);
-    let out = band + 0.0009_f32.min(r * 0.05);
+    let out = band + PRINT.min(r * 0.05);
     for (from, to, turn) in [(0.62, 0.84, 0.15), (0.42, 0.5, 0.11), (0.12, 0.3, 0.08)] {
         patch(b, (band * 0.97, out), turn * TAU, (low + tall * from, low + tall * to), ink);
     }

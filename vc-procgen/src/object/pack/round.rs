@@ -171,13 +171,14 @@ pub(super) fn jar(b: &mut Build<'_>) {
     let flat = b.class == "face_cream";
     let share = if flat { 0.55 } else { b.vary(0.8, 0.88) };
     let (h, rim) = (z * share, if flat { 1.0 } else { b.vary(0.82, 0.95) });
+    let neck = rim * 0.92;
     let shape: [(f32, f32); 5] = if small || flat {
-        [(0.92, 0.0), (0.97, 0.03), (0.97, 0.9), (rim * 0.97, 0.97), (rim * 0.97, 1.0)]
+        [(0.92, 0.0), (0.97, 0.03), (0.97, 0.9), (rim * 0.88, 0.96), (rim * 0.88, 1.0)]
     } else {
         b.one(&[
-            [(0.88, 0.0), (1.0, 0.08), (1.0, 0.75), (rim, 0.93), (rim, 1.0)],
-            [(0.82, 0.0), (1.0, 0.3), (0.98, 0.6), (rim, 0.92), (rim, 1.0)],
-            [(0.95, 0.0), (1.0, 0.03), (1.0, 0.85), (rim, 0.95), (rim, 1.0)],
+            [(0.88, 0.0), (1.0, 0.08), (1.0, 0.75), (neck, 0.93), (neck, 1.0)],
+            [(0.82, 0.0), (1.0, 0.3), (0.98, 0.6), (neck, 0.92), (neck, 1.0)],
+            [(0.95, 0.0), (1.0, 0.03), (1.0, 0.85), (neck, 0.95), (neck, 1.0)],
         ])
     };
     turn(b, "jar", [0.0; 3], (r, h), &shape, look.body);
@@ -206,7 +207,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
     let r = x.min(y) / 2.0;
-    let foot = b.vary(0.72, 0.85);
+    let foot = b.vary(0.72, 0.8);
     let rim = (z * 0.04).min(0.003) / z;
     turn(
         b,
@@ -218,7 +219,8 @@ pub(super) fn cup(b: &mut Build<'_>) {
     );
     b.cylinder("lid", [0.0, 0.0, z * (1.0 - rim)], r * 0.99, z * rim, look.cap);
     // The band follows the slanted wall.
-    let wall = |k: f32| r * (foot + (0.95 - foot) * k) + 0.0006_f32.min(r * 0.05);
+    let raised = 0.0014_f32.min(r * 0.042);
+    let wall = |k: f32| r * (foot + (0.95 - foot) * k) + raised;
     let band = |low: f32, high: f32| {
         [
             (wall(low), z * low),
@@ -229,7 +231,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
         ]
     };
     b.lathe("label", [0.0; 3], &band(0.12, 0.82), look.paper);
-    let grow = |p: [(f32, f32); 5]| p.map(|(a, h)| (a + 0.0006_f32.min(r * 0.05), h));
+    let grow = |p: [(f32, f32); 5]| p.map(|(a, h)| (a + raised, h));
     b.lathe("print", [0.0; 3], &grow(band(0.6, 0.74)), look.ink);
     b.lathe("print", [0.0; 3], &grow(band(0.2, 0.34)), look.ink);
 }

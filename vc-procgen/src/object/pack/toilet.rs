@@ -112,20 +112,44 @@ pub(super) fn razor(b: &mut Build<'_>) {
     let mat = b.one(&[STEEL, BLUE_PLASTIC, PINK_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC]);
     let r = (hy * 0.3).min(hx * 0.55);
     let back = -hx + r;
+    if b.rng.chance(0.4) {
+        return safety_razor(b, mat);
+    }
+    let (grip, waist) = (b.vary(0.22, 0.4), b.vary(0.55, 0.8));
     let path = [
         ([back, 0.0, 0.0], r * 0.7, r * 0.7),
         ([back, 0.0, z * 0.05], r, r),
-        ([back, 0.0, z * 0.3], r, r * 0.9),
-        ([back, 0.0, z * 0.6], r * 0.75, r * 0.7),
+        ([back, 0.0, z * grip], r, r * 0.9),
+        ([back, 0.0, z * 0.6], r * waist, r * 0.7),
         ([back + hx * 0.2, 0.0, z * 0.85], r * 0.5, r * 0.5),
         ([hx * 0.2, 0.0, z * 0.95], r * 0.5, r * 0.5),
     ];
     sweep(b, "handle", &path, [0.0, 1.0, 0.0], mat);
     b.soft("head", [-hx * 0.2, -hy, z * 0.9], [hx * 0.9, hy, z], z * 0.02, BLACK_PLASTIC);
-    for i in 0..3 {
-        let low = z * (0.918 + 0.025 * i as f32);
+    let blades = b.rng.count(2, 5);
+    for i in 0..blades {
+        let low = z * (0.918 + 0.07 / blades as f32 * i as f32);
         b.block("blade", [hx * 0.7, -hy * 0.9, low], [hx, hy * 0.9, low + z * 0.008], STEEL);
     }
+}
+
+/// A razor for one blade between two plates, on a straight handle with rings.
+fn safety_razor(b: &mut Build<'_>, mat: Mat) {
+    let (x, y, z) = dims(b);
+    let (hx, hy) = (x / 2.0, y / 2.0);
+    let r = (hy * 0.24).min(hx * 0.5);
+    let neck = z * b.vary(0.78, 0.86);
+    let handle = [(0.8, 0.0), (1.0, 0.03), (1.0, 0.6), (0.55, 0.75), (0.6, 1.0)];
+    turn(b, "handle", [0.0; 3], (r, neck), &handle, mat);
+    let rings = b.rng.count(3, 6);
+    for i in 0..rings {
+        let low = neck * (0.1 + 0.45 * i as f32 / rings as f32);
+        hoop(b, "ring", (low, low + z * 0.02), (r * 0.9, r * 1.15), CHROME);
+    }
+    turn(b, "neck", [0.0, 0.0, neck * 0.98], (r * 0.5, z * 0.95 - neck * 0.98), &[(1.0, 0.0), (1.0, 1.0)], CHROME);
+    b.soft("plate", [-hx, -hy * 0.96, z * 0.93], [hx, hy * 0.96, z * 0.955], z * 0.008, CHROME);
+    b.block("blade", [-hx * 0.97, -hy, z * 0.954], [hx * 0.97, hy, z * 0.962], STEEL);
+    b.soft("plate", [-hx * 0.9, -hy * 0.96, z * 0.961], [hx * 0.9, hy * 0.96, z], z * 0.03, CHROME);
 }
 
 /// A shaver with round or straight foils, standing.
@@ -596,7 +620,7 @@ pub(super) fn thermometer(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let body = b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
-    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * 0.93 * kx, hy * ky), 0.6);
+    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * 0.85 * kx, hy * ky), 0.6);
     loft(
         b,
         "body",

@@ -72,7 +72,7 @@ fn clump(b: &mut Build<'_>, at: P, half: (f32, f32), top: f32, mats: (Mat, Mat))
     b.rod("stem", at, stem, (head * 0.15).max(0.002), mats.0);
     let points = blob(b, stem, [head, head, head * 0.9], 14, 0.2);
     b.hull("flower", &points, mats.1);
-    let (dx, dy) = polar(b.vary(0.0, TAU), head * 0.9);
+    let (dx, dy) = polar(b.vary(0.0, TAU), head * 0.5);
     let low = [at[0] + dx, at[1] + dy, at[2] + tall * 0.62];
     let points = blob(b, low, [head * 0.8, head * 0.8, head * 0.6], 12, 0.2);
     b.hull("flower", &points, mats.1);
@@ -182,7 +182,7 @@ pub(super) fn sunflower(b: &mut Build<'_>) {
     let r = y.min(h * 0.18);
     let (centre, back) = (h - r, x * b.vary(-0.35, -0.1));
     b.rod("stem", [back, 0.0, 0.0], [back * 0.5, 0.0, centre * 0.6], 0.012, LEAF);
-    b.rod("stem", [back * 0.5, 0.0, centre * 0.6], [x * 0.45, 0.0, centre], 0.01, LEAF);
+    b.rod("stem", [back * 0.5, 0.0, centre * 0.6], [x * 0.55, 0.0, centre], 0.01, LEAF);
     let petals = b.rng.count(13, 19);
     let core = r * b.vary(0.42, 0.55);
     for (layer, share) in [(0.0, 1.0), (0.5, 0.9)] {
@@ -214,8 +214,8 @@ pub(super) fn sunflower(b: &mut Build<'_>) {
     for i in 0..leaves {
         let side = if i % 2 == 0 { 1.0 } else { -1.0 };
         let z = centre * (0.2 + 0.5 * i as f32 / leaves as f32);
-        let (reach, w) = (y * 0.85, y * 0.3);
-        let (rise, cx) = (y * b.vary(0.1, 0.4), back * 0.8);
+        let (reach, w) = (y * 0.85, (y * 0.3).min(x * 0.65));
+        let (rise, cx) = (y * b.vary(0.1, 0.4), back * (1.0 - 0.5 * z / (centre * 0.6)));
         let quad = [
             [cx, 0.0, z],
             [cx - w, side * reach * 0.5, z + rise],

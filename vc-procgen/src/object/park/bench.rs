@@ -44,7 +44,7 @@ pub(in crate::object) fn bench(b: &mut Build<'_>) {
     let feet = if 2.0 * y > 1.7 && frame != Frame::Wood { 3 } else { 2 };
     for cy in spaced(feet, -y * 0.86, y * 0.86) {
         foot(b, frame, cy, seat - slat, &back_at, if frame == Frame::Wood { wood } else { metal });
-        if arms && frame != Frame::Concrete {
+        if arms && cy.abs() > y * 0.5 && frame != Frame::Concrete {
             arm(b, frame, cy, seat, &back_at, if frame == Frame::Wood { wood } else { metal });
         }
     }

@@ -21,8 +21,9 @@ pub(super) fn bush(b: &mut Build<'_>) {
         let (mat, last) = (b.one(PETALS), sketch.len());
         let radius = b.size.min() * b.vary(0.03, 0.05);
         for _ in 0..b.rng.count(12, 30) {
-            let at = sketch.point(b.rng.below(last), b.rng.below(64));
-            let at = [at[0], at[1], at[2].max(b.size.z * 0.3)];
+            let mut any = || sketch.point(b.rng.below(last), b.rng.below(64));
+            let (first, second) = (any(), any());
+            let at = if first[2] > second[2] { first } else { second };
             let points = blob(b, at, [radius; 3], 10, 0.1);
             sketch.add("flower", points, mat);
         }
@@ -42,11 +43,7 @@ fn loose(b: &mut Build<'_>, sketch: &mut Sketch, leaves: Mat) {
         let points = b.rng.count(22, 36);
         let points = blob(b, [dx * x, dy * y, z], [wide * x, wide * y, tall * h], points, 0.35);
         sketch.add("leaves", points, leaves);
-    }
-    for i in 0..b.rng.count(3, 6) {
-        let (dx, dy) = polar(start + 1.3 * i as f32, 0.4);
-        let from = [dx * x * 0.2, dy * y * 0.2, 0.0];
-        sketch.add("stem", limb(from, [dx * x, dy * y, h * 0.5], 0.014, 0.008), BARK);
+        sketch.add("stem", limb([0.0; 3], [dx * x, dy * y, z], 0.014, 0.008), BARK);
     }
 }
 
@@ -76,7 +73,7 @@ pub(super) fn rose_bush(b: &mut Build<'_>) {
     for i in 0..count {
         let (dx, dy) = polar(start + 2.399_963 * i as f32, if i == 0 { 0.1 } else { b.vary(0.5, 0.85) });
         let head = [dx * x, dy * y, h * b.vary(0.65, 0.92)];
-        sketch.add("stem", limb([dx * x * 0.15, dy * y * 0.15, 0.0], head, 0.011, 0.006), LEAF);
+        sketch.add("stem", limb([0.0; 3], head, 0.011, 0.006), LEAF);
         let half = [head[0] * 0.75, head[1] * 0.75, head[2] * b.vary(0.45, 0.75)];
         let points = blob(b, half, [x * 0.3, y * 0.3, h * 0.14], 18, 0.4);
         sketch.add("leaves", points, leaves);
@@ -122,7 +119,7 @@ pub(super) fn hedge(b: &mut Build<'_>) {
 pub(super) fn rock(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[ROCK, ROCK, GRANITE, SANDSTONE, GRAVEL, BLACK_GRANITE]);
-    let main = if b.rng.chance(0.3) { b.vary(0.65, 0.8) } else { 1.0 };
+    let main = if b.rng.chance(0.3) { b.vary(0.7, 0.82) } else { 1.0 };
     let flat = (x * main * b.vary(0.25, 0.45), y * main * b.vary(0.25, 0.45));
     let (points, dent) = (b.rng.count(14, 40), b.vary(0.1, 0.4));
     let centre = [-x * (1.0 - main), -y * (1.0 - main), h * b.vary(0.3, 0.45)];
@@ -138,10 +135,13 @@ pub(super) fn rock(b: &mut Build<'_>) {
     b.hull("rock", &points, mat);
     b.top("top", [centre[0], centre[1], h], (flat.0 * 0.95, flat.1 * 0.95));
     if main < 1.0 {
-        for (sx, sy) in [(0.7, 0.6), (0.75, -0.15), (-0.1, 0.75)] {
-            let r = (x * 0.25, y * 0.25, h * b.vary(0.2, 0.4));
-            let mut points = blob(b, [sx * x, sy * y, r.2 * 0.4], [r.0, r.1, r.2 * 0.6], 20, 0.25);
+        // They lean on the large one.
+        let (r, c) = (1.5 * (1.0 - main), main - 1.0);
+        for (sx, sy) in [(1.0 - r, c), (c, 1.0 - r)] {
+            let tall = h * b.vary(0.35, 0.55);
+            let mut points = blob(b, [sx * x, sy * y, tall * 0.4], [r * x, r * y, tall * 0.6], 20, 0.25);
             points.iter_mut().for_each(|p| p[2] = p[2].max(0.0));
+            points.push([c * x + (sx - c) * x * 0.5, c * y + (sy - c) * y * 0.5, h * 0.1]);
             b.hull("rock", &points, mat);
         }
     }

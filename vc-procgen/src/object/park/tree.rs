@@ -85,7 +85,8 @@ pub(super) fn birch(b: &mut Build<'_>) {
     };
     let (trunk, mut sketch) = broadleaf(b, &habit);
     for _ in 0..b.rng.count(5, 10) {
-        let (t, side) = (b.vary(0.05, 0.85), b.vary(0.0, TAU));
+        // On one of the trunk's six sides.
+        let (t, side) = (b.vary(0.15, 0.85), 0.3 + TAU * (b.rng.below(6) as f32 + 0.5) / 6.0);
         let radius = trunk.girth * (1.0 - 0.35 * t);
         let (dx, dy) = polar(side, radius * 0.25);
         let low = mix([0.0; 3], trunk.top, t);
@@ -161,7 +162,7 @@ fn broadleaf(b: &mut Build<'_>, habit: &Habit) -> (Trunk, Sketch) {
         let wide = size * reach * crown.radius(t).max(0.45);
         blobs.push((centre, [wide, wide, upright * tall]));
     }
-    for (centre, _) in blobs.iter().step_by(2).take(9) {
+    for (centre, _) in &blobs {
         let from = mix([0.0; 3], top, (clear / top[2] * b.vary(0.7, 1.0)).clamp(0.2, 0.9));
         sketch.add("branch", limb(from, *centre, girth * 0.45, girth * 0.12), habit.bark);
     }

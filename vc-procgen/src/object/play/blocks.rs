@@ -154,7 +154,7 @@ pub(super) fn sorter(b: &mut Build<'_>) {
         }
     });
     let shapes =
-        [oval((0.0, 0.5), (0.24, 0.2), 12), oval((0.0, 0.5), (0.3, 0.26), 4), oval((0.0, 0.5), (0.3, 0.24), 6)];
+        [oval((0.0, 0.5), (0.24, 0.2), 12), oval((0.0, 0.5), (0.27, 0.26), 4), oval((0.0, 0.5), (0.27, 0.24), 6)];
     for (i, shape) in shapes.iter().enumerate() {
         let y = -0.58 + 0.58 * i as f32;
         let moved: Vec<_> = shape.iter().map(|&(a, z)| (a + y, z)).collect();
@@ -182,7 +182,7 @@ pub(super) fn marble_run(b: &mut Build<'_>) {
         let w = b.size.x * 0.2;
         b.plank("channel", from, to, (w, b.size.z * 0.015), mat);
         for x in [0.33, 0.51] {
-            let lift = |p: [f32; 3]| [x, p[1], p[2] + 0.018];
+            let lift = |p: [f32; 3]| [x, p[1], p[2] + 0.022];
             b.plank("channel_side", lift(from), lift(to), (b.size.x * 0.02, b.size.z * 0.05), mat);
         }
         b.slab("bracket", [0.0, side * 0.84 - 0.04, z - 0.03], [0.45, side * 0.84 + 0.04, z - 0.01], mat);
@@ -204,8 +204,9 @@ pub(super) fn marbles(b: &mut Build<'_>) {
     let glass = [GREEN_GLASS, BLUE_GLASS, BROWN_GLASS, GLASS, RED_GLAZE, YELLOW_GLAZE];
     for i in 0..7 {
         let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_3).sin_cos();
-        let out = if i == 6 { 0.0 } else { r * 0.5 };
-        let z = if i == 6 { (t + marble * 2.2).min(b.size.z - marble) } else { t + marble * 1.02 };
+        // The seventh lies in the hollow between the others.
+        let (out, lift) = if i == 6 { (0.0, 1.52) } else { (marble * 1.92, 1.02) };
+        let z = (t + marble * lift).min(b.size.z - marble);
         b.ball("marble", [out * c, out * s, z], marble, glass[i % glass.len()]);
     }
 }

@@ -20,9 +20,9 @@ pub(super) fn cuddly(b: &mut Build<'_>) {
     let crown = if kind == 1 { 0.70 } else { 0.96 };
     let tall = crown - 0.5;
     b.blob("body", [-0.35, 0.0, 0.3], [0.65, plump, 0.3], fur);
-    b.blob("belly", [-0.12, 0.0, 0.29], [0.46, plump * 0.7, 0.22], pale);
+    b.blob("belly", [-0.11, 0.0, 0.28], [0.475, plump * 0.68, 0.215], pale);
     for y in SIDES {
-        b.blob("arm", [0.05, y * 0.74, 0.42], [0.3, 0.26, 0.15], fur);
+        b.blob("arm", [0.0, y * 0.66, 0.42], [0.32, 0.34, 0.15], fur);
         b.blob("leg", [0.4, y * 0.5, 0.13], [0.58, 0.3, 0.13], fur);
         b.blob("sole", [0.93, y * 0.5, 0.13], [0.06, 0.2, 0.09], pale);
     }
@@ -37,9 +37,9 @@ pub(super) fn cuddly(b: &mut Build<'_>) {
     if b.rng.chance(0.4) {
         let bow = b.one(CLOTHS);
         for y in SIDES {
-            b.blob("bow", [0.28, y * 0.2, 0.53], [0.1, 0.2, 0.055], bow);
+            b.blob("bow", [0.15, y * 0.2, 0.53], [0.13, 0.2, 0.055], bow);
         }
-        b.blob("bow", [0.32, 0.0, 0.53], [0.1, 0.08, 0.04], bow);
+        b.blob("bow", [0.2, 0.0, 0.53], [0.13, 0.08, 0.04], bow);
     }
 }
 
@@ -394,7 +394,7 @@ fn mount(b: &mut Build<'_>, coat: Mat, dark: Mat) {
         leg: 0.15,
     };
     beast(b, &MOUNT, coat, dark);
-    ears(b, &MOUNT, [0.06, 0.1, 0.07], coat);
+    ears(b, &MOUNT, [0.06, 0.1, 0.06], coat);
     b.chunk("mane", &mane(&MOUNT), dark);
     tail(b, &MOUNT, dark);
     let cloth = b.one(CLOTHS);
@@ -409,11 +409,8 @@ pub(super) fn spring_rider(b: &mut Build<'_>) {
     let other = b.one(&[YELLOW, WHITE, RED, GREEN]);
     let r = (b.size.y * 0.3).min(b.size.x * 0.2);
     b.slab("plate", [-0.3, -0.6, 0.0], [0.3, 0.6, 0.02], GALVANISED);
-    for i in 0..6 {
-        b.hoop("spring", Axis::Z, [0.0, 0.0, 0.06 + 0.05 * i as f32], (r * 0.8, r * 0.14), IRON);
-    }
-    let core = b.p([0.0, 0.0, 0.015]);
-    b.cylinder("core", core, r * 0.5, b.size.z * 0.33, IRON);
+    let base = b.p([0.0, 0.0, 0.018]);
+    coil(b, "spring", base, (r * 0.8, r * 0.12), b.size.z * 0.319, IRON);
     b.slab("plate", [-0.35, -0.5, 0.335], [0.35, 0.5, 0.36], GALVANISED);
     if b.rng.chance(0.5) {
         b.within([-1.0, -0.9, 0.2], [1.0, 0.9, 1.0], |b| mount_flat(b, paint, other));

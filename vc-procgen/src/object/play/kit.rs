@@ -59,7 +59,11 @@ pub(in crate::object) trait Scaled {
     /// A smooth skin over rings across an axis; a ring without width is a tip.
     fn skin(&mut self, name: &str, axis: Axis, rings: &[Ring], mat: Mat);
     /// A flat bar between two places, level across, so wide and thick in metres.
-    fn plank(&mut self, name: &str, from: P, to: P, section: (f32, f32), mat: Mat);
+    fn plank(&mut self, name: &str, from: P, to: P, section: (f32, f32), mat: Mat) {
+        self.layer(name, from, to, section, 0.0, mat);
+    }
+    /// A plank raised by so many metres, square to itself: one that lies on another.
+    fn layer(&mut self, name: &str, from: P, to: P, section: (f32, f32), lift: f32, mat: Mat);
     /// A wheel or disc: its middle, radius and width in metres, axle along an axis.
     fn disc(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: Mat);
     /// A ring of round section: radii of the ring and of its section in metres.
@@ -152,14 +156,15 @@ impl Scaled for Build<'_> {
         self.mesh(name, &vertices, triangles, mat);
     }
 
-    fn plank(&mut self, name: &str, from: P, to: P, section: (f32, f32), mat: Mat) {
+    fn layer(&mut self, name: &str, from: P, to: P, section: (f32, f32), lift: f32, mat: Mat) {
         let way = Vector3::from(self.p(to)) - Vector3::from(self.p(from));
         let across = way.cross(&Vector3::z()).try_normalize(1e-6).unwrap_or_else(Vector3::y);
         let up = across.cross(&way).try_normalize(1e-6).unwrap_or_else(Vector3::x);
         let (w, t) = (across * (section.0 / 2.0), up * (section.1 / 2.0));
         let round = w.abs() + t.abs();
         let (from, to) = (Vector3::from(self.held(from, round)), Vector3::from(self.held(to, round)));
-        let ends = [from, to].into_iter().flat_map(|e| [e + w + t, e + w - t, e - w + t, e - w - t]);
+        let ends = [from, to].map(|e| e + up * lift).into_iter();
+        let ends = ends.flat_map(|e| [e + w + t, e + w - t, e - w + t, e - w - t]);
         self.hull(name, &ends.map(|v| [v.x, v.y, v.z]).collect::<Vec<P>>(), mat);
     }
 
@@ -348,13 +353,33 @@ pub(in crate::object) fn zone(
     let across = way.cross(&Vector3::x()).try_normalize(0.1).unwrap_or_else(|| way.cross(&Vector3::y()).normalize());
     let other = way.cross(&across);
     let steps = ((angles.1 - angles.0) / 0.16).ceil().max(1.0) as usize;
-    let n = if angles.1 < 0.5 { 12 } else { 36 };
+    let n = match angles.1 {
+        most if most < 0.5 => 12,
+        most if most < 0.7 => 24,
+        _ => 36,
+    };
     let ring = |i: usize| {
         let (s, c) = (angles.0 + (angles.1 - angles.0) * i as f32 / steps as f32).sin_cos();
         (Vector3::from(centre) + way * (radius * c), across * (radius * s), other * (radius * s))
     };
     let rings: Vec<Skin> = (0..=steps).map(ring).collect();
     let (vertices, triangles) = skinned(&rings, n, -1.0);
+    b.mesh(name, &vertices, triangles, mat);
+}
+
+/// A coil spring that stands on `base`: radii of the coil and of its wire, height.
+pub(in crate::object) fn coil(b: &mut Build<'_>, name: &str, base: P, radii: (f32, f32), height: f32, mat: Mat) {
+    let (turns, steps) = (5, 14);
+    let count = turns * steps;
+    let rise = (height - 2.0 * radii.1).max(height * 0.5);
+    let ring = |i: usize| {
+        let (s, c) = (TAU * (i % steps) as f32 / steps as f32).sin_cos();
+        let out = Vector3::new(c, s, 0.0);
+        let up = Vector3::z() * ((height - rise) / 2.0 + rise * i as f32 / count as f32);
+        (Vector3::from(base) + out * radii.0 + up, out * radii.1, Vector3::z() * radii.1)
+    };
+    let rings: Vec<Skin> = (0..=count).map(ring).collect();
+    let (vertices, triangles) = skinned(&rings, 8, -1.0);
     b.mesh(name, &vertices, triangles, mat);
 }
 

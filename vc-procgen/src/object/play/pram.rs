@@ -28,26 +28,28 @@ fn hood(b: &mut Build<'_>, pivot: (f32, f32), reach: (f32, f32), y: (f32, f32), 
     let step = (turns.1 - turns.0) / ribs as f32;
     let middle = (y.0 + y.1) / 2.0;
     let half = (y.1 - y.0) / 2.0;
-    let rib = |turn: f32, share: f32| {
+    // Every rib is a little narrower than the one before it.
+    let rib = |turn: f32, share: f32, width: f32| {
         let (s, c) = turn.sin_cos();
         let out = move |y: f32, r: f32| {
-            [pivot.0 + reach.0 * c * r * share, middle + half * y * share, pivot.1 + reach.1 * s * r * share]
+            [pivot.0 + reach.0 * c * r * share, middle + half * width * y * share, pivot.1 + reach.1 * s * r * share]
         };
         [
             out(-1.0, 0.0),
-            out(-1.0, 0.62),
+            out(-0.98, 0.62),
             out(-0.82, 0.9),
             out(-0.4, 1.0),
             out(0.4, 1.0),
             out(0.82, 0.9),
-            out(1.0, 0.62),
+            out(0.98, 0.62),
             out(1.0, 0.0),
         ]
     };
     for i in 0..ribs {
         let (from, to) = (turns.0 + step * i as f32, turns.0 + step * (i + 1) as f32);
-        let outer = [rib(from, 1.0), rib(to, 1.0)];
-        let inner = [rib(from, 0.95), rib(to, 0.95)];
+        let width = 1.0 - 0.006 * i as f32;
+        let outer = [rib(from, 1.0, width), rib(to, 1.0, width)];
+        let inner = [rib(from, 0.95, width), rib(to, 0.95, width)];
         for k in 0..7 {
             let corners: Vec<_> = outer.iter().chain(&inner).flat_map(|r| [r[k], r[k + 1]]).collect();
             b.chunk("hood", &corners, mat);
@@ -122,9 +124,10 @@ fn seat(b: &mut Build<'_>, cloth: Mat, trim: Mat, frame: Mat) {
     b.plank("backrest", [-0.3, 0.0, 0.43], [-0.66, 0.0, 0.86], (w, 0.035), cloth);
     b.plank("leg_rest", [0.32, 0.0, 0.47], [0.56, 0.0, 0.28], (w * 0.9, 0.025), cloth);
     b.slab("footrest", [0.5, -0.7, 0.25], [0.74, 0.7, 0.275], BLACK_PLASTIC);
-    b.plank("liner", [-0.27, 0.0, 0.47], [-0.56, 0.0, 0.82], (w * 0.6, 0.03), trim);
+    b.layer("liner", [-0.33, 0.0, 0.466], [-0.62, 0.0, 0.812], (w * 0.6, 0.03), 0.028, trim);
     for y in SIDES {
-        b.plank("strap", [-0.2, y * 0.25, 0.49], [-0.48, y * 0.25, 0.79], (0.025, 0.008), BLACK_FABRIC);
+        let (low, high) = ([-0.34, y * 0.25, 0.478], [-0.6, y * 0.25, 0.788]);
+        b.layer("strap", low, high, (0.025, 0.008), 0.045, BLACK_FABRIC);
         b.plank("side", [-0.55, y * 0.92, 0.56], [0.1, y * 0.92, 0.56], (0.014, b.size.z * 0.15), cloth);
     }
     b.tube("bumper", &[[0.0, -0.94, 0.6], [0.3, -0.9, 0.64], [0.3, 0.9, 0.64], [0.0, 0.94, 0.6]], 0.014, frame);
@@ -152,7 +155,7 @@ pub(super) fn pram(b: &mut Build<'_>) {
         let inner = y * (side - 0.12);
         b.pole("strut", [rear, inner, z], [ahead - 0.1, inner, 0.44], tube, frame);
         b.pole("strut", [ahead, inner, z], [rear + 0.1, inner, 0.44], tube, frame);
-        b.tube("handle", &[[-0.4, inner, 0.46], [-0.88, inner, 0.9], [-0.95, inner, 0.93]], tube, frame);
+        b.tube("handle", &[[-0.42, inner, 0.43], [-0.88, inner, 0.9], [-0.95, inner, 0.93]], tube, frame);
     }
     b.pole("handle", [-0.95, -side + 0.14, 0.93], [-0.95, side - 0.14, 0.93], tube * 1.5, BLACK_PLASTIC);
     for x in [rear, ahead] {

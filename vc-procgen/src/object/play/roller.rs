@@ -16,6 +16,8 @@ pub(super) fn hoverboard(b: &mut Build<'_>) {
         let inner = arc((0.0, z), (0.94, 0.94 - z), (2.99, 0.15), 9);
         let fender = [guard, inner].concat();
         b.profile("fender", (y * 0.87 - 0.12, y * 0.87 + 0.12), &fender, case);
+        let crown = z + (0.97 - z) * 0.95;
+        b.slab("fender_plate", [-0.3, y * 0.765 - 0.02, z], [0.3, y * 0.765 + 0.02, crown], case);
         let (a, c) = ((y * 0.1).min(y * 0.8), (y * 0.1).max(y * 0.8));
         let shape =
             [(-0.7, z * 0.62), (0.7, z * 0.62), (0.86, z * 0.95), (0.7, z * 1.2), (-0.7, z * 1.2), (-0.86, z * 0.95)];
@@ -146,6 +148,7 @@ pub(super) fn kick_scooter(b: &mut Build<'_>) {
             b.disc("wheel", Axis::Y, [edge, y * 0.55, z], (r, 0.026), trim);
         }
         b.pole("axle", [edge, -0.55, z], [edge, 0.55, z], 0.012, frame);
+        b.pole("bracket", [edge, 0.0, z], [edge - 0.07, 0.0, z * 1.35], 0.016, frame);
     } else {
         b.disc("wheel", Axis::Y, [edge, 0.0, z], (r, 0.026), trim);
         b.pole("axle", [edge, -0.14, z], [edge, 0.14, z], 0.007, STEEL);
@@ -195,7 +198,7 @@ pub(super) fn tricycle(b: &mut Build<'_>) {
         b.disc("wheel", Axis::Y, [back, y * 0.88, bz], (small, 0.04), RUBBER);
         b.disc("hub", Axis::Y, [back, y * 0.88, bz], (small * 0.7, 0.044), trim);
         b.plank("fork", [front, y * 0.13, fz], [front - 0.16, y * 0.13, 0.66], (0.01, 0.025), frame);
-        b.pole("crank", [front, y * 0.14, fz], [front, y * 0.42, fz], 0.009, STEEL);
+        b.pole("crank", [front, 0.0, fz], [front, y * 0.42, fz], 0.009, STEEL);
         b.slab(
             "pedal",
             [front - 0.1, y * 0.38 - 0.14, fz - 0.025],
@@ -223,7 +226,7 @@ pub(super) fn balance_bike(b: &mut Build<'_>) {
     for x in [-edge, edge] {
         b.hoop("tyre", Axis::Y, [x, 0.0, z], (r * 0.86, r * 0.14), RUBBER);
         b.disc("rim", Axis::Y, [x, 0.0, z], (r * 0.8, r * 0.1), if wooden { frame } else { WHITE_PLASTIC });
-        b.disc("hub", Axis::Y, [x, 0.0, z], (r * 0.16, r * 0.4), STEEL);
+        b.pole("hub", [x, -0.18, z], [x, 0.18, z], r * 0.16, STEEL);
     }
     let head = edge - 0.28;
     for y in SIDES {

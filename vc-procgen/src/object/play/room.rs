@@ -46,6 +46,7 @@ pub(super) fn dollhouse(b: &mut Build<'_>) {
     ];
     b.chunk("roof", &[tiles.as_slice(), &ridge].concat(), roof);
     b.slab("chimney", [-0.4, 0.3, 0.9], [-0.1, 0.42, 1.0], BRICK);
+    b.deck("roof", [0.0, -0.15, 0.96], (0.55, 0.38));
     for side in SIDES {
         let anchor = b.p([front + 0.01, side * 0.96, 0.0]);
         b.hinge(anchor, [0.0, 0.0, side], 1.8, |b| shutter(b, side, (0.04, eaves - 0.01), floors, wall));
@@ -101,7 +102,7 @@ pub(super) fn kitchen(b: &mut Build<'_>) {
         let (low, high, side) = (y - 0.44, y + 0.44, y.signum());
         let anchor = b.p([0.93, y + side * 0.44, 0.0]);
         let door = |b: &mut Build<'_>| {
-            b.slab(name, [0.855, low, 0.05], [0.93, high, top - 0.02], front);
+            b.slab(name, [0.843, low, 0.05], [0.93, high, top - 0.02], front);
             b.slab("handle", [0.925, y - side * 0.36 - 0.03, 0.3], [0.98, y - side * 0.36 + 0.03, 0.42], STEEL);
             if name == "oven" {
                 b.slab("window", [0.92, low + 0.14, 0.14], [0.94, high - 0.1, 0.36], BLACK_GLASS);
@@ -137,7 +138,7 @@ pub(super) fn tent(b: &mut Build<'_>) {
     let teepee = b.rng.chance(0.6);
     let r = 0.012;
     let tie = if teepee { 0.84 } else { 0.995 };
-    b.plan("floor", (0.0, 0.008), &rounded((-0.94, -0.94), (0.94, 0.94), (0.05, 0.05)), trim);
+    b.plan("floor", (0.0, 0.008), &rounded((-0.947, -0.947), (0.947, 0.947), (0.05, 0.05)), trim);
     b.hollow("floor", [0.0, 0.0, 0.008], (0.6, 0.6), 0.22);
     let shoulder = |x: f32, y: f32| if teepee { [x * 0.06, y * 0.06, tie] } else { [x * 0.9, y * 0.9, 0.58] };
     for (i, (x, y)) in CORNERS.into_iter().enumerate() {
@@ -149,13 +150,14 @@ pub(super) fn tent(b: &mut Build<'_>) {
         }
         let (nx, ny) = CORNERS[(i + 1) % 4];
         let next = shoulder(nx, ny);
-        let foot = |x: f32, y: f32| [x * 0.95, y * 0.95, 0.01];
+        let foot = |x: f32, y: f32| [x * 0.95, y * 0.95, 0.004];
         if i == 3 {
             // The front has a doorway between two flaps.
             for (a, side, top) in [((x, y), -1.0, head), ((nx, ny), 1.0, next)] {
-                let inner = [0.95, side * 0.4, 0.01];
+                let inner = [0.95, side * 0.4, 0.004];
                 sheet(b, &[foot(a.0, a.1), inner, [top[0], top[1] * 0.6, top[2]], top], cloth);
             }
+            curtain(b, head, trim);
         } else {
             sheet(b, &[foot(x, y), foot(nx, ny), next, head], cloth);
         }
@@ -175,6 +177,18 @@ pub(super) fn tent(b: &mut Build<'_>) {
     }
 }
 
+/// The cloth before a tent's doorway, turned aside at its left edge; `head` is an
+/// upper corner of the front.
+fn curtain(b: &mut Build<'_>, head: [f32; 3], mat: Mat) {
+    let out = 0.012 / b.size.x;
+    let (low, top) = ([0.95 + out, 0.43, 0.014], [head[0] + out, head[1].abs() * 0.64, head[2]]);
+    let high = [0, 1, 2].map(|k| low[k] + (top[k] - low[k]) * 0.88);
+    let mirrored = |[x, y, z]: [f32; 3]| [x, -y, z];
+    let (foot, end) = (b.p(low), b.p(high));
+    let axis = [0, 1, 2].map(|k| end[k] - foot[k]);
+    b.hinge(foot, axis, 2.0, |b| sheet(b, &[low, mirrored(low), mirrored(high), high], mat));
+}
+
 /// A thin cloth over three or four corners.
 fn sheet(b: &mut Build<'_>, corners: &[[f32; 3]], mat: Mat) {
     let t = (0.004 / b.size.x, 0.004 / b.size.y);
@@ -190,15 +204,11 @@ pub(super) fn mat(b: &mut Build<'_>) {
         0 => {
             let (nx, ny) = ((b.size.x / 0.32).round().max(1.0) as usize, (b.size.y / 0.32).round().max(1.0) as usize);
             let first = b.rng.below(4);
+            let (gx, gy) = (0.003 / b.size.x, 0.003 / b.size.y);
             for (i, j) in (0..nx.min(8)).flat_map(|i| (0..ny.min(8)).map(move |j| (i, j))) {
                 let (w, d) = (2.0 / ny.min(8) as f32, 2.0 / nx.min(8) as f32);
                 let (x, y) = (-1.0 + d * i as f32, -1.0 + w * j as f32);
-                b.slab(
-                    "tile",
-                    [x + 0.004, y + 0.004, 0.0],
-                    [x + d - 0.004, y + w - 0.004, 1.0],
-                    BRIGHT[(first + i + 2 * j) % 5],
-                );
+                b.slab("tile", [x + gx, y + gy, 0.0], [x + d - gx, y + w - gy, 1.0], BRIGHT[(first + i + 2 * j) % 5]);
             }
         }
         1 => {
@@ -250,8 +260,8 @@ pub(super) fn playpen(b: &mut Build<'_>) {
         b.quarters(turn, |b| {
             let (ix, iy) = (1.0 - 2.0 * r / b.size.x, 1.0 - 2.0 * r / b.size.y);
             for x in SIDES.map(|s| s * ix) {
-                for z in [0.04, 0.97] {
-                    let half = r * 0.9 / b.size.z;
+                let half = r * 0.9 / b.size.z;
+                for z in [half.max(0.04), 0.97_f32.min(1.0 - half)] {
                     let deep = r * 1.8 / b.size.x;
                     b.pad("rail", [x - deep, -iy, z - half], [x + deep, iy, z + half], r * 0.8, rail);
                 }
@@ -274,15 +284,17 @@ pub(super) fn playpen(b: &mut Build<'_>) {
 pub(super) fn walker(b: &mut Build<'_>) {
     let (frame, cloth) = (b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC]), b.one(CLOTHS));
     let r = b.size.x.min(b.size.y) / 2.0;
-    let castor = b.size.z * 0.05;
+    (b.size.x, b.size.y) = (2.0 * r, 2.0 * r);
+    let castor = (b.size.z * 0.05).min(r * 0.08);
     let ring = r * 0.07;
-    b.hoop("base", Axis::Z, [0.0, 0.0, (castor * 1.4 + ring) / b.size.z], (r * 0.92, ring), frame);
+    let level = (castor * 1.4 + ring) / b.size.z;
+    b.hoop("base", Axis::Z, [0.0, 0.0, level], (r * 0.92, ring), frame);
     for i in 0..6 {
         let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_3 + std::f32::consts::FRAC_PI_6).sin_cos();
         b.ball("castor", [r * 0.9 * c, r * 0.9 * s, castor], castor, BLACK_PLASTIC);
     }
     for (x, y) in CORNERS {
-        let foot = [x * 0.6, y * 0.6, 0.12];
+        let foot = [x * 0.64, y * 0.64, level];
         b.pole("leg", foot, [x * 0.45, y * 0.45, 0.78], 0.012, STEEL);
     }
     let plate = |inner: f32, outer: f32| vec![(inner, 0.0), (outer, 0.0), (outer, 0.03), (inner, 0.03), (inner, 0.0)];
@@ -307,18 +319,21 @@ pub(super) fn walker(b: &mut Build<'_>) {
 pub(super) fn bouncer(b: &mut Build<'_>) {
     let (cloth, trim) = (b.style.upholstery, b.style.accent);
     let r = 0.011;
-    for y in SIDES {
-        let side = y * (1.0 - 4.0 * r / b.size.y);
+    let (side, low) = (1.0 - 4.0 * r / b.size.y, 1.7 * r / b.size.z);
+    for side in [side, -side] {
         b.tube(
             "frame",
-            &[[-0.8, side, 0.03], [0.7, side, 0.03], [0.95, side * 0.9, 0.1], [0.5, side * 0.8, 0.3]],
+            &[[-0.8, side, low], [0.7, side, low], [0.95, side * 0.9, 0.1 + low], [0.5, side * 0.8, 0.3]],
             r,
             STEEL,
         );
         b.tube("frame", &[[0.5, side * 0.8, 0.3], [-0.2, side * 0.86, 0.4], [-0.93, side * 0.8, 0.94]], r, STEEL);
     }
     for x in [-0.8, 0.6] {
-        b.pole("crossbar", [x, -0.99, 0.03], [x, 0.99, 0.03], r, STEEL);
+        b.pole("crossbar", [x, -0.99, low], [x, 0.99, low], r, STEEL);
+        for y in SIDES {
+            b.disc("foot", Axis::Y, [x, y * 0.8, low], (r * 1.7, 0.03), RUBBER);
+        }
     }
     let seat = [
         (0.72, 0.36),
@@ -331,11 +346,11 @@ pub(super) fn bouncer(b: &mut Build<'_>) {
         (0.45, 0.42),
         (0.7, 0.45),
     ];
-    b.profile("seat", (-0.72, 0.72), &seat, cloth);
+    b.profile("seat", (-side * 0.82, side * 0.82), &seat, cloth);
     b.plank("cushion", [-0.9, 0.0, 0.98], [-0.5, 0.0, 0.74], (b.size.y * 0.5, 0.03), trim);
     b.plank("belt", [0.35, 0.0, 0.44], [-0.1, 0.0, 0.52], (b.size.y * 0.2, 0.02), trim);
-    let bow = arc((0.0, 0.5), (0.86, 0.4), (0.0, std::f32::consts::PI), 9);
-    let bow: Vec<_> = bow.into_iter().map(|(y, z)| [0.15 + (z - 0.5) * 0.5, y, z - 0.08]).collect();
+    let bow = arc((0.0, 0.35), (side * 0.83, 0.47), (0.0, std::f32::consts::PI), 9);
+    let bow: Vec<_> = bow.into_iter().map(|(y, z)| [0.15 + (z - 0.35) * 0.4, y, z]).collect();
     b.tube("bow", &bow, r * 0.8, WHITE_PLASTIC);
     for (i, k) in [3, 4, 5].into_iter().enumerate() {
         let at = bow[k];
@@ -352,7 +367,7 @@ pub(super) fn easel(b: &mut Build<'_>) {
         b.plank(
             "leg",
             [x * lean(0.012), y * (1.0 - t), 0.012],
-            [x * lean(0.96), y * (1.0 - t), 0.985],
+            [x * lean(0.985), y * (1.0 - t), 0.985],
             (0.03, 0.022),
             wood,
         );
@@ -363,14 +378,16 @@ pub(super) fn easel(b: &mut Build<'_>) {
         let place = |z: f32, out: f32| [x * (lean(z) + out), 0.0, z];
         b.plank("board", place(low, 0.0), place(high, 0.0), (b.size.y * (1.0 - 2.2 * t), 0.012), board);
         for z in [low, high] {
-            b.plank("frame", place(z - 0.015, 0.0), place(z + 0.015, 0.0), (b.size.y * (1.0 - 1.9 * t), 0.018), wood);
+            b.plank("frame", place(z - 0.015, 0.0), place(z + 0.015, 0.0), (b.size.y * (1.0 - 1.9 * t), 0.03), wood);
         }
         let tray = lean(low - 0.06);
         let (near, far) = (x * (tray - 0.02), x * 1.0);
         b.slab("tray", [near.min(far), t - 0.98, low - 0.07], [near.max(far), 0.98 - t, low - 0.045], wood);
         let chalk = if x > 0.0 { WHITE_PAPER } else { drawing };
+        let slope = 0.44 * b.size.x / b.size.z;
+        let out = (0.006 * (1.0 + slope * slope).sqrt() + 0.002) * 2.0 / b.size.x;
         let line = |b: &mut Build<'_>, from: (f32, f32), to: (f32, f32)| {
-            let at = |(y, z): (f32, f32)| [x * (lean(z) + 0.035), y, z];
+            let at = |(y, z): (f32, f32)| [x * (lean(z) + out), y, z];
             b.tube("line", &[at(from), at(to)], 0.004, chalk);
         };
         let (base, eaves) = (0.52, 0.68);

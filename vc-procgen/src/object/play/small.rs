@@ -53,8 +53,9 @@ pub(super) fn rattle(b: &mut Build<'_>) {
             b.rod("rim", [x * b.size.x * 0.5, 0.0, head], [x * b.size.x * 0.38, 0.0, head], r, paint);
         }
     }
-    for (i, y) in [(0, 1.0), (1, -1.0)] {
-        b.blob("ring", [0.0, y * 0.4, 0.3 + 0.08 * i as f32], [0.5, 0.3, 0.04], BRIGHT[i]);
+    let out = 0.3 + grip / b.size.y;
+    for (i, y) in [(0, out), (1, -out)] {
+        b.blob("ring", [0.0, y, 0.3 + 0.08 * i as f32], [0.5, 0.3, 0.04], BRIGHT[i]);
     }
 }
 
@@ -105,7 +106,7 @@ pub(super) fn phone(b: &mut Build<'_>) {
         b.disc("wheel", Axis::Y, [x * 0.6, y * 0.8, 0.14], (wheel.min(b.size.x * 0.18), b.size.y * 0.1), trim);
     }
     b.posed(pitched(b.p([0.4, 0.0, 0.5]), 0.62), |b| {
-        let r = b.size.y * 0.2;
+        let r = b.size.y.min(b.size.x) * 0.2;
         b.cylinder("dial", [0.0, 0.0, 0.0], r, b.size.z * 0.06, trim);
         for i in 0..8 {
             let (s, c) = (i as f32 * 0.7).sin_cos();
@@ -122,7 +123,7 @@ pub(super) fn phone(b: &mut Build<'_>) {
 /// A toy teapot with cups on a tray.
 pub(super) fn tea_set(b: &mut Build<'_>) {
     let (pot, trim) = (b.one(&[PORCELAIN, PINK_PLASTIC, BLUE_PLASTIC, BEECH, WHITE_PLASTIC]), b.one(PAINTS));
-    let r = (b.size.x * 0.24).min(b.size.y * 0.2);
+    let r = (b.size.x * 0.225).min(b.size.y * 0.2);
     let h = b.size.z;
     b.plan("tray", (0.0, 0.05), &rounded((-1.0, -1.0), (1.0, 1.0), (0.15, 0.15)), trim);
     let at = b.p([-0.3, 0.0, 0.045]);
@@ -237,12 +238,13 @@ pub(super) fn kite(b: &mut Build<'_>) {
 pub(super) fn bucket(b: &mut Build<'_>) {
     let (paint, trim) = (b.one(BRIGHT), b.one(BRIGHT));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
+    (b.size.x, b.size.y) = (2.0 * r, 2.0 * r);
     let (foot, lip, t) = (r * b.vary(0.62, 0.72), r * 0.94, 0.003_f32.min(r * 0.1));
     let wall = [(foot, 0.0), (lip, h * 0.97), (r, h * 0.97), (r, h), (lip - t, h), (foot - t, t)];
     b.lathe("bucket", [0.0; 3], &wall, paint);
     b.inside("inside", [0.0, 0.0, t], ((foot - t) * 0.68, (foot - t) * 0.68), h * 0.9);
     let bow = (0..9).map(|i| (i as f32 * std::f32::consts::PI / 8.0).sin_cos());
-    let down: Vec<_> = bow.map(|(s, c)| [0.97 * s, 0.97 * c, 0.92 - 0.42 * s]).collect();
+    let down: Vec<_> = bow.map(|(s, c)| [0.97 * s, 0.97 * c, 0.98 - 0.48 * s]).collect();
     b.tube("handle", &down, r * 0.03, trim);
     for i in 0..4 {
         let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_2 + 0.5).sin_cos();

@@ -121,7 +121,7 @@ pub(super) fn ride_on(b: &mut Build<'_>) {
     b.pad("backrest", [-0.62, -0.5, 0.42], [-0.48, 0.5, 0.95], 0.02, trim);
     b.pole("column", [0.4, 0.0, high - 0.08], [0.2, 0.0, 0.86], 0.012, BLACK_PLASTIC);
     b.posed(pitched(b.p([0.19, 0.0, 0.87]), -0.7), |b| {
-        let wheel = (b.size.y * 0.22).min(b.size.z * 0.2);
+        let wheel = (b.size.y * 0.22).min(b.size.z * 0.15);
         b.hoop("steering_wheel", Axis::Z, [0.0; 3], (wheel * 0.85, wheel * 0.1), BLACK_PLASTIC);
         b.slab("spoke", [-0.02, -0.36, -0.012], [0.02, 0.36, 0.012], BLACK_PLASTIC);
     });

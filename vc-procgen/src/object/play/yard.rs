@@ -154,10 +154,11 @@ pub(super) fn slide(b: &mut Build<'_>) {
     }
 }
 
-/// A sandpit of boards with corner seats and a lid in two halves, or a turtle.
+/// A sandpit of boards with a lid in two halves, and perhaps seats along two sides.
 pub(super) fn sandbox(b: &mut Build<'_>) {
     let wood = b.one(&[PINE, TEAK, OAK, BLUE]);
-    let (t, x) = ((0.03 / b.size.x).min(0.1), 0.96);
+    let t = (0.03 / b.size.x).min(0.1);
+    let x = (1.0 - t).min(0.96);
     for s in SIDES {
         b.slab("board", [s * x - t, -x, 0.0], [s * x + t, x, 0.86], wood);
         b.slab("board", [t - x, s * x - t, 0.001], [x - t, s * x + t, 0.855], wood);
@@ -165,27 +166,21 @@ pub(super) fn sandbox(b: &mut Build<'_>) {
     b.slab("sand", [t - x, t - x, 0.0], [x - t, x - t, 0.45], SANDSTONE);
     b.blob("heap", [0.3, 0.35, 0.45], [0.3, 0.3, 0.25], SANDSTONE);
     b.hollow("sand", [-0.35, 0.0, 0.45], (0.3, 0.7), 0.38);
-    if b.rng.chance(0.5) {
-        for y in SIDES {
-            let anchor = b.p([0.0, y, 0.9]);
-            let lid = |b: &mut Build<'_>| {
-                let inner = y * 0.005;
-                b.slab("lid", [-1.0, inner.min(y), 0.861], [1.0, inner.max(y), 0.95], wood);
-                for x in [-0.6, 0.6] {
-                    b.slab(
-                        "batten",
-                        [x - 0.06, (y * 0.08).min(y * 0.94), 0.945],
-                        [x + 0.06, (y * 0.08).max(y * 0.94), 1.0],
-                        wood,
-                    );
-                }
-            };
-            b.hinge(anchor, [y, 0.0, 0.0], PI * 0.55, lid);
+    // The lid's halves are hinged at the sides, or at seats on which they fold.
+    let (edge, fold) = if b.rng.chance(0.5) { (1.0, PI * 0.55) } else { (0.66, PI * 0.85) };
+    for y in SIDES {
+        let (inner, outer) = (y * 0.005, y * edge);
+        if edge < 1.0 {
+            b.slab("seat", [-1.0, y.min(outer), 0.855], [1.0, y.max(outer), 0.95], wood);
         }
-    } else {
-        for (x, y) in CORNERS {
-            b.plan("seat", (0.861, 1.0), &[(x, y), (x * 0.45, y), (x, y * 0.45)], wood);
-        }
+        let anchor = b.p([0.0, outer, 0.951]);
+        b.hinge(anchor, [-y, 0.0, 0.0], fold, |b| {
+            b.slab("lid", [-1.0, inner.min(outer), 0.861], [1.0, inner.max(outer), 0.95], wood);
+            for x in [-0.6, 0.6] {
+                let (near, far) = (outer * 0.08, outer * 0.9);
+                b.slab("batten", [x - 0.06, near.min(far), 0.945], [x + 0.06, near.max(far), 1.0], wood);
+            }
+        });
     }
 }
 
@@ -239,9 +234,10 @@ pub(super) fn trampoline(b: &mut Build<'_>) {
 pub(super) fn seesaw(b: &mut Build<'_>) {
     let (paint, seat) = (b.one(&[RED, GREEN, BLUE, PINE, YELLOW]), b.one(BRIGHT));
     let pivot = 0.62;
+    let near = 0.03 / b.size.y;
     for y in SIDES {
-        b.plank("trestle", [0.9, y * 0.1, 0.005], [0.12, y * 0.03, pivot], (0.04, 0.05), IRON);
-        b.plank("trestle", [-0.9, y * 0.1, 0.005], [-0.12, y * 0.03, pivot], (0.04, 0.05), IRON);
+        b.plank("trestle", [0.9, y * 0.1, 0.005], [0.12, y * near, pivot], (0.04, 0.05), IRON);
+        b.plank("trestle", [-0.9, y * 0.1, 0.005], [-0.12, y * near, pivot], (0.04, 0.05), IRON);
     }
     b.pole("axle", [-0.5, 0.0, pivot], [0.5, 0.0, pivot], 0.025, IRON);
     let tilt = (b.size.z * 0.14 / b.size.y).min(0.2);
@@ -249,6 +245,8 @@ pub(super) fn seesaw(b: &mut Build<'_>) {
     b.posed(rolled(anchor, tilt), |b| {
         let s = (1.0 + tilt * tilt).sqrt().recip() * 0.97;
         b.slab("beam", [-0.2, -s, 0.03], [0.2, s, 0.12], paint);
+        let (reach, top) = (b.size.x * 0.12, b.size.z * 0.03 + 0.006);
+        b.block("saddle", [-reach, -0.05, -0.02], [reach, 0.05, top], IRON);
         for y in SIDES {
             b.pad("seat", [-0.75, y * s * 0.88 - 0.1, 0.115], [0.75, y * s * 0.88 + 0.1, 0.17], 0.01, seat);
             let grip = y * s * 0.68;
@@ -266,11 +264,12 @@ pub(super) fn climbing_frame(b: &mut Build<'_>) {
     let half = (1.0 - 2.5 * r / b.size.x, 1.0 - 2.5 * r / b.size.y);
     if b.rng.chance(0.5) {
         let sides = 8;
-        let crown = 0.985 - r / b.size.z - 0.012;
+        let foot = 1.6 * r / b.size.z;
+        let crown = 0.985 - r / b.size.z - foot;
         let ring = |level: usize| {
             let turn = [0.0, 0.5, 1.0, 1.42][level];
             let (s, c) = f32::sin_cos(turn);
-            let z = 0.012 + s / 1.42_f32.sin() * crown;
+            let z = foot + s / 1.42_f32.sin() * crown;
             (0..sides)
                 .map(move |i| {
                     let (sy, cx) = ((i as f32 + 0.5 * (level % 2) as f32) * 2.0 * PI / sides as f32).sin_cos();
@@ -282,6 +281,9 @@ pub(super) fn climbing_frame(b: &mut Build<'_>) {
             let here = ring(level);
             for i in 0..sides {
                 b.pole("bar", here[i], here[(i + 1) % sides], r, if level % 2 == 0 { mat } else { other });
+                if level == 0 {
+                    b.pole("foot", [here[i][0], here[i][1], 0.0], here[i], r * 2.0, mat);
+                }
             }
             if level > 0 {
                 let below = ring(level - 1);
@@ -358,7 +360,7 @@ pub(super) fn carousel(b: &mut Build<'_>) {
         b.hoop("wheel", Axis::Z, [0.0, 0.0, 0.62], (r * 0.3, 0.016), rail);
         for i in 0..4 {
             let (s, c) = (i as f32 * FRAC_PI_2 + 0.4).sin_cos();
-            b.rod("spoke", [0.0, 0.0, h * 0.62], [r * 0.3 * c, r * 0.3 * s, h * 0.62], 0.012, rail);
+            b.rod("spoke", [r * 0.06 * c, r * 0.06 * s, h * 0.62], [r * 0.3 * c, r * 0.3 * s, h * 0.62], 0.012, rail);
             let place = |u: f32, v: f32, z: f32| [r * (u * c - v * s), r * (u * s + v * c), z];
             b.pipe(
                 "rail",
@@ -418,7 +420,8 @@ pub(super) fn zip_line(b: &mut Build<'_>) {
                 mat,
             );
         }
-        b.plank("crossbar", [x, -0.4, top - 0.02], [x, 0.4, top - 0.02], (r * 2.0, r * 2.0), mat);
+        let beam = top - r / b.size.z;
+        b.plank("crossbar", [x, -0.4, beam], [x, 0.4, beam], (r * 2.0, r * 2.0), mat);
     }
     b.slab("platform", [-end - 0.02, -0.8, 0.16], [-end + 0.06, 0.8, 0.19], mat);
     let at = -end + 0.14;
@@ -463,8 +466,8 @@ pub(super) fn tunnel(b: &mut Build<'_>) {
         b.hoop("hoop", Axis::X, [x, 0.0, r / b.size.z], (r - 0.007, 0.006), BLACK_FABRIC);
     }
     let half = r * 0.5;
-    b.inside("tunnel", [0.0, 0.0, r * 0.2], (b.size.x * 0.45, half), r * 1.2);
-    b.block("floor", [-b.size.x * 0.47, -half * 1.1, r * 0.1], [b.size.x * 0.47, half * 1.1, r * 0.2], a);
+    b.inside("tunnel", [0.0, 0.0, r * 0.3], (b.size.x * 0.45, half * 0.9), r * 1.1);
+    b.block("floor", [-b.size.x * 0.47, -half * 1.05, r * 0.27], [b.size.x * 0.47, half * 1.05, r * 0.3], a);
 }
 
 /// Croquet: mallets and balls on a stand, hoops and a peg.
@@ -539,14 +542,14 @@ pub(super) fn water_table(b: &mut Build<'_>) {
                 RED_PLASTIC,
             )
         });
-        for turn in [0.0, std::f32::consts::FRAC_PI_4, std::f32::consts::FRAC_PI_2, 2.3562] {
-            let (s, c) = f32::sin_cos(turn);
+        for i in 0..4 {
+            let (s, c) = (i as f32 * PI / 4.0).sin_cos();
             let (dx, dz) = (c * r * 2.0 / b.size.x, s * r / b.size.z);
             b.plank(
                 "blade",
                 [-0.7 - dx, 0.45, 0.79 - dz],
                 [-0.7 + dx, 0.45, 0.79 + dz],
-                (b.size.y * 0.08, 0.006),
+                (b.size.y * (0.08 - 0.005 * i as f32), 0.006),
                 YELLOW_PLASTIC,
             );
         }

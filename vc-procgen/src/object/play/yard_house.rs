@@ -31,7 +31,7 @@ pub(super) fn tower(b: &mut Build<'_>) {
     let wide = b.size.y > 2.6;
     let left = if wide { -1.0 + 2.4 / b.size.y } else { 0.95 };
     let (floor, eaves) = (0.46, 0.82);
-    let half = (0.045 / b.size.x, 0.045 / b.size.y);
+    let half = ((0.045 / b.size.x).min(0.05), (0.045 / b.size.y).min(0.05));
     let (x0, x1, y0, y1) = (-0.95, -0.05, -0.95, left);
     for (x, y) in [(x0, y0), (x0, y1), (x1, y0), (x1, y1)] {
         b.slab("post", [x - half.0, y - half.1, 0.0], [x + half.0, y + half.1, eaves], wood);
@@ -105,6 +105,7 @@ fn walls(b: &mut Build<'_>, at: &House, wall: Mat, trim: Mat) {
     b.slab("back", [x.0, y.0, floor], [x.0 + t.0, y.1, eaves], wall);
     b.slab("front", [x.1 - t.0, y.0, floor], [x.1, middle - door, eaves], wall);
     b.slab("front", [x.1 - t.0, middle + door, floor], [x.1, y.1, eaves], wall);
+    b.slab("threshold", [x.1 - t.0, middle - door, floor], [x.1 - 0.002, middle + door, floor + 0.031], trim);
     b.slab("lintel", [x.1 - t.0, middle - door, head], [x.1, middle + door, eaves], wall);
     let (w0, w1, sill) = (x.0 + (x.1 - x.0) * 0.3, x.0 + (x.1 - x.0) * 0.7, floor + tall * 0.42);
     for (a, c) in [(y.0, y.0 + t.1), (y.1 - t.1, y.1)] {
@@ -129,7 +130,7 @@ fn walls(b: &mut Build<'_>, at: &House, wall: Mat, trim: Mat) {
     b.hinge(anchor, [0.0, 0.0, 1.0], FRAC_PI_2 * 1.1, |b| {
         b.slab(
             "door",
-            [x.1 - t.0 * 0.8, middle - door + 0.002, floor + 0.003],
+            [x.1 - t.0 * 0.8, middle - door + 0.002, floor + 0.034],
             [x.1 + 0.002, middle + door - 0.002, head - 0.003],
             trim,
         );
@@ -142,24 +143,18 @@ fn walls(b: &mut Build<'_>, at: &House, wall: Mat, trim: Mat) {
 
 /// Two gables under a roof whose ridge runs along Y.
 fn gables(b: &mut Build<'_>, at: &House, ridge: f32, wall: Mat, roof: Mat) {
-    let t = 0.03 / b.size.y;
-    let middle = (at.x.0 + at.x.1) / 2.0;
-    for (a, c) in [(at.y.0 + 0.002, at.y.0 + t), (at.y.1 - t, at.y.1 - 0.002)] {
-        b.profile(
-            "gable",
-            (a, c),
-            &[(at.x.0 + 0.03, at.eaves), (at.x.1 - 0.03, at.eaves), (middle, ridge - 0.04)],
-            wall,
-        );
-    }
     let over = |v: f32, by: f32| (v + by).clamp(-1.0, 1.0);
-    gable_roof(
-        b,
-        (over(at.x.0, -0.1), over(at.x.1, 0.1)),
-        (over(at.y.0, -0.08), over(at.y.1, 0.08)),
-        (at.eaves + 0.002, ridge),
-        roof,
-    );
+    let (x0, x1) = (over(at.x.0, -0.1), over(at.x.1, 0.1));
+    let (low, middle) = (at.eaves + 0.002, (x0 + x1) / 2.0);
+    let t = (0.03 / b.size.y, 0.009 / b.size.z);
+    // The gables reach into the roof.
+    let top = |x: f32| low + (ridge - low) * (1.0 - (x - middle).abs() / (x1 - middle)) - t.1;
+    let (left, right) = (at.x.0 + 0.001, at.x.1 - 0.001);
+    let outline = [(left, at.eaves), (right, at.eaves), (right, top(right)), (middle, top(middle)), (left, top(left))];
+    for (a, c) in [(at.y.0 + 0.002, at.y.0 + t.0), (at.y.1 - t.0, at.y.1 - 0.002)] {
+        b.profile("gable", (a, c), &outline, wall);
+    }
+    gable_roof(b, (x0, x1), (over(at.y.0, -0.08), over(at.y.1, 0.08)), (low, ridge), roof);
 }
 
 /// A playhouse of wood or plastic, with a door that opens.
@@ -177,21 +172,22 @@ pub(super) fn playhouse(b: &mut Build<'_>) {
     walls(b, &house, wall, trim);
     gables(b, &house, 0.995, wall, roof);
     if porch {
+        let roof_at = house.eaves;
         b.slab("porch", [front, -0.92, 0.0], [0.98, 0.92, 0.03], b.style.wood);
         for y in SIDES {
-            b.slab("post", [0.9, y * 0.88 - 0.03, 0.03], [0.96, y * 0.88 + 0.03, 0.62], trim);
+            b.slab("post", [0.9, y * 0.88 - 0.03, 0.03], [0.96, y * 0.88 + 0.03, roof_at - 0.055], trim);
         }
         b.chunk(
             "porch_roof",
             &[
-                [front, -0.98, 0.64],
-                [front, 0.98, 0.64],
-                [front, -0.98, 0.67],
-                [front, 0.98, 0.67],
-                [1.0, -0.98, 0.6],
-                [1.0, 0.98, 0.6],
-                [1.0, -0.98, 0.63],
-                [1.0, 0.98, 0.63],
+                [front, -0.98, roof_at - 0.035],
+                [front, 0.98, roof_at - 0.035],
+                [front, -0.98, roof_at - 0.005],
+                [front, 0.98, roof_at - 0.005],
+                [1.0, -0.98, roof_at - 0.075],
+                [1.0, 0.98, roof_at - 0.075],
+                [1.0, -0.98, roof_at - 0.045],
+                [1.0, 0.98, roof_at - 0.045],
             ],
             roof,
         );
@@ -284,6 +280,14 @@ pub(super) fn castle(b: &mut Build<'_>) {
             b.pole("wall", [-ex, y * ey, z + 0.05], [front, y * ey, z + 0.05], tube, mat);
         }
     }
+    let (gate, flap) = (ey - (r + 0.004) * 2.0 / b.size.y, b.one(&[GREY_FABRIC, BLACK_FABRIC, WHITE_COTTON]));
+    for y in SIDES {
+        let anchor = b.p([front + 0.006, y * gate, 0.0]);
+        let (near, far) = (y * 0.004, y * gate);
+        b.hinge(anchor, [0.0, 0.0, y], 1.5, |b| {
+            b.slab("flap", [front - 0.006, near.min(far), 0.135], [front + 0.006, near.max(far), 0.5], flap);
+        });
+    }
     let arch = arc((0.0, 0.55), (ey, 0.26), (0.0, std::f32::consts::PI), 9);
     let arch: Vec<P> = arch.into_iter().map(|(y, z)| [front, y, z]).collect();
     b.tube("arch", &arch, r * 0.5, flag);
@@ -334,7 +338,7 @@ pub(super) fn mud_kitchen(b: &mut Build<'_>) {
         b.lathe("basin", [base[0], base[1], base[2] - h], &profile, bowl);
         b.inside("basin", [base[0], base[1], base[2] - h + 0.005], (r * 0.4, r * 0.4), h * 0.9);
     }
-    b.deck("worktop", [0.0, 0.0, rim], (0.8, (0.45 - hy).max(0.05)));
+    b.deck("worktop", [0.15, 0.0, rim], (0.6, (0.45 - hy).max(0.05)));
     for z in [0.62, 0.74, 0.9] {
         b.slab("back_board", [-1.0, -iy, z], [-0.96, iy, z + 0.075], wood);
     }

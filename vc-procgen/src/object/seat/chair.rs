@@ -161,7 +161,7 @@ fn back(b: &mut Build<'_>, c: &Chair) {
         2 => {
             c.slat(b, "rail", (low - tall * 0.12, low - tall * 0.05), (-y, y), c.wood);
             let wide = y * b.vary(0.25, 0.45);
-            c.slat(b, "splat", (low - tall * 0.07, top.0 + 0.004), (-wide, wide), c.wood);
+            c.slat(b, "splat", (low - tall * 0.05, top.0), (-wide, wide), c.wood);
         }
         3 => {
             c.slat(b, "rail", (low, low + tall * 0.08), (-y, y), c.wood);
@@ -219,8 +219,8 @@ fn windsor(b: &mut Build<'_>, c: &Chair) {
         };
         four.build(b, c.wood);
         let z = c.seat * 0.4;
-        four.rung(b, 0, 3, z, r * 0.5, c.wood);
-        four.rung(b, 1, 2, z, r * 0.5, c.wood);
+        four.rung(b, 0, 1, z, r * 0.5, c.wood);
+        four.rung(b, 2, 3, z, r * 0.5, c.wood);
         let (p, q) = (four.middle((1.0, 1.0), z), four.middle((-1.0, 1.0), z));
         let x = f32::midpoint(p[0], q[0]);
         b.rod("rung", [x, -p[1], z], [x, p[1], z], r * 0.5, c.wood);
@@ -255,7 +255,7 @@ fn moulded(b: &mut Build<'_>, c: &Chair) {
         row(rear + c.rake * 0.3, s, 0.98, deep * 0.7),
         row(rear - c.rake * 0.1, s + tall * 0.18, 0.94, deep),
         row(rear - c.rake * 0.45, s + tall * 0.5, 0.9, deep * 0.7),
-        row(rear - c.rake * 0.85, s + tall * 0.9, 0.76, deep * 0.35),
+        row((rear - c.rake * 0.85).max(0.01 - c.x), s + tall * 0.9, 0.76, deep * 0.35),
         row(-c.x + 0.009, c.h - 0.004, 0.55, 0.0),
     ];
     shell(b, "shell", &rows, 0.008, colour);
@@ -392,7 +392,7 @@ fn tubular(b: &mut Build<'_>, c: &Chair) {
     let rear = c.back(c.seat) - c.post;
     let steel = b.one(&[CHROME, BLACK_METAL, GREY, c.metal]);
     let ply = b.one(&[c.wood, BEECH, BIRCH, c.cloth]);
-    let under = c.seat - 0.02;
+    let under = c.seat - 0.009;
     for side in [-1.0, 1.0] {
         let y = side * (w - r);
         let (front, z) = (c.x - 0.06_f32.min(c.x * 0.3), under - r);
@@ -403,6 +403,11 @@ fn tubular(b: &mut Build<'_>, c: &Chair) {
         tube("leg", (r - c.x * 0.98, 0.0), (rear + 0.03, z));
         tube("post", (rear + 0.02, z - r), (r - c.x, c.h - (c.h - c.seat) * 0.2));
         b.rod("rail", [front, y, z], [rear + 0.02, y, z], r, steel);
+        // The back is screwed to the posts.
+        let high = c.h - (c.h - c.seat) * 0.3;
+        let share = (high - z + r) / (c.h - (c.h - c.seat) * 0.2 - z + r);
+        let x = rear + 0.02 + (r - c.x - rear - 0.02) * share;
+        b.rod("screw", [x, y, high], [c.back(high) - c.post * 0.6 + w * 0.1, y * 0.95, high], r * 0.6, steel);
     }
     let t = 0.011;
     let seat =

@@ -13,11 +13,13 @@ pub(super) fn rocking_chair(b: &mut Build<'_>) {
     let (r, lift) = (c.post * 0.42, c.h * 0.035);
     let (front, rear) = (c.x * 0.55, -c.x * 0.55 + c.rake * 0.2);
     let runner = |x: f32| lift * (x / c.x) * (x / c.x);
+    // At its ends the runner's underside is further out than its upper side.
+    let end = c.x - 4.0 * r * lift / c.x - 0.004;
     for side in [-1.0, 1.0] {
         let y = side * (c.y - r);
         let line: Vec<(f32, f32)> = (0..=8)
             .map(|i| {
-                let x = c.x * (1.0 - i as f32 / 4.0) * 0.97;
+                let x = end * (1.0 - i as f32 / 4.0);
                 (x, runner(x) + 2.0 * r)
             })
             .collect();

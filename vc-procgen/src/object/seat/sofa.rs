@@ -116,8 +116,8 @@ impl Sofa {
         let high = if self.tufted { self.h } else { self.seat + (self.h - self.seat) * 0.82 };
         b.soft(
             "back",
-            [-self.x, -self.y + 0.006, self.lift],
-            [self.back - self.x, self.y - 0.006, high],
+            [-self.x, -self.y + 0.014, self.lift + 0.01],
+            [self.back - self.x, self.y - 0.014, high],
             0.03,
             self.cloth,
         );

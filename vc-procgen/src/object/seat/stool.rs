@@ -3,7 +3,7 @@
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::joinery::Handle;
-use crate::object::storage::case::{Case, Cell};
+use crate::object::storage::case::{Case, Cell, Look};
 use crate::object::storage::chest::{Chest, chest};
 use crate::object::table::frame::{Cut, Four, STAR, at_least, baluster, disc, leg, ribbon};
 
@@ -269,9 +269,9 @@ pub(super) fn storage_bench(b: &mut Build<'_>) {
     }
     let pad = 0.05_f32.min(h * 0.15);
     let count = (y / 0.2).clamp(1.0, 4.0) as usize;
-    let cell = b.one(&[Cell::Open(1), Cell::Open(1), Cell::Drawers(1)]);
+    let cell = b.one(&[Cell::Drawers(1), Cell::Drawers(1), Cell::Doors(Look::Flat, 1)]);
     let handle = Handle::Knob;
-    let grip = if cell == Cell::Open(1) { 0.0 } else { handle.depth() };
+    let grip = handle.depth();
     let case = Case {
         low: [-x, -y, 0.0],
         high: [x - grip, y, h - pad],

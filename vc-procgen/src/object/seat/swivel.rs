@@ -35,7 +35,7 @@ impl Swivel {
             leg(b, "arm", (end, wheel * 0.5), ([dx * 0.02, dy * 0.02, hub], wheel * 1.1), Cut::Round, mat);
             castor(b, end, wheel);
         }
-        b.cylinder("hub", [0.0, 0.0, hub * 0.55], wheel * 1.5, hub * 0.6, mat);
+        b.cylinder("hub", [0.0, 0.0, hub * 0.55], wheel * 1.85, hub * 0.6, mat);
         b.cylinder("spring", [0.0, 0.0, hub], wheel * 0.6, self.seat - 0.06 - hub, CHROME);
         b.cylinder("spring", [0.0, 0.0, hub], wheel, (self.seat - hub) * 0.45, BLACK_PLASTIC);
         let z = self.seat - 0.095_f32.min(self.seat * 0.3);
@@ -67,9 +67,9 @@ impl Swivel {
         let (tall, r) = (self.h - self.seat, 0.02_f32.min(self.y * 0.1));
         let behind = -self.x + r + tall * (1.0 - upto) * self.tilt * 0.9;
         let head = [behind, 0.0, self.seat + tall * upto];
-        let knee = [behind.min(rear) - r * 0.3, 0.0, self.seat - 0.04];
-        leg(b, "spine", (knee, r * 1.1), (head, r * 0.8), Cut::Square, self.dark);
         let z = self.seat - 0.085_f32.min(self.seat * 0.28);
+        let knee = [behind.min(rear) - r * 0.3, 0.0, z + r * 0.2];
+        leg(b, "spine", (knee, r * 1.1), (head, r * 0.8), Cut::Square, self.dark);
         b.block("spine", [knee[0] - r, -r, z], [0.0, r, z + r * 1.6], self.dark);
     }
 }

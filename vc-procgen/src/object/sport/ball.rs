@@ -51,17 +51,17 @@ pub(super) fn plain(b: &mut Build<'_>) {
         }
         _ => {
             let (mat, other) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
-            b.ball("ball", c, r * 0.99, mat);
+            b.ball("ball", c, r * 0.965, mat);
             let towards = [0.5, 0.3, 0.8];
             if b.rng.chance(0.5) {
-                mark(b, "stripe", towards, (PI / 2.0 - 0.3, PI / 2.0 + 0.3), 1.0, other);
+                mark(b, "stripe", towards, (PI / 2.0 - 0.3, PI / 2.0 + 0.3), 0.996, other);
             } else {
                 for turn in [0.0, PI / 3.0, PI * 2.0 / 3.0] {
                     let (s, k) = f32::sin_cos(turn);
-                    mark(b, "stripe", [s, k, 0.0], (PI / 2.0 - 0.12, PI / 2.0 + 0.12), 0.996 + turn * 0.001, other);
+                    mark(b, "stripe", [s, k, 0.0], (PI / 2.0 - 0.12, PI / 2.0 + 0.12), 0.992 + turn * 0.002, other);
                 }
             }
-            mark(b, "cap", [0.0, 0.0, 1.0], (0.0, 0.3), 1.002, other);
+            mark(b, "cap", [0.0, 0.0, 1.0], (0.0, 0.3), 1.0, other);
         }
     }
 }
@@ -163,8 +163,8 @@ pub(super) fn golf(b: &mut Build<'_>) {
     let (r, c) = fit(b);
     b.ball("ball", c, r, WHITE_PLASTIC);
     let golden = PI * (3.0 - 5.0_f32.sqrt());
-    for i in 0..40 {
-        let z = 1.0 - (2.0 * i as f32 + 1.0) / 40.0;
+    for i in 0..30 {
+        let z = 1.0 - (2.0 * i as f32 + 1.0) / 30.0;
         let (s, k) = (golden * i as f32).sin_cos();
         let flat = (1.0 - z * z).sqrt();
         let way = [k * flat, s * flat, z];

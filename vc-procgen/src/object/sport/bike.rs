@@ -21,6 +21,7 @@ fn saddle(b: &mut Build<'_>, foot: P, seat: P, mat: Mat) {
 /// Two cranks with pedals around an axle.
 pub(super) fn pedals(b: &mut Build<'_>, at: P, reach: f32, mat: Mat) {
     b.disc("crank_wheel", Axis::Y, at, (reach * 0.55, b.size.y * 0.34), mat);
+    b.pole("axle", [at[0], -0.44, at[2]], [at[0], 0.44, at[2]], 0.012, STEEL);
     for y in SIDES {
         let (dx, dz) = (y * reach * 1.5 / b.size.x, y * reach * 0.6 / b.size.z);
         let end = [at[0] + dx, y * 0.42, at[2] + dz];
@@ -85,7 +86,7 @@ pub(super) fn upright(b: &mut Build<'_>) {
         b.one(&[RED_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC]),
     );
     feet(b, (-0.84, 0.84), BLACK_METAL);
-    b.plank("frame", [-0.86, 0.0, 0.05], [0.86, 0.0, 0.08], (0.07, 0.05), case);
+    b.plank("frame", [-0.86, 0.0, 0.05], [0.86, 0.0, 0.05], (0.07, 0.05), case);
     let z = b.vary(0.24, 0.28);
     let shape: Vec<_> = oval((0.3, z), (0.5, z - 0.03), 16);
     b.profile("case", (-0.26, 0.26), &shape, case);
@@ -94,7 +95,7 @@ pub(super) fn upright(b: &mut Build<'_>) {
     pedals(b, [0.06, 0.0, z * 0.9], (b.size.z * 0.1).min(0.15), trim);
     b.plank("tube", [-0.1, 0.0, 0.08], [-0.42, 0.0, 0.52], (0.06, 0.08), case);
     saddle(b, [-0.4, 0.0, 0.45], [-0.52, 0.0, 0.66], BLACK_LEATHER);
-    b.plank("mast", [0.4, 0.0, z], [0.62, 0.0, 0.86], (0.06, 0.08), case);
+    b.plank("mast", [0.4, 0.0, z], [0.63, 0.0, 0.9], (0.06, 0.08), case);
     bars(b, [0.6, 0.0, 0.8], BLACK_METAL);
     display(b, [0.6, 0.0, 0.92], ((b.size.y * 0.3).min(0.16), b.size.z * 0.07), 0.35, BLACK_PLASTIC);
 }
@@ -125,7 +126,7 @@ pub(super) fn spin(b: &mut Build<'_>) {
     pedals(b, hub, (b.size.z * 0.1).min(0.15), BLACK_METAL);
     saddle(b, [-0.34, 0.0, 0.54], [-0.48, 0.0, 0.84], BLACK_LEATHER);
     b.plank("slide", [-0.66, 0.0, 0.835], [-0.3, 0.0, 0.835], (0.035, 0.03), STEEL);
-    b.pole("post", [0.33, 0.0, 0.55], [0.42, 0.0, 0.9], 0.022, CHROME);
+    b.pole("post", [0.33, 0.0, 0.55], [0.44, 0.0, 0.92], 0.022, CHROME);
     bars(b, [0.44, 0.0, 0.92], BLACK_METAL);
     b.pole("brake", [0.14, 0.0, 0.44], [0.2, 0.0, 0.53], 0.014, RED_PLASTIC);
     let bottle = b.p([0.3, 0.3, 0.86]);
@@ -153,8 +154,10 @@ pub(super) fn recumbent(b: &mut Build<'_>) {
     b.plank("rail", [-0.8, 0.0, 0.18], [0.2, 0.0, 0.24], (0.08, 0.05), STEEL);
     b.slab("support", [-0.6, -0.2, 0.08], [-0.3, 0.2, 0.36], case);
     b.pad("seat", [-0.68, -0.62, 0.34], [-0.14, 0.62, 0.42], 0.03, BLACK_LEATHER);
-    b.plank("backrest", [-0.68, 0.0, 0.42], [-0.86, 0.0, 0.86], (b.size.y * 0.6, 0.06), BLACK_LEATHER);
-    b.plank("spine", [-0.72, 0.0, 0.36], [-0.92, 0.0, 0.8], (0.06, 0.04), case);
+    b.plank("backrest", [-0.64, 0.0, 0.4], [-0.86, 0.0, 0.86], (b.size.y * 0.6, 0.06), BLACK_LEATHER);
+    b.plank("spine", [-0.55, 0.0, 0.36], [-0.8, 0.0, 0.36], (0.06, 0.04), case);
+    b.plank("spine", [-0.79, 0.0, 0.35], [-0.92, 0.0, 0.8], (0.06, 0.04), case);
+    b.plank("spine", [-0.9, 0.0, 0.72], [-0.79, 0.0, 0.72], (0.06, 0.04), case);
     for y in SIDES {
         b.pole("handle", [-0.5, y * 0.62, 0.36], [-0.28, y * 0.86, 0.52], 0.014, BLACK_METAL);
         b.pole("grip", [-0.28, y * 0.86, 0.52], [-0.16, y * 0.86, 0.55], 0.02, RUBBER);

@@ -70,7 +70,13 @@ pub(super) fn rower(b: &mut Build<'_>) {
             if water { frame } else { ALUMINIUM },
         );
         b.plank("leg", [-0.93, y * 0.12, 0.04], [-0.9, y * 0.12, rail], (0.04, 0.05), frame);
-        b.plank("strut", [0.8, y * 0.12, 0.05], [0.42, y * 0.12, rail + 0.02], (0.04, 0.05), frame);
+        b.plank(
+            "strut",
+            [0.8, y * 0.12, 0.05],
+            [0.42, y * 0.12, rail + 0.02],
+            ((b.size.y * 0.1).min(0.04), 0.05),
+            frame,
+        );
     }
     let r = (b.size.z * 0.27).min(b.size.x * 0.13);
     let at = [0.99 - 2.0 * r / b.size.x, 0.0, rail + 0.1];
@@ -84,18 +90,22 @@ pub(super) fn rower(b: &mut Build<'_>) {
     }
     b.plank("stay", [at[0], 0.0, rail], [0.7, 0.0, 0.08], (0.06, 0.05), frame);
     let seat = b.vary(-0.5, -0.1);
-    let top = rail + 0.12;
+    let over = rail + 0.028 / b.size.z;
+    b.plank("boom", [0.36, 0.0, rail], [at[0], 0.0, rail], (b.size.y * 0.12, 0.05), frame);
     b.slide([1.0, 0.0, 0.0], (0.3 - seat).max(0.05) * b.size.x / 2.0 * 0.6, |b| {
-        b.slab("carriage", [seat - 0.1, -0.25, rail + 0.03], [seat + 0.1, 0.25, rail + 0.07], BLACK_PLASTIC);
-        b.pad("seat", [seat - 0.13, -0.5, rail + 0.06], [seat + 0.13, 0.5, top], 0.02, BLACK_LEATHER);
+        b.slab("carriage", [seat - 0.1, -0.25, over], [seat + 0.1, 0.25, over + 0.04], BLACK_PLASTIC);
+        b.pad("seat", [seat - 0.13, -0.5, over + 0.03], [seat + 0.13, 0.5, over + 0.09], 0.02, BLACK_LEATHER);
     });
+    let wide = (b.size.y * 0.38).min(0.13);
     for y in SIDES {
-        b.plank("footplate", [0.36, y * 0.42, rail - 0.02], [0.5, y * 0.42, rail + 0.2], (0.13, 0.02), BLACK_PLASTIC);
-        b.plank("strap", [0.38, y * 0.42, rail + 0.08], [0.42, y * 0.42, rail + 0.12], (0.15, 0.012), GREY_FABRIC);
+        b.plank("footplate", [0.36, y * 0.42, rail - 0.02], [0.5, y * 0.42, rail + 0.2], (wide, 0.02), BLACK_PLASTIC);
+        let (low, high) = ([0.42, y * 0.42, rail + 0.075], [0.449, y * 0.42, rail + 0.12]);
+        b.layer("strap", low, high, (wide * 1.05, 0.012), 0.014, GREY_FABRIC);
     }
-    b.pole("foot_axle", [0.42, -0.6, rail + 0.02], [0.42, 0.6, rail + 0.02], 0.015, STEEL);
+    b.pole("foot_axle", [0.376, -0.6, rail + 0.005], [0.376, 0.6, rail + 0.005], 0.015, STEEL);
     b.plank("mast", [0.6, 0.0, rail], [0.52, 0.0, 0.92], (0.04, 0.05), frame);
-    b.pole("handle", [0.48, -0.85, 0.64], [0.48, 0.85, 0.64], 0.016, RUBBER);
+    let grip = 0.62 + 0.022 / b.size.z;
+    b.pole("handle", [0.48, -0.85, grip], [0.48, 0.85, grip], 0.016, RUBBER);
     b.plank("hook", [0.48, 0.0, 0.62], [0.6, 0.0, 0.62], (0.05, 0.02), frame);
     display(b, [0.5, 0.0, 0.92], (b.size.y * 0.22, b.size.z * 0.07), 0.2, BLACK_PLASTIC);
 }
@@ -116,9 +126,19 @@ pub(super) fn elliptical(b: &mut Build<'_>) {
     b.plank("mast", [mast + 0.12, 0.0, 0.06], [mast, 0.0, 0.86], (0.07, 0.08), case);
     for y in SIDES {
         let (lift, shift) = (0.17 + y * 0.05, y * 0.08);
-        b.plank("crank", [x, y * 0.28, 0.22], [x + y * 0.16, y * 0.34, 0.22 + y * 0.07], (0.02, 0.04), STEEL);
-        let (rear, front) =
-            (if ahead { -0.85 } else { x + y * 0.16 }, if ahead { x + y * 0.16 } else { mast - 0.02 + shift });
+        let end = x + y * 0.16;
+        let pin = if ahead { 0.22 } else { 0.17 } + y * 0.05;
+        b.plank("crank", [x, y * 0.28, 0.22], [end, y * 0.34, pin], (0.02, 0.04), STEEL);
+        b.pole("pin", [end, y * 0.28, pin], [end, y * 0.48, pin], 0.015, STEEL);
+        let joint = if ahead { [mast + shift, 0.215] } else { [mast - 0.02 + shift, 0.22] };
+        b.pole(
+            "pin",
+            [joint[0], y * 0.38, joint[1] + y * 0.05],
+            [joint[0], y * 0.54, joint[1] + y * 0.05],
+            0.018,
+            STEEL,
+        );
+        let (rear, front) = if ahead { (-0.85, end) } else { (end, mast - 0.02 + shift) };
         b.plank("link", [rear, y * 0.42, lift], [front, y * 0.42, 0.22 + y * 0.05], (0.04, 0.04), BLACK_METAL);
         b.pad(
             "pedal",
@@ -158,7 +178,7 @@ pub(super) fn stairs(b: &mut Build<'_>) {
         b.profile("side", (y * 0.87 - 0.1, y * 0.87 + 0.1), &side, case);
         let rail = [[-0.7, y * 0.88, 0.14], [-0.5, y * 0.88, 0.56], [0.55, y * 0.88, 0.78], [0.62, y * 0.88, 0.5]];
         b.tube("rail", &rail, 0.02, BLACK_METAL);
-        b.plank("mast", [0.8, y * 0.7, 0.5], [0.72, y * 0.7, 0.9], (0.05, 0.07), case);
+        b.plank("mast", [0.8, y * 0.8, 0.5], [0.72, y * 0.8, 0.9], (0.05, 0.07), case);
     }
     for i in 0..4 {
         let (x, z) = (-0.78 + 0.38 * i as f32, 0.1 + 0.11 * i as f32);
@@ -166,9 +186,9 @@ pub(super) fn stairs(b: &mut Build<'_>) {
         b.slab("edge", [x - 0.01, -0.74, z - 0.022], [x + 0.05, 0.74, z + 0.003], trim);
         b.slab("riser", [x + 0.36, -0.76, z - 0.01], [x + 0.4, 0.76, z + 0.09], case);
     }
-    b.slab("base", [-0.98, -0.7, 0.0], [0.9, 0.7, 0.05], case);
+    b.slab("base", [-0.98, -0.79, 0.0], [0.9, 0.79, 0.05], case);
     b.plank("dash", [0.6, 0.0, 0.86], [0.82, 0.0, 0.9], (b.size.y * 0.84, 0.05), case);
-    display(b, [0.76, 0.0, 0.945], (b.size.y * 0.3, b.size.z * 0.05), 0.3, BLACK_PLASTIC);
+    display(b, [0.76, 0.0, 0.936], (b.size.y * 0.3, b.size.z * 0.052), 0.3, BLACK_PLASTIC);
 }
 
 /// A ski ergometer: a tall board with a fan on top and two pull handles.

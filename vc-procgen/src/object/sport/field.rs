@@ -4,17 +4,18 @@ use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
 
-/// A net of cords over a four-cornered field, so many by so many.
+/// A net of cords over a four-cornered field, so many by so many; what it hangs from
+/// runs along the sides.
 fn netting(b: &mut Build<'_>, corners: [P; 4], cells: (usize, usize), half: f32, mat: Mat) {
     let mix = |a: P, c: P, t: f32| [0, 1, 2].map(|k| a[k] + (c[k] - a[k]) * t);
     let [a, c, d, e] = corners;
-    for i in 0..=cells.0 {
+    for i in 1..cells.0 {
         let t = i as f32 / cells.0 as f32;
         b.plank("net", mix(a, c, t), mix(e, d, t), (half * 2.0, half * 2.0), mat);
     }
     for i in 0..=cells.1 {
         let t = i as f32 / cells.1 as f32;
-        b.plank("net", mix(a, e, t), mix(c, d, t), (half * 2.0, half * 2.0), mat);
+        b.plank("net", mix(a, e, t), mix(c, d, t), (half * 1.4, half * 1.4), mat);
     }
 }
 
@@ -43,15 +44,16 @@ pub(super) fn basketball_hoop(b: &mut Build<'_>) {
         BLACK_PLASTIC,
     );
     b.plank("mast", [-0.6, 0.0, 0.04], [-0.5, 0.0, low + tall * 0.3], (0.1, 0.1), mast);
+    let apart = 0.12 / b.size.y;
     for y in SIDES {
         b.plank(
             "arm",
-            [-0.5, y * 0.07, low + tall * 0.1],
-            [face - 0.02, y * 0.07, low + tall * 0.3],
+            [-0.5, y * apart, low + tall * 0.1],
+            [face - 0.02, y * apart, low + tall * 0.3],
             (0.03, 0.05),
             mast,
         );
-        b.plank("arm", [-0.52, y * 0.07, low - 0.04], [face - 0.02, y * 0.07, low + tall * 0.7], (0.03, 0.05), mast);
+        b.plank("arm", [-0.52, y * apart, low - 0.04], [face - 0.02, y * apart, low + tall * 0.7], (0.03, 0.05), mast);
         b.plank("brace", [-0.95, y * 0.5, 0.06], [-0.55, y * 0.05, 0.4], (0.03, 0.03), mast);
     }
     b.slab("board", [face - 0.03, -0.98, low], [face, 0.98, 0.998], board);
@@ -120,7 +122,7 @@ pub(super) fn goal(b: &mut Build<'_>) {
     if ledge < 0.9 {
         netting(
             b,
-            [[head, -y, top * 0.98], [head, y, top * 0.98], [x, y, top * 0.98], [x, -y, top * 0.98]],
+            [[head + 0.02, -y, top * 0.98], [head + 0.02, y, top * 0.98], [x, y, top * 0.98], [x, -y, top * 0.98]],
             (across, 2),
             cord,
             net,
@@ -131,7 +133,7 @@ pub(super) fn goal(b: &mut Build<'_>) {
             let t = i as f32 / 5.0;
             let (at, z) = (back + (head - back) * t, top * 0.98 * t);
             b.plank("net", [at, s, 0.01], [at, s, z], (cord * 2.0, cord * 2.0), net);
-            b.plank("net", [at, s, z], [x, s, z], (cord * 2.0, cord * 2.0), net);
+            b.plank("net", [at, s, z], [x, s, z], (cord * 1.4, cord * 1.4), net);
         }
     }
 }
@@ -148,14 +150,9 @@ pub(super) fn net(b: &mut Build<'_>) {
     for s in SIDES {
         b.pole("post", [0.0, s * y, 0.0], [0.0, s * y, 0.999], r, post);
         if wide {
-            b.slab(
-                "foot",
-                [-0.98, s * y - 0.02 * s.signum() - 0.012, 0.0],
-                [0.98, s * y - 0.02 * s.signum() + 0.012, 0.025],
-                post,
-            );
+            b.slab("foot", [-0.98, s * y - 0.04 / b.size.y, 0.0], [0.98, s * y + 0.04 / b.size.y, 0.025], post);
             for x in SIDES {
-                b.plank("brace", [x * 0.8, s * y * 0.985, 0.02], [0.0, s * y * 0.99, 0.3], (0.02, 0.02), post);
+                b.plank("brace", [x * 0.8, s * y, 0.02], [0.0, s * y, 0.3], (0.02, 0.02), post);
             }
         } else {
             b.pole("base", [0.0, s * y, 0.0], [0.0, s * y, 0.015], (b.size.x / 2.0).min(r * 2.0), post);

@@ -216,7 +216,7 @@ pub(super) fn skipping_rope(b: &mut Build<'_>) {
     }
     let thick = (b.size.z - 5.6 * r).max(b.size.z * 0.2) / 2.0;
     for (x, tilt) in [(-0.3, 0.15), (0.35, -0.1)] {
-        let z = 1.0 - thick / b.size.z;
+        let z = (5.2 * r + thick * 0.9) / b.size.z;
         b.pole("handle", [x - tilt, -0.96, z], [x + tilt, 0.75, z], thick * 0.9, grip);
         b.pole("end", [x + tilt * 0.98, 0.73, z], [x + tilt * 1.05, 0.9, z], thick * 0.5, rope);
     }
@@ -287,8 +287,8 @@ pub(super) fn stopwatch(b: &mut Build<'_>) {
     }
     b.rod("hand", [half * 0.92, 0.0, r], [half * 0.92, r * 0.4, r * 1.5], half * 0.07, RED_PLASTIC);
     let top = b.size.z;
-    b.rod("knob", [0.0, 0.0, r * 1.9], [0.0, 0.0, top], r * 0.2, case);
-    b.rod("knob", [0.0, r * 0.62, r * 1.66], [0.0, r * 0.78, (r * 1.85).min(top)], r * 0.12, case);
+    b.rod("knob", [0.0, 0.0, r * 1.9], [0.0, 0.0, top], (r * 0.2).min(half * 0.9), case);
+    b.rod("knob", [0.0, r * 0.62, r * 1.66], [0.0, r * 0.78, (r * 1.85).min(top)], (r * 0.12).min(half * 0.8), case);
 }
 
 /// A flying disc, rim down.

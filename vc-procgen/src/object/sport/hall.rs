@@ -59,7 +59,7 @@ pub(super) fn dip_station(b: &mut Build<'_>) {
             b.plank("head", [-0.52, y * 0.85, 0.965], [-0.36, y * 0.85, 0.965], (t, t), mat);
             b.pad(
                 "arm_pad",
-                [-0.3, y * 0.85 - 0.1, bar + 0.012],
+                [-0.3, y * 0.85 - 0.1, bar + 0.015 / b.size.z],
                 [0.25, y * 0.85 + 0.1, bar + 0.05],
                 0.012,
                 BLACK_LEATHER,
@@ -156,13 +156,14 @@ pub(super) fn wall_bars(b: &mut Build<'_>) {
 /// A panel with coloured holds, upright and, where it is deep, leaning over.
 pub(super) fn climbing_wall(b: &mut Build<'_>) {
     let board = b.one(&[BIRCH, LIGHT_GREY, SKY, CREAM]);
-    let deep = b.size.x > 0.25;
-    let lean = if deep { 0.35 } else { -0.55 };
-    let back = if deep { -0.75 } else { -0.6 };
+    let thick = b.size.x > 0.25;
+    let lean = if thick { 0.35 } else { -0.55 };
+    let back = if thick { -0.75 } else { -0.6 };
     let face = |z: f32| if z < 0.4 { back } else { back + (lean - back) * (z - 0.4) / 0.6 };
     b.profile("wall", (-0.995, 0.995), &[(-1.0, 0.0), (back, 0.0), (back, 0.4), (lean, 1.0), (-1.0, 1.0)], board);
     let (rows, columns) = (6, (b.size.y / 0.45).clamp(3.0, 8.0) as usize);
-    let hold = (b.size.x * (0.95 - lean) / 2.0 * 0.5).min(0.045);
+    let room = (b.size.x * (0.95 - lean) / 4.0).min(b.size.x * (1.0 + back) / 1.3);
+    let (hold, deep) = ((b.size.x * (0.95 - lean) / 4.0).min(0.045), room.min(0.045) * 2.0 / b.size.x);
     for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
         if b.rng.chance(0.2) {
             continue;
@@ -171,8 +172,8 @@ pub(super) fn climbing_wall(b: &mut Build<'_>) {
         let y = -1.0 + 2.0 * (j as f32 + 0.5 + dy) / columns as f32;
         let z = 0.1 + 0.15 * i as f32 + dz;
         let mat = b.one(BRIGHT);
-        let half = [hold * 2.0 / b.size.x, hold * size * 2.6 / b.size.y, hold * size * 0.9 / b.size.z];
-        b.blob("hold", [face(z), y.clamp(-0.9, 0.9), z], half, mat);
+        let half = [deep, hold * size * 2.6 / b.size.y, hold * size * 0.9 / b.size.z];
+        b.blob("hold", [face(z) + 0.4 * deep, y.clamp(-0.9, 0.9), z], half, mat);
     }
     b.slab("mat", [-0.98, -0.99, 0.0], [0.99, 0.99, 0.03], BLUE_FABRIC);
 }
@@ -204,11 +205,12 @@ pub(super) fn rings(b: &mut Build<'_>) {
     let r = (b.size.x * 0.48).min(0.015);
     let wheel = (b.size.y * 0.18).min(0.105);
     let y = 1.0 - 2.0 * wheel / b.size.y;
+    b.pole("hanger", [0.0, -1.0, 1.0 - 0.012 / b.size.z], [0.0, 1.0, 1.0 - 0.012 / b.size.z], r.min(0.012), STEEL);
     for s in SIDES {
         b.hoop("ring", Axis::X, [0.0, s * y, wheel / b.size.z], (wheel - r, r), ring);
         let top = (2.0 * wheel - 2.0 * r) / b.size.z;
         let half = (0.019 / (b.size.y / 2.0)).min(0.1);
-        b.slab("strap", [-0.1, s * y - half, top], [0.1, s * y + half, 1.0], strap);
+        b.slab("strap", [-0.1, s * y - half, top], [0.1, s * y + half, 0.999], strap);
         b.slab(
             "buckle",
             [-0.4, s * y - half * 1.4, top + 0.2],

@@ -21,8 +21,8 @@ pub(super) fn racket(b: &mut Build<'_>) {
     for i in 0..9 {
         let t = -0.8 + 0.2 * i as f32;
         let reach = (1.0 - t * t).sqrt();
-        b.slab_line("string", [0.0, t * y, z - half * reach], [0.0, t * y, z + half * reach], string);
-        b.slab_line("string", [0.0, -y * reach, z + t * half], [0.0, y * reach, z + t * half], string);
+        b.slab_line("string", [0.0, t * y, z - half * reach], [0.0, t * y, z + half * reach], (string, 0.9));
+        b.slab_line("string", [0.0, -y * reach, z + t * half], [0.0, y * reach, z + t * half], (string, -0.9));
     }
     let low = z - half;
     if light {
@@ -46,13 +46,14 @@ pub(super) fn racket(b: &mut Build<'_>) {
 
 /// Thin straight lines.
 trait Lines {
-    fn slab_line(&mut self, name: &str, from: P, to: P, half: f32);
+    /// `section` is half the thickness, and how many halves it stands in front.
+    fn slab_line(&mut self, name: &str, from: P, to: P, section: (f32, f32));
 }
 
 impl Lines for Build<'_> {
-    fn slab_line(&mut self, name: &str, from: P, to: P, half: f32) {
+    fn slab_line(&mut self, name: &str, from: P, to: P, (half, front): (f32, f32)) {
         let (low, high) = (self.p(from), self.p(to));
-        let corner = |p: P, by: f32| p.map(|v| v + by);
+        let corner = |p: P, by: f32| [p[0] + half * front + by, p[1] + by, p[2] + by];
         self.block(name, corner(low, -half), corner(high, half), WHITE_PLASTIC);
     }
 }
@@ -132,7 +133,7 @@ pub(super) fn bat(b: &mut Build<'_>) {
 pub(super) fn golf_club(b: &mut Build<'_>) {
     let kind = b.rng.below(3);
     let heel = (0.0, -0.7);
-    b.pole("shaft", [-0.3, heel.1, 0.03], [-0.3, heel.1, 0.78], 0.0055, STEEL);
+    b.pole("shaft", [-0.3, heel.1, 0.004], [-0.3, heel.1, 0.78], 0.0055, STEEL);
     b.pole("grip", [-0.3, heel.1, 0.74], [-0.3, heel.1, 1.0], 0.011_f32.min(b.size.x * 0.15), RUBBER);
     b.pole("ferrule", [-0.3, heel.1, 0.04], [-0.3, heel.1, 0.1], 0.008, BLACK_PLASTIC);
     match kind {
@@ -181,13 +182,14 @@ pub(super) fn golf_bag(b: &mut Build<'_>) {
     b.pad("pocket", [front, -0.55, 0.06], [0.98, 0.55, 0.3], 0.03, trim);
     b.pad("pocket", [front, -0.5, 0.36], [0.8, 0.5, 0.58], 0.03, cloth);
     let ax = at[0] / b.size.x * 2.0;
-    let strap = [[ax, 0.78, 0.3], [ax, 0.96, 0.42], [ax, 0.96, 0.56], [ax, 0.78, 0.66]];
+    let (near, far) = (1.8 * r / b.size.y, 2.26 * r / b.size.y);
+    let strap = [[ax, near, 0.3], [ax, far, 0.42], [ax, far, 0.56], [ax, near, 0.66]];
     for pair in strap.windows(2) {
         b.plank("strap", pair[0], pair[1], (0.04, 0.01), BLACK_FABRIC);
     }
     for (i, (x, y)) in [(0.3, 0.5), (-0.3, 0.55), (0.4, -0.4), (-0.35, -0.5), (0.0, 0.62)].into_iter().enumerate() {
         let top = h * (0.82 + 0.035 * i as f32);
-        let foot = [at[0] + x * r, y * r, h * 0.05];
+        let foot = [at[0] + x * r, y * r, h * 0.028];
         b.rod("club", foot, [foot[0], foot[1], top], 0.005, STEEL);
         if i % 2 == 0 {
             b.block(

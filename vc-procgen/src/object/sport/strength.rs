@@ -54,6 +54,7 @@ fn chair(b: &mut Build<'_>, x: f32, seat: f32, back: f32, (frame, hide): (Mat, M
     b.pad("seat", [x - 0.22, -w, seat - 0.045], [x + 0.3, w, seat], 0.02, hide);
     if back > seat {
         beam(b, [x - 0.32, 0.0, 0.02], [x - 0.36, 0.0, back - 0.04], frame);
+        beam(b, [x - 0.355, 0.0, back - 0.12], [x - 0.285, 0.0, back - 0.12], frame);
         b.plank("backrest", [x - 0.22, 0.0, seat + 0.03], [x - 0.3, 0.0, back], (w * b.size.y * 0.85, 0.06), hide);
     }
 }
@@ -84,7 +85,7 @@ pub(super) fn station(b: &mut Build<'_>) {
             b.plank("lever", [0.36, 0.0, z], [0.72, 0.0, 0.14], (0.05, 0.05), frame);
             b.pole("leg_roll", [0.78, -0.5, 0.16], [0.78, 0.5, 0.16], b.size.z * 0.05, hide);
             for y in SIDES {
-                b.pole("handle", [-0.05, y * 0.5, seat], [0.1, y * 0.5, seat + 0.06], 0.016, RUBBER);
+                b.pole("handle", [-0.05, y * 0.5, seat - 0.022], [0.1, y * 0.5, seat + 0.06], 0.016, RUBBER);
                 b.plank("handle", [-0.05, 0.0, seat - 0.05], [-0.05, y * 0.52, seat - 0.02], (0.03, 0.03), frame);
             }
         }
@@ -105,7 +106,7 @@ pub(super) fn station(b: &mut Build<'_>) {
             }
             let at = 0.36;
             b.disc("pulley", Axis::Y, [at, 0.0, top - 0.03], (0.05, 0.03), BLACK_PLASTIC);
-            b.pole("cable", [at, 0.0, top - 0.05], [at, 0.0, 0.82], 0.005, BLACK_PLASTIC);
+            b.pole("cable", [at, 0.0, top - 0.03], [at, 0.0, 0.82], 0.005, BLACK_PLASTIC);
             let span = (1.1 / b.size.y).min(0.96);
             b.pole("lat_bar", [at, -span * 0.7, 0.82], [at, span * 0.7, 0.82], 0.014, CHROME);
             for y in SIDES {
@@ -118,13 +119,15 @@ pub(super) fn station(b: &mut Build<'_>) {
 
 /// Two arms that come forward beside the seat, with upright grips.
 fn press_arms(b: &mut Build<'_>, frame: Mat, z: f32) {
+    // As wide as the stack, whose sides carry it.
+    let wide = (0.4 / b.size.y).min(0.5);
     for y in SIDES {
-        b.plank("arm", [-0.5, y * 0.3, 0.84], [-0.2, y * 0.62, 0.84], (0.05, 0.05), frame);
+        b.plank("arm", [-0.5, y * wide * 0.9, 0.84], [-0.2, y * 0.62, 0.84], (0.05, 0.05), frame);
         b.plank("arm", [-0.2, y * 0.62, 0.85], [0.3, y * 0.66, z], (0.05, 0.05), frame);
         b.pole("grip", [0.3, y * 0.66, z], [0.3, y * 0.3, z + 0.01], 0.018, RUBBER);
         b.pole("grip", [0.3, y * 0.66, z - 0.01], [0.3, y * 0.66, z + 0.1], 0.018, RUBBER);
     }
-    b.plank("yoke", [-0.66, 0.0, 0.85], [-0.46, 0.0, 0.85], (b.size.y * 0.34, 0.06), frame);
+    b.plank("yoke", [-0.66, 0.0, 0.85], [-0.46, 0.0, 0.85], (b.size.y * wide, 0.06), frame);
 }
 
 /// A sledge with plates on a slope, a foot plate above a low seat.
@@ -138,17 +141,17 @@ pub(super) fn leg_press(b: &mut Build<'_>) {
         beam(b, [-0.35, y * w, 0.04], [-0.35, y * w, 0.24], frame);
     }
     for x in [-0.9, 0.86] {
-        beam(b, [x, -w - 0.05, 0.04], [x, w + 0.05, 0.041], frame);
+        beam(b, [x, -w - 0.05, 0.046], [x, w + 0.05, 0.046], frame);
     }
     beam(b, [0.87, -w - 0.05, 0.93], [0.87, w + 0.05, 0.931], frame);
-    b.plank("sledge", [0.0, 0.0, 0.44], [0.3, 0.0, 0.61], (b.size.y * (w + 0.06), 0.07), frame);
+    b.layer("sledge", [0.0, 0.0, 0.399], [0.3, 0.0, 0.57], (b.size.y * (w + 0.06), 0.07), 0.057, frame);
     b.plank("foot_plate", [-0.06, 0.0, 0.62], [0.16, 0.0, 0.36], (b.size.y * 0.36, 0.04), GREY_PLASTIC);
-    let r = (b.size.z * 0.15).min(0.225);
+    let (r, level) = ((b.size.z * 0.15).min(0.225), 0.513 + 0.05 / b.size.z);
     for y in SIDES {
-        b.pole("horn", [0.2, y * 0.3, 0.56], [0.2, y * 0.97, 0.56], 0.024, CHROME);
+        b.pole("horn", [0.2, y * 0.3, level], [0.2, y * 0.97, level], 0.024, CHROME);
         for i in 0..b.rng.count(1, 3) {
             let at = y * (0.6 + 0.09 * i as f32);
-            b.disc("weight", Axis::Y, [0.2, at, 0.56], (r, b.size.y * 0.035), RUBBER);
+            b.disc("weight", Axis::Y, [0.2, at, level], (r, b.size.y * 0.035), RUBBER);
         }
     }
     b.pad("seat", [-0.62, -0.32, 0.16], [-0.32, 0.32, 0.22], 0.02, hide);
@@ -177,14 +180,14 @@ pub(super) fn cables(b: &mut Build<'_>) {
         let z = b.vary(0.4, 0.8);
         b.slab("carriage", [0.1, inner - half * 0.2, z - 0.03], [0.34, inner + half * 0.2, z + 0.03], BLACK_PLASTIC);
         b.disc("pulley", Axis::Y, [0.38, inner, z], (0.045, 0.03), GREY_PLASTIC);
-        b.pole("cable", [0.4, inner, z], [0.46, inner, z - 0.1], 0.005, BLACK_PLASTIC);
+        b.pole("cable", [0.4, inner, z], [0.46, inner, z - 0.11], 0.005, BLACK_PLASTIC);
         b.pole("grip", [0.46, inner - half * 0.22, z - 0.11], [0.46, inner + half * 0.22, z - 0.11], 0.016, RUBBER);
     }
     b.slab("bridge", [-0.7, half - 1.0, 0.968], [-0.6, 1.0 - half, 0.998], frame);
     let bar = 0.94;
     b.slab("bridge", [-0.72, half - 1.0, bar], [-0.58, 1.0 - half, bar + 0.028], frame);
     if b.size.y > 1.8 {
-        b.pole("pull_up_bar", [-0.2, half - 0.99, 0.95], [-0.2, 0.99 - half, 0.95], 0.016, CHROME);
+        b.pole("pull_up_bar", [-0.4, half - 1.02, 0.95], [-0.4, 1.02 - half, 0.95], 0.016, CHROME);
     }
 }
 
@@ -195,14 +198,15 @@ pub(super) fn smith(b: &mut Build<'_>) {
     let z = b.vary(0.5, 0.62);
     cage(b, y, frame);
     for s in SIDES {
-        b.pole("guide", [0.2, s * y * 0.93, 0.03], [0.2, s * y * 0.93, 0.97], 0.016, CHROME);
+        b.pole("guide", [0.2, s * y, 0.02], [0.2, s * y, 0.985], 0.016, CHROME);
         for i in 1..8 {
             let at = 0.12 * i as f32;
-            b.pole("peg", [-0.1, s * y * 1.0, at], [0.1, s * y * 1.0, at], 0.012, STEEL);
+            b.pole("peg", [0.2, s * y, at], [0.36, s * y, at], 0.012, STEEL);
         }
     }
     loaded_bar(b, [0.2, 0.0, z], 0.98);
     b.within([-0.7, -0.22, 0.0], [0.95, 0.22, 0.22], |b| flat_bench(b, frame));
+    beam(b, [-0.95, 0.0, 0.022], [-0.45, 0.0, 0.022], frame);
 }
 
 /// Four uprights with beams above and below.
@@ -277,7 +281,7 @@ pub(super) fn bench(b: &mut Build<'_>) {
             b.slab("cup", [-0.6, y * 0.86 - 0.07, 0.9], [-0.48, y * 0.86 + 0.07, 0.93], STEEL);
             b.slab("lip", [-0.51, y * 0.86 - 0.07, 0.92], [-0.47, y * 0.86 + 0.07, 1.0], STEEL);
         }
-        b.slab("rack_tie", [-0.67, -0.85, 0.1], [-0.59, 0.85, 0.16], frame);
+        b.slab("rack_tie", [-0.67, -0.85, 0.025], [-0.59, 0.85, 0.085], frame);
         let z = 0.93 + 0.013 / b.size.z;
         b.pole("bar", [-0.545, -0.98, z], [-0.545, 0.98, z], 0.014, CHROME);
     } else {
@@ -288,7 +292,7 @@ pub(super) fn bench(b: &mut Build<'_>) {
 
 /// A sloping board with foam rolls for the feet.
 fn sit_up(b: &mut Build<'_>, frame: Mat, hide: Mat) {
-    b.plank("pad", [-0.96, 0.0, 0.3], [0.45, 0.0, 0.68], (b.size.y * 0.62, 0.05), hide);
+    b.layer("pad", [-0.88, 0.0, 0.258], [0.45, 0.0, 0.619], (b.size.y * 0.62, 0.05), 0.052, hide);
     beam(b, [-0.8, 0.0, 0.28], [0.6, 0.0, 0.66], frame);
     for (x, z) in [(-0.8, 0.3), (0.5, 0.62)] {
         beam(b, [x, 0.0, 0.02], [x, 0.0, z], frame);
@@ -311,8 +315,9 @@ pub(super) fn rack(b: &mut Build<'_>) {
     let bar = if full { b.vary(0.55, 0.66) } else { b.vary(0.72, 0.9) };
     if full {
         cage(b, y, frame);
+        let post = 1.0 - 2.0 * TUBE / b.size.x;
         for s in SIDES {
-            beam(b, [-0.9, s * y, 0.34], [0.9, s * y, 0.34], STEEL);
+            beam(b, [-post, s * y, 0.34], [post, s * y, 0.34], STEEL);
             b.slab("hook", [0.45, s * y - 0.03, bar - 0.06], [0.99, s * y + 0.03, bar - 0.014 / b.size.z], RED_PLASTIC);
         }
         b.pole("pull_up_bar", [0.94, -y, 0.95], [0.94, y, 0.95], 0.016, CHROME);
@@ -362,7 +367,11 @@ pub(super) fn dumbbell_rack(b: &mut Build<'_>) {
     for i in 0..tiers {
         let z = 0.18 + 0.66 * i as f32 / (tiers as f32 - 0.9);
         let (front, back) = (0.92 - 0.3 * i as f32, 0.1 - 0.42 * i as f32);
-        b.slab("shelf", [back, -0.94, z - 0.025], [front, 0.94, z], frame);
+        b.slab("shelf", [back, -0.95, z - 0.025], [front, 0.95, z], frame);
+        for y in SIDES {
+            let at = y * 0.965;
+            b.slab("bracket", [back - 0.16, at - 0.025, z - 0.05], [front - 0.02, at + 0.025, z - 0.006], frame);
+        }
         b.slab("lip", [front - 0.03, -0.94, z], [front, 0.94, z + 0.025], frame);
         let centre = [(front + back) / 2.0 - 0.02, 0.0, z];
         let full = i + 1 < tiers;

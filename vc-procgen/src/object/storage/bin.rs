@@ -116,7 +116,7 @@ pub(super) fn trash_can(b: &mut Build<'_>) {
                 let dome = h - top - 0.002;
                 b.lathe(
                     "lid",
-                    [0.0, 0.0, top + 0.002],
+                    [0.0, 0.0, top + 0.001],
                     &[(r, 0.0), (r, dome * 0.3), (r * 0.8, dome * 0.75), (r * 0.4, dome)],
                     trim,
                 );

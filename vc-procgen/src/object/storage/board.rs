@@ -19,6 +19,13 @@ pub(super) fn room_divider(b: &mut Build<'_>) {
     let rise = (2.0 * x - t * 1.05).max(0.0).min(run * 0.8);
     let angle = (rise / (run + t)).atan();
     let length = (run - t * angle.sin()) / angle.cos();
+    // Pins join the leaves where they meet, in front and behind by turns.
+    for i in 1..count {
+        let out = if i % 2 == 0 { 0.5 } else { -0.5 } * length * angle.sin();
+        for z in [h * 0.15, h * 0.8] {
+            b.cylinder("hinge", [out, run * i as f32 - y, z], t * 0.35, h * 0.05, b.style.metal);
+        }
+    }
     for i in 0..count {
         let turn = if i % 2 == 0 { angle } else { -angle };
         let y0 = run * (i as f32 + 0.5) - y;
@@ -100,7 +107,7 @@ pub(super) fn pegboard(b: &mut Build<'_>) {
     at_least(b, [0.01, 0.3, 0.25]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let sheet = b.one(&[WHITE, b.style.wood, BIRCH, GREY, BLACK]);
-    let t = (x * 0.7).min(0.012);
+    let t = (x * 0.7).min(0.012).min(2.0 * x - 0.014);
     let face = t - x;
     b.block("board", [-x, -y, 0.0], [face, y, h], sheet);
     let (rows, across) = ((h / 0.11).clamp(2.0, 8.0) as usize, (y / 0.065).clamp(3.0, 12.0) as usize);
@@ -125,5 +132,5 @@ pub(super) fn pegboard(b: &mut Build<'_>) {
     b.block("shelf", [face - 0.001, -wide, z], [x, wide, z + 0.006], STEEL);
     b.block("lip", [x - 0.004, 0.001 - wide, z + 0.005], [x - 0.001, wide - 0.001, z + 0.025], STEEL);
     let half = (x - 0.004 - face) / 2.0;
-    b.inside("rack", [face + half, 0.0, z + 0.006], ((half - 0.002).max(0.001), wide - 0.01), h * 0.15);
+    b.inside("rack", [face + half, 0.0, z + 0.006], ((half - 0.0005).max(0.001), wide - 0.01), h * 0.15);
 }

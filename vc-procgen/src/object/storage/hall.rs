@@ -1,5 +1,7 @@
 //! Where coats, hats and keys hang.
 
+use std::f32::consts::{FRAC_PI_4, FRAC_PI_8};
+
 use super::case::{Case, Cell};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
@@ -40,21 +42,29 @@ pub(super) fn coat_rack(b: &mut Build<'_>) {
         _ => {}
     }
     let low = h * 0.16;
-    for &(dx, dy) in feet {
-        let foot = [dx * (x - r), dy * (y - r), 0.0];
-        leg(b, "foot", (foot, r * 0.7), ([dx * r * 0.4, dy * r * 0.4, low], r * 0.8), Cut::Round, mat);
+    for (i, &(dx, dy)) in feet.iter().enumerate() {
+        let (foot, z) = ([dx * (x - r), dy * (y - r), 0.0], low - 0.002 * i as f32);
+        leg(b, "foot", (foot, r * 0.7), ([dx * r * 0.4, dy * r * 0.4, z], r * 0.8), Cut::Round, mat);
     }
+    // A tray for gloves and what drips.
+    let (tray, floor) = (reach * 0.62, low + 0.008);
+    b.lathe("tray", [0.0, 0.0, low - 0.008], &[(tray * 0.94, 0.0), (tray, 0.004), (tray, 0.016)], mat);
+    let (near, far) = (r * 1.7 + 0.004, tray * 0.8);
+    let half = ((far - near) / 2.0, tray * 0.45);
+    b.ledge("tray", [f32::midpoint(near, far), 0.0, floor], half, h * 0.25);
     b.cylinder("pole", [0.0, 0.0, low * 0.5], r, h - low * 0.5 - r * 1.2, mat);
     b.ball("knob", [0.0, 0.0, h - r * 1.2], r * 1.2, mat);
     let tiers = b.rng.count(1, 3);
     let mut index = 0;
     for tier in 0..tiers {
         let z = h - 0.1 - 0.16 * tier as f32;
-        for &(dx, dy) in feet.iter().skip(if tier % 2 == 1 && feet.len() > 3 { 1 } else { 0 }) {
-            let out = reach * (0.92 - 0.12 * tier as f32);
-            let turn = |k: f32, z: f32| [dx * k, dy * k, z];
+        let out = reach * (0.92 - 0.12 * tier as f32);
+        for &(dx, dy) in feet {
+            // Every tier is turned, so that coats hang free of the arms below.
+            let way = dy.atan2(dx) + [0.0, FRAC_PI_4, FRAC_PI_8][tier];
+            let turn = |k: f32, z: f32| [way.cos() * k, way.sin() * k, z];
             b.pipe("arm", &[turn(0.0, z - 0.05), turn(out * 0.6, z), turn(out - 0.008, z + 0.045)], 0.008, mat);
-            b.hook(&format!("hook_{}", index + 1), turn(out * 0.66, z + 0.012), (z - low - 0.1).max(0.3));
+            b.hook(&format!("hook_{}", index + 1), turn(out * 0.66, z + 0.012), (z - low - 0.1).min(z - floor - 0.02));
             index += 1;
         }
     }
@@ -68,11 +78,13 @@ pub(super) fn wall_hook_rack(b: &mut Build<'_>) {
         (b.one(&[b.style.wood, b.style.cabinet, WHITE]), b.one(&[b.style.metal, BRASS, BLACK_METAL, CHROME]));
     let t = 0.018_f32.min(x * 0.5);
     let (x0, shelf) = (t - x, h > 0.16 && b.rng.chance(0.6));
-    let plate = if shelf { h - t } else { h };
+    // Without a shelf for hats there is a narrow ledge.
+    let (board, deep) = if shelf { (t, x) } else { (t.min(h * 0.15), x * 0.1) };
+    let plate = h - board;
     b.soft("board", [-x, -y, 0.0], [x0, y, plate], 0.004, wood);
+    b.block("shelf", [-x, -y, plate], [deep, y, h], wood);
+    b.top("shelf", [(deep - x) / 2.0, 0.0, h], ((deep + x) / 2.0 - 0.004, y - 0.01));
     if shelf {
-        b.block("shelf", [-x, -y, h - t], [x, y, h], wood);
-        b.top("shelf", [0.0, 0.0, h], (x - 0.006, y - 0.01));
         for side in [-1.0_f32, 1.0] {
             let (a, c) = (side * (y - 0.002), side * (y - t));
             b.block("bracket", [x0 - 0.001, a.min(c), h * 0.5], [x * 0.7, a.max(c), h - t + 0.001], wood);
@@ -127,7 +139,7 @@ pub(super) fn hall_stand(b: &mut Build<'_>) {
         b.style.accent,
     );
     let centre = f32::midpoint(from, x - grip);
-    b.top("seat", [centre, 0.0, seat], ((x - grip - from) / 2.0 - 0.025, y - 0.03));
+    b.ledge("seat", [centre, 0.0, seat], ((x - grip - from) / 2.0 - 0.025, y - 0.03), h * 0.76 - seat - 0.01);
     b.block("back", [-x, -y + 0.001, seat - pad], [from, y - 0.001, h - t], body);
     let boards = (y / 0.07).clamp(3.0, 10.0) as usize;
     for i in 1..boards {

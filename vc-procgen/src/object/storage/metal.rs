@@ -76,11 +76,14 @@ impl Rack {
                         b.block("wire", [p - x, cy - 0.003, low], [x - p, cy + 0.003, low + 0.006], self.frame);
                     }
                 }
+                // A mat lies on the wires, so that small things stand.
                 let count = (y / 0.045).clamp(4.0, 10.0) as usize;
                 for i in 0..count {
                     let cy = (y - p) * (2.0 * (i as f32 + 0.5) / count as f32 - 1.0);
-                    b.block("wire", [0.008 - x, cy - 0.002, z - 0.004], [x - 0.008, cy + 0.002, z], self.frame);
+                    let (low, high) = (z - 0.0065, z - 0.0025);
+                    b.block("wire", [0.008 - x, cy - 0.002, low], [x - 0.008, cy + 0.002, high], self.frame);
                 }
+                b.block("mat", [0.012 - x, p - y, z - 0.003], [x - 0.012, y - p, z], CLEAR_PLASTIC);
             }
             Deck::Slats => {
                 let count = (x / 0.04).clamp(2.0, 7.0) as usize;

@@ -83,11 +83,10 @@ pub(super) fn wine_rack(b: &mut Build<'_>) {
                 b.block("rail", [-x + t, cy - t * 0.8, z0 + 0.002], [x - t, cy + t * 0.8, z0 + t - 0.002], wood);
             }
         }
-        for (i, k) in (0..=across).flat_map(|i| (0..up).map(move |k| (i, k))) {
-            let cy = -y + t / 2.0 + dy * i as f32;
-            if cy.abs() < y - 2.0 * t {
-                let z = dz * k as f32 + t * 0.5;
-                b.rod("rod", [t - x, cy, z], [x - t, cy, z], 0.0045, wood);
+        for (i, k) in (0..across).flat_map(|i| (0..up).map(move |k| (i, k))) {
+            let (cy, z) = (-y + t / 2.0 + dy * (i as f32 + 0.5), dz * k as f32 + t);
+            for cy in [cy - dy * 0.2, cy + dy * 0.2] {
+                b.block("slat", [t - x, cy - 0.005, z - 0.01], [x - t, cy + 0.005, z], wood);
             }
         }
     }
@@ -199,7 +198,7 @@ pub(super) fn drying_rack(b: &mut Build<'_>) {
     let wing = y * 0.42;
     let body = y - wing;
     for side in [-1.0, 1.0] {
-        let (cx, lx) = (side * (x - r), side * (x - 4.0 * r));
+        let (cx, lx) = (side * (x - r), side * (x - 2.9 * r));
         b.rod("rail", [cx, -body, top], [cx, body, top], r, metal);
         leg(b, "leg", ([cx, -body, 0.0], r), ([cx, body * 0.75, top], r), Cut::Round, metal);
         leg(b, "leg", ([lx, body, 0.0], r), ([lx, -body * 0.75, top], r), Cut::Round, metal);
@@ -236,13 +235,15 @@ pub(super) fn clothes_rail(b: &mut Build<'_>) {
         if wooden { (b.style.wood, 0.016) } else { (b.one(&[BLACK_METAL, CHROME, WHITE_METAL, BRASS]), 0.012) };
     let (wheels, z) = (!wooden && b.rng.chance(0.5), h - if wooden { 0.05 } else { 0.014 });
     let lift = if wheels { 0.065 } else { 0.0 };
+    // Wooden poles cross below the rod, which lies between them.
+    let lean = (x + 0.7 * r) * h / (z - 0.03);
     for side in [-1.0, 1.0] {
         let cy = side * (y - r - 0.02);
         if wooden {
-            // Pairs of poles that cross below the rail.
             for sx in [-1.0, 1.0] {
                 let shift = sx * r * 1.02;
-                leg(b, "pole", ([sx * (x - r), cy + shift, 0.0], r), ([-sx * 0.06, cy + shift, h], r), Cut::Round, mat);
+                let head = [sx * (x - r - lean), cy + shift, h];
+                leg(b, "pole", ([sx * (x - r), cy + shift, 0.0], r), (head, r), Cut::Round, mat);
             }
         } else {
             b.bar("foot", [r - x, cy, lift + r], [x - r, cy, lift + r], r, mat);
@@ -262,7 +263,7 @@ pub(super) fn clothes_rail(b: &mut Build<'_>) {
     );
     let rail = z - if wooden { 0.03 } else { 0.0 } - r;
     let shelf = lift + 0.14_f32.min(h * 0.15);
-    let half = (x * if wooden { 0.72 } else { 0.6 }, y - r - 0.02);
+    let half = (if wooden { x - r - lean * shelf / h } else { x * 0.6 }, y - r - 0.02);
     b.block(
         "shelf",
         [-half.0, -half.1, shelf - 0.014],

@@ -1,9 +1,9 @@
 //! Bookcases and shelves.
 
-use super::case::{Cell, Column, Piece, Stand};
+use super::case::{Case, Cell, Column, Look, Piece, Stand};
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::joinery::BOARD;
+use crate::object::build::{Axis, Build, P};
+use crate::object::joinery::{BOARD, Handle};
 use crate::object::table::frame::{CORNERS, Cut, Four, at_least, leg};
 
 /// How many spaces fit one above the other at a usual height.
@@ -24,18 +24,23 @@ pub(super) fn bookshelf(b: &mut Build<'_>) {
         0 => etagere(b),
         1 => ladder(b),
         2 => {
-            // Columns of unlike spaces, or a lower part with doors' depth of drawers.
+            // Columns of unlike spaces.
             let count = spaces(b, b.size.z);
             let few = count.saturating_sub(1).max(1);
-            let columns = vec![(b.vary(0.8, 1.2), vec![(1.0, Cell::Open(count))]), (1.0, vec![(1.0, Cell::Open(few))])];
+            let (foot, wide) = (foot(b), b.vary(0.8, 1.2));
+            let columns = vec![(wide, stack(foot, count)), (1.0, stack(foot, few))];
             let mat = body(b);
-            Piece::new(columns, mat).build(b);
+            let mut piece = Piece::new(columns, mat);
+            piece.handle = grip(b);
+            piece.build(b);
         }
         design => {
             let columns = if b.size.y > 0.95 { 2 } else { 1 };
             let count = spaces(b, b.size.z);
             let mat = body(b);
-            let mut piece = Piece::new(vec![(1.0, vec![(1.0, Cell::Open(count))]); columns], mat);
+            let foot = foot(b);
+            let mut piece = Piece::new(vec![(1.0, stack(foot, count)); columns], mat);
+            piece.handle = grip(b);
             piece.stand = b.one(&[Stand::Plinth, Stand::Plinth, Stand::None, Stand::Legs, Stand::Splayed]);
             if design < 5 {
                 piece.overhang = b.vary(0.012, 0.02);
@@ -43,6 +48,29 @@ pub(super) fn bookshelf(b: &mut Build<'_>) {
             piece.build(b);
         }
     }
+}
+
+/// What is closed at the foot of a bookcase, and how high it is of a space.
+fn foot(b: &mut Build<'_>) -> (f32, Cell) {
+    let look = b.one(&[Look::Flat, Look::Framed, Look::Framed]);
+    b.one(&[(0.6, Cell::Drawers(1)), (1.0, Cell::Drawers(2)), (1.1, Cell::Doors(look, 1))])
+}
+
+/// Open spaces over a foot, `count` with it.
+fn stack(foot: (f32, Cell), count: usize) -> Vec<(f32, Cell)> {
+    let open = count.saturating_sub(1).max(1);
+    vec![foot, (open as f32, Cell::Open(open))]
+}
+
+fn grip(b: &mut Build<'_>) -> Handle {
+    b.one(&[Handle::Knob, Handle::Bar, Handle::None])
+}
+
+/// Two drawers that fill a space between shelves.
+fn drawers(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
+    let columns = vec![(1.0, vec![(1.0, Cell::Drawers(2))])];
+    let metal = b.style.metal;
+    Case { low, high, columns, handle: Handle::None, body: mat, front: mat, lid: mat, metal }.build(b);
 }
 
 /// A bookcase as high as a table or a little more.
@@ -149,6 +177,9 @@ fn boards(b: &mut Build<'_>, half: (f32, f32), z: (f32, f32), mat: Mat, keep: (f
         let (centre, free) = ([0.0, 0.0, top], ((half.0 - keep.0).max(0.01), half.1 - keep.1));
         if i == count {
             b.top("top", centre, free);
+        } else if i == 0 && b.class == "bookshelf" {
+            let side = half.1 - keep.1;
+            drawers(b, [-half.0 + 0.02, -side, top - 0.002], [half.0, side, top + pitch - thick + 0.002], mat);
         } else if holds {
             b.inside(&format!("shelf_{}", i + 1), centre, free, pitch - thick - 0.005);
         } else {
@@ -180,6 +211,11 @@ fn ladder(b: &mut Build<'_>) {
         let (from, to) = (-x + 0.02, end - 0.008);
         let (centre, free) = ([f32::midpoint(from, to), 0.0, z], ((to - from) / 2.0, y - 2.0 * r - 0.006));
         let clear = pitch - t - 0.01;
+        if i == 0 && b.class == "bookshelf" {
+            let (side, end) = (y - 2.0 * r - 0.003, front(z + clear) + r - 0.004);
+            drawers(b, [from, -side, z - 0.002], [end, side, z + clear + 0.012], wood);
+            continue;
+        }
         match (i + 1 == count, holds) {
             (true, _) => b.top("top", centre, free),
             (false, true) => b.inside(&format!("shelf_{}", i + 1), centre, free, clear),
@@ -201,7 +237,7 @@ pub(super) fn open_shelf(b: &mut Build<'_>) {
             let cut = b.one(&[Cut::Round, Cut::Square]);
             for (sx, sy) in CORNERS {
                 let at = |z: f32| [sx * (x - r - 0.004), sy * (y - r - 0.004), z];
-                leg(b, "post", (at(0.0), r), (at(h - 0.03), r), cut, wood);
+                leg(b, "post", (at(0.0), r), (at(h - 0.01), r), cut, wood);
             }
             // Things stand between the posts.
             boards(b, (x, y), (0.08, h - 0.022), wood, (0.005, 2.0 * r + 0.01));
@@ -254,8 +290,8 @@ pub(super) fn wall_shelf(b: &mut Build<'_>) {
             // Two tiers between loops of metal.
             for side in [-1.0, 1.0] {
                 let cy = side * (y * 0.86);
-                b.block("strip", [-x, cy - 0.01, 0.0], [-x + 0.005, cy + 0.01, h - 0.03], metal);
-                b.block("strip", [x - 0.005, cy - 0.01, 0.0], [x, cy + 0.01, h - 0.03], metal);
+                b.block("strip", [-x, cy - 0.01, 0.0], [-x + 0.005, cy + 0.01, h - 0.01], metal);
+                b.block("strip", [x - 0.005, cy - 0.01, 0.0], [x, cy + 0.01, h - 0.01], metal);
                 b.block("strip", [-x + 0.004, cy - 0.009, 0.001], [x - 0.004, cy + 0.009, 0.006], metal);
             }
             for (z, name) in [(0.004, "shelf_1"), (h - t, "top")] {

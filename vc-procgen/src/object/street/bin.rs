@@ -35,7 +35,7 @@ pub(super) fn wheelie_bin(b: &mut Build<'_>) {
         b.block(
             "strut",
             [axle - 0.03, side * bottom.1 * 0.9 - 0.02, wheel - 0.02],
-            [middle, side * bottom.1 * 0.9 + 0.02, wheel + 0.03],
+            [middle - bottom.0 + 0.012, side * bottom.1 * 0.9 + 0.02, wheel + 0.03],
             body,
         );
     }
@@ -45,7 +45,7 @@ pub(super) fn wheelie_bin(b: &mut Build<'_>) {
         b.block("bracket", [-x + 0.016, cy - 0.015, grip - 0.012], [back + 0.02, cy + 0.015, grip + 0.012], body);
     }
     // The lid turns up and over the handle.
-    b.hinge([back, 0.0, rim + 0.01], [0.0, -1.0, 0.0], FRAC_PI_2 * 1.2, |b| {
+    b.hinge([back - 0.02, 0.0, rim], [0.0, -1.0, 0.0], FRAC_PI_2 * 1.2, |b| {
         b.block("lid", [back - 0.02, -y, rim], [x, y, rim + 0.025], lid);
         let top = (h - rim - 0.025).min(domed).max(0.01);
         b.taper(

@@ -91,7 +91,7 @@ pub(super) fn gate(b: &mut Build<'_>) {
     let bay = Bay { y: 0.0, half: half - 0.02, low: h * b.vary(0.05, 0.1), high: h * b.vary(0.88, 0.97) };
     let form = Form::any(b);
     let leaf = d * 0.7;
-    b.hinge([0.0, half, 0.0], [0.0, 0.0, -1.0], FRAC_PI_2 * 0.95, |b| {
+    b.hinge([-leaf, half, 0.0], [0.0, 0.0, -1.0], FRAC_PI_2 * 0.95, |b| {
         filling(b, fill, bay, leaf, &form, (mat, 14));
         for side in [-1.0, 1.0] {
             let cy = side * (half - 0.018);

@@ -4,7 +4,7 @@ use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, hoop, polar, polygon, spaced};
+use crate::object::park::shape::{grown, polar, polygon, spaced};
 
 use super::sign::poster;
 
@@ -147,12 +147,9 @@ fn post_lamp(b: &mut Build<'_>, metal: Mat) {
         }
         1 => {
             let globe = r.min(tall * 0.48);
-            b.lathe(
-                "cup",
-                [0.0, 0.0, top],
-                &[(globe * 0.35, 0.0), (globe * 0.6, tall * 0.15), (globe * 0.2, tall * 0.15)],
-                metal,
-            );
+            let cup = h - 1.8 * globe - top;
+            let profile = [(globe * 0.35, 0.0), (globe * 0.6, cup), (globe * 0.2, cup)];
+            b.lathe("cup", [0.0, 0.0, top], &profile, metal);
             b.ball("lamp", [0.0, 0.0, h - globe], globe, bulb);
         }
         2 => {
@@ -460,7 +457,7 @@ pub(super) fn bus_stop(b: &mut Build<'_>) {
     });
     let (seat, reach) = (0.45, y * b.vary(0.35, 0.6));
     let wood = b.one(&[b.style.wood, STEEL, GALVANISED, TEAK]);
-    b.soft("seat", [back + 0.08, -reach, seat - 0.04], [back + 0.45_f32.min(x * 0.7), reach, seat], 0.01, wood);
+    b.soft("seat", [back + post - 0.004, -reach, seat - 0.04], [back + 0.45_f32.min(x * 0.7), reach, seat], 0.01, wood);
     for cy in [-reach * 0.8, reach * 0.8] {
         b.block(
             "leg",
@@ -568,7 +565,7 @@ pub(super) fn phone_booth(b: &mut Build<'_>) {
     b.hinge([front + 0.02, edge, 0.0], [0.0, 0.0, 1.0], FRAC_PI_2, |b| {
         b.at([front, 0.0, 0.0], 0.0, |b| pane(b, edge - 0.004, low));
         b.rod("handle", [front + 0.033, -edge * 0.8, h * 0.4], [front + 0.033, -edge * 0.8, h * 0.5], 0.01, STEEL);
-        b.block("plate", [front + 0.01, -edge * 0.85, h * 0.44], [front + 0.036, -edge * 0.75, h * 0.46], STEEL);
+        b.block("plate", [front - 0.003, -edge * 0.85, h * 0.44], [front + 0.036, -edge * 0.75, h * 0.46], STEEL);
     });
     b.block("lintel", [-x, -y, top - 0.003], [x - 0.006, y, top + roof * 0.45], mat);
     b.block("sign", [x - 0.01, -edge, top + roof * 0.08], [x, edge, top + roof * 0.38], WHITE_PLASTIC);
@@ -648,36 +645,41 @@ pub(super) fn dog_chain(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let steel = b.one(&[STEEL, GALVANISED, IRON]);
     let wire = (h * 0.09).min(0.004);
-    let link = (x * 0.28).min(y * 0.2);
-    let turns = b.rng.count(2, 3);
-    let per_turn = b.rng.count(7, 10);
-    let layer = ((h - 2.0 * wire) / turns as f32).min(2.2 * wire);
-    for i in 0..turns * per_turn {
-        let angle = TAU * i as f32 / per_turn as f32;
-        let out = 1.0 - 0.12 * (i % 3) as f32;
-        let at = [
-            (x - link - wire) * out * angle.cos(),
-            (y * 0.75 - link - wire) * out * angle.sin() - y * 0.2,
-            layer * (i / per_turn) as f32,
-        ];
-        b.lathe("link", at, &hoop(link, wire), steel);
+    let link = (x * 0.34).min(y * 0.22);
+    // The chain lies in an oval between the loop for the hand and the hook.
+    let loop_r = (x * 0.5).min(y * 0.35);
+    let (low, high) = (-y + loop_r * 1.9, y * 0.4);
+    let (a, c, middle) = (x - link - wire, (high - low) / 2.0, f32::midpoint(low, high));
+    let around = oval(a, c, 1.85 * link);
+    let turns = if around.len() > 7 { 1 } else { 2 };
+    let section = [(0.0, wire), (wire, 0.0), (0.0, -wire), (-wire, 0.0), (0.0, wire)];
+    let ring: Vec<(f32, f32)> = section.iter().map(|p| (link + p.0, wire + p.1)).collect();
+    for turn in 0..turns {
+        for (dx, dy) in &around {
+            b.lathe("link", [*dx, middle + dy, 1.8 * wire * turn as f32], &ring, steel);
+        }
     }
-    let tip = y - 2.0 * wire;
-    b.pipe(
-        "hook",
-        &[
-            [0.0, y * 0.3, wire * 2.0],
-            [x * 0.3, tip * 0.75, wire * 2.0],
-            [0.0, tip, wire * 2.0],
-            [-x * 0.3, tip * 0.75, wire * 2.0],
-        ],
-        wire,
-        BRASS,
-    );
-    b.lathe(
-        "loop",
-        [0.0, -y * 0.25, 0.0],
-        &[(x * 0.5, 0.0), (x * 0.5, h * 0.6), (x * 0.42, h * 0.6), (x * 0.42, 0.0), (x * 0.5, 0.0)],
-        BROWN_LEATHER,
-    );
+    let (tip, z) = (y - 2.0 * wire, wire * 2.0);
+    let hook = [[0.0, high, z], [x * 0.3, tip * 0.75, z], [0.0, tip, z], [-x * 0.3, tip * 0.75, z]];
+    b.pipe("hook", &hook, wire, BRASS);
+    let (inner, tall) = (loop_r * 0.84, h);
+    let strap = [(loop_r, 0.0), (loop_r, tall), (inner, tall), (inner, 0.0), (loop_r, 0.0)];
+    b.lathe("loop", [0.0, -y + loop_r, 0.0], &strap, BROWN_LEATHER);
+}
+
+/// Points around an ellipse, as evenly as whole steps of about `step` allow.
+fn oval(a: f32, c: f32, step: f32) -> Vec<(f32, f32)> {
+    const FINE: usize = 96;
+    let at = |i: usize| {
+        let (x, y) = polar(TAU * i as f32 / FINE as f32, 1.0);
+        (x * a, y * c)
+    };
+    let mut walked = vec![0.0_f32];
+    for i in 0..FINE {
+        let ((x0, y0), (x1, y1)) = (at(i), at(i + 1));
+        walked.push(walked[i] + (x1 - x0).hypot(y1 - y0));
+    }
+    let count = (walked[FINE] / step).ceil().clamp(3.0, 24.0) as usize;
+    let place = |k: usize| walked.partition_point(|w| *w < walked[FINE] * k as f32 / count as f32);
+    (0..count).map(|k| at(place(k))).collect()
 }

@@ -92,7 +92,8 @@ pub(super) fn balcony_door(b: &mut Build<'_>) {
     let post = 0.05 * u;
     frame(b, post, mat, u);
     let (x, y, h) = spans(b);
-    b.block("sill", [-x, -y + post, 0.0], [x, y - post, 0.02 * u], mat);
+    let sill = if y < 0.55 { 0.003 } else { 0.02 };
+    b.block("sill", [-x, -y + post, 0.0], [x, y - post, sill * u], mat);
     let rows: &[f32] = b.one(&[&[1.0], &[1.0], &[0.45, 1.3], &[0.6, 1.0, 1.0]]);
     let (border, metal) = (0.085 * u, b.style.metal);
     let leaf = Leaf { rows, columns: 1, border, infill: GLASS, mat };
@@ -272,8 +273,9 @@ fn hinged(b: &mut Build<'_>, leaf: &Leaf<'_>, (post, thick): (f32, f32), at: Swi
         leaf_of(b, leaf, low, high);
         levers(b, (low[0], high[0]), (low[1] + 0.055 * u, 1.0), (h * 0.49).min(1.03), (metal, u));
     });
+    // Beside the leaf, which turns past them.
     for z in [h * 0.12, h * 0.85] {
-        b.cylinder("hinge", [x + 0.003, high[1] + post * 0.04, z], 0.007 * u, 0.09 * u, metal);
+        b.cylinder("hinge", [x + 0.003 * u, high[1] + 0.0075 * u + 0.0005, z], 0.007 * u, 0.09 * u, metal);
     }
 }
 

@@ -66,6 +66,8 @@ pub(super) fn fuse_box(b: &mut Build<'_>) {
     let (wall, face) = (0.012 * u, x - 0.012 * u);
     case(b, [-x, -y, 0.0], [face - 0.01 * u, y, h], wall, mat);
     let plate = 0.0;
+    // Toggles stay clear of the door.
+    let proud = (0.018 * u).min((face - 0.01 * u) * 0.8);
     b.block("cover", [-x + wall, -y + wall, wall], [plate, y - wall, h - wall], WHITE_PLASTIC);
     let rows = (h / 0.15).round().clamp(1.0, 4.0) as usize;
     let pitch = (h - 2.0 * wall) / rows as f32;
@@ -76,11 +78,11 @@ pub(super) fn fuse_box(b: &mut Build<'_>) {
         let step = 2.0 * (y - wall) * 0.9 / 8.0;
         for i in 0..used {
             let y0 = -(y - wall) * 0.9 + step * i as f32;
-            b.block("breaker", [plate, y0, z - tall], [plate + 0.008 * u, y0 + step * 0.94, z + tall], GREY_PLASTIC);
+            b.block("breaker", [plate, y0, z - tall], [plate + proud * 0.4, y0 + step * 0.94, z + tall], GREY_PLASTIC);
             b.block(
                 "toggle",
                 [plate, y0 + step * 0.3, z],
-                [plate + 0.018 * u, y0 + step * 0.64, z + tall * 0.5],
+                [plate + proud, y0 + step * 0.64, z + tall * 0.5],
                 BLACK_PLASTIC,
             );
         }

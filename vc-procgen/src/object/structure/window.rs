@@ -22,7 +22,7 @@ pub(super) fn window(b: &mut Build<'_>) {
     if x - depth > 0.005 {
         b.block("outer_sill", [-x, -y, 0.0], [-depth, y, 0.012 * u], ALUMINIUM);
     }
-    let reach = x + b.vary(0.12, 0.18);
+    let reach = x + b.vary(0.03, 0.07);
     let board = 0.024 * u;
     let sill = b.one(&[b.style.joinery, MARBLE, b.style.wood, WHITE]);
     b.block("sill", [depth, -y, 0.0], [reach, y, board], sill);
@@ -87,12 +87,13 @@ pub(super) fn roof_window(b: &mut Build<'_>) {
     let border = 0.05 * u;
     rim_x(b, "frame", [-x, -y, 0.0], [x * 0.6, y, h], border, wood);
     rim_x(b, "flashing", [x * 0.2, -y + 0.001, 0.001], [x * 0.7, y - 0.001, h - 0.001], border * 0.5, skin);
-    let (low, high) = ([x * 0.4, -y + border * 0.6, border * 0.6], [x, y - border * 0.6, h - border * 0.6]);
+    // The sash closes on the frame from outside.
+    let (low, high) = ([x * 0.6 + 0.001, -y + border * 0.6, border * 0.6], [x, y - border * 0.6, h - border * 0.6]);
     swing(b, Swing::Up, low, high, 0.8, |b| {
         rim_x(b, "sash", low, high, border, skin);
         let w = border;
-        b.block("pane", [x * 0.6, low[1] + w, low[2] + w], [x * 0.8, high[1] - w, high[2] - w], GLASS);
-        b.block("bar", [x * 0.1, -y * 0.4, high[2] - w * 0.7], [x * 0.41, y * 0.4, high[2] - w * 0.3], ALUMINIUM);
+        b.block("pane", [x * 0.7, low[1] + w, low[2] + w], [x * 0.85, high[1] - w, high[2] - w], GLASS);
+        b.block("bar", [x * 0.1, -y * 0.4, high[2] - w], [x * 0.62, y * 0.4, high[2] - w * 0.6], ALUMINIUM);
     });
 }
 
@@ -265,7 +266,15 @@ pub(super) fn roller_shutter(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, ALUMINIUM, BROWN_PLASTIC]);
     let head = (h * 0.14).min(0.2);
-    b.soft("box", [-x, -y, h - head], [x, y, h], 0.02 * u, mat);
+    // Hollow, so that the slats go up into it.
+    let wall = x * 0.15;
+    for (from, to) in [([-x, -y], [-x + wall, y]), ([x - wall, -y], [x, y])] {
+        b.block("box", [from[0], from[1], h - head], [to[0], to[1], h], mat);
+    }
+    b.block("box", [-x + wall, -y, h - wall], [x - wall, y, h], mat);
+    for (y0, y1) in [(-y, -y + wall), (y - wall, y)] {
+        b.block("box", [-x + wall, y0, h - head], [x - wall, y1, h - wall], mat);
+    }
     let rail = 0.04 * u;
     let deep = x.min(0.025);
     for cy in [(-y, -y + rail), (y - rail, y)] {

@@ -314,9 +314,9 @@ impl Table {
 
     /// A shelf between upright legs.
     fn lower_shelf(&self, b: &mut Build<'_>, z: f32) {
-        let thick = self.girth() * 2.4;
+        let (girth, thick) = (self.girth(), self.girth() * 2.4);
         let (half, under) = (self.stand(), self.h - self.thickness);
-        let (x, y) = (half.0 - thick * 0.5, half.1 - thick * 0.5);
+        let (x, y) = (half.0 - girth * 0.5, half.1 - girth * 0.5);
         b.block("shelf", [-x, -y, z - 0.018], [x, y, z], self.wood);
         let free = (half.0 - thick - 0.01, half.1 - thick - 0.01);
         b.ledge("shelf", [0.0, 0.0, z], free, under - (self.h * 0.12).min(0.09) - z - 0.005);

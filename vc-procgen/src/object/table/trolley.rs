@@ -28,7 +28,10 @@ pub(super) fn folding_table(b: &mut Build<'_>) {
     }
     for side in [-1.0, 1.0] {
         let cx = side * (x - 0.03);
-        b.block("rail", [cx - 0.01, -y, under - 0.02], [cx + 0.01, y, under], metal);
+        b.block("rail", [cx - 0.01, 0.04 - y, under - 0.02], [cx + 0.01, y - 0.04, under], metal);
+        for cy in [-y, y] {
+            b.block("bracket", [cx - 0.015, cy - 0.012, under - 0.0105], [cx + 0.015, cy + 0.012, under], metal);
+        }
     }
 }
 
@@ -142,9 +145,12 @@ pub(super) fn workbench(b: &mut Build<'_>) {
         b.ledge("shelf", [0.0, 0.0, z], free, h - t - drop - z - 0.01);
         if drawers {
             let handle = Handle::Bar;
+            // They pass beside the vice.
+            let (low, high) = (2.0 * r - half.1, half.1 - 2.0 * r);
+            let high = if vice { high.min(y * 0.62 - 0.14).max(low + 0.1) } else { high };
             let case = Case {
-                low: [-half.0 * 0.9, 2.0 * r - half.1, h - t - drop],
-                high: [half.0 + 0.02 - handle.depth(), half.1 - 2.0 * r, h - t - 0.001],
+                low: [-half.0 * 0.9, low, h - t - drop],
+                high: [half.0 + 0.02 - handle.depth(), high, h - t - 0.001],
                 columns: vec![(1.0, vec![(1.0, Cell::Drawers(1))]); 2],
                 handle,
                 body: frame,

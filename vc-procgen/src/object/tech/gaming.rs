@@ -102,7 +102,7 @@ pub(super) fn handheld(b: &mut Build<'_>) {
             let (cy, cz) = (s * (y - wing * 0.52), h * z);
             for (a, c) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
                 let (py, pz) = (cy + a * wing * 0.24, cz + c * wing * 0.24);
-                buttons.push(([face - t * 0.1, py - dot, pz - dot], [face + t * 0.1, py + dot, pz + dot]));
+                buttons.push(([face - t * 0.06, py - dot, pz - dot], [face + t * 0.08, py + dot, pz + dot]));
             }
         }
         blocks(b, "button", &buttons, SCREEN);

@@ -154,14 +154,12 @@ pub(super) fn mixer(b: &mut Build<'_>) {
     let at = |px: f32| low + (high - low) * (x - px) / (2.0 * x);
     let count = ((2.0 * y / 0.045) as usize).clamp(4, 10);
     let pitch = 1.8 * y / count as f32;
-    let (mut slots, mut faders, mut knobs, mut caps) =
-        (Shell::default(), Shell::default(), Shell::default(), Shell::default());
+    let (mut faders, mut knobs, mut caps) = (Shell::default(), Shell::default(), Shell::default());
     for i in 0..count {
         let py = -0.9 * y + pitch * (i as f32 + 0.5);
-        slots.block(
-            [x * 0.3, py - pitch * 0.06, at(x * 0.85) - key * 0.3],
-            [x * 0.85, py + pitch * 0.06, at(x * 0.3) * 0.98],
-        );
+        let (a, c) = (x * 0.3, x * 0.85);
+        let outline = [(a, at(a) - key * 0.3), (c, at(c) - key * 0.3), (c, at(c) + key * 0.1), (a, at(a) + key * 0.1)];
+        b.prism("slot", Axis::Y, [0.0, py - pitch * 0.06, 0.0], &outline, pitch * 0.12, SCREEN);
         let f = x * b.vary(0.35, 0.75);
         faders.block([f, py - pitch * 0.25, at(f) - key * 0.5], [f + x * 0.1, py + pitch * 0.25, at(f) + key * 0.6]);
         for k in 0..4 {
@@ -171,7 +169,6 @@ pub(super) fn mixer(b: &mut Build<'_>) {
             shell.loft(&[ring(at(px) - key * 0.6), ring(at(px) + key * 0.7)]);
         }
     }
-    slots.put(b, "slot", SCREEN);
     faders.put(b, "fader", WHITE_PLASTIC);
     knobs.put(b, "knob", GREY_PLASTIC);
     let colour = b.one(&[RED_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC]);

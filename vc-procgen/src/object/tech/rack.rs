@@ -28,7 +28,7 @@ pub(super) fn rack(b: &mut Build<'_>) {
     panel(b, ([front - out * 0.5, -y, foot], [front, y, h * 0.98]), slot, face);
     let mut feet = Shell::default();
     for (sx, sy) in [(-0.8, -0.85), (-0.8, 0.85), (0.7, -0.85), (0.7, 0.85)] {
-        feet.block([x * sx - foot, y * sy - foot, 0.0], [x * sx + foot, y * sy + foot, foot * 1.1]);
+        feet.block([x * sx - foot, y * sy - foot, 0.0], [x * sx + foot, y * sy + foot, foot + h * 0.035]);
     }
     feet.put(b, "foot", RUBBER);
     b.top("top", [-out * 0.7, 0.0, h], (x - out, y * 0.95));

@@ -146,9 +146,13 @@ impl Shell {
 
     /// A box between two corners.
     pub(in crate::object) fn block(&mut self, low: P, high: P) {
-        let ring =
-            |z: f32| vec![[low[0], low[1], z], [high[0], low[1], z], [high[0], high[1], z], [low[0], high[1], z]];
-        self.loft(&[ring(low[2]), ring(high[2])]);
+        // Corner i has the high X, Y, Z where its bits 0, 1, 2 are set.
+        const FACES: [[u32; 4]; 6] =
+            [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+        let corner = |i: usize| [0, 1, 2].map(|k| if i >> k & 1 == 1 { high[k] } else { low[k] });
+        let corners: [P; 8] = std::array::from_fn(corner);
+        let halves = FACES.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
+        self.piece(&corners, halves.collect());
     }
 
     /// A skin over rings of equally many points, closed at both ends.
@@ -271,7 +275,9 @@ fn skin(n: usize, count: usize, pairs: usize) -> Vec<[u32; 3]> {
         let [a, b, c, d] = [i * n + j, i * n + k, next + k, next + j].map(|v| v as u32);
         [[a, b, c], [a, c, d]]
     };
-    (0..pairs).flat_map(|i| (0..n).flat_map(move |j| quad(i, j))).collect()
+    let mut triangles = Vec::with_capacity(2 * n * (pairs + 1));
+    (0..pairs).for_each(|i| (0..n).for_each(|j| triangles.extend(quad(i, j))));
+    triangles
 }
 
 /// Rings of a tube along points, without twist.

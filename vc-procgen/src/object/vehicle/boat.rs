@@ -43,6 +43,12 @@ impl Lines {
             let end = (x - self.skin) / x;
             inner.push(row(half - t, (keel + self.skin).min(rim - 0.005), x * s * end));
         }
+        // The stern's board, where it is wide enough for one.
+        if self.stern > 0.4 {
+            let board: Vec<(f32, f32)> =
+                outer.first().iter().flat_map(|row| row.iter().map(|p| (p[1], p[2]))).collect();
+            b.prism("transom", Axis::X, [-x + 0.001, 0.0, 0.0], &board, self.skin - 0.002, mat);
+        }
         shell(b, "hull", &outer, &inner, mat);
     }
 
@@ -80,7 +86,7 @@ pub(super) fn rowing_boat(b: &mut Build<'_>) {
     for (i, s) in spaced(seats, -0.72, 0.45).enumerate() {
         let half = lines.across(s - 0.08, level - 0.03, (y, h)).min(lines.across(s + 0.08, level - 0.03, (y, h)));
         b.block("thwart", [x * s - 0.1, -half, level - 0.03], [x * s + 0.1, half, level], wood);
-        b.top(&format!("seat_{}", i + 1), [x * s, 0.0, level], (0.09, half * 0.6));
+        b.top(&format!("seat_{}", i + 1), [x * s, 0.0, level], (0.09, half * 0.4));
     }
     let gap = 1.17 / (seats - 1) as f32 * x;
     let middle = -0.72 * x + gap / 2.0;
@@ -88,7 +94,7 @@ pub(super) fn rowing_boat(b: &mut Build<'_>) {
         "compartment",
         [middle.max(-0.5 * x), 0.0, floor],
         ((gap / 2.0 - 0.12).max(0.03).min(0.3 * x), wide * 0.8),
-        h * 0.5,
+        level - floor - 0.005,
     );
     oars(b, &lines, (x, y, h), wood);
 }
@@ -97,8 +103,9 @@ pub(super) fn rowing_boat(b: &mut Build<'_>) {
 fn oars(b: &mut Build<'_>, lines: &Lines, (x, y, h): (f32, f32, f32), wood: Mat) {
     let level = h * (1.0 - lines.sheer) * 0.68 + 0.022;
     for side in [-1.0, 1.0] {
-        let cy = side * lines.across(-0.72, level, (y, h)) * 0.78;
-        let (from, to) = ([-x * 0.8, cy, level], [x * 0.55, side * y * 0.3, level]);
+        let lane = |s: f32| side * lines.across(s, level, (y, h)) * 0.8;
+        let (from, to) = ([-x * 0.8, lane(-0.8), level], [x * 0.55, lane(0.55), level]);
+        let flat = 0.07_f32.min(y * 0.12);
         b.rod("oar", from, to, 0.02, wood);
         let blade = mix(from, to, 0.82);
         b.hull(
@@ -106,10 +113,10 @@ fn oars(b: &mut Build<'_>, lines: &Lines, (x, y, h): (f32, f32, f32), wood: Mat)
             &[
                 [blade[0], blade[1] - 0.02, level - 0.01],
                 [blade[0], blade[1] + 0.02, level + 0.01],
-                [to[0], to[1] - 0.07, level - 0.01],
-                [to[0], to[1] + 0.07, level - 0.01],
-                [to[0], to[1] + 0.07, level + 0.01],
-                [to[0], to[1] - 0.07, level + 0.01],
+                [to[0], to[1] - flat, level - 0.01],
+                [to[0], to[1] + flat, level - 0.01],
+                [to[0], to[1] + flat, level + 0.01],
+                [to[0], to[1] - flat, level + 0.01],
             ],
             wood,
         );
@@ -160,8 +167,8 @@ pub(super) fn kayak(b: &mut Build<'_>) {
     }
     let (s0, s1) = (pit.0 + 0.16 + 0.42 * (seats as f32 - 1.0), pit.1);
     let start = x * (s0 - 0.02) + 0.17;
-    let (end, floor) = ((x * s1 - 0.03).max(start + 0.06), 0.03);
-    let half = lines.across(0.1, floor, (y, top)) * 0.7;
+    let (end, floor) = ((x * s1 - 0.03).max(start + 0.06), (h * 0.08).max(0.03));
+    let half = lines.across(0.1, floor, (y, top)).min(lines.across(s1, floor, (y, top))) * 0.65;
     b.block("mat", [start - 0.02, -half, 0.012], [end, half, floor], GREY_RUBBER);
     b.inside("compartment", [(start + end) / 2.0, 0.0, floor], ((end - start) / 2.0 - 0.005, half * 0.9), h * 0.6);
     for side in [-1.0, 1.0] {
@@ -256,7 +263,8 @@ pub(super) fn motorboat(b: &mut Build<'_>) {
             );
         }
         let chest = (-x * 0.9, -x * 0.9 + x * 0.28);
-        storage_bench(b, chest, (wide * 0.95, floor, floor + rim * 0.32), leather);
+        let stern = lines.across(-0.92, floor, size) - 0.03;
+        storage_bench(b, chest, (stern.min(wide * 0.95) * 0.94, floor, floor + rim * 0.32), leather);
     });
     outboard(b, tail, x, rim);
 }

@@ -3,7 +3,7 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
-use super::wheel::{Rim, wheel};
+use super::wheel::{Rim, axled};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, mix, plate};
@@ -178,6 +178,10 @@ pub(super) fn car(b: &mut Build<'_>) {
     let mut shape = shape(class);
     shape.stations = shape.stations.map(|s| s + b.vary(-0.012, 0.012));
     shape.stations[3] = shape.stations[3].min(0.99);
+    if shape.tail == Tail::Boot {
+        // The lid begins behind the pane.
+        shape.cargo = shape.cargo.max(shape.stations[3] + 0.004);
+    }
     shape.belt = shape.belt.map(|s| s + b.vary(-0.015, 0.02));
     let paint = match b.class {
         "taxi" => b.one(&[YELLOW_METAL, YELLOW_METAL, BLACK_METAL, CREAM]),
@@ -195,7 +199,11 @@ pub(super) fn car(b: &mut Build<'_>) {
     let wheel = (roof * shape.wheel * b.vary(0.96, 1.04)).min(front * 0.2);
     let axles = [front * b.vary(0.6, 0.65), -front * b.vary(0.56, 0.62)];
     let low = roof * shape.clear;
-    let car = Car { shape, front, half, roof, low, side: half * 0.27, wheel, axles, paint };
+    let mut car = Car { shape, front, half, roof, low, side: half * 0.27, wheel, axles, paint };
+    if car.shape.tail == Tail::Doors {
+        let tail = car.ends().1;
+        (car.shape.stations[2], car.shape.stations[3]) = (tail, tail);
+    }
     body(b, &car);
     if car.shape.open {
         cockpit(b, &car)
@@ -209,13 +217,10 @@ pub(super) fn car(b: &mut Build<'_>) {
     {
         let width = car.side * 0.8;
         let y = side * (car.half - 0.012 - width / 2.0);
-        wheel_at(b, name, [car.axles[axle], y, car.wheel], (car.wheel, width), side, rim);
+        let at = [car.axles[axle], y, car.wheel];
+        axled(b, name, at, (car.wheel, width), side, rim, car.half - car.side - 0.002);
     }
     livery(b, &car);
-}
-
-fn wheel_at(b: &mut Build<'_>, name: &str, at: P, (radius, width): (f32, f32), side: f32, rim: Rim) {
-    wheel(b, name, at, radius, width, side, rim);
 }
 
 impl Car {
@@ -242,6 +247,27 @@ impl Car {
         [self.x(share), side * self.half * tuck, if top { self.roof } else { self.belt(share) - 0.01 }]
     }
 
+    /// The share of the length at which nose and tail narrow; a van's tail is square.
+    fn ends(&self) -> (f32, f32) {
+        let square = 1.0 - 0.03 / self.front;
+        (0.045, if self.shape.tail == Tail::Doors { square } else { 0.955 })
+    }
+
+    /// Height of the tail behind what opens.
+    fn tail_top(&self) -> f32 {
+        let belt = self.belt(0.955);
+        match self.shape.tail {
+            Tail::Boot => belt,
+            Tail::Bed => self.bed() - 0.035,
+            Tail::Hatch | Tail::Doors => self.low + (belt - self.low) * 0.55,
+        }
+    }
+
+    /// Height of the bed's floor.
+    fn bed(&self) -> f32 {
+        self.low + (self.belt(self.shape.cargo).min(self.belt(0.95)) - self.low) * 0.45
+    }
+
     fn cowl(&self) -> f32 {
         self.shape.stations[0]
     }
@@ -250,9 +276,9 @@ impl Car {
 /// The body below the panes: two sides with arches, the block between them, nose and
 /// tail that narrow in plan.
 fn body(b: &mut Build<'_>, car: &Car) {
-    let nose = 0.045;
+    let (nose, tail) = car.ends();
     let shares = |from: f32, to: f32| (0..=8).map(move |i| from + (to - from) * i as f32 / 8.0);
-    let (x0, x1) = (car.x(nose), car.x(1.0 - nose));
+    let (x0, x1) = (car.x(nose), car.x(tail));
     // Arches are drawn from front to rear along the bottom.
     let arch = |centre: f32| {
         let r = car.wheel * 1.13;
@@ -261,7 +287,7 @@ fn body(b: &mut Build<'_>, car: &Car) {
             .map(move |i| start + (PI - 2.0 * start) * i as f32 / 10.0)
             .map(move |a| (centre + r * a.cos(), car.wheel + r * a.sin()))
     };
-    let mut outline: Vec<(f32, f32)> = shares(nose, 1.0 - nose).map(|s| (car.x(s), car.belt(s))).rev().collect();
+    let mut outline: Vec<(f32, f32)> = shares(nose, tail).map(|s| (car.x(s), car.belt(s))).rev().collect();
     outline.push((x0, car.low));
     outline.extend(car.axles.iter().flat_map(|&c| arch(c)));
     outline.push((x1, car.low));
@@ -275,21 +301,17 @@ fn body(b: &mut Build<'_>, car: &Car) {
     middle.push((x0, car.low + 0.02));
     let inner = car.half - car.side;
     b.prism("middle", Axis::Y, [0.0, -inner, 0.0], &middle, 2.0 * inner, car.paint);
+    rounded_end(b, car, 1.0);
     if car.shape.tail != Tail::Doors {
-        rounded_end(b, car, nose, 1.0);
-        rounded_end(b, car, nose, -1.0);
-    } else {
-        rounded_end(b, car, nose, 1.0);
+        rounded_end(b, car, -1.0);
     }
 }
 
 /// Nose (`way` 1) or tail (-1): as wide as the body where it meets it, narrower at
 /// the end.
-fn rounded_end(b: &mut Build<'_>, car: &Car, share: f32, way: f32) {
-    let root = if way > 0.0 { car.x(share) } else { car.x(1.0 - share) };
-    let at = |s: f32| car.belt(if way > 0.0 { s } else { 1.0 - s });
-    let top =
-        if way > 0.0 || car.shape.tail == Tail::Boot { at(share) } else { car.low + (at(share) - car.low) * 0.55 };
+fn rounded_end(b: &mut Build<'_>, car: &Car, way: f32) {
+    let (nose, tail) = car.ends();
+    let (root, top) = if way > 0.0 { (car.x(nose), car.belt(nose)) } else { (car.x(tail), car.tail_top()) };
     let end = way * car.front;
     let mut points = Vec::new();
     for side in [-1.0, 1.0] {
@@ -421,11 +443,11 @@ fn cockpit(b: &mut Build<'_>, car: &Car) {
 /// The boot, load space or bed behind, and what closes it.
 fn tail(b: &mut Build<'_>, car: &Car) {
     let inner = car.half - car.side;
-    let (x0, x1) = (-car.front * 0.91 + 0.01, car.x(car.shape.cargo));
+    let (x0, x1) = (car.x(car.ends().1) + 0.01, car.x(car.shape.cargo));
     let belt = car.belt(car.shape.cargo).min(car.belt(0.95));
-    let floor = car.low + (belt - car.low) * if car.shape.tail == Tail::Bed { 0.45 } else { 0.3 };
+    let floor = if car.shape.tail == Tail::Bed { car.bed() } else { car.low + (belt - car.low) * 0.3 };
     let t = 0.02;
-    b.block("floor", [x0 - 0.005, -inner, floor - 0.05], [x1, inner, floor], CHARCOAL_FABRIC);
+    b.block("floor", [x0 - 0.005, -inner, car.low + 0.02], [x1, inner, floor], CHARCOAL_FABRIC);
     let top = match car.shape.tail {
         Tail::Boot => boot_lid(b, car, (x0, x1)),
         Tail::Bed => bed_flap(b, car, (x0, x1, floor)),
@@ -453,7 +475,12 @@ fn boot_lid(b: &mut Build<'_>, car: &Car, (x0, x1): (f32, f32)) -> f32 {
 fn bed_flap(b: &mut Build<'_>, car: &Car, (x0, x1, floor): (f32, f32, f32)) -> f32 {
     let inner = car.half - car.side;
     let belt = car.belt(0.95);
-    b.block("wall", [x1 - 0.03, -inner, floor - 0.01], [x1 + 0.001, inner, car.belt(car.shape.cargo)], car.paint);
+    b.block(
+        "wall",
+        [x1 - 0.03, -inner, floor - 0.01],
+        [x1 + 0.001, inner, car.belt(car.shape.cargo) - 0.005],
+        car.paint,
+    );
     b.hinge([x0, 0.0, floor], [0.0, -1.0, 0.0], FRAC_PI_2, |b| {
         b.block("flap", [x0 - 0.02, -inner + 0.004, floor + 0.002], [x0 + 0.015, inner - 0.004, belt], car.paint);
         b.block("handle", [x0 - 0.03, -0.07, belt - 0.12], [x0 - 0.018, 0.07, belt - 0.07], BLACK_PLASTIC);
@@ -470,7 +497,7 @@ fn hollow(b: &mut Build<'_>, car: &Car, floor: f32) -> f32 {
     b.taper(
         "roof",
         [(x0 + x1) / 2.0 + 0.005, 0.0, car.roof - 0.04],
-        ((x1 - x0) / 2.0 + 0.01, tuck + 0.01),
+        ((x1 - x0) / 2.0 + 0.005, tuck + 0.01),
         ((x1 - x0) / 2.0 + 0.005, tuck),
         0.04,
         car.paint,
@@ -485,14 +512,14 @@ fn hollow(b: &mut Build<'_>, car: &Car, floor: f32) -> f32 {
     }
     let inner = car.half - car.side;
     let foot = if car.shape.tail == Tail::Hatch { car.low + (car.belt(0.95) - car.low) * 0.56 } else { floor - 0.03 };
-    let (rear_x, top_x) = (car.x(rear.min(0.985)), car.x(roof1));
+    let (rear_x, top_x) = (car.x(rear.min(car.ends().1)) - 0.001, car.x(roof1));
     let belt = car.belt(rear);
     if car.shape.tail == Tail::Hatch {
         hatch(b, car, [foot, belt], [rear_x, top_x], inner);
     } else {
         for side in [1.0, -1.0] {
             let edge = side * inner.max(tuck);
-            b.hinge([rear_x, edge, 0.0], [0.0, 0.0, -side], FRAC_PI_2 * 1.6, |b| {
+            b.hinge([rear_x - t, edge, 0.0], [0.0, 0.0, -side], FRAC_PI_2 * 1.6, |b| {
                 let seam = side * 0.003;
                 b.block(
                     "door",
@@ -523,16 +550,12 @@ fn hollow(b: &mut Build<'_>, car: &Car, floor: f32) -> f32 {
 
 /// A hatch hinged at the roof's rear edge: a leaf below, a pane above.
 fn hatch(b: &mut Build<'_>, car: &Car, [foot, belt]: [f32; 2], [rear, top]: [f32; 2], inner: f32) {
-    let tuck = car.half * (1.0 - 2.0 * car.shape.tuck) - 0.01;
-    b.hinge([top, 0.0, car.roof - 0.02], [0.0, 1.0, 0.0], 1.3, |b| {
+    let tuck = car.half * (1.0 - 2.0 * car.shape.tuck) - 0.032;
+    let under = car.roof - 0.042;
+    b.hinge([top, 0.0, under], [0.0, 1.0, 0.0], 1.3, |b| {
         b.block("hatch", [rear, -inner - car.side * 0.5, foot], [rear + 0.03, inner + car.side * 0.5, belt], car.paint);
         let wide = inner + car.side * 0.5;
-        let face = [
-            [rear, wide, belt - 0.01],
-            [rear, -wide, belt - 0.01],
-            [top, -tuck, car.roof - 0.006],
-            [top, tuck, car.roof - 0.006],
-        ];
+        let face = [[rear, wide, belt - 0.01], [rear, -wide, belt - 0.01], [top, -tuck, under], [top, tuck, under]];
         plate(b, "hatch", face, 0.03, car.paint);
         pane(b, "rear_window", face, (0.08, 0.92, 0.12, 0.86), BLACK_GLASS);
         b.block(
@@ -549,8 +572,7 @@ fn details(b: &mut Build<'_>, car: &Car) {
     let nose = car.belt(0.045);
     let (z, tall) = (car.low + (nose - car.low) * 0.62, (nose - car.low) * b.vary(0.12, 0.22));
     let wide = car.half * b.vary(0.18, 0.28);
-    let tail_top =
-        if car.shape.tail == Tail::Boot { car.belt(0.955) } else { car.low + (car.belt(0.95) - car.low) * 0.55 };
+    let tail_top = car.tail_top();
     for side in [-1.0, 1.0] {
         let y = |share: f32| side * car.half * share;
         let (outer, inner) = (y(0.86), y(0.86) - side * wide);
@@ -581,8 +603,8 @@ fn details(b: &mut Build<'_>, car: &Car) {
         } else {
             b.block(
                 "tail_light",
-                [car.x(0.985) - 0.012, outer.min(outer - side * 0.1), car.low + 0.2],
-                [car.x(0.985) + 0.02, outer.max(outer - side * 0.1), car.low + 0.45],
+                [car.x(car.ends().1) - 0.02, y(0.915).min(y(0.985)), car.low + 0.2],
+                [car.x(car.ends().1) + 0.02, y(0.915).max(y(0.985)), car.low + 0.45],
                 SIGNAL_RED,
             );
         }

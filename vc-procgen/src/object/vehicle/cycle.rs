@@ -2,10 +2,10 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::wheel::spoked;
+use super::wheel::{fender, hub, nuts, spoked};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, limb, mix, tub};
+use crate::object::park::shape::{grown, limb, mix, polar, tub};
 
 const PAINTS: &[Mat] =
     &[RED_METAL, BLUE_METAL, BLACK_METAL, GREEN_METAL, WHITE_METAL, YELLOW_METAL, SILVER_METAL, ORANGE, NAVY, SAGE];
@@ -17,7 +17,7 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
     let cargo = b.class == "cargo_bike";
     let town = cargo || b.rng.chance(0.5);
     let frame = b.one(PAINTS);
-    let tyre = b.vary(0.012, 0.028) * (h / 1.0).min(1.2);
+    let tyre = (b.vary(0.012, 0.028) * h.min(1.2)).min(y * 0.1);
     let r = (h * b.vary(0.3, 0.325)).min(x * 0.38);
     let front_r = if cargo { r * 0.75 } else { r };
     let (rear, fore) = (-x + r, x - front_r);
@@ -25,12 +25,15 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
     spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, false, rim);
     spoked(b, "wheel_f", [fore, 0.0, front_r], front_r, tyre, false, rim);
     // Points of the frame: bottom bracket, seat, head.
-    let base = if cargo { rear + (fore - rear) * 0.27 } else { rear + (fore - rear) * b.vary(0.4, 0.44) };
+    let tube = (h * b.vary(0.015, 0.022)).max(0.006);
+    let base = rear + (fore - rear) * if cargo { 0.27 } else { b.vary(0.4, 0.44) };
+    let base = base.max(rear + r * 1.28 + tube);
     let pedal: P = [base, 0.0, r * 0.85];
     let saddle: P = [base - r * 0.45, 0.0, h * b.vary(0.86, 0.95)];
     let bar_z = h - 0.02;
-    let head: P = if cargo { [base + r * 1.25, 0.0, h * 0.78] } else { [fore - r * 0.62, 0.0, h * 0.84] };
-    let tube = (h * b.vary(0.015, 0.022)).max(0.006);
+    let box_end = fore - front_r * 1.5;
+    let head: P =
+        if cargo { [(base + r * 1.05).min(box_end - 0.28), 0.0, h * 0.78] } else { [fore - r * 0.62, 0.0, h * 0.84] };
     let rod =
         |b: &mut Build<'_>, name: &str, from: P, to: P, share: f32, mat: Mat| b.rod(name, from, to, tube * share, mat);
     let cluster = mix(pedal, saddle, if town { 0.62 } else { 0.78 });
@@ -45,10 +48,10 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
     }
     rod(b, "down_tube", pedal, down, 1.15, frame);
     rod(b, "head_tube", head, down, 1.2, frame);
-    let spread = (tyre * 1.9).max(0.02).min(y * 0.3);
+    let spread = hub(tyre, false) + tube * 0.7 + 0.002;
     for side in [-spread, spread] {
-        rod(b, "stay", [pedal[0], side * 0.6, pedal[2]], [rear, side, r], 0.6, frame);
-        rod(b, "stay", [cluster[0], side * 0.4, cluster[2]], [rear, side, r], 0.5, frame);
+        rod(b, "stay", [pedal[0], side * 0.85, pedal[2]], [rear, side, r], 0.6, frame);
+        rod(b, "stay", [cluster[0], side * 0.8, cluster[2]], [rear, side, r], 0.5, frame);
         let crown = if cargo {
             [fore - front_r * 0.35, side, front_r * 2.1]
         } else {
@@ -56,10 +59,12 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
         };
         rod(b, "fork", crown, [fore, side, front_r], 0.7, frame);
     }
-    rod(b, "axle", [rear, -spread - tube, r], [rear, spread + tube, r], 0.5, STEEL);
-    rod(b, "axle", [fore, -spread - tube, front_r], [fore, spread + tube, front_r], 0.5, STEEL);
+    rod(b, "bridge", [cluster[0], -spread * 0.8, cluster[2]], [cluster[0], spread * 0.8, cluster[2]], 0.5, frame);
+    let held = (hub(tyre, false) + 0.001, spread + tube);
+    nuts(b, [rear, 0.0, r], held, tube * 0.5);
+    nuts(b, [fore, 0.0, front_r], held, tube * 0.5);
     if cargo {
-        cargo_bed(b, down, (fore - front_r * 0.35, front_r), r, frame);
+        cargo_bed(b, down, (fore, front_r, spread), r, frame);
     } else {
         rod(
             b,
@@ -73,7 +78,11 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
     handlebar(b, head, (y, bar_z), tube, town);
     seat(b, saddle, (h * 0.13, (y * 0.42).min(0.08)), h);
     drive(b, pedal, [rear, 0.0, r], (r, y.min(0.17)), spread);
-    stand(b, [base - r * 0.25, 0.0, r * 0.75], y, tube);
+    for side in [-1.0, 1.0] {
+        // On both sides, so that it does not fall over.
+        let top = mix([pedal[0], side * spread * 0.85, pedal[2]], [rear, side * spread, r], 0.15);
+        kickstand(b, top, [top[0] - 0.06, side * (y * 0.75).min(0.16).max(spread * 1.3)], (tube * 0.5).max(0.004));
+    }
     if town {
         fittings(b, rear, r, tyre, spread);
     }
@@ -86,7 +95,8 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
             r * 0.22,
             BLACK_PLASTIC,
         );
-        b.soft("display", [head[0] + 0.0, -0.03, bar_z - 0.03], [head[0] + 0.04, 0.03, bar_z + 0.015], 0.005, SCREEN);
+        let low = [head[0] - tube, -0.03, bar_z - tube * 1.7 - 0.005];
+        b.soft("display", low, [head[0] + 0.04, 0.03, bar_z + 0.015], 0.005, SCREEN);
     }
 }
 
@@ -106,7 +116,8 @@ fn fittings(b: &mut Build<'_>, rear: f32, r: f32, tyre: f32, spread: f32) {
     for dx in [-0.7, -0.2, 0.4] {
         b.rod("rack", [rear + r * dx, -spread * 1.8, z], [rear + r * dx, spread * 1.8, z], 0.004, STEEL);
     }
-    b.block("reflector", [rear - r * 0.78, -0.025, z - 0.05], [rear - r * 0.74, 0.025, z + 0.004], SIGNAL_RED);
+    let back = rear - r * 0.7;
+    b.block("reflector", [back - 0.02, -0.025, z - 0.05], [back - 0.002, 0.025, z + 0.003], SIGNAL_RED);
 }
 
 fn handlebar(b: &mut Build<'_>, head: P, (y, z): (f32, f32), tube: f32, town: bool) {
@@ -179,36 +190,30 @@ fn drive(b: &mut Build<'_>, pedal: P, hub: P, (r, y): (f32, f32), spread: f32) {
     b.rod("bracket", [pedal[0], -spread * 1.8, pedal[2]], [pedal[0], spread * 1.8, pedal[2]], 0.016, ALUMINIUM);
 }
 
-/// A stand on both sides, so that it does not fall over.
-fn stand(b: &mut Build<'_>, top: P, y: f32, tube: f32) {
-    let r = (tube * 0.5).max(0.004);
-    for side in [-1.0, 1.0] {
-        let foot = [top[0] - 0.04, side * (y * 0.75).min(0.16), r];
-        b.bar("stand", [top[0] + 0.03, 0.0, top[2]], foot, r, IRON);
-    }
+/// A leg to stand on with a flat foot.
+fn kickstand(b: &mut Build<'_>, top: P, [x, y]: [f32; 2], r: f32) {
+    b.rod("stand", top, [x, y, r * 0.6 + 0.003], r, IRON);
+    b.block("foot", [x - r * 2.0, y - r * 1.5, 0.0], [x + r * 2.0, y + r * 1.5, r + 0.004], IRON);
 }
 
-/// The box of a cargo bike between the handlebar and the front wheel.
-fn cargo_bed(b: &mut Build<'_>, down: P, (fore, front_r): (f32, f32), r: f32, frame: Mat) {
+/// The box of a cargo bike between the handlebar and the front wheel, and the beam
+/// that carries it and rises behind the wheel to the fork.
+fn cargo_bed(b: &mut Build<'_>, down: P, (fore, front_r, spread): (f32, f32, f32), r: f32, frame: Mat) {
     let y = b.size.y / 2.0;
     let (low, x0) = (r * 0.55, down[0] + 0.06);
-    let x1 = fore.max(x0 + 0.2) - front_r * 0.75;
-    let (middle, half) = ((x0 + x1) / 2.0, ((x1 - x0) / 2.0).max(0.1));
+    let x1 = (fore - front_r * 1.5).max(x0 + 0.1);
+    let (middle, half) = ((x0 + x1) / 2.0, (x1 - x0) / 2.0);
     let tall = (b.size.z * b.vary(0.32, 0.42)).max(0.1);
     let mat = b.one(&[BIRCH, OAK, PINE, BLACK_PLASTIC, frame]);
     let wide = (y * 0.82, y * 0.95);
     tub(b, "box", [middle, 0.0, low], (half * 0.85, wide.0), (half, wide.1), tall, 0.015, mat);
     b.inside("compartment", [middle, 0.0, low + 0.015], (half * 0.85 - 0.03, wide.0 - 0.03), tall + 0.2);
-    b.rod("beam", [down[0] - 0.05, 0.0, low - 0.008], [fore, 0.0, front_r * 2.1], 0.02, frame);
-    b.rod("beam", [down[0], 0.0, down[2]], [down[0] + 0.02, 0.0, low - 0.01], 0.018, frame);
-    b.rod("beam", [down[0], 0.0, low - 0.01], [middle + half * 0.85, 0.0, low - 0.01], 0.02, frame);
-    b.rod(
-        "crown",
-        [fore, -0.06_f32.max(-y * 0.3), front_r * 2.1],
-        [fore, 0.06_f32.min(y * 0.3), front_r * 2.1],
-        0.015,
-        frame,
-    );
+    let beam = 0.02_f32.min(front_r * 0.08);
+    let under = low - beam * 0.5;
+    let crown: P = [fore - front_r * 0.35, 0.0, front_r * 2.1];
+    let knee: P = [fore - front_r * 1.4, 0.0, front_r * 1.35];
+    b.pipe("beam", &[down, [down[0] + 0.02, 0.0, under], [knee[0], 0.0, under], knee, crown], beam, frame);
+    b.rod("crown", [crown[0], -spread, crown[2]], [crown[0], spread, crown[2]], beam, frame);
 }
 
 /// A motorcycle: engine, tank, seat, fork, exhaust; a locker under the seat.
@@ -216,28 +221,34 @@ pub(super) fn motorcycle(b: &mut Build<'_>) {
     grown(b, [1.0, 0.38, 0.52]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let paint = b.one(PAINTS);
-    let r = (h * b.vary(0.26, 0.29)).min(x * 0.36);
-    let tyre = r * b.vary(0.17, 0.23);
+    let r = (h * b.vary(0.25, 0.275)).min(x * 0.36);
+    let tyre = (r * b.vary(0.17, 0.23)).min(y * 0.17);
     let cast = b.rng.chance(0.6);
     let (rear, fore) = (-x + r + 0.02, x - r);
     let rim = b.one(&[ALUMINIUM, BLACK_METAL, CHROME]);
     spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, cast, rim);
     spoked(b, "wheel_f", [fore, 0.0, r], r, tyre * 0.85, cast, rim);
     let head: P = [fore - r * b.vary(0.7, 0.95), 0.0, h * 0.82];
-    let fork = tyre * 1.3;
-    for side in [-fork, fork] {
-        b.rod("fork", [head[0], side, head[2]], [fore, side, r], 0.022 * h, CHROME);
-        b.rod("swing_arm", [rear + r * 1.3, side, r * 1.05], [rear, side, r], 0.024 * h, IRON);
-        b.rod("shock", [rear + r * 0.3, side, r * 1.1], [rear + r * 0.75, side * 0.9, h * 0.62], 0.018 * h, CHROME);
+    let held = (hub(tyre * 0.85, cast), hub(tyre, cast));
+    let (fork, arm) = (held.0 + 0.022 * h + 0.003, held.1 + 0.024 * h + 0.003);
+    let waist = h * 0.66;
+    let deep = waist - 2.0 * r - 0.022;
+    let shock = waist - deep - 0.012 * h;
+    for side in [-1.0, 1.0] {
+        let (f, a) = (side * fork, side * arm);
+        b.rod("fork", [head[0], f, head[2]], [fore, f, r], 0.022 * h, CHROME);
+        b.rod("swing_arm", [rear + r * 1.3, a, r * 1.05], [rear, a, r], 0.024 * h, IRON);
+        b.rod("shock", [rear + r * 0.3, a, r * 1.1], [rear + r * 0.75, a * 0.95, shock], 0.018 * h, CHROME);
     }
+    b.rod("mount", [rear + r * 0.75, -arm, shock], [rear + r * 0.75, arm, shock], 0.014 * h, IRON);
     b.rod("yoke", [head[0], -fork, head[2] - 0.02], [head[0], fork, head[2] - 0.02], 0.03 * h, IRON);
-    b.rod("axle", [fore, -fork, r], [fore, fork, r], 0.012, STEEL);
-    b.rod("axle", [rear, -fork, r], [rear, fork, r], 0.012, STEEL);
+    nuts(b, [fore, 0.0, r], (held.0 + 0.001, fork + 0.024 * h), 0.012);
+    nuts(b, [rear, 0.0, r], (held.1 + 0.001, arm + 0.026 * h), 0.012);
     let (mid0, mid1) = (rear + r * 1.15, fore - r * 1.2);
-    let waist = h * 0.58;
-    b.soft("engine", [mid0, -y * 0.4, r * 0.45], [mid1, y * 0.4, waist * 0.85], 0.04, GALVANISED);
+    let motor = (waist * 0.82).min(waist - deep - 0.005);
+    b.soft("engine", [mid0, -y * 0.4, r * 0.45], [mid1, y * 0.4, motor], 0.04, GALVANISED);
     for i in 0..4 {
-        let z = waist * (0.55 + 0.08 * i as f32);
+        let z = motor * (0.62 + 0.09 * i as f32);
         b.block("fin", [mid0 + (mid1 - mid0) * 0.35, -y * 0.46, z], [mid1 - 0.02, y * 0.46, z + 0.015], ALUMINIUM);
     }
     let tank = [(mid0 + mid1) / 2.0 - r * 0.2, head[0] - 0.02];
@@ -256,11 +267,13 @@ pub(super) fn motorcycle(b: &mut Build<'_>) {
         })
         .collect();
     b.hull("tank", &outline, paint);
-    b.rod("frame", [rear + r * 0.5, 0.0, waist], [head[0], 0.0, head[2] - 0.04], 0.035 * h, IRON);
+    b.rod("frame", [tank[0] + 0.035 * h, 0.0, waist], [head[0], 0.0, head[2] - 0.04], 0.035 * h, IRON);
+    let post = tank[0] + 0.04 * h;
+    b.rod("frame", [post, 0.0, motor - 0.02], [post, 0.0, waist + 0.03], 0.03 * h, IRON);
     b.rod("frame", [mid1, 0.0, r * 0.6], [head[0], 0.0, head[2] - 0.08], 0.028 * h, IRON);
-    locker_seat(b, (rear - r * 0.3, tank[0] + 0.02), (waist, y * 0.32), paint);
-    b.hull("mudguard", &guard(fore, r, tyre * 0.95), paint);
-    b.hull("mudguard", &guard(rear, r, tyre * 1.1), paint);
+    locker_seat(b, (rear - r * 0.3, tank[0] - 0.003), (waist, y * 0.32), deep, paint);
+    fender(b, [fore, 0.0, r], (r, held.0 + 0.004), (0.7, 2.6), paint);
+    fender(b, [rear, 0.0, r], (r, tyre * 1.1), (1.0, 2.7), paint);
     let lamp = 0.085 * h;
     b.lathe_along(
         "headlight",
@@ -297,26 +310,13 @@ pub(super) fn motorcycle(b: &mut Build<'_>) {
             CHROME,
         );
         b.rod("peg", [mid0 + 0.05, side * y * 0.3, r * 0.6], [mid0 + 0.05, side * y * 0.62, r * 0.6], 0.015, RUBBER);
-        b.bar("stand", [mid0, side * y * 0.2, r * 0.5], [mid0 - 0.03, side * y * 0.55, 0.012], 0.012, IRON);
+        kickstand(b, [mid0 + 0.02, side * y * 0.3, r * 0.6], [mid0 - 0.01, side * y * 0.55], 0.012);
     }
 }
 
-/// A guard that hugs the upper half of a wheel.
-fn guard(x: f32, r: f32, half: f32) -> Vec<P> {
-    let arc = [-0.75_f32, -0.4, 0.0, 0.4, 0.75];
-    arc.iter()
-        .flat_map(|&s| {
-            let z = r + (r + 0.015) * (1.0 - s * s).sqrt();
-            [[x + s * r, half, z], [x + s * r, -half, z]]
-        })
-        .chain([[x - r * 0.7, 0.0, r * 1.95], [x + r * 0.7, 0.0, r * 1.95]])
-        .filter(|p| p[2] > r * 1.6)
-        .collect()
-}
-
 /// A seat over a small locker whose lid it is.
-fn locker_seat(b: &mut Build<'_>, (x0, x1): (f32, f32), (z, half): (f32, f32), paint: Mat) {
-    let (deep, thick) = (b.size.z * 0.1, b.size.z * 0.055);
+fn locker_seat(b: &mut Build<'_>, (x0, x1): (f32, f32), (z, half): (f32, f32), deep: f32, paint: Mat) {
+    let thick = b.size.z * 0.055;
     let (low, t) = (z - deep, 0.008);
     let middle = (x0 + x1) / 2.0;
     tub(
@@ -324,7 +324,7 @@ fn locker_seat(b: &mut Build<'_>, (x0, x1): (f32, f32), (z, half): (f32, f32), p
         "locker",
         [middle, 0.0, low],
         ((x1 - x0) / 2.0 * 0.85, half * 0.8),
-        ((x1 - x0) / 2.0, half),
+        ((x1 - x0) / 2.0 * 0.95, half * 0.9),
         deep - 0.002,
         t,
         paint,
@@ -336,11 +336,12 @@ fn locker_seat(b: &mut Build<'_>, (x0, x1): (f32, f32), (z, half): (f32, f32), p
         deep - t - 0.006,
     );
     let leather = b.one(&[BLACK_LEATHER, BROWN_LEATHER, BLACK_LEATHER]);
-    b.hinge([x1, 0.0, z], [0.0, 1.0, 0.0], FRAC_PI_2 * 0.9, |b| {
-        b.soft("seat", [x0, -half, z], [x1 - 0.005, half, z + thick], 0.03, leather);
+    b.hinge([x1, 0.0, z + thick], [0.0, 1.0, 0.0], FRAC_PI_2 * 0.9, |b| {
+        b.soft("seat", [x0, -half, z - 0.0035], [x1, half, z + thick], 0.02, leather);
         b.top("seat", [middle, 0.0, z + thick], ((x1 - x0) / 2.0 * 0.8, half * 0.8));
     });
-    b.block("tail_light", [x0 - 0.02, -half * 0.5, z - 0.05], [x0 + 0.01, half * 0.5, z - 0.01], SIGNAL_RED);
+    let inset = (x1 - x0) * 0.06;
+    b.block("tail_light", [x0 - 0.02, -half * 0.5, z - 0.05], [x0 + inset, half * 0.5, z - 0.01], SIGNAL_RED);
 }
 
 /// Handlebar with grips, mirrors and a dial.
@@ -394,13 +395,15 @@ pub(super) fn scooter(b: &mut Build<'_>) {
     spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, true, ALUMINIUM);
     spoked(b, "wheel_f", [fore, 0.0, r], r, tyre, true, ALUMINIUM);
     let head: P = [fore - r * 1.2, 0.0, h * 0.83];
-    for side in [-tyre * 1.35, tyre * 1.35] {
-        b.rod("fork", [head[0] + 0.06, side, h * 0.4], [fore, side, r], 0.018, STEEL);
+    let held = hub(tyre, true);
+    let leg = 0.018_f32.min(r * 0.08);
+    let fork = held + leg + 0.003;
+    for side in [-fork, fork] {
+        b.rod("fork", [head[0] + 0.06, side, h * 0.42], [fore, side, r], leg, STEEL);
     }
-    b.rod("axle", [fore, -tyre * 1.5, r], [fore, tyre * 1.5, r], 0.012, STEEL);
-    b.rod("axle", [rear, -y * 0.3, r], [rear, y * 0.3, r], 0.014, STEEL);
+    nuts(b, [fore, 0.0, r], (held + 0.001, fork + leg), 0.012);
     b.rod("column", [head[0], 0.0, head[2]], [head[0] + 0.08, 0.0, h * 0.38], 0.03, paint);
-    b.hull("mudguard", &guard(fore, r, tyre * 1.3), paint);
+    fender(b, [fore, 0.0, r], (r, fork), (0.5, 2.5), paint);
     let (floor, back) = (r * 1.05, rear + (fore - rear) * 0.46);
     let shield: Vec<P> = [1.0, -1.0]
         .into_iter()
@@ -419,21 +422,34 @@ pub(super) fn scooter(b: &mut Build<'_>) {
     b.soft("footboard", [back - 0.05, -y * 0.62, floor - 0.07], [head[0], y * 0.62, floor], 0.02, GREY_RUBBER);
     let seat_z = h * b.vary(0.6, 0.66);
     let deep = b.size.z * 0.1;
-    let tail: Vec<P> = [1.0, -1.0]
-        .into_iter()
-        .flat_map(|s| {
-            [
-                [back, s * y * 0.45, floor - 0.06],
-                [back, s * y * 0.4, seat_z - deep - 0.004],
-                [-x + 0.02, s * y * 0.3, seat_z - deep - 0.004],
-                [-x + 0.1, s * y * 0.62, r * 1.4],
-                [back - 0.1, s * y * 0.62, r * 1.1],
-                [rear, s * y * 0.62, r * 2.05],
-            ]
-        })
-        .collect();
-    b.hull("tail", &tail, paint);
-    locker_seat(b, (-x + 0.06, back), (seat_z, y * 0.42), paint);
+    let under = seat_z - deep - 0.004;
+    for side in [-1.0, 1.0] {
+        // A flank on either side of the wheel.
+        let (inner, outer) = (side * (held + 0.002), side * y * 0.62);
+        let tail = [
+            [back, inner, floor - 0.06],
+            [back, inner, under],
+            [-x + 0.02, inner, under],
+            [-x + 0.1, inner, r * 1.4],
+            [rear, inner, r * 0.85],
+            [back, side * y * 0.45, floor - 0.06],
+            [back, side * y * 0.4, under],
+            [-x + 0.02, side * y * 0.3, under],
+            [-x + 0.1, outer, r * 1.4],
+            [back - 0.1, outer, r * 1.1],
+            [rear, outer, r * 2.05],
+        ];
+        b.hull("tail", &tail, paint);
+    }
+    let above = (2.0 * r + 0.012).min(under - 0.01);
+    b.block("tail", [-x + 0.06, -held - 0.01, above], [back - 0.003, held + 0.01, under + 0.003], paint);
+    b.block(
+        "tail",
+        [(rear + r + 0.015).min(back - 0.02), -held - 0.01, floor - 0.05],
+        [back - 0.002, held + 0.01, under],
+        paint,
+    );
+    locker_seat(b, (-x + 0.06, back), (seat_z, y * 0.42), deep, paint);
     let lamp = 0.06 * h;
     b.soft(
         "head",
@@ -445,12 +461,12 @@ pub(super) fn scooter(b: &mut Build<'_>) {
     b.rod("headlight", [head[0] + 0.07, 0.0, head[2]], [head[0] + 0.1, 0.0, head[2]], lamp, COOL_BULB);
     bars(b, head, y, h);
     for side in [-1.0, 1.0] {
-        b.bar("stand", [back - 0.05, side * y * 0.2, floor - 0.06], [back - 0.1, side * y * 0.5, 0.012], 0.012, IRON);
+        kickstand(b, [back - 0.03, side * y * 0.35, floor - 0.04], [back - 0.06, side * y * 0.5], 0.012);
     }
     b.lathe_along(
         "exhaust",
-        [back - 0.1, -y * 0.62, r * 0.9],
-        [-x + 0.1, -y * 0.62, r],
+        [back - 0.1, -y * 0.6, r * 1.1],
+        [-x + 0.1, -y * 0.6, r * 1.25],
         &[(0.02, 0.0), (0.05, 0.08), (0.05, (rear - -x) + 0.1), (0.02, (rear - -x) + 0.12)],
         CHROME,
     );
@@ -467,27 +483,33 @@ pub(super) fn electric_scooter(b: &mut Build<'_>) {
     spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, true, ANTHRACITE);
     spoked(b, "wheel_f", [fore, 0.0, r], r, tyre, true, ANTHRACITE);
     let (deck, wide) = (r * 1.05, (y * 0.42).min(0.09));
-    b.soft("deck", [rear + r * 1.05, -wide, deck - r * 0.5], [fore - r * 1.1, wide, deck], 0.015, paint);
+    b.soft("deck", [rear + r * 1.2, -wide, deck - r * 0.5], [fore - r * 1.3, wide, deck], 0.015, paint);
     b.block(
         "grip_tape",
-        [rear + r * 1.2, -wide * 0.8, deck - 0.004],
-        [fore - r * 1.3, wide * 0.8, deck + 0.002],
+        [rear + r * 1.4, -wide * 0.8, deck - 0.004],
+        [fore - r * 1.5, wide * 0.8, deck + 0.002],
         RUBBER,
     );
-    b.hull("mudguard", &guard(rear, r, tyre * 1.3), paint);
-    b.hull("mudguard", &guard(fore, r, tyre * 1.3), paint);
-    for side in [-tyre * 1.4, tyre * 1.4] {
-        b.rod("fork", [fore - r * 0.35, side, r * 2.1], [fore, side, r], 0.014, paint);
-        b.rod("arm", [rear + r * 1.3, side, deck - r * 0.25], [rear, side, r], 0.014, paint);
+    let (held, leg) = (hub(tyre, true), 0.014_f32.min(r * 0.13));
+    let fork = held + leg + 0.003;
+    let steer = fore - r * 0.6;
+    fender(b, [rear, 0.0, r], (r, fork), (-0.2, 2.2), paint);
+    fender(b, [fore, 0.0, r], (r, fork), (1.2, 2.5), paint);
+    for side in [-fork, fork] {
+        b.rod("fork", [steer, side, r * 2.4], [fore, side, r], leg, paint);
+        b.rod("arm", [rear + r * 1.4, side, deck - r * 0.25], [rear, side, r], leg, paint);
     }
-    b.rod("axle", [rear, -tyre * 1.5, r], [rear, tyre * 1.5, r], 0.01, STEEL);
-    b.rod("axle", [fore, -tyre * 1.5, r], [fore, tyre * 1.5, r], 0.01, STEEL);
-    b.rod("neck", [fore - r * 1.15, 0.0, deck - r * 0.25], [fore - r * 0.35, 0.0, r * 2.25], 0.026, paint);
-    b.rod("crown", [fore - r * 0.35, -tyre * 1.6, r * 2.1], [fore - r * 0.35, tyre * 1.6, r * 2.1], 0.02, paint);
-    let top: P = [fore - r * 1.0, 0.0, h - 0.02];
-    let tip = y - 0.004;
-    b.hinge([fore - r * 0.35, 0.0, r * 2.3], [0.0, -1.0, 0.0], 1.25, |b| {
-        b.rod("column", [fore - r * 0.35, 0.0, r * 2.15], top, 0.02, paint);
+    for x in [rear, fore] {
+        nuts(b, [x, 0.0, r], (held + 0.001, fork + leg * 1.2), leg * 0.8);
+    }
+    b.rod("neck", [fore - r * 1.6, 0.0, deck - r * 0.25], [steer, 0.0, r * 2.45], r * 0.18, paint);
+    b.rod("crown", [steer, -fork, r * 2.4], [steer, fork, r * 2.4], r * 0.17, paint);
+    let top: P = [steer - r * 0.4, 0.0, h - 0.02];
+    let (tip, thick, fold) = (y - 0.004, 0.02, r * 2.7);
+    b.cylinder("clamp", [steer, 0.0, r * 2.4], thick * 1.15, r * 0.3 - 0.001, BLACK_PLASTIC);
+    // It folds over the edge of the clamp, back to the deck.
+    b.hinge([steer - thick * 1.2, 0.0, fold], [0.0, -1.0, 0.0], 1.25, |b| {
+        b.rod("column", [steer, 0.0, fold + 0.001], top, thick, paint);
         b.rod("handlebar", [top[0], -tip, top[2]], [top[0], tip, top[2]], 0.013, IRON);
         for side in [-1.0, 1.0] {
             b.rod("grip", [top[0], side * tip * 0.55, top[2]], [top[0], side * tip, top[2]], 0.018, RUBBER);
@@ -502,13 +524,14 @@ pub(super) fn electric_scooter(b: &mut Build<'_>) {
         b.soft("display", [top[0] - 0.02, -0.03, top[2] - 0.012], [top[0] + 0.035, 0.03, top[2] + 0.02], 0.008, SCREEN);
         b.rod("headlight", [top[0] + 0.01, 0.0, top[2] - 0.09], [top[0] + 0.045, 0.0, top[2] - 0.09], 0.02, COOL_BULB);
     });
-    b.block("tail_light", [rear - r * 0.75, -0.02, r * 1.75], [rear - r * 0.6, 0.02, r * 1.9], SIGNAL_RED);
-    let stand = tyre.min(0.008);
-    b.bar("stand", [0.0, wide * 0.8, deck - r * 0.4], [-0.03, (y * 0.8).min(0.16), stand], stand, IRON);
+    let (dx, dz) = polar(2.05, r + 0.02);
+    let light: P = [rear + dx, 0.0, r + dz];
+    b.block("tail_light", [light[0] - 0.01, -0.02, light[2] - 0.008], [light[0], 0.02, light[2] + 0.012], SIGNAL_RED);
+    kickstand(b, [0.0, wide * 0.8, deck - r * 0.4], [-0.03, (y * 0.8).min(0.16)], tyre.min(0.008));
     b.prism(
         "plug",
         Axis::Y,
-        [fore - r * 1.2, wide - 0.004, deck - r * 0.35],
+        [fore - r * 1.5, wide - 0.004, deck - r * 0.35],
         &[(0.0, 0.0), (0.03, 0.0), (0.03, 0.02), (0.0, 0.02)],
         0.008,
         RUBBER,

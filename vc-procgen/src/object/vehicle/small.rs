@@ -1,24 +1,22 @@
 //! Small vehicles: quad bikes, golf carts and trailers.
 
-use std::f32::consts::FRAC_PI_2;
+use std::f32::consts::{FRAC_PI_2, PI};
 
-use super::wheel::{Rim, wheel};
+use super::wheel::{Rim, axled, fender};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, spaced, tub};
 
 const PAINTS: &[Mat] = &[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL, WHITE_METAL, ORANGE, BLACK_METAL, FOREST];
 
-/// Four wheels: axles' places, half the track's outer width, radius, width.
-fn four_wheels(b: &mut Build<'_>, [fore, rear]: [f32; 2], half: f32, (r, width): (f32, f32)) {
+/// Four wheels: axles' places, half the track's outer width, radius, width, and how
+/// far from the middle the body is that they turn in.
+fn four_wheels(b: &mut Build<'_>, [fore, rear]: [f32; 2], half: f32, (r, width): (f32, f32), body: f32) {
     let rim = Rim::any(b);
     for (name, x, side) in
         [("wheel_fl", fore, 1.0), ("wheel_fr", fore, -1.0), ("wheel_rl", rear, 1.0), ("wheel_rr", rear, -1.0)]
     {
-        wheel(b, name, [x, side * (half - width / 2.0), r], r, width, side, rim);
-    }
-    for x in [fore, rear] {
-        b.rod("axle", [x, -half * 0.9, r], [x, half * 0.9, r], r * 0.12, IRON);
+        axled(b, name, [x, side * (half - width / 2.0), r], (r, width), side, rim, body - 0.002);
     }
 }
 
@@ -29,24 +27,16 @@ pub(super) fn quad_bike(b: &mut Build<'_>) {
     let (paint, r) = (b.one(PAINTS), (h * b.vary(0.23, 0.26)).min(x * 0.3));
     let width = y * b.vary(0.38, 0.46);
     let axles = [x - r - 0.01, -x + r + 0.01];
-    four_wheels(b, axles, y, (r, width));
+    four_wheels(b, axles, y, (r, width), y * 0.3);
     let (waist, low) = (r * 2.1, r * 0.75);
     b.block("frame", [axles[1], -y * 0.3, low], [axles[0], y * 0.3, waist], IRON);
     for axle in axles {
         for side in [-1.0, 1.0] {
-            let (a, c) = (side * y * 0.3, side * y * 0.99);
-            let guard: Vec<P> = [a, c]
-                .into_iter()
-                .flat_map(|cy| {
-                    [
-                        [axle - r * 1.0, cy, waist - 0.06],
-                        [axle - r * 0.6, cy, waist + 0.08],
-                        [axle + r * 0.6, cy, waist + 0.08],
-                        [axle + r * 1.0, cy, waist - 0.06],
-                    ]
-                })
-                .collect();
-            b.hull("mudguard", &guard, paint);
+            let at = [axle, side * y * 0.645, r];
+            fender(b, at, (r, y * 0.345), (0.45, PI - 0.45), paint);
+            let (a, c) = (side * y * 0.28, side * y * 0.9);
+            let (low, high) = ([axle - r * 0.5, a.min(c), r * 2.0 + 0.02], [axle + r * 0.5, a.max(c), waist + 0.05]);
+            b.soft("mudguard", low, high, 0.02, paint);
         }
         let z = waist + 0.12;
         for cy in spaced(4, -y * 0.6, y * 0.6) {
@@ -60,7 +50,7 @@ pub(super) fn quad_bike(b: &mut Build<'_>) {
         }
     }
     let seat = (h * 0.75).max(waist + 0.14);
-    let (x0, x1, half, deep) = (axles[1] + r * 0.1, axles[0] - r * 1.2, y * 0.26, 0.1_f32.min(h * 0.1));
+    let (x0, x1, half, deep) = (axles[1] + r * 0.95, axles[0] - r * 1.2, y * 0.26, 0.1_f32.min(h * 0.1));
     tub(
         b,
         "locker",
@@ -77,7 +67,7 @@ pub(super) fn quad_bike(b: &mut Build<'_>) {
         ((x1 - x0) / 2.0 - 0.02, half - 0.02),
         (seat - deep - waist - 0.01).max(0.02),
     );
-    b.hinge([x1, 0.0, seat - deep], [0.0, 1.0, 0.0], 1.2, |b| {
+    b.hinge([x1, 0.0, seat], [0.0, 1.0, 0.0], 1.2, |b| {
         b.soft("seat", [x0, -half, seat - deep + 0.002], [x1, half, seat], 0.04, BLACK_LEATHER);
         b.top("seat", [(x0 + x1) / 2.0, 0.0, seat], ((x1 - x0) / 2.0 * 0.85, half * 0.8));
     });
@@ -85,10 +75,10 @@ pub(super) fn quad_bike(b: &mut Build<'_>) {
     b.hull(
         "tank",
         &[
-            [x1 - 0.02, half, waist],
-            [x1 - 0.02, -half, waist],
-            [x1 - 0.02, half * 0.8, seat - 0.01],
-            [x1 - 0.02, -half * 0.8, seat - 0.01],
+            [x1 + 0.003, half, waist],
+            [x1 + 0.003, -half, waist],
+            [x1 + 0.003, half * 0.8, seat - 0.01],
+            [x1 + 0.003, -half * 0.8, seat - 0.01],
             [axles[0] - r * 0.1, half, waist],
             [axles[0] - r * 0.1, -half, waist],
             [head[0] + 0.1, half * 0.7, seat + 0.02],
@@ -108,22 +98,12 @@ pub(super) fn quad_bike(b: &mut Build<'_>) {
         );
         let lamp = [axles[0] + r * 0.35, side * y * 0.36, waist - 0.08];
         b.rod("headlight", lamp, [(lamp[0] + 0.12).min(x - 0.01), lamp[1], lamp[2]], 0.05_f32.min(y * 0.1), COOL_BULB);
-        b.block(
-            "tail_light",
-            [axles[1] - r * 0.98, side * y * 0.5 - 0.06, waist - 0.05],
-            [axles[1] - r * 0.8, side * y * 0.5 + 0.06, waist - 0.01],
-            SIGNAL_RED,
-        );
+        let (tx, ty, tz) = (axles[1] - (r + 0.024) * 0.825, side * y * 0.5, r + (r + 0.024) * 0.565);
+        b.block("tail_light", [tx - 0.012, ty - 0.06, tz - 0.02], [tx + 0.012, ty + 0.06, tz + 0.02], SIGNAL_RED);
     }
     b.rod("bumper", [x - 0.025, -y * 0.4, r * 1.1], [x - 0.025, y * 0.4, r * 1.1], 0.02, IRON);
     for side in [-1.0, 1.0] {
-        b.rod(
-            "bumper",
-            [x - 0.025, side * y * 0.28, r * 1.1],
-            [axles[0] - 0.02, side * y * 0.28, r * 1.1],
-            0.016,
-            IRON,
-        );
+        b.rod("bumper", [x - 0.025, side * y * 0.2, r * 1.1], [axles[0] - 0.02, side * y * 0.2, r * 1.1], 0.016, IRON);
     }
 }
 
@@ -133,7 +113,7 @@ pub(super) fn golf_cart(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (paint, r) = (b.one(&[WHITE_METAL, CREAM, GREEN_METAL, RED_METAL, NAVY]), h * b.vary(0.115, 0.13));
     let axles = [x - r * 1.6, -x + r * 1.9];
-    four_wheels(b, axles, y, (r, y * 0.3));
+    four_wheels(b, axles, y, (r, y * 0.3), y * 0.6);
     let (floor, seat) = (r * 1.35, h * 0.4);
     let inner = y * 0.97;
     b.block("frame", [axles[1] - r, -y * 0.6, r * 0.8], [axles[0], y * 0.6, floor - 0.005], IRON);
@@ -165,19 +145,25 @@ pub(super) fn golf_cart(b: &mut Build<'_>) {
     let (w0, w1, t) = (-x + 0.03, bench[0] - 0.02, 0.015);
     let rim = floor + r * 2.2;
     let deck = r * 2.15;
-    b.block("well", [w0, -inner, deck - 0.06], [w1 + 0.03, inner, deck], paint);
+    let under = deck - 0.06_f32.min(r * 0.1);
+    b.block("well", [w0, -inner, under], [w1 + 0.03, inner, deck], paint);
     for side in [-1.0, 1.0] {
-        b.block("well", [w0, side * inner - t, deck], [w1, side * inner + t, rim], paint);
+        let (near, far) = (side * (inner - 0.004), side * (inner + 2.0 * t).min(y));
+        b.block("well", [w0, near.min(far), deck - 0.002], [w1, near.max(far), rim], paint);
     }
     b.block("well", [w1 - t, -inner + t, deck], [w1 + 0.02, inner - t, seat], paint);
-    b.hinge([w0, 0.0, deck], [0.0, -1.0, 0.0], FRAC_PI_2, |b| {
+    b.hinge([w0 - 0.002, 0.0, deck - 0.02], [0.0, -1.0, 0.0], FRAC_PI_2, |b| {
         b.block("flap", [w0 - 0.012, -inner, deck - 0.02], [w0 - 0.002, inner, rim], paint);
         b.block("handle", [w0 - 0.025, -0.08, rim - 0.05], [w0 - 0.01, 0.08, rim - 0.02], BLACK_PLASTIC);
+        for cy in [-y * 0.8, y * 0.8] {
+            let (low, high) = ([w0 - 0.022, cy - 0.05, deck + 0.03], [w0 - 0.011, cy + 0.05, deck + 0.06]);
+            b.block("tail_light", low, high, SIGNAL_RED);
+        }
     });
     b.inside(
         "compartment",
-        [(w0 + w1 - t) / 2.0, 0.0, deck],
-        ((w1 - t - w0) / 2.0 - 0.01, inner - 0.03),
+        [(w0 + bench[0] - 0.13) / 2.0, 0.0, deck],
+        ((bench[0] - 0.13 - w0) / 2.0 - 0.01, inner - 0.03),
         h * 0.6 - deck,
     );
     let roof = h - 0.06;
@@ -191,12 +177,6 @@ pub(super) fn golf_cart(b: &mut Build<'_>) {
             [x - 0.14, side * y * 0.7 - 0.08, floor + r * 0.7],
             [x - 0.03, side * y * 0.7 + 0.08, floor + r * 1.1],
             COOL_BULB,
-        );
-        b.block(
-            "tail_light",
-            [w0 - 0.01, side * y * 0.8 - 0.05, deck - 0.055],
-            [w0 + 0.01, side * y * 0.8 + 0.05, deck - 0.025],
-            SIGNAL_RED,
         );
     }
     b.soft("roof", [bench[0] - 0.25_f32.min(x * 0.2), -y, roof], [axles[0] - r * 1.2, y, h], 0.025, b.style.appliance);
@@ -224,7 +204,7 @@ pub(super) fn car_trailer(b: &mut Build<'_>) {
     let axle = (x0 + x1) / 2.0 - 0.05;
     let rim = Rim::plain(b);
     for (name, side) in [("wheel_l", 1.0), ("wheel_r", -1.0)] {
-        wheel(b, name, [axle, side * (y - width / 2.0), r], r, width, side, rim);
+        axled(b, name, [axle, side * (y - width / 2.0), r], (r, width), side, rim, half * 0.6 - 0.002);
         let cy = side * (y - width / 2.0);
         let guard: Vec<P> = [-1.0, 1.0]
             .into_iter()
@@ -259,9 +239,13 @@ pub(super) fn car_trailer(b: &mut Build<'_>) {
             SIGNAL_RED,
         );
     }
-    b.rod("axle", [axle, -y * 0.95, r], [axle, y * 0.95, r], r * 0.1, IRON);
-    b.block("spring", [axle - 0.05, -half * 0.6, r - 0.02], [axle + 0.05, half * 0.6, deck - 0.03], IRON);
-    b.block("floor", [x0, -half, deck - 0.035], [x1, half, deck], b.style.wood);
+    b.block(
+        "spring",
+        [axle - 0.05, -half * 0.6, r * 0.85],
+        [axle + 0.05, half * 0.6, deck - 0.03_f32.min(r * 0.09)],
+        IRON,
+    );
+    b.block("floor", [x0, -half, deck - 0.035_f32.min(r * 0.1)], [x1, half, deck], b.style.wood);
     let covered = b.rng.chance(0.4);
     let side = if covered { deck + (h - deck) * b.vary(0.45, 0.6) } else { h - 0.003 };
     let t = 0.02;
@@ -308,14 +292,15 @@ pub(super) fn car_trailer(b: &mut Build<'_>) {
     }
     let room = if covered { h - deck - 0.03 } else { h };
     b.inside("compartment", [(x0 + x1) / 2.0, 0.0, deck], ((x1 - x0) / 2.0 - 0.03, half - 0.03), room);
-    let hitch = r * 1.1;
+    let (hitch, bar) = (r * 1.1, 0.03_f32.min(r * 0.12));
     for s in [-1.0, 1.0] {
-        b.rod("drawbar", [x1 - 0.1, s * half * 0.6, hitch], [x - 0.25, 0.0, hitch], 0.025, GALVANISED);
+        b.rod("drawbar", [x1 - 0.1, s * half * 0.6, hitch], [x - 0.25, 0.0, hitch], bar * 0.8, GALVANISED);
     }
-    b.rod("drawbar", [x1 - 0.2, 0.0, hitch], [x - 0.06, 0.0, hitch], 0.03, GALVANISED);
+    b.rod("drawbar", [x1 - 0.2, 0.0, hitch], [x - 0.06, 0.0, hitch], bar, GALVANISED);
     b.block("beam", [x1 - 0.14, -half * 0.7, hitch - 0.03], [x1 - 0.06, half * 0.7, deck - 0.02], GALVANISED);
     b.ball("coupling", [x - 0.055, 0.0, hitch], 0.05, IRON);
     let jack = x1 + (x - x1) * 0.6;
-    b.cylinder("jack", [jack, 0.06, 0.05], 0.022, hitch, GALVANISED);
-    b.rod("jack", [jack, 0.04, 0.05], [jack, 0.08, 0.05], 0.05, RUBBER);
+    let cy = bar + 0.02;
+    b.cylinder("jack", [jack, cy, 0.05], 0.022, hitch, GALVANISED);
+    b.rod("jack", [jack, cy - 0.02, 0.05], [jack, cy + 0.02, 0.05], 0.05, RUBBER);
 }

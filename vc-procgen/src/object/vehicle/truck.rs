@@ -3,7 +3,7 @@
 use std::f32::consts::{FRAC_PI_2, PI};
 
 use super::car::pane;
-use super::wheel::{Rim, wheel};
+use super::wheel::{Rim, axled, wheel};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, spaced, tub};
@@ -65,11 +65,13 @@ impl Chassis {
         let (x0, x1, half) = (self.cab, self.front - 0.08, self.half * 0.96);
         let low = self.wheel * 0.75;
         let (arch, r) = (self.axles()[0], self.wheel * 1.15);
+        let open = arch - r < x0 + 0.05;
         let belt = low + (high - low) * 0.48;
         let lean = (high - belt) * b.vary(0.05, 0.3);
-        let mut outline = vec![(x0, low.max(self.wheel)), (x0, high), (x1 - lean, high), (x1, belt), (x1, low)];
+        let mut outline =
+            vec![(x0, if open { self.wheel + r } else { low }), (x0, high), (x1 - lean, high), (x1, belt), (x1, low)];
         let start = ((low - self.wheel) / r).asin();
-        let end = if arch - r < x0 + 0.05 { PI * 0.5 } else { PI - start };
+        let end = if open { PI * 0.5 } else { PI - start };
         outline.extend(
             (0..=8)
                 .map(|i| start + (end - start) * i as f32 / 8.0)
@@ -244,23 +246,32 @@ pub(super) fn garbage_truck(b: &mut Build<'_>) {
     b.prism("body", Axis::X, [hopper, 0.0, 0.0], &section, chassis.cab - 0.15 - hopper, mat);
     for x in spaced(5, hopper + 0.2, chassis.cab - 0.4) {
         for side in [-1.0, 1.0] {
-            b.rod("rib", [x, side * y * 0.9, z0 + 0.05], [x, side * y * 0.965, h * 0.59], 0.04, mat);
+            let (foot, top) = ([x, side * y * 0.9, z0 + 0.05], [x, side * y * 0.96, h * 0.59]);
+            b.rod("rib", foot, top, 0.04_f32.min(y * 0.035), mat);
         }
     }
     let (rear, sill) = (-chassis.front, z0 + (h - z0) * 0.18);
+    // Above the wheels, which stand where the hopper begins.
+    let under = z0 - 0.1_f32.min(chassis.wheel * 0.1);
     let cheek = [
-        (hopper + 0.02, z0 - 0.1),
+        (hopper + 0.02, under),
         (hopper + 0.02, h * 0.985),
         (rear + (hopper - rear) * 0.45, h * 0.985),
         (rear, h * 0.62),
-        (rear, z0 - 0.1),
+        (rear, under),
     ];
     for side in [-1.0, 1.0] {
         let cy = side * y * 0.9;
+        let (near, far) = (side * (y * 0.9 - 0.1), side * (y * 0.9 + 0.02));
         b.prism("cheek", Axis::Y, [0.0, cy - 0.04, 0.0], &cheek, 0.08, mat);
-        b.block("beacon", [hopper - 0.3, cy - 0.1, h * 0.93], [hopper - 0.15, cy + 0.02, h * 0.995], SIGNAL_AMBER);
+        b.block(
+            "beacon",
+            [hopper - 0.3, near.min(far), h * 0.94],
+            [hopper - 0.15, near.max(far), h * 0.995],
+            SIGNAL_AMBER,
+        );
     }
-    b.block("hopper", [rear + 0.01, -y * 0.87, z0 - 0.09], [hopper + 0.01, y * 0.87, z0 + 0.05], mat);
+    b.block("hopper", [rear + 0.01, -y * 0.87, under + 0.005], [hopper + 0.01, y * 0.87, z0 + 0.05], mat);
     b.block("sill", [rear + 0.01, -y * 0.87, z0 + 0.04], [rear + 0.09, y * 0.87, sill], mat);
     let hood = [
         (hopper + 0.01, h * 0.97),
@@ -303,8 +314,8 @@ pub(super) fn fire_truck(b: &mut Build<'_>) {
             );
             b.block(
                 "handle",
-                [x - step * 0.2, y - 0.02, chassis.deck + 0.16],
-                [x + step * 0.2, y + 0.02, chassis.deck + 0.2],
+                [x - step * 0.2, y - 0.02_f32.min(chassis.half * 0.025), chassis.deck + 0.16],
+                [x + step * 0.2, y + 0.02_f32.min(chassis.half * 0.025), chassis.deck + 0.2],
                 BLACK_PLASTIC,
             );
         }
@@ -334,13 +345,13 @@ pub(super) fn fire_truck(b: &mut Build<'_>) {
     for x in [x0 + 0.4, chassis.cab - 0.4] {
         b.block("rest", [x - 0.06, -half * 1.2, roof - 0.01], [x + 0.06, half * 1.2, z + 0.005], IRON);
     }
-    let front = chassis.front - 0.5;
+    let front = chassis.cab + (chassis.front - chassis.cab) * 0.35;
     for side in [-1.0, 1.0] {
-        let cy = side * chassis.half * 0.6;
+        let (cy, wide) = (side * chassis.half * 0.6, 0.25_f32.min(chassis.half * 0.35));
         b.soft(
             "beacon",
-            [front - 0.15, cy - 0.25, roof - 0.01],
-            [front + 0.15, cy + 0.25, roof + 0.14_f32.min(h - roof)],
+            [front - 0.15, cy - wide, roof - 0.01],
+            [front + 0.15, cy + wide, roof + 0.14_f32.min(h - roof)],
             0.03,
             BLUE_PLASTIC,
         );
@@ -357,7 +368,8 @@ pub(super) fn bus(b: &mut Build<'_>) {
     let (low, floor) = (h * 0.1, h * b.vary(0.17, 0.24));
     let (sill, head) = (floor + (h - floor) * b.vary(0.26, 0.34), h * b.vary(0.86, 0.9));
     let axles = [x * b.vary(0.5, 0.62), -x * b.vary(0.48, 0.58)];
-    let door = (x * 0.98 - 1.1_f32.min(x * 0.25), x * 0.97);
+    let hinge = (x * 0.97).min(x - 0.13);
+    let door = (hinge - 1.1_f32.min(x * 0.25), hinge);
     let side_half = y - 0.03;
     let t = 0.05;
     for side in [-1.0, 1.0] {
@@ -398,22 +410,11 @@ pub(super) fn bus(b: &mut Build<'_>) {
         for (axle, letter) in axles.into_iter().zip(["f", "r"]) {
             let rim = Rim::plain(b);
             let name = format!("wheel_{letter}{}", if side > 0.0 { 'l' } else { 'r' });
-            super::wheel::wheel(
-                b,
-                &name,
-                [axle, side * (side_half - 0.02 - y * 0.11), wheel],
-                wheel,
-                y * 0.22,
-                side,
-                rim,
-            );
+            let at = [axle, side * (side_half - 0.02 - y * 0.11), wheel];
+            axled(b, &name, at, (wheel, y * 0.22), side, rim, (side_half - t) * 0.72 - 0.002);
         }
-        b.block(
-            "mirror",
-            [x - 0.12, side * (y - 0.01) - 0.02, head - 0.4],
-            [x - 0.02, side * (y - 0.01) + 0.01 * (1.0 - side), head - 0.05],
-            BLACK_PLASTIC,
-        );
+        let (near, far) = (side * (y - 0.035), side * y);
+        b.block("mirror", [x - 0.1, near.min(far), head - 0.4], [x - 0.02, near.max(far), head + 0.03], BLACK_PLASTIC);
     }
     // Floor between the wheels, higher where they are.
     let inner = side_half - t;
@@ -446,13 +447,14 @@ pub(super) fn bus(b: &mut Build<'_>) {
     let dy = -(side_half - t / 2.0);
     b.hinge([door.1, dy, 0.0], [0.0, 0.0, 1.0], FRAC_PI_2, |b| {
         b.block("door", [door.0 + 0.005, dy - 0.012, low + 0.05], [door.1, dy + 0.012, head - 0.01], GLASS);
-        for dx in [door.0 + 0.04, (door.0 + door.1) / 2.0, door.1 - 0.04] {
+        for dx in [door.0 + 0.033, (door.0 + door.1) / 2.0, door.1 - 0.04] {
             b.block("door", [dx - 0.03, dy - 0.02, low + 0.02], [dx + 0.03, dy + 0.02, head - 0.02], ANTHRACITE);
         }
     });
     let rows = ((axles[0] - axles[1] - 2.2 * wheel) / 0.85) as usize;
     let cloth = b.one(&[BLUE_FABRIC, RED_FABRIC, GREEN_FABRIC, GREY_FABRIC]);
-    for cx in spaced(rows.clamp(2, 7), axles[1] + wheel * 1.4, axles[0] - wheel * 2.2) {
+    let last = (axles[0] - wheel * 2.2).min(axles[0] - wheel * 1.2 - 0.42);
+    for cx in spaced(rows.clamp(2, 7), axles[1] + wheel * 1.4, last) {
         for side in [-1.0, 1.0] {
             let (a, c) = (side * inner * 0.34, side * inner * 0.96);
             b.block("seat", [cx, a.min(c), floor - 0.005], [cx + 0.4, a.max(c), floor + 0.42], cloth);
@@ -537,7 +539,7 @@ pub(super) fn camper_van(b: &mut Build<'_>) {
 /// The hollow living space, its alcove over the cab, door, windows and awning.
 fn living_box(b: &mut Build<'_>, chassis: &Chassis, nose: f32, y: f32) {
     let (x0, x1, h, t) = (-chassis.front + 0.02, chassis.cab + 0.05, b.size.z - 0.06, 0.04);
-    let (low, paint, side) = (chassis.deck - 0.05, chassis.paint, y * 0.97);
+    let (low, paint, side) = (chassis.deck - 0.05_f32.min(chassis.wheel * 0.12), chassis.paint, y * 0.97);
     let stripe = b.one(&[BLUE, RED, GREY, TERRACOTTA, FOREST]);
     let door = (x0 + (x1 - x0) * b.vary(0.5, 0.62), 0.62_f32.min((x1 - x0) * 0.2));
     let alcove = b.vary(0.6, 1.0) * (chassis.front - x1) * 0.55;

@@ -4,11 +4,15 @@ use std::f32::consts::PI;
 
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{hoop, polygon, star};
+use crate::object::park::shape::{hoop, polar, polygon, star};
 use vc_graph::asset::JointKind;
 
 /// A wheel turns as often as it likes.
 const FREE: (f32, f32) = (-1e4, 1e4);
+
+/// Between a tyre and its guard, and the guard's thickness, metres.
+const GAP: f32 = 0.012;
+const THICK: f32 = 0.012;
 
 /// Looks of a rim.
 #[derive(Clone, Copy)]
@@ -35,40 +39,77 @@ impl Rim {
 /// A tyred wheel with its middle at a point, its outer face towards `side` (1 is
 /// left), on a hinge of its own.
 pub(crate) fn wheel(b: &mut Build<'_>, name: &str, at: P, radius: f32, width: f32, side: f32, rim: Rim) {
-    b.jointed(JointKind::Hinge, at, [0.0, 1.0, 0.0], FREE, |b| {
-        let (half, inner) = (width / 2.0, radius * rim.tyre);
-        let shoulder = radius * 0.93;
-        let profile = [
-            (inner, -half * 0.8),
-            (shoulder, -half),
-            (radius, -half * 0.7),
-            (radius, half * 0.7),
-            (shoulder, half),
-            (inner, half * 0.8),
-            (inner, -half * 0.8),
-        ];
-        b.lathe_along(name, at, [at[0], at[1] + 1.0, at[2]], &profile, RUBBER);
-        let y = at[1] + side * half * 0.35;
-        let low = |a: f32, c: f32| [at[0], a.min(c), at[2]];
-        // A dark drum behind a star of spokes.
-        b.rod("rim", [at[0], at[1] - side * half * 0.75, at[2]], [at[0], y, at[2]], inner * 1.01, IRON);
-        let face = y + side * half * 0.25;
-        b.prism(
-            "rim",
-            Axis::Y,
-            low(y - side * 0.002, face),
-            &star(rim.spokes, inner * 1.005, inner * rim.star),
-            (face - y).abs() + 0.002,
-            rim.mat,
-        );
-        let cap = face + side * half * 0.1;
-        b.prism("hub", Axis::Y, low(y, cap), &polygon(10, inner * 0.22, 0.0), (cap - y).abs(), rim.mat);
+    turning(b, at, |b| tyred(b, name, at, (radius, width), side, rim));
+}
+
+/// The same with a stub of an axle that turns with it and ends `end` from the
+/// vehicle's middle, where it meets the body.
+pub(super) fn axled(b: &mut Build<'_>, name: &str, at: P, (radius, width): (f32, f32), side: f32, rim: Rim, end: f32) {
+    turning(b, at, |b| {
+        tyred(b, name, at, (radius, width), side, rim);
+        let inner = at[1].abs() - width * 0.3;
+        b.rod("axle", [at[0], side * inner.max(end + 0.002), at[2]], [at[0], side * end, at[2]], radius * 0.12, IRON);
     });
+}
+
+fn turning(b: &mut Build<'_>, at: P, build: impl FnOnce(&mut Build<'_>)) {
+    b.jointed(JointKind::Hinge, at, [0.0, 1.0, 0.0], FREE, build);
+}
+
+fn tyred(b: &mut Build<'_>, name: &str, at: P, (radius, width): (f32, f32), side: f32, rim: Rim) {
+    let (half, inner) = (width / 2.0, radius * rim.tyre);
+    let shoulder = radius * 0.93;
+    let profile = [
+        (inner, -half * 0.8),
+        (shoulder, -half),
+        (radius, -half * 0.7),
+        (radius, half * 0.7),
+        (shoulder, half),
+        (inner, half * 0.8),
+        (inner, -half * 0.8),
+    ];
+    b.lathe_along(name, at, [at[0], at[1] + 1.0, at[2]], &profile, RUBBER);
+    let y = at[1] + side * half * 0.35;
+    let low = |a: f32, c: f32| [at[0], a.min(c), at[2]];
+    // A dark drum behind a star of spokes.
+    b.rod("rim", [at[0], at[1] - side * half * 0.75, at[2]], [at[0], y, at[2]], inner * 1.01, IRON);
+    let face = y + side * half * 0.25;
+    b.prism(
+        "rim",
+        Axis::Y,
+        low(y - side * 0.002, face),
+        &star(rim.spokes, inner * 1.005, inner * rim.star),
+        (face - y).abs() + 0.002,
+        rim.mat,
+    );
+    let cap = face + side * half * 0.1;
+    b.prism("hub", Axis::Y, low(y, cap), &polygon(10, inner * 0.22, 0.0), (cap - y).abs(), rim.mat);
+}
+
+/// Half the length of the hub of a spoked wheel: what carries it stays outside.
+pub(super) fn hub(tyre: f32, cast: bool) -> f32 {
+    tyre * if cast { 1.2 } else { 1.6 }
+}
+
+/// The nuts that hold a hub from both sides, from `from` to `to` from the middle.
+pub(super) fn nuts(b: &mut Build<'_>, [x, _, z]: P, (from, to): (f32, f32), radius: f32) {
+    for side in [-1.0, 1.0] {
+        b.rod("axle", [x, side * from, z], [x, side * to, z], radius, STEEL);
+    }
+}
+
+/// A guard that follows the tyre from one angle to another (from the front upwards),
+/// `gap` away from it.
+pub(super) fn fender(b: &mut Build<'_>, at: P, (radius, half): (f32, f32), (from, to): (f32, f32), mat: Mat) {
+    let (inner, outer) = (radius + GAP, radius + GAP + THICK);
+    let arc = |r: f32| (0..=8).map(move |i| polar(from + (to - from) * i as f32 / 8.0, r)).collect::<Vec<_>>();
+    let outline = [arc(inner / (PI / 16.0).cos()), arc(outer).into_iter().rev().collect()].concat();
+    b.prism("mudguard", Axis::Y, [at[0], at[1] - half, at[2]], &outline, 2.0 * half, mat);
 }
 
 /// A wheel of wire spokes, or of cast ones if `cast`; its axle along Y, on a hinge.
 pub(super) fn spoked(b: &mut Build<'_>, name: &str, at: P, radius: f32, tyre: f32, cast: bool, rim: Mat) {
-    b.jointed(JointKind::Hinge, at, [0.0, 1.0, 0.0], FREE, |b| {
+    turning(b, at, |b| {
         let to = [at[0], at[1] + 1.0, at[2]];
         let section = |r: f32, s: f32| -> Vec<(f32, f32)> { hoop(r, s).into_iter().map(|(r, z)| (r, z - s)).collect() };
         b.lathe_along(name, at, to, &section(radius - tyre, tyre), RUBBER);
@@ -76,7 +117,7 @@ pub(super) fn spoked(b: &mut Build<'_>, name: &str, at: P, radius: f32, tyre: f3
         let ring =
             [(out, -half), (out, half), (out - tyre * 0.9, half * 0.6), (out - tyre * 0.9, -half * 0.6), (out, -half)];
         b.lathe_along("rim", at, to, &ring, rim);
-        let hub = if cast { tyre * 1.2 } else { tyre * 1.6 };
+        let hub = hub(tyre, cast);
         b.rod(
             "hub",
             [at[0], at[1] - hub, at[2]],
@@ -97,7 +138,7 @@ pub(super) fn spoked(b: &mut Build<'_>, name: &str, at: P, radius: f32, tyre: f3
             let spoke = out - tyre * 0.5;
             for i in 0..7 {
                 let (sin, cos) = (PI * i as f32 / 7.0).sin_cos();
-                let lean = if i % 2 == 0 { hub * 0.5 } else { -hub * 0.5 };
+                let lean = if i % 2 == 0 { tyre * 0.4 } else { -tyre * 0.4 };
                 let end = |s: f32| [at[0] + s * cos * spoke, at[1] + lean, at[2] + s * sin * spoke];
                 b.rod("spoke", end(-1.0), end(1.0), 0.0015 + radius * 0.002, STEEL);
             }
