@@ -222,7 +222,7 @@ pub struct Asset {
 
 impl Asset {
     /// Smallest and largest corner of all parts, in the asset's frame, joints at
-    /// zero, metres; exact for parts turned by right angles, else a little more.
+    /// zero, metres.
     pub fn extent(&self) -> Option<(Point3<f32>, Point3<f32>)> {
         self.parts.iter().map(Part::extent).reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))
     }
@@ -230,11 +230,16 @@ impl Asset {
 
 impl Part {
     /// Smallest and largest corner, in the asset's frame, metres.
+    ///
+    /// Exact, however the part is turned; costs some operations, or some for each
+    /// point of hulls and meshes.
     pub fn extent(&self) -> (Point3<f32>, Point3<f32>) {
-        let (low, high) = self.shape.extent();
-        let half = self.pose.rotation.to_rotation_matrix().matrix().abs() * ((high - low) / 2.0);
-        let centre = self.pose * nalgebra::center(&low, &high);
-        (centre - half, centre + half)
+        let (low, high) = if self.pose.rotation == UnitQuaternion::identity() {
+            self.shape.extent()
+        } else {
+            self.shape.extent_turned(&self.pose.rotation)
+        };
+        (low + self.pose.translation.vector, high + self.pose.translation.vector)
     }
 }
 
@@ -425,6 +430,34 @@ impl Shape {
                 corners(outline.iter().flat_map(|&(x, y)| [Point3::new(x, y, 0.0), Point3::new(x, y, *height)]))
             }
             Self::Mesh { vertices, .. } => corners(vertices.iter().copied()),
+        }
+    }
+}
+
+impl Shape {
+    /// Smallest and largest corner of the shape turned about its origin, metres.
+    fn extent_turned(&self, turn: &UnitQuaternion<f32>) -> (Point3<f32>, Point3<f32>) {
+        let matrix = turn.to_rotation_matrix().into_inner();
+        let axis = matrix.column(2).into_owned();
+        // How far a flat ring around the axis reaches along each world axis, per radius.
+        let flat = axis.map(|a| (1.0 - a * a).max(0.0).sqrt());
+        let around = |half: Vector3<f32>| (Point3::from(-half), Point3::from(half));
+        let ring = |&(radius, z): &(f32, f32)| [axis * z - flat * radius, axis * z + flat * radius].map(Point3::from);
+        match self {
+            Self::Box { half } => around(matrix.abs() * half),
+            Self::RoundedBox { half, radius } => around((matrix.abs() * half.add_scalar(-radius)).add_scalar(*radius)),
+            Self::Cylinder { radius, half_height } => around(flat * *radius + axis.abs() * *half_height),
+            Self::Cone { radius, half_height } => {
+                corners([(*radius, -half_height), (0.0, *half_height)].iter().flat_map(ring))
+            }
+            Self::Capsule { radius, half_height } => around((axis.abs() * *half_height).add_scalar(*radius)),
+            Self::Sphere { .. } => self.extent(),
+            Self::Lathe { profile } => corners(profile.iter().flat_map(ring)),
+            Self::Extrusion { outline, height } => {
+                let both = |&(x, y): &(f32, f32)| [Point3::new(x, y, 0.0), Point3::new(x, y, *height)];
+                corners(outline.iter().flat_map(both).map(|p| turn * p))
+            }
+            Self::Hull { points } | Self::Mesh { vertices: points, .. } => corners(points.iter().map(|p| turn * p)),
         }
     }
 }

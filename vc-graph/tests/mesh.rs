@@ -4,7 +4,7 @@
 
 use std::f32::consts::PI;
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use vc_graph::asset::{Material, Part, Shape};
 use vc_graph::{Asset, AssetLibrary, Pose, TriangleMesh};
@@ -45,6 +45,35 @@ fn check_normals(shape: &Shape, mesh: &TriangleMesh) {
 
 fn near(found: f32, expected: f32, share: f32) {
     assert!((found - expected).abs() <= share * expected, "{found} instead of {expected}");
+}
+
+/// Extents of turned parts are those of their meshes, however they lie.
+fn check_turned(shape: &Shape, turn: UnitQuaternion<f32>) {
+    let pose = Isometry3::from_parts(Vector3::new(1.0, -2.0, 0.5).into(), turn);
+    let part = Part { name: "part".into(), shape: shape.clone(), material: 0, pose, joint: None };
+    let (low, high) = part.extent();
+    let size = (high - low).norm();
+    let points = shape.mesh(1e-4 * size).positions.into_iter().map(|p| pose * p);
+    let (least, most) = points.fold((high, low), |(l, h), p| (l.inf(&p), h.sup(&p)));
+    let off = (least - low).norm() + (most - high).norm();
+    assert!(off <= 2e-3 * size, "{shape:?} turned by {turn}: {low} {high}, its mesh {least} {most}");
+}
+
+#[test]
+fn extents_of_turned_parts_are_exact() {
+    let shapes = [
+        Shape::Box { half: Vector3::new(0.1, 0.2, 0.3) },
+        Shape::RoundedBox { half: Vector3::new(0.1, 0.2, 0.3), radius: 0.05 },
+        Shape::Cylinder { radius: 0.2, half_height: 0.5 },
+        Shape::Cone { radius: 0.2, half_height: 0.5 },
+        Shape::Capsule { radius: 0.1, half_height: 0.3 },
+        Shape::Lathe { profile: vec![(0.0, 0.0), (0.3, 0.1), (0.1, 0.5)] },
+        Shape::Extrusion { outline: vec![(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)], height: 0.5 },
+    ];
+    let turns = [(0.3, 0.0, 0.0), (0.0, 0.7, 0.0), (1.1, -0.4, 2.0), (0.0, 0.0, 1.0), (3.1, 1.5, 0.2)];
+    for (shape, (roll, pitch, yaw)) in shapes.iter().flat_map(|s| turns.map(|t| (s, t))) {
+        check_turned(shape, UnitQuaternion::from_euler_angles(roll, pitch, yaw));
+    }
 }
 
 #[test]

@@ -71,12 +71,11 @@ impl Bits {
             })
     }
 
-    /// Clears all bits within a distance of a rectangle.
-    pub(crate) fn clear_within(&mut self, x: (i32, i32), y: (i32, i32), distance: usize) {
-        let far = distance as i32;
-        self.fill((x.0 - far, x.1 + far), y, false);
-        for off in 1..=far {
-            let half = ((far * far - off * off) as f32).sqrt() as i32;
+    /// Clears all bits from whose middle a disc would meet a rectangle.
+    pub(crate) fn clear_within(&mut self, x: (i32, i32), y: (i32, i32), radius: usize) {
+        self.fill((x.0 - radius as i32, x.1 + radius as i32), y, false);
+        for off in 1..=radius as i32 {
+            let half = meeting(radius, off as usize) as i32;
             let x = (x.0 - half, x.1 + half);
             self.fill(x, (y.0 - off, y.0 - off + 1), false);
             self.fill(x, (y.1 + off - 1, y.1 + off), false);
@@ -88,7 +87,7 @@ impl Bits {
         self.rows.iter().map(|w| w.count_ones() as usize).sum()
     }
 
-    /// The bits within a distance of set ones (Minkowski sum with a disc).
+    /// The bits from whose middle a disc would meet a set one.
     ///
     /// Costs a few operations for each word and each row of the disc.
     pub(crate) fn dilated(&self, radius: usize) -> Self {
@@ -98,7 +97,7 @@ impl Bits {
         let mut reach = 0;
         // From the disc's rim rows inwards the span only grows.
         for dy in (0..=radius).rev() {
-            let half = ((radius * radius - dy * dy) as f32).sqrt() as usize;
+            let half = meeting(radius, dy);
             while reach < half {
                 wide.widen();
                 reach += 1;
@@ -200,6 +199,14 @@ impl Bits {
         }
         out
     }
+}
+
+/// How many columns away a disc in the middle of a bit still meets one so many rows
+/// off.
+fn meeting(radius: usize, rows: usize) -> usize {
+    let up = (rows as f32 - 0.5).max(0.0);
+    let across = ((radius * radius) as f32 - up * up).max(0.0).sqrt();
+    (across + 0.5).ceil() as usize - 1
 }
 
 /// The bits of `open` from `seeds` upwards, to the ends of their runs; whether the

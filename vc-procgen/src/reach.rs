@@ -12,8 +12,9 @@ pub(crate) const BODY: usize = 5;
 const HEIGHT: f32 = 1.7;
 /// What one steps over, metres.
 const STEP: f32 = 0.03;
-/// How far a person reaches from where they stand, cells.
-pub(crate) const ARM: usize = 20;
+/// How far a person reaches from where they stand, cells: a metre, less what things
+/// are rounded up by.
+pub(crate) const ARM: usize = 19;
 /// Cells around the plan.
 const MARGIN: i32 = 10;
 

@@ -134,7 +134,7 @@ pub(super) fn plant(s: &mut Setter<'_>, chance: f32) {
 /// A small basket or bin in a corner, with a probability.
 pub(super) fn basket(s: &mut Setter<'_>, class: &str, chance: f32) {
     if s.rng.chance(chance) {
-        s.first_against(class, &[[0.36, 0.4, 0.5], [0.28, 0.28, 0.35]], Need::default(), |_, spot| {
+        s.first_against(class, &[[0.36, 0.4, 0.5], [0.28, 0.28, 0.35]], Need::front(0.35), |_, spot| {
             (0.4 - spot.corner).max(0.0)
         });
     }

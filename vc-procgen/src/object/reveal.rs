@@ -17,7 +17,7 @@ const TURNS: usize = 8;
 /// parts, almost all of it one test of two boxes.
 pub(super) fn reveal(asset: &mut Asset) -> Option<(Point3<f32>, Point3<f32>)> {
     let mut boxes: Vec<Around> = asset.parts.iter().map(Around::new).collect();
-    let mut corners: Vec<(Point3<f32>, Point3<f32>)> = boxes.iter().map(Around::corners).collect();
+    let mut corners: Vec<(Point3<f32>, Point3<f32>)> = asset.parts.iter().map(Part::extent).collect();
     let (low, high) = around(&corners)?;
     let hair = HAIR.min((high - low).min() * 0.25);
     for j in 1..asset.parts.len() {
@@ -32,7 +32,7 @@ pub(super) fn reveal(asset: &mut Asset) -> Option<(Point3<f32>, Point3<f32>)> {
                 break;
             }
             boxes[j] = Around::new(&asset.parts[j]);
-            corners[j] = boxes[j].corners();
+            corners[j] = asset.parts[j].extent();
         }
     }
     around(&corners)
@@ -64,12 +64,6 @@ impl Around {
         let axes = if straight { Matrix3::identity() } else { part.pose.rotation.to_rotation_matrix().into_inner() };
         let flat = !matches!(part.shape, Shape::Sphere { .. } | Shape::Capsule { .. });
         Self { centre, half, axes, pose: part.pose, flat }
-    }
-
-    /// Smallest and largest corner in the asset's frame.
-    fn corners(&self) -> (Point3<f32>, Point3<f32>) {
-        let (middle, reach) = (self.pose * self.centre, self.axes.abs() * self.half);
-        (middle - reach, middle + reach)
     }
 
     /// A side of this box, as axis and whether it is the higher one, that lies in a

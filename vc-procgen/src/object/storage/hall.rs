@@ -33,18 +33,19 @@ pub(super) fn coat_rack(b: &mut Build<'_>) {
     } else {
         &[(0.96, 0.96), (-0.96, 0.96), (-0.96, -0.96), (0.96, -0.96)]
     };
-    match b.rng.below(3) {
-        0 => {
-            let plate = reach * 0.94;
-            b.lathe("foot", [0.0; 3], &[(plate, 0.0), (plate, 0.012), (plate * 0.4, 0.024), (r, 0.04)], mat);
-        }
-        1 if wooden => baluster(b, "pole", [0.0, 0.0, 0.1], r * 1.6, h * 0.5, mat),
-        _ => {}
-    }
     let low = h * 0.16;
-    for (i, &(dx, dy)) in feet.iter().enumerate() {
-        let (foot, z) = ([dx * (x - r), dy * (y - r), 0.0], low - 0.002 * i as f32);
-        leg(b, "foot", (foot, r * 0.7), ([dx * r * 0.4, dy * r * 0.4, z], r * 0.8), Cut::Round, mat);
+    let design = b.rng.below(3);
+    if design == 0 {
+        let plate = reach * 0.94;
+        b.lathe("foot", [0.0; 3], &[(plate, 0.0), (plate, 0.012), (plate * 0.4, 0.024), (r, 0.04)], mat);
+    } else {
+        if design == 1 && wooden {
+            baluster(b, "pole", [0.0, 0.0, 0.1], r * 1.6, h * 0.5, mat);
+        }
+        for (i, &(dx, dy)) in feet.iter().enumerate() {
+            let (foot, z) = ([dx * (x - r), dy * (y - r), 0.0], low - 0.002 * i as f32);
+            leg(b, "foot", (foot, r * 0.7), ([dx * r * 0.4, dy * r * 0.4, z], r * 0.8), Cut::Round, mat);
+        }
     }
     // A tray for gloves and what drips.
     let (tray, floor) = (reach * 0.62, low + 0.008);
@@ -52,7 +53,8 @@ pub(super) fn coat_rack(b: &mut Build<'_>) {
     let (near, far) = (r * 1.7 + 0.004, tray * 0.8);
     let half = ((far - near) / 2.0, tray * 0.45);
     b.ledge("tray", [f32::midpoint(near, far), 0.0, floor], half, h * 0.25);
-    b.cylinder("pole", [0.0, 0.0, low * 0.5], r, h - low * 0.5 - r * 1.2, mat);
+    let start = if design == 0 { 0.02 } else { low * 0.5 };
+    b.cylinder("pole", [0.0, 0.0, start], r, h - start - r * 1.2, mat);
     b.ball("knob", [0.0, 0.0, h - r * 1.2], r * 1.2, mat);
     let tiers = b.rng.count(1, 3);
     let mut index = 0;

@@ -104,7 +104,7 @@ pub(super) fn gate(b: &mut Build<'_>) {
         b.block("latch", [leaf * 0.6, -half + 0.005, z], [leaf * 0.6 + 0.004, -half + 0.09, z + 0.03], IRON);
     });
     for z in [0.2, 0.75] {
-        b.rod("hinge", [0.0, half - 0.01, h * z], [0.0, y - post, h * z], leaf * 0.3, IRON);
+        b.rod("hinge", [0.0, half + 0.001, h * z], [0.0, y - post, h * z], leaf * 0.3, IRON);
     }
     let z = h * 0.6 + 0.005;
     b.block("catch", [-post * 0.5, -half - 0.014, z], [post * 0.5, -half - 0.002, z + 0.02], IRON);

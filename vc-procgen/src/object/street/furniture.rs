@@ -646,9 +646,9 @@ pub(super) fn dog_chain(b: &mut Build<'_>) {
     let steel = b.one(&[STEEL, GALVANISED, IRON]);
     let wire = (h * 0.09).min(0.004);
     let link = (x * 0.34).min(y * 0.22);
-    // The chain lies in an oval between the loop for the hand and the hook.
-    let loop_r = (x * 0.5).min(y * 0.35);
-    let (low, high) = (-y + loop_r * 1.9, y * 0.4);
+    // The chain lies in an oval between the loop for the hand, which stands, and the hook.
+    let loop_r = (h * 0.5).min(y * 0.35);
+    let (low, high) = (-y + loop_r, y * 0.4);
     let (a, c, middle) = (x - link - wire, (high - low) / 2.0, f32::midpoint(low, high));
     let around = oval(a, c, 1.85 * link);
     let turns = if around.len() > 7 { 1 } else { 2 };
@@ -662,9 +662,10 @@ pub(super) fn dog_chain(b: &mut Build<'_>) {
     let (tip, z) = (y - 2.0 * wire, wire * 2.0);
     let hook = [[0.0, high, z], [x * 0.3, tip * 0.75, z], [0.0, tip, z], [-x * 0.3, tip * 0.75, z]];
     b.pipe("hook", &hook, wire, BRASS);
-    let (inner, tall) = (loop_r * 0.84, h);
-    let strap = [(loop_r, 0.0), (loop_r, tall), (inner, tall), (inner, 0.0), (loop_r, 0.0)];
-    b.lathe("loop", [0.0, -y + loop_r, 0.0], &strap, BROWN_LEATHER);
+    let (inner, wide) = (loop_r * 0.9, x * 0.25);
+    let strap = [(loop_r, -wide), (loop_r, wide), (inner, wide), (inner, -wide), (loop_r, -wide)];
+    let centre = [0.0, -y + loop_r, loop_r];
+    b.lathe_along("loop", centre, [1.0, centre[1], centre[2]], &strap, BROWN_LEATHER);
 }
 
 /// Points around an ellipse, as evenly as whole steps of about `step` allow.

@@ -497,8 +497,8 @@ fn hollow(b: &mut Build<'_>, car: &Car, floor: f32) -> f32 {
     b.taper(
         "roof",
         [(x0 + x1) / 2.0 + 0.005, 0.0, car.roof - 0.04],
-        ((x1 - x0) / 2.0 + 0.005, tuck + 0.01),
-        ((x1 - x0) / 2.0 + 0.005, tuck),
+        ((x1 - x0) / 2.0 + 0.005, tuck + 0.014),
+        ((x1 - x0) / 2.0 + 0.005, tuck + 0.004),
         0.04,
         car.paint,
     );

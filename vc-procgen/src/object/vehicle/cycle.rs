@@ -95,8 +95,8 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
             r * 0.22,
             BLACK_PLASTIC,
         );
-        let low = [head[0] - tube, -0.03, bar_z - tube * 1.7 - 0.005];
-        b.soft("display", low, [head[0] + 0.04, 0.03, bar_z + 0.015], 0.005, SCREEN);
+        let low = [head[0] - tube, -0.034, bar_z - tube * 1.7 - 0.005];
+        b.soft("display", low, [head[0] + 0.044, 0.034, bar_z + 0.015], 0.005, SCREEN);
     }
 }
 

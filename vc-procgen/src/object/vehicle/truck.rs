@@ -222,7 +222,7 @@ fn flatbed(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
         let cy = s * (y - 0.02);
         b.block("board", [x0, cy - 0.018, z + 0.1], [x1 - 0.05, cy + 0.018, z + side], mat);
     }
-    b.hinge([x0, 0.0, z + 0.1], [0.0, -1.0, 0.0], PI * 0.9, |b| {
+    b.hinge([x0 - 0.025, 0.0, z + 0.05], [0.0, -1.0, 0.0], PI * 0.9, |b| {
         b.block("flap", [x0 - 0.025, -y + 0.04, z + 0.05], [x0 - 0.002, y - 0.04, z + side], mat);
     });
     let centre = [(x0 + x1) / 2.0, 0.0, z + 0.1];
