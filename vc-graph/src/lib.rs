@@ -1,4 +1,5 @@
 #![doc = include_str!("../FRONT.md")]
+#![warn(clippy::disallowed_methods)]
 
 mod action;
 pub mod asset;
@@ -18,6 +19,7 @@ pub mod mesh;
 mod met;
 mod node;
 mod observe;
+pub mod portable;
 mod property;
 mod relation;
 pub mod rule;

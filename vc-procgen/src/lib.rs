@@ -20,6 +20,8 @@
 //! [`object::generator`] finds the generator of a class, [`catalogue`] lists instances
 //! of all of them, and [`gltf`] writes any asset or scene and reads models of others.
 
+#![warn(clippy::disallowed_methods)]
+
 mod apartment;
 mod bits;
 pub mod catalogue;

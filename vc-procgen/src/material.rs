@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 
 use vc_graph::AssetLibrary;
 use vc_graph::asset::Material;
+use vc_graph::portable::Portable;
 
 /// A material of the [table](ALL): its position in every library this crate makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -324,5 +325,5 @@ fn material(name: &str, family: Family, colour: u32) -> Material {
 
 /// sRGB's transfer function (IEC 61966-2-1), to linear.
 fn linear(value: f32) -> f32 {
-    if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+    if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).power(2.4) }
 }

@@ -1,7 +1,8 @@
-//! Corners of regular polygons. The standard library's sine may differ in its last
-//! bit from one machine to the next; a series of products and sums does not.
+//! Corners of regular polygons.
 
 use std::f64::consts::TAU;
+
+use crate::portable::Portable;
 
 const LEAST: usize = 8;
 const MOST: usize = 64;
@@ -27,32 +28,11 @@ pub(super) fn circle(n: usize) -> Vec<(f64, f64)> {
 fn turn(k: usize, n: usize) -> (f64, f64) {
     let angle = |k: f64| TAU * k / n as f64;
     if 8 * k <= n {
-        (cosine(angle(k as f64)), sine(angle(k as f64)))
+        (angle(k as f64).cosine(), angle(k as f64).sine())
     } else {
         let rest = angle(n as f64 / 4.0 - k as f64);
-        (sine(rest), cosine(rest))
+        (rest.sine(), rest.cosine())
     }
-}
-
-/// Taylor's series; exact to the last bit or two up to an eighth of a turn.
-fn series(angle: f64, first: f64, start: f64) -> f64 {
-    let mut term = first;
-    let mut sum = first;
-    let mut n = start;
-    for _ in 0..9 {
-        term *= -angle * angle / (n * (n + 1.0));
-        sum += term;
-        n += 2.0;
-    }
-    sum
-}
-
-fn sine(angle: f64) -> f64 {
-    series(angle, angle, 2.0)
-}
-
-fn cosine(angle: f64) -> f64 {
-    series(angle, 1.0, 1.0)
 }
 
 #[cfg(test)]
@@ -75,6 +55,6 @@ mod tests {
         assert_eq!(corners(1.0, 0.0), MOST);
         assert_eq!(corners(1.0, f32::NAN), MOST);
         let n = corners(1.0, 0.02) as f64;
-        assert!(1.0 - (TAU / 2.0 / n).cos() <= 0.02 && 1.0 - (TAU / 2.0 / (n - 4.0)).cos() > 0.02);
+        assert!(1.0 - (TAU / 2.0 / n).cosine() <= 0.02 && 1.0 - (TAU / 2.0 / (n - 4.0)).cosine() > 0.02);
     }
 }

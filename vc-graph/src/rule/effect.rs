@@ -3,6 +3,7 @@
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use crate::node::Kind;
+use crate::portable::Portable;
 use crate::rule::check::{origin, vehicle_of};
 use crate::{Action, Edge, Edit, EditError, NodeId, Place, Pose, Property, Relation, SceneGraph, State};
 
@@ -214,7 +215,7 @@ fn stand_point(graph: &SceneGraph, agent: NodeId, id: NodeId) -> Option<Pose> {
 }
 
 fn facing(at: Point3<f32>, towards: Vector3<f32>) -> Pose {
-    let yaw = towards.y.atan2(towards.x);
+    let yaw = towards.y.angle_to(towards.x);
     let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
     Isometry3::from_parts(Translation3::from(at.coords), turn)
 }

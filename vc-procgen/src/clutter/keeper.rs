@@ -9,6 +9,7 @@ use vc_graph::{Pose, Seed, State, Stream};
 use crate::apartment::Apartment;
 use crate::furnish::{Area, Item, Rest, standing};
 use crate::object::{self, Draft, Object};
+use vc_graph::portable::Portable;
 
 /// Gap between things, and from a surface's edge, metres.
 const GAP: f32 = 0.004;
@@ -230,7 +231,7 @@ impl<'a> Keeper<'a> {
 
 /// Half lengths along X and Y of an object turned around Z.
 fn extent(object: &Draft, yaw: f32) -> (f32, f32) {
-    let (sin, cos) = (yaw.sin().abs(), yaw.cos().abs());
+    let (sin, cos) = (yaw.sine().abs(), yaw.cosine().abs());
     let half = object.size() / 2.0;
     (half.x * cos + half.y * sin, half.x * sin + half.y * cos)
 }

@@ -1,6 +1,7 @@
 //! Rectangles on the floor in metres, and the four ways to face.
 
 use crate::plan::{Rect, metres};
+use vc_graph::portable::Portable;
 
 /// A rectangle on the floor, metres.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -61,7 +62,7 @@ impl Area {
     /// Distance between the nearest points of both.
     pub(crate) fn distance(&self, other: &Self) -> f32 {
         let gap = |a0: f32, a1: f32, b0: f32, b1: f32| (b0 - a1).max(a0 - b1).max(0.0);
-        gap(self.x0, self.x1, other.x0, other.x1).hypot(gap(self.y0, self.y1, other.y0, other.y1))
+        gap(self.x0, self.x1, other.x0, other.x1).hypotenuse(gap(self.y0, self.y1, other.y0, other.y1))
     }
 }
 

@@ -10,6 +10,7 @@ use super::GltfError;
 use super::access::Elements;
 use super::document::{Document, Node, Primitive};
 use super::note::{JointNote, NodeNote, SurfaceNote, noted};
+use vc_graph::portable::Portable;
 
 /// Most triangles that are read.
 const MOST: usize = 10_000_000;
@@ -233,7 +234,7 @@ impl Welder<'_> {
 }
 
 fn found_surface(note: &SurfaceNote, frame: &Matrix4<f64>) -> Option<FoundSurface> {
-    let factor = frame.fixed_view::<3, 3>(0, 0).determinant().abs().cbrt();
+    let factor = frame.fixed_view::<3, 3>(0, 0).determinant().abs().cube_root();
     let half = note.half.map(|(x, y)| (f64::from(x) * factor, f64::from(y) * factor));
     let clearance = note.clearance.map(|c| f64::from(c) * factor);
     let at = frame.transform_point(&Point3::origin());

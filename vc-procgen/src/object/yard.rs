@@ -6,6 +6,7 @@ use super::build::{Axis, Build, P};
 use super::park::shape::{grown, hoop, limb, polar, polygon, spaced, tub};
 use super::{Generator, outdoor};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 pub(super) const GENERATORS: &[Generator] = &[
     outdoor("pool", 50, pool),
@@ -82,7 +83,7 @@ fn pool(b: &mut Build<'_>) {
         let sides = 36;
         let oval = |dx: f32, dy: f32| -> Vec<(f32, f32)> {
             // Rounder than a rectangle, fuller than an ellipse.
-            let bow = |v: f32| v.signum() * v.abs().powf(0.75);
+            let bow = |v: f32| v.signum() * v.abs().power(0.75);
             polygon(sides, 1.0, 0.0).into_iter().map(|(a, c)| (bow(a) * dx, bow(c) * dy)).collect()
         };
         b.prism("floor", Axis::Z, [0.0; 3], &oval(x - t * 0.8, y - t * 0.8), floor, lining);
@@ -363,7 +364,7 @@ fn pool_slide(b: &mut Build<'_>) {
         (b.one(&[SKY, WHITE_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC]), b.one(&[STEEL, WHITE_METAL]));
     let platform = h * b.vary(0.66, 0.74);
     let (start, wide) = (-x * 0.55, y * 0.85);
-    let at = |t: f32| [start + (x - start) * t, platform * (0.12 + 0.88 * (0.5 + 0.5 * (PI * t.powf(0.85)).cos()))];
+    let at = |t: f32| [start + (x - start) * t, platform * (0.12 + 0.88 * (0.5 + 0.5 * (PI * t.power(0.85)).cosine()))];
     let steps = 9;
     let t = 0.015;
     let bed: Vec<[f32; 2]> = spaced(steps, 0.0, 1.0).map(at).collect();
@@ -679,7 +680,7 @@ fn beach_ball(b: &mut Build<'_>) {
         let mut points: Vec<P> = Vec::new();
         for a in spaced(4, 0.0, 1.0).map(|s| TAU * (i as f32 + s) / segments as f32) {
             for polar_angle in spaced(9, cap * 0.8, PI - cap * 0.8) {
-                let (out, z) = (r * polar_angle.sin(), r * polar_angle.cos());
+                let (out, z) = (r * polar_angle.sine(), r * polar_angle.cosine());
                 let (px, py) = polar(a, out);
                 points.push([px, py, r + z]);
             }
@@ -687,17 +688,17 @@ fn beach_ball(b: &mut Build<'_>) {
         points.extend([[0.0, 0.0, r * 0.2], [0.0, 0.0, r * 1.8]]);
         b.hull("segment", &points, [first, second, third, second][i % 4]);
     }
-    let at = r * cap.cos();
+    let at = r * cap.cosine();
     b.lathe(
         "cap",
         [0.0, 0.0, r + at - 0.002],
-        &[(r * cap.sin(), 0.0), (r * cap.sin() * 0.9, (r - at) * 0.5), (0.0, r - at + 0.002)],
+        &[(r * cap.sine(), 0.0), (r * cap.sine() * 0.9, (r - at) * 0.5), (0.0, r - at + 0.002)],
         WHITE_PLASTIC,
     );
     b.lathe(
         "cap",
         [0.0; 3],
-        &[(0.0, 0.0), (r * cap.sin() * 0.9, (r - at) * 0.5), (r * cap.sin(), r - at + 0.002)],
+        &[(0.0, 0.0), (r * cap.sine() * 0.9, (r - at) * 0.5), (r * cap.sine(), r - at + 0.002)],
         WHITE_PLASTIC,
     );
 }
@@ -755,8 +756,10 @@ fn pool_robot(b: &mut Build<'_>) {
         let cy = s * y * 0.9;
         let track: Vec<(f32, f32)> = (0..=8)
             .map(|i| FRAC_PI_2 + PI * i as f32 / 8.0)
-            .map(|a| (-x + r + r * a.cos(), r + r * a.sin()))
-            .chain((0..=8).map(|i| -FRAC_PI_2 + PI * i as f32 / 8.0).map(|a| (x - r + r * a.cos(), r + r * a.sin())))
+            .map(|a| (-x + r + r * a.cosine(), r + r * a.sine()))
+            .chain(
+                (0..=8).map(|i| -FRAC_PI_2 + PI * i as f32 / 8.0).map(|a| (x - r + r * a.cosine(), r + r * a.sine())),
+            )
             .collect();
         b.prism("track", Axis::Y, [0.0, cy - y * 0.1, 0.0], &track, y * 0.2, RUBBER);
     }
@@ -802,7 +805,7 @@ fn pool_pump(b: &mut Build<'_>) {
         let middle = (foot + (valve - foot) * 0.5).max(foot + r * 0.6);
         let arc: Vec<(f32, f32)> = (0..=12)
             .map(|i| -1.2 + 2.4 * i as f32 / 12.0)
-            .map(|a| (r * a.cos(), middle + (valve - foot) * 0.5 * a.sin() / 0.932))
+            .map(|a| (r * a.cosine(), middle + (valve - foot) * 0.5 * a.sine() / 0.932))
             .collect();
         b.lathe("filter", [0.0, at, 0.0], &arc, second);
     } else {

@@ -7,6 +7,7 @@ use font8x8::{BASIC_FONTS, UnicodeFonts};
 use tiny_skia::{FillRule, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
 
 use super::image::{Image, PictureError};
+use vc_graph::portable::Portable;
 
 /// A place in a drawing: x to the right, y up, in the drawing's own unit.
 pub type Point = [f32; 2];
@@ -114,7 +115,7 @@ impl Colour {
 /// A linear value as an sRGB byte (IEC 61966-2-1).
 pub(super) fn encoded(value: f32) -> u8 {
     let v = value.clamp(0.0, 1.0);
-    let s = if v <= 0.003_130_8 { v * 12.92 } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 };
+    let s = if v <= 0.003_130_8 { v * 12.92 } else { 1.055 * v.power(1.0 / 2.4) - 0.055 };
     (s * 255.0).round() as u8
 }
 
@@ -282,7 +283,7 @@ impl Canvas {
 fn bow(centre: Point, radius: f32, from: f32, to: f32) -> Vec<Point> {
     let steps = ((to - from).abs().to_degrees() / 5.0).ceil().clamp(1.0, 720.0) as usize;
     let angle = |i: usize| from + (to - from) * i as f32 / steps as f32;
-    let at = |a: f32| [centre[0] + radius * a.cos(), centre[1] + radius * a.sin()];
+    let at = |a: f32| [centre[0] + radius * a.cosine(), centre[1] + radius * a.sine()];
     (0..=steps).map(|i| at(angle(i))).collect()
 }
 

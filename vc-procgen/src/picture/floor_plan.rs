@@ -8,6 +8,7 @@ use crate::apartment::Apartment;
 use crate::furnish::Area;
 use crate::plan::{Opening, OpeningKind, Plan, Rect, Room, RoomKind, Scheme, metres};
 use crate::reach::doorway;
+use vc_graph::portable::Portable;
 
 /// White space around the building, metres.
 const MARGIN: f32 = 0.7;
@@ -195,14 +196,14 @@ fn leaf(canvas: &mut Canvas, opening: &Opening) {
 
 /// The arc around a centre from one point to another, the short way.
 fn sweep(canvas: &mut Canvas, centre: Point, from: Point, to: Point) {
-    let angle = |p: Point| (p[1] - centre[1]).atan2(p[0] - centre[0]);
+    let angle = |p: Point| (p[1] - centre[1]).angle_to(p[0] - centre[0]);
     let (start, mut turn) = (angle(from), angle(to) - angle(from));
     if turn > PI {
         turn -= TAU;
     } else if turn < -PI {
         turn += TAU;
     }
-    let radius = (from[0] - centre[0]).hypot(from[1] - centre[1]);
+    let radius = (from[0] - centre[0]).hypotenuse(from[1] - centre[1]);
     canvas.arc(centre, radius, start, start + turn, Ink::line(FAINT, THIN));
 }
 
@@ -243,7 +244,7 @@ fn free_place(room: &Room, half: (f32, f32), taken: &[Area]) -> Option<(f32, Poi
     let rated = room.net().into_iter().flat_map(|r| places(&Area::of(&r), half)).map(|[x, y]| {
         let own = Area::around(x, y, half.0, half.1);
         let covered: f32 = taken.iter().map(|t| covered_by(t, &own)).sum();
-        (covered + 0.01 * (x - middle.0).hypot(y - middle.1), covered, [x, y])
+        (covered + 0.01 * (x - middle.0).hypotenuse(y - middle.1), covered, [x, y])
     });
     let best = rated.min_by(|a, b| a.0.total_cmp(&b.0));
     best.map(|(_, covered, place)| (covered, place))

@@ -6,6 +6,7 @@ use vc_graph::{Asset, AssetLibrary, Pose};
 
 use super::canvas::encoded;
 use super::image::Image;
+use vc_graph::portable::Portable;
 
 type V = Vector3<f32>;
 
@@ -148,7 +149,7 @@ struct Film {
 
 impl Film {
     fn new(view: &View, width: usize, height: usize) -> Self {
-        let paper = V::from(PAPER.map(|c| (f32::from(c) / 255.0).powf(2.2)));
+        let paper = V::from(PAPER.map(|c| (f32::from(c) / 255.0).power(2.2)));
         let pixels = width * height;
         let axes = frame(view.target - view.eye);
         let (colour, near, part) = (vec![paper; pixels], vec![f32::NEG_INFINITY; pixels], vec![0; pixels]);
@@ -218,7 +219,7 @@ impl Film {
             let normal = blend(face.normals).try_normalize(1e-9).unwrap_or_else(V::z);
             let lit = shade(face.material, normal, out);
             if face.clear {
-                let edge = (1.0 - normal.dot(&out).abs()).powi(3);
+                let edge = (1.0 - normal.dot(&out).abs()).raised(3);
                 self.colour[i] = self.colour[i].lerp(&lit, 0.22 + 0.4 * edge);
             } else {
                 (self.colour[i], self.near[i], self.part[i]) = (lit, near, face.part);
@@ -262,8 +263,8 @@ fn shade(material: &Material, normal: V, out: V) -> V {
     let lamps = lamps.map(|(way, power)| (Unit::new_normalize(way), power));
     let lambert: f32 = lamps.iter().map(|(way, power)| normal.dot(way).max(0.0) * power).sum();
     let light = lambert + 0.24 + 0.14 * normal.z;
-    let shine = |way: &V| normal.dot(&(way + out).normalize()).max(0.0).powi(40);
-    let gloss = (1.0 - material.roughness).powi(2) * 0.4;
+    let shine = |way: &V| normal.dot(&(way + out).normalize()).max(0.0).raised(40);
+    let gloss = (1.0 - material.roughness).raised(2) * 0.4;
     let mirrored = normal * (2.0 * normal.dot(&out)) - out;
     let sky = 0.3 + 0.6 * (mirrored.z * 0.5 + 0.5) + lamps.iter().map(|(way, power)| shine(way) * power).sum::<f32>();
     let metal = colour * (0.35 * light + 0.65 * sky);

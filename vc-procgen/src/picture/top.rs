@@ -10,6 +10,7 @@ use super::canvas::{Canvas, Colour, Ink, Point};
 use crate::apartment::Apartment;
 use crate::furnish::{Area, Item, Rest};
 use crate::material::{self, Family};
+use vc_graph::portable::Portable;
 
 /// Objects whose base is higher hang over the floor: dashed, metres.
 const OVERHEAD: f32 = 1.3;
@@ -170,7 +171,7 @@ fn rounded(hx: f32, hy: f32, radius: f32) -> Vec<Point> {
         let centre = [sx * (hx - radius), sy * (hy - radius)];
         (0..=steps).map(move |i| {
             let angle = (quarter as f32 + i as f32 / steps as f32) * TAU / 4.0;
-            [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()]
+            [centre[0] + radius * angle.cosine(), centre[1] + radius * angle.sine()]
         })
     };
     (0..4).flat_map(corner).collect()

@@ -5,6 +5,7 @@ use vc_graph::{Seed, Stream};
 use super::{RoomKind, Scheme, Topology};
 use crate::Specification;
 use crate::error::Impossible;
+use vc_graph::portable::Portable;
 
 /// A room wished for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,7 +62,7 @@ fn areas(kind: RoomKind) -> (f32, f32, f32, f32) {
 /// The area of a room drawn at random, square metres.
 pub(super) fn draw_area(kind: RoomKind, rng: &mut Stream) -> f32 {
     let (median, spread, low, high) = areas(kind);
-    (median * rng.normal(0.0, spread).exp()).clamp(low, high)
+    (median * rng.normal(0.0, spread).exponential()).clamp(low, high)
 }
 
 impl Programme {

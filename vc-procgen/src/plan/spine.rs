@@ -10,6 +10,7 @@ use vc_graph::Stream;
 
 use super::programme::{Programme, Wish};
 use super::{Layout, Rect, Room, RoomKind, Scheme, Topology, cells};
+use vc_graph::portable::Portable;
 
 /// Candidates drawn before a scheme is given up.
 const TRIES: usize = 300;
@@ -76,7 +77,7 @@ pub(super) fn lay_out(programme: &Programme, scheme: Scheme, rng: &mut Stream) -
         let Some(layout) = (Draft { programme, scheme, scale }).attempt(rng) else { continue };
         let area: f32 = layout.rooms.iter().map(Room::area).sum();
         let off = programme.wished_area.map_or(0.0, |wished| {
-            scale *= (wished / area).powf(0.6);
+            scale *= (wished / area).power(0.6);
             (area / wished - 1.0).abs()
         });
         if off > 0.045 {

@@ -4,6 +4,7 @@ use vc_graph::Stream;
 
 use super::programme::Programme;
 use super::{Layout, Rect, Room, RoomKind};
+use vc_graph::portable::Portable;
 
 /// Lays out a studio: service rooms side by side at the north wall, the main room
 /// around them.
@@ -16,7 +17,7 @@ fn attempt(programme: &Programme, rng: &mut Stream) -> Option<Layout> {
     rng.shuffle(&mut services);
     let depth = rng.count(94, 140) as i32;
     let band = rng.count(38, 46) as i32;
-    let gross = |index: usize| (programme.wishes[index].area.sqrt() + 0.1).powi(2) * 400.0;
+    let gross = |index: usize| (programme.wishes[index].area.sqrt() + 0.1).raised(2) * 400.0;
     let total: f32 = (0..programme.wishes.len()).map(gross).sum();
     let hall = rng.chance(0.5).then(|| rng.count(26, 36) as i32);
     let length = ((total + hall.map_or(0.0, |w| (w * band) as f32)) / depth as f32).round() as i32;

@@ -7,6 +7,7 @@ use super::super::decor::picture::{Canvas, Inks, motif};
 use super::super::textile::form::{blocks, facing, lying, room, sheet};
 use super::title::entitle;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A magazine: glossy cover with picture, masthead and lines.
 pub(super) fn magazine(b: &mut Build<'_>) {
@@ -35,7 +36,7 @@ pub(super) fn newspaper(b: &mut Build<'_>) {
     let fold = h * 0.2;
     for i in 0..4 {
         let (z0, z1) = ((h - relief) * i as f32 / 4.0, (h - relief) * (i as f32 + 0.96) / 4.0);
-        let inset = 0.006 * ((wave + 2.0 * i as f32).sin() + 1.0);
+        let inset = 0.006 * ((wave + 2.0 * i as f32).sine() + 1.0);
         b.soft(
             "pages",
             [-x * (1.0 - inset), -y, z0],
@@ -92,7 +93,7 @@ pub(super) fn map(b: &mut Build<'_>) {
     let land: Vec<(f32, f32)> = (0..12)
         .map(|i| i as f32 / 12.0 * TAU)
         .map(|a| (a, b.vary(0.5, 0.9)))
-        .map(|(a, r)| (x * r * a.cos(), y * r * a.sin()))
+        .map(|(a, r)| (x * r * a.cosine(), y * r * a.sine()))
         .collect();
     let base = h - relief * 2.0;
     b.prism("land", Axis::Z, [0.0, 0.0, base], &land, h - base, GREEN_CARD);
@@ -106,7 +107,7 @@ pub(super) fn bookmark(b: &mut Build<'_>) {
     b.block("stripe", [-x * 0.6, -y * 0.5, h * 0.3], [x * 0.6, y * 0.7, h], CREAM_PAPER);
     let wave = |u: f32, v: f32| {
         let (px, py) = (x * 0.15 * (2.0 * v - 1.0), -y + y * 0.25 * u);
-        ([px, py, h * (0.6 + 0.3 * (u * 7.0).sin())], [px, py, h * 0.26])
+        ([px, py, h * (0.6 + 0.3 * (u * 7.0).sine())], [px, py, h * 0.26])
     };
     sheet(b, "ribbon", (8, 1), wave, RED_FABRIC);
 }

@@ -5,6 +5,7 @@ use std::f32::consts::TAU;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, hoop, longwise, ngon, room, spline, tube};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// Pens, pencils, markers and brushes: shafts with a tip, along their longest side.
 pub(super) fn stick(b: &mut Build<'_>) {
@@ -181,8 +182,8 @@ pub(super) fn rubber_band(b: &mut Build<'_>) {
     let points: Vec<P> = (0..32)
         .map(|i| {
             let a = TAU * i as f32 / 32.0;
-            let s = 1.0 - dent * (0.5 + 0.5 * (2.0 * a + wave).sin());
-            [(x - r) * a.cos() * s, (y - r) * a.sin() * s, r]
+            let s = 1.0 - dent * (0.5 + 0.5 * (2.0 * a + wave).sine());
+            [(x - r) * a.cosine() * s, (y - r) * a.sine() * s, r]
         })
         .collect();
     let band = b.one(&[RED_RUBBER, GREY_RUBBER, FOAM]);

@@ -6,6 +6,7 @@ use super::super::book::desk::tub;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, facing, hoop, longwise, mix, oval, room, sheet, spline, tube};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// The hook of a hanger whose top is the top of the size; gives how high its
 /// shoulders are, `least` at least.
@@ -67,7 +68,7 @@ pub(super) fn umbrella(b: &mut Build<'_>) {
         let ring = |z: f32, s: f32, phase: f32| -> Vec<P> {
             (0..16)
                 .map(|i| {
-                    let (sin, cos) = (i as f32 / 16.0 * 2.0 * PI + phase).sin_cos();
+                    let (sin, cos) = (i as f32 / 16.0 * 2.0 * PI + phase).sine_cosine();
                     let s = r * s * if i % 2 == 0 { 1.0 } else { 0.62 };
                     [s * cos, s * sin, low + (high - low) * z]
                 })

@@ -5,6 +5,7 @@ use super::super::textile::form::{Shell, blocks, hoop, loft, oval, room, spline,
 use super::super::textile::{Fold, folded};
 use super::accessory::hook;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// How a garment is cut, in shares of the half width and the height below the hook.
 struct Cut {
@@ -103,7 +104,7 @@ fn body(b: &mut Build<'_>, cut: &Cut, neck: f32, cloth: Mat) {
             .into_iter()
             .enumerate()
             .map(|(i, p)| {
-                let s = 1.0 - wave * 0.5 * (1.0 + (folds * std::f32::consts::TAU * i as f32 / n as f32 + phase).sin());
+                let s = 1.0 - wave * 0.5 * (1.0 + (folds * std::f32::consts::TAU * i as f32 / n as f32 + phase).sine());
                 [p[0] * s, p[1] * (1.0 - wave * 0.1), p[2]]
             })
             .collect()
@@ -221,7 +222,7 @@ fn decoration(b: &mut Build<'_>, cut: &Cut, neck: f32, trim: Mat) {
                 1 => vec![(-y * 0.3, -y * 0.12), (y * 0.3, -y * 0.12), (y * 0.3, y * 0.12), (-y * 0.3, y * 0.12)],
                 2 => (0..10)
                     .map(|i| (i as f32 * 0.6283, if i % 2 == 0 { 0.3 } else { 0.13 }))
-                    .map(|(a, s)| (y * s * a.sin(), y * s * a.cos()))
+                    .map(|(a, s)| (y * s * a.sine(), y * s * a.cosine()))
                     .collect(),
                 _ => return,
             };

@@ -3,6 +3,7 @@
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, loft, oval, room, spline};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// One shoe: where its middle is across, half length and half width, height.
 #[derive(Clone, Copy)]
@@ -272,7 +273,7 @@ fn heel(b: &mut Build<'_>, last: Last, leather: Mat) {
         if t > 0.35 {
             0.0
         } else {
-            lift * ((0.35 - t) / 1.2).min(1.0).powi(2) * (3.0 - 2.0 * ((0.35 - t) / 1.2).min(1.0))
+            lift * ((0.35 - t) / 1.2).min(1.0).raised(2) * (3.0 - 2.0 * ((0.35 - t) / 1.2).min(1.0))
         }
     };
     let thick = last.h * 0.05;

@@ -6,6 +6,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, facing, hoop, oval, room, spline, tube};
 use super::super::textile::{Fold, folded};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 const COLOURS: [Mat; 10] = [
     RED_FABRIC,
@@ -180,7 +181,7 @@ pub(super) fn belt(b: &mut Build<'_>) {
     let turns = 3.2;
     let point = |i: usize, inset: f32| {
         let turn = turns * i as f32 / 54.0;
-        let (s, c) = (turn * TAU).sin_cos();
+        let (s, c) = (turn * TAU).sine_cosine();
         let r = (wide - buckle) * (1.0 - 0.2 * turn) - inset;
         (r * c * (y - buckle) / (wide - buckle), h / 2.0 + r * s * (h / 2.0 - buckle) / (wide - buckle))
     };
@@ -238,9 +239,9 @@ pub(super) fn pile(b: &mut Build<'_>) {
         let mut shell = Shell::default();
         shell.sheet((10, 12), |u, v| {
             let (a, r) = (TAU * v, u);
-            let wobble = 0.86 + 0.14 * (3.0 * a + p).sin();
-            let at = [px + dx * r * a.cos() * wobble, py + dy * r * a.sin() * wobble];
-            let crumple = 0.7 + 0.3 * (7.0 * a + 9.0 * r + q).sin() * r;
+            let wobble = 0.86 + 0.14 * (3.0 * a + p).sine();
+            let at = [px + dx * r * a.cosine() * wobble, py + dy * r * a.sine() * wobble];
+            let crumple = 0.7 + 0.3 * (7.0 * a + 9.0 * r + q).sine() * r;
             let z = z0 + (z1 - z0) * (1.0 - r * r).max(0.0).sqrt() * crumple;
             ([at[0], at[1], z.max(z0)], [at[0], at[1], z0])
         });

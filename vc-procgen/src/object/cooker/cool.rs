@@ -6,6 +6,7 @@ use super::fitting::*;
 use super::heat::{foot_row, glass_door};
 use crate::material::*;
 use crate::object::build::{Build, P};
+use vc_graph::portable::Portable;
 
 /// What is behind a door.
 #[derive(Debug, Clone, Copy)]
@@ -345,7 +346,7 @@ fn chamber(b: &mut Build<'_>, cold: &Cold, (low, high): (P, P), door: f32, at: S
         }
         let inset = skin + wall + 0.004 * u;
         // Their free end is as far in as the door's turn wants it.
-        let reach = ((dh[1] - dl[1] - inset).powi(2) - (pocket + door).powi(2)).max(0.0).sqrt();
+        let reach = ((dh[1] - dl[1] - inset).raised(2) - (pocket + door).raised(2)).max(0.0).sqrt();
         let (left, right) =
             if at == Swing::Left { (dh[1] - inset, dh[1] - reach) } else { (dl[1] + reach, dl[1] + inset) };
         let space = (dh[2] - dl[2] - 2.0 * inset) / cold.door_shelves.max(1) as f32;

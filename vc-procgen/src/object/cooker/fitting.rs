@@ -11,6 +11,7 @@ use vc_graph::asset::JointKind;
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{Handle, handle};
+use vc_graph::portable::Portable;
 
 /// Half depth, half width and height of what is asked for.
 pub(in crate::object) fn spans(b: &Build<'_>) -> (f32, f32, f32) {
@@ -153,7 +154,7 @@ pub(in crate::object) fn display(b: &mut Build<'_>, x: f32, low: (f32, f32), hig
 
 /// A ring turned around the line from one point to another.
 pub(in crate::object) fn collar(b: &mut Build<'_>, name: &str, (from, to): (P, P), radii: (f32, f32), mat: Mat) {
-    let length = (0..3).map(|i| (to[i] - from[i]).powi(2)).sum::<f32>().sqrt();
+    let length = (0..3).map(|i| (to[i] - from[i]).raised(2)).sum::<f32>().sqrt();
     let (inner, outer) = radii;
     let profile = [(inner, 0.0), (outer, 0.0), (outer, length), (inner, length), (inner, 0.0)];
     b.lathe_along(name, from, to, &profile, mat);

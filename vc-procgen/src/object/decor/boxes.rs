@@ -6,6 +6,7 @@ use super::super::book::desk::tub;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, spline};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A carton whose four flaps open outwards; taped, with marks printed on it.
 pub(super) fn carton(b: &mut Build<'_>) {
@@ -119,7 +120,7 @@ pub(super) fn gift(b: &mut Build<'_>) {
         b.block("ribbon", [-wide, -y, rim + t], [wide, y, top + e * 0.5], ribbon);
         let mut loops = Shell::default();
         for i in 0..6 {
-            let (s, c) = (i as f32 * 1.047 + 0.4).sin_cos();
+            let (s, c) = (i as f32 * 1.047 + 0.4).sine_cosine();
             let out = |r: f32, z: f32| [bow * r * c, bow * r * s, top + bow * z];
             let loop_: Vec<P> =
                 spline(&[out(0.0, 0.02), out(0.7, 0.12), out(1.0, 0.4), out(0.6, 0.65), out(0.05, 0.3)], 3);

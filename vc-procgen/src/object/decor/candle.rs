@@ -5,6 +5,7 @@ use std::f32::consts::TAU;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, oval, room, spline};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 const WAXES: [Mat; 7] = [WAX, WHITE_PLASTIC, RED_GLAZE, WAX, PINK_PLASTIC, SAGE, NAVY];
 
@@ -62,7 +63,7 @@ pub(super) fn candle(b: &mut Build<'_>) {
             );
             b.lathe("wax", [0.0, 0.0, h * 0.05], &[(r * foot * 0.88, 0.0), (r * 0.9, h * 0.55)], wax);
             for i in 0..3 {
-                let (s, c) = (i as f32 * 2.094).sin_cos();
+                let (s, c) = (i as f32 * 2.094).sine_cosine();
                 wick(b, [r * 0.4 * c, r * 0.4 * s, h * 0.6], string);
             }
         }
@@ -84,7 +85,7 @@ fn drips(b: &mut Build<'_>, r: f32, top: f32, wax: Mat) {
     let count = b.rng.count(0, 4);
     let mut shell = Shell::default();
     for _ in 0..count {
-        let (s, c) = b.vary(0.0, TAU).sin_cos();
+        let (s, c) = b.vary(0.0, TAU).sine_cosine();
         let long = top * b.vary(0.1, 0.3);
         shell.egg([r * 0.95 * c, r * 0.95 * s, top - long * 0.9], [r * 0.05, r * 0.05, long * 0.9]);
     }

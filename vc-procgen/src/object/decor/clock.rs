@@ -5,6 +5,7 @@ use std::f32::consts::TAU;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, hoop, ngon, oval, room, tube};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A dial that faces +X: plate, marks and hands. It stands out by `depth`.
 pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats: (Mat, Mat)) {
@@ -12,7 +13,7 @@ pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats
     b.prism("dial", Axis::X, at, &ngon((r, r), 32), depth * 0.35, plate);
     let mut marks = Shell::default();
     for i in 0..12 {
-        let (s, c) = (TAU * i as f32 / 12.0).sin_cos();
+        let (s, c) = (TAU * i as f32 / 12.0).sine_cosine();
         let half = r * if i % 3 == 0 { 0.05 } else { 0.03 };
         let m = [at[1] + r * 0.84 * s, at[2] + r * 0.84 * c];
         marks.block([at[0] + depth * 0.2, m[0] - half, m[1] - half], [at[0] + depth * 0.7, m[0] + half, m[1] + half]);
@@ -20,7 +21,7 @@ pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats
     marks.put(b, "marks", ink);
     let time = b.vary(0.0, 12.0);
     for (turn, long, wide, z) in [(time / 12.0, 0.5, 0.05, 0.55), (time.fract(), 0.74, 0.035, 0.78)] {
-        let (s, c) = (TAU * turn).sin_cos();
+        let (s, c) = (TAU * turn).sine_cosine();
         let (l, w) = (r * long, r * wide);
         let point = |a: f32, o: f32| (a * s * l + o * c * w, a * c * l - o * s * w);
         let hand = [point(-0.2, 1.0), point(-0.2, -1.0), point(1.0, -0.5), point(1.0, 0.5)];
@@ -58,7 +59,7 @@ pub(super) fn wall(b: &mut Build<'_>) {
             let mut rays = Shell::default();
             let count = b.one(&[12, 16, 20]);
             for i in 0..count {
-                let (s, c) = (TAU * i as f32 / count as f32).sin_cos();
+                let (s, c) = (TAU * i as f32 / count as f32).sine_cosine();
                 let long = if i % 2 == 0 { 0.985 } else { 0.8 };
                 let to = |f: f32| [-x * 0.5, r * f * s, h / 2.0 + r * f * c];
                 rays.tapered(&[to(0.4), to(long)], |t| r * (0.03 - 0.02 * t));
@@ -91,7 +92,7 @@ pub(super) fn clock(b: &mut Build<'_>) {
             let round = (h - foot) * 0.55;
             let curve = (0..=16)
                 .map(|i| i as f32 / 16.0 * std::f32::consts::PI)
-                .map(|a| (y * 0.9 * a.cos(), h - foot - round + round * a.sin()));
+                .map(|a| (y * 0.9 * a.cosine(), h - foot - round + round * a.sine()));
             [(-y * 0.9, 0.0), (y * 0.9, 0.0)].into_iter().chain(curve).collect()
         }
         _ => vec![(-y * 0.92, 0.0), (y * 0.92, 0.0), (y * 0.92, h - foot), (-y * 0.92, h - foot)],

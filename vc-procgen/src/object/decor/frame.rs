@@ -4,6 +4,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{blocks, facing, sheet};
 use super::picture::{Canvas, Inks, motif};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A frame around a picture; on a shelf it leans on a strut, if its size is deep.
 pub(super) fn frame(b: &mut Build<'_>) {
@@ -17,7 +18,7 @@ pub(super) fn frame(b: &mut Build<'_>) {
         let tall = (h - body * lean) / (1.0 + lean * lean).sqrt();
         let front = t / 2.0 - body / 2.0;
         let pose = nalgebra::Isometry3::new(
-            nalgebra::Vector3::new(front - body * 0.1, 0.0, body * 0.5 * lean.sin()),
+            nalgebra::Vector3::new(front - body * 0.1, 0.0, body * 0.5 * lean.sine()),
             nalgebra::Vector3::y() * -lean,
         );
         b.posed(pose, |b| framed(b, [0.0; 3], body, w, tall * 0.99));
@@ -119,7 +120,7 @@ pub(super) fn tapestry(b: &mut Build<'_>) {
         let cloth_width = w * 0.94;
         let hang = |u: f32, v: f32| {
             let (py, pz) = (cloth_width * (u - 0.5), low + (high - low) * v);
-            let wave = t * 0.4 * (u * 25.0).sin() * v * (1.0 - v);
+            let wave = t * 0.4 * (u * 25.0).sine() * v * (1.0 - v);
             ([plane + wave, py, pz], [plane + wave - t * 0.3, py, pz])
         };
         sheet(b, "cloth", (24, 4), hang, cloth);

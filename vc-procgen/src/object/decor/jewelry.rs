@@ -6,6 +6,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, hoop, ngon, oval, room};
 use super::clock::{dial, digits};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 const GEMS: [Mat; 5] = [CLEAR_PLASTIC, RED_GLAZE, BLUE_GLAZE, GREEN_GLAZE, PORCELAIN];
 
@@ -38,8 +39,8 @@ pub(super) fn necklace(b: &mut Build<'_>) {
     let line: Vec<P> = (0..count)
         .map(|i| {
             let a = TAU * i as f32 / count as f32;
-            let s = 0.92 + 0.08 * (3.0 * a + wave).sin();
-            [(x - r) * a.cos() * s, (y - r) * a.sin() * s, r]
+            let s = 0.92 + 0.08 * (3.0 * a + wave).sine();
+            [(x - r) * a.cosine() * s, (y - r) * a.sine() * s, r]
         })
         .collect();
     if pearls {

@@ -3,6 +3,7 @@
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{blocks, facing, hoop, ngon, oval, room, tube};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A wall mirror: rectangular, round, arched or with lights.
 pub(super) fn wall(b: &mut Build<'_>) {
@@ -46,7 +47,7 @@ fn pane(b: &mut Build<'_>, t: f32, w: f32, h: f32) {
                 let round = w.min(h * 0.5);
                 let curve = (0..=16)
                     .map(|i| i as f32 / 16.0 * std::f32::consts::PI)
-                    .map(|a| (w * a.cos(), top - round + round * a.sin()));
+                    .map(|a| (w * a.cosine(), top - round + round * a.sine()));
                 [(-w, s), (w, s)].into_iter().chain(curve).collect()
             };
             b.prism("frame", Axis::X, [back, 0.0, 0.0], &arch(0.0), t * 0.6, frame);

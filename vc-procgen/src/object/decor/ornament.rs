@@ -6,6 +6,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, mix, ngon, oval, room, spline, tube};
 use super::super::tool::pet;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A sculpture: a bust, a knot of rings, a twisted column, stacked stones, a
 /// standing figure or an abstract loop.
@@ -35,8 +36,8 @@ pub(super) fn sculpture(b: &mut Build<'_>) {
             let rings: Vec<Vec<P>> = (0..=14)
                 .map(|i| {
                     let t = i as f32 / 14.0;
-                    let s = r * (0.75 - 0.35 * (t * 3.1).sin());
-                    let (sin, cos) = (twist * t).sin_cos();
+                    let s = r * (0.75 - 0.35 * (t * 3.1).sine());
+                    let (sin, cos) = (twist * t).sine_cosine();
                     oval(Axis::Z, [0.0; 3], (s, s * 0.5), 1, 12)
                         .iter()
                         .map(|p| [p[0] * cos - p[1] * sin, p[0] * sin + p[1] * cos, at(t)])
@@ -109,7 +110,7 @@ fn figure(b: &mut Build<'_>, r: f32, low: f32, mat: Mat) {
     let at = |x: f32, y: f32, z: f32| [r * x, r * y, low + tall * z];
     let mut shell = Shell::default();
     let lean = b.vary(-0.2, 0.2);
-    let girth = |t: f32| tall * (0.035 + 0.03 * (t * 3.1).sin());
+    let girth = |t: f32| tall * (0.035 + 0.03 * (t * 3.1).sine());
     shell.tapered(&[at(0.0, -0.3, 0.0), at(0.0, -0.2, 0.25), at(0.0, -0.08, 0.48)], |t| tall * (0.02 + 0.025 * t));
     shell.tapered(&[at(0.15, 0.35, 0.0), at(0.2, 0.22, 0.25), at(0.0, 0.08, 0.48)], |t| tall * (0.02 + 0.025 * t));
     shell.tapered(
@@ -159,9 +160,9 @@ pub(super) fn wreath(b: &mut Build<'_>) {
     for i in 0..count {
         let a = TAU * i as f32 / count as f32;
         let reach = b.vary(0.5, 0.98);
-        let from = [x * b.vary(-0.5, 0.2), r * 0.78 * a.cos(), mid + r * 0.78 * a.sin()];
+        let from = [x * b.vary(-0.5, 0.2), r * 0.78 * a.cosine(), mid + r * 0.78 * a.sine()];
         let ahead = a + 0.28;
-        let to = [x * b.vary(-0.3, 0.95), r * reach * ahead.cos(), mid + r * reach * ahead.sin()];
+        let to = [x * b.vary(-0.3, 0.95), r * reach * ahead.cosine(), mid + r * reach * ahead.sine()];
         let wide = r * 0.06;
         leaves[i % 2].tapered(&[from, mix(from, to, 0.4), to], |t| wide * (0.5 + 1.6 * t - 2.05 * t * t).max(0.05));
     }
@@ -171,7 +172,7 @@ pub(super) fn wreath(b: &mut Build<'_>) {
     c.put(b, "leaf", second);
     let mut berries = Shell::default();
     for _ in 0..9 {
-        let (s, c) = b.vary(0.0, TAU).sin_cos();
+        let (s, c) = b.vary(0.0, TAU).sine_cosine();
         let size = r * 0.05;
         berries.egg([x * 0.4, r * 0.78 * c, mid + r * 0.78 * s], [size, size, size]);
     }
@@ -190,7 +191,7 @@ fn bow(b: &mut Build<'_>, at: P, size: f32) {
         let point = |y: f32, z: f32| [at[0], at[1] + side * size * y, at[2] + size * z];
         shell.tapered(
             &spline(&[point(0.0, 0.0), point(0.5, 0.35), point(0.9, 0.2), point(0.6, -0.1), point(0.0, 0.0)], 3),
-            |t| size * (0.06 + 0.08 * (t * 3.1).sin()),
+            |t| size * (0.06 + 0.08 * (t * 3.1).sine()),
         );
         shell.tapered(&[point(0.0, 0.0), point(0.3, -0.5), point(0.35, -0.85)], |_| size * 0.08);
     }
@@ -216,7 +217,7 @@ pub(super) fn christmas_tree(b: &mut Build<'_>) {
         let ring = |z: f32, s: f32, jag: f32| -> Vec<P> {
             (0..points)
                 .map(|k| {
-                    let (sin, cos) = (TAU * k as f32 / points as f32 + turn).sin_cos();
+                    let (sin, cos) = (TAU * k as f32 / points as f32 + turn).sine_cosine();
                     let s = s * if k % 2 == 0 { 1.0 } else { 1.0 - jag };
                     [s * cos, s * sin, z - s * jag * 0.25]
                 })
@@ -234,7 +235,7 @@ pub(super) fn christmas_tree(b: &mut Build<'_>) {
     let mut balls = [Shell::default(), Shell::default(), Shell::default()];
     for i in 0..27 {
         let z = low + (tip - low) * (0.05 + 0.8 * i as f32 / 27.0);
-        let (s, c) = (i as f32 * 2.4).sin_cos();
+        let (s, c) = (i as f32 * 2.4).sine_cosine();
         let size = r * if i % 3 == 2 { 0.022 } else { 0.05 };
         let reach = (half_width(z) * 0.93 - size).max(r * 0.03);
         balls[i % 3].egg([reach * c, reach * s, z], [size, size, size]);
@@ -247,7 +248,7 @@ pub(super) fn christmas_tree(b: &mut Build<'_>) {
     let size = h - tip;
     let star: Vec<(f32, f32)> = (0..10)
         .map(|i| (TAU * i as f32 / 10.0, if i % 2 == 0 { 0.52 } else { 0.22 }))
-        .map(|(a, s)| (size * s * a.sin(), size * s * a.cos()))
+        .map(|(a, s)| (size * s * a.sine(), size * s * a.cosine()))
         .collect();
     b.cylinder("spike", [0.0, 0.0, tip - size], size * 0.05, size * 1.5, GOLD);
     b.prism("star", Axis::X, [-size * 0.06, 0.0, h - size * 0.52], &star, size * 0.12, GOLD);
@@ -444,14 +445,14 @@ pub(super) fn globe(b: &mut Build<'_>) {
         let (up, turn) = (b.vary(-0.35, 0.5), centre + b.vary(-0.15, 0.15));
         let (a, c) = (b.vary(0.0, 6.0), b.vary(0.0, 6.0));
         shell.sheet((8, 8), |u, v| {
-            let edge = 1.0 + 0.25 * (a + 9.0 * v).sin();
-            let lon = turn + wide * (u - 0.5) * edge * (1.0 - (2.0 * v - 1.0).powi(2)).max(0.03).sqrt();
-            let lat = up + tall * (v - 0.5) * (1.0 + 0.15 * (c + 7.0 * u).sin());
+            let edge = 1.0 + 0.25 * (a + 9.0 * v).sine();
+            let lon = turn + wide * (u - 0.5) * edge * (1.0 - (2.0 * v - 1.0).raised(2)).max(0.03).sqrt();
+            let lat = up + tall * (v - 0.5) * (1.0 + 0.15 * (c + 7.0 * u).sine());
             let point = |s: f32| {
                 [
-                    at[0] + s * r * lat.cos() * lon.cos(),
-                    at[1] + s * r * lat.cos() * lon.sin(),
-                    at[2] + s * r * lat.sin(),
+                    at[0] + s * r * lat.cosine() * lon.cosine(),
+                    at[1] + s * r * lat.cosine() * lon.sine(),
+                    at[2] + s * r * lat.sine(),
                 ]
             };
             (point(1.0), point(0.95))

@@ -3,6 +3,7 @@
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, hoop, loft, mix, oval, room, spline};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 const GLAZES: [Mat; 13] = [
     PORCELAIN,
@@ -85,7 +86,7 @@ fn faceted(b: &mut Build<'_>, wall: &[(f32, f32)], t: f32, mat: Mat) {
         let turn = twist * i as f32;
         oval(Axis::Z, [0.0, 0.0, z], (s, s), 0, n)
             .into_iter()
-            .map(|p| [p[0] * turn.cos() - p[1] * turn.sin(), p[0] * turn.sin() + p[1] * turn.cos(), z])
+            .map(|p| [p[0] * turn.cosine() - p[1] * turn.sine(), p[0] * turn.sine() + p[1] * turn.cosine(), z])
             .collect()
     };
     let outer = wall.iter().enumerate().map(|(i, p)| ring(p, i));
@@ -145,13 +146,13 @@ pub(super) fn centerpiece(b: &mut Build<'_>) {
         let reach = 0.62 * (i as f32 / 9.0).sqrt();
         let r = x.min(y).min(h) * b.vary(0.2, 0.26);
         let z = (low * 0.4 + r + (h * 0.45) * (0.6 - reach).max(0.0)).min(h - r);
-        balls.egg([x * reach * a.cos(), y * reach * a.sin(), z], [r, r, r]);
+        balls.egg([x * reach * a.cosine(), y * reach * a.sine(), z], [r, r, r]);
     }
     balls.put(b, "filling", fill);
     let mut leaves = Shell::default();
     for i in 0..10 {
         let a = i as f32 * 0.63;
-        let tip = [x * 0.95 * a.cos(), y * 0.95 * a.sin(), h * b.vary(0.5, 0.98)];
+        let tip = [x * 0.95 * a.cosine(), y * 0.95 * a.sine(), h * b.vary(0.5, 0.98)];
         let from = [tip[0] * 0.4, tip[1] * 0.4, low * 0.5];
         let over = [tip[0] * 0.75, tip[1] * 0.75, tip[2]];
         leaves.leaf(&[from, over, tip], |t| x.min(y) * 0.12 * (1.0 - (2.0 * t - 0.9).abs()).max(0.02), 0.3);

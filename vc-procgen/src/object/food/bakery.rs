@@ -8,6 +8,7 @@ use super::super::kitchenware::form::{
 };
 use super::fruit::berry;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// The section of a loaf: flat below, round above.
 const SLICE: [(f32, f32); 12] = [
@@ -100,7 +101,7 @@ fn domed(b: &mut Build<'_>, name: &str, (low, high): ([f32; 2], [f32; 2]), h: f3
     let (mx, hx) = (f32::midpoint(low[0], high[0]), (high[0] - low[0]) / 2.0);
     let ring = |&(r, k): &(f32, f32)| {
         let point = |i: usize| {
-            let (s, c) = (TAU * i as f32 / 16.0).sin_cos();
+            let (s, c) = (TAU * i as f32 / 16.0).sine_cosine();
             [mx + hx * r * c, low[1] + (high[1] - low[1]) * k, h * (0.3 + if s > 0.0 { 0.7 } else { 0.3 } * r * s)]
         };
         (0..16).map(point).collect()
@@ -176,7 +177,7 @@ pub(super) fn ring_bread(b: &mut Build<'_>, dough: Mat) {
     let circle = |k: f32, from: f32, to: f32, lift: f32| -> Vec<(f32, f32)> {
         (0..=12)
             .map(|i| {
-                let (s, c) = (TAU * (from + (to - from) * i as f32 / 12.0)).sin_cos();
+                let (s, c) = (TAU * (from + (to - from) * i as f32 / 12.0)).sine_cosine();
                 (r - thick + thick * k * c, z / 2.0 * (1.0 - lift) + (z / 2.0) * (1.0 - lift) * k * s + lift * z)
             })
             .collect()
@@ -193,7 +194,7 @@ pub(super) fn ring_bread(b: &mut Build<'_>, dough: Mat) {
     let glaze = b.one(&[CHOCOLATE, PETAL_PINK, PETAL_WHITE, CHOCOLATE]);
     let mut top: Vec<_> = (0..=8)
         .map(|i| {
-            let (s, c) = (TAU * (0.06 + 0.38 * i as f32 / 8.0)).sin_cos();
+            let (s, c) = (TAU * (0.06 + 0.38 * i as f32 / 8.0)).sine_cosine();
             (r - thick + thick * 0.96 * c, z * 0.49 + z * 0.5 * s)
         })
         .collect();
@@ -202,9 +203,9 @@ pub(super) fn ring_bread(b: &mut Build<'_>, dough: Mat) {
     b.lathe("glaze", [0.0; 3], &top, glaze);
     let colours = [PETAL_RED, PETAL_YELLOW, PETAL_BLUE, PETAL_WHITE];
     for i in 0..14 {
-        let (s, c) = (2.4 * i as f32).sin_cos();
-        let out = r - thick + thick * 0.4 * (1.9 * i as f32).sin();
-        let (ax, ay) = ((3.1 * i as f32).cos() * r * 0.05, (3.1 * i as f32).sin() * r * 0.05);
+        let (s, c) = (2.4 * i as f32).sine_cosine();
+        let out = r - thick + thick * 0.4 * (1.9 * i as f32).sine();
+        let (ax, ay) = ((3.1 * i as f32).cosine() * r * 0.05, (3.1 * i as f32).sine() * r * 0.05);
         let at = [out * c, out * s];
         b.block(
             "sprinkle",
@@ -239,7 +240,7 @@ pub(super) fn croissant(b: &mut Build<'_>) {
     for i in 0..steps {
         let t = (i as f32 + 0.5) / steps as f32 * 2.0 - 1.0;
         let place = |t: f32, k: f32| {
-            let w = (r * (1.0 - 0.7 * t.abs().powf(1.5)) * k).max(r * 0.08);
+            let w = (r * (1.0 - 0.7 * t.abs().power(1.5)) * k).max(r * 0.08);
             ([x / 2.0 - r - (x - 2.0 * r) * t * t, (y / 2.0 - r * 0.2) * t, (w / k * 0.98).min(z / 2.0)], w, w)
         };
         let half = 1.25 / steps as f32;
@@ -264,13 +265,13 @@ pub(super) fn stack(b: &mut Build<'_>) {
     let t = room / count as f32;
     for i in 0..count {
         let k = 0.94 + 0.06 * ((i * 5) % 3) as f32 / 2.0;
-        let (dx, dy) = (hx * (1.0 - k) * (2.1 * i as f32).sin(), hy * (1.0 - k) * (1.3 * i as f32).cos());
+        let (dx, dy) = (hx * (1.0 - k) * (2.1 * i as f32).sine(), hy * (1.0 - k) * (1.3 * i as f32).cosine());
         let ring = |z: f32, r: f32| oval([dx, dy, z], (hx * k * r, hy * k * r));
         let low = t * i as f32;
         loft(b, "layer", &[ring(low + t * 0.02, 0.95), ring(low + t * 0.4, 1.0), ring(low + t, 0.93)], mat);
         if !pancake && i + 1 == count {
             for j in 0..6 {
-                let (s, c) = (2.4 * j as f32).sin_cos();
+                let (s, c) = (2.4 * j as f32).sine_cosine();
                 let out = 0.7 * (j as f32 / 6.0).sqrt();
                 b.cylinder("spot", [hx * out * c, hy * out * s, room - t * 0.3], hx * 0.09, z - room + t * 0.3, CRUST);
             }
@@ -301,7 +302,7 @@ pub(super) fn cake(b: &mut Build<'_>) {
         let sector = |k: f32| -> Vec<(f32, f32)> {
             (0..=20)
                 .map(|i| {
-                    let (s, c) = (0.35 + 5.58 * i as f32 / 20.0).sin_cos();
+                    let (s, c) = (0.35 + 5.58 * i as f32 / 20.0).sine_cosine();
                     (r * k * c, r * k * s)
                 })
                 .chain([(0.0, 0.0)])
@@ -316,7 +317,7 @@ pub(super) fn cake(b: &mut Build<'_>) {
     let count = 8;
     for i in 0..count {
         let angle = TAU * (i as f32 + 0.9) / (count as f32 + 0.8);
-        let (s, c) = angle.sin_cos();
+        let (s, c) = angle.sine_cosine();
         let at = [r * 0.74 * c, r * 0.74 * s];
         if candles {
             b.cylinder(
@@ -352,7 +353,7 @@ pub(super) fn muffin(b: &mut Build<'_>) {
     let ring = |z: f32, k: f32| -> Vec<P> {
         (0..2 * pleats)
             .map(|i| {
-                let (s, c) = (TAU * i as f32 / (2 * pleats) as f32).sin_cos();
+                let (s, c) = (TAU * i as f32 / (2 * pleats) as f32).sine_cosine();
                 let k = r * k * if i % 2 == 0 { 1.0 } else { 0.93 };
                 [k * c, k * s, z]
             })
@@ -372,7 +373,7 @@ pub(super) fn muffin(b: &mut Build<'_>) {
         let bits = if dough == CHOCOLATE { CRUMB } else { b.one(&[CHOCOLATE, PURPLE_SKIN]) };
         let count = b.rng.count(4, 10);
         for i in 0..count {
-            let (s, c) = (2.4 * i as f32).sin_cos();
+            let (s, c) = (2.4 * i as f32).sine_cosine();
             let k = 0.3 + 0.5 * i as f32 / count as f32;
             berry(
                 b,
@@ -411,7 +412,7 @@ pub(super) fn pie(b: &mut Build<'_>) {
     b.lathe("crust", [0.0; 3], &shell(&outside, r * 0.05), CRUST);
     b.cylinder("filling", [0.0, 0.0, z * 0.1], r * 0.86, z * 0.68, filling);
     for i in 0..16 {
-        let (s, c) = (TAU * i as f32 / 16.0).sin_cos();
+        let (s, c) = (TAU * i as f32 / 16.0).sine_cosine();
         berry(b, [r * 0.93 * c, r * 0.93 * s, z * 0.9], (r * 0.07).min(z * 0.1), CRUST);
     }
     if b.rng.chance(0.6) { lattice(b, r, z) } else { closed_crust(b, r, z, filling) }
@@ -423,7 +424,7 @@ fn lattice(b: &mut Build<'_>, r: f32, z: f32) {
     let half = r * 0.26 / strips as f32;
     for i in 0..strips {
         let at = r * 0.6 * (2.0 * i as f32 / (strips - 1) as f32 - 1.0);
-        let reach = ((r * 0.88).powi(2) - at * at).max(0.0).sqrt();
+        let reach = ((r * 0.88).raised(2) - at * at).max(0.0).sqrt();
         b.block("lattice", [at - half, -reach, z * 0.7], [at + half, reach, z * 0.84], CRUST);
         b.block("lattice", [-reach, at - half, z * 0.7], [reach, at + half, z * 0.88], CRUST);
     }
@@ -456,7 +457,7 @@ pub(super) fn cookie(b: &mut Build<'_>) {
     if b.rng.chance(0.7) {
         lump(b, "cookie", [0.0, 0.0, z * 0.45], [hx, hy, z * 0.45], 0.02, dough);
         for i in 0..8 {
-            let (s, c) = (2.4 * i as f32).sin_cos();
+            let (s, c) = (2.4 * i as f32).sine_cosine();
             let k = 0.75 * ((i as f32 + 0.3) / 8.0).sqrt();
             berry(b, [hx * k * c, hy * k * s, z * (0.87 - 0.25 * k)], z * 0.13, bits);
         }
@@ -474,7 +475,7 @@ pub(super) fn cookie(b: &mut Build<'_>) {
         );
         b.prism("biscuit", Axis::Z, [0.0, 0.0, z * 0.56], &plan, z * 0.4, dough);
         for i in 0..5 {
-            let (s, c) = (TAU * i as f32 / 5.0).sin_cos();
+            let (s, c) = (TAU * i as f32 / 5.0).sine_cosine();
             b.cylinder("prick", [hx * 0.5 * c, hy * 0.5 * s, z * 0.9], hx * 0.05, z * 0.1, CHOCOLATE);
         }
     }
@@ -528,7 +529,7 @@ pub(super) fn pretzel(b: &mut Build<'_>) {
     let last = points.len() - 1;
     let place = |(i, &(v, u)): (usize, &(f32, f32))| {
         let k = i as f32 / last as f32;
-        let w = r * (0.6 + 0.4 * (std::f32::consts::PI * k).sin());
+        let w = r * (0.6 + 0.4 * (std::f32::consts::PI * k).sine());
         // The ends lie on the loop, the second over the first.
         let lift = match i {
             0 => z - r,
@@ -542,7 +543,7 @@ pub(super) fn pretzel(b: &mut Build<'_>) {
     for i in 0..10 {
         let p = path[4 + i % (last - 7)].0;
         let s = r * 0.12;
-        let shift = r * 0.35 * (1.7 * i as f32).sin();
+        let shift = r * 0.35 * (1.7 * i as f32).sine();
         b.block(
             "salt",
             [p[0] - s + shift, p[1] - s, p[2] + r * 0.8],

@@ -8,6 +8,7 @@ use super::super::kitchenware::form::{
 };
 use super::fruit::berry;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A plate that fills the plan, and the height of its floor.
 fn plate(b: &mut Build<'_>, z: f32) -> f32 {
@@ -76,7 +77,7 @@ pub(super) fn bowlful(b: &mut Build<'_>) {
         lump(b, "heap", [0.0, 0.0, fill], [hx * 0.7, hy * 0.7, (z - fill) * 0.8], 0.06, content);
     }
     for i in 0..count {
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         let k = ((i as f32 + 0.4) / count as f32).sqrt();
         let r = hx * if b.class == "soup" { 0.06 } else { 0.14 };
         let top = if heap { z - r * 0.7 - (z - fill) * 0.75 * k } else { (fill + r * 0.2).min(z - r) };
@@ -113,7 +114,7 @@ fn strand(b: &mut Build<'_>, centre: P, r: f32, (turn, top): (f32, f32), mat: Ma
     let w = r * 0.14;
     let points: Vec<P> = (0..7)
         .map(|k| {
-            let (s, c) = (turn * 1.3 + 0.8 * k as f32).sin_cos();
+            let (s, c) = (turn * 1.3 + 0.8 * k as f32).sine_cosine();
             [centre[0] + r * c, centre[1] + r * s, (centre[2] + w * s).min(top - w)]
         })
         .collect();
@@ -132,7 +133,7 @@ pub(super) fn meal(b: &mut Build<'_>) {
     lump(b, "side", [-hx * 0.3, -hy * 0.25, floor + room * 0.5], [hx * 0.3, hy * 0.32, room * 0.5], 0.1, side);
     let green = b.one(&[LEAF, ORANGE_SKIN, LIGHT_LEAF]);
     for i in 0..9 {
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         let k = (i as f32 / 9.0).sqrt();
         let r = hx.min(hy) * 0.09;
         berry(
@@ -153,7 +154,7 @@ pub(super) fn pizza(b: &mut Build<'_>) {
     lump(b, "cheese", [0.0, 0.0, z * 0.48], [r * 0.86, r * 0.86, z * 0.14], 0.03, CHEESE);
     let (topping, green) = b.one(&[(RED_SKIN, LEAF), (COOKED_MEAT, LEAF), (PALE_FLESH, DARK_LEAF), (RED_SKIN, BLACK)]);
     for i in 0..11 {
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         let k = 0.76 * ((i as f32 + 0.4) / 11.0).sqrt();
         let at = [r * k * c, r * k * s, z * 0.55];
         if i % 3 == 2 {
@@ -226,7 +227,7 @@ pub(super) fn hamburger(b: &mut Build<'_>) {
     b.block("cheese", [-s * 0.98, -hy * 0.9, z * 0.415], [s * 0.98, hy * 0.9, z * 0.45], CHEESE);
     layer(b, "tomato", (0.44, 0.51), 0.9, puck, RED_SKIN);
     for i in 0..7 {
-        let (s, c) = (TAU * i as f32 / 7.0).sin_cos();
+        let (s, c) = (TAU * i as f32 / 7.0).sine_cosine();
         let at = |k: f32, turn: f32, h: f32| [hx * (k * c - turn * s), hy * (k * s + turn * c), z * h];
         b.hull(
             "lettuce",
@@ -250,7 +251,7 @@ pub(super) fn hamburger(b: &mut Build<'_>) {
         CRUST,
     );
     for i in 0..12 {
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         let k = 0.6 * ((i as f32 + 0.4) / 12.0).sqrt();
         let r = hx * 0.035;
         berry(b, [hx * k * c, hy * k * s, z * (0.54 + 0.46 * (1.0 - k * k * 0.75).sqrt()) - r], r, CRUMB);
@@ -333,7 +334,7 @@ pub(super) fn lasagna(b: &mut Build<'_>) {
     );
     b.soft("lasagna", [-hx * 0.89, -hy * 0.91, z * 0.05], [hx * 0.89, hy * 0.91, z * 0.86], z * 0.1, CHEESE);
     for i in 0..12 {
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         let k = 0.8 * ((i as f32 + 0.4) / 12.0).sqrt();
         let r = hx * b.vary(0.1, 0.2);
         lump(
@@ -356,11 +357,11 @@ pub(super) fn french_fries(b: &mut Build<'_>) {
     let mound = (z - floor) * 0.42;
     lump(b, "fries", [0.0, 0.0, floor + mound], [hx * 0.55, hy * 0.55, mound], 0.1, YELLOW_SKIN);
     for i in 0..34 {
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         let k = ((i as f32 + 0.5) / 34.0).sqrt();
         let low = floor + w + (z - floor - 3.0 * w) * (1.0 - k);
         let centre = [hx * 0.6 * k * c, hy * 0.6 * k * s, low];
-        let (ds, dc) = (4.1 * i as f32).sin_cos();
+        let (ds, dc) = (4.1 * i as f32).sine_cosine();
         let reach = hx * 0.26;
         let tilt = w * ds;
         let ends: Vec<P> = [-1.0_f32, 1.0]
@@ -414,7 +415,7 @@ pub(super) fn drink(b: &mut Build<'_>) {
     }
     match b.class {
         "hot_chocolate" => (0..5).for_each(|i| {
-            let (s, c) = (TAU * i as f32 / 5.0).sin_cos();
+            let (s, c) = (TAU * i as f32 / 5.0).sine_cosine();
             berry(b, [r * 0.42 * c, r * 0.42 * s, level_], r * 0.2, PETAL_WHITE);
         }),
         "coffee" if b.rng.chance(0.5) => b.cylinder("foam", [0.0, 0.0, level_ - h * 0.01], r * 0.78, h * 0.03, CRUMB),

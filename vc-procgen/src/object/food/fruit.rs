@@ -5,6 +5,7 @@ use std::f32::consts::TAU;
 use super::super::build::{Build, P};
 use super::super::kitchenware::form::{boulder, dims, loft, lump, spun, sweep, tube};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 type Profile = &'static [(f32, f32)];
 
@@ -199,7 +200,7 @@ pub(super) fn single(b: &mut Build<'_>) {
         _ => 1.0,
     };
     let plump = b.vary(0.88, 1.12);
-    let profile: Vec<_> = profile.iter().map(|p| (p.0.powf(plump), p.1)).collect();
+    let profile: Vec<_> = profile.iter().map(|p| (p.0.power(plump), p.1)).collect();
     let (hx, hy) = (x / 2.0, y / 2.0);
     let (low, high, end): (P, P, P) = if lying {
         let end = -hy + y * share;
@@ -299,7 +300,7 @@ fn tuft(b: &mut Build<'_>, end: P, lying: bool, r: f32) {
     let count = if b.class == "pineapple" { 14 } else { 5 };
     let mat = b.one(&[LEAF, DARK_LEAF]);
     for i in 0..count {
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         let spread = r * 0.85 * (i as f32 / count as f32).sqrt();
         let reach = length * (1.0 - 0.45 * i as f32 / count as f32);
         let w = r * 0.14;
@@ -325,11 +326,11 @@ fn tuft(b: &mut Build<'_>, end: P, lying: bool, r: f32) {
 fn knobs(b: &mut Build<'_>, (hx, hy): (f32, f32), high: f32) {
     for row in 0..6 {
         let k = 0.17 + 0.13 * row as f32;
-        let r = (1.0 - (2.0 * k - 1.05).powi(2) * 0.42).max(0.0).sqrt() * 0.97;
+        let r = (1.0 - (2.0 * k - 1.05).raised(2) * 0.42).max(0.0).sqrt() * 0.97;
         for i in 0..9 {
             let angle = TAU * (i as f32 + 0.5 * (row % 2) as f32) / 9.0;
             let at = |turn: f32, up: f32, out: f32| {
-                let (s, c) = (angle + turn).sin_cos();
+                let (s, c) = (angle + turn).sine_cosine();
                 [hx * r * out * c, hy * r * out * s, high * (k + up)]
             };
             let points = [
@@ -350,7 +351,7 @@ fn stripes(b: &mut Build<'_>, (low, high): (P, P), profile: &[(f32, f32)]) {
     for i in 0..7 {
         let angle = TAU * i as f32 / 7.0;
         let side = |turn: f32, k: f32| -> Vec<P> {
-            let (s, c) = (angle + turn).sin_cos();
+            let (s, c) = (angle + turn).sine_cosine();
             let inner: Vec<_> = profile[1..profile.len() - 1].to_vec();
             inner
                 .iter()
@@ -374,7 +375,7 @@ fn strip(b: &mut Build<'_>, lines: &[Vec<P>; 4]) {
 /// The cloves of a bulb of garlic.
 fn cloves(b: &mut Build<'_>, (hx, hy): (f32, f32), high: f32) {
     for i in 0..6 {
-        let (s, c) = (TAU * i as f32 / 6.0).sin_cos();
+        let (s, c) = (TAU * i as f32 / 6.0).sine_cosine();
         let centre = [hx * 0.55 * c, hy * 0.55 * s, high * 0.36];
         lump(b, "clove", centre, [hx * 0.44, hy * 0.44, high * 0.33], 0.02, PETAL_WHITE);
     }
@@ -445,7 +446,7 @@ pub(super) fn cluster(b: &mut Build<'_>) {
     }
     for i in 0..count {
         let k = (i as f32 + 0.5) / count as f32;
-        let (s, c) = (2.399_963 * i as f32).sin_cos();
+        let (s, c) = (2.399_963 * i as f32).sine_cosine();
         let out = k.sqrt();
         let narrow = if taper { 1.0 - 0.3 * (s * out + 1.0) / 2.0 } else { 1.0 };
         let rise = lift * (1.0 - k).max(0.0) * b.rng.between(0.8, 1.0);

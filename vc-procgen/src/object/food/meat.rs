@@ -3,6 +3,7 @@
 use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{boulder, dims, loft, lump, rounded, spun, sweep, tub, tube};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// An irregular slab: an outline with its edges rounded.
 fn slab(b: &mut Build<'_>, name: &str, outline: &[(f32, f32)], centre: P, half: P, mat: Mat) {
@@ -43,7 +44,7 @@ pub(super) fn steak(b: &mut Build<'_>) {
             let crumb = b.one(&[CRUST, HAY, ORANGE_SKIN]);
             slab(b, "cutlet", &outline, [0.0, 0.0, hz], [hx, hy, hz], crumb);
             for i in 0..10 {
-                let (s, c) = (2.4 * i as f32).sin_cos();
+                let (s, c) = (2.4 * i as f32).sine_cosine();
                 let k = 0.8 * (i as f32 / 10.0).sqrt();
                 let (cx, cy) = (hx * c * k, hy * s * k);
                 let w = hx * 0.07;
@@ -206,7 +207,7 @@ pub(super) fn slices(b: &mut Build<'_>) {
                 let t = z * 0.08;
                 for (shift, wide, mat) in [(0.0, 1.0, MEAT), (-0.35, 0.16, CREAM_FOOD), (0.3, 0.2, CREAM_FOOD)] {
                     let wave = |k: usize| {
-                        let up = (1.3 * k as f32 + 0.9 * i as f32).sin() * 0.5 + 0.5;
+                        let up = (1.3 * k as f32 + 0.9 * i as f32).sine() * 0.5 + 0.5;
                         let extra = if shift == 0.0 { 0.0 } else { t * 0.5 };
                         (
                             [
@@ -263,7 +264,7 @@ pub(super) fn sausage(b: &mut Build<'_>) {
     // Strings lie around a salami.
     let r = if salami { full * 0.97 } else { full };
     let bow = (x / 2.0 - r).max(0.0);
-    let at = |k: f32, r: f32| ([bow * (1.0 - 2.0 * (2.0 * k - 1.0).powi(2)), y * (k - 0.5), z / 2.0], r, r);
+    let at = |k: f32, r: f32| ([bow * (1.0 - 2.0 * (2.0 * k - 1.0).raised(2)), y * (k - 0.5), z / 2.0], r, r);
     let end = if salami { 0.97 } else { 0.25 };
     let path = [
         at(if salami { 0.006 } else { 0.0 }, r * end),
@@ -309,9 +310,9 @@ pub(super) fn mince(b: &mut Build<'_>) {
         let r = hx * 0.09;
         let wave = |k: usize| {
             [
-                at + r * 0.5 * (1.7 * k as f32 + i as f32).sin(),
+                at + r * 0.5 * (1.7 * k as f32 + i as f32).sine(),
                 hy * (0.8 - 0.02 * (i % 3) as f32) * (k as f32 / 3.0 - 1.0),
-                (z * 0.8 + z * 0.06 * (2.1 * k as f32 + i as f32).cos()).min(z - r),
+                (z * 0.8 + z * 0.06 * (2.1 * k as f32 + i as f32).cosine()).min(z - r),
             ]
         };
         let points: Vec<P> = (0..7).map(wave).collect();
@@ -406,13 +407,13 @@ pub(super) fn shrimp(b: &mut Build<'_>) {
     let under = b.one(&[LEAF, LIGHT_LEAF]);
     slab(b, "leaf", CUT, [0.0, 0.0, z * 0.06], [hx * 0.95, hy * 0.95, z * 0.06], under);
     for i in 0..7 {
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         let k = (i as f32 / 7.0).sqrt();
         let reach = hx.min(hy) * 0.52;
         let centre = [(hx - reach) * c * k, (hy - reach) * s * k, r + (z - 2.0 * r) * (1.0 - k)];
         let turn = 1.7 * i as f32;
         let at = |j: usize, w: f32| {
-            let (s, c) = (turn + 0.75 * j as f32).sin_cos();
+            let (s, c) = (turn + 0.75 * j as f32).sine_cosine();
             ([centre[0] + (reach - r) * c, centre[1] + (reach - r) * s, centre[2]], w, w)
         };
         let path = [at(0, r * 0.4), at(1, r), at(2, r * 0.95), at(3, r * 0.8), at(4, r * 0.55), at(5, r * 0.3)];
@@ -465,7 +466,7 @@ pub(super) fn cheese(b: &mut Build<'_>) {
         1 => {
             let sector: Vec<_> = (0..=18)
                 .map(|i| {
-                    let (s, c) = (0.6 + 5.1 * i as f32 / 18.0).sin_cos();
+                    let (s, c) = (0.6 + 5.1 * i as f32 / 18.0).sine_cosine();
                     (hx * c, hy * s)
                 })
                 .chain([(0.0, 0.0)])

@@ -6,6 +6,7 @@ use super::super::build::{Build, P};
 use super::super::kitchenware::form::{dims, lump, spun, sweep, tube, turn};
 use super::fruit::berry;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// Broccoli and cauliflower: florets on a stem.
 pub(super) fn florets(b: &mut Build<'_>) {
@@ -18,7 +19,7 @@ pub(super) fn florets(b: &mut Build<'_>) {
     let count = 13;
     for i in 0..count {
         let k = (i as f32 + 0.3) / count as f32;
-        let (s, c) = (2.399_963 * i as f32).sin_cos();
+        let (s, c) = (2.399_963 * i as f32).sine_cosine();
         let out = k.sqrt();
         let r = ((hx * hy).sqrt() * b.rng.between(0.32, 0.37)).min(hx * 0.8).min(hy * 0.8);
         let centre = [(hx - r) * out * c, (hy - r) * out * s, low + (z - low - r * 0.9) * (1.0 - 0.7 * k) + r * 0.1];
@@ -36,7 +37,7 @@ fn leaves(b: &mut Build<'_>, (hx, hy): (f32, f32), (low, high): (f32, f32), coun
         let half = TAU / count as f32 * 0.52;
         let (hx, hy) = if i % 2 == 0 { (hx, hy) } else { (hx * 0.97, hy * 0.97) };
         let at = |turn: f32, out: f32, z: f32| {
-            let (s, c) = (angle + turn).sin_cos();
+            let (s, c) = (angle + turn).sine_cosine();
             [hx * out * c, hy * out * s, low + (high - low) * z]
         };
         let points = [
@@ -71,7 +72,7 @@ pub(super) fn head(b: &mut Build<'_>) {
     }
     // Loose leaves are wavy shells around the heart.
     for i in 0..8 {
-        let (s, c) = (TAU * i as f32 / 8.0).sin_cos();
+        let (s, c) = (TAU * i as f32 / 8.0).sine_cosine();
         let low = if i % 2 == 0 { 0.46 } else { 0.56 };
         let centre = [hx * 0.5 * c, hy * 0.5 * s, z * low];
         lump(b, "leaf", centre, [hx * 0.48, hy * 0.48, z * 0.42], 0.18, if i % 2 == 0 { leaf } else { core });
@@ -87,7 +88,7 @@ pub(super) fn greens(b: &mut Build<'_>) {
     let mats = [LEAF, DARK_LEAF, if bunch { LIGHT_LEAF } else { LEAF }];
     for i in 0..count {
         let k = (i as f32 + 0.5) / count as f32;
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         let (w, l) = if bunch { (hx * 0.3, hy * 0.24) } else { (hx * 0.5, hy * 0.5) };
         let centre = if bunch {
             [(hx - w) * c * k.sqrt(), hy * 0.38 + hy * 0.36 * s * k.sqrt(), 0.0]
@@ -143,7 +144,7 @@ pub(super) fn stalks(b: &mut Build<'_>) {
     };
     let white = if b.class == "celery" { LIGHT_LEAF } else { PETAL_WHITE };
     for i in 0..count {
-        let (s, c) = (TAU * i as f32 / count as f32).sin_cos();
+        let (s, c) = (TAU * i as f32 / count as f32).sine_cosine();
         let r = if count == 1 { hx.min(mid) } else { hx.min(mid) * 0.42 };
         let off = if count == 1 { [0.0, 0.0] } else { [(hx - r) * c, (mid - r) * s] };
         let at = |k: f32, r: f32, thin: f32| {
@@ -205,7 +206,7 @@ pub(super) fn pods(b: &mut Build<'_>) {
         let (low, bow) = (r + (z - 2.0 * r) * tier as f32 / 2.0, hx * b.vary(-0.03, 0.03));
         let at = |k: f32, w: f32| {
             let way = (2.0 * k - 1.0) * hy * (1.0 - 0.06 * tier as f32);
-            ([(across + bow * (1.0 - (2.0 * k - 1.0).powi(2))).max(-hx + r * 1.3).min(hx - r * 1.3), way, low], w, r)
+            ([(across + bow * (1.0 - (2.0 * k - 1.0).raised(2))).max(-hx + r * 1.3).min(hx - r * 1.3), way, low], w, r)
         };
         let wide = if peas { r * 1.3 } else { r * 0.8 };
         sweep(
@@ -250,7 +251,7 @@ pub(super) fn corn(b: &mut Build<'_>) {
     // The tip is at +Y, the husk at -Y.
     spun(b, "grains", ([-hx * 0.9, -hy * 0.85, z * 0.05], [hx * 0.9, hy, z * 0.95]), &profile, true, YELLOW_SKIN);
     for i in 0..5 {
-        let (s, c) = (TAU * i as f32 / 5.0 + 0.5).sin_cos();
+        let (s, c) = (TAU * i as f32 / 5.0 + 0.5).sine_cosine();
         let at = |k: f32, out: f32, w: f32| {
             ([(hx - w * c.abs()) * out * c * 0.98, -hy + y * k, z / 2.0 + (z / 2.0) * out * s * 0.96], w, x * 0.012)
         };
@@ -273,7 +274,7 @@ pub(super) fn pumpkin(b: &mut Build<'_>) {
     let mat = b.one(&[ORANGE_SKIN, ORANGE_SKIN, MUSTARD, DARK_LEAF]);
     let ribs = b.rng.count(8, 10);
     for i in 0..ribs {
-        let (s, c) = (TAU * i as f32 / ribs as f32).sin_cos();
+        let (s, c) = (TAU * i as f32 / ribs as f32).sine_cosine();
         let r = 0.42;
         let centre: P = [hx * (1.0 - r) * c, hy * (1.0 - r) * s, h / 2.0];
         lump(b, "rib", centre, [hx * r, hy * r, h / 2.0], 0.01, mat);
@@ -296,7 +297,7 @@ pub(super) fn chili(b: &mut Build<'_>) {
     let mat = b.one(&[RED_SKIN, GREEN_SKIN, RED_SKIN, ORANGE_SKIN]);
     let r = (z / 2.0).min(x * 0.4);
     let bow = (x / 2.0 - r).max(0.0);
-    let at = |k: f32, r: f32| ([bow * (2.0 * (2.0 * k - 1.0).powi(2) - 1.0), y * (0.5 - k), z / 2.0], r, r);
+    let at = |k: f32, r: f32| ([bow * (2.0 * (2.0 * k - 1.0).raised(2) - 1.0), y * (0.5 - k), z / 2.0], r, r);
     sweep(
         b,
         "pod",

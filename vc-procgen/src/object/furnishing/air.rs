@@ -3,10 +3,11 @@
 use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::cooker::fitting::*;
+use vc_graph::portable::Portable;
 
 /// Sine and cosine of a place on a circle.
 fn turn(i: usize, count: usize) -> (f32, f32) {
-    (std::f32::consts::TAU * i as f32 / count.max(1) as f32).sin_cos()
+    (std::f32::consts::TAU * i as f32 / count.max(1) as f32).sine_cosine()
 }
 
 /// A cage with blades on a stand, low or tall; or a tower.

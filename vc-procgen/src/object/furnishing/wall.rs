@@ -3,6 +3,7 @@
 use crate::material::*;
 use crate::object::build::Build;
 use crate::object::cooker::fitting::*;
+use vc_graph::portable::Portable;
 
 /// A round dial or a square plate with a figure.
 pub(super) fn thermostat(b: &mut Build<'_>) {
@@ -47,7 +48,7 @@ pub(super) fn smoke_detector(b: &mut Build<'_>) {
     );
     let count = b.rng.count(5, 8);
     for i in 0..count {
-        let (s, c) = (std::f32::consts::TAU * i as f32 / count as f32).sin_cos();
+        let (s, c) = (std::f32::consts::TAU * i as f32 / count as f32).sine_cosine();
         let k = r * steep * 0.93;
         b.ball("slot", [c * k, s * k, h * 0.36], h * 0.1, BLACK_PLASTIC);
     }

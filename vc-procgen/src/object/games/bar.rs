@@ -6,6 +6,7 @@ use super::super::build::{Build, P};
 use super::super::play::kit::{SIDES, Scaled};
 use super::super::textile::form::{self, Shell};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A dartboard: twenty sectors with double and triple fields around a bull.
 pub(super) fn dartboard(b: &mut Build<'_>) {
@@ -23,7 +24,7 @@ pub(super) fn dartboard(b: &mut Build<'_>) {
         let corner = |x: f32| -> Vec<P> {
             let turns = [(0.0, radii.0), (0.0, radii.1), (1.0, radii.1), (1.0, radii.0)];
             let at = |(k, r): (f32, f32)| {
-                let (s, c) = (TAU * (i as f32 + k - 0.5) / 20.0).sin_cos();
+                let (s, c) = (TAU * (i as f32 + k - 0.5) / 20.0).sine_cosine();
                 [x, r * s, h / 2.0 + r * c]
             };
             turns.map(at).to_vec()

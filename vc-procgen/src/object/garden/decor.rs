@@ -5,6 +5,7 @@ use std::f32::consts::{FRAC_PI_2, PI, TAU};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{blob, grown, hoop, limb, polar, polygon, spaced, star, tub};
+use vc_graph::portable::Portable;
 
 const POTS: &[Mat] =
     &[POTTERY, POTTERY, BLUE_GLAZE, GREEN_GLAZE, STONEWARE, CONCRETE, WHITE_PLASTIC, BLACK_GLAZE, BROWN_PLASTIC];
@@ -533,11 +534,11 @@ pub(super) fn pond(b: &mut Build<'_>) {
     let rim = x.min(y) * b.vary(0.12, 0.18);
     let (bank, level) = (h * 0.35, h * 0.45);
     let waves = (b.vary(0.0, TAU), b.vary(0.03, 0.12));
-    let reach = |a: f32| 1.0 - waves.1 * (1.0 + (2.0 * a + waves.0).cos());
+    let reach = |a: f32| 1.0 - waves.1 * (1.0 + (2.0 * a + waves.0).cosine());
     let outline = |inset: f32, n: usize| -> Vec<(f32, f32)> {
         (0..n)
             .map(|i| TAU * i as f32 / n as f32)
-            .map(|a| ((x - inset) * reach(a) * a.cos(), (y - inset) * reach(a) * a.sin()))
+            .map(|a| ((x - inset) * reach(a) * a.cosine(), (y - inset) * reach(a) * a.sine()))
             .collect()
     };
     b.prism("ground", Axis::Z, [0.0; 3], &outline(rim * 0.5, 28), bank, SOIL);
@@ -547,7 +548,7 @@ pub(super) fn pond(b: &mut Build<'_>) {
         let a = TAU * i as f32 / stones as f32;
         let r = rim * b.vary(0.75, 1.0);
         let tall = if i == tallest { h } else { (level + h * b.vary(0.08, 0.3)).min(h) };
-        let (cx, cy) = ((x - rim) * reach(a) * a.cos(), (y - rim) * reach(a) * a.sin());
+        let (cx, cy) = ((x - rim) * reach(a) * a.cosine(), (y - rim) * reach(a) * a.sine());
         let mut points = blob(b, [cx, cy, tall * 0.45], [r, r, tall * 0.55], 16, 0.2);
         points.push([cx, cy, tall]);
         points.iter_mut().for_each(|p| *p = [p[0].max(-x).min(x), p[1].max(-y).min(y), p[2].max(0.0).min(tall)]);
@@ -555,7 +556,7 @@ pub(super) fn pond(b: &mut Build<'_>) {
     }
     for _ in 0..b.rng.count(2, 5) {
         let (a, d) = (b.vary(0.5, 2.6), b.vary(0.45, 0.6));
-        let (cx, cy, r) = (x * d * a.cos(), y * d * a.sin(), rim * b.vary(0.4, 0.7));
+        let (cx, cy, r) = (x * d * a.cosine(), y * d * a.sine(), rim * b.vary(0.4, 0.7));
         b.cylinder("lily", [cx, cy, level - 0.004], r, 0.009, LEAF);
         let points = blob(b, [cx, cy, level + r * 0.2], [r * 0.35, r * 0.35, r * 0.25], 14, 0.3);
         b.hull("flower", &points, PETAL_PINK);
@@ -563,7 +564,7 @@ pub(super) fn pond(b: &mut Build<'_>) {
     let reeds = b.rng.count(4, 9);
     for i in 0..reeds {
         let a = 1.3 + 0.06 * i as f32;
-        let at = [(x - rim * 1.6) * reach(a) * a.cos(), (y - rim * 1.6) * reach(a) * a.sin(), bank];
+        let at = [(x - rim * 1.6) * reach(a) * a.cosine(), (y - rim * 1.6) * reach(a) * a.sine(), bank];
         let tip = [at[0] + b.vary(-0.05, 0.05), at[1], h * b.vary(0.85, 1.0)];
         b.hull(
             "reed",

@@ -6,6 +6,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{Handle, Side, door};
 use crate::object::park::shape::{blob, grown, limb, polar, polygon, spaced, star};
+use vc_graph::portable::Portable;
 
 /// A fire of logs in a ring of stones.
 pub(super) fn campfire(b: &mut Build<'_>) {
@@ -19,7 +20,7 @@ pub(super) fn campfire(b: &mut Build<'_>) {
     b.hull("ash", &oval(1.0, 0.0).chain(oval(0.8, 0.02)).chain(oval(0.2, 0.03)).collect::<Vec<P>>(), BLACK_GRANITE);
     for i in 1..stones {
         let angle = TAU * i as f32 / stones as f32;
-        let (cx, cy) = ((x - size) * angle.cos(), (y - size) * angle.sin());
+        let (cx, cy) = ((x - size) * angle.cosine(), (y - size) * angle.sine());
         let tall = h.min(size * b.vary(1.0, 1.5)) * 0.5;
         let mut points = blob(b, [cx, cy, tall * 0.7], [size, size, tall * 1.2], 18, 0.25);
         points.iter_mut().for_each(|p| p[2] = p[2].max(0.0));
@@ -136,7 +137,7 @@ pub(super) fn firewood(b: &mut Build<'_>) {
         1 => {
             // A split quarter: bark on its back, two cut faces.
             let back: Vec<(f32, f32)> =
-                (0..=6).map(|i| PI * i as f32 / 6.0).map(|a| (x * a.cos(), h * a.sin())).collect();
+                (0..=6).map(|i| PI * i as f32 / 6.0).map(|a| (x * a.cosine(), h * a.sine())).collect();
             let skew = b.vary(-0.5, 0.5) * x;
             let face: Vec<(f32, f32)> = [(x * 0.97, 0.0), (skew * 0.5, h * 0.94), (-x * 0.97, 0.0)].to_vec();
             b.prism("bark", Axis::Y, [0.0, -y + 0.004, 0.0], &back, 2.0 * y - 0.008, bark);
@@ -235,7 +236,9 @@ fn trough(
 ) {
     let sign = if upper { 1.0 } else { -1.0 };
     let arc = |r: f32| {
-        (0..=10).map(move |i| PI * i as f32 / 10.0).map(move |a| (cx + r * a.cos(), cz + sign * (0.002 + r * a.sin())))
+        (0..=10)
+            .map(move |i| PI * i as f32 / 10.0)
+            .map(move |a| (cx + r * a.cosine(), cz + sign * (0.002 + r * a.sine())))
     };
     let shell: Vec<(f32, f32)> = arc(r).chain(arc(r - t).collect::<Vec<_>>().into_iter().rev()).collect();
     b.prism(name, Axis::Y, [0.0, y0, 0.0], &shell, y1 - y0, mat);
@@ -261,7 +264,7 @@ fn kettle(b: &mut Build<'_>) {
     let bowl = r * b.vary(0.6, 0.75);
     b.at([-x + r + 0.05, cy, 0.0], 0.0, |b| {
         let curve = |r: f32, d: f32, up: f32| {
-            [0.2_f32, 0.5, 0.8, 1.0].map(|s| (r * (1.0 - (1.0 - s).powi(2)).sqrt(), up * d * (1.0 - s)))
+            [0.2_f32, 0.5, 0.8, 1.0].map(|s| (r * (1.0 - (1.0 - s).raised(2)).sqrt(), up * d * (1.0 - s)))
         };
         let out = curve(r, bowl, -1.0);
         let inner = curve(r - 0.008, bowl - 0.008, -1.0);
@@ -421,7 +424,7 @@ pub(super) fn gas_grill(b: &mut Build<'_>) {
     let arc = |k: f32, rise: f32| {
         (0..=sides)
             .map(move |i| PI * i as f32 / sides as f32)
-            .map(move |a| (middle + (r - k) * a.cos(), rim + 0.002 + (rise - k).max(0.01) * a.sin()))
+            .map(move |a| (middle + (r - k) * a.cosine(), rim + 0.002 + (rise - k).max(0.01) * a.sine()))
     };
     b.hinge([back, 0.0, rim], [0.0, -1.0, 0.0], FRAC_PI_2 * 0.9, |b| {
         let shell: Vec<(f32, f32)> = arc(0.0, dome).chain(arc(t, dome).collect::<Vec<_>>().into_iter().rev()).collect();

@@ -6,6 +6,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::legs;
 use crate::object::park::shape::{grown, limb, mix, plate, polar, polygon, spaced};
+use vc_graph::portable::Portable;
 
 const WOODS: &[Mat] = &[TEAK, OAK, PINE, GREY_OAK, WALNUT, WHITE];
 const METALS: &[Mat] = &[WHITE_METAL, IRON, ANTHRACITE, GREEN_METAL, GALVANISED];
@@ -143,7 +144,7 @@ pub(super) fn deck_chair(b: &mut Build<'_>) {
     let pivot = crossing([rear, toe], [heel, front]);
     let beam = |b: &mut Build<'_>, from: [f32; 2], to: [f32; 2], cy: f32| {
         let (dx, dz) = (to[0] - from[0], to[1] - from[1]);
-        let long = dx.hypot(dz).max(1e-3);
+        let long = dx.hypotenuse(dz).max(1e-3);
         let (nx, nz) = (-dz / long * 0.017, dx / long * 0.017);
         let outline = [
             (from[0] + nx, from[1] + nz),
@@ -169,7 +170,7 @@ pub(super) fn deck_chair(b: &mut Build<'_>) {
     }
     let inner = y - 6.6 * w;
     let sag = |t: f32| {
-        let dip = h * 0.3 * (1.0 - (2.0 * t - 1.0).powi(2));
+        let dip = h * 0.3 * (1.0 - (2.0 * t - 1.0).raised(2));
         [rear[0] + (front[0] - rear[0]) * t, rear[1] + (front[1] - rear[1]) * t - dip]
     };
     let strips = 5;
@@ -224,7 +225,7 @@ pub(super) fn lounger(b: &mut Build<'_>) {
         b.block("slat", [cx - pitch * 0.42, -y + 0.004, level - t], [cx + pitch * 0.42, y - 0.004, level], frame);
     }
     // The head end, hinged where the bed bends; it folds flat.
-    let angle = (rise.max(0.03) / (x + knee).max(0.05)).atan();
+    let angle = (rise.max(0.03) / (x + knee).max(0.05)).arc_tangent();
     b.hinge([knee, 0.0, level], [0.0, -1.0, 0.0], angle, |b| {
         let top = h - if cushion > 0.0 { cushion * 1.1 } else { 0.0 };
         let at = |share: f32| [knee + (-x + 0.01 - knee) * share, level + (top - level) * share];
@@ -644,7 +645,7 @@ pub(super) fn hammock(b: &mut Build<'_>) {
     let strips = 6;
     let half = y * 0.92 / strips as f32;
     for (i, cy) in spaced(strips, -y * 0.92 + half, y * 0.92 - half).enumerate() {
-        let dip = 0.12 * sag * (1.0 - (cy / y).powi(2));
+        let dip = 0.12 * sag * (1.0 - (cy / y).raised(2));
         let upper: Vec<(f32, f32)> = spaced(steps, -1.0, 1.0).map(|t| (end * t, z(t) - dip * (1.0 - t * t))).collect();
         let outline: Vec<(f32, f32)> =
             upper.iter().copied().chain(upper.iter().rev().map(|p| (p.0, p.1 - 0.012))).collect();
@@ -723,7 +724,7 @@ pub(super) fn hanging_chair(b: &mut Build<'_>) {
     let spine = -r + tube;
     let stand: Vec<P> = (0..=6)
         .map(|i| PI * 0.5 * i as f32 / 6.0)
-        .map(|a| [spine * a.cos().max(0.0).powf(0.6), 0.0, h * 0.6 + (h * 0.4 - tube * 1.1) * a.sin()])
+        .map(|a| [spine * a.cosine().max(0.0).power(0.6), 0.0, h * 0.6 + (h * 0.4 - tube * 1.1) * a.sine()])
         .collect();
     b.pipe("stand", &[[spine, 0.0, 0.03], [spine, 0.0, h * 0.6]], tube, metal);
     b.pipe("stand", &stand, tube, metal);
@@ -733,8 +734,12 @@ pub(super) fn hanging_chair(b: &mut Build<'_>) {
     b.rod("chain", [0.0, 0.0, h - tube * 2.0], [cx.max(spine + 2.2 * tube), 0.0, high], 0.008, STEEL);
     // Meridians around the back and the sides, open in front.
     let egg = |a: f32, t: f32| {
-        let s = (PI * t).sin();
-        [(cx + wide * 0.8 * s * a.cos()).max(spine + 2.2 * tube), wide * s * a.sin(), middle + half * (PI * t).cos()]
+        let s = (PI * t).sine();
+        [
+            (cx + wide * 0.8 * s * a.cosine()).max(spine + 2.2 * tube),
+            wide * s * a.sine(),
+            middle + half * (PI * t).cosine(),
+        ]
     };
     for i in 0..9 {
         let a = 1.0 + (TAU - 2.0) * i as f32 / 8.0;

@@ -6,6 +6,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::joinery::{Handle, handle};
 use crate::object::park::shape::{grown, polar, spaced, tub};
+use vc_graph::portable::Portable;
 
 const WOODS: &[Mat] = &[PINE, OAK, TEAK, GREY_OAK, FOREST, RED, SKY, SAGE, ANTHRACITE, WALNUT];
 
@@ -424,7 +425,7 @@ pub(super) fn kennel(b: &mut Build<'_>) {
         let bow = wide - 0.004;
         let arch: Vec<(f32, f32)> = (0..=8)
             .map(|i| PI * i as f32 / 8.0)
-            .map(|a| (bow * a.cos(), low + high - wide * 0.6 * (1.0 - a.sin())))
+            .map(|a| (bow * a.cosine(), low + high - wide * 0.6 * (1.0 - a.sine())))
             .collect();
         // Both spandrels in one frame around the arch.
         let mut frame: Vec<(f32, f32)> = vec![

@@ -6,6 +6,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{blob, grown, limb, polar, polygon, spaced, star, tub};
 use crate::object::vehicle::wheel::{Rim, wheel};
+use vc_graph::portable::Portable;
 
 /// A long-handled tool, upright, its head below: shovel, spade, fork, hoe, rake, axe,
 /// trowel.
@@ -146,7 +147,7 @@ fn rake(b: &mut Build<'_>, (x, y, h, r): (f32, f32, f32, f32), (steel, wood): (M
         shaft(b, -x + r, root * 0.9, h, r, wood);
         let mat = b.one(&[steel, BAMBOO, GREEN_PLASTIC, ORANGE_PLASTIC]);
         for cy in spaced(tines, -y + 0.004, y - 0.004) {
-            let low = bend * 0.6 + (1.0 - (cy / y).powi(2)) * 0.001;
+            let low = bend * 0.6 + (1.0 - (cy / y).raised(2)) * 0.001;
             b.hull("tine", &limb([-x + r, cy * 0.05, root], [x * 0.2, cy, low], 0.003, 0.003), mat);
             b.hull("tip", &limb([x * 0.2, cy, low], [x - 0.003, cy, 0.003], 0.003, 0.002), mat);
         }
@@ -615,7 +616,7 @@ pub(super) fn hose_reel(b: &mut Build<'_>) {
         let ring = [(0.022, -0.012), (0.022, 0.012), (0.0125, 0.012), (0.0125, -0.012), (0.022, -0.012)];
         b.lathe_along("bearing", [0.0, cy, axle], [0.0, cy + 1.0, axle], &ring, frame);
         for (fx, fz) in [(-x + tube, tube), (x - tube, tube), (-x * 0.75, h - tube)] {
-            let short = 0.02 / fx.hypot(fz - axle).max(0.04);
+            let short = 0.02 / fx.hypotenuse(fz - axle).max(0.04);
             b.rod("frame", [fx, cy, fz], [fx * short, cy, axle + (fz - axle) * short], tube, frame);
         }
     }

@@ -4,6 +4,7 @@ use super::dishes::KNOB;
 use super::form::{arch, dims, ear, hoop, sweep, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::Build;
+use vc_graph::portable::Portable;
 
 /// Glaze and paint of mugs.
 const COLOURS: [Mat; 9] =
@@ -298,7 +299,7 @@ pub(super) fn coffee_pot(b: &mut Build<'_>) {
     let (waist, h) = (0.45 * z, z * 0.82);
     let ring = |k: f32, z: f32| {
         let point = |i: usize| {
-            let (s, c) = (std::f32::consts::TAU * (i as f32 + 0.5) / 8.0).sin_cos();
+            let (s, c) = (std::f32::consts::TAU * (i as f32 + 0.5) / 8.0).sine_cosine();
             [r * k * c * 1.08, r * k * s * 1.08, z]
         };
         (0..8).map(point).collect::<Vec<_>>()

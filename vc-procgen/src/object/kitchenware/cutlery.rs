@@ -3,6 +3,7 @@
 use super::form::{dims, loft, oval, sweep, turn};
 use crate::material::*;
 use crate::object::build::{Axis, Build};
+use vc_graph::portable::Portable;
 
 const ACROSS: [f32; 3] = [1.0, 0.0, 0.0];
 
@@ -217,7 +218,7 @@ pub(super) fn toothpick(b: &mut Build<'_>) {
     let outside = [(r * 0.92, 0.0), (r, z * 0.05), (r, z * 0.75)];
     b.lathe("box", [0.0; 3], &super::form::shell(&outside, r * 0.1), mat);
     for i in 0..9 {
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         let out = r * 0.22 * (i as f32).sqrt();
         let at = [out * c, out * s];
         let long = z * b.vary(0.9, 1.0) - r * 0.1;

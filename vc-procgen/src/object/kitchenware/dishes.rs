@@ -3,6 +3,7 @@
 use super::form::{arch, dims, ear, hoop, level, loft, shell, tub, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::Build;
+use vc_graph::portable::Portable;
 
 /// Plates and saucers: with a rim, without one, square; some with a ring of colour.
 pub(super) fn plate(b: &mut Build<'_>) {
@@ -95,7 +96,7 @@ pub(super) fn fruit_bowl(b: &mut Build<'_>) {
         let (gx, gy) = (hx - wire, hy - wire);
         loft(b, "floor", &[level(0.0, (gx * 0.5, gy * 0.5), 1.0), level(wire, (gx * 0.52, gy * 0.52), 1.0)], metal);
         for i in 0..12 {
-            let (s, c) = (std::f32::consts::TAU * i as f32 / 12.0).sin_cos();
+            let (s, c) = (std::f32::consts::TAU * i as f32 / 12.0).sine_cosine();
             let at = |k: f32, z: f32| [gx * k * c, gy * k * s, z];
             let points = [at(0.48, wire), at(0.75, h * 0.15), at(0.93, h * 0.5), at(0.99, h - wire)];
             tube(b, "wire", &points, wire, [-s, c, 0.0], metal);

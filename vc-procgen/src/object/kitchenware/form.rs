@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 
 use super::super::build::{Build, P};
 use crate::material::Mat;
+use vc_graph::portable::Portable;
 
 /// Points around a bent or oval thing; a multiple of four, and enough to look round.
 const SIDES: usize = 12;
@@ -24,7 +25,7 @@ pub(in crate::object) fn dims(b: &Build<'_>) -> (f32, f32, f32) {
 /// A level ellipse.
 pub(in crate::object) fn oval(centre: P, half: (f32, f32)) -> Vec<P> {
     let point = |k: usize| {
-        let (s, c) = (TAU * k as f32 / 16.0).sin_cos();
+        let (s, c) = (TAU * k as f32 / 16.0).sine_cosine();
         [centre[0] + half.0 * c, centre[1] + half.1 * s, centre[2]]
     };
     (0..16).map(point).collect()
@@ -36,7 +37,7 @@ pub(in crate::object) fn rounded(half: (f32, f32), round: f32) -> Vec<(f32, f32)
     let corner = |q: usize| {
         let (sx, sy) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][q];
         (0..6).map(move |k| {
-            let (s, c) = (FRAC_PI_2 * (q as f32 + k as f32 / 5.0)).sin_cos();
+            let (s, c) = (FRAC_PI_2 * (q as f32 + k as f32 / 5.0)).sine_cosine();
             (sx * (half.0 - r) + r * c, sy * (half.1 - r) + r * s)
         })
     };
@@ -100,7 +101,7 @@ pub(in crate::object) fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f
         let way = at(i + 1) - at(i.saturating_sub(1));
         let up = way.cross(&side).try_normalize(1e-12).unwrap_or_else(Vector3::z);
         let point = move |k: usize| {
-            let (s, c) = (TAU * k as f32 / SIDES as f32).sin_cos();
+            let (s, c) = (TAU * k as f32 / SIDES as f32).sine_cosine();
             let mut p: P = (centre + side * (width * c) + up * (thick * s)).into();
             // Both ends are cut square to an axis, so that they stay where they were put.
             if i == 0 || i + 1 == path.len() {
@@ -123,7 +124,7 @@ pub(in crate::object) fn tube(b: &mut Build<'_>, name: &str, points: &[P], radiu
 /// Points of half an ellipse: from `centre + across` by `centre + out` to `centre - across`.
 pub(in crate::object) fn arch(centre: P, across: P, out: P) -> Vec<P> {
     let point = |k: usize| {
-        let (s, c) = (PI * k as f32 / BENDS as f32).sin_cos();
+        let (s, c) = (PI * k as f32 / BENDS as f32).sine_cosine();
         [0, 1, 2].map(|i| centre[i] + across[i] * c + out[i] * s)
     };
     (0..=BENDS).map(point).collect()
@@ -153,13 +154,13 @@ pub(in crate::object) fn boulder(
 ) {
     let phases = [b.vary(0.0, TAU), b.vary(0.0, TAU), b.vary(0.0, TAU)];
     let ring = |i: usize| {
-        let (rise, level) = (PI * (i as f32 / rows as f32 - 0.5)).sin_cos();
+        let (rise, level) = (PI * (i as f32 / rows as f32 - 0.5)).sine_cosine();
         let point = |k: usize| {
             let angle = TAU * k as f32 / sides as f32;
-            let wave = (2.0 * angle + phases[0] + 3.0 * rise).cos() + (3.0 * angle + phases[1]).cos();
+            let wave = (2.0 * angle + phases[0] + 3.0 * rise).cosine() + (3.0 * angle + phases[1]).cosine();
             let size = (1.0 + bump * 0.5 * wave) / (1.0 + bump);
-            let tilt = bump * 0.4 * (phases[2] + 2.0 * angle).cos() * level;
-            let (s, c) = angle.sin_cos();
+            let tilt = bump * 0.4 * (phases[2] + 2.0 * angle).cosine() * level;
+            let (s, c) = angle.sine_cosine();
             [
                 centre[0] + half[0] * level * size * c,
                 centre[1] + half[1] * level * size * s,
@@ -238,7 +239,7 @@ pub(in crate::object) fn shell(outside: &[(f32, f32)], t: f32) -> Vec<(f32, f32)
     let way = |i: usize| {
         let (a, b) = (outside[i.saturating_sub(1)], outside[(i + 1).min(outside.len() - 1)]);
         let (dr, dz) = (b.0 - a.0, b.1 - a.1);
-        let length = dr.hypot(dz).max(1e-9);
+        let length = dr.hypotenuse(dz).max(1e-9);
         (dr / length, dz / length)
     };
     let last = outside.len().saturating_sub(1);

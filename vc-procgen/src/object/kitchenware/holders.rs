@@ -6,6 +6,7 @@ use super::dishes::KNOB;
 use super::form::{arch, dims, hoop, level, loft, rounded, tub, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::{Axis, Build};
+use vc_graph::portable::Portable;
 
 /// A slanted block of wood with knives in it.
 pub(super) fn knife_block(b: &mut Build<'_>) {
@@ -177,7 +178,7 @@ pub(super) fn napkin_holder(b: &mut Build<'_>) {
         let outline: Vec<_> = if arched {
             (0..=10)
                 .map(|i| {
-                    let (s, c) = (std::f32::consts::PI * i as f32 / 10.0).sin_cos();
+                    let (s, c) = (std::f32::consts::PI * i as f32 / 10.0).sine_cosine();
                     (hy * 0.97 * c, (z - t) * (0.4 + 0.6 * s))
                 })
                 .chain([(-hy * 0.97, 0.0), (hy * 0.97, 0.0)])

@@ -6,6 +6,7 @@ use super::dishes::KNOB;
 use super::form::{arch, dims, hoop, shell, sweep, tub, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::Build;
+use vc_graph::portable::Portable;
 
 /// A loop to grip at the Y side of a round wall, level at height `z`.
 fn loop_grip(b: &mut Build<'_>, side: f32, (wall, reach): (f32, f32), z: f32, width: f32, radius: f32, mat: Mat) {
@@ -285,7 +286,7 @@ pub(super) fn steamer_basket(b: &mut Build<'_>) {
         hoop(b, "band", (low + h * 0.65, low + h * 0.92), (r * 0.94, r), BAMBOO);
         for k in 0..7 {
             let at = r * 0.78 * (k as f32 / 3.0 - 1.0);
-            let reach = ((r * 0.9).powi(2) - at * at).max(0.0).sqrt();
+            let reach = ((r * 0.9).raised(2) - at * at).max(0.0).sqrt();
             b.block("slat", [-reach, at - r * 0.09, low + h * 0.1], [reach, at + r * 0.09, low + h * 0.16], PINE);
         }
         let name = format!("tier_{}", i + 1);

@@ -9,6 +9,7 @@ use super::cutlery::scoop;
 use super::form::{arch, dims, ear, hoop, level, loft, oval, rounded, shell, sweep, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
+use vc_graph::portable::Portable;
 
 const ACROSS: P = [1.0, 0.0, 0.0];
 
@@ -113,7 +114,7 @@ pub(super) fn ladle(b: &mut Build<'_>) {
         hoop_at(b, [0.0, centre, 0.0], (t, rim), (r * 0.9, r), mat);
         for i in 0..9 {
             let at = r * 0.92 * (i as f32 / 4.0 - 1.0);
-            let reach = ((r * 0.925).powi(2) - at * at).max(0.0).sqrt().max(r * 0.1);
+            let reach = ((r * 0.925).raised(2) - at * at).max(0.0).sqrt().max(r * 0.1);
             b.block("wire", [at - r * 0.05, centre - reach, t * 0.5], [at + r * 0.05, centre + reach, t * 1.5], mat);
             b.block(
                 "wire",
@@ -140,7 +141,7 @@ pub(super) fn whisk(b: &mut Build<'_>) {
     let (root, tip) = (0.0, y / 2.0);
     let mid = z / 2.0;
     for i in 0..4 {
-        let (s, c) = (PI * i as f32 / 4.0).sin_cos();
+        let (s, c) = (PI * i as f32 / 4.0).sine_cosine();
         let at =
             |side: f32, out: f32, k: f32| [side * out * r * c, root + (tip - root - w) * k, mid + side * out * r * s];
         let half = [(0.1, 0.0), (0.55, 0.25), (0.97 - 2.0 * w / r, 0.62), (0.75, 0.9), (0.3, 0.99)];
@@ -419,7 +420,7 @@ pub(super) fn corkscrew(b: &mut Build<'_>) {
     let points: Vec<P> = (0..=turns)
         .map(|i| {
             let k = i as f32 / turns as f32;
-            let (s, c) = (TAU * 4.0 * k).sin_cos();
+            let (s, c) = (TAU * 4.0 * k).sine_cosine();
             let thin = r * 0.7 * (1.0 - 0.5 * k);
             [thin * c, top + (tip - top) * (0.35 + 0.65 * k), mid + thin * s]
         })
@@ -441,9 +442,9 @@ pub(super) fn corkscrew(b: &mut Build<'_>) {
 fn helix(b: &mut Build<'_>, points: &[P], mid: f32, w: f32) {
     let ring = |p: &P| {
         let (x, z) = (p[0], p[2] - mid);
-        let out = x.hypot(z).max(1e-6);
+        let out = x.hypotenuse(z).max(1e-6);
         let point = |k: usize| {
-            let (s, c) = (TAU * k as f32 / 6.0).sin_cos();
+            let (s, c) = (TAU * k as f32 / 6.0).sine_cosine();
             [p[0] + x / out * w * c, p[1] + w * s, p[2] + z / out * w * c]
         };
         (0..6).map(point).collect()
@@ -559,16 +560,16 @@ pub(super) fn cookie_cutter(b: &mut Build<'_>) {
     let kind = b.rng.below(4);
     let n = 40;
     let radius = |angle: f32| match kind {
-        0 => 0.75 + 0.25 * (5.0 * angle).cos(),
-        1 => 0.72 + 0.28 * angle.sin().abs().powf(0.4) - if angle.sin() > 0.9 { 0.25 } else { 0.0 },
-        2 => 0.85 + 0.15 * (6.0 * angle).cos(),
+        0 => 0.75 + 0.25 * (5.0 * angle).cosine(),
+        1 => 0.72 + 0.28 * angle.sine().abs().power(0.4) - if angle.sine() > 0.9 { 0.25 } else { 0.0 },
+        2 => 0.85 + 0.15 * (6.0 * angle).cosine(),
         _ => 1.0,
     };
     let ring = |z: f32, thin: f32| -> Vec<P> {
         (0..n)
             .map(|i| {
                 let angle = TAU * i as f32 / n as f32;
-                let (s, c) = angle.sin_cos();
+                let (s, c) = angle.sine_cosine();
                 let k = radius(angle) - thin;
                 [x / 2.0 * k * c, y / 2.0 * k * s, z]
             })
@@ -702,7 +703,7 @@ pub(super) fn sieve(b: &mut Build<'_>) {
         b.inside("inside", [0.0, centre, (r * 0.03).min(0.0015)], (r * 0.17, r * 0.17), z * 0.9);
     }
     for i in 0..4 {
-        let (s, c) = (PI * i as f32 / 4.0).sin_cos();
+        let (s, c) = (PI * i as f32 / 4.0).sine_cosine();
         let point = |k: f32, h: f32| [r * k * c, centre + r * k * s, z * h];
         let points = [
             point(-0.985, 0.95),

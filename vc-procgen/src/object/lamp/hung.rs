@@ -4,6 +4,7 @@ use super::{bulb, shade, shade_at, shade_mat, stand_mat};
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::cooker::fitting::*;
+use vc_graph::portable::Portable;
 
 /// Flat under the ceiling: a bowl of glass, a drum, a plate of light, or spots.
 pub(super) fn ceiling_lamp(b: &mut Build<'_>) {
@@ -68,7 +69,7 @@ fn cup_down(r: f32, h: f32) -> [(f32, f32); 5] {
 
 /// Sine and cosine of a place on a circle of three to twelve.
 fn turn(i: usize, count: usize) -> (f32, f32) {
-    (std::f32::consts::TAU * i as f32 / count.max(1) as f32).sin_cos()
+    (std::f32::consts::TAU * i as f32 / count.max(1) as f32).sine_cosine()
 }
 
 /// Three rods from the axis to a shade.
@@ -101,7 +102,7 @@ pub(super) fn pendant_lamp(b: &mut Build<'_>) {
             };
             shade(b, design, [0.0; 3], (r, tall), mat);
             b.lathe("cap", [0.0, 0.0, tall * 0.86], &[(r * 0.2, 0.0), (r * 0.12, tall * 0.2)], metal);
-            ring_of_spokes(b, r * if design == 1 { 0.34 } else { 0.42 }, tall * 0.97, 0.004 * u, metal);
+            ring_of_spokes(b, shade_at(design, 0.97, r), tall * 0.97, 0.004 * u, metal);
             bulb(b, [0.0, 0.0, tall * 0.45], lamp.min(tall * 0.25), true);
             b.rod("stem", [0.0, 0.0, tall * 0.45], [0.0, 0.0, tall], lamp * 0.4, metal);
             cord(b, tall);

@@ -3,6 +3,7 @@
 use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::cooker::fitting::*;
+use vc_graph::portable::Portable;
 
 /// Something soft that glows: a moon, a mushroom, a cube, a cat's ears.
 pub(super) fn night_light(b: &mut Build<'_>) {
@@ -58,7 +59,7 @@ pub(super) fn string_lights(b: &mut Build<'_>) {
     let count = 18;
     let mut before: Option<P> = None;
     for i in 0..count {
-        let (s, c) = (std::f32::consts::TAU * i as f32 * 0.219).sin_cos();
+        let (s, c) = (std::f32::consts::TAU * i as f32 * 0.219).sine_cosine();
         let k = 0.55 + 0.35 * ((i * 7) % 5) as f32 / 5.0;
         let rise = ((i * 5) % 7) as f32 / 7.0;
         let at = [c * (x - bead) * k, s * (y - bead) * k, bead + (h - 2.0 * bead) * rise * (1.0 - k * 0.3)];
@@ -83,7 +84,7 @@ pub(super) fn string_lights(b: &mut Build<'_>) {
 fn bead_light(b: &mut Build<'_>, at: P, r: f32, mat: Mat) {
     let ring = |z: f32, out: f32, shift: f32| {
         (0..6).map(move |i| {
-            let (s, c) = (std::f32::consts::TAU * (i as f32 + shift) / 6.0).sin_cos();
+            let (s, c) = (std::f32::consts::TAU * (i as f32 + shift) / 6.0).sine_cosine();
             [at[0] + out * c, at[1] + out * s, at[2] + z]
         })
     };

@@ -8,6 +8,7 @@ use super::super::kitchenware::holders::bail;
 use super::label::{GROWTH, panel};
 use super::look::look;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 const BRIGHT: [Mat; 6] = [RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC];
 
@@ -62,7 +63,7 @@ pub(super) fn mop(b: &mut Build<'_>) {
     let h = z * 0.2;
     let strings = 16;
     for i in 0..strings {
-        let (s, c) = (TAU * i as f32 / strings as f32).sin_cos();
+        let (s, c) = (TAU * i as f32 / strings as f32).sine_cosine();
         let out = if i % 2 == 0 { 1.0 } else { 0.7 };
         let w = hx.min(hy) * 0.13;
         let at = |k: f32, z: f32| [(hx - w) * k * c, (hy - w) * k * s, z];
@@ -146,7 +147,7 @@ fn mop_bucket(b: &mut Build<'_>, h: f32, mat: Mat) {
         basket,
     );
     for i in 0..8 {
-        let (s, c) = (TAU * i as f32 / 8.0).sin_cos();
+        let (s, c) = (TAU * i as f32 / 8.0).sine_cosine();
         let at = |k: f32, z: f32| [hx * 0.78 * k * c, cy + hy * 0.42 * k * s, z];
         b.rod("rib", at(0.42, low + t), at(0.86, h), hx * 0.02, BLACK_PLASTIC);
     }
@@ -179,13 +180,13 @@ pub(super) fn sponge(b: &mut Build<'_>) {
     let waist = b.one(&[1.0, 0.9]);
     let plan: Vec<_> = rounded((hx, hy), 0.25)
         .into_iter()
-        .map(|p| (p.0 * (waist + (1.0 - waist) * (p.1 / hy).abs().powi(2)), p.1))
+        .map(|p| (p.0 * (waist + (1.0 - waist) * (p.1 / hy).abs().raised(2)), p.1))
         .collect();
     b.prism("foam", Axis::Z, [0.0; 3], &plan, z * 0.76, foam);
     let upper: Vec<_> = plan.iter().map(|p| (p.0 * 0.98, p.1 * 0.98)).collect();
     b.prism("pad", Axis::Z, [0.0, 0.0, z * 0.75], &upper, z * 0.25, pad);
     for i in 0..7 {
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         b.rod(
             "pore",
             [hx * 0.9, hy * 0.75 * s, z * (0.38 + 0.22 * c)],
@@ -217,7 +218,7 @@ pub(super) fn duster(b: &mut Build<'_>) {
         for i in 0..7 {
             let angle = TAU * (i as f32 + 0.5 * tier as f32) / 7.0;
             let at = |turn: f32, k: f32, z: f32| {
-                let (s, c) = (angle + turn).sin_cos();
+                let (s, c) = (angle + turn).sine_cosine();
                 [hx * wide * k * c, hy * wide * k * s, z]
             };
             let mid = f32::midpoint(from, to);

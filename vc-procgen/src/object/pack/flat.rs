@@ -9,6 +9,7 @@ use super::super::kitchenware::form::{arch, dims, level, loft, sweep, tub, tube,
 use super::label::panel;
 use super::look::{Look, look};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// How far a panel stands out.
 const PANEL: f32 = 0.0019;
@@ -47,7 +48,7 @@ pub(super) fn carton_box(b: &mut Build<'_>) {
             // A bowl on the front.
             let bowl: Vec<_> = (0..=8)
                 .map(|i| {
-                    let (s, c) = (std::f32::consts::PI * i as f32 / 8.0).sin_cos();
+                    let (s, c) = (std::f32::consts::PI * i as f32 / 8.0).sine_cosine();
                     (hy * 0.5 * c, -z * 0.12 * s)
                 })
                 .collect();
@@ -578,7 +579,7 @@ pub(super) fn takeaway(b: &mut Build<'_>) {
             CREAM_FOOD,
         );
         for i in 0..18 {
-            let (s, c) = (2.4 * i as f32).sin_cos();
+            let (s, c) = (2.4 * i as f32).sine_cosine();
             let k = 0.8 * ((i as f32 + 0.5) / 18.0).sqrt();
             let r = hx * 0.17;
             super::super::food::berry(

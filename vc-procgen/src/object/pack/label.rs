@@ -5,6 +5,7 @@ use std::f32::consts::TAU;
 use super::super::build::{Axis, Build};
 use super::super::kitchenware::form::hoop;
 use crate::material::Mat;
+use vc_graph::portable::Portable;
 
 /// How far a panel stands out, metres.
 const RAISED: f32 = 0.0007;
@@ -32,7 +33,7 @@ pub(in crate::object) fn wrap(b: &mut Build<'_>, r: f32, (low, high): (f32, f32)
 /// A piece of a ring on the front, `angle` to either side.
 fn patch(b: &mut Build<'_>, (inner, outer): (f32, f32), angle: f32, (low, high): (f32, f32), mat: Mat) {
     let at = |r: f32, k: usize| {
-        let (s, c) = (angle * (k as f32 / 5.0 - 1.0)).sin_cos();
+        let (s, c) = (angle * (k as f32 / 5.0 - 1.0)).sine_cosine();
         (r * c, r * s)
     };
     let outline: Vec<_> = (0..=10).map(|k| at(outer, k)).chain((0..=10).rev().map(|k| at(inner, k))).collect();

@@ -5,6 +5,7 @@ use super::super::kitchenware::form::{dims, hoop, shell, turn};
 use super::label::{GROWTH, wrap};
 use super::look::{Look, look};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// Outlines of bottles without caps, in parts of radius and height, and where their
 /// label is.
@@ -289,7 +290,7 @@ pub(super) fn shaker(b: &mut Build<'_>) {
                 STEEL,
             );
             for i in 0..5 {
-                let (s, c) = (std::f32::consts::TAU * i as f32 / 5.0).sin_cos();
+                let (s, c) = (std::f32::consts::TAU * i as f32 / 5.0).sine_cosine();
                 b.cylinder("hole", [r * 0.3 * c, r * 0.3 * s, z * 0.96], r * 0.06, z * 0.028, BLACK_PLASTIC);
             }
         }

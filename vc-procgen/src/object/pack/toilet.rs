@@ -7,6 +7,7 @@ use super::super::kitchenware::form::{
 use super::label::{GROWTH, panel, wrap};
 use super::look::look;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 const BRIGHT: [Mat; 7] =
     [WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC, ORANGE_PLASTIC, RED_PLASTIC];
@@ -469,11 +470,11 @@ pub(super) fn roll(b: &mut Build<'_>) {
     // The end of the sheet.
     let flap: Vec<_> = (0..=6)
         .map(|k| {
-            let (s, c) = (0.5 + 0.12 * k as f32).sin_cos();
+            let (s, c) = (0.5 + 0.12 * k as f32).sine_cosine();
             (r * c, r * s)
         })
         .chain((0..=6).rev().map(|k| {
-            let (s, c) = (0.5 + 0.12 * k as f32).sin_cos();
+            let (s, c) = (0.5 + 0.12 * k as f32).sine_cosine();
             (body * 0.98 * c, body * 0.98 * s)
         }))
         .collect();
@@ -609,7 +610,7 @@ pub(super) fn loofah(b: &mut Build<'_>) {
     let r = [x * 0.36, y * 0.36, z * 0.36];
     for i in 0..7 {
         let k = (i as f32 + 0.5) / 7.0 * 2.0 - 1.0;
-        let (s, c) = (2.4 * i as f32).sin_cos();
+        let (s, c) = (2.4 * i as f32).sine_cosine();
         let out = (1.0 - k * k).sqrt();
         lump(b, "net", [x * 0.14 * out * c, y * 0.14 * out * s, z / 2.0 + z * 0.14 * k], r, 0.14, mat);
     }

@@ -6,10 +6,11 @@ use nalgebra::Vector3;
 
 use crate::material::Mat;
 use crate::object::build::{Build, P};
+use vc_graph::portable::Portable;
 
 /// The point at an angle and a distance from the origin of a plane.
 pub(crate) fn polar(angle: f32, radius: f32) -> (f32, f32) {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = angle.sine_cosine();
     (cos * radius, sin * radius)
 }
 

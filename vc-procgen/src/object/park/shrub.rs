@@ -5,6 +5,7 @@ use std::f32::consts::TAU;
 use super::shape::{Sketch, blob, limb, polar, spaced};
 use crate::material::*;
 use crate::object::build::{Build, P};
+use vc_graph::portable::Portable;
 
 const PETALS: &[Mat] = &[PETAL_RED, PETAL_WHITE, PETAL_YELLOW, PETAL_PINK, PETAL_BLUE];
 
@@ -170,7 +171,7 @@ pub(super) fn stump(b: &mut Build<'_>) {
             let mut points = limb([x0, y0, h * b.vary(0.25, 0.5)], [x1, y1, thick * 0.3], thick, thick * 0.3);
             let reach = |p: &mut P| {
                 p[2] = p[2].max(0.0);
-                let out = p[0].hypot(p[1]);
+                let out = p[0].hypotenuse(p[1]);
                 let cut = (r / out.max(1e-6)).min(1.0);
                 (p[0], p[1]) = (p[0] * cut, p[1] * cut);
             };

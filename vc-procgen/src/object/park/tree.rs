@@ -5,6 +5,7 @@ use std::f32::consts::TAU;
 use super::shape::{Sketch, blob, limb, mix, polar};
 use crate::material::*;
 use crate::object::build::{Build, P};
+use vc_graph::portable::Portable;
 
 /// Outlines of crowns.
 #[derive(Clone, Copy)]
@@ -20,8 +21,8 @@ impl Crown {
     /// Its radius at a height from 0 (bottom) to 1 (top), as a share of the greatest.
     fn radius(self, t: f32) -> f32 {
         match self {
-            Self::Round => (1.0 - (2.0 * t - 1.0).powi(2)).max(0.0).sqrt(),
-            Self::Egg => (1.0 - (1.6 * t - 0.6).powi(2)).max(0.0).sqrt(),
+            Self::Round => (1.0 - (2.0 * t - 1.0).raised(2)).max(0.0).sqrt(),
+            Self::Egg => (1.0 - (1.6 * t - 0.6).raised(2)).max(0.0).sqrt(),
             Self::Column => 0.75 - 0.35 * t,
             Self::Spreading => 0.55 + 0.45 * t,
             Self::Cone => 1.0 - 0.85 * t,
@@ -123,7 +124,7 @@ pub(super) fn fruit(b: &mut Build<'_>) {
 /// The one of a few points on the leaves that is farthest from the middle: where
 /// fruit is seen.
 fn outermost(b: &mut Build<'_>, sketch: &Sketch, solids: (usize, usize), middle: P) -> P {
-    let distance = |p: &P| (0..3).map(|i| (p[i] - middle[i]).powi(2)).sum::<f32>();
+    let distance = |p: &P| (0..3).map(|i| (p[i] - middle[i]).raised(2)).sum::<f32>();
     let mut any = || sketch.point(b.rng.count(solids.0, solids.1), b.rng.below(64));
     let (first, rest) = (any(), [any(), any(), any()]);
     rest.into_iter().fold(first, |best, p| if distance(&p) > distance(&best) { p } else { best })
@@ -197,7 +198,7 @@ fn tiers(b: &mut Build<'_>, leaves: Mat) {
     let (droop, slim) = (b.vary(0.1, 0.5), b.vary(0.75, 1.1));
     for i in 0..count {
         let low = clear + step * i as f32;
-        let radius = reach * (1.0 - i as f32 / count as f32).powf(slim).max(0.12);
+        let radius = reach * (1.0 - i as f32 / count as f32).power(slim).max(0.12);
         let corners = b.rng.count(9, 13);
         let mut points = vec![[0.0, 0.0, low + step * b.vary(1.5, 1.7)]];
         let start = b.vary(0.0, TAU);
@@ -246,7 +247,7 @@ fn spindle(b: &mut Build<'_>, leaves: Mat) {
     let widest = b.vary(0.25, 0.4);
     for i in 0..count {
         let t = (i as f32 + 0.5) / count as f32;
-        let wide = reach * (1.0 - ((t - widest) / (1.05 - widest)).powi(2)).max(0.1).sqrt();
+        let wide = reach * (1.0 - ((t - widest) / (1.05 - widest)).raised(2)).max(0.1).sqrt();
         let tall = height * 0.85 / count as f32;
         let (x, y) = polar(b.vary(0.0, TAU), reach * 0.06);
         let points = blob(b, [x, y, height * (0.06 + 0.9 * t)], [wide, wide, tall], 40, 0.14);
@@ -301,7 +302,7 @@ fn frond(b: &mut Build<'_>, sketch: &mut Sketch, root: P, angle: f32, form: (f32
     let section = |t: f32| {
         let out = reach * t;
         let z = root[2] + reach * (lift * t * 1.6 - (lift + droop) * t * t);
-        let half = wide * (1.0 - (2.0 * t - 0.8).powi(2)).max(0.03);
+        let half = wide * (1.0 - (2.0 * t - 0.8).raised(2)).max(0.03);
         let edge =
             |s: f32| [root[0] + cos * out - sin * half * s, root[1] + sin * out + cos * half * s, z - half * 0.45];
         [edge(1.0), edge(-1.0), [root[0] + cos * out, root[1] + sin * out, z]]

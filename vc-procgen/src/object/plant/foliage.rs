@@ -6,6 +6,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, hoop, mix, oval, room, spline};
 use super::pot;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// The room that leaves have: half depth and width, earth and top.
 #[derive(Clone, Copy)]
@@ -19,14 +20,14 @@ struct Crown {
 impl Crown {
     /// A point at a turn, a share of the way out and of the way up.
     fn at(&self, turn: f32, out: f32, up: f32) -> P {
-        let (s, c) = turn.sin_cos();
+        let (s, c) = turn.sine_cosine();
         [self.x * out * c, self.y * out * s, self.low + (self.high - self.low) * up.min(0.995)]
     }
 }
 
 /// A leaf that is widest at a share of its length.
 fn blade(wide: f32, at: f32) -> impl Fn(f32) -> f32 {
-    move |t| wide * if t < at { (t / at).sqrt().max(0.08) } else { (1.0 - ((t - at) / (1.0 - at)).powi(2)).max(0.02) }
+    move |t| wide * if t < at { (t / at).sqrt().max(0.08) } else { (1.0 - ((t - at) / (1.0 - at)).raised(2)).max(0.02) }
 }
 
 /// A house plant: its kind follows from its proportions and chance.
@@ -75,7 +76,7 @@ fn cactus(b: &mut Build<'_>, c: Crown, pot: f32) {
     let ring = |z: f32, s: f32| -> Vec<P> {
         (0..ribs * 2)
             .map(|i| {
-                let (sin, cos) = (TAU * i as f32 / (ribs * 2) as f32).sin_cos();
+                let (sin, cos) = (TAU * i as f32 / (ribs * 2) as f32).sine_cosine();
                 let s = r * s * if i % 2 == 0 { 1.0 } else { 0.84 };
                 [s * cos, s * sin, c.low + tall * 0.94 * z]
             })
@@ -89,7 +90,7 @@ fn cactus(b: &mut Build<'_>, c: Crown, pot: f32) {
             let turn = 1.4 + 2.3 * i as f32;
             let up = b.vary(0.3, 0.5);
             let out = (r * 2.1).min(c.x.min(c.y) * 0.9);
-            let (s, k) = turn.sin_cos();
+            let (s, k) = turn.sine_cosine();
             let point = |reach: f32, z: f32| [reach * k, reach * s, c.low + tall * z];
             body.tapered(&spline(&[point(r * 0.6, up), point(out, up + 0.05), point(out, up + 0.3)], 4), |t| {
                 r * (0.42 - 0.1 * t)
@@ -100,7 +101,7 @@ fn cactus(b: &mut Build<'_>, c: Crown, pot: f32) {
     let flower = b.one(&[PETAL_PINK, PETAL_YELLOW, PETAL_RED]);
     let mut petals = Shell::default();
     for i in 0..6 {
-        let (s, k) = (TAU * i as f32 / 6.0).sin_cos();
+        let (s, k) = (TAU * i as f32 / 6.0).sine_cosine();
         let tip = [r * 0.4 * k, r * 0.4 * s, c.high - tall * 0.003];
         petals.leaf(
             &[[0.0, 0.0, c.low + tall * 0.92], mix([0.0, 0.0, c.low + tall * 0.93], tip, 0.6), tip],
@@ -161,7 +162,7 @@ fn sword(b: &mut Build<'_>, c: Crown, pot: f32) {
     for i in 0..count {
         let turn = i as f32 * 2.4;
         let (from, out) = (0.12 + 0.5 * (i as f32 / count as f32), b.vary(0.3, 0.95));
-        let root = [pot * from * turn.cos(), pot * from * turn.sin(), c.low - (c.high - c.low) * 0.004];
+        let root = [pot * from * turn.cosine(), pot * from * turn.sine(), c.low - (c.high - c.low) * 0.004];
         let up = if i == 0 { 0.99 } else { b.vary(0.55, 0.97) };
         let tip = c.at(turn, out, up);
         let line = spline(&[root, mix(root, [root[0] * 1.6, root[1] * 1.6, tip[2]], 0.5), tip], 3);
@@ -200,13 +201,13 @@ fn tree(b: &mut Build<'_>, c: Crown) {
     for i in 0..branches {
         let turn = i as f32 * 2.4;
         let level = (i as f32 + 0.5) / branches as f32;
-        let out = (0.35 + 0.5 * (level * PI).sin()) * b.vary(0.85, 1.0);
+        let out = (0.35 + 0.5 * (level * PI).sine()) * b.vary(0.85, 1.0);
         let tip = c.at(turn, out, fork + (0.95 - fork) * level);
         let root = [0.0, 0.0, c.low + tall * (fork * 0.95 + 0.4 * (1.0 - fork) * level)];
         wood.tapered(&[root, mix(root, tip, 0.6), tip], |t| r * (0.6 - 0.4 * t));
         for k in 0..11 {
             let at = mix(root, tip, 0.3 + 0.7 * k as f32 / 10.0);
-            let (s, q) = (k as f32 * 2.4 + turn).sin_cos();
+            let (s, q) = (k as f32 * 2.4 + turn).sine_cosine();
             let end = [
                 (at[0] + leaf * 2.2 * q).max(-c.x).min(c.x),
                 (at[1] + leaf * 2.2 * s).max(-c.y).min(c.y),
@@ -277,7 +278,7 @@ fn palm(b: &mut Build<'_>, c: Crown) {
         let over = c.at(turn, out * 0.55, trunk + (0.62 + 0.37 * level) * (1.0 - trunk));
         let line = spline(&[[0.0, 0.0, top], c.at(turn, out * 0.22, trunk + 0.42 * (1.0 - trunk)), over, end], 4);
         ribs.tapered(&line, |t| tall * (0.006 - 0.004 * t));
-        let (sin, cos) = turn.sin_cos();
+        let (sin, cos) = turn.sine_cosine();
         for (k, p) in line.iter().enumerate().skip(5) {
             for side in [-1.0_f32, 1.0] {
                 let long = c.x.min(c.y) * 0.36 * (1.3 - k as f32 / line.len() as f32);
@@ -311,7 +312,7 @@ fn rubber_tree(b: &mut Build<'_>, c: Crown) {
         for k in 0..leaves_count {
             let t = 0.18 + 0.82 * k as f32 / leaves_count as f32;
             let at = stem[((t * (stem.len() - 1) as f32) as usize).min(stem.len() - 1)];
-            let (s, q) = (k as f32 * 2.4 + turn).sin_cos();
+            let (s, q) = (k as f32 * 2.4 + turn).sine_cosine();
             let long = c.x.min(c.y) * (1.0 - out) * b.vary(0.8, 0.97) * (1.15 - 0.45 * t).min(1.0);
             let tip = [at[0] + long * q, at[1] + long * s, (at[2] + tall * 0.09).min(c.high * 0.998)];
             let mid = [at[0] + long * 0.5 * q, at[1] + long * 0.5 * s, (at[2] + tall * 0.1).min(c.high * 0.998)];
@@ -357,7 +358,7 @@ fn hanging(b: &mut Build<'_>, c: Crown, pot: f32) {
     let count = b.rng.count(9, 14);
     for i in 0..count {
         let turn = i as f32 * 2.4;
-        let (s, q) = turn.sin_cos();
+        let (s, q) = turn.sine_cosine();
         let drop = c.low * b.vary(0.15, 0.8);
         let reach = (pot * 1.25).min(c.x.min(c.y) * 0.9);
         let line = spline(
@@ -414,7 +415,7 @@ fn flowering(b: &mut Build<'_>, c: Crown) {
 /// Petals around a heart, looking up.
 fn flower(petals: &mut Shell, hearts: &mut Shell, at: P, size: f32, high: f32) {
     for k in 0..6 {
-        let (s, q) = (TAU * k as f32 / 6.0).sin_cos();
+        let (s, q) = (TAU * k as f32 / 6.0).sine_cosine();
         let point = |out: f32, up: f32| [at[0] + size * out * q, at[1] + size * out * s, (at[2] + size * up).min(high)];
         petals.leaf(
             &[at, point(0.5, 0.22), point(1.0, 0.2)],
@@ -481,7 +482,7 @@ pub(super) fn orchid(b: &mut Build<'_>) {
 /// Five petals and a lip, looking to the front.
 fn blossom(petals: &mut Shell, hearts: &mut Shell, at: P, size: f32, c: Crown) {
     for (k, long) in [1.0, 0.95, 0.75, 0.75, 0.95].into_iter().enumerate() {
-        let (s, q) = (TAU * k as f32 / 5.0).sin_cos();
+        let (s, q) = (TAU * k as f32 / 5.0).sine_cosine();
         let point = |out: f32, ahead: f32| {
             [
                 (at[0] + size * ahead).min(c.x),

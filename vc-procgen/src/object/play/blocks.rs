@@ -3,6 +3,7 @@
 use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A little castle of wooden blocks: cubes, arches, pillars, roofs.
 pub(super) fn wooden(b: &mut Build<'_>) {
@@ -203,7 +204,7 @@ pub(super) fn marbles(b: &mut Build<'_>) {
     b.lathe("dish", [0.0; 3], &dish, mat);
     let glass = [GREEN_GLASS, BLUE_GLASS, BROWN_GLASS, GLASS, RED_GLAZE, YELLOW_GLAZE];
     for i in 0..7 {
-        let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_3).sin_cos();
+        let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_3).sine_cosine();
         // The seventh lies in the hollow between the others.
         let (out, lift) = if i == 6 { (0.0, 1.52) } else { (marble * 1.92, 1.02) };
         let z = (t + marble * lift).min(b.size.z - marble);

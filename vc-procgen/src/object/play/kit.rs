@@ -7,6 +7,7 @@ use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 
 use super::super::build::{Axis, Build, P};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// Bright plastics.
 pub(in crate::object) const BRIGHT: &[Mat] =
@@ -177,7 +178,7 @@ impl Scaled for Build<'_> {
     fn hoop(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: Mat) {
         let reach = round_reach(unit(axis), radii.0 + radii.1) + unit(axis) * radii.1;
         let c = Vector3::from(self.held(centre, reach));
-        let round = |i: usize| (TAU * (i % 8) as f32 / 8.0).sin_cos();
+        let round = |i: usize| (TAU * (i % 8) as f32 / 8.0).sine_cosine();
         let section: Vec<_> = (0..=8).map(round).map(|(s, c)| (radii.0 + radii.1 * c, radii.1 * s)).collect();
         self.lathe_along(name, c.into(), (c + unit(axis)).into(), &section, mat);
     }
@@ -223,7 +224,7 @@ pub(in crate::object) fn arc(
     count: usize,
 ) -> Vec<(f32, f32)> {
     let turn = |i: usize| angles.0 + (angles.1 - angles.0) * i as f32 / (count.max(2) - 1) as f32;
-    (0..count).map(|i| turn(i).sin_cos()).map(|(s, c)| (centre.0 + half.0 * c, centre.1 + half.1 * s)).collect()
+    (0..count).map(|i| turn(i).sine_cosine()).map(|(s, c)| (centre.0 + half.0 * c, centre.1 + half.1 * s)).collect()
 }
 
 /// A rectangle with its corners cut by curves, from `low` to `high`.
@@ -292,7 +293,7 @@ fn skinned(rings: &[Skin], n: u32, way: f32) -> (Vec<P>, Vec<[u32; 3]>) {
         if tip {
             vertices.push(centre.into());
         } else {
-            let turns = (0..n).map(|k| (TAU * k as f32 / n as f32).sin_cos());
+            let turns = (0..n).map(|k| (TAU * k as f32 / n as f32).sine_cosine());
             vertices.extend(turns.map(|(s, c)| P::from(centre + a * c + b * s)));
         }
         let cap = |vertices: &mut Vec<P>| {
@@ -359,7 +360,7 @@ pub(in crate::object) fn zone(
         _ => 36,
     };
     let ring = |i: usize| {
-        let (s, c) = (angles.0 + (angles.1 - angles.0) * i as f32 / steps as f32).sin_cos();
+        let (s, c) = (angles.0 + (angles.1 - angles.0) * i as f32 / steps as f32).sine_cosine();
         (Vector3::from(centre) + way * (radius * c), across * (radius * s), other * (radius * s))
     };
     let rings: Vec<Skin> = (0..=steps).map(ring).collect();
@@ -373,7 +374,7 @@ pub(in crate::object) fn coil(b: &mut Build<'_>, name: &str, base: P, radii: (f3
     let count = turns * steps;
     let rise = (height - 2.0 * radii.1).max(height * 0.5);
     let ring = |i: usize| {
-        let (s, c) = (TAU * (i % steps) as f32 / steps as f32).sin_cos();
+        let (s, c) = (TAU * (i % steps) as f32 / steps as f32).sine_cosine();
         let out = Vector3::new(c, s, 0.0);
         let up = Vector3::z() * ((height - rise) / 2.0 + rise * i as f32 / count as f32);
         (Vector3::from(base) + out * radii.0 + up, out * radii.1, Vector3::z() * radii.1)

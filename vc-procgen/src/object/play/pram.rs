@@ -3,6 +3,7 @@
 use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A spoked or solid wheel that stands on the floor.
 fn wheel(b: &mut Build<'_>, (x, y): (f32, f32), (r, w): (f32, f32), spoked: bool) {
@@ -10,7 +11,7 @@ fn wheel(b: &mut Build<'_>, (x, y): (f32, f32), (r, w): (f32, f32), spoked: bool
     if spoked {
         b.hoop("tyre", Axis::Y, at, (r - w / 2.0, w / 2.0), RUBBER);
         for turn in [0.0, std::f32::consts::FRAC_PI_4, std::f32::consts::FRAC_PI_2, 2.3562] {
-            let (s, c) = f32::sin_cos(turn);
+            let (s, c) = turn.sine_cosine();
             let (dx, dz) = (c * (r - w) * 2.0 / b.size.x, s * (r - w) / b.size.z);
             b.pole("spoke", [x - dx, y, at[2] - dz], [x + dx, y, at[2] + dz], 0.0025, CHROME);
         }
@@ -30,7 +31,7 @@ fn hood(b: &mut Build<'_>, pivot: (f32, f32), reach: (f32, f32), y: (f32, f32), 
     let half = (y.1 - y.0) / 2.0;
     // Every rib is a little narrower than the one before it.
     let rib = |turn: f32, share: f32, width: f32| {
-        let (s, c) = turn.sin_cos();
+        let (s, c) = turn.sine_cosine();
         let out = move |y: f32, r: f32| {
             [pivot.0 + reach.0 * c * r * share, middle + half * width * y * share, pivot.1 + reach.1 * s * r * share]
         };

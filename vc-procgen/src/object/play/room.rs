@@ -5,6 +5,7 @@ use std::f32::consts::FRAC_PI_2;
 use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A dolls' house, open in front or closed by two wings, furnished.
 pub(super) fn dollhouse(b: &mut Build<'_>) {
@@ -290,7 +291,7 @@ pub(super) fn walker(b: &mut Build<'_>) {
     let level = (castor * 1.4 + ring) / b.size.z;
     b.hoop("base", Axis::Z, [0.0, 0.0, level], (r * 0.92, ring), frame);
     for i in 0..6 {
-        let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_3 + std::f32::consts::FRAC_PI_6).sin_cos();
+        let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_3 + std::f32::consts::FRAC_PI_6).sine_cosine();
         b.ball("castor", [r * 0.9 * c, r * 0.9 * s, castor], castor, BLACK_PLASTIC);
     }
     for (x, y) in CORNERS {

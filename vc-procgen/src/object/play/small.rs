@@ -3,6 +3,7 @@
 use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A top on its tip, leaning on nothing: a humming top or a plain one.
 pub(super) fn top(b: &mut Build<'_>) {
@@ -109,7 +110,7 @@ pub(super) fn phone(b: &mut Build<'_>) {
         let r = b.size.y.min(b.size.x) * 0.2;
         b.cylinder("dial", [0.0, 0.0, 0.0], r, b.size.z * 0.06, trim);
         for i in 0..8 {
-            let (s, c) = (i as f32 * 0.7).sin_cos();
+            let (s, c) = (i as f32 * 0.7).sine_cosine();
             b.cylinder("hole", [r * 0.7 * c, r * 0.7 * s, 0.0], r * 0.15, b.size.z * 0.068, BRIGHT[i % BRIGHT.len()]);
         }
     });
@@ -243,11 +244,11 @@ pub(super) fn bucket(b: &mut Build<'_>) {
     let wall = [(foot, 0.0), (lip, h * 0.97), (r, h * 0.97), (r, h), (lip - t, h), (foot - t, t)];
     b.lathe("bucket", [0.0; 3], &wall, paint);
     b.inside("inside", [0.0, 0.0, t], ((foot - t) * 0.68, (foot - t) * 0.68), h * 0.9);
-    let bow = (0..9).map(|i| (i as f32 * std::f32::consts::PI / 8.0).sin_cos());
+    let bow = (0..9).map(|i| (i as f32 * std::f32::consts::PI / 8.0).sine_cosine());
     let down: Vec<_> = bow.map(|(s, c)| [0.97 * s, 0.97 * c, 0.98 - 0.48 * s]).collect();
     b.tube("handle", &down, r * 0.03, trim);
     for i in 0..4 {
-        let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_2 + 0.5).sin_cos();
+        let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_2 + 0.5).sine_cosine();
         let out = (foot + lip) / 2.0;
         b.ball("star", [out * c * 0.97, out * s * 0.97, h * 0.5], r * 0.09, trim);
     }

@@ -6,6 +6,7 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// Timber or painted tube of a frame, and how thick.
 fn framing(b: &mut Build<'_>) -> (Mat, f32) {
@@ -92,7 +93,7 @@ pub(super) fn tire_swing(b: &mut Build<'_>) {
     if b.rng.chance(0.6) {
         b.hoop("tyre", Axis::Z, [0.0, 0.0, tube / b.size.z], (ring, tube), RUBBER);
         for i in 0..3 {
-            let (s, c) = (i as f32 * 2.0944).sin_cos();
+            let (s, c) = (i as f32 * 2.0944).sine_cosine();
             let foot = [ring * c, ring * s, tube * 1.9];
             b.rod("rope", foot, [0.0, 0.0, b.size.z * 0.62], 0.01, rope);
             b.ball("knot", foot, 0.022, rope);
@@ -117,7 +118,7 @@ pub(super) fn slide(b: &mut Build<'_>) {
         .map(|i| i as f32 / 10.0)
         .map(|t| {
             let s = t * t * (3.0 - 2.0 * t);
-            let wave = if wavy { 0.05 * (t * std::f32::consts::TAU * 1.0).sin() * (1.0 - t) } else { 0.0 };
+            let wave = if wavy { 0.05 * (t * std::f32::consts::TAU * 1.0).sine() * (1.0 - t) } else { 0.0 };
             (-0.5 + 1.5 * t, top + (0.07 - top) * s + wave)
         })
         .collect();
@@ -150,7 +151,7 @@ pub(super) fn slide(b: &mut Build<'_>) {
         b.slab("rung", [x - 0.04, -0.82, z - 0.015], [x + 0.07, 0.82, z + 0.015], rail);
     }
     for y in SIDES {
-        b.pole("foot", [0.7, y * 0.5, 0.0], [0.7, y * 0.5, 0.1], r, rail);
+        b.pole("foot", [0.7, y * 0.5, 0.0], [0.7, y * 0.5, curve[8].1 - 0.02], r, rail);
     }
 }
 
@@ -200,7 +201,7 @@ pub(super) fn trampoline(b: &mut Build<'_>) {
     );
     let legs = 6;
     for i in 0..legs {
-        let (s, c) = (i as f32 * 2.0 * PI / legs as f32 + 0.3).sin_cos();
+        let (s, c) = (i as f32 * 2.0 * PI / legs as f32 + 0.3).sine_cosine();
         let (x, y) = (ring * c, ring * s);
         b.rod("leg", [x, y, 0.0], [x, y, h - 0.03], 0.022, GALVANISED);
         b.rod("pole", [x, y, h], [x, y, b.size.z - 0.02], 0.018, pad);
@@ -218,7 +219,7 @@ pub(super) fn trampoline(b: &mut Build<'_>) {
         b.lathe("net_edge", [0.0; 3], &band, BLACK_FABRIC);
     }
     for i in 0..36 {
-        let (s, c) = (i as f32 * PI / 18.0 + 0.05).sin_cos();
+        let (s, c) = (i as f32 * PI / 18.0 + 0.05).sine_cosine();
         let at = ring - 0.004;
         b.block(
             "net",
@@ -268,11 +269,11 @@ pub(super) fn climbing_frame(b: &mut Build<'_>) {
         let crown = 0.985 - r / b.size.z - foot;
         let ring = |level: usize| {
             let turn = [0.0, 0.5, 1.0, 1.42][level];
-            let (s, c) = f32::sin_cos(turn);
-            let z = foot + s / 1.42_f32.sin() * crown;
+            let (s, c) = turn.sine_cosine();
+            let z = foot + s / 1.42_f32.sine() * crown;
             (0..sides)
                 .map(move |i| {
-                    let (sy, cx) = ((i as f32 + 0.5 * (level % 2) as f32) * 2.0 * PI / sides as f32).sin_cos();
+                    let (sy, cx) = ((i as f32 + 0.5 * (level % 2) as f32) * 2.0 * PI / sides as f32).sine_cosine();
                     [half.0 * c * cx, half.1 * c * sy, z]
                 })
                 .collect::<Vec<_>>()
@@ -359,7 +360,7 @@ pub(super) fn carousel(b: &mut Build<'_>) {
         b.cylinder("hub", [0.0, 0.0, deck], r * 0.07, h * 0.62 - deck, IRON);
         b.hoop("wheel", Axis::Z, [0.0, 0.0, 0.62], (r * 0.3, 0.016), rail);
         for i in 0..4 {
-            let (s, c) = (i as f32 * FRAC_PI_2 + 0.4).sin_cos();
+            let (s, c) = (i as f32 * FRAC_PI_2 + 0.4).sine_cosine();
             b.rod("spoke", [r * 0.06 * c, r * 0.06 * s, h * 0.62], [r * 0.3 * c, r * 0.3 * s, h * 0.62], 0.012, rail);
             let place = |u: f32, v: f32, z: f32| [r * (u * c - v * s), r * (u * s + v * c), z];
             b.pipe(
@@ -543,7 +544,7 @@ pub(super) fn water_table(b: &mut Build<'_>) {
             )
         });
         for i in 0..4 {
-            let (s, c) = (i as f32 * PI / 4.0).sin_cos();
+            let (s, c) = (i as f32 * PI / 4.0).sine_cosine();
             let (dx, dz) = (c * r * 2.0 / b.size.x, s * r / b.size.z);
             b.plank(
                 "blade",

@@ -126,12 +126,12 @@ fn walls(b: &mut Build<'_>, at: &House, wall: Mat, trim: Mat) {
     let pane = (middle + door + (y.1 - middle - door) * 0.25, y.1 - (y.1 - middle - door) * 0.2);
     b.slab("window", [x.1 - t.0 * 1.1, pane.0, sill], [x.1 + t.0 * 0.2, pane.1, head - tall * 0.08], BLUE_GLASS);
     b.slab("window_frame", [x.1 - t.0 * 0.5, pane.0 - 0.03, sill - 0.02], [x.1 + t.0 * 0.4, pane.1 + 0.03, sill], trim);
-    let anchor = b.p([x.1, middle + door, floor]);
+    let (anchor, gap) = (b.p([x.1, middle + door, floor]), 0.005 / b.size.y);
     b.hinge(anchor, [0.0, 0.0, 1.0], FRAC_PI_2 * 1.1, |b| {
         b.slab(
             "door",
-            [x.1 - t.0 * 0.8, middle - door + 0.002, floor + 0.034],
-            [x.1 + 0.002, middle + door - 0.002, head - 0.003],
+            [x.1 - t.0 * 0.8, middle - door + gap, floor + 0.034],
+            [x.1 + 0.002, middle + door - gap, head - 0.003],
             trim,
         );
         let knob = b.p([x.1 + 0.01, middle - door * 0.75, floor + tall * 0.45]);

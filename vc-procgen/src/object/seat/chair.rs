@@ -3,6 +3,7 @@
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::table::frame::{Cut, Four, Lean, Row, at_least, leg, ribbon, shell};
+use vc_graph::portable::Portable;
 
 /// A chair in the making: half depth, half width, height, and what follows.
 pub(super) struct Chair {
@@ -181,7 +182,7 @@ fn back(b: &mut Build<'_>, c: &Chair) {
                 back: c.back(z1) - c.post * 0.3,
                 z: (z0 + 0.01, z1 - 0.01),
                 thickness: 0.03,
-                tilt: (c.rake / tall).atan(),
+                tilt: (c.rake / tall).arc_tangent(),
             };
             lean.pad(b, "pad", (c.post - c.y + 0.006, c.y - c.post - 0.006), 0.012, c.cloth);
         }
@@ -290,7 +291,7 @@ fn moulded(b: &mut Build<'_>, c: &Chair) {
 /// A padded seat and back on tapered legs.
 fn padded(b: &mut Build<'_>, c: &Chair) {
     let (thick, r) = ((c.seat * 0.2).min(0.09), c.post * 0.55);
-    let tilt = (c.rake / (c.h - c.seat)).atan();
+    let tilt = (c.rake / (c.h - c.seat)).arc_tangent();
     let lean = Lean { back: -c.x, z: (c.seat - thick * 0.3, c.h), thickness: (c.x * 0.3).min(0.06), tilt };
     let rear = lean.front(c.seat) - 0.02;
     lean.pad(b, "back", (-c.y * 0.97, c.y * 0.97), 0.022, c.cloth);
@@ -326,7 +327,7 @@ fn bucket(b: &mut Build<'_>, c: &Chair) {
     let t = (w * 0.14).min(0.035);
     let arm = s + tall * b.vary(0.3, 0.5);
     let rear = c.back(s) - c.post;
-    let tilt = (c.rake / tall).atan();
+    let tilt = (c.rake / tall).arc_tangent();
     let lean = Lean { back: -c.x, z: (s - 0.05, c.h), thickness: t * 1.5, tilt };
     lean.pad(b, "back", (-w * 0.9, w * 0.9), t * 0.7, c.cloth);
     for side in [-1.0_f32, 1.0] {
@@ -379,7 +380,7 @@ fn cantilever(b: &mut Build<'_>, c: &Chair) {
     let (t, w) = (0.03, c.y - 2.0 * r - 0.001);
     let pad = b.one(&[c.cloth, BLACK_LEATHER, TAN_LEATHER, WICKER]);
     b.soft("seat", [rear + 0.02, -w, c.seat - t], [c.x - 0.008, w, c.seat], 0.012, pad);
-    let tilt = (c.rake / (c.h - c.seat)).atan();
+    let tilt = (c.rake / (c.h - c.seat)).arc_tangent();
     let low = c.seat + (c.h - c.seat) * 0.3;
     Lean { back: -c.x, z: (low, c.h - 0.01), thickness: t * 0.8, tilt }.pad(b, "back", (-w, w), 0.01, pad);
     let (from, to) = (rear + 0.06, c.x - 0.03);

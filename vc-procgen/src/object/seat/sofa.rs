@@ -93,7 +93,10 @@ impl Sofa {
             return;
         }
         let inset = if lift > 0.1 { 0.03 } else { 0.0 };
-        let (feet, heads) = ((self.x - 0.02, self.y - 0.02), (self.x - 0.02 - inset, self.y - 0.02 - inset));
+        // Pads are round below: legs stand further in.
+        let margin = if self.arm == Arm::Pad { (self.arms.0 * 0.34 - 0.02).max(0.02) } else { 0.02 };
+        let feet = (self.x - margin, self.y - margin);
+        let heads = (feet.0 - inset, feet.1 - inset);
         if self.tufted || self.arm == Arm::Roll {
             for (sx, sy) in CORNERS {
                 baluster(b, "leg", [sx * (heads.0 - r), sy * (heads.1 - r), 0.0], r * 1.3, lift + 0.004, self.wood);

@@ -5,6 +5,7 @@ use std::f32::consts::{PI, TAU};
 use super::super::build::{Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// Radius and middle of the ball that fits the size.
 fn fit(b: &Build<'_>) -> (f32, P) {
@@ -33,7 +34,7 @@ pub(super) fn plain(b: &mut Build<'_>) {
             );
             b.ball("ball", c, r * 0.992, mat);
             for turn in [0.0, 1.047, 2.094] {
-                let (s, k) = f32::sin_cos(turn);
+                let (s, k) = turn.sine_cosine();
                 mark(b, "seam", [s, k, 0.0], (PI / 2.0 - 0.03, PI / 2.0 + 0.03), 1.0, line);
             }
             mark(b, "label", [0.0, 0.0, 1.0], (0.0, 0.4), 1.0, line);
@@ -57,7 +58,7 @@ pub(super) fn plain(b: &mut Build<'_>) {
                 mark(b, "stripe", towards, (PI / 2.0 - 0.3, PI / 2.0 + 0.3), 0.996, other);
             } else {
                 for turn in [0.0, PI / 3.0, PI * 2.0 / 3.0] {
-                    let (s, k) = f32::sin_cos(turn);
+                    let (s, k) = turn.sine_cosine();
                     mark(b, "stripe", [s, k, 0.0], (PI / 2.0 - 0.12, PI / 2.0 + 0.12), 0.992 + turn * 0.002, other);
                 }
             }
@@ -98,7 +99,7 @@ pub(super) fn american_football(b: &mut Build<'_>) {
     let count = 12;
     let place = |i: usize| {
         let t = -1.0 + 2.0 * i as f32 / count as f32;
-        (r * 0.985 * (1.0 - t.abs().powf(1.9)).max(0.0).powf(0.75), half * t)
+        (r * 0.985 * (1.0 - t.abs().power(1.9)).max(0.0).power(0.75), half * t)
     };
     let profile: Vec<_> = (0..=count).map(place).collect();
     b.lathe_along("ball", [0.0, 0.0, r], [0.0, 1.0, r], &profile, BROWN_LEATHER);
@@ -142,8 +143,8 @@ pub(super) fn tennis(b: &mut Build<'_>) {
     b.ball("ball", c, r * 0.99, skin);
     let place = |i: usize| {
         let t = TAU * i as f32 / 40.0;
-        let (s, z) = (PI / 2.0 - (PI / 2.0 - 0.46) * t.cos()).sin_cos();
-        let (y, x) = (t / 2.0 + 0.46 * (2.0 * t).sin()).sin_cos();
+        let (s, z) = (PI / 2.0 - (PI / 2.0 - 0.46) * t.cosine()).sine_cosine();
+        let (y, x) = (t / 2.0 + 0.46 * (2.0 * t).sine()).sine_cosine();
         [x * s, y * s, z]
     };
     let half: Vec<P> = (0..40).map(place).collect();
@@ -165,7 +166,7 @@ pub(super) fn golf(b: &mut Build<'_>) {
     let golden = PI * (3.0 - 5.0_f32.sqrt());
     for i in 0..30 {
         let z = 1.0 - (2.0 * i as f32 + 1.0) / 30.0;
-        let (s, k) = (golden * i as f32).sin_cos();
+        let (s, k) = (golden * i as f32).sine_cosine();
         let flat = (1.0 - z * z).sqrt();
         let way = [k * flat, s * flat, z];
         let at = |d: f32| [c[0] + way[0] * d, c[1] + way[1] * d, c[2] + way[2] * d];

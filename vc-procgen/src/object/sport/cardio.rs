@@ -78,7 +78,7 @@ pub(super) fn rower(b: &mut Build<'_>) {
             frame,
         );
     }
-    let r = (b.size.z * 0.27).min(b.size.x * 0.13);
+    let r = (b.size.z * 0.27).min(b.size.x * 0.13).min(b.size.y * 0.48);
     let at = [0.99 - 2.0 * r / b.size.x, 0.0, rail + 0.1];
     if water {
         b.disc("tank", Axis::Z, [at[0], 0.0, rail + 0.02], (r, b.size.z * 0.22), BLUE_GLASS);

@@ -3,6 +3,7 @@
 use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A net of cords over a four-cornered field, so many by so many; what it hangs from
 /// runs along the sides.
@@ -74,7 +75,7 @@ pub(super) fn basketball_hoop(b: &mut Build<'_>) {
     for i in 0..10 {
         let (rx, ry) = (r * 2.0 / b.size.x, r * 2.0 / b.size.y);
         let place = |k: f32, share: f32, z: f32| {
-            let (s, c) = (k * std::f32::consts::TAU / 10.0).sin_cos();
+            let (s, c) = (k * std::f32::consts::TAU / 10.0).sine_cosine();
             [ring + rx * share * c, ry * share * s, z]
         };
         let k = i as f32;

@@ -5,6 +5,7 @@ use std::f32::consts::PI;
 use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A dumbbell: hexagonal heads, round ones, or plates on a bar, lying along Y.
 pub(super) fn dumbbell(b: &mut Build<'_>) {
@@ -50,7 +51,7 @@ pub(super) fn kettlebell(b: &mut Build<'_>) {
     let foot = (ball * ball - middle * middle).max(0.0).sqrt().max(ball * 0.35);
     let profile: Vec<_> = std::iter::once((foot, 0.0))
         .chain((0..9).map(|i| {
-            let (s, c) = (-1.0 + 2.57 * i as f32 / 8.0_f32).sin_cos();
+            let (s, c) = (-1.0 + 2.57 * i as f32 / 8.0_f32).sine_cosine();
             (ball * c, middle + ball * s)
         }))
         .collect();
@@ -281,7 +282,7 @@ pub(super) fn stopwatch(b: &mut Build<'_>) {
     b.lathe_along("case", [0.0, 0.0, r], [1.0, 0.0, r], &body, case);
     b.rod("dial", [0.0, 0.0, r], [half * 0.85, 0.0, r], r * 0.82, WHITE_PAPER);
     for i in 0..12 {
-        let (s, c) = (PI * i as f32 / 6.0).sin_cos();
+        let (s, c) = (PI * i as f32 / 6.0).sine_cosine();
         let at = |d: f32| [half * 0.86, r * d * s, r + r * d * c];
         b.rod("mark", at(0.68), at(0.78), half * 0.05, BLACK_PLASTIC);
     }

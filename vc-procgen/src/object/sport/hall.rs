@@ -5,6 +5,7 @@ use std::f32::consts::PI;
 use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A bar for a doorway or on wall brackets.
 pub(super) fn pull_up_bar(b: &mut Build<'_>) {
@@ -310,7 +311,7 @@ pub(super) fn rebounder(b: &mut Build<'_>) {
         pad,
     );
     for i in 0..6 {
-        let (s, c) = (PI * i as f32 / 3.0 + 0.3).sin_cos();
+        let (s, c) = (PI * i as f32 / 3.0 + 0.3).sine_cosine();
         let at = r * 0.92;
         b.rod("leg", [at * c, at * s, 0.01], [at * c, at * s, h - 0.025], tube, BLACK_METAL);
         b.cylinder("foot", [at * c, at * s, 0.0], tube * 1.6, 0.02, RUBBER);

@@ -3,6 +3,7 @@
 use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A strung racket that stands on its grip: tennis, squash or badminton.
 pub(super) fn racket(b: &mut Build<'_>) {
@@ -78,7 +79,7 @@ pub(super) fn shuttlecock(b: &mut Build<'_>) {
     let skirt = [(r * 0.96, 0.0), (cork * 0.85, h * 0.7), (cork * 0.78, h * 0.7), (r * 0.9, 0.0), (r * 0.96, 0.0)];
     b.lathe("feathers", [0.0; 3], &skirt, WHITE_PAPER);
     for i in 0..12 {
-        let (s, c) = (std::f32::consts::TAU * i as f32 / 12.0).sin_cos();
+        let (s, c) = (std::f32::consts::TAU * i as f32 / 12.0).sine_cosine();
         b.hull("quill", &quill((s, c), r, cork, h), WHITE_PLASTIC);
     }
     for z in [0.3, 0.45] {

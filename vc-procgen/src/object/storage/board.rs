@@ -4,6 +4,7 @@ use super::case::{Look, frame, panel};
 use crate::material::*;
 use crate::object::build::Build;
 use crate::object::table::frame::at_least;
+use vc_graph::portable::Portable;
 
 /// A screen of three or four leaves that stand in a zigzag.
 pub(super) fn room_divider(b: &mut Build<'_>) {
@@ -17,11 +18,11 @@ pub(super) fn room_divider(b: &mut Build<'_>) {
     let run = 2.0 * y / count as f32;
     // A leaf's corners stay within the depth: its thickness takes some of it.
     let rise = (2.0 * x - t * 1.05).max(0.0).min(run * 0.8);
-    let angle = (rise / (run + t)).atan();
-    let length = (run - t * angle.sin()) / angle.cos();
+    let angle = (rise / (run + t)).arc_tangent();
+    let length = (run - t * angle.sine()) / angle.cosine();
     // Pins join the leaves where they meet, in front and behind by turns.
     for i in 1..count {
-        let out = if i % 2 == 0 { 0.5 } else { -0.5 } * length * angle.sin();
+        let out = if i % 2 == 0 { 0.5 } else { -0.5 } * length * angle.sine();
         for z in [h * 0.15, h * 0.8] {
             b.cylinder("hinge", [out, run * i as f32 - y, z], t * 0.35, h * 0.05, b.style.metal);
         }

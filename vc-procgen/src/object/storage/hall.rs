@@ -7,6 +7,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{BOARD, Handle};
 use crate::object::table::frame::{Cut, at_least, baluster, leg};
+use vc_graph::portable::Portable;
 
 /// A bent hook that stands out from `x`, its tip turned up, and its surface.
 fn peg(b: &mut Build<'_>, index: usize, at: P, reach: f32, drop: f32, mat: Mat) {
@@ -63,8 +64,8 @@ pub(super) fn coat_rack(b: &mut Build<'_>) {
         let out = reach * (0.92 - 0.12 * tier as f32);
         for &(dx, dy) in feet {
             // Every tier is turned, so that coats hang free of the arms below.
-            let way = dy.atan2(dx) + [0.0, FRAC_PI_4, FRAC_PI_8][tier];
-            let turn = |k: f32, z: f32| [way.cos() * k, way.sin() * k, z];
+            let way = dy.angle_to(dx) + [0.0, FRAC_PI_4, FRAC_PI_8][tier];
+            let turn = |k: f32, z: f32| [way.cosine() * k, way.sine() * k, z];
             b.pipe("arm", &[turn(0.0, z - 0.05), turn(out * 0.6, z), turn(out - 0.008, z + 0.045)], 0.008, mat);
             b.hook(&format!("hook_{}", index + 1), turn(out * 0.66, z + 0.012), (z - low - 0.1).min(z - floor - 0.02));
             index += 1;

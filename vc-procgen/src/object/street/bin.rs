@@ -5,6 +5,7 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, polar, spaced, tub};
+use vc_graph::portable::Portable;
 
 /// A wheelie bin: a tapered tub on two wheels under a hinged lid.
 pub(super) fn wheelie_bin(b: &mut Build<'_>) {
@@ -125,7 +126,7 @@ fn roofed(b: &mut Build<'_>, mat: Mat) {
     let outline: Vec<(f32, f32)> = match b.rng.below(3) {
         0 => vec![(-y, 0.0), (y, 0.0), (0.0, rise)],
         1 => vec![(-y, 0.0), (y, 0.0), (y, rise * 0.3), (-y, rise)],
-        _ => (0..=10).map(|i| PI * i as f32 / 10.0).map(|a| (y * a.cos(), rise * a.sin())).collect(),
+        _ => (0..=10).map(|i| PI * i as f32 / 10.0).map(|a| (y * a.cosine(), rise * a.sine())).collect(),
     };
     b.prism("roof", Axis::X, [-x, 0.0, h - rise], &outline, 2.0 * x, roof);
     b.block("flap", [x - 0.006, -y * 0.55, rim * 0.75], [x, y * 0.55, rim * 0.95], roof);
@@ -257,7 +258,7 @@ fn tunnel(b: &mut Build<'_>, mat: Mat, wood: Mat) {
     let hood = |radius: f32, foot: f32| -> Vec<(f32, f32)> {
         let spring = tall - half;
         let arc =
-            (0..=10).map(move |i| PI * i as f32 / 10.0).map(move |a| (radius * a.cos(), spring + radius * a.sin()));
+            (0..=10).map(move |i| PI * i as f32 / 10.0).map(move |a| (radius * a.cosine(), spring + radius * a.sine()));
         [(-radius, foot), (radius, foot)].into_iter().chain(arc).collect()
     };
     let outer = hood(half, 0.0);

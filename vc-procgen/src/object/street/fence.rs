@@ -5,6 +5,7 @@ use std::f32::consts::FRAC_PI_2;
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::park::shape::{grown, limb, spaced};
+use vc_graph::portable::Portable;
 
 /// Ways to fill the space between posts.
 #[derive(Clone, Copy, PartialEq)]
@@ -141,7 +142,7 @@ fn filling(b: &mut Build<'_>, fill: Fill, bay: Bay, d: f32, form: &Form, (mat, m
             let count = fits(form.width * (1.0 + gap));
             let half = bay.half / count as f32 / (1.0 + gap);
             for cy in spaced(count, bay.y - bay.half + half, bay.y + bay.half - half) {
-                let bent = form.arch * tall * (1.0 - ((cy - bay.y) / bay.half).powi(2));
+                let bent = form.arch * tall * (1.0 - ((cy - bay.y) / bay.half).raised(2));
                 let top = bay.high - form.arch.max(0.0) * tall + bent;
                 let shoulder = top - half.min(0.05);
                 let mut outline = vec![(-half, bay.low), (half, bay.low)];

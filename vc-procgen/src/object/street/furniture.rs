@@ -7,6 +7,7 @@ use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, polar, polygon, spaced};
 
 use super::sign::poster;
+use vc_graph::portable::Portable;
 
 /// A street lamp: an arm over the road, or a lantern, globe or disc on the post.
 pub(super) fn street_lamp(b: &mut Build<'_>) {
@@ -51,7 +52,7 @@ fn arm_lamp(b: &mut Build<'_>, metal: Mat) {
         let steps = 4;
         let points: Vec<P> = (0..=steps)
             .map(|i| FRAC_PI_2 * i as f32 / steps as f32)
-            .map(|a| [base + (tip - base) * (1.0 - a.cos()), 0.0, top - 0.02 + (level - top + 0.02) * a.sin()])
+            .map(|a| [base + (tip - base) * (1.0 - a.cosine()), 0.0, top - 0.02 + (level - top + 0.02) * a.sine()])
             .collect();
         b.pipe("arm", &points, arm, metal);
     } else {
@@ -340,7 +341,7 @@ pub(super) fn parking_meter(b: &mut Build<'_>) {
             outline.extend(
                 (0..=10)
                     .map(|i| PI * i as f32 / 10.0)
-                    .map(|a| (half * a.cos(), tall - half.min(tall * 0.5) * (1.0 - a.sin()))),
+                    .map(|a| (half * a.cosine(), tall - half.min(tall * 0.5) * (1.0 - a.sine()))),
             );
             b.prism("head", Axis::X, [-x * 0.7, cy, low], &outline, x * 1.4, mat);
             face(b, x * 0.7, [cy, low + tall * 0.08, tall * 0.8, half * 0.75], x * 0.25);
@@ -406,7 +407,7 @@ pub(super) fn charging_station(b: &mut Build<'_>) {
     let side = y - 1.6 * cable;
     let points: Vec<P> = (0..=6)
         .map(|i| PI * i as f32 / 6.0)
-        .map(|a| [out, side * 0.5 * (1.0 - a.cos()), top - (top - bottom) * a.sin()])
+        .map(|a| [out, side * 0.5 * (1.0 - a.cosine()), top - (top - bottom) * a.sine()])
         .collect();
     b.pipe("cable", &points, cable, RUBBER);
     b.pipe("cable", &[[out, side, top], [front - 0.02, wide * 0.9, top]], cable, RUBBER);
@@ -424,7 +425,7 @@ pub(super) fn bus_stop(b: &mut Build<'_>) {
     } else {
         let arc: Vec<(f32, f32)> = (0..=8)
             .map(|i| PI * i as f32 / 8.0)
-            .map(|a| (x * a.cos(), roof * (0.3 + 0.7 * a.sin())))
+            .map(|a| (x * a.cosine(), roof * (0.3 + 0.7 * a.sine())))
             .chain([(-x, 0.0), (x, 0.0)])
             .collect();
         b.prism("roof", Axis::Y, [0.0, -y, under], &arc, 2.0 * y, metal);
@@ -507,7 +508,7 @@ pub(super) fn bicycle_rack(b: &mut Build<'_>) {
             let cy = cy + side * slim;
             let points: Vec<P> = if round {
                 let arc = (0..=6).map(|i| PI * i as f32 / 6.0);
-                arc.map(|a| [(x - 2.0 * r) * a.cos(), cy, r + (h - 2.5 * r) * a.sin()]).collect()
+                arc.map(|a| [(x - 2.0 * r) * a.cosine(), cy, r + (h - 2.5 * r) * a.sine()]).collect()
             } else {
                 let (e, t) = (x - 1.2 * r, h - 1.5 * r);
                 let cut = (x * 0.35).min(h * 0.35);
@@ -678,7 +679,7 @@ fn oval(a: f32, c: f32, step: f32) -> Vec<(f32, f32)> {
     let mut walked = vec![0.0_f32];
     for i in 0..FINE {
         let ((x0, y0), (x1, y1)) = (at(i), at(i + 1));
-        walked.push(walked[i] + (x1 - x0).hypot(y1 - y0));
+        walked.push(walked[i] + (x1 - x0).hypotenuse(y1 - y0));
     }
     let count = (walked[FINE] / step).ceil().clamp(3.0, 24.0) as usize;
     let place = |k: usize| walked.partition_point(|w| *w < walked[FINE] * k as f32 / count as f32);

@@ -5,6 +5,7 @@ use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, polygon, spaced};
+use vc_graph::portable::Portable;
 
 /// Rectangles (left, low, right, high) in a square from -1 to 1, seen from the
 /// front with Y to the left: what is drawn on a sign.
@@ -217,7 +218,7 @@ fn head(b: &mut Build<'_>, at: P, (deep, half): (f32, f32), tall: f32, lamps: us
         b.lathe_along("lamp", [x0 - 0.005, 0.0, z], [x0 + 1.0, 0.0, z], &[(r, 0.0), (r, 0.012), (r * 0.6, 0.025)], mat);
         // A visor over each lamp: the upper part of a tube.
         let arc = |radius: f32| {
-            (0..=8).map(move |k| (PI * (k as f32 / 8.0), radius)).map(|(a, r)| (r * a.cos(), r * a.sin()))
+            (0..=8).map(move |k| (PI * (k as f32 / 8.0), radius)).map(|(a, r)| (r * a.cosine(), r * a.sine()))
         };
         let outline: Vec<(f32, f32)> =
             arc(r * 1.2).chain(arc(r * 1.08).collect::<Vec<_>>().into_iter().rev()).collect();

@@ -4,6 +4,7 @@ use nalgebra::{Isometry3, Vector3};
 
 use crate::material::Mat;
 use crate::object::build::{Axis, Build, P};
+use vc_graph::portable::Portable;
 
 /// Cross section of a leg.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -164,7 +165,7 @@ fn ups(line: &[(f32, f32)]) -> Vec<(f32, f32)> {
 }
 
 fn unit(v: (f32, f32)) -> (f32, f32) {
-    let length = v.0.hypot(v.1).max(1e-6);
+    let length = v.0.hypotenuse(v.1).max(1e-6);
     (v.0 / length, v.1 / length)
 }
 
@@ -183,12 +184,12 @@ pub(in crate::object) struct Lean {
 
 impl Lean {
     fn length(&self) -> f32 {
-        (self.z.1 - self.z.0) / self.tilt.cos()
+        (self.z.1 - self.z.0) / self.tilt.cosine()
     }
 
     /// X of its front at a height.
     pub(in crate::object) fn front(&self, z: f32) -> f32 {
-        self.back + self.thickness * self.tilt.cos() + (self.z.1 - z) * self.tilt.tan()
+        self.back + self.thickness * self.tilt.cosine() + (self.z.1 - z) * self.tilt.tangent()
     }
 
     /// Builds one with rounded edges from `y.0` to `y.1`.

@@ -5,6 +5,7 @@ use std::f32::consts::PI;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, ngon, oval, room, spline, tube};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A driver in a front at `x`: a rim, a cone and its cap.
 fn driver(b: &mut Build<'_>, at: P, r: f32, cone: Mat) {
@@ -234,7 +235,7 @@ pub(super) fn earphone(b: &mut Build<'_>) {
         let line: Vec<P> = (0..=36)
             .map(|i| i as f32 / 36.0)
             .map(|t| {
-                let (s, c) = (t * 12.0).sin_cos();
+                let (s, c) = (t * 12.0).sine_cosine();
                 [
                     (x * 0.75) * c * (0.7 + 0.2 * t) - x * 0.1,
                     (y * 0.8) * s * (0.7 + 0.2 * t),

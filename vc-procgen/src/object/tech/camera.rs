@@ -6,6 +6,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, hoop, oval, room, spline, tube};
 use super::lens;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A camera for photographs: compact, reflex, instant or for action.
 pub(super) fn camera(b: &mut Build<'_>) {
@@ -160,7 +161,7 @@ pub(super) fn tripod(b: &mut Build<'_>) {
     let spread = r * b.vary(0.7, 0.8);
     let (mut tubes, mut feet, mut clamps) = (Shell::default(), Shell::default(), Shell::default());
     for i in 0..3 {
-        let (s, c) = (i as f32 * 2.094 + 1.05).sin_cos();
+        let (s, c) = (i as f32 * 2.094 + 1.05).sine_cosine();
         let at = |out: f32, z: f32| [out * c, out * s, z];
         tubes.tapered(&[at(spread, h * 0.02), at(spread * 0.85, h * 0.3), at(r * 0.35, crown)], |t| {
             leg * (0.6 + 0.35 * t)
@@ -193,7 +194,7 @@ pub(super) fn softbox(b: &mut Build<'_>) {
     let mut legs = Shell::default();
     let r = 0.011_f32.min(x * 0.06);
     for i in 0..3 {
-        let (s, c) = (i as f32 * 2.094).sin_cos();
+        let (s, c) = (i as f32 * 2.094).sine_cosine();
         let reach = x.min(y) - r;
         legs.tube(&[[reach * c, reach * s, r], [0.0, 0.0, h * 0.22]], r);
         legs.tube(&[[reach * 0.5 * c, reach * 0.5 * s, h * 0.11], [0.0, 0.0, h * 0.07]], r * 0.6);
@@ -241,7 +242,7 @@ pub(super) fn drone(b: &mut Build<'_>) {
         arms.tube(&[[at[0], at[1], high - h * 0.1], [at[0], at[1], h * 0.92]], r * 0.14);
         feet.tapered(&[[at[0], at[1], high - h * 0.05], [at[0], at[1], 0.0]], |t| h * (0.07 - 0.03 * t));
         let turn = b.vary(0.0, PI);
-        let (s, c) = turn.sin_cos();
+        let (s, c) = turn.sine_cosine();
         let tip = |f: f32, z: f32| [at[0] + r * 0.98 * f * c, at[1] + r * 0.98 * f * s, z];
         blades.leaf(
             &[tip(-1.0, h * 0.95), tip(-0.5, h * 0.96), tip(0.0, h * 0.95), tip(0.5, h * 0.96), tip(1.0, h * 0.95)],

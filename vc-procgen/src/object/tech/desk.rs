@@ -4,6 +4,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, lengthwise, loft, oval, room, spline, tube};
 use super::{case, grid};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A keyboard: sloping, with rows of keys and a number pad where it is wide.
 pub(super) fn keyboard(b: &mut Build<'_>) {
@@ -111,7 +112,7 @@ pub(super) fn graphic_tablet(b: &mut Build<'_>) {
         .collect();
     blocks(b, "key", &keys, SILVER_METAL);
     let turn = b.vary(0.1, 0.5);
-    let (s, c) = turn.sin_cos();
+    let (s, c) = turn.sine_cosine();
     let long = x.min(y) * 0.55;
     let mid = [x * 0.1, y * 0.3, top + pen];
     let mut shell = Shell::default();
@@ -166,8 +167,8 @@ pub(super) fn cable(b: &mut Build<'_>) {
     let line: Vec<P> = (0..=48)
         .map(|i| {
             let t = i as f32 / 48.0;
-            let (s, c) = (t * turns * std::f32::consts::TAU).sin_cos();
-            let reach = 1.0 - 0.18 * (t * 9.0).sin().abs();
+            let (s, c) = (t * turns * std::f32::consts::TAU).sine_cosine();
+            let reach = 1.0 - 0.18 * (t * 9.0).sine().abs();
             [(x - r) * c * reach, (y - r) * s * reach, r + (h - 2.0 * r) * t]
         })
         .chain([[x * 0.2, -y * 0.3, r * 1.5]])

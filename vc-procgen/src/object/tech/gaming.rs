@@ -4,6 +4,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
 use super::super::textile::form::{Shell, blocks, facing, hoop, loft, oval, room, spline, tube};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A gamepad: two grips, sticks, a cross and buttons.
 pub(super) fn controller(b: &mut Build<'_>) {
@@ -50,7 +51,7 @@ pub(super) fn controller(b: &mut Build<'_>) {
     );
     let colours = [GREEN_PLASTIC, RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC];
     for (i, mat) in colours.into_iter().enumerate() {
-        let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_2).sin_cos();
+        let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_2).sine_cosine();
         b.cylinder(
             "button",
             [x * (-0.25 + 0.22 * c), y * (0.66 + 0.15 * s), top * 0.8],

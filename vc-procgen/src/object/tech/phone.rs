@@ -5,6 +5,7 @@ use super::super::decor::picture::{Canvas, Inks, motif};
 use super::super::textile::form::{Shell, blocks, facing, loft, oval, room, spline, tube};
 use super::grid;
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A slab with a screen: tablet, phone, reader or player.
 pub(super) fn slab(b: &mut Build<'_>) {
@@ -88,7 +89,7 @@ pub(super) fn desk_phone(b: &mut Build<'_>) {
     let slope = [(-x, 0.0), (x, 0.0), (x, low), (-x * 0.2, h * 0.6), (-x, h * 0.62)];
     b.prism("body", Axis::Y, [0.0, -y, 0.0], &slope, 2.0 * y, body);
     receiver(b, [-x * 0.62, 0.0, (h - thick * 1.6).min(h * 0.61 + thick * 0.9)], y * 0.98, thick, body);
-    let angle = ((h * 0.6 - low) / (x * 1.2)).atan();
+    let angle = ((h * 0.6 - low) / (x * 1.2)).arc_tangent();
     let pose = nalgebra::Isometry3::new(
         nalgebra::Vector3::new(x * 0.4, 0.0, f32::midpoint(low, h * 0.6)),
         nalgebra::Vector3::y() * angle,
@@ -106,7 +107,7 @@ pub(super) fn desk_phone(b: &mut Build<'_>) {
             );
             let mut holes = Shell::default();
             for i in 0..10 {
-                let (s, c) = (i as f32 * 0.52 + 0.6).sin_cos();
+                let (s, c) = (i as f32 * 0.52 + 0.6).sine_cosine();
                 holes.egg([r * 0.7 * c, r * 0.7 * s, h * 0.03], [r * 0.13, r * 0.13, h * 0.01]);
             }
             holes.put(b, "hole", BLACK_PLASTIC);
@@ -193,7 +194,7 @@ pub(super) fn wall_phone(b: &mut Build<'_>) {
     let cord: Vec<P> = (0..=60)
         .map(|i| {
             let t = i as f32 / 60.0;
-            let (s, c) = (t * 75.0).sin_cos();
+            let (s, c) = (t * 75.0).sine_cosine();
             [
                 -x * 0.2 + 2.0 * r * c,
                 -y * 0.6 + y * 1.1 * t + r * s,

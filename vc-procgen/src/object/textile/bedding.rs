@@ -4,6 +4,7 @@ use super::super::build::{Build, P};
 use super::form::{Shell, blocks, puff, room, sheet};
 use super::{Fold, folded};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// Sheets or pillow cases, folded and stacked.
 pub(super) fn sheets(b: &mut Build<'_>) {
@@ -125,8 +126,8 @@ pub(super) fn duvet(b: &mut Build<'_>) {
     let back = b.vary(0.16, 0.24) * x;
     let wave = b.vary(0.0, 6.0);
     let top = |u: f32, v: f32| {
-        let end = (1.0 - (2.0 * u - 1.0).powi(4)) * (1.0 - (2.0 * v - 1.0).powi(8));
-        let z = h * (0.93 + 0.07 * (wave + 9.0 * v).sin()) * end.max(0.0).sqrt();
+        let end = (1.0 - (2.0 * u - 1.0).raised(4)) * (1.0 - (2.0 * v - 1.0).raised(8));
+        let z = h * (0.93 + 0.07 * (wave + 9.0 * v).sine()) * end.max(0.0).sqrt();
         let (px, py) = (-x + back * 2.0 * u, y * (2.0 * v - 1.0));
         ([px, py, z.max(h * 0.62)], [px, py, h * 0.6])
     };
@@ -143,11 +144,11 @@ fn spread(b: &mut Build<'_>, share: f32, cloth: Mat) {
     let (nx, ny) = ((x * 10.0).clamp(8.0, 18.0), (y * 10.0).clamp(8.0, 20.0));
     let height = move |u: f32, v: f32| {
         let (p, q) = (2.0 * u - 1.0, 2.0 * v - 1.0);
-        let edge = ((1.0 - p.powi(8)) * (1.0 - q.powi(8))).max(0.0).sqrt();
+        let edge = ((1.0 - p.raised(8)) * (1.0 - q.raised(8))).max(0.0).sqrt();
         let waves = if quilted {
-            0.75 + 0.17 * (u * 18.0).sin().abs() * (v * 18.0).sin().abs()
+            0.75 + 0.17 * (u * 18.0).sine().abs() * (v * 18.0).sine().abs()
         } else {
-            0.8 + 0.07 * (a + 5.0 * u + 4.0 * v).sin() + 0.05 * (c + 9.0 * v - 3.0 * u).sin()
+            0.8 + 0.07 * (a + 5.0 * u + 4.0 * v).sine() + 0.05 * (c + 9.0 * v - 3.0 * u).sine()
         };
         h * (0.25 + edge * (waves - 0.25))
     };

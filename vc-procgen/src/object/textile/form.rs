@@ -7,6 +7,7 @@ use nalgebra::{Isometry3, Point3, Vector3};
 
 use super::super::build::{Axis, Build, P};
 use crate::material::Mat;
+use vc_graph::portable::Portable;
 
 /// Half the depth, half the width, and the height of what is built.
 pub(in crate::object) fn room(b: &Build<'_>) -> (f32, f32, f32) {
@@ -67,7 +68,7 @@ pub(in crate::object) fn oval(axis: Axis, at: P, half: (f32, f32), square: usize
     let full = |v: f32| (0..square).fold(v.abs(), |v, _| v.sqrt()).copysign(v);
     (0..n)
         .map(|i| {
-            let (s, c) = (TAU * i as f32 / n as f32).sin_cos();
+            let (s, c) = (TAU * i as f32 / n as f32).sine_cosine();
             across(axis, at, half.0 * full(c), half.1 * full(s))
         })
         .collect()
@@ -86,7 +87,7 @@ fn across(axis: Axis, at: P, a: f32, b: f32) -> P {
 pub(in crate::object) fn arc(axis: Axis, at: P, half: (f32, f32), angles: (f32, f32), n: usize) -> Vec<P> {
     (0..=n)
         .map(|i| {
-            let (s, c) = (angles.0 + (angles.1 - angles.0) * i as f32 / n as f32).sin_cos();
+            let (s, c) = (angles.0 + (angles.1 - angles.0) * i as f32 / n as f32).sine_cosine();
             across(axis, at, half.0 * c, half.1 * s)
         })
         .collect()
@@ -253,7 +254,7 @@ impl Shell {
     pub(in crate::object) fn egg(&mut self, at: P, half: P) {
         let rings: Vec<Vec<P>> = (0..=6)
             .map(|i| {
-                let (s, c) = (std::f32::consts::PI * i as f32 / 6.0).sin_cos();
+                let (s, c) = (std::f32::consts::PI * i as f32 / 6.0).sine_cosine();
                 let s = if i % 6 == 0 { 0.0 } else { s };
                 oval(Axis::Z, [at[0], at[1], at[2] - half[2] * c], (half[0] * s, half[1] * s), 0, 8)
             })
@@ -304,7 +305,7 @@ fn sections(points: &[P], closed: bool, radius: impl Fn(f32) -> f32) -> Vec<Vec<
             let other = way.cross(&normal);
             let r = radius(i as f32 / last.max(1) as f32);
             let corner = |k: usize| {
-                let (s, c) = (TAU * k as f32 / sides as f32).sin_cos();
+                let (s, c) = (TAU * k as f32 / sides as f32).sine_cosine();
                 P::from(Point3::from(at(i) + (normal * c + other * s) * r))
             };
             (0..sides).map(corner).collect()

@@ -10,6 +10,7 @@ use super::build::{Axis, Build, P};
 use super::{Generator, indoor};
 use crate::material::*;
 use form::{Shell, blocks, loft, room};
+use vc_graph::portable::Portable;
 
 pub(super) const GENERATORS: &[Generator] = &[
     indoor("towel", 6, towel),
@@ -120,7 +121,7 @@ fn rolled_towel(b: &mut Build<'_>) {
     let steps = 60;
     let point = |i: usize, thick: f32| {
         let turn = turns * i as f32 / steps as f32;
-        let (s, c) = (turn * std::f32::consts::TAU).sin_cos();
+        let (s, c) = (turn * std::f32::consts::TAU).sine_cosine();
         let r = (wide - pitch * turn - thick).max(0.0);
         (r * c * x / wide, h / 2.0 + r * s * h / 2.0 / wide)
     };

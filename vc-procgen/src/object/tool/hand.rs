@@ -3,6 +3,7 @@
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, loft, longwise, oval, room, spline};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 const GRIPS: [Mat; 6] = [RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC];
 
@@ -117,7 +118,7 @@ pub(super) fn pliers(b: &mut Build<'_>) {
                 [0.0, side * (y - r * 1.25), pivot * 0.25],
                 [0.0, side * (y * 0.55), r * 0.3],
             ];
-            grips.tapered(&spline(&way, 4), |t| r * (0.7 + 0.3 * (t * 3.1).sin()));
+            grips.tapered(&spline(&way, 4), |t| r * (0.7 + 0.3 * (t * 3.1).sine()));
         }
         grips.put(b, "grip", grip);
         b.rod("pivot", [-x, 0.0, pivot], [x, 0.0, pivot], y * 0.3, IRON);

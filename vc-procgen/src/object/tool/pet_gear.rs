@@ -3,6 +3,7 @@
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, tube};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A cage of wires on a tray, with a door, a perch and a cup; domed for birds.
 pub(super) fn cage(b: &mut Build<'_>) {
@@ -19,7 +20,7 @@ pub(super) fn cage(b: &mut Build<'_>) {
     let door = (y * 0.3, tall + (eave - tall) * 0.12, tall + (eave - tall) * 0.62);
     let mut bars = Shell::default();
     let (nx, ny) = (8, 10);
-    let top = |px: f32| if domed { h - r - (h - eave) * (px / wx).powi(2) } else { eave };
+    let top = |px: f32| if domed { h - r - (h - eave) * (px / wx).raised(2) } else { eave };
     for i in 0..=nx {
         let px = wx * (2.0 * i as f32 / nx as f32 - 1.0);
         for py in [-wy, wy] {
@@ -154,7 +155,7 @@ pub(super) fn leash(b: &mut Build<'_>) {
     let coil: Vec<P> = (0..=count)
         .map(|i| {
             let t = i as f32 / count as f32;
-            let (s, c) = (t * turns * std::f32::consts::TAU).sin_cos();
+            let (s, c) = (t * turns * std::f32::consts::TAU).sine_cosine();
             let shrink = 1.0 - 0.15 * t;
             [(x - r) * c * shrink, (y - r) * s * shrink, r + (h - 2.0 * r) * t]
         })

@@ -4,6 +4,7 @@ use super::super::book::desk::tub;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, hoop, longwise, oval, room, tube};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 const THREADS: [Mat; 7] =
     [RED_FABRIC, BLUE_FABRIC, MUSTARD_FABRIC, WHITE_COTTON, GREEN_FABRIC, PURPLE_FABRIC, ROSE_FABRIC];
@@ -94,8 +95,8 @@ pub(super) fn yarn(b: &mut Build<'_>) {
     let mut strands = Shell::default();
     let thick = r * 0.07;
     for i in 0..7 {
-        let (s, c) = (i as f32 * 0.9).sin_cos();
-        let (tilt_s, tilt_c) = (i as f32 * 1.3).sin_cos();
+        let (s, c) = (i as f32 * 0.9).sine_cosine();
+        let (tilt_s, tilt_c) = (i as f32 * 1.3).sine_cosine();
         let ring: Vec<P> = oval(Axis::Z, [0.0; 3], (r - thick, r - thick), 0, 18)
             .iter()
             .map(|p| {

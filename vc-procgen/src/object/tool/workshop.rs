@@ -6,6 +6,7 @@ use super::super::book::desk::tub;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, lengthwise, longwise, oval, room, spline, tube};
 use crate::material::*;
+use vc_graph::portable::Portable;
 
 /// A toolbox: hinged lid with a handle over a compartment, a drawer below.
 pub(super) fn toolbox(b: &mut Build<'_>) {
@@ -98,7 +99,7 @@ pub(super) fn paint_can(b: &mut Build<'_>) {
     b.lathe("lid", [0.0, 0.0, h * 0.96], &[(r * 0.85, 0.0), (r * 0.8, h * 0.03), (r * 0.6, h * 0.02)], SILVER_METAL);
     let mut drips = Shell::default();
     for i in 0..3 {
-        let (s, c) = (0.8 * i as f32 + 0.3).sin_cos();
+        let (s, c) = (0.8 * i as f32 + 0.3).sine_cosine();
         drips.egg([r * 0.97 * c, r * 0.97 * s, h * 0.84], [r * 0.05, r * 0.05, h * b.vary(0.06, 0.14)]);
     }
     drips.put(b, "drip", paint);
@@ -116,8 +117,8 @@ pub(super) fn rope(b: &mut Build<'_>) {
     let coil: Vec<P> = (0..=(turns as usize * 20))
         .map(|i| {
             let t = i as f32 / (turns * 20.0);
-            let (s, c) = (t * turns * std::f32::consts::TAU).sin_cos();
-            let wobble = 0.92 + 0.06 * (t * 40.0).sin();
+            let (s, c) = (t * turns * std::f32::consts::TAU).sine_cosine();
+            let wobble = 0.92 + 0.06 * (t * 40.0).sine();
             [(x - r) * c * wobble, (y - r) * s * wobble, r + (h - 2.0 * r) * t]
         })
         .collect();

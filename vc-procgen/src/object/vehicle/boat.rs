@@ -3,6 +3,7 @@
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, mix, shell, spaced};
+use vc_graph::portable::Portable;
 
 /// Lines of a hull: how full its ends are (front and rear), how its section bends,
 /// how much the sheer rises forward.
@@ -19,10 +20,10 @@ impl Lines {
     /// Half width, keel and rim at a place from -1 (stern) to 1 (bow), for a hull of
     /// half width `y` whose highest rim is `h`.
     fn at(&self, s: f32, y: f32, h: f32) -> (f32, f32, f32) {
-        let full = if s > 0.0 { 1.0 - s.powf(self.bow) } else { 1.0 - (1.0 - self.stern) * s.powi(4).min(1.0) };
+        let full = if s > 0.0 { 1.0 - s.power(self.bow) } else { 1.0 - (1.0 - self.stern) * s.raised(4).min(1.0) };
         let rise = if s > 0.0 { s * s } else { s * s * 0.4 };
         let rim = h * (1.0 - self.sheer + self.sheer * rise);
-        let keel = h * self.rocker * if s > 0.0 { s.powi(4) } else { 0.3 * s.powi(4) };
+        let keel = h * self.rocker * if s > 0.0 { s.raised(4) } else { 0.3 * s.raised(4) };
         ((y * full).max(y * 0.03), keel, rim)
     }
 
@@ -35,7 +36,7 @@ impl Lines {
                 let across = (0..=8).map(|j| 1.0 - j as f32 / 4.0);
                 across
                     .map(|u: f32| {
-                        [x, half * u.signum() * u.abs().powf(0.75), keel + (rim - keel) * u.abs().powf(self.bend)]
+                        [x, half * u.signum() * u.abs().power(0.75), keel + (rim - keel) * u.abs().power(self.bend)]
                     })
                     .collect()
             };
@@ -56,7 +57,7 @@ impl Lines {
     fn across(&self, s: f32, z: f32, (y, h): (f32, f32)) -> f32 {
         let (half, keel, rim) = self.at(s, y, h);
         let up = ((z - keel) / (rim - keel).max(1e-3)).clamp(0.05, 1.0);
-        half * up.powf(1.0 / self.bend).powf(0.75)
+        half * up.power(1.0 / self.bend).power(0.75)
     }
 }
 

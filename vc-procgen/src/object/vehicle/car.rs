@@ -7,6 +7,7 @@ use super::wheel::{Rim, axled};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, mix, plate};
+use vc_graph::portable::Portable;
 
 /// How the body ends behind.
 #[derive(Clone, Copy, PartialEq)]
@@ -282,10 +283,10 @@ fn body(b: &mut Build<'_>, car: &Car) {
     // Arches are drawn from front to rear along the bottom.
     let arch = |centre: f32| {
         let r = car.wheel * 1.13;
-        let start = ((car.low - car.wheel) / r).asin();
+        let start = ((car.low - car.wheel) / r).arc_sine();
         (0..=10)
             .map(move |i| start + (PI - 2.0 * start) * i as f32 / 10.0)
-            .map(move |a| (centre + r * a.cos(), car.wheel + r * a.sin()))
+            .map(move |a| (centre + r * a.cosine(), car.wheel + r * a.sine()))
     };
     let mut outline: Vec<(f32, f32)> = shares(nose, tail).map(|s| (car.x(s), car.belt(s))).rev().collect();
     outline.push((x0, car.low));

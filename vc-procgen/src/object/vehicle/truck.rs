@@ -7,6 +7,7 @@ use super::wheel::{Rim, axled, wheel};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, spaced, tub};
+use vc_graph::portable::Portable;
 
 const PAINTS: &[Mat] = &[WHITE_METAL, RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL, SILVER_METAL, NAVY, ORANGE];
 
@@ -70,12 +71,12 @@ impl Chassis {
         let lean = (high - belt) * b.vary(0.05, 0.3);
         let mut outline =
             vec![(x0, if open { self.wheel + r } else { low }), (x0, high), (x1 - lean, high), (x1, belt), (x1, low)];
-        let start = ((low - self.wheel) / r).asin();
+        let start = ((low - self.wheel) / r).arc_sine();
         let end = if open { PI * 0.5 } else { PI - start };
         outline.extend(
             (0..=8)
                 .map(|i| start + (end - start) * i as f32 / 8.0)
-                .map(|a| ((arch + r * a.cos()).max(x0 + 0.01), self.wheel + r * a.sin())),
+                .map(|a| ((arch + r * a.cosine()).max(x0 + 0.01), self.wheel + r * a.sine())),
         );
         b.prism("cab", Axis::Y, [0.0, -half, 0.0], &outline, 2.0 * half, self.paint);
         let screen = [[x1, -half, belt], [x1, half, belt], [x1 - lean, half, high], [x1 - lean, -half, high]];
@@ -377,13 +378,13 @@ pub(super) fn bus(b: &mut Build<'_>) {
         let end = if side < 0.0 { door.0 } else { x - 0.03 };
         let mut outline = vec![(-x + 0.03, low), (-x + 0.03, sill), (end, sill), (end, low)];
         let r = wheel * 1.13;
-        let start = ((low - wheel) / r).asin();
+        let start = ((low - wheel) / r).arc_sine();
         for c in axles {
             let from = if c + r > end { continue } else { start };
             outline.extend(
                 (0..=8)
                     .map(|i| from + (PI - 2.0 * from) * i as f32 / 8.0)
-                    .map(|a| (c + r * a.cos(), wheel + r * a.sin())),
+                    .map(|a| (c + r * a.cosine(), wheel + r * a.sine())),
             );
         }
         let cy = side * (side_half - t / 2.0);
@@ -488,7 +489,7 @@ pub(super) fn camper_van(b: &mut Build<'_>) {
     let (front, half) = (x - 0.06, y * 0.9);
     let (bonnet, scuttle) = (front - l * 0.11, low + (nose - low) * 0.52);
     let (arch, r) = (chassis.axles()[0], wheel * 1.15);
-    let start = ((low - wheel) / r).asin();
+    let start = ((low - wheel) / r).arc_sine();
     let mut outline = vec![
         (chassis.cab, low),
         (chassis.cab, nose),
@@ -500,7 +501,7 @@ pub(super) fn camper_van(b: &mut Build<'_>) {
     outline.extend(
         (0..=8)
             .map(|i| start + (PI - 2.0 * start) * i as f32 / 8.0)
-            .map(|a| ((arch + r * a.cos()).max(chassis.cab + 0.01), wheel + r * a.sin())),
+            .map(|a| ((arch + r * a.cosine()).max(chassis.cab + 0.01), wheel + r * a.sine())),
     );
     b.prism("cab", Axis::Y, [0.0, -half, 0.0], &outline, 2.0 * half, paint);
     let top = bonnet - (nose - scuttle) * 0.7;

@@ -6,6 +6,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{hoop, polar, polygon, star};
 use vc_graph::asset::JointKind;
+use vc_graph::portable::Portable;
 
 /// A wheel turns as often as it likes.
 const FREE: (f32, f32) = (-1e4, 1e4);
@@ -103,7 +104,7 @@ pub(super) fn nuts(b: &mut Build<'_>, [x, _, z]: P, (from, to): (f32, f32), radi
 pub(super) fn fender(b: &mut Build<'_>, at: P, (radius, half): (f32, f32), (from, to): (f32, f32), mat: Mat) {
     let (inner, outer) = (radius + GAP, radius + GAP + THICK);
     let arc = |r: f32| (0..=8).map(move |i| polar(from + (to - from) * i as f32 / 8.0, r)).collect::<Vec<_>>();
-    let outline = [arc(inner / (PI / 16.0).cos()), arc(outer).into_iter().rev().collect()].concat();
+    let outline = [arc(inner / (PI / 16.0).cosine()), arc(outer).into_iter().rev().collect()].concat();
     b.prism("mudguard", Axis::Y, [at[0], at[1] - half, at[2]], &outline, 2.0 * half, mat);
 }
 
@@ -137,7 +138,7 @@ pub(super) fn spoked(b: &mut Build<'_>, name: &str, at: P, radius: f32, tyre: f3
         } else {
             let spoke = out - tyre * 0.5;
             for i in 0..7 {
-                let (sin, cos) = (PI * i as f32 / 7.0).sin_cos();
+                let (sin, cos) = (PI * i as f32 / 7.0).sine_cosine();
                 let lean = if i % 2 == 0 { tyre * 0.4 } else { -tyre * 0.4 };
                 let end = |s: f32| [at[0] + s * cos * spoke, at[1] + lean, at[2] + s * sin * spoke];
                 b.rod("spoke", end(-1.0), end(1.0), 0.0015 + radius * 0.002, STEEL);
