@@ -7,6 +7,8 @@
 //! | [`graph`] | `vc-graph` | scenes, object classes, actions, goals, file formats |
 //! | [`tasks`] | `vc-tasks` | tasks, and how attempts at them end |
 //! | [`planner`] | `vc-planner` | belief, regression planner, agents, episodes |
+//! | [`relations`] | `vc-relations` | what is on, in, under and near what, read from poses and shapes |
+//! | `physics` | `vc-physics` | bodies, agents, navigation, vehicles, water (feature `physics`, on by default) |
 //! | `procgen` | `vc-procgen` | objects and apartments from a seed (feature `procgen`, on by default) |
 //!
 //! An agent that sees only its room brings the milk:
@@ -34,14 +36,16 @@
 //! # What is not here yet
 //!
 //! The environment with its five endpoints (make, reset, render, observation, set
-//! action), batches, physics and camera pictures. `vc-relations`,
-//! `vc-physics` and `vc-render` are reserved names: nothing is built there, and this
-//! crate does not depend on them. Until then
+//! action), batches and camera pictures. `vc-render` is a reserved name: nothing is
+//! built there, and this crate does not depend on it. Until then
 //! [`Simulator`](graph::Simulator) is the environment: symbolic, with poses that
-//! follow actions only roughly.
+//! follow actions only roughly. Bodies are in `physics`, and not tied to its actions.
 
 pub use vc_graph as graph;
+#[cfg(feature = "physics")]
+pub use vc_physics as physics;
 pub use vc_planner as planner;
 #[cfg(feature = "procgen")]
 pub use vc_procgen as procgen;
+pub use vc_relations as relations;
 pub use vc_tasks as tasks;

@@ -1,6 +1,35 @@
-//! Bodies, agents and navigation.
-//!
-//! This crate is reserved: nothing is built here yet, and nothing is public. It
-//! will build a rapier3d world from a scene graph and its assets: furniture, doors
-//! and drawers on joints, agents with two hands, paths, settling, snapshots. Types
-//! of the physics engine will stay private.
+#![doc = include_str!("../FRONT.md")]
+
+mod agent;
+mod contact;
+mod convert;
+mod engine;
+mod error;
+mod group;
+mod joints;
+mod nav;
+mod place;
+mod reset;
+mod role;
+mod serial;
+mod settings;
+mod settle;
+mod shapes;
+mod snapshot;
+mod vehicle;
+mod water;
+mod world;
+
+pub use agent::{BodyPlan, Hand, Posture, Walk};
+pub use contact::Contact;
+pub use error::{AgentError, PhysicsError, SnapshotError};
+pub use joints::MovingPart;
+pub use nav::{Doors, Floor, FloorPlan, Route, Stand};
+pub use place::{Order, Shelf};
+pub use reset::Reset;
+pub use role::Role;
+pub use settings::{Fixing, Settings, Unplaced};
+pub use settle::{Moved, Settling};
+pub use shapes::Shapes;
+pub use vehicle::{Controls, VehiclePlan, WheelPlan};
+pub use world::World;

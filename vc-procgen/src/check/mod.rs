@@ -141,19 +141,22 @@ impl Apartment {
     }
 
     fn blocked(&self) -> Vec<Violation> {
+        let mut standing = Vec::new();
+        for (index, item) in self.items.iter().enumerate().filter(|(_, i)| i.rest != Rest::Built) {
+            let (low, high) = item.corners();
+            if low.z < 2.0 && high.z > 0.03 {
+                standing.push((index, item.room, item.area()));
+            }
+        }
         let mut found = Vec::new();
         for (door, opening) in self.plan.openings.iter().enumerate().filter(|(_, o)| o.is_way()) {
-            let swing = opening.swing().into_iter();
-            let zones: Vec<_> = swing.chain([opening.before(true, 5), opening.before(false, 5)]).collect();
-            for (index, item) in self.items.iter().enumerate() {
-                let (low, high) = item.corners();
-                let stands = item.rest != Rest::Built && low.z < 2.0 && high.z > 0.03;
-                let area = item.area();
-                let inside = opening.touches(item.room);
-                if stands && inside && zones.iter().any(|z| crate::furnish::Area::of(z).grown(-0.03).overlaps(&area)) {
-                    found.push(Violation::BlockedDoor(door, self.named(index)));
-                }
-            }
+            let zones = opening.swing().into_iter().chain([opening.before(true, 5), opening.before(false, 5)]);
+            let zones: Vec<_> = zones.map(|z| crate::furnish::Area::of(&z).grown(-0.03)).collect();
+            let blocks = |(_, room, area): &&(usize, usize, crate::furnish::Area)| {
+                opening.touches(*room) && zones.iter().any(|z| z.overlaps(area))
+            };
+            let items = standing.iter().filter(blocks);
+            found.extend(items.map(|&(index, ..)| Violation::BlockedDoor(door, self.named(index))));
         }
         found
     }

@@ -23,7 +23,7 @@ pub(crate) fn fill(home: &mut Apartment, amount: f32, seed: Seed) {
     let carriers = home.items.len();
     let habits = Habits::known();
     for index in 0..carriers {
-        if home.items[index].rest == Rest::Built {
+        if home.items[index].rest == Rest::Built || home.items[index].object.asset.surfaces.is_empty() {
             continue;
         }
         let own = seed.child("clutter").nth(index as u64);
@@ -53,12 +53,21 @@ fn keep(keeper: &mut Keeper<'_>, surface: usize, habits: &Habits, amount: f32) {
     if kept.is_empty() || amount <= 0.0 {
         return;
     }
+    let sums: Vec<f32> = kept
+        .iter()
+        .scan(0.0, |sum, k| {
+            *sum += k.1;
+            Some(*sum)
+        })
+        .collect();
+    let all = sums.last().copied().unwrap_or(0.0);
     let most = if hold == Hold::Inside { 7.0 } else { 8.0 };
     let mean = (area * density).min(most) * amount * 1.3;
     let mut left = (mean * keeper.rng.between(0.4, 1.5) + keeper.rng.unit()) as usize;
     while left > 0 {
         left -= 1;
-        let Some(&(class, _)) = keeper.rng.weighted(kept.iter().map(|k| k.1)).map(|i| &kept[i]) else { return };
+        let drawn = keeper.rng.unit() * all;
+        let Some(&(class, _)) = kept.get(sums.partition_point(|&sum| sum <= drawn)) else { continue };
         let Some(first) = keeper.put(class, surface) else { continue };
         // Some things are kept by the several.
         let more = set::together(class, &mut keeper.rng);

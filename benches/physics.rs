@@ -1,0 +1,209 @@
+//! What physics costs: building, settling, stepping, resetting, finding ways.
+//!
+//! The scene is the one `peers/physics.py` times MuJoCo and PyBullet on; times are
+//! CPU time of the thread, as there. `benches/README.md` has the figures side by side.
+
+#![allow(missing_docs, clippy::unwrap_used, reason = "benches stop where something is wrong")]
+
+#[path = "support/cpu.rs"]
+mod cpu;
+#[path = "support/scene.rs"]
+mod scene;
+
+use std::hint::black_box;
+
+use cpu::Cpu;
+use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_main};
+use nalgebra::{Point2, Vector3};
+use virtualcity::graph::{NodeId, Pose, SceneGraph, Seed};
+use virtualcity::physics::{Doors, Floor, FloorPlan, Shapes, World};
+
+const SIZES: [u32; 3] = [100, 500, 2000];
+
+fn at(name: &str, objects: u32) -> BenchmarkId {
+    BenchmarkId::new(name, objects)
+}
+
+fn worlds(c: &mut Criterion<Cpu>) {
+    for objects in SIZES {
+        let Some(graph) = scene::read(objects) else {
+            eprintln!("no scene of {objects} objects in ../shared/peers/physics or where VC_PEERS points: skipped");
+            continue;
+        };
+        let shapes = Shapes::new();
+        let build = || World::build(&graph, &shapes, scene::settings()).unwrap();
+        let fresh = build();
+        let mut group = c.benchmark_group("physics");
+        group.sample_size(if objects > 500 { 10 } else { 30 });
+        group.bench_function(at("build", objects), |b| b.iter_with_large_drop(build));
+        group.bench_function(at("build and first step", objects), |b| {
+            b.iter_with_large_drop(|| {
+                let mut world = build();
+                world.step();
+                world
+            });
+        });
+        group.bench_function(at("build, no shapes known", objects), |b| {
+            b.iter_with_large_drop(|| World::build(&graph, &Shapes::new(), scene::settings()).unwrap());
+        });
+        group.bench_function(at("settle", objects), |b| {
+            b.iter_batched(|| fresh.clone(), |mut w| (w.settle(300), w), BatchSize::LargeInput);
+        });
+        let mut settled = fresh.clone();
+        let report = settled.settle(300);
+        eprintln!("{objects} objects: settled in {} steps, at rest {}", report.steps, report.at_rest);
+        eprintln!("{:?} bodies and pieces, {:.2} MiB a world", settled.size(), memory(&settled));
+        group.bench_function(at("step, all asleep", objects), |b| b.iter(|| settled.step()));
+        group.bench_function(at("clone", objects), |b| b.iter_with_large_drop(|| settled.clone()));
+        group.bench_function(at("save", objects), |b| b.iter_with_large_drop(|| settled.save().unwrap()));
+        let bytes = settled.save().unwrap();
+        group.bench_function(at("restore", objects), |b| {
+            b.iter_with_large_drop(|| World::restore(black_box(&bytes), &graph, &shapes).unwrap());
+        });
+        active(&mut group, &settled, &scene::small_things(&graph), objects);
+        let other = moved(&graph, &settled, 10);
+        group.bench_function(at("reset, 10 moved", objects), |b| {
+            b.iter_with_large_drop(|| settled.reset(&other, &shapes).unwrap());
+        });
+        group.bench_function(at("reset, 10 moved, and a step", objects), |b| {
+            b.iter_with_large_drop(|| {
+                let (mut world, _) = settled.reset(&other, &shapes).unwrap();
+                world.step();
+                world
+            });
+        });
+        let plan = FloorPlan { doors: Doors::AsTheyAre, ..FloorPlan::default() };
+        group.bench_function(at("floor", objects), |b| b.iter_with_large_drop(|| Floor::of(&settled, plan)));
+        group.finish();
+    }
+}
+
+type Group<'a> = criterion::BenchmarkGroup<'a, Cpu>;
+
+/// Two seconds in which fifty small things are thrown up six times a second.
+fn active(group: &mut Group<'_>, settled: &World, things: &[NodeId], objects: u32) {
+    group.bench_function(at("120 steps, 50 active", objects), |b| {
+        b.iter_batched(
+            || settled.clone(),
+            |mut world| {
+                for step in 0..120 {
+                    if step % 10 == 0 {
+                        for &id in things {
+                            let up = world.velocity(id).unwrap() + Vector3::z() * 0.4;
+                            let spin = world.spin(id).unwrap();
+                            world.set_velocity(id, up, spin).unwrap();
+                        }
+                    }
+                    world.step();
+                }
+                world
+            },
+            BatchSize::LargeInput,
+        );
+    });
+}
+
+/// The scene with some small things a little higher than they rest.
+fn moved(graph: &SceneGraph, settled: &World, count: usize) -> SceneGraph {
+    let mut other = graph.clone();
+    let mut edit = other.edit();
+    for id in scene::small_things(graph).into_iter().take(count) {
+        let pose = Pose::translation(0.0, 0.0, 0.05) * settled.pose(id).unwrap();
+        edit.set_pose(id, Some(pose)).unwrap();
+    }
+    edit.commit();
+    other
+}
+
+/// Memory of a world, MiB: what the process grows by for each of many clones.
+fn memory(world: &World) -> f64 {
+    let resident = || {
+        let text = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
+        text.split(' ').nth(1).and_then(|n| n.parse::<f64>().ok()).unwrap_or(f64::NAN) * 4096.0 / 1048576.0
+    };
+    let before = resident();
+    let copies: Vec<World> = (0..40).map(|_| world.clone()).collect();
+    (resident() - before) / copies.len() as f64
+}
+
+/// Ways in generated apartments.
+#[cfg(feature = "procgen")]
+fn apartments(c: &mut Criterion<Cpu>) {
+    use virtualcity::physics::Settings;
+    use virtualcity::procgen::Apartment;
+    let shapes = Shapes::new();
+    let scenes: Vec<SceneGraph> = (1..6).map(|seed| Apartment::from_seed(Seed(seed)).unwrap().scene()).collect();
+    let build = |graph: &SceneGraph| World::build(graph, &shapes, Settings::default()).unwrap();
+    let worlds: Vec<World> = scenes.iter().map(build).collect();
+    let mut group = c.benchmark_group("apartment");
+    group.bench_function("build", |b| b.iter_with_large_drop(|| build(&scenes[0])));
+    let mut settled = worlds[0].clone();
+    let report = settled.settle(300);
+    eprintln!("apartment 1: {:?} bodies and pieces, {} steps to rest", worlds[0].size(), report.steps);
+    group.bench_function("settle", |b| {
+        b.iter_batched(|| worlds[0].clone(), |mut w| (w.settle(300), w), BatchSize::LargeInput);
+    });
+    group.bench_function("step, all asleep", |b| b.iter(|| settled.step()));
+    group.bench_function("floor", |b| b.iter_with_large_drop(|| Floor::of(&worlds[0], FloorPlan::default())));
+    let floors: Vec<Floor> = worlds.iter().map(|w| Floor::of(w, FloorPlan::default())).collect();
+    let queries: Vec<(&Floor, Point2<f32>, Point2<f32>)> = floors.iter().flat_map(|f| pairs(f, 200)).collect();
+    report_ways(&queries);
+    let mut next = queries.iter().cycle();
+    group.bench_function("way", |b| {
+        b.iter(|| {
+            let (floor, from, to) = next.next().unwrap();
+            floor.route(*from, *to)
+        });
+    });
+    group.finish();
+}
+
+#[cfg(feature = "procgen")]
+fn pairs(floor: &Floor, count: usize) -> Vec<(&Floor, Point2<f32>, Point2<f32>)> {
+    let mut rng = Seed(1).stream();
+    let mut point = || loop {
+        let p = Point2::new(rng.between(-1.0, 16.0), rng.between(-1.0, 16.0));
+        if floor.is_free(p) {
+            break p;
+        }
+    };
+    (0..count).map(|_| (floor, point(), point())).collect()
+}
+
+/// The median of ways: each is timed by itself, ten times, the best counts.
+#[cfg(feature = "procgen")]
+fn report_ways(queries: &[(&Floor, Point2<f32>, Point2<f32>)]) {
+    let time = |(floor, from, to): &(&Floor, Point2<f32>, Point2<f32>)| {
+        let once = || {
+            let start = std::time::Instant::now();
+            black_box(floor.route(*from, *to));
+            start.elapsed().as_secs_f64() * 1e6
+        };
+        (0..10).map(|_| once()).fold(f64::MAX, f64::min)
+    };
+    let mut times: Vec<f64> = queries.iter().map(time).collect();
+    times.sort_by(f64::total_cmp);
+    let mut lengths: Vec<f32> = queries.iter().filter_map(|(f, a, b)| Some(f.route(*a, *b)?.length)).collect();
+    lengths.sort_by(f32::total_cmp);
+    let bands: Vec<usize> = queries.iter().step_by(200).map(|q| q.0.bands()).collect();
+    eprintln!(
+        "ways: median {:.1} us, 95% {:.1} us, length median {:.1} m, {} of {} exist, bands {bands:?}",
+        times[times.len() / 2],
+        times[times.len() * 95 / 100],
+        lengths.get(lengths.len() / 2).copied().unwrap_or(f32::NAN),
+        lengths.len(),
+        queries.len()
+    );
+}
+
+#[cfg(not(feature = "procgen"))]
+fn apartments(_: &mut Criterion<Cpu>) {
+    let _ = (Point2::new(0.0, 0.0), Seed(0));
+}
+
+fn cpu() -> Criterion<Cpu> {
+    Criterion::default().with_measurement(Cpu)
+}
+
+criterion_group! { name = benches; config = cpu(); targets = worlds, apartments }
+criterion_main!(benches);

@@ -1,0 +1,82 @@
+//! What happens when.
+
+use nalgebra::{Point2, Point3};
+use virtualcity::graph::Aabb;
+use virtualcity::physics::{
+    AgentError, BodyPlan, Controls, Floor, FloorPlan, Hand, Order, PhysicsError, VehiclePlan, Walk, World,
+};
+
+use crate::stage::{Cast, WATER};
+
+/// Steps of the play: twenty seconds.
+pub(crate) const STEPS: u32 = 1200;
+/// Where the car starts, along X.
+const START: f32 = -6.0;
+/// Where the car brakes.
+const BRAKE: f32 = 3.6;
+
+/// Water in the pool, wheels on the car.
+pub(crate) fn prepare(world: &mut World, cast: &Cast) -> Result<(), PhysicsError> {
+    let pool = Aabb { min: Point3::new(4.1, 1.1, 0.0), max: Point3::new(7.0, 3.9, WATER) };
+    world.add_water(&pool)?;
+    let mass = world.mass(cast.car).unwrap_or(1000.0);
+    world.add_vehicle(cast.car, &VehiclePlan::car(mass, 2.5, 1.5, 0.32, 0.32))
+}
+
+/// What is done at a step.
+pub(crate) fn act(world: &mut World, cast: &Cast, step: u32) -> Result<(), AgentError> {
+    match step {
+        60 => world.drive(cast.chest, 0, 1.0)?,
+        120 => world.drive(cast.door, 0, 0.9)?,
+        180 => world.steer(cast.car, Controls { throttle: 0.35, ..Controls::default() })?,
+        300 => go_to_the_mug(world, cast)?,
+        _ => {}
+    }
+    if step > 180 && world.pose(cast.car).is_some_and(|p| p.translation.x > BRAKE) {
+        world.steer(cast.car, Controls { brake: 1.0, ..Controls::default() })?;
+    }
+    if step > 300 && world.walk(cast.person)? != Walk::Walking {
+        clear_away(world, cast)?;
+    }
+    Ok(())
+}
+
+/// How far the car is from where it started, metres.
+pub(crate) fn driven(world: &World, cast: &Cast) -> f32 {
+    world.pose(cast.car).map_or(0.0, |p| p.translation.x - START)
+}
+
+fn at(world: &World, cast: &Cast) -> Point2<f32> {
+    world.pose(cast.person).map_or_else(Point2::origin, |p| p.translation.vector.xy().into())
+}
+
+fn go_to_the_mug(world: &mut World, cast: &Cast) -> Result<(), AgentError> {
+    let floor = Floor::of(world, FloorPlan::default());
+    let stand = floor.stand(world, &BodyPlan::default(), at(world, cast), cast.mug)?;
+    stand.map_or(Ok(()), |stand| world.follow(cast.person, &stand.route.points, false))
+}
+
+/// The mug, once reached, goes from the table to the shelf, or wherever there is room.
+fn clear_away(world: &mut World, cast: &Cast) -> Result<(), AgentError> {
+    if world.held(cast.person, Hand::Right).is_none() {
+        let on_the_shelf = world.supports(cast.mug).contains(&cast.shelf);
+        let in_reach = world.in_reach(cast.person)?.iter().any(|(id, _)| *id == cast.mug);
+        if in_reach && !on_the_shelf {
+            world.grab(cast.person, Hand::Right, cast.mug)?;
+            let floor = Floor::of(world, FloorPlan::default());
+            if let Some(stand) = floor.stand(world, &BodyPlan::default(), at(world, cast), cast.shelf)? {
+                world.follow(cast.person, &stand.route.points, false)?;
+            }
+        }
+        return Ok(());
+    }
+    for surface in [3, 2, 1, 0] {
+        let near = world.pose(cast.person).map_or_else(Point3::origin, |p| p.translation.vector.into());
+        let spot = world.free_spot(cast.mug, cast.shelf, surface, 0.0, Order::Near(near))?;
+        if spot.is_some_and(|spot| world.put(cast.person, Hand::Right, spot).is_ok()) {
+            return Ok(());
+        }
+    }
+    let _ = cast.table;
+    Ok(())
+}

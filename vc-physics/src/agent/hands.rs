@@ -1,0 +1,298 @@
+//! Two hands: taking, carrying, putting down.
+
+use nalgebra::{Point3, Vector3};
+use serde::{Deserialize, Serialize};
+use vc_graph::{NodeId, Pose, Relation};
+
+use super::{Agent, BodyPlan, Posture};
+use crate::world::World;
+use crate::{AgentError, PhysicsError, Role, convert};
+
+/// How low a shoulder comes when one bends, as a share of the height.
+const BENT: f32 = 0.3;
+
+/// A hand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub enum Hand {
+    /// The right one, which is used first.
+    Right,
+    /// The left one.
+    Left,
+}
+
+impl Hand {
+    /// Both, the right one first.
+    pub const BOTH: [Self; 2] = [Self::Right, Self::Left];
+
+    /// The relation of a holder to what this hand holds.
+    pub fn relation(self) -> Relation {
+        match self {
+            Self::Right => Relation::HoldsRight,
+            Self::Left => Relation::HoldsLeft,
+        }
+    }
+
+    fn side(self) -> f32 {
+        match self {
+            Self::Right => -1.0,
+            Self::Left => 1.0,
+        }
+    }
+}
+
+/// What a hand holds.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Held {
+    pub(crate) id: NodeId,
+    /// Where it is against the agent's feet.
+    #[serde(with = "crate::serial::pose")]
+    grip: Pose,
+    /// What lies on it or in it, and where against it.
+    load: Vec<Loaded>,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct Loaded {
+    id: NodeId,
+    #[serde(with = "crate::serial::pose")]
+    at: Pose,
+}
+
+impl Agent {
+    /// Everything carried, and where it is now.
+    pub(super) fn holdings(&self) -> Vec<(NodeId, Pose)> {
+        let held = self.hands.iter().flatten();
+        let each = |held: &Held| {
+            let at = self.feet * held.grip;
+            let load: Vec<_> = held.load.iter().map(|l| (l.id, at * l.at)).collect();
+            std::iter::once((held.id, at)).chain(load)
+        };
+        held.flat_map(each).collect()
+    }
+
+    /// Where a hand is against the feet: before the body, at the height of the elbow.
+    fn hand(&self, hand: Hand) -> Point3<f32> {
+        Point3::new(self.plan.radius + 0.2, 0.2 * hand.side(), 0.62 * self.plan.height)
+    }
+}
+
+impl World {
+    /// What a hand holds.
+    pub fn held(&self, agent: NodeId, hand: Hand) -> Option<NodeId> {
+        self.agents.get(&agent)?.hands[hand as usize].as_ref().map(|h| h.id)
+    }
+
+    /// Who holds a thing, and in which hand.
+    pub fn holder(&self, id: NodeId) -> Option<(NodeId, Hand)> {
+        let all = self.agents.keys().flat_map(|&a| Hand::BOTH.map(|h| (a, h)));
+        all.into_iter().find(|&(a, h)| self.held(a, h) == Some(id))
+    }
+
+    /// How far a thing is from an agent's shoulder, to its nearest point, metres. An
+    /// agent bends down for what is low.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`], [`PhysicsError::NoBody`].
+    pub fn reach_to(&self, agent: NodeId, id: NodeId) -> Result<f32, AgentError> {
+        let body = self.agent(agent)?;
+        let arm = match body.posture {
+            Posture::Standing => self.arm(&body.plan, body.feet.translation.vector.into(), id)?,
+            _ => body.shoulder(),
+        };
+        Ok(self.distance_to(id, arm)?)
+    }
+
+    /// Where the shoulder of a body is that reaches for a thing: as high as the
+    /// thing's middle, but no lower than one can bend.
+    pub(crate) fn arm(&self, plan: &BodyPlan, feet: Point3<f32>, id: NodeId) -> Result<Point3<f32>, PhysicsError> {
+        let middle = self.aabb(id).ok_or(PhysicsError::NoBody(id))?.centre();
+        let rise = (middle.z - feet.z).clamp(BENT * plan.height, plan.shoulder());
+        Ok(feet + Vector3::z() * rise)
+    }
+
+    /// Distance of a point from the nearest point of a thing.
+    pub(crate) fn distance_to(&self, id: NodeId, point: Point3<f32>) -> Result<f32, PhysicsError> {
+        let thing = self.thing(id)?;
+        let bodies = thing.bodies().filter_map(|b| self.engine.bodies.get(b));
+        let colliders = bodies.flat_map(|b| b.colliders()).filter_map(|&c| self.engine.colliders.get(c));
+        let each = colliders.map(|c| c.shape().distance_to_point(c.position(), convert::point(point), true));
+        each.reduce(f32::min).ok_or(PhysicsError::NoBody(id))
+    }
+
+    /// What an agent's hands can get at from where it is: the nodes people can carry
+    /// within reach of its shoulder, nearest first, with the distance. Whether a door
+    /// is in between is not looked at; see [`can_see`](Self::can_see).
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`].
+    pub fn in_reach(&self, agent: NodeId) -> Result<Vec<(NodeId, f32)>, AgentError> {
+        let body = self.agent(agent)?;
+        let feet = Point3::from(body.feet.translation.vector);
+        // Whatever it bends for is within this of its middle.
+        let middle = feet + Vector3::z() * (0.5 * body.plan.height);
+        let near = self.within(middle, body.plan.reach + 0.5 * body.plan.height);
+        let carried = |id: &NodeId| self.thing(*id).is_ok_and(|t| t.state.graspable && t.state.role != Role::Carried);
+        let mut found = Vec::new();
+        for (id, _) in near.into_iter().filter(|(id, _)| carried(id)) {
+            let distance = self.reach_to(agent, id)?;
+            if distance <= body.plan.reach {
+                found.push((id, distance));
+            }
+        }
+        found.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        Ok(found)
+    }
+
+    /// Whether an agent's eyes see a thing: a ray to its middle or to a corner of its
+    /// box, a little in, meets nothing else first. Ways to look are not considered.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`], [`PhysicsError::NoBody`].
+    pub fn can_see(&self, agent: NodeId, id: NodeId) -> Result<bool, AgentError> {
+        let body = self.agent(agent)?;
+        let rise = body.plan.eye() - body.plan.shoulder();
+        let eye = body.shoulder() + Vector3::z() * rise;
+        let mut past = vec![agent];
+        past.extend(body.holdings().into_iter().map(|(id, _)| id));
+        Ok(self.sees(eye, id, &past)?)
+    }
+
+    pub(crate) fn sees(&self, eye: Point3<f32>, id: NodeId, past: &[NodeId]) -> Result<bool, PhysicsError> {
+        self.thing(id)?;
+        let aabb = self.aabb(id).ok_or(PhysicsError::NoBody(id))?;
+        let (centre, half) = (aabb.centre(), (aabb.max - aabb.min) * 0.45);
+        let corner = |i: u32| {
+            let sign = |bit: u32| if i >> bit & 1 == 0 { -1.0 } else { 1.0 };
+            centre + Vector3::new(sign(0) * half.x, sign(1) * half.y, sign(2) * half.z)
+        };
+        let clear = |to: Point3<f32>| match self.ray(eye, to, past) {
+            None => true,
+            Some((met, _)) => met == id,
+        };
+        Ok(std::iter::once(centre).chain((0..8).map(corner)).any(clear))
+    }
+
+    /// Takes a thing into a hand, with what lies on it or in it. From now on it
+    /// follows the hand and touches nothing.
+    ///
+    /// # Errors
+    /// [`AgentError::HandFull`], [`AgentError::OutOfReach`],
+    /// [`AgentError::TooHeavy`], [`AgentError::Held`], [`PhysicsError::NotFree`] for
+    /// what is fixed.
+    pub fn grab(&mut self, agent: NodeId, hand: Hand, id: NodeId) -> Result<(), AgentError> {
+        let distance = self.reach_to(agent, id)?;
+        let reach = self.agent(agent)?.plan.reach;
+        if distance > reach {
+            return Err(AgentError::OutOfReach { agent, id, distance, reach });
+        }
+        self.take(agent, hand, id)
+    }
+
+    /// As [`Self::grab`], from any distance.
+    pub(crate) fn take(&mut self, agent: NodeId, hand: Hand, id: NodeId) -> Result<(), AgentError> {
+        let body = self.agent(agent)?;
+        if let Some(held) = &body.hands[hand as usize] {
+            return Err(AgentError::HandFull { agent, held: held.id });
+        }
+        let thing = self.thing(id)?;
+        let (role, base, mass) = (thing.state.role, thing.state.base, self.mass(id).unwrap_or(0.0));
+        match role {
+            Role::Loose | Role::Hung => {}
+            Role::Carried => return Err(AgentError::Held(id)),
+            Role::Fixed | Role::Stopped => return Err(PhysicsError::NotFree(id).into()),
+        }
+        if mass > body.plan.carries {
+            return Err(AgentError::TooHeavy { id, mass, limit: body.plan.carries });
+        }
+        let pose = self.engine.pose(base).unwrap_or_else(Pose::identity);
+        let grip = grip(body, hand, &pose, nalgebra::center(&thing.form.extent.0, &thing.form.extent.1));
+        let load = self.load_of(base);
+        let at = |load: NodeId| Some(Loaded { id: load, at: pose.inverse() * self.pose(load)? });
+        let load: Vec<Loaded> = load.into_iter().filter_map(at).collect();
+        for carried in load.iter().map(|l| l.id).chain([id]) {
+            self.set_role(carried, Role::Carried)?;
+        }
+        self.agent_mut(agent)?.hands[hand as usize] = Some(Held { id, grip, load });
+        self.embody(agent, true);
+        Ok(())
+    }
+
+    /// Puts down at a pose what a hand holds, at rest; look for one with
+    /// [`free_spot`](Self::free_spot). The pose has to be free, and within reach of
+    /// the shoulder.
+    ///
+    /// # Errors
+    /// [`AgentError::HandEmpty`], [`AgentError::OutOfReach`],
+    /// [`PhysicsError::Overlap`], [`PhysicsError::NotFinite`].
+    pub fn put(&mut self, agent: NodeId, hand: Hand, pose: Pose) -> Result<NodeId, AgentError> {
+        let body = self.agent(agent)?;
+        let id = body.hands[hand as usize].as_ref().ok_or(AgentError::HandEmpty(agent))?.id;
+        if let Some(&other) = self.overlaps(id, &pose)?.first() {
+            return Err(PhysicsError::Overlap { id, other }.into());
+        }
+        let (low, high) = self.thing(id)?.form.extent;
+        let middle = pose * nalgebra::center(&low, &high);
+        let mut arm = body.shoulder();
+        if body.posture == Posture::Standing {
+            arm.z = middle.z.clamp(body.feet.translation.z + BENT * body.plan.height, arm.z);
+        }
+        let (distance, reach) = ((middle - arm).norm(), body.plan.reach + (high - low).norm() / 2.0);
+        if distance > reach {
+            return Err(AgentError::OutOfReach { agent, id, distance, reach });
+        }
+        self.free_hand(agent, hand, Some(pose))
+    }
+
+    /// Lets go of what a hand holds: it falls from where it is, or from the nearest
+    /// free place before the agent.
+    ///
+    /// # Errors
+    /// [`AgentError::HandEmpty`]; [`PhysicsError::Overlap`] where there is no room to
+    /// let it go.
+    pub fn drop(&mut self, agent: NodeId, hand: Hand) -> Result<NodeId, AgentError> {
+        let body = self.agent(agent)?;
+        let held = body.hands[hand as usize].as_ref().ok_or(AgentError::HandEmpty(agent))?;
+        let (id, feet, grip) = (held.id, body.feet, held.grip);
+        let mut blocked = None;
+        for (ahead, up) in [(0.0, 0.0), (0.1, 0.0), (0.0, 0.2), (0.2, 0.1), (-0.1, 0.0), (0.0, -0.2), (0.1, 0.4)] {
+            let spot = feet * Pose::translation(ahead, 0.0, up) * grip;
+            match self.overlaps(id, &spot)?.first() {
+                None => return self.free_hand(agent, hand, Some(spot)),
+                Some(&other) => blocked = blocked.or(Some(other)),
+            }
+        }
+        Err(PhysicsError::Overlap { id, other: blocked.unwrap_or(agent) }.into())
+    }
+
+    /// Opens a hand; what it held is at a pose, at rest, with its load.
+    fn free_hand(&mut self, agent: NodeId, hand: Hand, pose: Option<Pose>) -> Result<NodeId, AgentError> {
+        let held = self.agent_mut(agent)?.hands[hand as usize].take().ok_or(AgentError::HandEmpty(agent))?;
+        let pose = pose.or_else(|| self.pose(held.id)).unwrap_or_else(Pose::identity);
+        let load = held.load.iter().map(|l| (l.id, pose * l.at));
+        for (id, at) in std::iter::once((held.id, pose)).chain(load) {
+            // What was taken out of the world meanwhile is not put down.
+            if self.set_role(id, Role::Loose).is_ok() {
+                self.place(id, at)?;
+            }
+        }
+        Ok(held.id)
+    }
+
+    /// Makes sure that no hand holds a thing, and that it is in nobody's load.
+    pub(crate) fn let_go_of(&mut self, id: NodeId) {
+        if let Some((agent, hand)) = self.holder(id) {
+            let _ = self.free_hand(agent, hand, None);
+        }
+        for held in self.agents.values_mut().flat_map(|a| a.hands.iter_mut().flatten()) {
+            held.load.retain(|l| l.id != id);
+        }
+    }
+}
+
+/// Where a thing is held: upright as it was, turned with the agent, its middle in the
+/// hand; large things farther from the body.
+fn grip(agent: &Agent, hand: Hand, pose: &Pose, middle: Point3<f32>) -> Pose {
+    let turn = agent.feet.rotation.inverse() * pose.rotation;
+    let hand = agent.hand(hand).coords;
+    Pose::from_parts((hand - turn * middle.coords).into(), turn)
+}

@@ -1,0 +1,161 @@
+//! Sitting, lying, and getting up.
+
+use nalgebra::{Point3, UnitQuaternion, Vector3};
+use rapier3d::geometry::{Collider, ColliderHandle};
+use rapier3d::math::Pose as EnginePose;
+use rapier3d::pipeline::QueryFilter;
+use vc_graph::asset::Hold;
+use vc_graph::{NodeId, Pose};
+
+use super::{Agent, Posture};
+use crate::world::{Thing, World};
+use crate::{AgentError, convert, group};
+
+/// From how far one can sit down, metres to the place: a step.
+const STEP: f32 = 1.5;
+/// Width of one seat, metres.
+const WIDTH: f32 = 0.5;
+/// Heights of surfaces one sits on, metres above the floor.
+const SEATS: std::ops::Range<f32> = 0.2..0.95;
+/// Distances from the place at which one may get up, metres.
+const EXITS: [f32; 5] = [0.45, 0.6, 0.8, 1.0, 1.25];
+
+impl World {
+    /// Places to sit on a node, in the world's frame: the middle of each seat, X
+    /// towards its front. They come from the asset's level surfaces at the height of
+    /// seats, or from its box.
+    pub fn seats(&self, id: NodeId) -> Vec<Pose> {
+        self.thing(id).map(|t| self.places_on(t, false)).unwrap_or_default()
+    }
+
+    /// Places to lie on a node: the middle of each, X along the body towards the
+    /// feet.
+    pub fn beds(&self, id: NodeId) -> Vec<Pose> {
+        self.thing(id).map(|t| self.places_on(t, true)).unwrap_or_default()
+    }
+
+    fn places_on(&self, thing: &Thing, lying: bool) -> Vec<Pose> {
+        let Some(pose) = self.engine.pose(thing.state.base) else { return Vec::new() };
+        let (centre, half) = seat_surface(thing);
+        if lying {
+            let along = if half.1 > half.0 { super::facing(0.0, 1.0) } else { UnitQuaternion::identity() };
+            return vec![pose * Pose::from_parts(centre.coords.into(), along)];
+        }
+        let count = ((2.0 * half.1 / WIDTH).round() as usize).clamp(1, 8);
+        let offset = |i: usize| half.1 * ((2 * i + 1) as f32 / count as f32 - 1.0);
+        let seat = |i: usize| pose * Pose::translation(centre.x, centre.y + offset(i), centre.z);
+        (0..count).map(seat).collect()
+    }
+
+    /// Sits an agent down on the nearest free place of a node.
+    ///
+    /// # Errors
+    /// [`AgentError::Posture`] if it does not stand, [`AgentError::NoSeat`],
+    /// [`AgentError::OutOfReach`], [`AgentError::SeatTaken`].
+    pub fn sit(&mut self, agent: NodeId, on: NodeId) -> Result<(), AgentError> {
+        let places = self.seats(on);
+        self.settle_down(agent, on, &places, Posture::Sitting)
+    }
+
+    /// Lays an agent down on a node.
+    ///
+    /// # Errors
+    /// As [`Self::sit`].
+    pub fn lie(&mut self, agent: NodeId, on: NodeId) -> Result<(), AgentError> {
+        let places = self.beds(on);
+        self.settle_down(agent, on, &places, Posture::Lying)
+    }
+
+    fn settle_down(
+        &mut self,
+        agent: NodeId,
+        on: NodeId,
+        places: &[Pose],
+        posture: fn(NodeId, u32) -> Posture,
+    ) -> Result<(), AgentError> {
+        self.thing(on)?;
+        let feet = self.standing(agent)?.feet;
+        let far = |p: &Pose| (p.translation.vector - feet.translation.vector).xy().norm();
+        let taken = |i: u32| self.agents.values().any(|a| a.posture.seat() == Some((on, i)));
+        let mut order: Vec<(f32, u32)> = places.iter().enumerate().map(|(i, p)| (far(p), i as u32)).collect();
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let &(nearest, _) = order.first().ok_or(AgentError::NoSeat(on))?;
+        let reach = STEP.max(nearest.min(STEP));
+        if nearest > reach {
+            return Err(AgentError::OutOfReach { agent, id: on, distance: nearest, reach });
+        }
+        let &(_, place) = order.iter().find(|(_, i)| !taken(*i)).ok_or(AgentError::SeatTaken(on))?;
+        let body = self.agent_mut(agent)?;
+        body.feet = super::upright(&places[place as usize]);
+        body.posture = posture(on, place);
+        body.walk = super::walk::Motion::Still;
+        self.embody(agent, true);
+        Ok(())
+    }
+
+    /// Gets an agent up from where it sits or lies, to the nearest free place beside
+    /// it, before it first.
+    ///
+    /// # Errors
+    /// [`AgentError::Posture`] if it stands, [`AgentError::NoExit`].
+    pub fn stand_up(&mut self, agent: NodeId) -> Result<(), AgentError> {
+        let body = self.agent(agent)?;
+        let Some((seat, _)) = body.posture.seat() else {
+            return Err(AgentError::Posture { agent, posture: Posture::Standing.as_str() });
+        };
+        let exit = self.exits(body).find(|p| self.is_exit(body, seat, p)).ok_or(AgentError::NoExit(seat))?;
+        self.teleport(agent, exit)
+    }
+
+    /// Spots around a seat: near before far, before the seat first.
+    fn exits(&self, body: &Agent) -> impl Iterator<Item = Pose> + use<> {
+        let (place, floor) = (body.feet, body.floor);
+        EXITS.into_iter().flat_map(move |far| {
+            [0.0, 0.5, -0.5, 1.0, -1.0, 1.6, -1.6, 2.3, -2.3, std::f32::consts::PI].into_iter().map(
+                move |angle: f32| {
+                    let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle);
+                    let mut spot = place * Pose::from_parts((turn * Vector3::x() * far).into(), turn);
+                    spot.translation.z = floor;
+                    spot
+                },
+            )
+        })
+    }
+
+    /// Whether one can get up to a spot: the body fits, there is a floor, and no wall
+    /// is between.
+    fn is_exit(&self, body: &Agent, seat: NodeId, spot: &Pose) -> bool {
+        let at = Point3::from(spot.translation.vector);
+        let ground = self.ray(at + Vector3::z() * 0.3, at - Vector3::z() * 0.3, &[]);
+        let (from, to) = (body.shoulder(), at + Vector3::z() * (body.shoulder().z - at.z).max(0.5));
+        let past: Vec<NodeId> = self.agents.keys().copied().chain([seat]).collect();
+        ground.is_some() && self.ray(from, to, &past).is_none() && self.fits(body, spot)
+    }
+
+    /// Whether an agent's capsule is free at a spot, a little above the floor.
+    pub(crate) fn fits(&self, body: &Agent, spot: &Pose) -> bool {
+        let plan = &body.plan;
+        let lift = 0.02;
+        let half = (plan.height / 2.0 - plan.radius - lift).max(0.01);
+        let shape = rapier3d::parry::shape::Capsule::new_z(half, plan.radius);
+        let at: EnginePose = convert::pose(&(spot * Pose::translation(0.0, 0.0, plan.height / 2.0 + lift)));
+        let own = body.body;
+        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(own);
+        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
+        queries.intersect_shape(at, &shape).next().is_none()
+    }
+}
+
+/// Middle and half lengths of what one sits or lies on, in the asset's frame: the
+/// largest level surface at the height of seats, or the box's top.
+fn seat_surface(thing: &Thing) -> (Point3<f32>, (f32, f32)) {
+    let level = thing.form.surfaces.iter().filter(|s| s.hold == Hold::On && SEATS.contains(&s.centre.z));
+    let largest = level.max_by(|a, b| (a.half.0 * a.half.1).total_cmp(&(b.half.0 * b.half.1)));
+    let (low, high) = thing.form.extent;
+    let top = high.z.min(low.z + 0.5 * (high.z - low.z).max(0.9));
+    let whole = || {
+        let middle = nalgebra::center(&low, &high);
+        (Point3::new(middle.x, middle.y, top), ((high.x - low.x) / 2.0, (high.y - low.y) / 2.0))
+    };
+    largest.map_or_else(whole, |s| (s.centre, s.half))
+}

@@ -1,0 +1,256 @@
+//! Walking: the engine's character controller, along paths and past each other.
+
+use nalgebra::{Point2, Vector2, Vector3};
+use rapier3d::control::{CharacterAutostep, CharacterCollision, CharacterLength, KinematicCharacterController};
+use rapier3d::geometry::{Collider, ColliderHandle};
+use rapier3d::math::Vector;
+use rapier3d::pipeline::QueryFilter;
+use serde::{Deserialize, Serialize};
+use vc_graph::NodeId;
+
+use super::{Agent, Posture, facing};
+use crate::nav::avoid::{self, Walker};
+use crate::world::World;
+use crate::{AgentError, PhysicsError, convert, group};
+
+/// How near a waypoint counts as there, metres.
+const THERE: f32 = 0.03;
+/// Steps without progress after which a walk is given up.
+const PATIENCE: u32 = 90;
+/// Progress that counts, metres a step.
+const PROGRESS: f32 = 0.001;
+/// Greatest force with which a walker pushes things aside, newtons.
+const PUSH: f32 = 150.0;
+/// Steps between looks at the ground of one who stands still.
+const GLANCE: u64 = 8;
+
+/// How a walk stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Walk {
+    /// It stands still, or has arrived.
+    Still,
+    /// It is on its way.
+    Walking,
+    /// It gave up: something is in the way.
+    Stuck,
+}
+
+/// What the legs do.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) enum Motion {
+    #[default]
+    Still,
+    /// At a velocity over the floor.
+    Going([f32; 2]),
+    /// Along points, the next one first, at a speed.
+    Along {
+        points: Vec<[f32; 2]>,
+        next: usize,
+        speed: f32,
+        idle: u32,
+    },
+    Stuck,
+}
+
+impl Motion {
+    /// The velocity it asks for.
+    fn wish(&self, at: Point2<f32>, dt: f32) -> Vector2<f32> {
+        match self {
+            Self::Still | Self::Stuck => Vector2::zeros(),
+            Self::Going(v) => Vector2::new(v[0], v[1]),
+            Self::Along { points, next, speed, .. } => {
+                let Some(to) = points.get(*next) else { return Vector2::zeros() };
+                let way = Point2::from(*to) - at;
+                let last = *next + 1 == points.len();
+                let fast = if last { speed.min(way.norm() / dt) } else { *speed };
+                way.try_normalize(1e-6).map_or_else(Vector2::zeros, |d| d * fast)
+            }
+        }
+    }
+
+    /// After a step to a point: on to the next waypoint, or the end.
+    fn advance(&mut self, at: Point2<f32>, moved: f32) {
+        let Self::Along { points, next, idle, .. } = self else { return };
+        while points.get(*next).is_some_and(|p| (Point2::from(*p) - at).norm() <= THERE) {
+            *next += 1;
+        }
+        *idle = if moved < PROGRESS { *idle + 1 } else { 0 };
+        if *next >= points.len() {
+            *self = Self::Still;
+        } else if *idle > PATIENCE {
+            *self = Self::Stuck;
+        }
+    }
+}
+
+impl World {
+    /// Lets an agent go at a velocity over the floor, metres a second, until told
+    /// otherwise; no faster than it runs. Zero stops it.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`], [`AgentError::Posture`],
+    /// [`PhysicsError::NotFinite`].
+    pub fn go(&mut self, id: NodeId, velocity: Vector2<f32>) -> Result<(), AgentError> {
+        if !velocity.iter().all(|v| v.is_finite()) {
+            return Err(PhysicsError::NotFinite("the velocity", id).into());
+        }
+        let agent = self.standing(id)?;
+        let v = velocity * (agent.plan.run / velocity.norm().max(agent.plan.run));
+        agent.walk = if v == Vector2::zeros() { Motion::Still } else { Motion::Going([v.x, v.y]) };
+        Ok(())
+    }
+
+    /// Lets an agent walk along points, metres, or run.
+    ///
+    /// # Errors
+    /// As [`Self::go`].
+    pub fn follow(&mut self, id: NodeId, path: &[Point2<f32>], run: bool) -> Result<(), AgentError> {
+        if path.iter().any(|p| !p.x.is_finite() || !p.y.is_finite()) {
+            return Err(PhysicsError::NotFinite("the path", id).into());
+        }
+        let agent = self.standing(id)?;
+        let speed = if run { agent.plan.run } else { agent.plan.walk };
+        let points: Vec<[f32; 2]> = path.iter().map(|p| [p.x, p.y]).collect();
+        agent.walk = if points.is_empty() { Motion::Still } else { Motion::Along { points, next: 0, speed, idle: 0 } };
+        Ok(())
+    }
+
+    /// Turns a standing agent at once to face a point.
+    ///
+    /// # Errors
+    /// As [`Self::go`].
+    pub fn face(&mut self, id: NodeId, point: nalgebra::Point3<f32>) -> Result<(), AgentError> {
+        if !convert::is_finite(&point.coords) {
+            return Err(PhysicsError::NotFinite("the point", id).into());
+        }
+        let agent = self.standing(id)?;
+        let way = point.coords - agent.feet.translation.vector;
+        agent.feet.rotation = facing(way.x, way.y);
+        self.embody(id, true);
+        Ok(())
+    }
+
+    /// How an agent's walk stands.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`].
+    pub fn walk(&self, id: NodeId) -> Result<Walk, AgentError> {
+        Ok(match self.agent(id)?.walk {
+            Motion::Still => Walk::Still,
+            Motion::Stuck => Walk::Stuck,
+            Motion::Going(_) | Motion::Along { .. } => Walk::Walking,
+        })
+    }
+
+    pub(crate) fn standing(&mut self, id: NodeId) -> Result<&mut Agent, AgentError> {
+        let agent = self.agent_mut(id)?;
+        match agent.posture {
+            Posture::Standing => Ok(agent),
+            other => Err(AgentError::Posture { agent: id, posture: other.as_str() }),
+        }
+    }
+
+    /// One step of all agents: who walks looks where the others go.
+    pub(crate) fn move_agents(&mut self) {
+        if self.agents.is_empty() {
+            return;
+        }
+        let wishes = self.wishes();
+        for (id, wish) in wishes {
+            let Some(agent) = self.agents.get(&id) else { continue };
+            let still = wish == Vector2::zeros() && agent.grounded;
+            if agent.posture == Posture::Standing && (!still || self.ticks.is_multiple_of(GLANCE)) {
+                self.stride(id, wish);
+            } else if let Some(agent) = self.agents.get_mut(&id) {
+                agent.velocity = [0.0; 2];
+            }
+            self.embody(id, false);
+        }
+    }
+
+    /// The velocities agents go at: what each wishes, corrected so that they do not
+    /// run into each other.
+    fn wishes(&self) -> Vec<(NodeId, Vector2<f32>)> {
+        let dt = self.settings.dt;
+        let standing: Vec<_> = self.agents.iter().filter(|(_, a)| a.posture == Posture::Standing).collect();
+        let walker = |a: &Agent| Walker {
+            at: a.feet.translation.vector.xy().into(),
+            velocity: a.velocity.into(),
+            wish: a.walk.wish(a.feet.translation.vector.xy().into(), dt),
+            radius: a.plan.radius + 0.03,
+            fastest: a.plan.run,
+        };
+        let walkers: Vec<Walker> = standing.iter().map(|(_, a)| walker(a)).collect();
+        let all = standing.iter().zip(avoid::velocities(&walkers, dt));
+        all.map(|((id, _), v)| (**id, v)).collect()
+    }
+
+    /// Moves one agent for one step, as far as it gets.
+    fn stride(&mut self, id: NodeId, wish: Vector2<f32>) {
+        let dt = self.settings.dt;
+        let Some(agent) = self.agents.get(&id) else { return };
+        let fall = if agent.grounded { 0.0 } else { agent.fall + self.settings.gravity * dt };
+        let desired = Vector::new(wish.x * dt, wish.y * dt, -fall * dt);
+        let (moved, grounded, hits) = self.slide(agent, desired);
+        hits.iter().for_each(|hit| self.push_aside(id, hit, wish));
+        let Some(agent) = self.agents.get_mut(&id) else { return };
+        agent.feet.translation.vector += moved;
+        (agent.grounded, agent.fall) = (grounded, if grounded { 0.0 } else { fall });
+        agent.velocity = [moved.x / dt, moved.y / dt];
+        if grounded {
+            agent.floor = agent.feet.translation.z;
+        }
+        if wish.norm() > 0.05 {
+            agent.feet.rotation = facing(wish.x, wish.y);
+        }
+        let at = agent.feet.translation.vector.xy().into();
+        agent.walk.advance(at, moved.xy().norm());
+    }
+
+    /// How far an agent gets, whether it then stands on something, and what it hit.
+    fn slide(&self, agent: &Agent, desired: Vector) -> (Vector3<f32>, bool, Vec<CharacterCollision>) {
+        let own = agent.body;
+        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(own);
+        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
+        let plan = &agent.plan;
+        let shape = rapier3d::parry::shape::Capsule::new_z(plan.height / 2.0 - plan.radius, plan.radius);
+        let middle = agent.feet * vc_graph::Pose::translation(0.0, 0.0, plan.height / 2.0);
+        let mut hits = Vec::new();
+        let legs = legs(plan);
+        let moved =
+            legs.move_shape(self.settings.dt, &queries, &shape, &convert::pose(&middle), desired, |hit| hits.push(hit));
+        (convert::vector3(moved.translation), moved.grounded, hits)
+    }
+
+    /// Pushes a loose thing that a walker has run into.
+    fn push_aside(&mut self, id: NodeId, hit: &CharacterCollision, wish: Vector2<f32>) {
+        let Some(limit) = self.agents.get(&id).map(|a| a.plan.pushes) else { return };
+        let Some(body) = self.engine.colliders.get(hit.handle).and_then(|c| c.parent()) else { return };
+        let dt = self.settings.dt;
+        let Some(rigid) = self.engine.bodies.get_mut(body).filter(|b| b.is_dynamic() && b.mass() <= limit) else {
+            return;
+        };
+        let Some(way) = wish.try_normalize(1e-3) else { return };
+        let way = Vector::new(way.x, way.y, 0.0);
+        let missing = wish.norm() - rigid.linvel().dot(way);
+        let impulse = (rigid.mass() * missing).clamp(0.0, PUSH * dt);
+        rigid.apply_impulse(way * impulse, true);
+    }
+}
+
+fn legs(plan: &super::BodyPlan) -> KinematicCharacterController {
+    KinematicCharacterController {
+        up: Vector::Z,
+        offset: CharacterLength::Absolute(0.01),
+        slide: true,
+        autostep: Some(CharacterAutostep {
+            max_height: CharacterLength::Absolute(plan.step),
+            min_width: CharacterLength::Absolute(0.1),
+            include_dynamic_bodies: false,
+        }),
+        max_slope_climb_angle: plan.slope,
+        min_slope_slide_angle: plan.slope,
+        snap_to_ground: Some(CharacterLength::Absolute(plan.step)),
+        ..KinematicCharacterController::default()
+    }
+}

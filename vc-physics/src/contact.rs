@@ -1,0 +1,186 @@
+//! What touches what, as plain data.
+
+use std::collections::BTreeMap;
+
+use nalgebra::{Point3, Vector3};
+use rapier3d::dynamics::RigidBodyHandle;
+use rapier3d::geometry::{ColliderHandle, Contact as EngineContact, ContactManifold, ContactPair};
+use rapier3d::math::Pose as EnginePose;
+use vc_graph::{NodeId, Pose};
+
+use crate::world::World;
+use crate::{Role, convert, group};
+
+/// Two bodies that touch, or are about to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// The one with the smaller number.
+    pub a: NodeId,
+    /// The other.
+    pub b: NodeId,
+    /// From `a` towards `b`, unit length: the mean over their contact points by
+    /// impulse.
+    pub normal: Vector3<f32>,
+    /// Where, the mean over their contact points, metres.
+    pub point: Point3<f32>,
+    /// How far they overlap at most, metres; negative for a gap.
+    pub depth: f32,
+    /// With what impulse `a` pushed `b` in the last step, newton seconds.
+    pub impulse: f32,
+}
+
+/// From which slope on a push from below carries: the cosine to the vertical.
+const CARRIES: f32 = 0.5;
+/// Gap up to which two bodies touch, metres: what the engine leaves between them.
+const TOUCHING: f32 = 0.005;
+
+/// A point where two bodies touch.
+struct Touch {
+    /// From the pair's first body to its second.
+    normal: Vector3<f32>,
+    at: Point3<f32>,
+    gap: f32,
+    impulse: f32,
+}
+
+/// Contact points added up.
+#[derive(Default)]
+struct Sum {
+    normal: Vector3<f32>,
+    point: Vector3<f32>,
+    weight: f32,
+    depth: f32,
+    impulse: f32,
+}
+
+impl Sum {
+    /// Adds a point; `sign` says whether its normal runs from a to b.
+    fn add(&mut self, point: &Touch, sign: f32) {
+        // Points without impulse count a little, for pairs that just met.
+        let weight = point.impulse.max(0.0) + 1e-6;
+        self.depth = if self.weight == 0.0 { -point.gap } else { self.depth.max(-point.gap) };
+        self.normal += point.normal * (weight * sign);
+        self.point += point.at.coords * weight;
+        self.weight += weight;
+        self.impulse += point.impulse;
+    }
+
+    fn contact(self, a: NodeId, b: NodeId) -> Option<Contact> {
+        let normal = self.normal.try_normalize(1e-12)?;
+        let point = Point3::from(self.point / self.weight);
+        Some(Contact { a, b, normal, point, depth: self.depth, impulse: self.impulse })
+    }
+}
+
+impl World {
+    /// Everything that touches, by node numbers; parts of one node do not count.
+    /// As of the last step.
+    pub fn contacts(&self) -> Vec<Contact> {
+        self.gather(self.engine.narrow.contact_pairs())
+    }
+
+    /// What touches a node.
+    pub fn contacts_of(&self, id: NodeId) -> Vec<Contact> {
+        let Ok(thing) = self.thing(id) else { return Vec::new() };
+        self.gather(thing.bodies().flat_map(|body| self.pairs_of(body)))
+    }
+
+    fn pairs_of(&self, body: RigidBodyHandle) -> impl Iterator<Item = &ContactPair> {
+        let colliders = self.engine.bodies.get(body).map_or(&[][..], |b| b.colliders());
+        colliders.iter().flat_map(|&c| self.engine.narrow.contact_pairs_with(c))
+    }
+
+    fn gather<'a>(&self, pairs: impl Iterator<Item = &'a ContactPair>) -> Vec<Contact> {
+        let mut sums: BTreeMap<(NodeId, NodeId), Sum> = BTreeMap::new();
+        for pair in pairs.filter(|p| p.has_any_active_contact()) {
+            let (Some(a), Some(b)) = (self.node_of(pair.collider1), self.node_of(pair.collider2)) else { continue };
+            if a != b {
+                let (key, sign) = if a < b { ((a, b), 1.0) } else { ((b, a), -1.0) };
+                let sum = sums.entry(key).or_default();
+                self.touches(pair).for_each(|t| sum.add(&t, sign));
+            }
+        }
+        sums.into_iter().filter_map(|((a, b), sum)| sum.contact(a, b)).collect()
+    }
+
+    /// The points of a pair at which it touches. The engine keeps points while bodies
+    /// move little, so their gaps are measured anew from where the bodies are.
+    fn touches<'a>(&'a self, pair: &'a ContactPair) -> impl Iterator<Item = Touch> + 'a {
+        let place = |c: ColliderHandle| self.engine.colliders.get(c).map(|c| *c.position());
+        let both = place(pair.collider1).zip(place(pair.collider2));
+        let points = |manifold: &'a ContactManifold| manifold.points.iter().map(move |p| (manifold, p));
+        let all = both.into_iter().flat_map(move |both| {
+            pair.solver_manifolds().iter().flat_map(points).map(move |(manifold, point)| (both, manifold, point))
+        });
+        let touch =
+            |((first, second), manifold, point): ((EnginePose, EnginePose), &ContactManifold, &EngineContact)| {
+                let on_first = manifold.subshape_pos1().map_or(first, |p| first * *p) * point.local_p1;
+                let on_second = manifold.subshape_pos2().map_or(second, |p| second * *p) * point.local_p2;
+                let normal = manifold.data.normal;
+                Touch {
+                    normal: convert::vector3(normal),
+                    at: convert::point3(on_first),
+                    gap: (on_second - on_first).dot(normal),
+                    impulse: point.data.impulse,
+                }
+            };
+        all.map(touch).filter(|t| t.gap <= TOUCHING)
+    }
+
+    pub(crate) fn node_of(&self, collider: ColliderHandle) -> Option<NodeId> {
+        self.engine.colliders.get(collider).map(|c| group::marked(c.user_data).0)
+    }
+
+    /// What a node rests on: the nodes that push it from below, the one that carries
+    /// most first. As of the last step; what sleeps keeps its supports.
+    pub fn supports(&self, id: NodeId) -> Vec<NodeId> {
+        let below = |c: &Contact| {
+            let (other, up) = if c.a == id { (c.b, -c.normal.z) } else { (c.a, c.normal.z) };
+            (up > CARRIES).then_some((other, c.impulse * up))
+        };
+        let mut found: Vec<(NodeId, f32)> = self.contacts_of(id).iter().filter_map(below).collect();
+        found.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        found.into_iter().map(|(node, _)| node).collect()
+    }
+
+    /// The loose things that rest on a body, directly or through others.
+    pub(crate) fn load_of(&self, body: RigidBodyHandle) -> Vec<NodeId> {
+        let own = self.engine.bodies.get(body).map(|b| group::marked(b.user_data).0);
+        let mut load: Vec<NodeId> = Vec::new();
+        let mut open = vec![body];
+        while let Some(body) = open.pop() {
+            for above in self.resting_on(body) {
+                let loose = self.thing(above).ok().filter(|t| t.state.role == Role::Loose);
+                if let Some(thing) = loose.filter(|_| Some(above) != own && !load.contains(&above)) {
+                    load.push(above);
+                    open.push(thing.state.base);
+                }
+            }
+        }
+        load
+    }
+
+    /// The nodes that a body pushes from below.
+    fn resting_on(&self, body: RigidBodyHandle) -> Vec<NodeId> {
+        let mut found = Vec::new();
+        for pair in self.pairs_of(body).filter(|p| p.has_any_active_contact()) {
+            let first = self.engine.colliders.get(pair.collider1).and_then(|c| c.parent()) == Some(body);
+            let sign = if first { 1.0 } else { -1.0 };
+            let up = self.touches(pair).any(|t| t.normal.z * sign > CARRIES);
+            let other = if first { pair.collider2 } else { pair.collider1 };
+            found.extend(self.node_of(other).filter(|_| up));
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// Moves things as one, by a motion in the world's frame.
+    pub(crate) fn carry_along(&mut self, load: &[NodeId], motion: &Pose) {
+        for &id in load {
+            let Some(base) = self.thing(id).ok().map(|t| t.state.base) else { continue };
+            if let Some(pose) = self.engine.pose(base) {
+                self.engine.place(base, convert::pose(&(motion * pose)));
+            }
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! Between nalgebra, which callers see, and the engine's own vectors and poses.
+
+use nalgebra::{Point3, Vector3};
+use rapier3d::math::{Pose as EnginePose, Vector};
+use vc_graph::Pose;
+
+pub(crate) fn pose(pose: &Pose) -> EnginePose {
+    (*pose).into()
+}
+
+pub(crate) fn isometry(pose: &EnginePose) -> Pose {
+    (*pose).into()
+}
+
+pub(crate) fn vector(v: Vector3<f32>) -> Vector {
+    Vector::new(v.x, v.y, v.z)
+}
+
+pub(crate) fn point(p: Point3<f32>) -> Vector {
+    vector(p.coords)
+}
+
+pub(crate) fn vector3(v: Vector) -> Vector3<f32> {
+    Vector3::new(v.x, v.y, v.z)
+}
+
+pub(crate) fn point3(v: Vector) -> Point3<f32> {
+    vector3(v).into()
+}
+
+/// Whether every number of a pose is finite and its rotation a rotation.
+pub(crate) fn is_sound(pose: &Pose) -> bool {
+    let all = pose.translation.vector.iter().chain(pose.rotation.coords.iter()).all(|v| v.is_finite());
+    all && (pose.rotation.coords.norm() - 1.0).abs() < 1e-3
+}
+
+/// Whether every number of a vector is finite.
+pub(crate) fn is_finite(v: &Vector3<f32>) -> bool {
+    v.iter().all(|c| c.is_finite())
+}

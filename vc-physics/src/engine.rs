@@ -1,0 +1,176 @@
+//! The physics engine's sets, in one piece that can be cloned and serialised.
+
+use nalgebra::Vector3;
+use rapier3d::dynamics::{
+    CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet, RigidBodyHandle, RigidBodySet,
+    SoftBodySet,
+};
+use rapier3d::geometry::{BroadPhaseBvh, Collider, ColliderHandle, ColliderSet, NarrowPhase};
+use rapier3d::math::Pose as EnginePose;
+use rapier3d::pipeline::{PhysicsPipeline, QueryFilter, QueryPipeline};
+use serde::{Deserialize, Serialize};
+
+use crate::convert;
+
+/// What the engine calculates with; all of its state is here.
+#[derive(Clone, Serialize, Deserialize)]
+pub(crate) struct Engine {
+    pub(crate) bodies: RigidBodySet,
+    pub(crate) colliders: ColliderSet,
+    pub(crate) joints: ImpulseJointSet,
+    islands: IslandManager,
+    broad: BroadPhaseBvh,
+    pub(crate) narrow: NarrowPhase,
+    // Unused, but the engine asks for them.
+    multibodies: MultibodyJointSet,
+    softs: SoftBodySet,
+    parameters: IntegrationParameters,
+    gravity: f32,
+    #[serde(skip)]
+    scratch: Scratch,
+}
+
+/// Buffers whose content means nothing between steps.
+#[derive(Default)]
+struct Scratch {
+    pipeline: PhysicsPipeline,
+    ccd: CCDSolver,
+}
+
+impl Clone for Scratch {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Engine {
+    pub(crate) fn new(dt: f32, gravity: f32) -> Self {
+        Self {
+            bodies: RigidBodySet::new(),
+            colliders: ColliderSet::new(),
+            joints: ImpulseJointSet::new(),
+            islands: IslandManager::new(),
+            broad: BroadPhaseBvh::new(),
+            narrow: NarrowPhase::new(),
+            multibodies: MultibodyJointSet::new(),
+            softs: SoftBodySet::new(),
+            parameters: IntegrationParameters {
+                dt,
+                contact_recycling: std::env::var_os("NORECYCLE").is_none(),
+                contact_clustering: std::env::var_os("NOCLUSTER").is_none(),
+                friction_model: if std::env::var_os("COULOMB").is_some() {
+                    rapier3d::dynamics::FrictionModel::Coulomb
+                } else {
+                    rapier3d::dynamics::FrictionModel::Simplified
+                },
+                ..IntegrationParameters::default()
+            },
+            gravity,
+            scratch: Scratch::default(),
+        }
+    }
+
+    pub(crate) fn dt(&self) -> f32 {
+        self.parameters.dt
+    }
+
+    /// One step; gives the bodies that became non-finite and were stopped.
+    pub(crate) fn step(&mut self) -> &[RigidBodyHandle] {
+        self.scratch.pipeline.step(
+            convert::vector(Vector3::new(0.0, 0.0, -self.gravity)),
+            &self.parameters,
+            &mut self.islands,
+            &mut self.broad,
+            &mut self.narrow,
+            &mut self.bodies,
+            &mut self.colliders,
+            &mut self.joints,
+            &mut self.multibodies,
+            &mut self.softs,
+            &mut self.scratch.ccd,
+            &(),
+            &(),
+        );
+        self.scratch.pipeline.quarantine().bodies()
+    }
+
+    /// Number of bodies that are awake and free to move.
+    pub(crate) fn awake(&self) -> usize {
+        self.awake_bodies().filter(|b| self.bodies.get(*b).is_some_and(|b| b.is_dynamic() && !b.is_sleeping())).count()
+    }
+
+    /// Takes a kinematic body somewhere in the course of the next step; one that is
+    /// there already is left alone, so that it can sleep.
+    pub(crate) fn carry(&mut self, body: RigidBodyHandle, pose: EnginePose) {
+        if self.bodies.get(body).is_some_and(|b| *b.position() != pose)
+            && let Some(rigid) = self.bodies.get_mut(body)
+        {
+            rigid.set_next_kinematic_position(pose);
+        }
+    }
+
+    /// The bodies that are awake.
+    pub(crate) fn awake_bodies(&self) -> impl Iterator<Item = RigidBodyHandle> + '_ {
+        self.islands.active_bodies()
+    }
+
+    /// Questions about shapes in space, as of now.
+    pub(crate) fn queries<'a>(&'a self, filter: QueryFilter<'a>) -> QueryPipeline<'a> {
+        self.broad.as_query_pipeline(self.narrow.query_dispatcher(), &self.bodies, &self.colliders, filter)
+    }
+
+    /// The same, for the vehicle controller, which pushes bodies.
+    pub(crate) fn queries_mut<'a>(&'a mut self, filter: QueryFilter<'a>) -> rapier3d::pipeline::QueryPipelineMut<'a> {
+        self.broad.as_query_pipeline_mut(self.narrow.query_dispatcher(), &mut self.bodies, &mut self.colliders, filter)
+    }
+
+    pub(crate) fn add_collider(&mut self, collider: Collider, to: RigidBodyHandle) -> ColliderHandle {
+        let handle = self.colliders.insert_with_parent(collider, to, &mut self.bodies);
+        // Otherwise a body has no mass before its first step.
+        if let Some(body) = self.bodies.get_mut(to) {
+            body.recompute_mass_properties_from_colliders(&self.colliders);
+        }
+        handle
+    }
+
+    /// Moves a body at once, at rest and awake; queries see it there.
+    pub(crate) fn place(&mut self, body: RigidBodyHandle, pose: EnginePose) {
+        let Some(rigid) = self.bodies.get_mut(body) else { return };
+        rigid.set_position(pose, true);
+        rigid.set_linvel(rapier3d::math::Vector::ZERO, true);
+        rigid.set_angvel(rapier3d::math::Vector::ZERO, true);
+        if rigid.is_kinematic() {
+            rigid.set_next_kinematic_position(pose);
+        }
+        self.refresh(body);
+    }
+
+    /// Lets queries see a body where it is, before the next step does.
+    pub(crate) fn refresh(&mut self, body: RigidBodyHandle) {
+        let Some(rigid) = self.bodies.get(body) else { return };
+        for &handle in rigid.colliders() {
+            let Some(collider) = self.colliders.get_mut(handle) else { continue };
+            let local = collider.position_wrt_parent().copied().unwrap_or_default();
+            collider.set_position(*rigid.position() * local);
+            let aabb = collider.compute_aabb();
+            self.broad.set_aabb(&self.parameters, handle, aabb);
+        }
+    }
+
+    /// Takes a body out, its colliders and joints with it.
+    pub(crate) fn remove(&mut self, body: RigidBodyHandle) {
+        self.bodies.remove(
+            body,
+            &mut self.islands,
+            &mut self.colliders,
+            &mut self.joints,
+            &mut self.multibodies,
+            &mut self.softs,
+            true,
+        );
+    }
+
+    pub(crate) fn pose(&self, body: RigidBodyHandle) -> Option<vc_graph::Pose> {
+        Some(convert::isometry(self.bodies.get(body)?.position()))
+    }
+}

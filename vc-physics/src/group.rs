@@ -1,0 +1,59 @@
+//! Who collides with whom.
+//!
+//! What moves on a joint collides with what moves freely and with agents, never with
+//! what is fixed nor with other such parts: a drawer does not rub against the
+//! cupboard beside it. What is carried collides with nothing.
+
+use rapier3d::geometry::{Collider, Group, InteractionGroups, InteractionTestMode};
+use vc_graph::NodeId;
+
+use crate::Role;
+
+const FIXED: Group = Group::GROUP_1;
+const LEAF: Group = Group::GROUP_2;
+const LOOSE: Group = Group::GROUP_3;
+const AGENT: Group = Group::GROUP_4;
+const CARRIED: Group = Group::GROUP_5;
+
+fn groups(member: Group, of: Group) -> InteractionGroups {
+    InteractionGroups::new(member, of, InteractionTestMode::And)
+}
+
+/// Groups of a thing's base.
+pub(crate) fn base(role: Role) -> InteractionGroups {
+    match role {
+        Role::Fixed | Role::Hung => groups(FIXED, LOOSE.union(AGENT)),
+        Role::Loose => groups(LOOSE, FIXED.union(LEAF).union(LOOSE).union(AGENT)),
+        Role::Carried | Role::Stopped => nothing(),
+    }
+}
+
+/// Groups of a part that moves on a joint.
+pub(crate) fn leaf() -> InteractionGroups {
+    groups(LEAF, LOOSE.union(AGENT))
+}
+
+/// Groups of an agent's capsule.
+pub(crate) fn agent() -> InteractionGroups {
+    groups(AGENT, LOOSE.union(LEAF).union(AGENT))
+}
+
+/// Groups of what collides with nothing.
+pub(crate) fn nothing() -> InteractionGroups {
+    groups(CARRIED, Group::NONE)
+}
+
+/// Whether a collider collides with anything.
+pub(crate) fn is_solid(collider: &Collider) -> bool {
+    collider.collision_groups().memberships != CARRIED
+}
+
+/// The mark of a node's part on its body and collider.
+pub(crate) fn mark(id: NodeId, link: usize) -> u128 {
+    u128::from(id.0) | (link as u128) << 32
+}
+
+/// The node and the part of a mark.
+pub(crate) fn marked(mark: u128) -> (NodeId, usize) {
+    (NodeId(mark as u32), (mark >> 32) as u32 as usize)
+}

@@ -1,0 +1,226 @@
+//! Opening, closing and locking.
+
+use rapier3d::dynamics::{MotorModel, RigidBodyType};
+use vc_graph::NodeId;
+use vc_graph::asset::JointKind;
+
+use super::make::{axis, friction, idle};
+use super::motion::{closed, opened};
+use crate::shapes::Link;
+use crate::world::{Moving, World};
+use crate::{PhysicsError, Role, convert, group};
+
+/// How fast the motor goes for each unit that is missing, per second: an arm slows
+/// down before it is there.
+const EAGER: f32 = 8.0;
+/// Seconds it takes for the whole way, but for slowing down.
+const WHOLE_WAY: f32 = 0.8;
+/// How firmly it keeps its speed, per second.
+const FIRM: f32 = 1000.0;
+/// Greatest torque or force of the motor, newton metres or newtons.
+const STRENGTH: f32 = 80.0;
+/// Seconds after which a motor that does not get there gives up.
+const PATIENCE: f32 = 4.0;
+/// How slow a part has to be to have arrived, metres or radians a second.
+const SLOW: f32 = 0.02;
+/// How near its target a motor has to come, as a fraction of the way.
+const ARRIVED: f32 = 0.005;
+
+impl World {
+    /// Sets a motor on a part: it takes it to a fraction of its way (0 closed, 1
+    /// open) in about a second, as an arm would, if nothing is in the way. What has
+    /// no motor is there at once.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NoSuchPart`],
+    /// [`PhysicsError::Locked`], [`PhysicsError::NotFinite`].
+    pub fn drive(&mut self, id: NodeId, part: usize, open: f32) -> Result<(), PhysicsError> {
+        let target = self.target(id, part, open)?;
+        let index = self.index(id)?;
+        let patience = (PATIENCE / self.settings.dt) as u32;
+        let thing = &mut self.things[index];
+        let Some(body) = thing.state.moving[part].body else { return self.put_open(id, part, open) };
+        let (moving, kind) = (&mut thing.state.moving[part], joint_kind(&thing.form.links[part + 1]));
+        (moving.target, moving.patience, moving.latched) = (Some(target), patience, false);
+        if let Some(rigid) = self.engine.bodies.get_mut(body) {
+            rigid.set_body_type(RigidBodyType::Dynamic, true);
+            rigid.wake_up(true);
+        }
+        if let Some(joint) = moving.joint.and_then(|j| self.engine.joints.get_mut(j, true)) {
+            joint.data.set_limits(axis(kind), [moving.limits.0, moving.limits.1]);
+            joint.data.set_motor_model(axis(kind), MotorModel::AccelerationBased);
+            joint.data.set_motor_max_force(axis(kind), STRENGTH);
+        }
+        self.driven.retain(|d| *d != (id, part));
+        self.driven.push((id, part));
+        let position = self.part_position(&self.things[index], part).unwrap_or(target);
+        self.things[index].state.moving[part].position = position;
+        self.turn_on(index, part);
+        Ok(())
+    }
+
+    /// Opens or closes a part at once; what lies in a drawer comes along.
+    ///
+    /// # Errors
+    /// As [`Self::drive`].
+    pub fn put_open(&mut self, id: NodeId, part: usize, open: f32) -> Result<(), PhysicsError> {
+        let target = self.target(id, part, open)?;
+        let index = self.index(id)?;
+        self.driven.retain(|d| *d != (id, part));
+        let thing = &mut self.things[index];
+        thing.state.moving[part].position = target;
+        let moving = thing.state.moving[part];
+        let (Some(joint), Some(base)) = (thing.form.links[part + 1].joint, self.engine.pose(thing.state.base)) else {
+            return Ok(());
+        };
+        match moving.body {
+            Some(body) => {
+                let before = self.engine.pose(body).unwrap_or(base);
+                let after = base * joint.motion(target);
+                let load = self.load_of(body);
+                self.engine.place(body, convert::pose(&after));
+                self.carry_along(&load, &(after * before.inverse()));
+                self.settle_part(index, part);
+            }
+            None => self.turn_welded(index, part, target),
+        }
+        Ok(())
+    }
+
+    /// Opens or closes every part of a node at once.
+    ///
+    /// # Errors
+    /// As [`Self::drive`].
+    pub fn put_all_open(&mut self, id: NodeId, open: f32) -> Result<(), PhysicsError> {
+        let parts = self.thing(id)?.state.moving.len();
+        (0..parts).try_for_each(|part| self.put_open(id, part, open))
+    }
+
+    /// Locks or unlocks a part: locked, it neither moves nor lets itself be opened.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NoSuchPart`].
+    pub fn lock(&mut self, id: NodeId, part: usize, locked: bool) -> Result<(), PhysicsError> {
+        self.check_part(id, part)?;
+        let index = self.index(id)?;
+        let moving = &mut self.things[index].state.moving[part];
+        moving.locked = locked;
+        self.driven.retain(|d| *d != (id, part));
+        self.settle_part(index, part);
+        Ok(())
+    }
+
+    /// Whether a node has a part that is locked.
+    pub fn is_locked(&self, id: NodeId) -> bool {
+        self.thing(id).is_ok_and(|t| t.state.moving.iter().any(|m| m.locked))
+    }
+
+    fn check_part(&self, id: NodeId, part: usize) -> Result<&Moving, PhysicsError> {
+        let parts = &self.thing(id)?.state.moving;
+        parts.get(part).ok_or(PhysicsError::NoSuchPart { id, part, count: parts.len() })
+    }
+
+    fn target(&self, id: NodeId, part: usize, open: f32) -> Result<f32, PhysicsError> {
+        let moving = self.check_part(id, part)?;
+        if moving.locked {
+            return Err(PhysicsError::Locked(id));
+        }
+        if !open.is_finite() {
+            return Err(PhysicsError::NotFinite("the open fraction", id));
+        }
+        let (shut, wide) = (closed(moving.limits), opened(moving.limits));
+        Ok(shut + open.clamp(0.0, 1.0) * (wide - shut))
+    }
+
+    /// Looks after the motors: those that have arrived, or have tried long enough,
+    /// stop.
+    pub(crate) fn tend_motors(&mut self) {
+        if self.driven.is_empty() {
+            return;
+        }
+        let driven = std::mem::take(&mut self.driven);
+        for (id, part) in driven {
+            let Ok(index) = self.index(id) else { continue };
+            let (arrived, position) = self.has_arrived(index, part);
+            let moving = &mut self.things[index].state.moving[part];
+            moving.position = position;
+            moving.patience = moving.patience.saturating_sub(1);
+            if arrived || moving.patience == 0 {
+                self.settle_part(index, part);
+            } else {
+                self.turn_on(index, part);
+                self.driven.push((id, part));
+            }
+        }
+    }
+
+    /// Sets the speed of a part's motor by how far there is to go.
+    fn turn_on(&mut self, index: usize, part: usize) {
+        let thing = &self.things[index];
+        let (moving, kind) = (&thing.state.moving[part], joint_kind(&thing.form.links[part + 1]));
+        let Some(target) = moving.target else { return };
+        let most = (moving.limits.1 - moving.limits.0) / WHOLE_WAY;
+        let speed = ((target - moving.position) * EAGER).clamp(-most, most);
+        if let Some(joint) = moving.joint.and_then(|j| self.engine.joints.get_mut(j, true)) {
+            joint.data.set_motor_velocity(axis(kind), speed, FIRM);
+        }
+    }
+
+    /// Whether a part is where its motor takes it, and slow against its base; and
+    /// where it is.
+    fn has_arrived(&self, index: usize, part: usize) -> (bool, f32) {
+        let thing = &self.things[index];
+        let moving = &thing.state.moving[part];
+        let (Some(target), Some(position)) = (moving.target, self.part_position(thing, part)) else {
+            return (true, moving.position);
+        };
+        let slow = (position - moving.position).abs() < SLOW * self.settings.dt;
+        (slow && (position - target).abs() <= ARRIVED * (moving.limits.1 - moving.limits.0), position)
+    }
+
+    /// Ends what a motor did: friction holds the part; shut, it latches; locked, it
+    /// is stuck.
+    fn settle_part(&mut self, index: usize, part: usize) {
+        let position = self.part_position(&self.things[index], part);
+        let thing = &mut self.things[index];
+        let (link, fixed_base) = (&thing.form.links[part + 1], thing.state.role == Role::Fixed);
+        let friction = link.joint.map_or(0.0, |j| friction(&j, link, &self.settings)) * thing.state.mass_factor;
+        let moving = &mut thing.state.moving[part];
+        let (Some(body), Some(position)) = (moving.body, position) else { return };
+        let slack = ARRIVED * (moving.limits.1 - moving.limits.0);
+        let shut = (position - closed(moving.limits)).abs() <= slack;
+        moving.target = None;
+        moving.latched = self.settings.latches && shut;
+        let stuck = moving.locked || moving.latched;
+        if let Some(rigid) = self.engine.bodies.get_mut(body) {
+            let fixed = stuck && fixed_base;
+            rigid.set_body_type(if fixed { RigidBodyType::Fixed } else { RigidBodyType::Dynamic }, true);
+        }
+        if let Some(joint) = moving.joint.and_then(|j| self.engine.joints.get_mut(j, true)) {
+            let kind = joint_kind(link);
+            let held = if moving.latched { closed(moving.limits) } else { position };
+            let limits = if stuck { [held, held] } else { [moving.limits.0, moving.limits.1] };
+            joint.data.set_limits(axis(kind), limits);
+            idle(&mut joint.data, kind, friction);
+        }
+    }
+
+    fn turn_welded(&mut self, index: usize, part: usize, position: f32) {
+        let thing = &self.things[index];
+        let link = &thing.form.links[part + 1];
+        let (Some((_, at)), Some(joint)) = (&link.solid, link.joint) else { return };
+        let at = convert::pose(&joint.motion(position)) * *at;
+        let (base, mark) = (thing.state.base, group::mark(thing.id, part + 1));
+        let handles = self.engine.bodies.get(base).map_or(&[][..], |b| b.colliders());
+        let found =
+            handles.iter().copied().find(|&c| self.engine.colliders.get(c).is_some_and(|c| c.user_data == mark));
+        if let Some(collider) = found.and_then(|c| self.engine.colliders.get_mut(c)) {
+            collider.set_position_wrt_parent(at);
+        }
+        self.engine.refresh(base);
+    }
+}
+
+fn joint_kind(link: &Link) -> JointKind {
+    link.joint.map_or(JointKind::Hinge, |j| j.kind)
+}

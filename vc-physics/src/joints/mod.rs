@@ -1,0 +1,79 @@
+//! Doors, lids and drawers: parts that turn or slide against their base.
+//!
+//! On a base that is fixed, or heavier than ten kilograms, a part has a body and a
+//! joint of its own, with limits, friction and a motor. On something light, such as
+//! a book, it moves with the base and is opened at once.
+
+mod drive;
+mod make;
+mod motion;
+
+use vc_graph::asset::{Joint, JointKind};
+use vc_graph::{NodeId, Pose};
+
+use crate::world::{Thing, World};
+
+pub(crate) use make::add;
+
+/// How open a part may be and still count as closed, as a fraction.
+pub(crate) const SHUT: f32 = 0.02;
+
+/// A part that moves, as data.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MovingPart {
+    /// Its name, that of the asset's first part that moves so.
+    pub name: std::sync::Arc<str>,
+    /// Turning or sliding.
+    pub kind: JointKind,
+    /// Least and greatest position, radians or metres.
+    pub limits: (f32, f32),
+    /// Where it is, radians or metres.
+    pub position: f32,
+    /// How far open it is, 0 to 1.
+    pub open: f32,
+    /// Whether it is locked.
+    pub locked: bool,
+}
+
+impl World {
+    /// The moving parts of a node, in the asset's order; none where nothing moves.
+    pub fn moving_parts(&self, id: NodeId) -> Vec<MovingPart> {
+        let Ok(thing) = self.thing(id) else { return Vec::new() };
+        (0..thing.state.moving.len()).filter_map(|part| self.moving_part(thing, part)).collect()
+    }
+
+    fn moving_part(&self, thing: &Thing, part: usize) -> Option<MovingPart> {
+        let (moving, link) = (thing.state.moving[part], &thing.form.links[part + 1]);
+        let (joint, position) = (link.joint?, self.part_position(thing, part)?);
+        let open = motion::fraction(joint.limits, position);
+        let name = link.name.clone();
+        Some(MovingPart { name, kind: joint.kind, limits: joint.limits, position, open, locked: moving.locked })
+    }
+
+    pub(crate) fn part_position(&self, thing: &Thing, part: usize) -> Option<f32> {
+        let moving = thing.state.moving.get(part)?;
+        let Some(body) = moving.body else { return Some(moving.position) };
+        let joint = thing.form.links[part + 1].joint?;
+        Some(motion::position(&joint, &self.engine.pose(thing.state.base)?, &self.engine.pose(body)?))
+    }
+
+    /// How far a part has moved from where the asset has it, in the asset's frame.
+    pub(crate) fn part_motion(&self, thing: &Thing, joint: &Joint) -> Pose {
+        let part = thing.form.links.iter().skip(1).position(|l| l.joint.as_ref() == Some(joint));
+        let position = part.and_then(|p| self.part_position(thing, p));
+        position.map_or_else(Pose::identity, |p| joint.motion(p))
+    }
+
+    /// How far open a node is: its most open part, 0 to 1; `None` where nothing
+    /// moves.
+    pub fn openness(&self, id: NodeId) -> Option<f32> {
+        self.moving_parts(id).iter().map(|p| p.open).reduce(f32::max)
+    }
+
+    /// The state a node's moving parts show, as the graph has it: open, closed, or
+    /// none where nothing moves.
+    pub fn open_state(&self, id: NodeId) -> Option<vc_graph::State> {
+        let open = self.openness(id)? > SHUT;
+        Some(if open { vc_graph::State::Open } else { vc_graph::State::Closed })
+    }
+}

@@ -1,0 +1,109 @@
+//! The free floor as bands: rectangles that are as wide as the floor is free there.
+//!
+//! Left and right of a band is always something in the way, so ways lead only over
+//! its lower and its upper side.
+
+use super::raster::Raster;
+
+/// A rectangle of free cells: columns `x0..x1`, rows `y0..y1`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Band {
+    pub(crate) x0: u32,
+    pub(crate) x1: u32,
+    pub(crate) y0: u32,
+    pub(crate) y1: u32,
+    /// Its gates, below and above, in [`Bands::gates`].
+    below: (u32, u32),
+    above: (u32, u32),
+}
+
+/// A way from one band to the next: columns `from..to` of their common side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Gate {
+    pub(crate) band: u32,
+    pub(crate) from: u32,
+    pub(crate) to: u32,
+}
+
+/// All bands and the ways between them.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Bands {
+    pub(crate) all: Vec<Band>,
+    gates: Vec<Gate>,
+    /// For each row the bands in it by column, in `in_rows`.
+    rows: Vec<(u32, u32)>,
+    in_rows: Vec<u32>,
+}
+
+impl Bands {
+    pub(crate) fn of(raster: &Raster) -> Self {
+        let mut bands = Self::default();
+        let mut before: Vec<u32> = Vec::new();
+        for row in 0..raster.rows {
+            let current = bands.row(raster, row as u32, &before);
+            bands.rows.push((bands.in_rows.len() as u32, current.len() as u32));
+            bands.in_rows.extend(&current);
+            before = current;
+        }
+        bands.join();
+        bands
+    }
+
+    /// The bands of a row: those of the row before that go on, and new ones.
+    fn row(&mut self, raster: &Raster, row: u32, before: &[u32]) -> Vec<u32> {
+        let mut old = before.iter().copied().peekable();
+        let mut current = Vec::new();
+        for (x0, x1) in raster.runs(row as usize) {
+            while old.next_if(|&b| self.all[b as usize].x0 < x0).is_some() {}
+            let same = old.peek().copied().filter(|&b| (self.all[b as usize].x0, self.all[b as usize].x1) == (x0, x1));
+            current.push(same.unwrap_or(self.all.len() as u32));
+            match same {
+                Some(band) => self.all[band as usize].y1 = row + 1,
+                None => self.all.push(Band { x0, x1, y0: row, y1: row + 1, below: (0, 0), above: (0, 0) }),
+            }
+        }
+        current
+    }
+
+    /// Finds the gates: bands that end at a row beside bands that begin there.
+    fn join(&mut self) {
+        let mut above: Vec<Vec<Gate>> = vec![Vec::new(); self.all.len()];
+        let mut below: Vec<Vec<Gate>> = vec![Vec::new(); self.all.len()];
+        for pair in self.rows.windows(2) {
+            let slice = |(from, count): (u32, u32)| &self.in_rows[from as usize..(from + count) as usize];
+            let (lower, upper) = (slice(pair[0]), slice(pair[1]));
+            let (mut i, mut j) = (0, 0);
+            while let (Some(&a), Some(&b)) = (lower.get(i), upper.get(j)) {
+                let (one, two) = (&self.all[a as usize], &self.all[b as usize]);
+                let (from, to) = (one.x0.max(two.x0), one.x1.min(two.x1));
+                if from < to && a != b {
+                    above[a as usize].push(Gate { band: b, from, to });
+                    below[b as usize].push(Gate { band: a, from, to });
+                }
+                if one.x1 < two.x1 { i += 1 } else { j += 1 }
+            }
+        }
+        for (band, (under, over)) in self.all.iter_mut().zip(below.iter().zip(&above)) {
+            band.below = (self.gates.len() as u32, under.len() as u32);
+            self.gates.extend(under);
+            band.above = (self.gates.len() as u32, over.len() as u32);
+            self.gates.extend(over);
+        }
+    }
+
+    /// Ways out of a band over its upper or its lower side.
+    pub(crate) fn gates(&self, band: u32, up: bool) -> &[Gate] {
+        let band = &self.all[band as usize];
+        let (from, count) = if up { band.above } else { band.below };
+        &self.gates[from as usize..(from + count) as usize]
+    }
+
+    /// The band of a cell.
+    pub(crate) fn at(&self, column: usize, row: usize) -> Option<u32> {
+        let &(from, count) = self.rows.get(row)?;
+        let row = &self.in_rows[from as usize..(from + count) as usize];
+        let after = row.partition_point(|&b| self.all[b as usize].x0 as usize <= column);
+        let band = *row.get(after.checked_sub(1)?)?;
+        (column < self.all[band as usize].x1 as usize).then_some(band)
+    }
+}

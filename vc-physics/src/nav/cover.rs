@@ -1,0 +1,136 @@
+//! What bodies cover of the floor.
+
+use nalgebra::{Point2, Point3};
+use vc_graph::{NodeId, Pose};
+
+use super::outline::{Outline, hull};
+use super::{Doors, FloorPlan};
+use crate::Role;
+use crate::world::{Thing, World};
+
+/// Up to which motion a body counts as where it was, metres.
+const SAME: f32 = 0.005;
+/// How far below the floor's level a floor may be and still be it, metres.
+const BELOW: f32 = 0.1;
+
+/// What a node covers, and how it stood when that was found.
+#[derive(Debug, Clone)]
+pub(crate) struct Cover {
+    pub(crate) id: NodeId,
+    pub(crate) outlines: Vec<Outline>,
+    /// Of a door between rooms: its shut leaf.
+    pub(crate) gate: Vec<Outline>,
+    poses: Vec<Pose>,
+    role: Option<Role>,
+    locked: bool,
+}
+
+impl Cover {
+    pub(crate) fn fixed(outlines: Vec<Outline>) -> Self {
+        let id = NodeId(u32::MAX);
+        Self { id, outlines, gate: Vec::new(), poses: Vec::new(), role: None, locked: false }
+    }
+
+    fn of(world: &World, thing: &Thing, plan: &FloorPlan) -> Self {
+        let poses = poses(world, thing);
+        let locked = thing.state.moving.iter().any(|m| m.locked);
+        let passable = thing.state.door && !locked && plan.doors == Doors::Opened;
+        let mut cover =
+            Self { id: thing.id, outlines: Vec::new(), gate: Vec::new(), poses, role: Some(thing.state.role), locked };
+        if thing.state.role == Role::Carried {
+            return cover;
+        }
+        for (link, pose) in cover.poses.iter().enumerate() {
+            if link == 0 || !passable {
+                cover.outlines.extend(outlines(thing, link, pose, plan));
+            }
+        }
+        if let Some(base) = cover.poses.first().filter(|_| thing.state.door) {
+            let leaves = 1..thing.form.links.len();
+            cover.gate = leaves.flat_map(|link| outlines(thing, link, base, plan)).collect();
+        }
+        cover
+    }
+
+    fn is_current(&self, world: &World, thing: &Thing) -> bool {
+        let near = |a: &Pose, b: &Pose| {
+            (a.translation.vector - b.translation.vector).norm() < SAME
+                && (a.rotation.coords - b.rotation.coords).norm() < SAME
+        };
+        let now = poses(world, thing);
+        self.id == thing.id
+            && self.role == Some(thing.state.role)
+            && self.locked == thing.state.moving.iter().any(|m| m.locked)
+            && self.poses.len() == now.len()
+            && self.poses.iter().zip(&now).all(|(a, b)| near(a, b))
+    }
+}
+
+/// Poses of a thing's links.
+fn poses(world: &World, thing: &Thing) -> Vec<Pose> {
+    let base = world.engine.pose(thing.state.base).unwrap_or_else(Pose::identity);
+    let part = |(i, link): (usize, &crate::shapes::Link)| {
+        let position = world.part_position(thing, i).unwrap_or(0.0);
+        link.joint.map_or(base, |j| base * j.motion(position))
+    };
+    let parts = thing.form.links.iter().skip(1).enumerate().map(part);
+    std::iter::once(base).chain(parts).collect()
+}
+
+/// Outlines of the pieces of a link that are between floor and head.
+fn outlines(thing: &Thing, link: usize, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
+    let (low, high) = (plan.level + plan.step, plan.level + plan.height);
+    let piece = |corners: &Vec<Point3<f32>>| {
+        let placed: Vec<Point3<f32>> = corners.iter().map(|p| pose * p).collect();
+        let bottom = placed.iter().map(|p| p.z).fold(f32::INFINITY, f32::min);
+        let top = placed.iter().map(|p| p.z).fold(f32::NEG_INFINITY, f32::max);
+        (top > low && bottom < high).then(|| hull(placed))
+    };
+    thing.form.links[link].hulls().iter().filter_map(piece).collect()
+}
+
+/// What all nodes cover.
+pub(crate) fn covers(world: &World, plan: &FloorPlan) -> Vec<Cover> {
+    world.things.iter().map(|t| Cover::of(world, t, plan)).collect()
+}
+
+/// Brings covers up to date; gives whether any changed.
+pub(crate) fn update(covers: &mut Vec<Cover>, world: &World, plan: &FloorPlan) -> bool {
+    if covers.len() != world.things.len() || covers.iter().zip(&world.things).any(|(c, t)| c.id != t.id) {
+        *covers = self::covers(world, plan);
+        return true;
+    }
+    let mut changed = false;
+    for (cover, thing) in covers.iter_mut().zip(&world.things) {
+        if !cover.is_current(world, thing) {
+            *cover = Cover::of(world, thing, plan);
+            changed = true;
+        }
+    }
+    changed
+}
+
+/// Outlines of what one stands on: pieces of the building whose top is the floor; the
+/// rooms' boxes where there are none.
+pub(crate) fn ground(world: &World, plan: &FloorPlan) -> Vec<Outline> {
+    let tops = plan.level - BELOW..=plan.level + plan.step;
+    let mut found = Vec::new();
+    for thing in world.things.iter().filter(|t| t.state.structure && t.state.role == Role::Fixed) {
+        let Some(base) = world.engine.pose(thing.state.base) else { continue };
+        for corners in thing.form.links[0].hulls() {
+            let placed: Vec<Point3<f32>> = corners.iter().map(|p| base * p).collect();
+            let top = placed.iter().map(|p| p.z).fold(f32::NEG_INFINITY, f32::max);
+            if tops.contains(&top) {
+                found.push(hull(placed));
+            }
+        }
+    }
+    if found.is_empty() {
+        found = world.rooms.iter().map(|(_, room)| rectangle(&room.min, &room.max)).collect();
+    }
+    found
+}
+
+fn rectangle(min: &Point3<f32>, max: &Point3<f32>) -> Outline {
+    vec![min.xy(), Point2::new(max.x, min.y), max.xy(), Point2::new(min.x, max.y)]
+}

@@ -1,0 +1,90 @@
+//! Plane convex outlines: what a body covers of the floor.
+
+use nalgebra::{Point2, Point3};
+
+/// A convex polygon, counter-clockwise; a point or a segment where it has no area.
+pub(crate) type Outline = Vec<Point2<f32>>;
+
+/// The convex hull of points seen from above (Andrew's monotone chain, 1979).
+pub(crate) fn hull(points: impl IntoIterator<Item = Point3<f32>>) -> Outline {
+    let mut all: Outline = points.into_iter().map(|p| p.xy()).collect();
+    all.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    all.dedup();
+    if all.len() < 3 {
+        return all;
+    }
+    let mut chain: Outline = Vec::with_capacity(all.len() + 1);
+    let mut least = 2;
+    for p in all.iter().chain(all.iter().rev().skip(1)) {
+        while chain.len() >= least && turn(&chain[chain.len() - 2], &chain[chain.len() - 1], p) <= 0.0 {
+            chain.pop();
+        }
+        chain.push(*p);
+        if *p == all[all.len() - 1] && least == 2 {
+            least = chain.len() + 1;
+        }
+    }
+    chain.pop();
+    chain
+}
+
+/// Positive if three points turn left.
+pub(crate) fn turn(a: &Point2<f32>, b: &Point2<f32>, c: &Point2<f32>) -> f32 {
+    (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
+}
+
+/// Where a level line meets an outline grown by a radius: the least and greatest x.
+pub(crate) fn span(outline: &[Point2<f32>], radius: f32, y: f32) -> Option<(f32, f32)> {
+    let mut reach = Reach { low: f32::INFINITY, high: f32::NEG_INFINITY };
+    let next = outline.iter().cycle().skip(1);
+    for (a, b) in outline.iter().zip(next) {
+        reach.disc(a, radius, y);
+        let way = b - a;
+        let length = way.norm();
+        if length > 0.0 {
+            let side = nalgebra::Vector2::new(way.y, -way.x) * (radius / length);
+            reach.segment(&(a + side), &(b + side), y);
+            reach.segment(&(a - side), &(b - side), y);
+        }
+    }
+    (reach.low <= reach.high).then_some((reach.low, reach.high))
+}
+
+struct Reach {
+    low: f32,
+    high: f32,
+}
+
+impl Reach {
+    fn add(&mut self, x: f32) {
+        self.low = self.low.min(x);
+        self.high = self.high.max(x);
+    }
+
+    fn disc(&mut self, centre: &Point2<f32>, radius: f32, y: f32) {
+        let rise = y - centre.y;
+        let half = radius * radius - rise * rise;
+        if half >= 0.0 {
+            self.add(centre.x - half.sqrt());
+            self.add(centre.x + half.sqrt());
+        }
+    }
+
+    fn segment(&mut self, a: &Point2<f32>, b: &Point2<f32>, y: f32) {
+        if (a.y <= y) != (b.y <= y) {
+            self.add(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
+        }
+    }
+}
+
+/// Whether a segment touches a convex outline.
+pub(crate) fn crosses(outline: &[Point2<f32>], from: &Point2<f32>, to: &Point2<f32>) -> bool {
+    let next = outline.iter().cycle().skip(1);
+    let edges = outline.iter().zip(next);
+    let inside = outline.len() > 2 && edges.clone().all(|(a, b)| turn(a, b, from) >= 0.0);
+    let apart = |p: f32, q: f32| (p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0);
+    inside
+        || edges
+            .into_iter()
+            .any(|(a, b)| !apart(turn(from, to, a), turn(from, to, b)) && !apart(turn(a, b, from), turn(a, b, to)))
+}

@@ -1,0 +1,147 @@
+//! A grid of bits, one for each cell of the floor.
+
+use nalgebra::Point2;
+
+use super::outline::{Outline, span};
+
+/// Most cells a grid has; larger floors get larger cells.
+const MOST: f32 = 4.0e6;
+
+/// Cells in rows; `low` is the corner of the first.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Raster {
+    pub(crate) low: Point2<f32>,
+    pub(crate) cell: f32,
+    pub(crate) columns: usize,
+    pub(crate) rows: usize,
+    /// Words in a row.
+    words: usize,
+    bits: Vec<u64>,
+}
+
+impl Raster {
+    /// An empty grid over a rectangle; none if that is empty or not finite.
+    pub(crate) fn over(low: Point2<f32>, high: Point2<f32>, cell: f32) -> Option<Self> {
+        let size = high - low;
+        if !(size.x > 0.0 && size.y > 0.0 && size.x.is_finite() && size.y.is_finite() && cell > 0.0) {
+            return None;
+        }
+        let cell = cell.max((size.x / MOST * size.y).sqrt()).max(size.max() / MOST);
+        let count = |length: f32| (length / cell).ceil() as usize + 1;
+        let (columns, rows) = (count(size.x), count(size.y));
+        let words = columns.div_ceil(64);
+        Some(Self { low, cell, columns, rows, words, bits: vec![0; words * rows] })
+    }
+
+    pub(crate) fn clear(&mut self) {
+        self.bits.fill(0);
+    }
+
+    /// Sets or clears the cells whose centres are within an outline grown by a radius.
+    pub(crate) fn paint(&mut self, outline: &Outline, radius: f32, value: bool) {
+        let (Some(bottom), Some(top)) =
+            (outline.iter().map(|p| p.y).reduce(f32::min), outline.iter().map(|p| p.y).reduce(f32::max))
+        else {
+            return;
+        };
+        let rows =
+            self.index(bottom - radius - self.low.y, self.rows)..self.index(top + radius - self.low.y, self.rows);
+        for row in rows {
+            let y = self.low.y + (row as f32 + 0.5) * self.cell;
+            if let Some((left, right)) = span(outline, radius, y) {
+                let from = self.index(left - self.low.x, self.columns);
+                let to = self.index(right - self.low.x, self.columns);
+                self.set(row, from, to, value);
+            }
+        }
+    }
+
+    /// The first cell whose centre is not before an offset.
+    fn index(&self, offset: f32, most: usize) -> usize {
+        ((offset / self.cell - 0.5).ceil().max(0.0) as usize).min(most)
+    }
+
+    fn set(&mut self, row: usize, from: usize, to: usize, value: bool) {
+        if from >= to {
+            return;
+        }
+        let words = &mut self.bits[row * self.words..(row + 1) * self.words];
+        for (at, word) in words.iter_mut().enumerate().take(to.div_ceil(64)).skip(from / 64) {
+            let (first, last) = (from.max(at * 64) - at * 64, to.min(at * 64 + 64) - at * 64);
+            let mask = (u64::MAX >> (64 - (last - first))) << first;
+            *word = if value { *word | mask } else { *word & !mask };
+        }
+    }
+
+    pub(crate) fn get(&self, column: usize, row: usize) -> bool {
+        column < self.columns && row < self.rows && self.bits[row * self.words + column / 64] >> (column % 64) & 1 == 1
+    }
+
+    /// Runs of set cells of a row: first and one past the last.
+    pub(crate) fn runs(&self, row: usize) -> impl Iterator<Item = (u32, u32)> + '_ {
+        let words = &self.bits[row * self.words..(row + 1) * self.words];
+        let mut at = 0_usize;
+        std::iter::from_fn(move || {
+            let from = next(words, at, true)?;
+            let to = next(words, from, false).unwrap_or(words.len() * 64);
+            at = to;
+            Some((from as u32, to as u32))
+        })
+    }
+
+    /// Number of set cells.
+    pub(crate) fn count(&self) -> usize {
+        self.bits.iter().map(|w| w.count_ones() as usize).sum()
+    }
+
+    /// A point in cells.
+    pub(crate) fn cells(&self, p: &Point2<f32>) -> (f64, f64) {
+        (f64::from(p.x - self.low.x) / f64::from(self.cell), f64::from(p.y - self.low.y) / f64::from(self.cell))
+    }
+
+    /// A point in cells as a point, metres.
+    pub(crate) fn point(&self, (x, y): (f64, f64)) -> Point2<f32> {
+        let at = |low: f32, n: f64| (f64::from(low) + n * f64::from(self.cell)) as f32;
+        Point2::new(at(self.low.x, x), at(self.low.y, y))
+    }
+
+    /// The cell a point is in.
+    pub(crate) fn cell_of(&self, p: &Point2<f32>) -> Option<(usize, usize)> {
+        let (x, y) = self.cells(p);
+        let inside = x >= 0.0 && y >= 0.0 && x < self.columns as f64 && y < self.rows as f64;
+        inside.then_some((x as usize, y as usize))
+    }
+
+    /// Whether the cell of a point is set.
+    pub(crate) fn holds(&self, p: &Point2<f32>) -> bool {
+        self.cell_of(p).is_some_and(|(x, y)| self.get(x, y))
+    }
+
+    /// Middle of the nearest set cell within a distance; the point itself if its own
+    /// cell is set.
+    pub(crate) fn nearest(&self, p: &Point2<f32>, within: f32) -> Option<Point2<f32>> {
+        if self.holds(p) {
+            return Some(*p);
+        }
+        let (x, y) = self.cells(p);
+        let reach = (within.max(0.0) / self.cell).min(1000.0) as i64 + 1;
+        let rows = (y as i64 - reach).max(0)..(y as i64 + reach + 1).min(self.rows as i64);
+        let columns = (x as i64 - reach).max(0)..(x as i64 + reach + 1).min(self.columns as i64);
+        let cells = rows.flat_map(|r| columns.clone().map(move |c| (c as usize, r as usize)));
+        let middle = |(c, r): (usize, usize)| self.point((c as f64 + 0.5, r as f64 + 0.5));
+        let free = cells.filter(|&(c, r)| self.get(c, r)).map(middle).map(|m| ((m - p).norm(), m));
+        free.filter(|(d, _)| *d <= within).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, m)| m)
+    }
+}
+
+/// The first bit of a value at or after a position.
+fn next(words: &[u64], from: usize, value: bool) -> Option<usize> {
+    let wanted = |word: u64| if value { word } else { !word };
+    let mut word = from / 64;
+    let mut rest = wanted(*words.get(word)?) & (u64::MAX << (from % 64));
+    while rest == 0 {
+        word += 1;
+        rest = wanted(*words.get(word)?);
+    }
+    Some(word * 64 + rest.trailing_zeros() as usize)
+}

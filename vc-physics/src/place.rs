@@ -1,0 +1,254 @@
+//! Finding free places, and what is in the way.
+
+use nalgebra::{Point3, UnitQuaternion, Vector3};
+use rapier3d::geometry::{Collider, ColliderHandle, Ray, SharedShape};
+use rapier3d::math::Pose as EnginePose;
+use rapier3d::pipeline::QueryFilter;
+use vc_graph::asset::{Hold, Surface};
+use vc_graph::{NodeId, Pose, Seed};
+
+use crate::world::{Thing, World};
+use crate::{PhysicsError, convert, group};
+
+/// Gap that is left between a thing and what it is put on, metres: it is at rest
+/// after a millimetre's fall.
+const GAP: f32 = 0.001;
+/// How much smaller a thing is taken than it is when it is looked for overlaps,
+/// metres: what stands in contact does not overlap.
+const SKIN: f32 = 0.001;
+/// Distance of the spots that are tried on a surface, metres.
+const PITCH: f32 = 0.04;
+/// Most spots tried along one side.
+const MOST: usize = 24;
+
+/// A place that holds things, in the world's frame as it is now.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shelf {
+    /// The node it belongs to.
+    pub id: NodeId,
+    /// Its position in the asset's list.
+    pub surface: usize,
+    /// How it holds things.
+    pub hold: Hold,
+    /// Middle of what carries; X and Y along its sides.
+    pub pose: Pose,
+    /// Half lengths along its X and Y, metres.
+    pub half: (f32, f32),
+    /// Free height above it, metres, if something is above.
+    pub clearance: Option<f32>,
+}
+
+/// In which order the spots of a surface are tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Order {
+    /// The middle first.
+    Middle,
+    /// Nearest to a point first.
+    Near(Point3<f32>),
+    /// At random, from a seed.
+    Random(Seed),
+}
+
+impl World {
+    /// The surfaces of a node as they are now: those of a drawer move with it.
+    pub fn shelves(&self, id: NodeId) -> Vec<Shelf> {
+        let Ok(thing) = self.thing(id) else { return Vec::new() };
+        (0..thing.form.surfaces.len()).filter_map(|s| self.shelf_of(thing, s)).collect()
+    }
+
+    fn shelf_of(&self, thing: &Thing, surface: usize) -> Option<Shelf> {
+        let of: &Surface = thing.form.surfaces.get(surface)?;
+        let moved = of.joint.map_or_else(Pose::identity, |j| self.part_motion(thing, &j));
+        let pose =
+            self.engine.pose(thing.state.base)? * moved * Pose::translation(of.centre.x, of.centre.y, of.centre.z);
+        Some(Shelf { id: thing.id, surface, hold: of.hold, pose, half: of.half, clearance: of.clearance })
+    }
+
+    /// Things a node would overlap if it were at a pose; itself, what it carries and
+    /// what is carried do not count. Touching is not overlapping.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`].
+    pub fn overlaps(&self, id: NodeId, pose: &Pose) -> Result<Vec<NodeId>, PhysicsError> {
+        let thing = self.thing(id)?;
+        if !convert::is_sound(pose) {
+            return Err(PhysicsError::NotFinite("the pose", id));
+        }
+        let mut found: Vec<NodeId> = Vec::new();
+        self.for_overlaps(thing, pose, &mut |node| found.push(node));
+        found.sort_unstable();
+        found.dedup();
+        Ok(found)
+    }
+
+    fn for_overlaps(&self, thing: &Thing, pose: &Pose, found: &mut dyn FnMut(NodeId)) {
+        let own = thing.id;
+        for link in &thing.form.links {
+            let Some((shape, at)) = &link.solid else { continue };
+            self.each_overlap(shape, &(convert::pose(pose) * *at), own, found);
+        }
+    }
+
+    /// Calls for every solid thing but one that a shape would overlap.
+    fn each_overlap(&self, shape: &SharedShape, at: &EnginePose, but: NodeId, found: &mut dyn FnMut(NodeId)) {
+        let other = |_: ColliderHandle, c: &Collider| group::is_solid(c) && group::marked(c.user_data).0 != but;
+        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&other));
+        for (_, collider) in queries.intersect_shape(*at, &**shape) {
+            let between = at.inv_mul(collider.position());
+            let depth =
+                rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
+            if depth.ok().flatten().is_none_or(|c| c.dist < -SKIN) {
+                found(group::marked(collider.user_data).0);
+            }
+        }
+    }
+
+    /// Whether a box of half lengths at a pose overlaps nothing.
+    pub fn is_free(&self, half: Vector3<f32>, pose: &Pose) -> bool {
+        if !convert::is_finite(&half) || half.min() <= 0.0 || !convert::is_sound(pose) {
+            return false;
+        }
+        let mut free = true;
+        let shape = SharedShape::cuboid(half.x, half.y, half.z);
+        self.each_overlap(&shape, &convert::pose(pose), NodeId(u32::MAX), &mut |_| free = false);
+        free
+    }
+
+    /// A pose at which a node stands free on a surface: within its edges, below what
+    /// is above, clear of everything, turned by `yaw` against the surface. `None` if
+    /// no spot is free.
+    ///
+    /// Spots are tried on a raster of four centimetres or coarser; each costs some
+    /// microseconds.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NoSuchSurface`],
+    /// [`PhysicsError::NotFinite`].
+    pub fn free_spot(
+        &self,
+        id: NodeId,
+        on: NodeId,
+        surface: usize,
+        yaw: f32,
+        order: Order,
+    ) -> Result<Option<Pose>, PhysicsError> {
+        let (thing, below) = (self.thing(id)?, self.thing(on)?);
+        let count = below.form.surfaces.len();
+        let missing = PhysicsError::NoSuchSurface { id: on, surface, count };
+        let shelf = self.shelf_of(below, surface).ok_or(missing)?;
+        if !yaw.is_finite() {
+            return Err(PhysicsError::NotFinite("the yaw", id));
+        }
+        let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
+        let free = |spot: &Pose| {
+            let mut clear = true;
+            self.for_overlaps(thing, spot, &mut |_| clear = false);
+            clear
+        };
+        Ok(spots(thing, &shelf, &turn, order).into_iter().find(free))
+    }
+
+    /// As [`Self::free_spot`], on whichever surface of a node has one: those inside
+    /// first if `inside`, otherwise those on top first.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    pub fn free_spot_at(
+        &self,
+        id: NodeId,
+        at: NodeId,
+        inside: bool,
+        order: Order,
+    ) -> Result<Option<Pose>, PhysicsError> {
+        let wanted = if inside { Hold::Inside } else { Hold::On };
+        let surfaces = &self.thing(at)?.form.surfaces;
+        let of = |hold: Hold| (0..surfaces.len()).filter(move |&s| surfaces[s].hold == hold);
+        for surface in of(wanted) {
+            for yaw in [0.0, std::f32::consts::FRAC_PI_2] {
+                if let Some(pose) = self.free_spot(id, at, surface, yaw, order)? {
+                    return Ok(Some(pose));
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// Nodes of which some part is within a distance of a point, nearest first, with
+    /// the distance; walls and floors with them.
+    pub fn within(&self, centre: Point3<f32>, radius: f32) -> Vec<(NodeId, f32)> {
+        if !convert::is_finite(&centre.coords) || !radius.is_finite() || radius < 0.0 {
+            return Vec::new();
+        }
+        let ball = rapier3d::parry::shape::Ball::new(radius.max(1e-4));
+        let queries = self.engine.queries(QueryFilter::default().exclude_sensors());
+        let at = EnginePose::from_translation(convert::point(centre));
+        let mut found: Vec<(NodeId, f32)> = Vec::new();
+        for (_, collider) in queries.intersect_shape(at, &ball) {
+            let distance = collider.shape().distance_to_point(collider.position(), convert::point(centre), true);
+            found.push((group::marked(collider.user_data).0, distance));
+        }
+        found.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        found.dedup_by_key(|f| f.0);
+        found.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        found
+    }
+
+    /// The first node that a ray from one point to another meets, and where; those in
+    /// `past` do not stop it.
+    pub fn ray(&self, from: Point3<f32>, to: Point3<f32>, past: &[NodeId]) -> Option<(NodeId, Point3<f32>)> {
+        let way = to - from;
+        if !convert::is_finite(&way) || way.norm() < 1e-6 {
+            return None;
+        }
+        let solid = |_: ColliderHandle, c: &Collider| !past.contains(&group::marked(c.user_data).0);
+        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
+        let ray = Ray::new(convert::point(from), convert::vector(way));
+        let (collider, at) = queries.cast_ray(&ray, 1.0, true)?;
+        Some((self.node_of(collider)?, from + way * at))
+    }
+}
+
+/// The spots of a surface where a thing fits within edges and height, best first.
+fn spots(thing: &Thing, shelf: &Shelf, turn: &UnitQuaternion<f32>, order: Order) -> Vec<Pose> {
+    let (low, high) = thing.form.extent;
+    let size = high - low;
+    let (cos, sin) = ((turn * Vector3::x()).x.abs(), (turn * Vector3::x()).y.abs());
+    let half = ((size.x * cos + size.y * sin) / 2.0, (size.x * sin + size.y * cos) / 2.0);
+    let room = (shelf.half.0 - half.0, shelf.half.1 - half.1);
+    let fits = room.0 >= 0.0 && room.1 >= 0.0 && shelf.clearance.is_none_or(|c| size.z + GAP <= c);
+    if !fits || shelf.hold == Hold::Hook {
+        return Vec::new();
+    }
+    let centre = turn * nalgebra::center(&low, &high).coords;
+    let at = |(x, y): (f32, f32)| {
+        let base = Vector3::new(x - centre.x, y - centre.y, GAP - low.z);
+        shelf.pose * Pose::from_parts(base.into(), *turn)
+    };
+    let raster: Vec<(f32, f32)> = steps(room.0).flat_map(|x| steps(room.1).map(move |y| (x, y))).collect();
+    ordered(raster, shelf, order).into_iter().map(at).collect()
+}
+
+/// Offsets from -room to room, a raster's pitch apart or wider.
+fn steps(room: f32) -> impl Iterator<Item = f32> {
+    let count = ((2.0 * room / PITCH) as usize).min(MOST);
+    (0..=count).map(move |i| if count == 0 { 0.0 } else { room * (2.0 * i as f32 / count as f32 - 1.0) })
+}
+
+fn ordered(mut raster: Vec<(f32, f32)>, shelf: &Shelf, order: Order) -> Vec<(f32, f32)> {
+    let nearest = |to: (f32, f32)| {
+        move |a: &(f32, f32), b: &(f32, f32)| {
+            let far = |p: &(f32, f32)| (p.0 - to.0).powi(2) + (p.1 - to.1).powi(2);
+            far(a).total_cmp(&far(b))
+        }
+    };
+    match order {
+        Order::Middle => raster.sort_by(nearest((0.0, 0.0))),
+        Order::Near(point) => {
+            let local = shelf.pose.inverse_transform_point(&point);
+            raster.sort_by(nearest((local.x, local.y)));
+        }
+        Order::Random(seed) => seed.child("spot").stream().shuffle(&mut raster),
+    }
+    raster
+}

@@ -1,0 +1,69 @@
+//! Which part a node plays: fixed, loose, hung, or no body at all.
+
+use serde::{Deserialize, Serialize};
+use vc_graph::class::{Category, Class};
+use vc_graph::{Kind, Node, Property, Relation, SceneGraph};
+
+use crate::settings::{Fixing, Settings, Unplaced};
+
+/// How a body takes part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Role {
+    /// It stays where it is: the building, heavy furniture.
+    Fixed,
+    /// It moves freely.
+    Loose,
+    /// It hangs where it is until it is taken or pushed off.
+    Hung,
+    /// An agent's hand, or something that one holds, carries it.
+    Carried,
+    /// It became non-finite and was stopped.
+    Stopped,
+}
+
+/// What deciding needs to know about the whole scene.
+pub(crate) struct Roles<'a> {
+    graph: &'a SceneGraph,
+    settings: Settings,
+    places_are_known: bool,
+}
+
+impl<'a> Roles<'a> {
+    pub(crate) fn new(graph: &'a SceneGraph, settings: Settings) -> Self {
+        let rests = |n: &Node| graph.places(n.id()).any(|p| matches!(p.relation, Relation::On | Relation::Inside));
+        let asks = settings.unplaced == Unplaced::Hangs;
+        Self { graph, settings, places_are_known: asks && graph.nodes().any(rests) }
+    }
+
+    /// The part a node plays; `mass` is what its asset has, kilograms. `None` for
+    /// rooms and agents, whose bodies are not made of assets.
+    pub(crate) fn of(&self, node: &Node, class: Option<&Class>, mass: f32) -> Option<Role> {
+        if node.kind() != Kind::Object {
+            return None;
+        }
+        if is_structure(node, class) || self.stays(node, class.is_some(), mass) {
+            return Some(Role::Fixed);
+        }
+        let hangs = self.places_are_known && self.graph.places(node.id()).next().is_none();
+        Some(if hangs { Role::Hung } else { Role::Loose })
+    }
+
+    fn stays(&self, node: &Node, known: bool, mass: f32) -> bool {
+        let carried = node.affords(Property::Graspable);
+        // Of a class nobody knows only the mass can tell.
+        let moves = !known || carried || node.affords(Property::Movable) || node.affords(Property::Drivable);
+        match self.settings.fixing {
+            Fixing::Structure => false,
+            Fixing::Immovable => !moves,
+            Fixing::Heavy => !moves || (!carried && mass > self.settings.heavy && !node.affords(Property::Drivable)),
+        }
+    }
+}
+
+/// Whether a node is part of the building.
+pub(crate) fn is_structure(node: &Node, class: Option<&Class>) -> bool {
+    match class {
+        Some(class) => matches!(class.category, Category::Structure | Category::Door | Category::Window),
+        None => matches!(&*node.spec().category, "structure" | "door" | "window" | "Floors" | "Walls" | "Doors"),
+    }
+}

@@ -1,0 +1,98 @@
+//! What one may choose when a world is built.
+
+use serde::{Deserialize, Serialize};
+
+/// Which objects stay where they are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Fixing {
+    /// The building, what people neither carry nor move, and furniture of more than
+    /// [`Settings::heavy`] kilograms.
+    #[default]
+    Heavy,
+    /// The building, and what people neither carry nor move.
+    Immovable,
+    /// The building only: walls, floors, ceilings, doors, windows. As in the thesis.
+    Structure,
+}
+
+/// What happens to a thing of which the graph does not say what it rests on, in a
+/// graph that says so of other things.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Unplaced {
+    /// It hangs: a picture, a wall clock. It stays until it is taken or pushed off.
+    #[default]
+    Hangs,
+    /// It falls.
+    Falls,
+}
+
+/// How a [`World`](crate::World) is built and how its time passes.
+///
+/// ```
+/// let settings = vc_physics::Settings { substeps: 2, ..Default::default() };
+/// assert_eq!(settings.dt, 1.0 / 60.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Settings {
+    /// Time of one step, seconds.
+    pub dt: f32,
+    /// Steps of the engine in one step of the world, each of `dt / substeps`.
+    pub substeps: u32,
+    /// Acceleration of free fall, metres per second squared, downwards.
+    pub gravity: f32,
+    /// Which objects stay where they are.
+    pub fixing: Fixing,
+    /// From which mass on furniture is heavy, kilograms.
+    pub heavy: f32,
+    /// What hangs and what falls.
+    pub unplaced: Unplaced,
+    /// Friction torque of hinges, newton metres for each kilogram that turns.
+    pub hinge_friction: f32,
+    /// Friction force of slides, newtons for each kilogram that slides.
+    pub slide_friction: f32,
+    /// Whether doors and lids stay where they are left, as if a spring or a
+    /// counterweight carried them; otherwise they fall shut or open.
+    pub balanced: bool,
+    /// Whether doors, lids and drawers that are shut stay shut until they are
+    /// opened.
+    pub latches: bool,
+    /// Whether a mass that no member of the class has is brought to the nearest that
+    /// one has. Assets are often modelled with too much or too little material.
+    pub class_masses: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            dt: 1.0 / 60.0,
+            substeps: 1,
+            gravity: 9.81,
+            fixing: Fixing::Heavy,
+            heavy: 30.0,
+            unplaced: Unplaced::Hangs,
+            hinge_friction: 0.05,
+            slide_friction: 1.0,
+            balanced: true,
+            latches: true,
+            class_masses: true,
+        }
+    }
+}
+
+impl Settings {
+    /// The first figure that cannot be.
+    pub(crate) fn fault(&self) -> Option<&'static str> {
+        let positive = |v: f32| v.is_finite() && v > 0.0;
+        let least = |v: f32| v.is_finite() && v >= 0.0;
+        let rules = [
+            (positive(self.dt) && self.dt <= 0.1, "dt must be above 0 and at most 0.1 s"),
+            ((1..=64).contains(&self.substeps), "substeps must be 1 to 64"),
+            (self.gravity.is_finite() && self.gravity.abs() <= 1000.0, "gravity must be finite"),
+            (least(self.heavy), "heavy must be finite and not negative"),
+            (least(self.hinge_friction) && least(self.slide_friction), "friction must be finite and not negative"),
+        ];
+        rules.iter().find(|(holds, _)| !holds).map(|(_, rule)| *rule)
+    }
+}

@@ -1,0 +1,147 @@
+//! Letting a scene come to rest, and what happened on the way.
+
+use nalgebra::Point3;
+use rapier3d::math::Vector;
+use vc_graph::{Aabb, NodeId, Place, Pose, Relation};
+
+use crate::world::{Thing, World};
+use crate::{Role, convert};
+
+/// Up to which distance a thing counts as not moved, metres.
+const STILL: f32 = 0.02;
+/// Up to which angle, radians.
+const STRAIGHT: f32 = 0.1;
+/// From which drop on a thing has fallen, metres.
+const DROP: f32 = 0.05;
+/// From which overlap on two things are inside each other, metres. At rest the
+/// engine leaves up to 5 mm.
+const DEEP: f32 = 0.01;
+/// How far outside every room's box something may stand, metres: in a doorway.
+const DOORSTEP: f32 = 0.3;
+
+/// A thing that is not where it was.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moved {
+    /// Which.
+    pub id: NodeId,
+    /// How far its origin is from where it was, metres.
+    pub distance: f32,
+    /// How far it has turned, radians.
+    pub angle: f32,
+    /// How far down its centre of mass is from where it was, metres.
+    pub drop: f32,
+}
+
+/// What happened while a scene came to rest.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Settling {
+    /// Steps that passed.
+    pub steps: u32,
+    /// Whether everything sleeps.
+    pub at_rest: bool,
+    /// Things that moved by more than 2 cm or 0.1 rad.
+    pub moved: Vec<Moved>,
+    /// Things whose centre of mass is more than 5 cm lower than before.
+    pub fell: Vec<NodeId>,
+    /// Things that do not rest any more on what they rested on, or in what they were
+    /// in, by the graph they were built from.
+    pub left: Vec<(NodeId, Place)>,
+    /// Things outside every room, or below the floor.
+    pub outside: Vec<NodeId>,
+    /// Pairs that are inside each other, and how deep, metres.
+    pub overlapping: Vec<(NodeId, NodeId, f32)>,
+    /// Things that became non-finite and were stopped.
+    pub stopped: Vec<NodeId>,
+}
+
+impl Settling {
+    /// Whether the scene came to rest with everything in its place.
+    pub fn is_sound(&self) -> bool {
+        let nothing = self.fell.is_empty() && self.left.is_empty() && self.outside.is_empty();
+        self.at_rest && nothing && self.overlapping.is_empty() && self.stopped.is_empty()
+    }
+}
+
+impl World {
+    /// Lets steps pass until everything sleeps, `limit` at most, and tells what
+    /// happened.
+    ///
+    /// Bodies fall asleep half a second after they have come to rest, so some forty
+    /// steps are the least for a scene that is awake.
+    pub fn settle(&mut self, limit: u32) -> Settling {
+        let before: Vec<(NodeId, Pose, Vector)> = self.loose().filter_map(|t| self.whereabouts(t)).collect();
+        let known = self.stopped.len();
+        let mut steps = 0;
+        while steps < limit && (steps == 0 || self.awake() > 0) {
+            self.step();
+            steps += 1;
+        }
+        let moved: Vec<Moved> = before.iter().filter_map(|b| self.change(b)).collect();
+        Settling {
+            steps,
+            at_rest: self.awake() == 0,
+            fell: moved.iter().filter(|m| m.drop > DROP).map(|m| m.id).collect(),
+            moved: moved.into_iter().filter(|m| m.distance > STILL || m.angle > STRAIGHT).collect(),
+            left: self.loose().filter_map(|t| Some((t.id, self.lost_place(t)?))).collect(),
+            outside: self.outside(),
+            overlapping: self.overlapping(),
+            stopped: self.stopped[known..].to_vec(),
+        }
+    }
+
+    fn loose(&self) -> impl Iterator<Item = &Thing> {
+        self.things.iter().filter(|t| t.state.role == Role::Loose)
+    }
+
+    fn whereabouts(&self, thing: &Thing) -> Option<(NodeId, Pose, Vector)> {
+        let body = self.engine.bodies.get(thing.state.base)?;
+        Some((thing.id, convert::isometry(body.position()), body.center_of_mass()))
+    }
+
+    fn change(&self, (id, before, centre): &(NodeId, Pose, Vector)) -> Option<Moved> {
+        let (_, now, lower) = self.whereabouts(self.thing(*id).ok()?)?;
+        let distance = (now.translation.vector - before.translation.vector).norm();
+        let angle = now.rotation.angle_to(&before.rotation);
+        Some(Moved { id: *id, distance, angle, drop: centre.z - lower.z })
+    }
+
+    /// The place the graph gave a thing, if it has left it.
+    fn lost_place(&self, thing: &Thing) -> Option<Place> {
+        let place = thing.state.rests?;
+        self.index(place.at).ok()?;
+        let kept = match place.relation {
+            Relation::On => self.supports(thing.id).contains(&place.at),
+            Relation::Inside => {
+                let centre = self.centre_of_mass(thing.id)?;
+                self.aabb(place.at).is_none_or(|b| grown(&b, 0.02).contains(&centre))
+            }
+            _ => true,
+        };
+        (!kept).then_some(place)
+    }
+
+    /// Loose things outside every room, or below the lowest floor; without rooms,
+    /// outside the box around everything that is fixed.
+    pub fn outside(&self) -> Vec<NodeId> {
+        let mut boxes: Vec<Aabb> = self.rooms.iter().map(|(_, aabb)| grown(aabb, DOORSTEP)).collect();
+        if boxes.is_empty() {
+            let fixed = self.things.iter().filter(|t| t.state.role == Role::Fixed).filter_map(|t| self.aabb(t.id));
+            boxes.extend(fixed.reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) }));
+            boxes.iter_mut().for_each(|b| b.max.z = f32::INFINITY);
+        }
+        let inside = |p: Point3<f32>| boxes.is_empty() || boxes.iter().any(|b| b.contains(&p));
+        self.loose().filter(|t| self.centre_of_mass(t.id).is_some_and(|c| !inside(c))).map(|t| t.id).collect()
+    }
+
+    /// Pairs of things that are deeper in each other than what the engine leaves at
+    /// rest, as of the last step.
+    pub fn overlapping(&self) -> Vec<(NodeId, NodeId, f32)> {
+        let deep = self.contacts().into_iter().filter(|c| c.depth > DEEP);
+        deep.map(|c| (c.a, c.b, c.depth)).collect()
+    }
+}
+
+fn grown(aabb: &Aabb, by: f32) -> Aabb {
+    let by = nalgebra::Vector3::repeat(by);
+    Aabb { min: aabb.min - by, max: aabb.max + by }
+}

@@ -1,0 +1,252 @@
+//! What the engine needs to know about an asset.
+
+use std::sync::{Arc, OnceLock};
+
+use nalgebra::{Point3, Vector3};
+use rapier3d::dynamics::MassProperties;
+use rapier3d::geometry::SharedShape;
+use rapier3d::math::Pose as EnginePose;
+use vc_graph::asset::{Joint, Part, Shape, Surface};
+use vc_graph::class::Range;
+use vc_graph::{Asset, AssetLibrary, Bounds, Frame, Pose};
+
+use super::piece::{self, Piece};
+use super::{mass, merge, scale};
+use crate::convert;
+
+/// Density of things of which nothing is known but a box, kilograms per cubic metre.
+const BOX_DENSITY: f32 = 150.0;
+/// Friction of what has no material.
+const FRICTION: f32 = 0.5;
+
+/// Everything the engine needs to know about an asset at a scale.
+pub(crate) struct Form {
+    /// What moves as one; the first is the base, the others have joints.
+    pub(crate) links: Vec<Link>,
+    /// Where it holds things, scaled.
+    pub(crate) surfaces: Vec<Surface>,
+    /// Smallest and largest corner of what collides, joints at zero.
+    pub(crate) extent: (Point3<f32>, Point3<f32>),
+}
+
+/// Parts that move as one.
+pub(crate) struct Link {
+    pub(crate) name: Arc<str>,
+    pub(crate) joint: Option<Joint>,
+    /// Its shape, and where that is in the asset's frame.
+    pub(crate) solid: Option<(SharedShape, EnginePose)>,
+    /// In the asset's frame.
+    pub(crate) mass: MassProperties,
+    pub(crate) friction: f32,
+    pub(crate) restitution: f32,
+    pieces: Vec<Piece>,
+    mesh: OnceLock<Vec<[Point3<f32>; 3]>>,
+    hulls: OnceLock<Vec<Vec<Point3<f32>>>>,
+}
+
+impl Link {
+    /// Its surface as triangles in the asset's frame, made when first asked for.
+    pub(crate) fn mesh(&self) -> &[[Point3<f32>; 3]] {
+        let triangles = |piece: &Piece| {
+            let (vertices, triangles) = scale::mesh(piece);
+            triangles.into_iter().map(move |t| t.map(|v| vertices[v as usize])).collect::<Vec<_>>()
+        };
+        self.mesh.get_or_init(|| self.pieces.iter().flat_map(triangles).collect())
+    }
+
+    /// Corners of each of its pieces, in the asset's frame; made when first asked for.
+    pub(crate) fn hulls(&self) -> &[Vec<Point3<f32>>] {
+        self.hulls.get_or_init(|| self.pieces.iter().map(scale::corners).collect())
+    }
+
+    /// Whether it rolls: balls, cans, bottles.
+    pub(crate) fn is_round(&self) -> bool {
+        use rapier3d::geometry::ShapeType::{Ball, Capsule, Cone, Cylinder};
+        let round = |p: &Piece| matches!(p.shape.shape_type(), Ball | Capsule | Cone | Cylinder);
+        !self.pieces.is_empty() && self.pieces.iter().all(round)
+    }
+
+    /// Number of convex pieces.
+    pub(crate) fn pieces(&self) -> usize {
+        self.pieces.len()
+    }
+}
+
+impl Form {
+    pub(super) fn of_asset(asset: &Asset, library: &AssetLibrary, scale: &Vector3<f32>, moving: bool) -> Self {
+        let mut joints: Vec<Option<Joint>> = vec![None];
+        for part in asset.parts.iter().chain(&asset.collision).filter(|p| moving && p.joint.is_some()) {
+            if !joints.contains(&part.joint) {
+                joints.push(part.joint);
+            }
+        }
+        let surfaces: Vec<Surface> = asset.surfaces.iter().map(|s| scale::surface(s, scale)).collect();
+        let mine = |part: &&Part, joint: &Option<Joint>| if moving { part.joint == *joint } else { true };
+        let link = |joint: &Option<Joint>| {
+            let parts: Vec<&Part> = asset.parts.iter().filter(|p| mine(p, joint)).collect();
+            let given: Vec<&Part> = asset.collision.iter().filter(|p| mine(p, joint)).collect();
+            let solid = if asset.collision.is_empty() { &parts } else { &given };
+            let name = parts.first().map_or_else(|| "".into(), |p| p.name.clone());
+            let joint = joint.as_ref().map(|j| scale::joint(j, scale));
+            Link::new(name, joint, &parts, solid, library, scale, &surfaces)
+        };
+        Self::new(joints.iter().map(link).collect(), surfaces.clone())
+    }
+
+    /// The box of a node that has nothing else; hollow if things are inside.
+    pub(super) fn of_box(bounds: &Bounds, pose: &Pose, hollow: bool) -> Self {
+        let at = Pose::from_parts(bounds.offset.into(), nalgebra::UnitQuaternion::identity());
+        let at = match bounds.frame {
+            Frame::Object => at,
+            Frame::World => Pose::from_parts(nalgebra::Translation3::identity(), pose.rotation.inverse()) * at,
+        };
+        let half = bounds.half.map(|h| h.abs().max(0.001));
+        let walls = if hollow { shell(half) } else { vec![(Vector3::zeros(), half)] };
+        let part = |(offset, half): (Vector3<f32>, Vector3<f32>)| Part {
+            name: "box".into(),
+            shape: Shape::Box { half },
+            material: u32::MAX,
+            pose: at * Pose::translation(offset.x, offset.y, offset.z),
+            joint: None,
+        };
+        let parts: Vec<Part> = walls.into_iter().map(part).collect();
+        let parts: Vec<&Part> = parts.iter().collect();
+        let library = AssetLibrary::default();
+        let link = Link::new("box".into(), None, &parts, &parts, &library, &Vector3::repeat(1.0), &[]);
+        Self::new(vec![link], Vec::new())
+    }
+
+    fn new(links: Vec<Link>, surfaces: Vec<Surface>) -> Self {
+        let corners = links.iter().flat_map(|l| &l.pieces).flat_map(Piece::corners);
+        let start = (Point3::from([f32::INFINITY; 3]), Point3::from([f32::NEG_INFINITY; 3]));
+        let extent = corners.fold(start, |(low, high), p| (low.inf(&p), high.sup(&p)));
+        let extent = if extent.0.x <= extent.1.x { extent } else { (Point3::origin(), Point3::origin()) };
+        Self { links, surfaces, extent }
+    }
+
+    /// Mass of all links, kilograms.
+    pub(crate) fn mass(&self) -> f32 {
+        self.links.iter().map(|l| l.mass.mass()).sum()
+    }
+
+    /// What to multiply masses by so that the whole is as heavy as a member of its
+    /// class can be.
+    pub(crate) fn mass_factor(&self, range: Option<Range>) -> f32 {
+        let mass = self.mass();
+        let wanted = range.map_or(mass, |r| mass.clamp(r.low, r.high.max(r.low)));
+        let factor = wanted / mass;
+        if factor.is_finite() && factor > 0.0 { factor } else { 1.0 }
+    }
+}
+
+impl Link {
+    fn new(
+        name: Arc<str>,
+        joint: Option<Joint>,
+        parts: &[&Part],
+        solid: &[&Part],
+        library: &AssetLibrary,
+        by: &Vector3<f32>,
+        surfaces: &[Surface],
+    ) -> Self {
+        let mut sum = Sum::default();
+        parts.iter().for_each(|p| sum.add(p, library, by));
+        let pieces = merge::merged(solid.iter().flat_map(|p| placed(p, by)).collect(), surfaces);
+        let (mass, friction, restitution) = sum.finish(&pieces);
+        Self {
+            name,
+            joint,
+            solid: compound(&pieces),
+            mass,
+            friction,
+            restitution,
+            pieces,
+            mesh: OnceLock::new(),
+            hulls: OnceLock::new(),
+        }
+    }
+}
+
+/// The pieces of a part in the frame of the scaled asset.
+fn placed(part: &Part, by: &Vector3<f32>) -> Vec<Piece> {
+    let at = |pose: Pose| move |p: Piece| Piece { at: pose * p.at, ..p };
+    match scale::uniform(by) {
+        Some(1.0) => piece::pieces(&part.shape).into_iter().map(at(part.pose)).collect(),
+        Some(s) => {
+            piece::pieces(&scale::shape(&part.shape, s)).into_iter().map(at(scale::pose(&part.pose, by))).collect()
+        }
+        None => {
+            let own = piece::pieces(&part.shape).into_iter().map(at(part.pose));
+            own.filter_map(|p| scale::stretched(&p, by)).collect()
+        }
+    }
+}
+
+/// One collider for all pieces: the piece itself, or a compound.
+fn compound(pieces: &[Piece]) -> Option<(SharedShape, EnginePose)> {
+    match pieces {
+        [] => None,
+        [one] => Some((one.shape.clone(), convert::pose(&one.at))),
+        many => {
+            let list = many.iter().map(|p| (convert::pose(&p.at), p.shape.clone())).collect();
+            Some((SharedShape::compound(list), EnginePose::IDENTITY))
+        }
+    }
+}
+
+/// Masses of parts added up; friction and restitution averaged by mass.
+struct Sum {
+    mass: MassProperties,
+    friction: f32,
+    restitution: f32,
+}
+
+impl Default for Sum {
+    fn default() -> Self {
+        Self { mass: MassProperties::default(), friction: 0.0, restitution: 0.0 }
+    }
+}
+
+impl Sum {
+    fn add(&mut self, part: &Part, library: &AssetLibrary, by: &Vector3<f32>) {
+        let material = library.material(part.material);
+        let (density, friction, restitution) =
+            material.map_or((BOX_DENSITY, FRICTION, 0.0), |m| (m.density, m.friction, m.restitution));
+        let own = match scale::uniform(by) {
+            Some(s) => {
+                mass::moved(mass::properties(&scale::shape(&part.shape, s), density), &scale::pose(&part.pose, by))
+            }
+            None => of_pieces(&placed(part, by), density),
+        };
+        if mass::is_sound(&own) {
+            self.friction += friction * own.mass();
+            self.restitution += restitution.min(1.0) * own.mass();
+            self.mass += own;
+        }
+    }
+
+    fn finish(self, pieces: &[Piece]) -> (MassProperties, f32, f32) {
+        let mass = self.mass.mass();
+        if mass::is_sound(&self.mass) {
+            return (self.mass, self.friction / mass, self.restitution / mass);
+        }
+        (of_pieces(pieces, BOX_DENSITY), FRICTION, 0.0)
+    }
+}
+
+fn of_pieces(pieces: &[Piece], density: f32) -> MassProperties {
+    let each = pieces.iter().map(|p| mass::moved(p.shape.mass_properties(density), &p.at));
+    each.reduce(|a, b| a + b).unwrap_or_default()
+}
+
+/// Six walls of a box that is hollow.
+fn shell(half: Vector3<f32>) -> Vec<(Vector3<f32>, Vector3<f32>)> {
+    let wall = (half.min() * 0.1).clamp(0.001, 0.01);
+    let side = |axis: usize, sign: f32| {
+        let (mut offset, mut size) = (Vector3::zeros(), half);
+        offset[axis] = sign * (half[axis] - wall);
+        size[axis] = wall;
+        (offset, size)
+    };
+    (0..3).flat_map(|axis| [side(axis, -1.0), side(axis, 1.0)]).collect()
+}

@@ -1,0 +1,137 @@
+//! Fewer pieces where an asset has too many.
+//!
+//! Of the pieces the two are joined whose common box wastes the least volume, until
+//! few enough are left. No joint piece may reach into the free space above a surface
+//! that holds things, so that shelves stay open.
+
+use nalgebra::{Point3, Vector3};
+use vc_graph::asset::{Hold, Surface};
+
+use super::piece::Piece;
+
+/// Most pieces a moving link of an asset has.
+pub(crate) const MOST: usize = 24;
+/// Most pieces that are looked at for joining; of more, the smallest are left out.
+const LOOKED_AT: usize = 256;
+
+type Box3 = (Point3<f32>, Point3<f32>);
+
+/// [`MOST`] pieces or little more; what is few enough stays as it is. Costs about
+/// the square of the pieces.
+pub(crate) fn merged(mut pieces: Vec<Piece>, surfaces: &[Surface]) -> Vec<Piece> {
+    if pieces.len() <= MOST {
+        return pieces;
+    }
+    pieces.sort_by(|a, b| volume(extent(&b.corners())).total_cmp(&volume(extent(&a.corners()))));
+    pieces.truncate(LOOKED_AT);
+    let mut pool = Pool::new(pieces, surfaces.iter().filter_map(free_space).collect());
+    while pool.groups.len() > MOST && pool.join_cheapest() {}
+    // What still is too much are the smallest pieces.
+    let mut groups = pool.groups;
+    groups.sort_by(|a, b| volume(b.extent).total_cmp(&volume(a.extent)));
+    groups.truncate(MOST * 2);
+    groups.into_iter().filter_map(Group::piece).collect()
+}
+
+/// Groups, for each the waste of its best partner and which that is, and the boxes
+/// that must stay free.
+struct Pool {
+    groups: Vec<Group>,
+    best: Vec<Option<(f32, usize)>>,
+    free: Vec<Box3>,
+}
+
+impl Pool {
+    fn new(pieces: Vec<Piece>, free: Vec<Box3>) -> Self {
+        let groups: Vec<Group> = pieces.into_iter().map(Group::of).collect();
+        let mut pool = Self { best: vec![None; groups.len()], groups, free };
+        (0..pool.groups.len()).for_each(|i| pool.find_best(i));
+        pool
+    }
+
+    fn find_best(&mut self, of: usize) {
+        let others = (0..self.groups.len()).filter(|&i| i != of);
+        let all = others.filter_map(|i| Some((self.waste(of, i)?, i)));
+        self.best[of] = all.min_by(|a, b| a.0.total_cmp(&b.0));
+    }
+
+    /// Volume that joining two wastes; none where the joint box reaches into a space
+    /// that must stay free.
+    fn waste(&self, a: usize, b: usize) -> Option<f32> {
+        let (a, b) = (self.groups[a].extent, self.groups[b].extent);
+        let joint = around(a, b);
+        let blocked = self.free.iter().any(|f| overlap(*f, joint));
+        (!blocked).then(|| volume(joint) - volume(a) - volume(b))
+    }
+
+    /// Joins the two that waste least; `false` if none may be joined.
+    fn join_cheapest(&mut self) -> bool {
+        let all = self.best.iter().enumerate().filter_map(|(i, b)| b.map(|(waste, j)| (waste, i, j)));
+        let Some((_, a, b)) = all.min_by(|x, y| x.0.total_cmp(&y.0)) else { return false };
+        let (keep, gone) = (a.min(b), a.max(b));
+        let other = self.groups.swap_remove(gone);
+        self.best.swap_remove(gone);
+        self.groups[keep].join(other);
+        let last = self.groups.len();
+        for i in 0..last {
+            // Those that liked one of the two, or the one that has moved, look anew.
+            if i == keep || self.best[i].is_none_or(|(_, j)| j == keep || j == gone || j == last) {
+                self.find_best(i);
+            }
+        }
+        true
+    }
+}
+
+/// Pieces that become one.
+struct Group {
+    first: Option<Piece>,
+    corners: Vec<Point3<f32>>,
+    extent: Box3,
+}
+
+impl Group {
+    fn of(piece: Piece) -> Self {
+        let corners = piece.corners().to_vec();
+        Self { extent: extent(&corners), corners, first: Some(piece) }
+    }
+
+    fn join(&mut self, other: Self) {
+        self.first = None;
+        self.extent = around(self.extent, other.extent);
+        self.corners.extend(other.corners);
+    }
+
+    fn piece(self) -> Option<Piece> {
+        self.first.or_else(|| Piece::hull(&self.corners))
+    }
+}
+
+/// The middle of the space above a surface, a little in from its edges.
+fn free_space(surface: &Surface) -> Option<Box3> {
+    let height = surface.clearance.unwrap_or(0.3);
+    if surface.hold == Hold::Hook || height < 0.01 {
+        return None;
+    }
+    let half = Vector3::new(surface.half.0 * 0.9, surface.half.1 * 0.9, 0.0);
+    let low = surface.centre - half + Vector3::z() * (0.1 * height).min(0.01);
+    Some((low, surface.centre + half + Vector3::z() * (0.9 * height)))
+}
+
+fn extent(points: &[Point3<f32>]) -> Box3 {
+    let start = points.first().copied().unwrap_or_else(Point3::origin);
+    points.iter().fold((start, start), |(l, h), p| (l.inf(p), h.sup(p)))
+}
+
+fn around(a: Box3, b: Box3) -> Box3 {
+    (a.0.inf(&b.0), a.1.sup(&b.1))
+}
+
+fn volume((low, high): Box3) -> f32 {
+    // A flat piece is not free of cost.
+    (high - low).iter().map(|side| side.max(0.001)).product()
+}
+
+fn overlap(a: Box3, b: Box3) -> bool {
+    (0..3).all(|i| a.0[i] < b.1[i] && b.0[i] < a.1[i])
+}

@@ -1,0 +1,107 @@
+//! From assets to what the engine needs, made once and shared.
+
+mod form;
+mod mass;
+mod merge;
+mod piece;
+mod scale;
+mod slab;
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, Weak};
+
+use vc_graph::{AssetId, AssetLibrary, Node};
+
+pub(crate) use form::{Form, Link};
+pub(crate) use mass::scaled;
+
+/// Shapes made of assets, kept for the next world.
+///
+/// One cache serves any number of worlds and threads. What belongs to an asset
+/// library is dropped after the library is. An asset's shapes depend on its parts,
+/// its materials and the scale of the node, on nothing else.
+///
+/// **Which shapes.** The asset's [`collision`](Asset::collision) pieces where it has
+/// any, else its parts. What moves together is one body of convex pieces; if these
+/// are more than 24, those are joined whose common box wastes the least volume, but
+/// never across the free space above a surface that holds things. Mass and inertia
+/// always come from the parts and their materials.
+#[derive(Default)]
+pub struct Shapes {
+    libraries: Mutex<HashMap<usize, Library>>,
+}
+
+/// The forms of one library, found by its address, which is its own as long as the
+/// weak pointer lives.
+struct Library {
+    alive: Weak<AssetLibrary>,
+    forms: HashMap<Key, Arc<Form>>,
+}
+
+/// Asset, scale, and whether its parts move.
+type Key = (AssetId, [u32; 3], bool);
+
+impl std::fmt::Debug for Shapes {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Shapes({} assets)", self.len())
+    }
+}
+
+impl Shapes {
+    /// An empty cache.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Number of shapes kept.
+    pub fn len(&self) -> usize {
+        self.lock().values().map(|l| l.forms.len()).sum()
+    }
+
+    /// Whether nothing is kept.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, HashMap<usize, Library>> {
+        // What is in the map is whole even if a thread stopped while it held the lock.
+        self.libraries.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+
+    /// Forms of several nodes, under one lock.
+    pub(crate) fn session<R>(&self, library: &Arc<AssetLibrary>, work: impl FnOnce(&mut Session<'_>) -> R) -> R {
+        let mut libraries = self.lock();
+        libraries.retain(|_, l| l.alive.strong_count() > 0);
+        let address = Arc::as_ptr(library) as usize;
+        let fresh = || Library { alive: Arc::downgrade(library), forms: HashMap::new() };
+        let forms = &mut libraries.entry(address).or_insert_with(fresh).forms;
+        work(&mut Session { library, forms })
+    }
+}
+
+/// Access to the forms of one library.
+pub(crate) struct Session<'a> {
+    library: &'a AssetLibrary,
+    forms: &'a mut HashMap<Key, Arc<Form>>,
+}
+
+impl Session<'_> {
+    /// The form of a node, if it has an asset with parts, or a box.
+    pub(crate) fn form(&mut self, node: &Node, moving: bool, hollow: impl FnOnce() -> bool) -> Option<Arc<Form>> {
+        let spec = node.spec();
+        if let Some((id, asset)) = spec.asset.and_then(|id| Some((id, self.library.get(id)?)))
+            && !asset.parts.is_empty()
+        {
+            let moving = moving && asset.parts.iter().any(|p| p.joint.is_some());
+            let key = (id, [spec.scale.x, spec.scale.y, spec.scale.z].map(f32::to_bits), moving);
+            if let Some(form) = self.forms.get(&key) {
+                return Some(form.clone());
+            }
+            let form = Arc::new(Form::of_asset(asset, self.library, &spec.scale, moving));
+            self.forms.insert(key, form.clone());
+            return Some(form);
+        }
+        let bounds = spec.bounds?;
+        Some(Arc::new(Form::of_box(&bounds, node.pose()?, hollow())))
+    }
+}

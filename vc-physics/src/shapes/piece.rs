@@ -1,0 +1,188 @@
+//! From shapes to convex pieces.
+//!
+//! Boxes, cylinders, cones, capsules and balls are what they are; rounded boxes are
+//! boxes. Hulls and meshes are convex hulls. What is turned or drawn up is cut into
+//! slabs where its outline has corners: a bowl becomes a bottom and a ring of
+//! wedges, a vase too narrow to put anything in is solid.
+
+use nalgebra::{Point3, Vector3};
+use rapier3d::geometry::SharedShape;
+use rapier3d::math::{Pose as EnginePose, Vector};
+use vc_graph::Pose;
+use vc_graph::asset::Shape;
+
+use super::slab::{Slab, simplified, slabs};
+use crate::convert;
+
+/// Half of the least thickness of a piece, metres: thinner ones the engine does not
+/// hold apart.
+const LEAST: f32 = 0.001;
+/// Wedges in a ring.
+const WEDGES: usize = 10;
+/// A hollow narrower than this radius is taken as full, metres: nothing is put in.
+const NARROW: f32 = 0.02;
+/// Height of the discs a cone stands on, metres.
+const FOOT: f32 = 0.006;
+/// How far a simplified outline may leave the true one, metres.
+const TOLERANCE: f32 = 0.002;
+
+/// A convex piece of a body: its shape and where it is in the asset's frame.
+#[derive(Clone)]
+pub(crate) struct Piece {
+    pub(crate) shape: SharedShape,
+    pub(crate) at: Pose,
+}
+
+impl Piece {
+    fn new(shape: SharedShape) -> Self {
+        Self { shape, at: Pose::identity() }
+    }
+
+    /// The hull of points; their box where they have no volume, nothing where they
+    /// are no points.
+    pub(crate) fn hull(points: &[Point3<f32>]) -> Option<Self> {
+        let finite = points.iter().all(|p| p.iter().all(|c| c.is_finite() && c.abs() < 1e6));
+        if points.is_empty() || !finite {
+            return None;
+        }
+        let (low, high) = points.iter().fold((points[0], points[0]), |(l, h), p| (l.inf(p), h.sup(p)));
+        let half = (high - low) / 2.0;
+        if half.min() > LEAST {
+            let corners: Vec<Vector> = points.iter().map(|p| convert::point(*p)).collect();
+            if let Some(shape) = SharedShape::convex_hull(&corners) {
+                return Some(Self::new(shape));
+            }
+        }
+        let centre = nalgebra::center(&low, &high);
+        Some(Self { shape: cuboid(half), at: Pose::translation(centre.x, centre.y, centre.z) })
+    }
+
+    /// Corners of the box around the piece, in the asset's frame.
+    pub(crate) fn corners(&self) -> [Point3<f32>; 8] {
+        let aabb = self.shape.compute_aabb(&EnginePose::IDENTITY);
+        let (low, high) = (convert::point3(aabb.mins), convert::point3(aabb.maxs));
+        std::array::from_fn(|i| {
+            let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
+            self.at * Point3::new(pick(0), pick(1), pick(2))
+        })
+    }
+}
+
+fn cuboid(half: Vector3<f32>) -> SharedShape {
+    let half = half.map(|h| h.max(LEAST));
+    SharedShape::cuboid(half.x, half.y, half.z)
+}
+
+/// A shape made for Y turned so that its axis is Z.
+fn upright(shape: SharedShape) -> Piece {
+    let turn = nalgebra::UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f32::consts::FRAC_PI_2);
+    Piece { shape, at: Pose::from_parts(Vector3::zeros().into(), turn) }
+}
+
+/// The convex pieces of a shape in its own frame; none where its measures cannot be.
+pub(crate) fn pieces(shape: &Shape) -> Vec<Piece> {
+    if !shape.measures_are_positive() {
+        return Vec::new();
+    }
+    match shape {
+        Shape::Box { half } | Shape::RoundedBox { half, .. } => vec![Piece::new(cuboid(*half))],
+        Shape::Cylinder { radius, half_height } => vec![cylinder(*radius, *half_height)],
+        Shape::Cone { radius, half_height } => {
+            vec![upright(SharedShape::cone(half_height.max(LEAST), radius.max(LEAST)))]
+        }
+        Shape::Capsule { radius, half_height } => vec![Piece::new(SharedShape::capsule_z(*half_height, *radius))],
+        Shape::Sphere { radius } => vec![Piece::new(SharedShape::ball(*radius))],
+        Shape::Hull { points } => Piece::hull(points).into_iter().collect(),
+        Shape::Mesh { vertices, .. } => Piece::hull(vertices).into_iter().collect(),
+        Shape::Lathe { profile } => turned(profile),
+        Shape::Extrusion { outline, height } => drawn_up(outline, *height),
+        // A shape of a later version is as good as the box around it.
+        other => {
+            let (low, high) = other.extent();
+            Piece::hull(&[low, high]).into_iter().collect()
+        }
+    }
+}
+
+fn cylinder(radius: f32, half_height: f32) -> Piece {
+    upright(SharedShape::cylinder(half_height.max(LEAST), radius.max(LEAST)))
+}
+
+fn drawn_up(outline: &[(f32, f32)], height: f32) -> Vec<Piece> {
+    let prism = |slab: &Slab| {
+        let corners = slab.corners();
+        let points: Vec<_> =
+            corners.iter().flat_map(|&(x, y)| [Point3::new(x, y, 0.0), Point3::new(x, y, height)]).collect();
+        Piece::hull(&points)
+    };
+    slabs(&simplified(outline, TOLERANCE)).iter().filter_map(prism).collect()
+}
+
+/// A profile of (radius, height) turned around Z.
+fn turned(profile: &[(f32, f32)]) -> Vec<Piece> {
+    let mut outline = simplified(profile, TOLERANCE);
+    // Close it to the axis where it does not close itself.
+    if let (Some(&first), Some(&last)) = (outline.first(), outline.last())
+        && first != last
+    {
+        outline.extend([(0.0, last.1), (0.0, first.1)]);
+    }
+    let mut slabs = slabs(&outline);
+    let widest = slabs.iter().map(|s| s.low.0.max(s.high.0)).fold(0.0, f32::max);
+    for slab in &mut slabs {
+        if widest < NARROW || slab.low.0.max(slab.high.0) < NARROW {
+            (slab.low.0, slab.high.0) = (0.0, 0.0);
+        }
+    }
+    slabs.iter().flat_map(ring).collect()
+}
+
+/// A slab of a profile turned around Z: full where it reaches the axis.
+fn ring(slab: &Slab) -> Vec<Piece> {
+    let (inner, outer) = ((slab.low.0, slab.high.0), (slab.low.1, slab.high.1));
+    if inner.0 > 0.0 || inner.1 > 0.0 {
+        return (0..WEDGES).filter_map(|i| wedge(slab, i, i + 1)).collect();
+    }
+    if (outer.0 - outer.1).abs() < TOLERANCE {
+        return vec![disc(outer.0.max(outer.1), slab.bottom, slab.top)];
+    }
+    if std::env::var_os("NOFOOT").is_some() {
+        return wedge(slab, 0, WEDGES - 1).into_iter().collect();
+    }
+    // It stands on a disc, and lies on one: the engine keeps discs still, and rocks
+    // polygons of many corners.
+    let height = slab.top - slab.bottom;
+    let foot = (height / 3.0).min(FOOT);
+    let radius = |z: f32| outer.0 + (outer.1 - outer.0) * (z - slab.bottom) / height;
+    let (low, high) = (slab.bottom + foot / 2.0, slab.top - foot / 2.0);
+    let middle = Slab { bottom: low, top: high, low: (0.0, radius(low)), high: (0.0, radius(high)) };
+    let ends = [disc(outer.0, slab.bottom, slab.bottom + foot), disc(outer.1, slab.top - foot, slab.top)];
+    ends.into_iter().chain(wedge(&middle, 0, WEDGES - 1)).collect()
+}
+
+/// A disc between two heights.
+fn disc(radius: f32, bottom: f32, top: f32) -> Piece {
+    let mut piece = cylinder(radius, (top - bottom) / 2.0);
+    piece.at = Pose::translation(0.0, 0.0, f32::midpoint(top, bottom)) * piece.at;
+    piece
+}
+
+/// The part of a ring between two of its corners.
+fn wedge(slab: &Slab, from: usize, to: usize) -> Option<Piece> {
+    let (low, high) = (slab.low, slab.high);
+    let radii = [(low.1, slab.bottom), (low.0, slab.bottom), (high.1, slab.top), (high.0, slab.top)];
+    let point = |i: usize, (r, z): (f32, f32)| {
+        let (x, y) = direction(i);
+        Point3::new(r * x, r * y, z)
+    };
+    let points: Vec<_> = (from..=to).flat_map(|i| radii.map(|r| point(i, r))).collect();
+    Piece::hull(&points)
+}
+
+/// The unit vectors of the corners of a regular polygon, the same on every machine.
+fn direction(corner: usize) -> (f32, f32) {
+    const STEP: (f64, f64) = (0.809_016_994_374_947_5, 0.587_785_252_292_473_1);
+    let turn = |(x, y): (f64, f64)| (x * STEP.0 - y * STEP.1, x * STEP.1 + y * STEP.0);
+    let (x, y) = (0..corner % WEDGES).fold((1.0, 0.0), |d, _| turn(d));
+    (x as f32, y as f32)
+}

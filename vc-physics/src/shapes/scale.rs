@@ -1,0 +1,90 @@
+//! Assets at another size.
+
+use nalgebra::{Point3, Vector3};
+use rapier3d::geometry::TypedShape;
+use vc_graph::Pose;
+use vc_graph::asset::{Joint, JointKind, Shape, Surface};
+
+use super::piece::Piece;
+use crate::convert;
+
+/// The one factor of a scale that is the same along all axes.
+pub(crate) fn uniform(scale: &Vector3<f32>) -> Option<f32> {
+    (scale.x == scale.y && scale.y == scale.z && scale.x > 0.0).then_some(scale.x)
+}
+
+/// A shape with all its measures multiplied.
+pub(crate) fn shape(shape: &Shape, by: f32) -> Shape {
+    let pairs = |list: &[(f32, f32)]| list.iter().map(|&(a, b)| (a * by, b * by)).collect();
+    let points = |list: &[Point3<f32>]| list.iter().map(|p| p * by).collect();
+    match shape {
+        Shape::Box { half } => Shape::Box { half: half * by },
+        Shape::RoundedBox { half, radius } => Shape::RoundedBox { half: half * by, radius: radius * by },
+        Shape::Cylinder { radius, half_height } => {
+            Shape::Cylinder { radius: radius * by, half_height: half_height * by }
+        }
+        Shape::Cone { radius, half_height } => Shape::Cone { radius: radius * by, half_height: half_height * by },
+        Shape::Capsule { radius, half_height } => Shape::Capsule { radius: radius * by, half_height: half_height * by },
+        Shape::Sphere { radius } => Shape::Sphere { radius: radius * by },
+        Shape::Hull { points: list } => Shape::Hull { points: points(list) },
+        Shape::Lathe { profile } => Shape::Lathe { profile: pairs(profile) },
+        Shape::Extrusion { outline, height } => Shape::Extrusion { outline: pairs(outline), height: height * by },
+        Shape::Mesh { vertices, triangles } => Shape::Mesh { vertices: points(vertices), triangles: triangles.clone() },
+        other => other.clone(),
+    }
+}
+
+/// A pose with its translation multiplied.
+pub(crate) fn pose(pose: &Pose, by: &Vector3<f32>) -> Pose {
+    Pose::from_parts(pose.translation.vector.component_mul(by).into(), pose.rotation)
+}
+
+/// A joint of a scaled asset. A scale that differs between the axes turns an axis
+/// only in so far as it is still a unit vector afterwards.
+pub(crate) fn joint(joint: &Joint, by: &Vector3<f32>) -> Joint {
+    let stretched = joint.axis.component_mul(by);
+    let length = stretched.norm();
+    let axis = stretched.try_normalize(1e-9).unwrap_or(joint.axis);
+    let limits = match joint.kind {
+        JointKind::Slide => (joint.limits.0 * length, joint.limits.1 * length),
+        JointKind::Hinge => joint.limits,
+    };
+    Joint { anchor: joint.anchor.coords.component_mul(by).into(), axis, limits, ..*joint }
+}
+
+/// A surface of a scaled asset.
+pub(crate) fn surface(surface: &Surface, by: &Vector3<f32>) -> Surface {
+    Surface {
+        centre: surface.centre.coords.component_mul(by).into(),
+        half: (surface.half.0 * by.x.abs(), surface.half.1 * by.y.abs()),
+        clearance: surface.clearance.map(|c| c * by.z.abs()),
+        joint: surface.joint.as_ref().map(|j| joint(j, by)),
+        ..surface.clone()
+    }
+}
+
+/// A piece stretched along the asset's axes: the hull of its stretched corners.
+pub(crate) fn stretched(piece: &Piece, by: &Vector3<f32>) -> Option<Piece> {
+    let points: Vec<Point3<f32>> = corners(piece).iter().map(|p| p.coords.component_mul(by).into()).collect();
+    Piece::hull(&points)
+}
+
+/// Corners of a piece in the asset's frame; of round pieces, of a polyhedron within.
+pub(crate) fn corners(piece: &Piece) -> Vec<Point3<f32>> {
+    let (vertices, _) = mesh(piece);
+    vertices
+}
+
+/// The piece as triangles, in the asset's frame.
+pub(crate) fn mesh(piece: &Piece) -> (Vec<Point3<f32>>, Vec<[u32; 3]>) {
+    let (vertices, triangles) = match piece.shape.as_typed_shape() {
+        TypedShape::Cuboid(s) => s.to_trimesh(),
+        TypedShape::Ball(s) => s.to_trimesh(12, 8),
+        TypedShape::Cylinder(s) => s.to_trimesh(16),
+        TypedShape::Cone(s) => s.to_trimesh(16),
+        TypedShape::Capsule(s) => s.to_trimesh(12, 6),
+        TypedShape::ConvexPolyhedron(s) => s.to_trimesh(),
+        _ => (Vec::new(), Vec::new()),
+    };
+    (vertices.into_iter().map(|v| piece.at * convert::point3(v)).collect(), triangles)
+}

@@ -1,0 +1,227 @@
+//! Water: what floats in it, and how full things are.
+//!
+//! Buoyancy is exact for the convex pieces of a body: their triangles are cut at the
+//! surface of the water, and the part below gives displaced volume and its centre
+//! (Catto, "Exact buoyancy for polyhedra", Game Programming Gems 6, 2006).
+
+use nalgebra::{Point3, Vector3};
+use rapier3d::dynamics::RigidBody;
+use serde::{Deserialize, Serialize};
+use vc_graph::asset::{Hold, Surface};
+use vc_graph::{Aabb, NodeId, Pose};
+
+use crate::world::{Thing, World};
+use crate::{PhysicsError, Role, convert};
+
+/// Density of water, kilograms per cubic metre.
+const DENSITY: f32 = 1000.0;
+/// Drag coefficient of a body about as wide as it is long.
+const DRAG: f32 = 1.0;
+/// How fast waves carry away what a body bobs and rolls, per second.
+const WAVES: f32 = 1.5;
+/// From which speed on a floating body may not fall asleep, metres a second.
+const RESTLESS: f32 = 0.005;
+/// Share of the displaced water that moves with a body: that of a sphere.
+const ADDED: f32 = 0.5;
+
+/// Still water in an upright box; its surface is the top of the box.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Water {
+    min: [f32; 3],
+    max: [f32; 3],
+    /// What it is in.
+    container: Option<NodeId>,
+}
+
+impl Water {
+    fn new(aabb: &Aabb, container: Option<NodeId>) -> Result<Self, PhysicsError> {
+        let sound = (0..3).all(|i| aabb.min[i].is_finite() && aabb.max[i].is_finite() && aabb.min[i] < aabb.max[i]);
+        let water = Self { min: aabb.min.coords.into(), max: aabb.max.coords.into(), container };
+        if sound { Ok(water) } else { Err(PhysicsError::BadWater("its box is empty or not finite")) }
+    }
+
+    fn holds(&self, p: &Point3<f32>) -> bool {
+        (0..2).all(|i| self.min[i] <= p[i] && p[i] <= self.max[i]) && p.z >= self.min[2] - 1.0
+    }
+
+    fn level(&self) -> f32 {
+        self.max[2]
+    }
+}
+
+impl World {
+    /// Adds still water that fills a box: a pool, a pond, a sea.
+    ///
+    /// # Errors
+    /// [`PhysicsError::BadWater`].
+    pub fn add_water(&mut self, filled: &Aabb) -> Result<(), PhysicsError> {
+        self.waters.push(Water::new(filled, None)?);
+        self.wake_in(filled);
+        Ok(())
+    }
+
+    /// The boxes of water, pools first added, then what containers are filled with.
+    pub fn waters(&self) -> Vec<Aabb> {
+        self.waters.iter().map(|w| Aabb { min: w.min.into(), max: w.max.into() }).collect()
+    }
+
+    /// Fills a container to a level, 0 to 1. In what is fixed and has room inside (a
+    /// bath, a sink) things float; in a cup the level is a state and nothing more.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`].
+    pub fn fill(&mut self, id: NodeId, level: f32) -> Result<(), PhysicsError> {
+        let thing = self.thing(id)?;
+        if !level.is_finite() {
+            return Err(PhysicsError::NotFinite("the level", id));
+        }
+        let level = level.clamp(0.0, 1.0);
+        let basin = (thing.state.role == Role::Fixed).then(|| self.basin(thing, level)).flatten();
+        self.fills.insert(id, level);
+        self.waters.retain(|w| w.container != Some(id));
+        if let Some(aabb) = basin.filter(|_| level > 0.0) {
+            self.waters.push(Water::new(&aabb, Some(id))?);
+            self.wake_in(&aabb);
+        }
+        Ok(())
+    }
+
+    /// How full a container is, 0 to 1; 0 where nobody filled it.
+    pub fn level(&self, id: NodeId) -> f32 {
+        self.fills.get(&id).copied().unwrap_or(0.0)
+    }
+
+    /// How much a container holds, cubic metres: the space above its inner surfaces,
+    /// or six tenths of its box. `None` without a body.
+    pub fn capacity(&self, id: NodeId) -> Option<f32> {
+        let thing = self.thing(id).ok()?;
+        let space = |s: &Surface| 4.0 * s.half.0 * s.half.1 * s.clearance.unwrap_or(0.0);
+        let inner: f32 = thing.form.surfaces.iter().filter(|s| s.hold == Hold::Inside).map(space).sum();
+        let size = thing.form.extent.1 - thing.form.extent.0;
+        Some(if inner > 0.0 { inner } else { 0.6 * size.x * size.y * size.z })
+    }
+
+    /// The water in a container's largest inner surface at a level.
+    fn basin(&self, thing: &Thing, level: f32) -> Option<Aabb> {
+        let area = |s: &&Surface| s.half.0 * s.half.1;
+        let inner = thing.form.surfaces.iter().filter(|s| s.hold == Hold::Inside && s.joint.is_none());
+        let surface = inner.max_by(|a, b| area(a).total_cmp(&area(b)))?;
+        let pose = self.engine.pose(thing.state.base)?;
+        let depth = surface.clearance.unwrap_or(thing.form.extent.1.z - surface.centre.z).max(0.0) * level;
+        let corner =
+            |x: f32, y: f32, z: f32| pose * (surface.centre + Vector3::new(x * surface.half.0, y * surface.half.1, z));
+        let corners =
+            [corner(-1.0, -1.0, 0.0), corner(1.0, 1.0, depth), corner(-1.0, 1.0, 0.0), corner(1.0, -1.0, 0.0)];
+        let (min, max) = corners.iter().fold((corners[0], corners[0]), |(l, h), p| (l.inf(p), h.sup(p)));
+        Some(Aabb { min, max })
+    }
+
+    fn wake_in(&mut self, aabb: &Aabb) {
+        let loose = self.things.iter().filter(|t| t.state.role == Role::Loose).map(|t| t.state.base);
+        let bodies: Vec<_> = loose.collect();
+        for body in bodies {
+            if let Some(rigid) = self.engine.bodies.get_mut(body)
+                && aabb.contains(&convert::point3(rigid.center_of_mass()))
+            {
+                rigid.wake_up(true);
+            }
+        }
+    }
+
+    /// Pushes what is awake and in water.
+    pub(crate) fn push_floating(&mut self) {
+        if self.waters.is_empty() {
+            return;
+        }
+        let (dt, gravity) = (self.engine.dt(), self.settings.gravity);
+        let awake: Vec<_> = self.engine.awake_bodies().collect();
+        for handle in awake {
+            let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic()) else { continue };
+            let (id, link) = crate::group::marked(body.user_data);
+            let centre = convert::point3(body.center_of_mass());
+            let Some(water) = self.waters.iter().find(|w| w.holds(&centre)) else { continue };
+            let Ok(thing) = self.thing(id) else { continue };
+            let Some(link) = thing.form.links.get(link) else { continue };
+            let below = submerged(link.mesh(), &convert::isometry(body.position()), water.level());
+            if let (Some(below), Some(body)) = (below, self.engine.bodies.get_mut(handle)) {
+                float(body, &below, dt, gravity);
+            }
+        }
+    }
+}
+
+/// The part of a body below the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Submerged {
+    volume: f32,
+    centre: Point3<f32>,
+    /// Of the whole body.
+    share: f32,
+}
+
+/// Volume below a level and its centre, by tetrahedra from a point of the surface to
+/// every triangle below it: the lid has no volume then and need not be made.
+fn submerged(mesh: &[[Point3<f32>; 3]], pose: &Pose, level: f32) -> Option<Submerged> {
+    let apex = Point3::new(pose.translation.x, pose.translation.y, level);
+    let (mut volume, mut moment, mut whole) = (0.0, Vector3::zeros(), 0.0);
+    for triangle in mesh {
+        let corners = triangle.map(|p| pose * p - apex);
+        whole += tetrahedron(corners).0;
+        let (polygon, count) = below(&corners);
+        for i in 1..count.saturating_sub(1) {
+            let (v, m) = tetrahedron([polygon[0], polygon[i], polygon[i + 1]]);
+            volume += v;
+            moment += m;
+        }
+    }
+    let centre = apex + moment / volume;
+    let sound = volume > 1e-9 && whole > 0.0 && convert::is_finite(&centre.coords);
+    sound.then(|| Submerged { volume, centre, share: (volume / whole).min(1.0) })
+}
+
+/// Signed volume of a tetrahedron with its fourth corner at the origin, and volume
+/// times centre.
+fn tetrahedron([a, b, c]: [Vector3<f32>; 3]) -> (f32, Vector3<f32>) {
+    let volume = a.dot(&b.cross(&c)) / 6.0;
+    (volume, (a + b + c) * (volume / 4.0))
+}
+
+/// The part of a triangle at or below zero height: at most four corners.
+fn below(triangle: &[Vector3<f32>; 3]) -> ([Vector3<f32>; 4], usize) {
+    let (mut polygon, mut count) = ([Vector3::zeros(); 4], 0);
+    for (i, a) in triangle.iter().enumerate() {
+        let b = &triangle[(i + 1) % 3];
+        if a.z <= 0.0 {
+            polygon[count] = *a;
+            count += 1;
+        }
+        if (a.z <= 0.0) != (b.z <= 0.0) {
+            polygon[count] = a + (b - a) * (a.z / (a.z - b.z));
+            count += 1;
+        }
+    }
+    (polygon, count)
+}
+
+/// Buoyancy, drag, and the waves that carry energy away. The water that moves with
+/// the body makes it slower, which also keeps light bodies from being flung up.
+fn float(body: &mut RigidBody, below: &Submerged, dt: f32, gravity: f32) {
+    let (mass, displaced) = (body.mass(), DENSITY * below.volume);
+    let slower = mass / (mass + ADDED * displaced);
+    let weight = mass * gravity * dt;
+    // Gravity itself is added by the engine: what counts is the difference.
+    let lift = displaced * gravity * dt - weight;
+    let impulse = Vector3::z() * (lift * slower + weight);
+    body.apply_impulse_at_point(convert::vector(impulse), convert::point(below.centre), false);
+    let velocity = body.linvel();
+    if velocity.length() > RESTLESS {
+        // What bobs slows down at every turn: it does not rest yet.
+        body.activation_mut().time_since_can_sleep = 0.0;
+    }
+    let area = nalgebra::ComplexField::cbrt(below.volume).powi(2);
+    let drag = 0.5 * DENSITY * DRAG * area * velocity.length() * dt / (mass + ADDED * displaced);
+    let slow = 1.0 / (1.0 + drag + WAVES * below.share * dt);
+    let spin = 1.0 / (1.0 + (WAVES + body.angvel().length()) * below.share * dt);
+    body.set_linvel(velocity * slow, false);
+    body.set_angvel(body.angvel() * spin, false);
+}

@@ -1,0 +1,189 @@
+//! From a scene graph to bodies, and single bodies in and out.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use rapier3d::dynamics::{RigidBodyBuilder, RigidBodyHandle};
+use rapier3d::geometry::{ColliderBuilder, SharedShape};
+use rapier3d::math::Pose as EnginePose;
+use vc_graph::class::Category;
+use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, Relation, SceneGraph};
+
+use super::{State, Thing, World};
+use crate::engine::Engine;
+use crate::role::{Roles, is_structure};
+use crate::shapes::{Link, Session, Shapes, scaled};
+use crate::{PhysicsError, Role, Settings, convert, group, joints};
+
+/// What slows a spin of what is round, per second. It stands for rolling resistance,
+/// which the engine does not know: without it balls would roll for ever.
+const ROLLING: f32 = 2.0;
+
+impl World {
+    /// A world with a body for every object that has a pose and an asset or a box,
+    /// and for every agent that has a pose; nodes without are in
+    /// [`skipped`](Self::skipped). Things that are open in the graph are open here,
+    /// things that agents hold are in their hands.
+    ///
+    /// Bodies are awake: call [`settle`](Self::settle), or [`rest`](Self::rest) for
+    /// a scene that is known to be at rest. Costs about 3 µs a body, and some
+    /// hundred microseconds for each asset that `shapes` does not have yet.
+    ///
+    /// # Errors
+    /// [`PhysicsError::BadSettings`].
+    ///
+    /// ```
+    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// use vc_physics::{Settings, Shapes, World};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let size = |x, y, z| Bounds::standing([x, y, z].into());
+    /// scene.add(Draft::new("floor").at(Pose::translation(0.0, 0.0, -0.1)).bounds(size(4.0, 4.0, 0.1)))?;
+    /// let apple = scene.add(Draft::new("apple").at(Pose::translation(0.0, 0.0, 1.0)).bounds(size(0.1, 0.1, 0.1)))?;
+    /// let mut world = World::build(&scene.build(), &Shapes::new(), Settings::default())?;
+    /// let report = world.settle(200);
+    /// assert!(report.at_rest && report.fell == [apple]);
+    /// assert!(world.pose(apple).is_some_and(|p| p.translation.z.abs() < 0.005));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn build(graph: &SceneGraph, shapes: &Shapes, settings: Settings) -> Result<Self, PhysicsError> {
+        if let Some(fault) = settings.fault() {
+            return Err(PhysicsError::BadSettings(fault));
+        }
+        let mut world = Self::empty(graph, settings);
+        let roles = Roles::new(graph, settings);
+        shapes.session(graph.assets(), |session| {
+            for node in graph.nodes().filter(|n| n.kind() == Kind::Object) {
+                if !world.embody_node(graph, node, &roles, session) {
+                    world.skipped.push(node.id());
+                }
+            }
+        });
+        world.add_agents(graph);
+        world.refresh_all();
+        Ok(world)
+    }
+
+    fn empty(graph: &SceneGraph, settings: Settings) -> Self {
+        Self {
+            settings,
+            engine: Engine::new(settings.dt / settings.substeps as f32, settings.gravity),
+            things: Vec::with_capacity(graph.len()),
+            agents: BTreeMap::new(),
+            vehicles: BTreeMap::new(),
+            waters: Vec::new(),
+            fills: BTreeMap::new(),
+            driven: Vec::new(),
+            rooms: rooms(graph),
+            ticks: 0,
+            stopped: Vec::new(),
+            skipped: Vec::new(),
+        }
+    }
+
+    /// Adds the body of a node of a scene graph, awake. Look first whether the spot
+    /// is free, with [`overlaps`](Self::overlaps).
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoSuchNode`], [`PhysicsError::Duplicate`], and
+    /// [`PhysicsError::NoBody`] for a node without pose, or without asset and box,
+    /// and for rooms and agents.
+    pub fn insert(&mut self, graph: &SceneGraph, id: NodeId, shapes: &Shapes) -> Result<(), PhysicsError> {
+        let node = graph.node(id).ok_or(PhysicsError::NoSuchNode(id))?;
+        if self.index(id).is_ok() {
+            return Err(PhysicsError::Duplicate(id));
+        }
+        let roles = Roles::new(graph, self.settings);
+        let done = shapes.session(graph.assets(), |session| self.embody_node(graph, node, &roles, session));
+        if !done {
+            return Err(PhysicsError::NoBody(id));
+        }
+        let bodies: Vec<_> = self.thing(id)?.bodies().collect();
+        bodies.into_iter().for_each(|b| self.engine.refresh(b));
+        Ok(())
+    }
+
+    /// Takes a node's body out of the world; what rested on it falls.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    pub fn remove(&mut self, id: NodeId) -> Result<(), PhysicsError> {
+        let index = self.index(id)?;
+        self.let_go_of(id);
+        let thing = self.things.remove(index);
+        thing.bodies().for_each(|b| self.engine.remove(b));
+        self.driven.retain(|(d, _)| *d != id);
+        self.vehicles.remove(&id);
+        self.fills.remove(&id);
+        Ok(())
+    }
+
+    fn embody_node(&mut self, graph: &SceneGraph, node: &Node, roles: &Roles<'_>, session: &mut Session<'_>) -> bool {
+        let Some(&pose) = node.pose().filter(|p| convert::is_sound(p)) else { return false };
+        let class = graph.classes().get(node.class());
+        let hollow = || graph.relating(Relation::Inside, node.id()).next().is_some();
+        let Some(form) = session.form(node, node.affords(Property::Openable), hollow) else { return false };
+        let mass_range = class.and_then(|c| c.mass).filter(|_| self.settings.class_masses);
+        let mass_factor = form.mass_factor(mass_range);
+        let Some(role) = roles.of(node, class, form.mass() * mass_factor) else { return false };
+        let state = State {
+            role,
+            base: RigidBodyHandle::invalid(),
+            moving: Vec::new(),
+            mass_factor,
+            asset: node.spec().asset,
+            scale: [node.spec().scale.x, node.spec().scale.y, node.spec().scale.z].map(f32::to_bits),
+            written: pose,
+            rests: graph.place(node.id()),
+            structure: is_structure(node, class),
+            door: class.is_some_and(|c| c.category == Category::Door),
+            graspable: node.affords(Property::Graspable),
+        };
+        let mut thing = Thing { id: node.id(), form, state };
+        thing.state.base = self.add_base(&thing, &pose);
+        joints::add(&mut self.engine, &mut thing, &self.settings, node.is(vc_graph::State::Open));
+        let at = self.things.partition_point(|t| t.id < thing.id);
+        self.things.insert(at, thing);
+        true
+    }
+
+    fn add_base(&mut self, thing: &Thing, pose: &Pose) -> RigidBodyHandle {
+        let builder = match thing.state.role {
+            Role::Loose => RigidBodyBuilder::dynamic(),
+            _ => RigidBodyBuilder::fixed(),
+        };
+        let link = &thing.form.links[0];
+        let damping = if link.is_round() { ROLLING } else { 0.0 };
+        let builder = builder.angular_damping(damping);
+        let builder = builder.pose(convert::pose(pose)).user_data(group::mark(thing.id, 0));
+        let builder = builder.additional_mass_properties(scaled(link.mass, link.mass.mass() * thing.state.mass_factor));
+        let body = self.engine.bodies.insert(builder);
+        if let Some((shape, at)) = &link.solid {
+            let collider = collider(link, shape, at).collision_groups(group::base(thing.state.role));
+            self.engine.add_collider(collider.user_data(group::mark(thing.id, 0)).build(), body);
+        }
+        body
+    }
+
+    /// Lets queries see all bodies where they are.
+    fn refresh_all(&mut self) {
+        let bodies: Vec<_> = self.engine.bodies.iter().map(|(handle, _)| handle).collect();
+        bodies.into_iter().for_each(|b| self.engine.refresh(b));
+    }
+
+    /// Nodes of the graph that got no body: they had no pose, or neither asset nor
+    /// box.
+    pub fn skipped(&self) -> &[NodeId] {
+        &self.skipped
+    }
+}
+
+/// Rooms and their boxes.
+pub(crate) fn rooms(graph: &SceneGraph) -> Arc<[(NodeId, Aabb)]> {
+    graph.rooms().iter().filter_map(|&id| Some((id, graph.node(id)?.aabb()?))).collect()
+}
+
+/// A collider of a link that adds no mass: its body has it already.
+pub(crate) fn collider(link: &Link, shape: &SharedShape, at: &EnginePose) -> ColliderBuilder {
+    let builder = ColliderBuilder::new(shape.clone()).position(*at).density(0.0);
+    builder.friction(link.friction).restitution(link.restitution)
+}

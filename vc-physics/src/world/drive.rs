@@ -1,0 +1,161 @@
+//! Time, and pushing things about.
+
+use nalgebra::{Point3, Vector3};
+use rapier3d::dynamics::{RigidBodyHandle, RigidBodyType};
+use vc_graph::{NodeId, Pose};
+
+use super::World;
+use crate::{PhysicsError, Role, convert, group};
+
+impl World {
+    /// Lets one step of time pass: agents walk, vehicles drive, water carries, motors
+    /// turn, bodies fall.
+    ///
+    /// Costs a microsecond or two while everything sleeps.
+    pub fn step(&mut self) {
+        self.move_agents();
+        for _ in 0..self.settings.substeps {
+            self.push_vehicles();
+            self.push_floating();
+            let stopped = self.engine.step().to_vec();
+            stopped.into_iter().for_each(|b| self.stop(b));
+        }
+        self.tend_motors();
+        self.ticks += 1;
+    }
+
+    /// Lets many steps pass.
+    pub fn run(&mut self, steps: u32) {
+        (0..steps).for_each(|_| self.step());
+    }
+
+    /// Puts everything to sleep where it is, as a scene that is known to be at rest:
+    /// one step passes, which finds the contacts, and then nothing moves until it is
+    /// disturbed. (To insert bodies asleep would lose their contacts.)
+    pub fn rest(&mut self) {
+        self.step();
+        let all: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
+        for body in all {
+            if let Some(rigid) = self.engine.bodies.get_mut(body).filter(|b| b.is_dynamic()) {
+                rigid.sleep();
+            }
+        }
+    }
+
+    /// Names a body that has become non-finite.
+    fn stop(&mut self, body: RigidBodyHandle) {
+        let Some(id) = self.engine.bodies.get(body).map(|b| group::marked(b.user_data).0) else { return };
+        if let Ok(thing) = self.thing_mut(id) {
+            thing.state.role = Role::Stopped;
+        }
+        if !self.stopped.contains(&id) {
+            self.stopped.push(id);
+        }
+    }
+
+    /// Moves a node at once, at rest; moving parts come along. Look first whether
+    /// the spot is free, with [`overlaps`](Self::overlaps).
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`]; [`PhysicsError::NotFinite`]; for what an agent
+    /// carries [`PhysicsError::NotFree`].
+    pub fn place(&mut self, id: NodeId, pose: Pose) -> Result<(), PhysicsError> {
+        let thing = self.thing(id)?;
+        if !convert::is_sound(&pose) {
+            return Err(PhysicsError::NotFinite("the pose", id));
+        }
+        if thing.state.role == Role::Carried {
+            return Err(PhysicsError::NotFree(id));
+        }
+        let before = self.engine.pose(thing.state.base).unwrap_or(pose);
+        let motion = pose * before.inverse();
+        let bodies: Vec<_> = thing.bodies().collect();
+        for body in bodies {
+            let own = self.engine.pose(body).unwrap_or(before);
+            let to = if body == self.thing(id)?.state.base { pose } else { motion * own };
+            self.engine.place(body, convert::pose(&to));
+        }
+        Ok(())
+    }
+
+    /// Pushes a node with an impulse at a point, newton seconds and metres; something
+    /// that hangs comes down.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`],
+    /// [`PhysicsError::NotFree`].
+    pub fn push(&mut self, id: NodeId, impulse: Vector3<f32>, at: Point3<f32>) -> Result<(), PhysicsError> {
+        if !convert::is_finite(&impulse) || !convert::is_finite(&at.coords) {
+            return Err(PhysicsError::NotFinite("the impulse", id));
+        }
+        let body = self.loosen(id)?;
+        if let Some(rigid) = self.engine.bodies.get_mut(body) {
+            rigid.apply_impulse_at_point(convert::vector(impulse), convert::point(at), true);
+        }
+        Ok(())
+    }
+
+    /// Sets the velocity of a node's centre of mass and how fast it turns, metres and
+    /// radians a second.
+    ///
+    /// # Errors
+    /// As [`Self::push`].
+    pub fn set_velocity(&mut self, id: NodeId, linear: Vector3<f32>, spin: Vector3<f32>) -> Result<(), PhysicsError> {
+        if !convert::is_finite(&linear) || !convert::is_finite(&spin) {
+            return Err(PhysicsError::NotFinite("the velocity", id));
+        }
+        let body = self.loosen(id)?;
+        if let Some(rigid) = self.engine.bodies.get_mut(body) {
+            rigid.set_linvel(convert::vector(linear), true);
+            rigid.set_angvel(convert::vector(spin), true);
+        }
+        Ok(())
+    }
+
+    /// Wakes a node's body, so that it falls if nothing holds it.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NotFree`].
+    pub fn wake(&mut self, id: NodeId) -> Result<(), PhysicsError> {
+        let body = self.loosen(id)?;
+        if let Some(rigid) = self.engine.bodies.get_mut(body) {
+            rigid.wake_up(true);
+        }
+        Ok(())
+    }
+
+    /// The body of a thing that moves; what hangs is taken down.
+    fn loosen(&mut self, id: NodeId) -> Result<RigidBodyHandle, PhysicsError> {
+        let thing = self.thing(id)?;
+        let (base, role) = (thing.state.base, thing.state.role);
+        match role {
+            Role::Loose => {}
+            Role::Hung => self.set_role(id, Role::Loose)?,
+            _ => return Err(PhysicsError::NotFree(id)),
+        }
+        Ok(base)
+    }
+
+    /// Changes how a thing takes part, its body and colliders with it.
+    pub(crate) fn set_role(&mut self, id: NodeId, role: Role) -> Result<(), PhysicsError> {
+        let thing = self.thing_mut(id)?;
+        thing.state.role = role;
+        let base = thing.state.base;
+        let kind = match role {
+            Role::Loose => RigidBodyType::Dynamic,
+            Role::Carried => RigidBodyType::KinematicPositionBased,
+            _ => RigidBodyType::Fixed,
+        };
+        let Some(rigid) = self.engine.bodies.get_mut(base) else { return Ok(()) };
+        rigid.set_body_type(kind, true);
+        rigid.set_linvel(rapier3d::math::Vector::ZERO, true);
+        rigid.set_angvel(rapier3d::math::Vector::ZERO, true);
+        let groups = group::base(role);
+        for collider in rigid.colliders().to_vec() {
+            if let Some(collider) = self.engine.colliders.get_mut(collider) {
+                collider.set_collision_groups(groups);
+            }
+        }
+        Ok(())
+    }
+}

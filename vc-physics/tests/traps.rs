@@ -1,0 +1,144 @@
+//! The engine's traps, each with what this crate does instead.
+
+#![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
+
+mod common;
+
+use common::{Scene, at, plain};
+use nalgebra::{Point3, Vector3};
+use vc_physics::{Settings, Shapes, World};
+
+/// Bodies inserted asleep fall into what they rest on: `rest` finds contacts first.
+#[test]
+fn a_scene_put_to_rest_stays_where_it_is() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let cubes: Vec<_> = (0..20).map(|i| scene.cube(0.05, at(0.2 * i as f32 - 2.0, 0.0, 0.05))).collect();
+    let mut world = scene.world();
+    world.rest();
+    assert_eq!(world.awake(), 0);
+    let before: Vec<_> = cubes.iter().map(|c| world.pose(*c).unwrap()).collect();
+    world.run(120);
+    assert_eq!(before, cubes.iter().map(|c| world.pose(*c).unwrap()).collect::<Vec<_>>());
+    // Pushed, they move and come to rest again.
+    world.push(cubes[3], Vector3::new(0.0, 0.6, 0.0), Point3::new(-1.4, 0.0, 0.05)).unwrap();
+    let report = world.settle(200);
+    assert!(report.at_rest && report.moved.iter().any(|m| m.id == cubes[3]), "{report:?}");
+    for cube in &cubes {
+        let z = world.pose(*cube).unwrap().translation.z;
+        assert!((z - 0.05).abs() < 0.006, "{z}");
+    }
+}
+
+/// Bodies are registered before the first step, so nothing hangs in the air.
+#[test]
+fn bodies_fall_after_queries() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let ball = scene.ball(0.1, at(0.0, 0.0, 3.0));
+    let mut world = scene.world();
+    assert_eq!(world.within(Point3::new(0.0, 0.0, 3.0), 0.2), [(ball, 0.0)]);
+    assert!(world.contacts().is_empty() && world.overlaps(ball, &at(0.0, 0.0, 0.05)).unwrap().len() == 1);
+    world.settle(300);
+    assert!((world.pose(ball).unwrap().translation.z - 0.1).abs() < 0.006);
+}
+
+/// A spot inside something is told before anything is put there.
+#[test]
+fn overlap_is_told_beforehand() {
+    let mut scene = Scene::default();
+    let floor = scene.floor(5.0, 0.5);
+    let table = scene.table(at(0.0, 0.0, 0.0));
+    let cube = scene.cube(0.1, at(2.0, 0.0, 0.1));
+    let world = scene.world();
+    assert_eq!(world.overlaps(cube, &at(0.0, 0.0, 0.72)).unwrap(), [table]);
+    assert_eq!(world.overlaps(cube, &at(0.37, 0.67, 0.05)).unwrap(), [floor, table]);
+    // Touching is no overlap.
+    assert!(world.overlaps(cube, &at(0.0, 0.0, 0.84)).unwrap().is_empty());
+    assert!(world.overlaps(cube, &at(0.0, 0.0, 0.3)).unwrap().is_empty(), "under the table");
+}
+
+/// What becomes non-finite is stopped, named and reported; the rest goes on.
+#[test]
+fn a_body_that_becomes_non_finite_is_named() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let (wild, calm) = (scene.cube(0.1, at(0.0, 0.0, 2.0)), scene.cube(0.1, at(1.0, 0.0, 2.0)));
+    let mut world = scene.world();
+    world.step();
+    for _ in 0..3 {
+        let far = Point3::new(1e30, 0.0, 0.0);
+        let _ = world.push(wild, Vector3::new(0.0, 3e38, 3e38), far);
+    }
+    let report = world.settle(300);
+    assert_eq!((report.stopped.as_slice(), world.stopped()), (&[wild][..], &[wild][..]), "{report:?}");
+    assert!(world.pose(wild).unwrap().translation.vector.iter().all(|v| v.is_finite()));
+    assert!((world.pose(calm).unwrap().translation.z - 0.1).abs() < 0.006);
+    assert!(world.push(wild, Vector3::x(), Point3::origin()).is_err());
+}
+
+/// Ten thousand things dropped at random into a room: none goes through its floor or
+/// its walls.
+#[test]
+fn no_tunnelling() {
+    let mut out = 0;
+    for batch in 0..20_u64 {
+        let mut rng = vc_graph::Seed(batch).stream();
+        let mut scene = Scene::default();
+        scene.floor(4.2, 0.5);
+        scene.room([-4.0, -4.0], [4.0, 4.0]);
+        for (low, high) in [
+            ([-4.2, -4.2, 0.0], [-4.0, 4.2, 30.0]),
+            ([4.0, -4.2, 0.0], [4.2, 4.2, 30.0]),
+            ([-4.0, -4.2, 0.0], [4.0, -4.0, 30.0]),
+            ([-4.0, 4.0, 0.0], [4.0, 4.2, 30.0]),
+        ] {
+            scene.wall(low, high);
+        }
+        let cube = scene.solid("cube", common::block([0.06, 0.04, 0.05]), scene.wood);
+        let ball = scene.solid("ball", vc_graph::asset::Shape::Sphere { radius: 0.04 }, scene.wood);
+        let can = vc_graph::asset::Shape::Cylinder { radius: 0.035, half_height: 0.06 };
+        let can = scene.solid("can", can, scene.wood);
+        let things: Vec<_> = (0..500)
+            .map(|i| {
+                let (x, y, z) = (rng.between(-3.8, 3.8), rng.between(-3.8, 3.8), rng.between(0.2, 6.0));
+                let turn = common::turned(x, y, z, Vector3::new(1.0, 0.3, 0.2), rng.between(-3.0, 3.0));
+                scene.add("toy", [cube, ball, can][i % 3], turn)
+            })
+            .collect();
+        let mut world = scene.world();
+        for thing in &things {
+            let v = Vector3::new(rng.between(-8.0, 8.0), rng.between(-8.0, 8.0), rng.between(-15.0, 0.0));
+            world.set_velocity(*thing, v, Vector3::new(rng.between(-9.0, 9.0), 0.0, 3.0)).unwrap();
+        }
+        let report = world.settle(400);
+        assert!(report.stopped.is_empty());
+        for thing in &things {
+            let p = world.centre_of_mass(*thing).unwrap();
+            out += usize::from(p.x.abs() > 4.0 || p.y.abs() > 4.0 || p.z < 0.0);
+        }
+        assert_eq!(report.outside.len(), world.outside().len());
+    }
+    assert_eq!(out, 0, "of 10,000 things went through the floor or a wall");
+}
+
+/// Sub-steps and other step lengths fall as far.
+#[test]
+fn steps_of_other_lengths() {
+    for (dt, substeps) in [(1.0 / 60.0, 4), (1.0 / 240.0, 1), (1.0 / 30.0, 2)] {
+        let mut scene = Scene::default();
+        scene.floor(5.0, 0.5);
+        let ball = scene.ball(0.1, at(0.0, 0.0, 6.0));
+        let mut world = scene.world_with(Settings { dt, substeps, ..plain() });
+        world.run((1.0 / dt).round() as u32);
+        let fallen = 6.0 - world.pose(ball).unwrap().translation.z;
+        assert!((fallen - 4.905).abs() < 0.1, "{fallen} m with {dt} / {substeps}");
+        assert!((world.time() - 1.0).abs() < 1e-3);
+    }
+    let graph = Scene::default().graph();
+    for bad in
+        [Settings { dt: 0.0, ..plain() }, Settings { substeps: 0, ..plain() }, Settings { dt: f32::NAN, ..plain() }]
+    {
+        assert!(World::build(&graph, &Shapes::new(), bad).is_err());
+    }
+}

@@ -1,0 +1,166 @@
+//! What relations cost, beside a plain implementation and engine shape casts.
+//!
+//! The home is that of the tests: rooms of 25 objects. Run with
+//! `cargo bench -p vc-relations`.
+
+#![allow(missing_docs, clippy::unwrap_used, reason = "benches stop where something is wrong")]
+
+#[path = "../tests/shared/mod.rs"]
+mod shared;
+
+use std::hint::black_box;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use nalgebra::Vector3;
+use parry3d::math::{Pose as EnginePose, Vector as EngineVector};
+use parry3d::query::{ShapeCastOptions, cast_shapes};
+use parry3d::shape::{Compound, Cuboid, SharedShape};
+use vc_graph::{NodeId, Pose, SceneGraph};
+use vc_relations::{Evidence, Relations, Rule};
+
+fn all(c: &mut Criterion) {
+    for objects in [100, 500, 2000] {
+        let (home, _) = shared::home::home(objects);
+        let mut relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default());
+        c.bench_function(&format!("all relations, {objects} objects"), |b| {
+            b.iter(|| {
+                relations.rebuild(&home.graph);
+                black_box(relations.edges())
+            });
+        });
+        c.bench_function(&format!("the same, assets seen for the first time, {objects} objects"), |b| {
+            b.iter(|| Relations::new(&home.graph, Rule::Repaired, Evidence::default()).edges());
+        });
+        c.bench_function(&format!("box traces of the thesis, {objects} objects"), |b| {
+            b.iter(|| Relations::new(&home.graph, Rule::BoxTrace, Evidence::default()).edges());
+        });
+    }
+}
+
+fn moved(c: &mut Criterion) {
+    for objects in [100, 500, 2000] {
+        let (mut home, truth) = shared::home::home(objects);
+        let mut relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default());
+        let ids: Vec<NodeId> = truth.iter().map(|t| home.id(&t.name)).collect();
+        let mut turn = 0_usize;
+        for count in [1, 10, 50] {
+            c.bench_function(&format!("{count} moved of {objects} objects"), |b| {
+                b.iter_custom(|rounds| {
+                    let mut spent = std::time::Duration::ZERO;
+                    for _ in 0..rounds {
+                        let batch: Vec<NodeId> = (0..count).map(|k| ids[(turn + k * 7) % ids.len()]).collect();
+                        nudge(&mut home.graph, &batch, turn);
+                        turn += 1;
+                        let start = std::time::Instant::now();
+                        black_box(relations.update(&home.graph, &batch));
+                        for &id in &batch {
+                            black_box(relations.of(id));
+                        }
+                        spent += start.elapsed();
+                    }
+                    spent
+                });
+            });
+        }
+    }
+}
+
+/// Moves objects to and fro by a centimetre.
+fn nudge(graph: &mut SceneGraph, ids: &[NodeId], turn: usize) {
+    let mut edit = graph.edit();
+    for &id in ids {
+        let mut pose: Pose = *edit.graph().node(id).unwrap().pose().unwrap();
+        pose.translation.x += if (turn / 100).is_multiple_of(2) { 0.01 } else { -0.01 };
+        edit.set_pose(id, Some(pose)).unwrap();
+    }
+    edit.commit();
+}
+
+/// The parts of every object as engine shapes, with their boxes.
+struct Engine {
+    shapes: Vec<(EnginePose, Compound, Vector3<f32>, Vector3<f32>)>,
+    wholes: Vec<(EnginePose, Cuboid)>,
+}
+
+fn engine_pose(pose: &Pose) -> EnginePose {
+    (*pose).into()
+}
+
+impl Engine {
+    fn new(graph: &SceneGraph) -> Self {
+        let (mut shapes, mut wholes) = (Vec::new(), Vec::new());
+        for node in graph.nodes() {
+            let Some(asset) = node.spec().asset.and_then(|a| graph.assets().get(a)) else { continue };
+            let pose = *node.pose().unwrap();
+            let cuboid = |half: Vector3<f32>| Cuboid::new(EngineVector::new(half.x, half.y, half.z));
+            let part = |part: &vc_graph::asset::Part| {
+                let (low, high) = part.extent();
+                let centre = nalgebra::center(&low, &high);
+                (
+                    engine_pose(&Pose::translation(centre.x, centre.y, centre.z)),
+                    SharedShape::new(cuboid((high - low) / 2.0)),
+                )
+            };
+            let (low, high) = asset.extent().unwrap();
+            let half = (high - low) / 2.0;
+            let centre = pose
+                * Pose::from_parts(nalgebra::center(&low, &high).coords.into(), nalgebra::UnitQuaternion::identity());
+            let reach = pose.rotation.to_rotation_matrix().matrix().abs() * half;
+            let at = centre.translation.vector;
+            shapes.push((
+                engine_pose(&pose),
+                Compound::new(asset.parts.iter().map(part).collect()),
+                at - reach,
+                at + reach,
+            ));
+            wholes.push((engine_pose(&centre), cuboid(half)));
+        }
+        Self { shapes, wholes }
+    }
+
+    /// The six traces of every object by the engine's shape casts, after a check of boxes.
+    fn trace_all(&self) -> usize {
+        let mut hits = 0;
+        for (index, (pose, whole)) in self.wholes.iter().enumerate() {
+            let ways: [(Vector3<f32>, f32); 6] = [
+                (Vector3::x(), 1.0),
+                (-Vector3::x(), 1.0),
+                (Vector3::y(), 1.0),
+                (-Vector3::y(), 1.0),
+                (Vector3::z(), 3.0),
+                (-Vector3::z(), 3.0),
+            ];
+            for (way, limit) in ways {
+                let (low, high) = (self.shapes[index].2, self.shapes[index].3);
+                let (low, high) = (low.inf(&(low + way * limit)), high.sup(&(high + way * limit)));
+                let mut best = limit;
+                for (other, (at, shape, l, h)) in self.shapes.iter().enumerate() {
+                    if other == index || (0..3).any(|k| l[k] > high[k] || h[k] < low[k]) {
+                        continue;
+                    }
+                    let velocity = EngineVector::new(way.x, way.y, way.z);
+                    let options = ShapeCastOptions { max_time_of_impact: best, ..ShapeCastOptions::default() };
+                    let hit = cast_shapes(pose, velocity, whole, at, EngineVector::ZERO, shape, options).unwrap();
+                    hit.into_iter().for_each(|hit| best = best.min(hit.time_of_impact));
+                }
+                hits += usize::from(best < limit);
+            }
+        }
+        hits
+    }
+}
+
+fn beside(c: &mut Criterion) {
+    let (home, _) = shared::home::home(500);
+    let engine = Engine::new(&home.graph);
+    c.bench_function("engine shape casts, the thesis's rule, 500 objects", |b| {
+        b.iter(|| black_box(engine.trace_all()))
+    });
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().sample_size(20).measurement_time(std::time::Duration::from_secs(2));
+    targets = all, moved, beside
+}
+criterion_main!(benches);

@@ -1,0 +1,217 @@
+//! One node's geometry in the world.
+
+use std::sync::Arc;
+
+use nalgebra::{Isometry3, Matrix3, Vector3};
+use vc_graph::{Frame, Node, NodeId, Property, State};
+
+use crate::form::{Form, Piece};
+use crate::solid::{Round, Solid};
+use crate::threshold::{CORNER_SHARE, CORNERS_WITHIN, LYING_TILT, RIM_MARGIN, ROUND_CORNER_SHARE};
+use crate::tree::Region;
+
+/// How an agent holds itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Posture {
+    Sitting,
+    Lying,
+    /// Neither is said; geometry decides.
+    Unsaid,
+}
+
+/// What rules ask about a node beside its geometry.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Traits {
+    /// Walls, floors, ceilings.
+    pub(crate) structure: bool,
+    /// Those, doors and windows: they rest on nothing.
+    pub(crate) fixed: bool,
+    pub(crate) door: bool,
+    pub(crate) agent: bool,
+    pub(crate) sittable: bool,
+    pub(crate) lieable: bool,
+    pub(crate) lookable: bool,
+    /// Only its box is known.
+    pub(crate) boxed: bool,
+    /// Only its box is known, and things are put on it: at what height is unknown.
+    pub(crate) vague: bool,
+}
+
+impl Traits {
+    fn of(node: &Node) -> Self {
+        let category = &*node.spec().category;
+        let structure = matches!(category, "structure" | "Floor" | "Floors" | "Walls" | "Ceiling");
+        let door = matches!(category, "door" | "Doors");
+        let boxed = node.spec().asset.is_none();
+        let carries = [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(|p| node.affords(p));
+        Self {
+            structure,
+            fixed: structure || door || matches!(category, "window" | "Windows"),
+            door,
+            agent: node.kind() == vc_graph::Kind::Agent,
+            sittable: node.affords(Property::Sittable),
+            lieable: node.affords(Property::Lieable),
+            lookable: node.affords(Property::Lookable),
+            boxed,
+            vague: boxed && carries,
+        }
+    }
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct Body {
+    pub(crate) id: NodeId,
+    pub(crate) traits: Traits,
+    pub(crate) posture: Posture,
+    pub(crate) form: Arc<Form>,
+    pub(crate) solids: Vec<Solid>,
+    /// The box around the whole, turned with it.
+    pub(crate) whole: Solid,
+    /// The world-aligned box around everything.
+    pub(crate) region: Region,
+    /// The node's own axes.
+    pub(crate) heading: Matrix3<f32>,
+    /// From the world to the asset's frame.
+    inverse: Isometry3<f32>,
+    scale: Vector3<f32>,
+    /// Where its moving parts are.
+    positions: Vec<f32>,
+    pub(crate) room: Option<NodeId>,
+}
+
+impl Body {
+    /// The geometry of a node; `None` if it has no pose, no shape, or one that is not
+    /// finite.
+    pub(crate) fn new(node: &Node, form: Arc<Form>, positions: Vec<f32>) -> Option<Self> {
+        let pose = node.pose()?;
+        let spec = node.spec();
+        let own = *pose.rotation.to_rotation_matrix().matrix();
+        // A box aligned with the world does not turn with its node.
+        let still = spec.asset.is_none() && spec.bounds.is_some_and(|b| b.frame == Frame::World);
+        let turn = if still { nalgebra::UnitQuaternion::identity() } else { pose.rotation };
+        let frame = Isometry3::from_parts(pose.translation, turn);
+        let scale = if spec.asset.is_some() { spec.scale.abs() } else { Vector3::repeat(1.0) };
+        let (centre, half) = ((form.low + form.high) / 2.0, (form.high - form.low) / 2.0);
+        let whole = Piece { centre, axes: Matrix3::identity(), half, round: Round::No, link: None };
+        let mut body = Self {
+            id: node.id(),
+            traits: Traits::of(node),
+            posture: posture(node),
+            solids: Vec::with_capacity(form.pieces.len()),
+            whole: placed(&whole, &frame, &scale),
+            region: Region::EMPTY,
+            heading: own,
+            inverse: frame.inverse(),
+            scale,
+            positions,
+            room: None,
+            form,
+        };
+        body.put_solids(&frame);
+        (body.whole.is_finite() && body.solids.iter().all(Solid::is_finite)).then_some(body)
+    }
+
+    fn put_solids(&mut self, frame: &Isometry3<f32>) {
+        let turn = *frame.rotation.to_rotation_matrix().matrix();
+        let mut region = Region { low: self.whole.low, high: self.whole.high };
+        for piece in &self.form.pieces {
+            let solid = match self.motion(piece.link) {
+                Some(motion) => placed(piece, &(frame * motion), &self.scale),
+                None => put(piece, &turn, &frame.translation.vector, &self.scale),
+            };
+            region = region.joined(&Region { low: solid.low, high: solid.high });
+            self.solids.push(solid);
+        }
+        self.region = region;
+    }
+
+    /// How a moving part has moved, in the asset's frame.
+    fn motion(&self, link: Option<u32>) -> Option<Isometry3<f32>> {
+        let link = link? as usize;
+        let position = self.positions.get(link).copied().filter(|&p| p != 0.0)?;
+        Some(self.form.joints.get(link)?.motion(position))
+    }
+
+    fn to_own(&self, point: &Vector3<f32>) -> Vector3<f32> {
+        (self.inverse.rotation * point + self.inverse.translation.vector).component_div(&self.scale)
+    }
+
+    /// Which of its cavities has this body in it: its centre, and half of its corners.
+    pub(crate) fn cavity_with(&self, content: &Self) -> Option<usize> {
+        let own = (!self.form.cavities.is_empty()).then(|| self.to_own(&content.whole.centre))?;
+        (0..self.form.cavities.len())
+            .find(|&index| self.has_centre(index, &own) && self.corners_within(index, content) >= CORNERS_WITHIN)
+    }
+
+    /// Whether a point of the asset's frame is in a cavity, or a little over its rim.
+    fn has_centre(&self, cavity: usize, own: &Vector3<f32>) -> bool {
+        let cavity = &self.form.cavities[cavity];
+        cavity.contains(&self.before_motion(cavity.link, *own), RIM_MARGIN / self.scale.z.max(1e-3))
+    }
+
+    /// How many corners of a content's box are in a cavity.
+    fn corners_within(&self, cavity: usize, content: &Self) -> u32 {
+        let cavity = &self.form.cavities[cavity];
+        let own = |c: &Vector3<f32>| self.before_motion(cavity.link, self.to_own(c));
+        let corners = content.whole.corners(content.corner_share());
+        corners.iter().filter(|c| cavity.admits(&own(c))).count() as u32
+    }
+
+    /// For each cavity, whether it has a content's centre and how many of its corners.
+    pub(crate) fn cavities_with(&self, content: &Self) -> Vec<(bool, u32)> {
+        let own = self.to_own(&content.whole.centre);
+        let judge = |index| (self.has_centre(index, &own), self.corners_within(index, content));
+        (0..self.form.cavities.len()).map(judge).collect()
+    }
+
+    /// Where a point of the asset's frame was before a moving part moved it.
+    fn before_motion(&self, link: Option<u32>, point: Vector3<f32>) -> Vector3<f32> {
+        self.motion(link).map_or(point, |m| (m.inverse() * nalgebra::Point3::from(point)).coords)
+    }
+
+    fn corner_share(&self) -> f32 {
+        let round = self.solids.iter().all(|s| s.round != Round::No);
+        if round { ROUND_CORNER_SHARE } else { CORNER_SHARE }
+    }
+
+    /// Where its hooks are, in the world.
+    pub(crate) fn hooks(&self) -> impl Iterator<Item = Vector3<f32>> + '_ {
+        let frame = self.inverse.inverse();
+        self.form.hooks.iter().map(move |(at, link)| {
+            let at = self.motion(*link).map_or(*at, |m| m.rotation * at + m.translation.vector);
+            frame.rotation * at.component_mul(&self.scale) + frame.translation.vector
+        })
+    }
+
+    /// Lowest point, metres.
+    pub(crate) fn base(&self) -> f32 {
+        self.region.low.z
+    }
+
+    pub(crate) fn lies(&self) -> bool {
+        self.posture == Posture::Lying || (self.posture == Posture::Unsaid && self.heading[(2, 2)].abs() < LYING_TILT)
+    }
+}
+
+fn posture(node: &Node) -> Posture {
+    match (node.is(State::Sitting), node.is(State::Lying)) {
+        (true, _) => Posture::Sitting,
+        (_, true) => Posture::Lying,
+        _ => Posture::Unsaid,
+    }
+}
+
+fn placed(piece: &Piece, frame: &Isometry3<f32>, scale: &Vector3<f32>) -> Solid {
+    put(piece, frame.rotation.to_rotation_matrix().matrix(), &frame.translation.vector, scale)
+}
+
+/// A piece in the world. Scaling is along the asset's axes; a piece turned against them
+/// keeps right angles and gets the lengths of its scaled axes.
+fn put(piece: &Piece, turn: &Matrix3<f32>, at: &Vector3<f32>, scale: &Vector3<f32>) -> Solid {
+    if *scale == Vector3::repeat(1.0) {
+        return Solid::new(turn * piece.centre + at, turn * piece.axes, piece.half, piece.round);
+    }
+    let stretch = Vector3::from_fn(|i, _| piece.axes.column(i).component_mul(scale).norm());
+    let half = piece.half.component_mul(&stretch);
+    Solid::new(turn * piece.centre.component_mul(scale) + at, turn * piece.axes, half, piece.round)
+}

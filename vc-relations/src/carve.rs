@@ -1,0 +1,128 @@
+//! Concave shapes as convex pieces: the fewest that keep hollows hollow and tops where
+//! they are, not a faithful likeness.
+
+use nalgebra::{Matrix3, Point3, Vector3};
+
+use crate::hollow;
+use crate::solid::Round;
+
+/// Into how many slices a shape is cut at most.
+const SLICES: usize = 6;
+/// How many boxes stand around a ring.
+const STAVES: usize = 8;
+/// Columns along each side over a mesh.
+const COLUMNS: usize = 8;
+
+type Put<'a> = &'a mut dyn FnMut(Vector3<f32>, Matrix3<f32>, Vector3<f32>, Round);
+
+/// A turned profile: discs where it is full, rings of staves where it is hollow.
+pub(crate) fn lathe(profile: &[(f32, f32)], put: Put<'_>) {
+    for (low, high) in slices(profile.iter().map(|p| p.1)) {
+        let (centre, half) = (f32::midpoint(low, high), (high - low) / 2.0);
+        let cuts = crossings(profile, centre);
+        let Some(&outer) = cuts.last() else { continue };
+        // Closed to the axis by flat discs: an odd number of crossings is a full middle.
+        let inner = if cuts.len() % 2 == 1 { 0.0 } else { cuts[0] };
+        let at = Vector3::z() * centre;
+        if inner < 0.02 * outer {
+            put(at, Matrix3::identity(), Vector3::new(outer, outer, half), Round::Turned);
+        } else {
+            ring(at, inner, outer, half, put);
+        }
+    }
+}
+
+fn ring(at: Vector3<f32>, inner: f32, outer: f32, half: f32, put: Put<'_>) {
+    let (middle, thick) = (f32::midpoint(inner, outer), (outer - inner) / 2.0);
+    let long = outer * (std::f32::consts::PI / STAVES as f32).tan();
+    for stave in 0..STAVES {
+        let (sin, cos) = (std::f32::consts::TAU * stave as f32 / STAVES as f32).sin_cos();
+        let axes = Matrix3::new(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
+        put(at + Vector3::new(cos, sin, 0.0) * middle, axes, Vector3::new(thick, long, half), Round::No);
+    }
+}
+
+/// Heights between which a shape is cut: its own, thinned out where there are many.
+fn slices(levels: impl Iterator<Item = f32>) -> Vec<(f32, f32)> {
+    let mut levels: Vec<f32> = levels.collect();
+    levels.sort_by(f32::total_cmp);
+    let Some((&low, &high)) = levels.first().zip(levels.last()) else { return Vec::new() };
+    let least = (high - low) / 100.0;
+    levels.dedup_by(|b, a| *b - *a < least);
+    hollow::thin_out(&mut levels, SLICES + 1);
+    levels.windows(2).map(|w| (w[0], w[1])).collect()
+}
+
+/// Where a line at `height` crosses a path, the second coordinate being the height.
+fn crossings(path: &[(f32, f32)], height: f32) -> Vec<f32> {
+    let edges = path.windows(2).map(|w| (w[0], w[1]));
+    let mut cuts: Vec<f32> = edges.filter_map(|(a, b)| crossing(a, b, height)).collect();
+    cuts.sort_by(f32::total_cmp);
+    cuts
+}
+
+fn crossing(a: (f32, f32), b: (f32, f32), height: f32) -> Option<f32> {
+    let crosses = (a.1 <= height) != (b.1 <= height);
+    crosses.then(|| a.0 + (b.0 - a.0) * (height - a.1) / (b.1 - a.1))
+}
+
+/// An outline drawn up: boxes over slices of the outline, exact for right-angled ones.
+pub(crate) fn extrusion(outline: &[(f32, f32)], height: f32, put: Put<'_>) {
+    let mut closed = outline.to_vec();
+    closed.extend(outline.first());
+    for (low, high) in slices(outline.iter().map(|p| p.1)) {
+        let cuts = crossings(&closed, f32::midpoint(low, high));
+        for pair in cuts.chunks_exact(2) {
+            let centre = Vector3::new(f32::midpoint(pair[0], pair[1]), f32::midpoint(low, high), height / 2.0);
+            let half = Vector3::new(pair[1] - pair[0], high - low, height) / 2.0;
+            put(centre, Matrix3::identity(), half, Round::No);
+        }
+    }
+}
+
+/// A mesh: its box where it nearly fills that, else columns over a grid.
+pub(crate) fn mesh(vertices: &[Point3<f32>], triangles: &[[u32; 3]], put: Put<'_>) {
+    let Some(first) = vertices.first() else { return };
+    let (low, high) = vertices.iter().fold((*first, *first), |(l, h), v| (l.inf(v), h.sup(v)));
+    let size = high - low;
+    let whole = |put: Put<'_>| put((low.coords + high.coords) / 2.0, Matrix3::identity(), size / 2.0, Round::No);
+    let corners: Vec<[Point3<f32>; 3]> = triangles
+        .iter()
+        .filter_map(|t| {
+            Some([*vertices.get(t[0] as usize)?, *vertices.get(t[1] as usize)?, *vertices.get(t[2] as usize)?])
+        })
+        .collect();
+    let volume: f32 = corners.iter().map(|[a, b, c]| (a - low).dot(&(b - low).cross(&(c - low))) / 6.0).sum();
+    if corners.is_empty() || volume.abs() > 0.9 * size.x * size.y * size.z {
+        return whole(put);
+    }
+    let step = Vector3::new(size.x, size.y, 0.0) / COLUMNS as f32;
+    let mut found = false;
+    for cell in 0..COLUMNS * COLUMNS {
+        let (i, j) = (cell % COLUMNS, cell / COLUMNS);
+        let at = low.coords + Vector3::new((i as f32 + 0.5) * step.x, (j as f32 + 0.5) * step.y, 0.0);
+        for (bottom, top) in column(&corners, at.x, at.y) {
+            found = true;
+            let centre = Vector3::new(at.x, at.y, f32::midpoint(bottom, top));
+            put(centre, Matrix3::identity(), Vector3::new(step.x, step.y, top - bottom) / 2.0, Round::No);
+        }
+    }
+    if !found {
+        whole(put);
+    }
+}
+
+/// Where a vertical line is within a mesh: from each second crossing to the next.
+fn column(corners: &[[Point3<f32>; 3]], x: f32, y: f32) -> Vec<(f32, f32)> {
+    let mut heights: Vec<f32> = corners.iter().filter_map(|t| height_over(t, x, y)).collect();
+    heights.sort_by(f32::total_cmp);
+    heights.chunks_exact(2).map(|p| (p[0], p[1])).filter(|(a, b)| b > a).collect()
+}
+
+fn height_over([a, b, c]: &[Point3<f32>; 3], x: f32, y: f32) -> Option<f32> {
+    let cross = |p: &Point3<f32>, q: &Point3<f32>| (p.x - x) * (q.y - y) - (q.x - x) * (p.y - y);
+    let (u, v, w) = (cross(b, c), cross(c, a), cross(a, b));
+    let sum = u + v + w;
+    let within = (u >= 0.0) == (v >= 0.0) && (v >= 0.0) == (w >= 0.0) && sum.abs() > 0.0;
+    within.then(|| (u * a.z + v * b.z + w * c.z) / sum)
+}

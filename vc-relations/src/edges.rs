@@ -1,0 +1,159 @@
+//! From facts to relations: the repaired rule.
+
+use vc_graph::{Edge, Relation};
+
+use crate::body::{Body, Posture};
+use crate::pair::{Pair, Side};
+use crate::support::{Facts, Supports};
+use crate::threshold::{FACING_COSINE, FACING_REACH, TOUCH_GAP};
+use crate::world::World;
+
+pub(crate) struct Reader<'w> {
+    pub(crate) supports: Supports<'w>,
+}
+
+impl<'w> Reader<'w> {
+    pub(crate) fn new(world: &'w World, facts: &'w Facts) -> Self {
+        Self { supports: Supports { world, facts } }
+    }
+
+    fn world(&self) -> &'w World {
+        self.supports.world
+    }
+
+    /// All edges that start at a body, sorted.
+    pub(crate) fn edges(&self, index: usize, out: &mut Vec<Edge>) {
+        let start = out.len();
+        let Some(body) = &self.world().bodies[index] else { return };
+        let mut add = |relation, to| out.push(Edge::new(body.id, relation, to));
+        if let Some(room) = body.room {
+            add(Relation::InRoom, room);
+        }
+        if body.traits.door {
+            self.world().rooms.beside(body).into_iter().for_each(|room| add(Relation::Between, room));
+        }
+        for edge in self.supports.facts.holding(body.id) {
+            add(edge.relation, edge.to);
+        }
+        self.placed(index, body, &mut add);
+        for pair in &self.world().pairs[index] {
+            self.beside(pair, &mut add);
+        }
+        self.facing(index, body, &mut add);
+        out[start..].sort_unstable();
+    }
+
+    /// On, inside, under, sitting and lying: of two nodes at most one of these.
+    fn placed(&self, index: usize, body: &Body, add: &mut impl FnMut(Relation, vc_graph::NodeId)) {
+        let world = self.world();
+        let pairs = &world.pairs[index];
+        let inside = |other: usize| world.pair(index, other).is_some_and(|p| p.inside);
+        for pair in pairs.iter().filter(|p| p.inside) {
+            add(Relation::Inside, world.ids[pair.other as usize]);
+        }
+        let supports = self.supports.of(index);
+        let seat = self.seat(index, body);
+        if let Some((relation, other)) = seat {
+            add(relation, world.ids[other]);
+        } else {
+            for support in &supports {
+                if !world.index(support.by).is_some_and(inside) {
+                    add(Relation::On, support.by);
+                }
+            }
+        }
+        if let Some(over) = self.over(index) {
+            add(Relation::Under, world.ids[over]);
+        }
+    }
+
+    /// What an agent sits or lies on.
+    fn seat(&self, index: usize, body: &Body) -> Option<(Relation, usize)> {
+        if !body.traits.agent {
+            return None;
+        }
+        let world = self.world();
+        let other = |p: &Pair| world.bodies[p.other as usize].as_ref();
+        let on = |p: &&Pair| p.rest.is_finite() || p.seated;
+        let candidates = world.pairs[index].iter().filter(on);
+        let nearest = |p: &&Pair, q: &&Pair| p.rest.abs().total_cmp(&q.rest.abs()).then(p.other.cmp(&q.other));
+        if body.lies() {
+            let bed = candidates.filter(|p| other(p).is_some_and(|b| b.traits.lieable)).min_by(nearest)?;
+            return Some((Relation::LyingOn, bed.other as usize));
+        }
+        let sits = |p: &&Pair| p.seated || body.posture == Posture::Sitting;
+        let seat = candidates.filter(sits).filter(|p| other(p).is_some_and(|b| b.traits.sittable)).min_by(nearest)?;
+        Some((Relation::SittingOn, seat.other as usize))
+    }
+
+    /// What a body is under: the nearest thing above that does not rest on it or in it.
+    /// What holds or carries it shades it from all further.
+    pub(crate) fn over(&self, index: usize) -> Option<usize> {
+        let world = self.world();
+        let mut above: Vec<&Pair> = world.pairs[index].iter().filter(|p| p.over.is_finite()).collect();
+        above.sort_by(|a, b| a.over.total_cmp(&b.over).then(a.other.cmp(&b.other)));
+        let carried = |p: &&&Pair| self.is_carried(p.other as usize, index);
+        let first = above.iter().find(|p| !carried(p))?;
+        let other = first.other as usize;
+        let shades = first.inside
+            || world.bodies[other].as_ref().is_none_or(|b| b.traits.fixed)
+            || self.supports.candidates(index).iter().any(|c| c.index == other);
+        (!shades).then_some(other)
+    }
+
+    /// Whether one body rests on another, is in it, or is held by it.
+    pub(crate) fn is_carried(&self, what: usize, by: usize) -> bool {
+        let world = self.world();
+        let by_id = world.ids[by];
+        world.pair(what, by).is_some_and(|p| p.inside || p.seated)
+            || self.supports.facts.held(world.ids[what]).iter().any(|e| e.from == by_id || e.to == by_id)
+            || self.supports.reaches(what, by)
+    }
+
+    fn beside(&self, pair: &Pair, add: &mut impl FnMut(Relation, vc_graph::NodeId)) {
+        let to = self.world().ids[pair.other as usize];
+        if pair.gap <= TOUCH_GAP {
+            add(Relation::Touching, to);
+        }
+        if pair.distance.is_finite() {
+            add(Relation::Near, to);
+            if let Some(side) = pair.side {
+                add(toward(side), to);
+            }
+        }
+    }
+
+    /// Things to look at that an agent or seat faces: within its field, not behind a wall.
+    fn facing(&self, index: usize, body: &Body, add: &mut impl FnMut(Relation, vc_graph::NodeId)) {
+        if !body.traits.agent && !body.traits.sittable {
+            return;
+        }
+        let world = self.world();
+        let mut faced = Vec::new();
+        world.tree.each(&body.region.grown(FACING_REACH, FACING_REACH), |other| {
+            let Some(target) = world.bodies[other].as_ref() else { return };
+            if other != index && target.traits.lookable && faces(body, target) && !world.is_walled_off(body, target) {
+                faced.push(world.ids[other]);
+            }
+        });
+        faced.into_iter().for_each(|to| add(Relation::Facing, to));
+    }
+}
+
+/// Whether a target is within the angle and reach in which something is faced.
+pub(crate) fn faces(body: &Body, target: &Body) -> bool {
+    let way = (target.whole.centre - body.whole.centre).xy();
+    let front = body.heading.column(0).xy();
+    let (far, length) = (way.norm(), front.norm());
+    far <= FACING_REACH && length > 1e-3 && way.dot(&front) >= FACING_COSINE * far * length
+}
+
+/// The relation for near at a side.
+pub(crate) fn toward(side: Side) -> Relation {
+    match side {
+        Side::Front => Relation::NearFront,
+        Side::Back => Relation::NearBack,
+        Side::Left => Relation::NearLeft,
+        Side::Right => Relation::NearRight,
+    }
+}

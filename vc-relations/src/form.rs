@@ -1,0 +1,176 @@
+//! What relations need of an asset: convex pieces, hollows, hooks. Found once for each
+//! asset.
+
+use nalgebra::{Matrix3, Point3, Vector3};
+use vc_graph::Asset;
+use vc_graph::asset::{Hold, Joint, Part, Shape, Surface};
+
+use crate::carve;
+use crate::hollow::{self, Cells};
+use crate::solid::{Round, Solid};
+use crate::threshold::{HOLLOW_LEAST, RIM_MARGIN};
+
+/// A convex piece in the asset's frame, joints at zero, metres.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Piece {
+    pub(crate) centre: Vector3<f32>,
+    pub(crate) axes: Matrix3<f32>,
+    pub(crate) half: Vector3<f32>,
+    pub(crate) round: Round,
+    /// Which of the asset's joints it moves with.
+    pub(crate) link: Option<u32>,
+}
+
+impl Piece {
+    fn solid(&self) -> Solid {
+        Solid::new(self.centre, self.axes, self.half, self.round)
+    }
+}
+
+/// Room in an asset that holds things.
+#[derive(Debug, Clone)]
+pub(crate) struct Cavity {
+    pub(crate) space: Space,
+    /// Whether nothing closes it above.
+    pub(crate) open: bool,
+    pub(crate) link: Option<u32>,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) enum Space {
+    /// A box with the asset's axes.
+    Box { centre: Vector3<f32>, half: Vector3<f32> },
+    /// Cells of a grid with one label.
+    Cells(std::sync::Arc<Cells>, u16),
+}
+
+impl Cavity {
+    /// Whether a point of the asset's frame is in it. `above` lets it be so far above the
+    /// rim, if it is open, metres.
+    pub(crate) fn contains(&self, point: &Vector3<f32>, above: f32) -> bool {
+        let above = if self.open { above } else { 0.0 };
+        match &self.space {
+            Space::Box { centre, half } => {
+                let off = point - centre;
+                off.x.abs() <= half.x && off.y.abs() <= half.y && off.z >= -half.z && off.z <= half.z + above
+            }
+            Space::Cells(cells, label) => cells.contains(point, *label, above),
+        }
+    }
+
+    /// Whether a corner may be there: in it, or in the wall around it.
+    pub(crate) fn admits(&self, point: &Vector3<f32>) -> bool {
+        match &self.space {
+            Space::Box { .. } => self.contains(point, 0.0),
+            Space::Cells(cells, label) => cells.admits(point, *label),
+        }
+    }
+}
+
+/// All of one asset.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Form {
+    pub(crate) pieces: Vec<Piece>,
+    pub(crate) cavities: Vec<Cavity>,
+    pub(crate) hooks: Vec<(Vector3<f32>, Option<u32>)>,
+    pub(crate) joints: Vec<Joint>,
+    /// Corners of the box around all pieces, joints at zero.
+    pub(crate) low: Vector3<f32>,
+    pub(crate) high: Vector3<f32>,
+}
+
+impl Form {
+    pub(crate) fn new(asset: &Asset) -> Self {
+        let mut form = Self::default();
+        let parts = if asset.collision.is_empty() { &asset.parts } else { &asset.collision };
+        for part in parts {
+            let link = form.link(part.joint.as_ref());
+            pieces(part, &mut |piece| form.pieces.push(Piece { link, ..piece }));
+        }
+        form.pieces.retain(|p| p.solid().is_finite());
+        form.measure();
+        for surface in &asset.surfaces {
+            let link = form.link(surface.joint.as_ref());
+            match surface.hold {
+                Hold::Inside => form.cavities.extend(form.compartment(surface, link)),
+                Hold::Hook => form.hooks.push((surface.centre.coords, link)),
+                Hold::On => {}
+            }
+        }
+        if asset.surfaces.is_empty() && form.pieces.len() > 1 {
+            form.cavities = hollow::find(&form);
+        }
+        form
+    }
+
+    /// A container of which only the box is known.
+    pub(crate) fn boxed(low: Vector3<f32>, high: Vector3<f32>, container: bool) -> Self {
+        let (centre, half) = ((low + high) / 2.0, (high - low) / 2.0);
+        let piece = Piece { centre, axes: Matrix3::identity(), half, round: Round::No, link: None };
+        let cavity = Cavity { space: Space::Box { centre, half }, open: false, link: None };
+        let cavities = if container { vec![cavity] } else { Vec::new() };
+        Self { pieces: vec![piece], cavities, low, high, ..Self::default() }
+    }
+
+    fn link(&mut self, joint: Option<&Joint>) -> Option<u32> {
+        let joint = joint?;
+        let known = self.joints.iter().position(|j| j == joint).unwrap_or_else(|| {
+            self.joints.push(*joint);
+            self.joints.len() - 1
+        });
+        Some(known as u32)
+    }
+
+    fn measure(&mut self) {
+        let boxes = self.pieces.iter().map(|p| p.solid()).map(|s| (s.low, s.high));
+        (self.low, self.high) = boxes.reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1))).unwrap_or_default();
+    }
+
+    /// The room over a surface that holds things inside.
+    fn compartment(&self, surface: &Surface, link: Option<u32>) -> Option<Cavity> {
+        let floor = surface.centre.z;
+        let top = surface.clearance.map_or(self.high.z, |c| floor + c).max(floor + HOLLOW_LEAST);
+        let half = Vector3::new(surface.half.0, surface.half.1, (top - floor) / 2.0);
+        let centre = Vector3::new(surface.centre.x, surface.centre.y, floor + half.z);
+        let sound = centre.iter().chain(half.iter()).all(|v| v.is_finite()) && half.iter().all(|&h| h > 0.0);
+        let open = surface.clearance.is_none() || !self.is_roofed(&(centre + Vector3::z() * half.z));
+        sound.then_some(Cavity { space: Space::Box { centre, half }, open, link })
+    }
+
+    /// Whether something of the asset is above a point.
+    fn is_roofed(&self, point: &Vector3<f32>) -> bool {
+        let over = |s: Solid| {
+            (s.low.x..=s.high.x).contains(&point.x)
+                && (s.low.y..=s.high.y).contains(&point.y)
+                && s.high.z > point.z + RIM_MARGIN / 10.0
+        };
+        self.pieces.iter().any(|p| over(p.solid()))
+    }
+}
+
+/// Convex pieces that about fill a part's shape.
+fn pieces(part: &Part, push: &mut dyn FnMut(Piece)) {
+    let turn = *part.pose.rotation.to_rotation_matrix().matrix();
+    let at = part.pose.translation.vector;
+    let mut put = |centre: Vector3<f32>, axes: Matrix3<f32>, half: Vector3<f32>, round: Round| {
+        push(Piece { centre: turn * centre + at, axes: turn * axes, half, round, link: None });
+    };
+    let plain = Matrix3::identity();
+    let round = |shape: &Shape| match shape {
+        Shape::Cylinder { .. } | Shape::Cone { .. } | Shape::Capsule { .. } => Round::Turned,
+        Shape::Sphere { .. } => Round::Ball,
+        _ => Round::No,
+    };
+    if !part.shape.measures_are_positive() {
+        return;
+    }
+    match &part.shape {
+        Shape::Lathe { profile } => carve::lathe(profile, &mut put),
+        Shape::Extrusion { outline, height } => carve::extrusion(outline, *height, &mut put),
+        Shape::Mesh { vertices, triangles } => carve::mesh(vertices, triangles, &mut put),
+        shape => {
+            let (low, high): (Point3<f32>, Point3<f32>) = shape.extent();
+            put((low.coords + high.coords) / 2.0, plain, (high - low) / 2.0, round(shape));
+        }
+    }
+}

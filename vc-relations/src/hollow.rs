@@ -1,0 +1,227 @@
+//! Hollows found from geometry: where an asset has a floor below and walls around.
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::form::{Cavity, Form, Space};
+use crate::solid::{Round, Solid, gap};
+use crate::threshold::{HOLLOW_DEPTH, HOLLOW_VOLUME};
+
+/// Planes along an axis at most.
+const PLANES: usize = 28;
+/// Planes along an axis at least, for what is not made of boxes.
+const EVENLY: usize = 8;
+/// Planes closer than this are one, metres.
+const THINNEST: f32 = 0.002;
+/// Label of a cell in which there is something of the asset.
+const SOLID: u16 = u16::MAX;
+
+/// A grid over an asset, its planes where parts begin and end, so that for parts that are
+/// boxes it is exact. Each cell is free (zero), solid, or in a hollow.
+#[derive(Debug, Clone)]
+pub(crate) struct Cells {
+    planes: [Vec<f32>; 3],
+    labels: Vec<u16>,
+}
+
+impl Cells {
+    fn count(&self, axis: usize) -> usize {
+        self.planes[axis].len() - 1
+    }
+
+    fn at(&self, [x, y, z]: [usize; 3]) -> usize {
+        (z * self.count(1) + y) * self.count(0) + x
+    }
+
+    /// The cell of a point, if it is in the grid.
+    fn find(&self, point: &Vector3<f32>) -> Option<[usize; 3]> {
+        let cell: [usize; 3] = std::array::from_fn(|i| self.planes[i].partition_point(|&p| p <= point[i]));
+        let inside = |i: usize| cell[i] >= 1 && cell[i] <= self.count(i);
+        (0..3).all(inside).then(|| cell.map(|c| c - 1))
+    }
+
+    /// Whether a point is in the hollow of a label, or at most `above` over it with
+    /// nothing between.
+    pub(crate) fn contains(&self, point: &Vector3<f32>, label: u16, above: f32) -> bool {
+        let top = self.planes[2][self.count(2)];
+        let low = Vector3::new(point.x, point.y, point.z.min(top - THINNEST / 2.0));
+        let Some([x, y, z]) = self.find(&low) else { return false };
+        let reach = point.z - above;
+        for z in (0..=z).rev() {
+            match self.labels[self.at([x, y, z])] {
+                l if l == label => return true,
+                SOLID => return false,
+                _ if self.planes[2][z] <= reach => return false,
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// Whether a point is in the hollow or in what surrounds it.
+    pub(crate) fn admits(&self, point: &Vector3<f32>, label: u16) -> bool {
+        let here = self.find(point).map(|cell| self.labels[self.at(cell)]);
+        here.is_some_and(|l| l == label || l == SOLID)
+    }
+
+    fn over(form: &Form, solids: &[Solid]) -> Option<Self> {
+        let planes = std::array::from_fn(|axis| planes(form, solids, axis));
+        let sound = planes.iter().all(|p| p.len() >= 4);
+        let cells = planes.iter().map(|p| p.len().saturating_sub(1)).product();
+        sound.then(|| Self { planes, labels: vec![0; cells] })
+    }
+
+    fn middle(&self, axis: usize, cell: usize) -> f32 {
+        f32::midpoint(self.planes[axis][cell], self.planes[axis][cell + 1])
+    }
+
+    fn size(&self, cell: [usize; 3]) -> Vector3<f32> {
+        Vector3::from_fn(|i, _| self.planes[i][cell[i] + 1] - self.planes[i][cell[i]])
+    }
+
+    fn cell(&self, at: usize) -> [usize; 3] {
+        [at % self.count(0), at / self.count(0) % self.count(1), at / (self.count(0) * self.count(1))]
+    }
+
+    /// Marks the cells that a solid reaches into by more than a fiftieth.
+    fn fill(&mut self, solid: &Solid) {
+        let range = |i: usize| {
+            let start = self.planes[i].partition_point(|&p| p <= solid.low[i]).saturating_sub(1);
+            start..self.planes[i].partition_point(|&p| p < solid.high[i]).min(self.count(i))
+        };
+        let ranges = [range(0), range(1), range(2)];
+        for z in ranges[2].clone() {
+            for y in ranges[1].clone() {
+                for x in ranges[0].clone() {
+                    let cell = [x, y, z];
+                    let centre = Vector3::from_fn(|i, _| self.middle(i, cell[i]));
+                    let probe = Solid::new(centre, Matrix3::identity(), self.size(cell) * 0.48, Round::No);
+                    let at = self.at(cell);
+                    if gap(&probe, solid, 0.0) < 0.0 {
+                        self.labels[at] = SOLID;
+                    }
+                }
+            }
+        }
+    }
+
+    /// For every cell whether something solid is on its way out along an axis, one bit
+    /// for each of -X, +X, -Y, +Y, -Z, +Z.
+    fn walls(&self) -> Vec<u8> {
+        let mut seen = vec![0_u8; self.labels.len()];
+        for axis in 0..3 {
+            let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+            for line in 0..self.count(u) * self.count(v) {
+                let mut cell = [0; 3];
+                (cell[u], cell[v]) = (line % self.count(u), line / self.count(u));
+                let along = |k: usize| self.at(std::array::from_fn(|i| if i == axis { k } else { cell[i] }));
+                let mut pass = |order: &mut dyn Iterator<Item = usize>, bit: usize| {
+                    let mut met = false;
+                    for at in order.map(along) {
+                        met |= self.labels[at] == SOLID;
+                        seen[at] |= u8::from(met) << bit;
+                    }
+                };
+                pass(&mut (0..self.count(axis)), 2 * axis);
+                pass(&mut (0..self.count(axis)).rev(), 2 * axis + 1);
+            }
+        }
+        seen
+    }
+
+    /// Gives a label to all of the hollow around a cell and returns its cells.
+    fn flood(&mut self, start: usize, label: u16, hollow: &[bool]) -> Vec<usize> {
+        let mut met = vec![start];
+        self.labels[start] = label;
+        let mut next = 0;
+        while let Some(&at) = met.get(next) {
+            next += 1;
+            let cell = self.cell(at);
+            for axis in 0..3 {
+                let mut step = cell;
+                for to in [cell[axis].wrapping_sub(1), cell[axis] + 1] {
+                    step[axis] = to;
+                    if to < self.count(axis) {
+                        let there = self.at(step);
+                        if hollow[there] && self.labels[there] == 0 {
+                            self.labels[there] = label;
+                            met.push(there);
+                        }
+                    }
+                }
+            }
+        }
+        met
+    }
+
+    /// Whether some cells are deep and large enough to hold anything.
+    fn holds(&self, cells: &[usize]) -> bool {
+        let layers = cells.iter().map(|&at| self.cell(at)[2]);
+        let (low, high) = layers.fold((usize::MAX, 0), |(l, h), z| (l.min(z), h.max(z)));
+        let deep = low != usize::MAX && self.planes[2][high + 1] - self.planes[2][low] >= HOLLOW_DEPTH;
+        let volume = |&at: &usize| self.size(self.cell(at)).product();
+        deep && cells.iter().map(volume).sum::<f32>() >= HOLLOW_VOLUME
+    }
+}
+
+/// Where parts begin and end along an axis, and some planes between.
+fn planes(form: &Form, solids: &[Solid], axis: usize) -> Vec<f32> {
+    let (low, high) = (form.low[axis], form.high[axis]);
+    let even = (0..=EVENLY).map(|i| low + (high - low) * i as f32 / EVENLY as f32);
+    let faces = solids.iter().flat_map(|s| [s.low[axis], s.high[axis]]);
+    let mut planes: Vec<f32> = faces.collect();
+    planes.sort_by(f32::total_cmp);
+    planes.dedup_by(|b, a| *b - *a < THINNEST);
+    thin_out(&mut planes, PLANES);
+    // Even planes fill what is wide and free; faces are never lost to them.
+    let space = (high - low) / EVENLY as f32;
+    let far = |p: &f32| planes.iter().all(|q| (p - q).abs() > space / 2.0);
+    let more: Vec<f32> = even.filter(far).collect();
+    planes.extend(more);
+    planes.sort_by(f32::total_cmp);
+    planes
+}
+
+/// Takes out planes where they are densest until at most `most` are left; both ends stay.
+pub(crate) fn thin_out(planes: &mut Vec<f32>, most: usize) {
+    while planes.len() > most.max(2) {
+        let width = |i: &usize| planes[i + 1] - planes[i - 1];
+        let densest = (1..planes.len() - 1).min_by(|i, j| width(i).total_cmp(&width(j)));
+        planes.remove(densest.unwrap_or(1));
+    }
+}
+
+/// The hollows of an asset: free cells with something below and either four walls, or
+/// three walls and a roof (a shelf is open in front). Under a table nothing is below; on a
+/// sofa is no roof. Costs some hundred microseconds.
+pub(crate) fn find(form: &Form) -> Vec<Cavity> {
+    let solids: Vec<Solid> = form.pieces.iter().map(|p| Solid::new(p.centre, p.axes, p.half, p.round)).collect();
+    let Some(mut cells) = Cells::over(form, &solids) else { return Vec::new() };
+    solids.iter().for_each(|s| cells.fill(s));
+    let walls = cells.walls();
+    let hollow: Vec<bool> = walls.iter().zip(&cells.labels).map(|(&w, &l)| l == 0 && is_enclosed(w)).collect();
+    let mut found = Vec::new();
+    let mut label = 0;
+    for start in 0..hollow.len() {
+        if hollow[start] && cells.labels[start] == 0 && label < SOLID - 1 {
+            label += 1;
+            let met = cells.flood(start, label, &hollow);
+            let open = met.iter().any(|&at| walls[at] & ROOF == 0);
+            if cells.holds(&met) {
+                found.push((label, open));
+            }
+        }
+    }
+    let cells = Arc::new(cells);
+    let cavity = |(label, open)| Cavity { space: Space::Cells(cells.clone(), label), open, link: None };
+    found.into_iter().map(cavity).collect()
+}
+
+const FLOOR: u8 = 0b01_0000;
+const ROOF: u8 = 0b10_0000;
+
+fn is_enclosed(walls: u8) -> bool {
+    let sides = (walls & 0b1111).count_ones();
+    walls & FLOOR != 0 && (sides == 4 || (sides == 3 && walls & ROOF != 0))
+}

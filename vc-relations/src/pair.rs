@@ -1,0 +1,302 @@
+//! What two bodies are to each other: everything that depends on just the two.
+//!
+//! All other modules only read these facts. So a moved body needs its own pairs measured
+//! again and nothing else, and the result is that of a full rebuild.
+
+use nalgebra::Vector3;
+
+use crate::body::{Body, Posture};
+use crate::distance::distance;
+use crate::solid::{Solid, gap, sweep};
+use crate::threshold::{
+    BOX_GAP, HANG_GAP, HOOK_REACH, NEAR_REACH, SEAT_RANGE, SIDE_SHARE, SUPPORT_GAP, SUPPORT_NORMAL, SUPPORT_SINK,
+    SUPPORT_TIE, TRACE_START, UNDER_CORE, UNDER_REACH,
+};
+
+/// A side of a thing, by its own axes: X is front, Y is left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// Towards its +X.
+    Front,
+    /// Towards its -X.
+    Back,
+    /// Towards its +Y.
+    Left,
+    /// Towards its -Y.
+    Right,
+}
+
+/// What one body is to another. Fields that do not apply are infinite.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pair {
+    /// Which body the other is.
+    pub(crate) other: u32,
+    /// How far their parts are apart, metres; known up to [`HANG_GAP`].
+    pub(crate) gap: f32,
+    /// How far their boxes are apart, metres; known up to [`NEAR_REACH`].
+    pub(crate) distance: f32,
+    /// How far the other is below what rests on it, metres; negative if sunk in.
+    pub(crate) rest: f32,
+    /// How far the other is above the middle of this, metres.
+    pub(crate) over: f32,
+    /// At which side of this the other is.
+    pub(crate) side: Option<Side>,
+    /// Whether this is over the other.
+    pub(crate) is_below: bool,
+    pub(crate) inside: bool,
+    pub(crate) hooked: bool,
+    /// Whether this body's hips are on the other's seat.
+    pub(crate) seated: bool,
+}
+
+impl Pair {
+    fn new(other: usize) -> Self {
+        let none = f32::INFINITY;
+        Self {
+            other: other as u32,
+            gap: none,
+            distance: none,
+            rest: none,
+            over: none,
+            side: None,
+            is_below: false,
+            inside: false,
+            hooked: false,
+            seated: false,
+        }
+    }
+
+    fn says_something(self) -> bool {
+        let least = self.gap.min(self.distance).min(self.rest).min(self.over);
+        least.is_finite() || self.inside || self.hooked || self.seated
+    }
+}
+
+/// Measures two bodies, each from its own point of view; `None` where there is nothing to
+/// say from either. `walled` tells whether a wall is between the two.
+pub(crate) fn measure(
+    (i, a): (usize, &Body),
+    (j, b): (usize, &Body),
+    walled: &dyn Fn(&Body, &Body) -> bool,
+) -> Option<(Pair, Pair)> {
+    if a.traits.fixed && b.traits.fixed {
+        return None;
+    }
+    let (mut ab, mut ba) = (Pair::new(j), Pair::new(i));
+    if a.region.grown(HANG_GAP, BOX_GAP).meets(&b.region) {
+        touch(a, b, &mut ab, &mut ba);
+    }
+    if columns_meet(a, b) {
+        ab.over = over(a, b);
+        ba.over = over(b, a);
+        (ab.is_below, ba.is_below) = (ba.over.is_finite(), ab.over.is_finite());
+    }
+    if !a.traits.structure && !b.traits.structure {
+        near(a, b, &mut ab, &mut ba, walled);
+    }
+    (ab.says_something() || ba.says_something()).then_some((ab, ba))
+}
+
+fn columns_meet(a: &Body, b: &Body) -> bool {
+    let (a, b) = (&a.region, &b.region);
+    a.low.x <= b.high.x && a.high.x >= b.low.x && a.low.y <= b.high.y && a.high.y >= b.low.y
+}
+
+/// Everything that needs them to be at each other.
+fn touch(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair) {
+    (ab.inside, ba.inside) = (holds(b, a), holds(a, b));
+    let apart = parts_gap(a, b);
+    (ab.gap, ba.gap) = (apart, apart);
+    if !ba.inside && !is_within(b, a) {
+        ab.rest = rest(a, b);
+    }
+    if !ab.inside && !is_within(a, b) {
+        ba.rest = rest(b, a);
+    }
+    (ab.hooked, ba.hooked) = (hooked(a, b), hooked(b, a));
+    (ab.seated, ba.seated) = (seated(a, b), seated(b, a));
+}
+
+/// Whether a container holds a content. The building holds nothing.
+pub(crate) fn holds(container: &Body, content: &Body) -> bool {
+    !container.traits.fixed && !content.traits.fixed && container.cavity_with(content).is_some()
+}
+
+/// Whether one body is in the hull of another, begins no lower and is no thin layer below
+/// it: books in a shelf whose board they nearly reach do not carry it.
+pub(crate) fn is_within(inner: &Body, outer: &Body) -> bool {
+    let own = outer.whole.axes.tr_mul(&(inner.whole.centre - outer.whole.centre)).abs();
+    own.x <= outer.whole.half.x
+        && own.y <= outer.whole.half.y
+        && own.z <= outer.whole.half.z
+        && inner.base() >= outer.base() - SUPPORT_TIE
+        && inner.region.high.z >= outer.base() + SUPPORT_SINK
+}
+
+fn boxes_meet(a: &Solid, b: &Solid, margin: f32) -> bool {
+    (0..3).all(|k| a.low[k] <= b.high[k] + margin && a.high[k] + margin >= b.low[k])
+}
+
+/// The least gap between parts, up to [`HANG_GAP`]; negative where they overlap.
+fn parts_gap(a: &Body, b: &Body) -> f32 {
+    let mut least = f32::INFINITY;
+    for s in &a.solids {
+        for t in b.solids.iter().filter(|t| boxes_meet(s, t, HANG_GAP)) {
+            let apart = gap(s, t, HANG_GAP);
+            if apart <= HANG_GAP {
+                least = least.min(apart);
+            }
+        }
+    }
+    least
+}
+
+/// A contact of one body's part on another's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Contact {
+    /// How far down it is, metres; negative if sunk in.
+    pub(crate) down: f32,
+    /// The two parts.
+    pub(crate) parts: (usize, usize),
+    pub(crate) normal: Vector3<f32>,
+}
+
+/// The contact nearest to zero with which one body rests on another.
+pub(crate) fn rest(a: &Body, b: &Body) -> f32 {
+    let limit = if a.traits.boxed || b.traits.boxed { BOX_GAP } else { SUPPORT_GAP };
+    if a.traits.fixed || a.region.low.z - b.region.high.z > limit {
+        return f32::INFINITY;
+    }
+    let mut best = f32::INFINITY;
+    contacts(a, b, limit, |c| {
+        let counts = (-SUPPORT_SINK..=limit).contains(&c.down) && c.normal.z >= SUPPORT_NORMAL;
+        if counts && c.down.abs() < best.abs() {
+            best = c.down;
+        }
+    });
+    // The seat of a sofa of which only the box is known is somewhere in its upper half.
+    if best.is_infinite() && b.traits.vague && is_over_middle(a, b) { -SUPPORT_SINK } else { best }
+}
+
+fn is_over_middle(a: &Body, b: &Body) -> bool {
+    let own = b.whole.axes.tr_mul(&(a.whole.centre - b.whole.centre)).abs();
+    own.x <= b.whole.half.x && own.y <= b.whole.half.y && (b.whole.centre.z..=b.region.high.z).contains(&a.base())
+}
+
+/// Calls `found` with every contact that a trace down from a part finds within `limit`.
+pub(crate) fn contacts(a: &Body, b: &Body, limit: f32, mut found: impl FnMut(Contact)) {
+    for (p, s) in a.solids.iter().enumerate() {
+        let mut core = None;
+        for (q, t) in b.solids.iter().enumerate() {
+            if plans_apart(s, t) || s.low.z - t.high.z > limit || t.low.z > s.high.z {
+                continue;
+            }
+            let core = core.get_or_insert_with(|| s.core());
+            let hit = below(s, core, t, limit);
+            hit.into_iter().for_each(|(down, normal)| found(Contact { down, parts: (p, q), normal }));
+        }
+    }
+}
+
+fn plans_apart(s: &Solid, t: &Solid) -> bool {
+    s.low.x > t.high.x || s.high.x < t.low.x || s.low.y > t.high.y || s.high.y < t.low.y
+}
+
+/// How far a part is above another and the contact's normal, by a trace of its core
+/// straight down.
+fn below(part: &Solid, core: &Solid, other: &Solid, limit: f32) -> Option<(f32, Vector3<f32>)> {
+    let (full, thin) = ((part.high.z - part.low.z) / 2.0, (core.high.z - core.low.z) / 2.0);
+    let raise = (TRACE_START - (full - thin)).max(0.0);
+    let start = core.moved(Vector3::z() * raise);
+    let strike = sweep(&start, other, &-Vector3::z(), limit + raise + full)?;
+    let falls = strike.way >= 0.0 && other.centre.z < part.centre.z;
+    falls.then_some((strike.way - raise - (full - thin), strike.normal))
+}
+
+/// How far another body is above the middle of this one, by a trace of the middle of its
+/// box straight up.
+pub(crate) fn over(a: &Body, b: &Body) -> f32 {
+    let middle = a.whole.centre.z;
+    if a.traits.structure || b.region.high.z <= middle || b.region.low.z > a.region.high.z + UNDER_REACH {
+        return f32::INFINITY;
+    }
+    let mut half = a.whole.half * UNDER_CORE;
+    half[a.whole.axes.row(2).abs().transpose().imax()] = 0.0;
+    let core = Solid::new(a.whole.centre, a.whole.axes, half, a.whole.round);
+    let meets = |t: &Solid| {
+        if plans_apart(&core, t) || t.high.z <= middle {
+            return None;
+        }
+        sweep(&core, t, &Vector3::z(), a.whole.half.norm() + UNDER_REACH).filter(|s| s.way >= 0.0)
+    };
+    b.solids.iter().filter_map(meets).map(|s| s.way).fold(f32::INFINITY, f32::min)
+}
+
+/// Whether a body hangs on a hook of another: the hook is at the upper half of its box.
+fn hooked(a: &Body, b: &Body) -> bool {
+    if b.form.hooks.is_empty() || a.traits.fixed {
+        return false;
+    }
+    let at = |hook: Vector3<f32>| {
+        let near = (a.whole.nearest(&hook) - hook).norm() <= HOOK_REACH;
+        near && hook.z >= a.whole.centre.z
+    };
+    b.hooks().any(at)
+}
+
+/// Whether an agent's box has a seat of the other at the height of its hips, under its
+/// middle.
+fn seated(a: &Body, b: &Body) -> bool {
+    if !a.traits.agent || !b.traits.sittable || a.posture == Posture::Lying {
+        return false;
+    }
+    let (low, height) = (a.region.low.z, a.region.high.z - a.region.low.z);
+    let centre = a.whole.centre;
+    b.solids.iter().any(|s| {
+        let share = (s.high.z - low) / height.max(1e-3);
+        let over = (s.low.x..=s.high.x).contains(&centre.x) && (s.low.y..=s.high.y).contains(&centre.y);
+        over && (SEAT_RANGE.0..=SEAT_RANGE.1).contains(&share)
+    })
+}
+
+fn near(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair, walled: &dyn Fn(&Body, &Body) -> bool) {
+    let (low, high) = (a.whole.low.sup(&b.whole.low), a.whole.high.inf(&b.whole.high));
+    if (low - high).sup(&Vector3::zeros()).norm_squared() > NEAR_REACH * NEAR_REACH {
+        return;
+    }
+    let apart = distance(&a.whole, &b.whole);
+    if apart > NEAR_REACH || walled(a, b) {
+        return;
+    }
+    (ab.distance, ba.distance) = (apart, apart);
+    (ab.side, ba.side) = (side(a, &b.whole), side(b, &a.whole));
+}
+
+/// At which side of a body another's box is: the one towards which it is farthest apart;
+/// where they overlap, the one towards which its centre is off. None if it is above or
+/// below rather than beside.
+pub(crate) fn side(a: &Body, other: &Solid) -> Option<Side> {
+    let way = other.centre - a.whole.centre;
+    let off = |axis: usize| {
+        let along: Vector3<f32> = a.heading.column(axis).into();
+        let reach = a.whole.reach(&along) + other.reach(&along);
+        let at = way.dot(&along);
+        (at, at.abs() - reach, at.abs() / reach.max(1e-6))
+    };
+    let (x, y) = (off(0), off(1));
+    let rise = (other.low.z - a.whole.high.z).max(a.whole.low.z - other.high.z);
+    let apart = x.1.max(y.1);
+    if rise > apart.max(-TRACE_START) {
+        return None;
+    }
+    let along_x = if apart > 0.0 { x.1 >= y.1 } else { x.2 >= y.2 };
+    let (at, _, share) = if along_x { x } else { y };
+    let side = match (along_x, at >= 0.0) {
+        (true, true) => Side::Front,
+        (true, false) => Side::Back,
+        (false, true) => Side::Left,
+        (false, false) => Side::Right,
+    };
+    (share >= SIDE_SHARE).then_some(side)
+}

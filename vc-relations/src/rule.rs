@@ -1,0 +1,15 @@
+//! Which rule decides.
+
+/// How relations are read from geometry.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Rule {
+    /// The repaired traces, as the front page defines them.
+    #[default]
+    Repaired,
+    /// The thesis's six box traces, to the letter.
+    BoxTrace,
+    /// VirtualHome's definitions, on world-aligned boxes.
+    VirtualHome,
+}

@@ -1,0 +1,190 @@
+//! Convex pieces in the world, and the separating axes between two of them.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::threshold::{BALL_SPOT, TRACE_SHRINK, UPRIGHT};
+
+/// How a piece is rounded within its box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Round {
+    /// A box.
+    #[default]
+    No,
+    /// A cylinder along the third axis, its base an ellipse.
+    Turned,
+    /// An ellipsoid.
+    Ball,
+}
+
+/// A box, cylinder or ellipsoid somewhere in the world, metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Solid {
+    pub(crate) centre: Vector3<f32>,
+    /// Its own axes, of unit length, as columns.
+    pub(crate) axes: Matrix3<f32>,
+    pub(crate) half: Vector3<f32>,
+    pub(crate) round: Round,
+    /// Whether the third axis is the world's: then fewer axes can separate.
+    pub(crate) upright: bool,
+    pub(crate) low: Vector3<f32>,
+    pub(crate) high: Vector3<f32>,
+}
+
+impl Solid {
+    pub(crate) fn new(centre: Vector3<f32>, axes: Matrix3<f32>, half: Vector3<f32>, round: Round) -> Self {
+        let upright = axes[(2, 2)].abs() > 1.0 - 1e-6;
+        let mut solid = Self { centre, axes, half, round, upright, low: centre, high: centre };
+        let reach = solid.box_reach();
+        (solid.low, solid.high) = (centre - reach, centre + reach);
+        solid
+    }
+
+    fn box_reach(&self) -> Vector3<f32> {
+        match self.round {
+            Round::No => self.axes.abs() * self.half,
+            _ => Vector3::new(self.reach(&Vector3::x()), self.reach(&Vector3::y()), self.reach(&Vector3::z())),
+        }
+    }
+
+    pub(crate) fn is_finite(&self) -> bool {
+        self.low.iter().chain(self.high.iter()).all(|v| v.is_finite())
+    }
+
+    /// How far it reaches from its centre along a direction of unit length.
+    #[inline]
+    pub(crate) fn reach(&self, along: &Vector3<f32>) -> f32 {
+        let own = self.axes.tr_mul(along).component_mul(&self.half);
+        match self.round {
+            Round::No => own.x.abs() + own.y.abs() + own.z.abs(),
+            Round::Turned => own.xy().norm() + own.z.abs(),
+            Round::Ball => own.norm(),
+        }
+    }
+
+    /// The point of its box nearest to a point.
+    pub(crate) fn nearest(&self, point: &Vector3<f32>) -> Vector3<f32> {
+        let own = self.axes.tr_mul(&(point - self.centre));
+        self.centre + self.axes * own.sup(&-self.half).inf(&self.half)
+    }
+
+    /// The eight corners of the box, drawn in to a share of the half size.
+    pub(crate) fn corners(&self, share: f32) -> [Vector3<f32>; 8] {
+        let half = self.half * share;
+        std::array::from_fn(|i| {
+            let sign = |bit: usize| if i >> bit & 1 == 0 { -1.0 } else { 1.0 };
+            self.centre + self.axes * Vector3::new(sign(0), sign(1), sign(2)).component_mul(&half)
+        })
+    }
+
+    /// What a vertical trace of the piece carries: its middle plane where it is about
+    /// upright, else the piece a little smaller.
+    pub(crate) fn core(&self) -> Self {
+        let vertical = self.axes.row(2).abs().transpose().imax();
+        let flat = self.axes[(2, vertical)].abs() >= UPRIGHT;
+        let spot = if self.round == Round::Ball { BALL_SPOT } else { 1.0 };
+        let mut half = self.half.map(|h| (h - TRACE_SHRINK.min(h / 2.0)) * spot);
+        if flat {
+            half[vertical] = 0.0;
+        }
+        Self::new(self.centre, self.axes, half, self.round)
+    }
+
+    pub(crate) fn moved(mut self, by: Vector3<f32>) -> Self {
+        self.centre += by;
+        self.low += by;
+        self.high += by;
+        self
+    }
+}
+
+/// Where a trace met something.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Strike {
+    /// How far the trace went, metres; negative where the two overlapped at the start.
+    pub(crate) way: f32,
+    /// Direction of the contact's normal, towards the traced piece, unit length.
+    pub(crate) normal: Vector3<f32>,
+}
+
+/// Calls `visit` with directions of which some separates the two, if they are apart.
+/// Exact for two boxes (Gottschalk, Lin and Manocha 1996), for upright cylinders with
+/// boxes and with each other, and for balls; else a little too near.
+#[inline]
+fn each_axis(a: &Solid, b: &Solid, mut visit: impl FnMut(Vector3<f32>) -> bool) -> bool {
+    let both_upright = a.upright && b.upright;
+    if both_upright {
+        if !visit(Vector3::z()) {
+            return false;
+        }
+        for solid in [a, b] {
+            if !visit(solid.axes.column(0).into()) || !visit(solid.axes.column(1).into()) {
+                return false;
+            }
+        }
+    } else {
+        for i in 0..3 {
+            if !visit(a.axes.column(i).into()) || !visit(b.axes.column(i).into()) {
+                return false;
+            }
+        }
+        for i in 0..9 {
+            let cross = a.axes.column(i / 3).cross(&b.axes.column(i % 3));
+            let length = cross.norm_squared();
+            if length > 1e-6 && !visit(cross / length.sqrt()) {
+                return false;
+            }
+        }
+    }
+    (a.round == Round::No && b.round == Round::No) || round_axes(a, b, visit)
+}
+
+/// The directions in which curved sides are nearest to the other piece.
+fn round_axes(a: &Solid, b: &Solid, mut visit: impl FnMut(Vector3<f32>) -> bool) -> bool {
+    let mut toward = |round: &Solid, other: &Solid| {
+        let goal = if other.round == Round::No { other.nearest(&round.centre) } else { other.centre };
+        let mut way = goal - round.centre;
+        if round.round == Round::Turned {
+            let axis = round.axes.column(2);
+            way -= axis * axis.dot(&way);
+        }
+        let length = way.norm();
+        length < 1e-6 || visit(way / length)
+    };
+    (a.round == Round::No || toward(a, b)) && (b.round == Round::No || toward(b, a))
+}
+
+/// How far two pieces are apart along the direction that separates them most; negative
+/// where they overlap. Stops looking once it is more than `enough`.
+pub(crate) fn gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
+    let way = b.centre - a.centre;
+    let mut most = f32::NEG_INFINITY;
+    each_axis(a, b, |axis| {
+        most = most.max(way.dot(&axis).abs() - a.reach(&axis) - b.reach(&axis));
+        most <= enough
+    });
+    most
+}
+
+/// Moves `a` in a direction of unit length until it meets `b`: exact for boxes, by the
+/// times at which each axis stops and starts separating them. `None` where it passes by,
+/// where `b` lies behind, or farther than `limit` metres.
+pub(crate) fn sweep(a: &Solid, b: &Solid, along: &Vector3<f32>, limit: f32) -> Option<Strike> {
+    let way = b.centre - a.centre;
+    let mut strike = Strike { way: f32::NEG_INFINITY, normal: -along };
+    let mut leaves = f32::INFINITY;
+    let meets = each_axis(a, b, |axis| {
+        let (distance, speed) = (way.dot(&axis), along.dot(&axis));
+        let reach = a.reach(&axis) + b.reach(&axis);
+        if speed.abs() < 1e-6 {
+            return distance.abs() <= reach;
+        }
+        let (distance, speed, axis) = if speed < 0.0 { (-distance, -speed, -axis) } else { (distance, speed, axis) };
+        let enters = (distance - reach) / speed;
+        leaves = leaves.min((distance + reach) / speed);
+        if enters > strike.way {
+            strike = Strike { way: enters, normal: -axis };
+        }
+        strike.way <= leaves && strike.way <= limit && leaves >= 0.0
+    });
+    meets.then_some(strike)
+}

@@ -1,0 +1,259 @@
+//! What a body rests on, from its pairs and the evidence.
+
+use std::collections::BTreeMap;
+
+use vc_graph::{Edge, NodeId, Relation};
+
+use crate::evidence::Evidence;
+use crate::pair::Pair;
+use crate::threshold::{HANG_GAP, IMPULSE_SHARE, SUPPORT_SINK, SUPPORT_TIE, TOUCH_GAP};
+use crate::world::World;
+
+/// How it is known that one thing rests on another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Ground {
+    /// A joint holds it.
+    Joint,
+    /// A contact pushes it up.
+    Contact,
+    /// The trace down meets it.
+    Trace,
+    /// It hangs on a hook.
+    Hook,
+    /// It is inside, and nothing is found below: of the container only the box is known.
+    Container,
+    /// Nothing is below, and it touches this at the side or above.
+    Hanging,
+}
+
+/// One thing on which another rests.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Support {
+    /// What carries.
+    pub by: NodeId,
+    /// How that is known.
+    pub ground: Ground,
+    /// Its share of the upward impulse where contacts are known, else an equal share.
+    pub share: f32,
+    /// Gap between the two, metres; negative where one is sunk into the other. Zero for
+    /// joints and contacts.
+    pub gap: f32,
+}
+
+/// The evidence in the order in which it is asked.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Facts {
+    attached: BTreeMap<NodeId, Vec<NodeId>>,
+    /// Upward impulse on a thing by each other.
+    pushed: BTreeMap<NodeId, BTreeMap<NodeId, f32>>,
+    /// What agents hold and wear: by thing, the edge.
+    held: BTreeMap<NodeId, Vec<Edge>>,
+    holding: BTreeMap<NodeId, Vec<Edge>>,
+}
+
+impl Facts {
+    pub(crate) fn new(evidence: &Evidence) -> Self {
+        let mut facts = Self::default();
+        for a in &evidence.attachments {
+            facts.attached.entry(a.child).or_default().push(a.parent);
+        }
+        for contact in &evidence.contacts {
+            let (first, second) = contact.between;
+            if contact.impulse.z.is_finite() && first != second {
+                *facts.pushed.entry(second).or_default().entry(first).or_default() += contact.impulse.z;
+                *facts.pushed.entry(first).or_default().entry(second).or_default() -= contact.impulse.z;
+            }
+        }
+        for edge in &evidence.held {
+            facts.hold(*edge);
+        }
+        facts
+    }
+
+    /// Notes that something is held or worn; other relations do not count.
+    pub(crate) fn hold(&mut self, edge: Edge) {
+        let thing = match edge.relation {
+            Relation::HoldsRight | Relation::HoldsLeft => edge.to,
+            Relation::WornBy => edge.from,
+            _ => return,
+        };
+        for (map, key) in [(&mut self.held, thing), (&mut self.holding, edge.from)] {
+            let list = map.entry(key).or_default();
+            if !list.contains(&edge) {
+                list.push(edge);
+            }
+        }
+    }
+
+    /// Forgets what a node holds, wears, and is held and worn by.
+    pub(crate) fn forget(&mut self, id: NodeId) {
+        for map in [&mut self.held, &mut self.holding] {
+            map.retain(|_, edges| {
+                edges.retain(|e| e.from != id && e.to != id);
+                !edges.is_empty()
+            });
+        }
+    }
+
+    /// By what hand or body a thing is held or worn.
+    pub(crate) fn held(&self, thing: NodeId) -> &[Edge] {
+        self.held.get(&thing).map_or(&[], Vec::as_slice)
+    }
+
+    /// Edges of holding and wearing that start at a node.
+    pub(crate) fn holding(&self, from: NodeId) -> &[Edge] {
+        self.holding.get(&from).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// Supports before cycles are looked for. `soft` ones do not go downwards and could close
+/// a cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Candidate {
+    pub(crate) support: Support,
+    pub(crate) index: usize,
+    pub(crate) soft: bool,
+}
+
+pub(crate) struct Supports<'w> {
+    pub(crate) world: &'w World,
+    pub(crate) facts: &'w Facts,
+}
+
+impl Supports<'_> {
+    /// What a body rests on: by joint, else by contact, else by trace. Held and worn things
+    /// rest on nothing, nor does the building.
+    pub(crate) fn candidates(&self, index: usize) -> Vec<Candidate> {
+        let Some(body) = &self.world.bodies[index] else { return Vec::new() };
+        if !self.facts.held(body.id).is_empty() {
+            return Vec::new();
+        }
+        if let Some(parents) = self.facts.attached.get(&body.id) {
+            let share = 1.0 / parents.len() as f32;
+            let support = |&by| Support { by, ground: Ground::Joint, share, gap: 0.0 };
+            return self.found(index, parents.iter().map(support));
+        }
+        if body.traits.fixed {
+            return Vec::new();
+        }
+        if let Some(pushes) = self.facts.pushed.get(&body.id) {
+            let sum: f32 = pushes.values().filter(|v| **v > 0.0).sum();
+            let carries = pushes.iter().filter(|(_, v)| **v > 0.0 && **v >= IMPULSE_SHARE * sum);
+            let support = |(&by, v): (_, &f32)| Support { by, ground: Ground::Contact, share: v / sum, gap: 0.0 };
+            let found = self.found(index, carries.map(support));
+            if !found.is_empty() {
+                return found;
+            }
+        }
+        self.traced(index)
+    }
+
+    fn found(&self, index: usize, supports: impl Iterator<Item = Support>) -> Vec<Candidate> {
+        let base = |i: usize| self.world.bodies[i].as_ref().map_or(f32::NEG_INFINITY, |b| b.base());
+        let candidate = |support: Support| {
+            let other = self.world.index(support.by)?;
+            Some(Candidate { support, index: other, soft: base(other) >= base(index) })
+        };
+        supports.filter_map(candidate).collect()
+    }
+
+    fn traced(&self, index: usize) -> Vec<Candidate> {
+        let pairs = &self.world.pairs[index];
+        let best = pairs.iter().map(|p| p.rest.abs()).fold(f32::INFINITY, f32::min);
+        if best.is_finite() {
+            let tied: Vec<&Pair> = pairs.iter().filter(|p| p.rest.abs() <= best + SUPPORT_TIE).collect();
+            let chosen: Vec<&Pair> = tied.iter().filter(|p| !self.is_covered(p, &tied)).copied().collect();
+            let share = 1.0 / chosen.len() as f32;
+            let support = |p: &&Pair| self.support(p, Ground::Trace, share, p.rest);
+            return self.found(index, chosen.iter().map(support));
+        }
+        self.hung(index)
+    }
+
+    /// Whether another support lies between: the cup is on the saucer, however thin that is,
+    /// and not on the table.
+    fn is_covered(&self, deeper: &Pair, tied: &[&Pair]) -> bool {
+        let between = |p: &&Pair| {
+            let rests = self.world.pair(p.other as usize, deeper.other as usize).is_some_and(|q| q.rest.is_finite());
+            p.other != deeper.other && p.rest < deeper.rest && rests
+        };
+        tied.iter().any(between)
+    }
+
+    fn support(&self, pair: &Pair, ground: Ground, share: f32, gap: f32) -> Support {
+        Support { by: self.world.ids[pair.other as usize], ground, share, gap }
+    }
+
+    /// What rests on nothing hangs: on a hook, else in its container, else on the wall or
+    /// ceiling, else on the nearest thing it touches that stands or hangs itself.
+    fn hung(&self, index: usize) -> Vec<Candidate> {
+        if self.world.bodies[index].as_ref().is_none_or(|b| b.traits.agent) {
+            return Vec::new();
+        }
+        let ranked = self.world.pairs[index].iter().filter_map(|p| Some((self.rank(index, p)?, p)));
+        let order = |a: &(u8, &Pair), b: &(u8, &Pair)| {
+            a.0.cmp(&b.0).then(a.1.gap.total_cmp(&b.1.gap)).then(a.1.other.cmp(&b.1.other))
+        };
+        let Some((rank, pair)) = ranked.min_by(order) else { return Vec::new() };
+        let ground = [Ground::Hook, Ground::Container, Ground::Hanging][usize::from(rank.min(2))];
+        let gap = if pair.gap.is_finite() { pair.gap } else { 0.0 };
+        self.found(index, std::iter::once(self.support(pair, ground, 1.0, gap)))
+    }
+
+    /// How good another body is to hang on; `None` if one cannot.
+    fn rank(&self, index: usize, pair: &Pair) -> Option<u8> {
+        let other = pair.other as usize;
+        let back = self.world.pair(other, index);
+        if back.is_some_and(|b| b.inside || b.hooked) {
+            return None;
+        }
+        match pair {
+            p if p.hooked => Some(0),
+            p if p.inside => Some(1),
+            p if self.is_building(p) => Some(2),
+            p if (-SUPPORT_SINK..=TOUCH_GAP).contains(&p.gap) && self.is_firm(other) => Some(3),
+            _ => None,
+        }
+    }
+
+    fn is_building(&self, pair: &Pair) -> bool {
+        let other = self.world.bodies[pair.other as usize].as_ref();
+        pair.gap <= HANG_GAP && other.is_some_and(|b| b.traits.structure)
+    }
+
+    /// Whether a body is held by something other than what merely touches it.
+    fn is_firm(&self, index: usize) -> bool {
+        let id = self.world.ids[index];
+        self.world.bodies[index].as_ref().is_some_and(|b| b.traits.fixed)
+            || self.facts.attached.contains_key(&id)
+            || self.facts.pushed.contains_key(&id)
+            || self.world.pairs[index].iter().any(|p| p.rest.is_finite() || p.hooked || self.is_building(p))
+    }
+
+    /// Whether one body rests on another, directly or through others.
+    pub(crate) fn reaches(&self, from: usize, goal: usize) -> bool {
+        let mut met = vec![from];
+        let mut next = 0;
+        while next < met.len() {
+            for step in self.candidates(met[next]) {
+                if step.index == goal {
+                    return true;
+                }
+                if !met.contains(&step.index) {
+                    met.push(step.index);
+                }
+            }
+            next += 1;
+        }
+        false
+    }
+
+    /// What a body rests on, without those that would close a cycle.
+    pub(crate) fn of(&self, index: usize) -> Vec<Support> {
+        let all = self.candidates(index);
+        let sound = |c: &Candidate| !(c.soft && self.reaches(c.index, index));
+        all.into_iter().filter(sound).map(|c| c.support).collect()
+    }
+}

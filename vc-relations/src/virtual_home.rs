@@ -1,0 +1,130 @@
+//! VirtualHome's definitions, on the world-aligned boxes of nodes.
+//!
+//! As its Unity program computes edges, as far as boxes can tell:
+//!
+//! | relation | rule |
+//! |---|---|
+//! | near (CLOSE) | from one's centre to the other's box at most 1.5 m, either way; centres at most 5 m apart; rooms excluded |
+//! | inside | the other's box contains both corners; the other is no part of the building |
+//! | on | a box cast 5 cm down from the bottom meets the other; the other's centre is no higher than the bottom; over half of the footprint is over it; neither contains the other |
+//! | between | a door, or a jamb without a door, whose box meets exactly two rooms |
+//! | in room | the room in whose box the centre is deepest |
+
+use nalgebra::Point3;
+use vc_graph::{Aabb, Edge, Kind, Node, NodeId, Relation, SceneGraph};
+
+use crate::threshold::{VH_CAST, VH_CLOSE, VH_FAR, VH_FOOTPRINT, VH_ROUNDING};
+use crate::tree::{Region, Tree};
+
+struct Item<'g> {
+    id: NodeId,
+    node: &'g Node,
+    aabb: Aabb,
+    centre: Point3<f32>,
+}
+
+impl Item<'_> {
+    fn category(&self) -> &str {
+        &self.node.spec().category
+    }
+
+    fn is_building(&self) -> bool {
+        let category = self.category();
+        ["Floor", "Floors", "Walls", "Ceiling", "Windows", "Doors", "structure", "window", "door"].contains(&category)
+    }
+
+    fn is_door(&self) -> bool {
+        matches!(self.category(), "Doors" | "door")
+    }
+
+    fn is_jamb(&self) -> bool {
+        self.node.class().contains("jamb")
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        (0..3).all(|k| self.aabb.min[k] <= other.aabb.max[k] && self.aabb.max[k] >= other.aabb.min[k])
+    }
+}
+
+/// All relations by VirtualHome's rules, sorted.
+pub(crate) fn edges(graph: &SceneGraph) -> Vec<Edge> {
+    let item = |node| {
+        let aabb = Node::aabb(node).filter(|a| a.min.iter().chain(a.max.iter()).all(|v| v.is_finite()))?;
+        Some(Item { id: node.id(), node, aabb, centre: aabb.centre() })
+    };
+    let items: Vec<Item<'_>> = graph.nodes().filter_map(item).collect();
+    let (rooms, things): (Vec<Item<'_>>, Vec<Item<'_>>) = items.into_iter().partition(|i| i.node.kind() == Kind::Room);
+    let mut edges = Vec::new();
+    let reach = |i: &Item<'_>| Region { low: i.aabb.min.coords, high: i.aabb.max.coords };
+    let tree = Tree::new(&things.iter().map(reach).collect::<Vec<_>>());
+    for (i, a) in things.iter().enumerate() {
+        tree.each(&reach(a).grown(VH_CLOSE, VH_CLOSE), |j| {
+            if i != j {
+                pair(a, &things[j], &mut edges);
+            }
+        });
+        in_room(a, &rooms, &mut edges);
+        between(a, &things, &rooms, &mut edges);
+    }
+    edges.sort_unstable();
+    edges
+}
+
+fn pair(a: &Item<'_>, b: &Item<'_>, edges: &mut Vec<Edge>) {
+    let mut add = |relation| edges.push(Edge::new(a.id, relation, b.id));
+    if close(a, b) {
+        add(Relation::Near);
+    }
+    if contains(&b.aabb, &a.aabb) {
+        if !b.is_building() && !a.is_building() {
+            add(Relation::Inside);
+        }
+    } else if on(a, b) {
+        add(Relation::On);
+    }
+}
+
+fn close(a: &Item<'_>, b: &Item<'_>) -> bool {
+    let near = a.aabb.distance(&b.centre) <= VH_CLOSE || b.aabb.distance(&a.centre) <= VH_CLOSE;
+    near && nalgebra::distance(&a.centre, &b.centre) <= VH_FAR
+}
+
+fn contains(outer: &Aabb, inner: &Aabb) -> bool {
+    outer.contains(&inner.min) && outer.contains(&inner.max)
+}
+
+/// The box cast meets what the bottom is in, too (a pillow on a sofa, whose box goes up to
+/// its back), so that only the support's centre says how deep is too deep.
+fn on(a: &Item<'_>, b: &Item<'_>) -> bool {
+    let bottom = a.aabb.min.z;
+    let meets = bottom - b.aabb.max.z <= VH_CAST && b.centre.z <= bottom + VH_ROUNDING;
+    meets && !contains(&a.aabb, &b.aabb) && footprint(&a.aabb, &b.aabb) > VH_FOOTPRINT
+}
+
+/// The share of the first's footprint that lies over the other.
+fn footprint(a: &Aabb, b: &Aabb) -> f32 {
+    let shared = (a.max.inf(&b.max) - a.min.sup(&b.min)).xy().sup(&nalgebra::Vector2::zeros());
+    let area = |a: &Aabb| (a.max.x - a.min.x) * (a.max.y - a.min.y);
+    shared.x * shared.y / area(a).max(1e-9)
+}
+
+fn in_room(a: &Item<'_>, rooms: &[Item<'_>], edges: &mut Vec<Edge>) {
+    let depth = |room: &Item<'_>| {
+        let inner = (a.centre - room.aabb.min).inf(&(room.aabb.max - a.centre));
+        inner.min()
+    };
+    let deepest = rooms.iter().max_by(|p, q| depth(p).total_cmp(&depth(q)).then(q.id.cmp(&p.id)));
+    edges.extend(deepest.map(|room| Edge::new(a.id, Relation::InRoom, room.id)));
+}
+
+/// A door, or a jamb without one, is between two rooms if its box meets just them.
+fn between(door: &Item<'_>, things: &[Item<'_>], rooms: &[Item<'_>], edges: &mut Vec<Edge>) {
+    let leaf = |other: &Item<'_>| other.is_door() && !other.is_jamb() && other.meets(door);
+    if !door.is_door() || (door.is_jamb() && things.iter().any(leaf)) {
+        return;
+    }
+    let met: Vec<&Item<'_>> = rooms.iter().filter(|room| room.meets(door)).collect();
+    if met.len() == 2 {
+        edges.extend(met.iter().map(|room| Edge::new(door.id, Relation::Between, room.id)));
+    }
+}

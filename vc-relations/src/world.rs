@@ -1,0 +1,264 @@
+//! All bodies of a scene, their rooms, and the facts of every pair: kept up to date.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+use vc_graph::{AssetId, AssetLibrary, Kind, Node, NodeId, Property, Relation, SceneGraph};
+
+use crate::body::Body;
+use crate::evidence::Evidence;
+use crate::form::Form;
+use crate::pair::{self, Pair};
+use crate::room::Rooms;
+use crate::solid::{Solid, sweep};
+use crate::threshold::{NEAR_REACH, UNDER_REACH};
+use crate::tree::{Region, Tree};
+
+/// Bodies are numbered in the order of their nodes' numbers.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct World {
+    pub(crate) ids: Vec<NodeId>,
+    /// `None` for nodes without geometry, and for rooms.
+    pub(crate) bodies: Vec<Option<Body>>,
+    pub(crate) pairs: Vec<Vec<Pair>>,
+    pub(crate) rooms: Rooms,
+    pub(crate) tree: Tree,
+    /// Bodies that may stand between two rooms.
+    walls: Vec<u32>,
+    forms: Forms,
+}
+
+/// Forms by asset, found when first asked for.
+#[derive(Debug, Clone, Default)]
+struct Forms {
+    library: Arc<AssetLibrary>,
+    known: BTreeMap<AssetId, Arc<Form>>,
+}
+
+impl Forms {
+    fn of(&mut self, node: &Node) -> Option<Arc<Form>> {
+        if let Some(id) = node.spec().asset {
+            let form = match self.known.get(&id) {
+                Some(form) => form.clone(),
+                None => {
+                    let form = Arc::new(Form::new(self.library.get(id)?));
+                    self.known.insert(id, form.clone());
+                    form
+                }
+            };
+            if !form.pieces.is_empty() {
+                return Some(form);
+            }
+        }
+        let bounds = node.spec().bounds?;
+        let (low, high) = (bounds.offset - bounds.half, bounds.offset + bounds.half);
+        Some(Arc::new(Form::boxed(low, high, is_container(node))))
+    }
+}
+
+/// Whether a node of which only the box is known holds things inside.
+fn is_container(node: &Node) -> bool {
+    node.affords(Property::Container) || (node.affords(Property::Recipient) && !node.affords(Property::Surface))
+}
+
+impl World {
+    /// Builds all anew; what is known of assets is kept.
+    pub(crate) fn rebuild(&mut self, graph: &SceneGraph, evidence: &Evidence) {
+        if !Arc::ptr_eq(&self.forms.library, graph.assets()) {
+            self.forms = Forms { library: graph.assets().clone(), known: BTreeMap::new() };
+        }
+        self.rooms = self.find_rooms(graph);
+        self.ids = graph.nodes().map(Node::id).collect();
+        self.bodies.clear();
+        for node in graph.nodes() {
+            let body = self.body(node, evidence);
+            self.bodies.push(body);
+        }
+        let wall = |b: &Option<Body>| b.as_ref().is_some_and(|b| b.traits.structure);
+        self.walls = (0..self.bodies.len() as u32).filter(|&i| wall(&self.bodies[i as usize])).collect();
+        self.tree = Tree::new(&self.bodies.iter().map(region).collect::<Vec<_>>());
+        self.measure_all();
+    }
+
+    fn find_rooms(&mut self, graph: &SceneGraph) -> Rooms {
+        let mut bodies = BTreeMap::new();
+        let floors = graph.rooms().iter().flat_map(|&room| graph.relating(Relation::InRoom, room));
+        for id in floors.chain(graph.rooms().iter().copied()) {
+            let Some(node) = graph.node(id) else { continue };
+            let wanted = node.kind() == Kind::Room || &**node.class() == "floor" || &*node.spec().category == "Floor";
+            if wanted && let Some(form) = self.forms.of(node) {
+                bodies.extend(Body::new(node, form, Vec::new()).map(|b| (id, b)));
+            }
+        }
+        Rooms::new(graph, |id| bodies.get(&id).cloned())
+    }
+
+    fn body(&mut self, node: &Node, evidence: &Evidence) -> Option<Body> {
+        if node.kind() == Kind::Room {
+            return None;
+        }
+        let form = self.forms.of(node)?;
+        let position = |link| evidence.positions.get(&(node.id(), link)).copied().filter(|p| p.is_finite());
+        let positions = (0..form.joints.len() as u32).map(|link| position(link).unwrap_or(0.0)).collect();
+        let mut body = Body::new(node, form, positions)?;
+        body.room = self.rooms.at(&body.whole.centre);
+        Some(body)
+    }
+
+    pub(crate) fn index(&self, id: NodeId) -> Option<usize> {
+        self.ids.binary_search(&id).ok()
+    }
+
+    /// Whether part of the building stands between two points.
+    fn walled(&self, from: &Vector3<f32>, to: &Vector3<f32>) -> bool {
+        let way = to - from;
+        let length = way.norm();
+        if length < 1e-6 {
+            return false;
+        }
+        let region = Region { low: from.inf(to), high: from.sup(to) };
+        let point = Solid::new(*from, nalgebra::Matrix3::identity(), Vector3::zeros(), crate::solid::Round::No);
+        let along = way / length;
+        self.walls.iter().filter_map(|&w| self.bodies[w as usize].as_ref()).any(|wall| {
+            wall.region.meets(&region)
+                && wall.solids.iter().any(|s| {
+                    Region { low: s.low, high: s.high }.meets(&region)
+                        && sweep(&point, s, &along, length).is_some_and(|hit| hit.way >= 0.0)
+                })
+        })
+    }
+
+    /// Whether bodies are in different rooms with part of the building between.
+    pub(crate) fn is_walled_off(&self, from: &Body, to: &Body) -> bool {
+        from.room != to.room && self.walled(&from.whole.centre, &to.whole.centre)
+    }
+
+    fn measure_all(&mut self) {
+        let mut pairs: Vec<Vec<Pair>> = (0..self.bodies.len()).map(|_| Vec::with_capacity(8)).collect();
+        for (i, a) in self.bodies.iter().enumerate() {
+            let Some(a) = a else { continue };
+            self.tree.each(&zone(a), |j| {
+                if j > i
+                    && let Some(b) = &self.bodies[j]
+                {
+                    let both = pair::measure((i, a), (j, b), &|a, b| self.is_walled_off(a, b));
+                    if let Some((ab, ba)) = both {
+                        pairs[i].push(ab);
+                        pairs[j].push(ba);
+                    }
+                }
+            });
+        }
+        pairs.iter_mut().for_each(|list| list.sort_unstable_by_key(|p| p.other));
+        self.pairs = pairs;
+    }
+
+    /// Reads one node again and measures its pairs. Returns what it had to do with before
+    /// and has now; `None` if the scene has to be built anew: a part of the building or a
+    /// node of which nothing was known.
+    pub(crate) fn update(&mut self, graph: &SceneGraph, id: NodeId, evidence: &Evidence) -> Option<Vec<u32>> {
+        let index = self.index(id)?;
+        let node = graph.node(id);
+        let body = node.and_then(|n| self.body(n, evidence));
+        let is_building = |b: &Option<Body>| b.as_ref().is_some_and(|b| b.traits.structure);
+        let is_room = node.is_some_and(|n| n.kind() == Kind::Room);
+        if is_room || is_building(&body) || is_building(&self.bodies[index]) {
+            return None;
+        }
+        let mut met: Vec<u32> = self.pairs[index].iter().map(|p| p.other).collect();
+        for &other in &met {
+            self.pairs[other as usize].retain(|p| p.other as usize != index);
+        }
+        self.tree.set(index, region(&body));
+        self.bodies[index] = body;
+        self.pairs[index] = self.measure_one(index);
+        met.extend(self.pairs[index].iter().map(|p| p.other));
+        met.sort_unstable();
+        met.dedup();
+        Some(met)
+    }
+
+    /// The pairs of one body; the other ends are put into their lists.
+    fn measure_one(&mut self, index: usize) -> Vec<Pair> {
+        let Some(a) = &self.bodies[index] else { return Vec::new() };
+        let (mut own, mut theirs) = (Vec::new(), Vec::new());
+        self.tree.each(&zone(a), |j| {
+            let Some(b) = self.bodies[j].as_ref().filter(|_| j != index) else { return };
+            // In the order of a full build, so that the figures are the same to the last bit.
+            let (first, second) = if index < j { ((index, a), (j, b)) } else { ((j, b), (index, a)) };
+            if let Some((p, q)) = pair::measure(first, second, &|a, b| self.is_walled_off(a, b)) {
+                let (ab, ba) = if index < j { (p, q) } else { (q, p) };
+                own.push(ab);
+                theirs.push((j, ba));
+            }
+        });
+        own.sort_unstable_by_key(|p| p.other);
+        for (j, pair) in theirs {
+            let list = &mut self.pairs[j];
+            let at = list.partition_point(|p| p.other < pair.other);
+            list.insert(at, pair);
+        }
+        own
+    }
+
+    /// The bodies that are somewhere below one, or beside and not above it, by number.
+    pub(crate) fn below(&self, index: usize) -> Vec<usize> {
+        let Some(body) = &self.bodies[index] else { return Vec::new() };
+        let mut column = body.region;
+        column.low.z -= UNDER_REACH;
+        let mut found = Vec::new();
+        self.tree.each(&column, |other| {
+            if other != index {
+                found.push(other);
+            }
+        });
+        found.sort_unstable();
+        found
+    }
+
+    /// Adds what touches bodies, directly or through others, but for the building, and what
+    /// is below any of these: what they rest on, and what they are under, depends on each
+    /// other. Returns the nodes, by number.
+    pub(crate) fn spread(&self, mut met: Vec<u32>) -> Vec<NodeId> {
+        let mut known = vec![false; self.bodies.len()];
+        met.retain(|&m| !std::mem::replace(&mut known[m as usize], true));
+        let mut next = 0;
+        while let Some(&index) = met.get(next) {
+            next += 1;
+            if self.bodies[index as usize].as_ref().is_some_and(|b| b.traits.structure) {
+                continue;
+            }
+            for pair in self.pairs[index as usize].iter().filter(|p| p.gap.is_finite() || p.hooked) {
+                if !std::mem::replace(&mut known[pair.other as usize], true) {
+                    met.push(pair.other);
+                }
+            }
+        }
+        for above in 0..met.len() {
+            let index = met[above] as usize;
+            for pair in self.pairs[index].iter().filter(|p| p.is_below) {
+                if !std::mem::replace(&mut known[pair.other as usize], true) {
+                    met.push(pair.other);
+                }
+            }
+        }
+        met.sort_unstable();
+        met.into_iter().map(|m| self.ids[m as usize]).collect()
+    }
+
+    /// The pair of one body with another.
+    pub(crate) fn pair(&self, of: usize, with: usize) -> Option<&Pair> {
+        let list = &self.pairs[of];
+        list.binary_search_by_key(&(with as u32), |p| p.other).ok().map(|at| &list[at])
+    }
+}
+
+fn region(body: &Option<Body>) -> Region {
+    body.as_ref().map_or(Region::EMPTY, |b| b.region)
+}
+
+/// Where something has to be for a body to have to do with it.
+fn zone(body: &Body) -> Region {
+    body.region.grown(NEAR_REACH, UNDER_REACH)
+}

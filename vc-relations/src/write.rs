@@ -1,0 +1,84 @@
+//! Writing relations back into the scene they were read from.
+
+use vc_graph::{ChangeSet, Edge, EditError, Kind, NodeId, Place, Relation, SceneGraph};
+
+use crate::relations::Relations;
+
+/// What geometry decides anew each time, beside where a thing rests and its room.
+const FREE: [Relation; 9] = [
+    Relation::Under,
+    Relation::Touching,
+    Relation::Near,
+    Relation::NearFront,
+    Relation::NearBack,
+    Relation::NearLeft,
+    Relation::NearRight,
+    Relation::Facing,
+    Relation::Between,
+];
+
+impl Relations {
+    /// Writes the relations that start at some nodes into the graph, in place of those it
+    /// has there; what is held and worn stays. Give it what [`Self::update`] returned, or all
+    /// nodes. A thing of which nothing is known to carry it keeps its place.
+    ///
+    /// # Errors
+    /// [`EditError`] if the graph is not the one the relations were read from; then nothing
+    /// is changed.
+    ///
+    /// ```
+    /// use vc_graph::{Bounds, Draft, NodeId, Pose, SceneBuilder};
+    /// use vc_relations::{Evidence, Relations, Rule};
+    /// let size = |x, y, z| Bounds::standing(nalgebra::Vector3::new(x, y, z));
+    /// let mut scene = SceneBuilder::new("corner");
+    /// let table = scene.add(Draft::new("table").bounds(size(0.8, 1.2, 0.75)).at(Pose::identity()))?;
+    /// let cup = Draft::new("cup").bounds(size(0.08, 0.08, 0.1)).at(Pose::translation(0.0, 0.0, 0.75));
+    /// let cup = scene.add(cup)?;
+    /// let mut graph = scene.build();
+    /// let relations = Relations::new(&graph, Rule::Repaired, Evidence::default());
+    /// relations.write(&mut graph, &[table, cup])?;
+    /// assert_eq!(graph.place(cup).map(|p| p.at), Some(table));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn write(&self, graph: &mut SceneGraph, nodes: &[NodeId]) -> Result<ChangeSet, EditError> {
+        let mut edit = graph.edit();
+        let there = |id: &NodeId| graph_has(edit.graph(), *id);
+        let own: Vec<(NodeId, Vec<Edge>)> = nodes.iter().copied().filter(there).map(|id| (id, self.of(id))).collect();
+        // All leave their old places first, so that no old place makes a new one a cycle.
+        for (id, edges) in &own {
+            if edges.iter().any(rests) && !is_held(edit.graph(), *id) {
+                edit.detach(*id)?;
+            }
+        }
+        for (id, edges) in &own {
+            if !is_held(edit.graph(), *id) {
+                put(&mut edit, *id, edges)?;
+            }
+            edit.unrelate(*id, &FREE)?;
+            edges.iter().filter(|e| FREE.contains(&e.relation)).try_for_each(|e| edit.relate(*e))?;
+        }
+        Ok(edit.commit())
+    }
+}
+
+fn graph_has(graph: &SceneGraph, id: NodeId) -> bool {
+    graph.node(id).is_some_and(|n| n.kind() != Kind::Room)
+}
+
+fn is_held(graph: &SceneGraph, id: NodeId) -> bool {
+    graph.holder(id).is_some() || graph.related(id, Relation::WornBy).next().is_some()
+}
+
+fn rests(edge: &Edge) -> bool {
+    Relation::places().contains(&edge.relation) && edge.relation != Relation::WornBy
+}
+
+fn put(edit: &mut vc_graph::Edit<'_>, id: NodeId, edges: &[Edge]) -> Result<(), EditError> {
+    let place = |e: &Edge| Place { relation: e.relation, at: e.to };
+    let places: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).collect();
+    if !places.is_empty() {
+        edit.place_as_seen(id, &places, None)?;
+    }
+    let room = edges.iter().find(|e| e.relation == Relation::InRoom).map(|e| e.to);
+    room.map_or(Ok(()), |room| edit.move_to_room(id, room))
+}

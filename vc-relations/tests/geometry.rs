@@ -1,0 +1,217 @@
+//! The traces, distances and hollows behind the relations, held against slow and obvious
+//! versions of them, through the public interface.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+mod shared;
+
+use nalgebra::{Point3, UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use vc_graph::{Bounds, Draft, NodeId, Pose, Relation, SceneBuilder, SceneGraph};
+use vc_relations::{Evidence, Relations, Rule};
+
+fn boxes(list: &[(Vector3<f32>, Pose)]) -> SceneGraph {
+    let mut scene = SceneBuilder::new("boxes");
+    for (half, pose) in list {
+        let bounds = Bounds { offset: Vector3::zeros(), half: *half, frame: vc_graph::Frame::Object };
+        scene.add(Draft::new("carton").bounds(bounds).at(*pose)).unwrap();
+    }
+    scene.build()
+}
+
+fn pose() -> impl Strategy<Value = Pose> {
+    let number = |r: f32| -r..r;
+    (number(1.0), number(1.0), number(1.0), number(3.0), number(3.0), number(3.0), any::<bool>()).prop_map(
+        |(x, y, z, roll, pitch, yaw, upright)| {
+            let (roll, pitch) = if upright { (0.0, 0.0) } else { (roll, pitch) };
+            Pose::from_parts(Vector3::new(x, y, z).into(), UnitQuaternion::from_euler_angles(roll, pitch, yaw))
+        },
+    )
+}
+
+fn half() -> impl Strategy<Value = Vector3<f32>> {
+    (0.05_f32..0.4, 0.05_f32..0.4, 0.05_f32..0.4).prop_map(|(x, y, z)| Vector3::new(x, y, z))
+}
+
+/// The point of a box nearest to a point.
+fn nearest(half: &Vector3<f32>, pose: &Pose, point: &Point3<f32>) -> Point3<f32> {
+    let own = pose.inverse_transform_point(point).coords;
+    pose * Point3::from(own.sup(&-half).inf(half))
+}
+
+/// Distance of two boxes by going to and fro between them until nothing changes
+/// (alternating projections, Cheney and Goldstein 1959).
+fn slow_distance(a: &(Vector3<f32>, Pose), b: &(Vector3<f32>, Pose)) -> f32 {
+    let mut at = Point3::from(b.1.translation.vector);
+    let mut other = at;
+    for _ in 0..1000 {
+        other = nearest(&a.0, &a.1, &at);
+        at = nearest(&b.0, &b.1, &other);
+    }
+    (at - other).norm()
+}
+
+/// How far one box falls until it meets another: it falls by their distance again and again,
+/// which cannot take it past.
+fn slow_drop(a: &(Vector3<f32>, Pose), b: &(Vector3<f32>, Pose), limit: f32) -> Option<f32> {
+    let mut down = 0.0;
+    while down < limit {
+        let moved = Pose::from_parts((a.1.translation.vector - Vector3::z() * down).into(), a.1.rotation);
+        let apart = slow_distance(&(a.0, moved), b);
+        if apart < 1e-3 {
+            return Some(down);
+        }
+        down += apart;
+    }
+    None
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 100, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn distances_are_those_of_the_slow_way(a in half(), p in pose(), b in half(), q in pose()) {
+        let (one, two) = ((a, p), (b, q));
+        let graph = boxes(&[one, two]);
+        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default());
+        let slow = slow_distance(&one, &two);
+        match relations.near(NodeId(1)).first() {
+            Some(near) => prop_assert!((near.distance - slow).abs() < 2e-3, "{} against {slow}", near.distance),
+            None => prop_assert!(slow > 0.999),
+        }
+        let back = relations.near(NodeId(2)).first().map(|n| n.distance);
+        prop_assert_eq!(back, relations.near(NodeId(1)).first().map(|n| n.distance));
+    }
+
+    /// The swept box of the thesis's down trace meets what the dropped box meets.
+    #[test]
+    fn sweeps_meet_what_a_dropped_box_meets(a in half(), p in pose(), b in half(), q in pose()) {
+        let (one, two) = ((a, p), (b, q));
+        let graph = boxes(&[one, two]);
+        let relations = Relations::new(&graph, Rule::BoxTrace, Evidence::default());
+        let hit = relations.between(NodeId(1), NodeId(2)).contains(&Relation::On);
+        let slow = slow_drop(&one, &two, 2.9);
+        // Grazing hits may go either way: the slow one must be as sure with a thicker or
+        // thinner box.
+        let sure = |by: f32| slow_drop(&(a.map(|h| h + by), p), &two, 2.9).is_some();
+        if sure(0.004) == sure(-0.004) {
+            prop_assert_eq!(hit, slow.is_some());
+        }
+    }
+
+    /// Whatever the scene, relations are sorted, symmetric where they should be, free of
+    /// cycles, and nobody is on and in the same thing.
+    #[test]
+    fn relations_are_sound_in_any_heap(
+        list in prop::collection::vec((half(), pose()), 2..14),
+        agent in any::<bool>(),
+    ) {
+        let mut graph = boxes(&list);
+        if agent {
+            let mut edit = graph.edit();
+            let bounds = Bounds::standing(Vector3::new(0.3, 0.4, 1.7));
+            edit.add(Draft::new("character").bounds(bounds).at(list[0].1)).unwrap();
+            edit.commit();
+        }
+        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default());
+        let edges = relations.edges();
+        prop_assert!(edges.is_sorted());
+        for edge in &edges {
+            if edge.relation.is_symmetric() {
+                let back = vc_graph::Edge::new(edge.to, edge.relation, edge.from);
+                prop_assert!(edges.binary_search(&back).is_ok());
+            }
+            prop_assert!(relations.explain(edge.from, edge.to).unwrap().holds.contains(&edge.relation));
+        }
+        for node in graph.nodes() {
+            let mut met = vec![node.id()];
+            let mut next = 0;
+            while next < met.len() {
+                let supports = relations.supports(met[next]);
+                for by in supports.into_iter().map(|s| s.by) {
+                    prop_assert!(by != node.id(), "{} rests on itself", node.label());
+                    if !met.contains(&by) {
+                        met.push(by);
+                    }
+                }
+                next += 1;
+            }
+        }
+    }
+}
+
+#[test]
+fn hostile_numbers_are_passed_over() {
+    let nan = f32::NAN;
+    let far = Pose::translation(1e30, -1e30, 1e30);
+    let list = [
+        (Vector3::new(nan, 0.1, 0.1), Pose::identity()),
+        (Vector3::new(0.1, 0.1, f32::INFINITY), Pose::identity()),
+        (Vector3::repeat(1e30), Pose::identity()),
+        (Vector3::repeat(0.1), far),
+        (Vector3::repeat(-0.1), Pose::identity()),
+        (Vector3::repeat(0.0), Pose::identity()),
+        (Vector3::repeat(0.1), Pose::identity()),
+    ];
+    let graph = boxes(&list);
+    for rule in [Rule::Repaired, Rule::BoxTrace, Rule::VirtualHome] {
+        let mut relations = Relations::new(&graph, rule, Evidence::default());
+        relations.update(&graph, &[NodeId(1), NodeId(7), NodeId(99)]);
+        assert!(relations.of(NodeId(99)).is_empty());
+        assert!(relations.explain(NodeId(1), NodeId(99)).is_none());
+    }
+}
+
+#[test]
+fn contacts_decide_before_traces() {
+    let scene =
+        shared::scene(["a = box 0.3 0.3 0.3", "b = box 0.3 0.3 0.3 @ 0.3 0 0", "c = box 0.2 0.2 0.2 @ 0.15 0 0.3"]);
+    let [a, b, c] = ["a", "b", "c"].map(|n| scene.id(n));
+    let traced = Relations::new(&scene.graph, Rule::Repaired, Evidence::default());
+    assert_eq!(traced.supports(c).iter().map(|s| s.by).collect::<Vec<_>>(), [a, b]);
+    let contact = |on, up: f32| vc_relations::Contact { between: (on, c), impulse: Vector3::new(0.0, 0.0, up) };
+    let evidence = Evidence::default().contact(contact(a, 0.95)).contact(contact(b, 0.05));
+    let pushed = Relations::new(&scene.graph, Rule::Repaired, evidence);
+    let supports = pushed.supports(c);
+    assert_eq!(supports.iter().map(|s| s.by).collect::<Vec<_>>(), [a]);
+    assert!((supports[0].share - 0.95).abs() < 1e-6);
+}
+
+#[test]
+fn joints_take_the_place_of_support() {
+    let scene =
+        shared::scene(["floor = floor 4 4", "frame = box 0.6 0.6 1.8", "leaf = box 0.05 0.6 1.7 @ 0.33 0 0.05"]);
+    let attachment = vc_relations::Attachment { child: scene.id("leaf"), parent: scene.id("frame") };
+    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default().attached(attachment));
+    assert_eq!(relations.between(scene.id("leaf"), scene.id("frame"))[0], Relation::On);
+    assert!(!relations.between(scene.id("leaf"), scene.id("floor")).contains(&Relation::On));
+}
+
+#[test]
+fn explanations_tell_what_was_met_where() {
+    let scene =
+        shared::scene(["floor = floor 4 4", "table = table 0.8 1.2 0.75", "cup = mug 0.08 0.1 @ 0.1 0.2 0.752"]);
+    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default());
+    let why = relations.explain(scene.id("cup"), scene.id("table")).unwrap();
+    assert_eq!(why.down[0].what, scene.id("table"));
+    assert!((why.down[0].distance - 0.002).abs() < 1e-4);
+    assert!((why.down[0].at - Point3::new(0.1, 0.2, 0.75)).norm() < 0.02);
+    assert_eq!(why.down[0].verdict, vc_relations::Verdict::Counts);
+    assert_eq!(why.down[1].what, scene.id("floor"));
+    assert_eq!(why.down[1].verdict, vc_relations::Verdict::TooFar);
+    assert!(why.to_string().contains("by the trace down"));
+}
+
+#[test]
+fn what_is_written_back_is_sound() {
+    let (mut home, truth) = shared::home::home(50);
+    let relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default());
+    let all: Vec<NodeId> = home.graph.nodes().map(vc_graph::Node::id).collect();
+    relations.write(&mut home.graph, &all).unwrap();
+    for t in &truth {
+        let place = home.graph.place(home.id(&t.name)).unwrap();
+        assert!(place.at == home.id(&t.on) || t.inside.as_ref().is_some_and(|c| place.at == home.id(c)), "{}", t.name);
+    }
+    let cycles = home.graph.validate().into_iter().filter(|v| matches!(v, vc_graph::Violation::SupportCycle(_)));
+    assert_eq!(cycles.count(), 0);
+}

@@ -1,0 +1,134 @@
+//! VirtualHome's exported scenes, boxes only: its own definitions against its own edges, and
+//! the default rule beside them.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::Read;
+use std::path::PathBuf;
+
+use vc_graph::{ClassTable, Edge, NodeId, Relation, SceneGraph};
+use vc_relations::{Evidence, Relations, Rule};
+
+/// How many pairs, and what they were taken for.
+type Confusion = (usize, BTreeMap<String, usize>);
+
+fn scenes() -> Vec<SceneGraph> {
+    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
+    let folder = std::env::var_os("VC_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from);
+    if !folder.is_dir() {
+        eprintln!("SKIPPED: no shared data at {}; set VC_DATA to where it is", folder.display());
+        return Vec::new();
+    }
+    let read = |n: u32| {
+        let bytes = std::fs::read(folder.join(format!("virtualhome/scene{n}.json.gz"))).unwrap();
+        let mut text = String::new();
+        flate2::read::GzDecoder::new(&bytes[..]).read_to_string(&mut text).unwrap();
+        vc_graph::format::read_scene(&text, &ClassTable::builtin()).unwrap()
+    };
+    [1, 2, 3, 5, 6].map(read).to_vec()
+}
+
+#[derive(Debug, Default, Clone, Copy)]
+struct Score {
+    hits: usize,
+    false_ones: usize,
+    missed: usize,
+}
+
+impl Score {
+    fn add(&mut self, found: &BTreeSet<Edge>, gold: &BTreeSet<Edge>) {
+        self.hits += found.intersection(gold).count();
+        self.false_ones += found.difference(gold).count();
+        self.missed += gold.difference(found).count();
+    }
+
+    fn precision(self) -> f64 {
+        self.hits as f64 / (self.hits + self.false_ones).max(1) as f64
+    }
+
+    fn recall(self) -> f64 {
+        self.hits as f64 / (self.hits + self.missed).max(1) as f64
+    }
+
+    fn f1(self) -> f64 {
+        2.0 * self.hits as f64 / (2 * self.hits + self.false_ones + self.missed).max(1) as f64
+    }
+}
+
+const COMPARED: [Relation; 5] = [Relation::Near, Relation::Between, Relation::Inside, Relation::On, Relation::InRoom];
+
+/// Edges of a kind from objects; characters' are written by VirtualHome's actions.
+fn of_kind(graph: &SceneGraph, edges: impl Iterator<Item = Edge>, relation: Relation) -> BTreeSet<Edge> {
+    let agent = |id| graph.node(id).is_none_or(|n| n.kind() == vc_graph::Kind::Agent);
+    let room = |id| graph.node(id).is_none_or(|n| n.kind() == vc_graph::Kind::Room);
+    edges.filter(|e| e.relation == relation && !agent(e.from) && !agent(e.to) && !room(e.from)).collect()
+}
+
+fn scores(rule: Rule) -> Option<[Score; 5]> {
+    let scenes = scenes();
+    let mut scores = [Score::default(); 5];
+    for graph in &scenes {
+        let relations = Relations::new(graph, rule, Evidence::default());
+        for (score, relation) in scores.iter_mut().zip(COMPARED) {
+            let found = of_kind(graph, relations.edges().into_iter(), relation);
+            score.add(&found, &of_kind(graph, graph.edges(), relation));
+        }
+    }
+    for (score, relation) in scores.iter().zip(COMPARED) {
+        eprintln!(
+            "{rule:?} {relation:>10}: precision {:.4} recall {:.4} F1 {:.4}  {score:?}",
+            score.precision(),
+            score.recall(),
+            score.f1()
+        );
+    }
+    (!scenes.is_empty()).then_some(scores)
+}
+
+#[test]
+fn its_own_definitions_give_its_own_edges() {
+    let Some([near, between, inside, on, _]) = scores(Rule::VirtualHome) else { return };
+    assert_eq!((near.false_ones, near.missed), (0, 0));
+    assert_eq!((between.false_ones, between.missed), (0, 0));
+    assert!(inside.f1() >= 0.99, "{inside:?}");
+    assert!(on.f1() >= 0.92, "{on:?}");
+}
+
+/// What a pair is by an edge list, as far as where things rest goes.
+fn place(edges: &BTreeSet<Edge>, from: NodeId, to: NodeId) -> &'static str {
+    let has = |relation| edges.contains(&Edge::new(from, relation, to));
+    match (has(Relation::Inside), has(Relation::On), has(Relation::Under)) {
+        (true, ..) => "inside",
+        (_, true, _) => "on",
+        (_, _, true) => "under",
+        _ => "none",
+    }
+}
+
+/// Precision and recall of the default rule, and which relation of theirs is which of ours.
+#[test]
+fn the_default_rule_is_reported_beside_it() {
+    scores(Rule::Repaired);
+    let mut table: BTreeMap<(&str, &str), Confusion> = BTreeMap::new();
+    for graph in scenes() {
+        let found: BTreeSet<Edge> =
+            Relations::new(&graph, Rule::Repaired, Evidence::default()).edges().into_iter().collect();
+        let gold: BTreeSet<Edge> = graph.edges().collect();
+        let object = |id| graph.node(id).is_some_and(|n| n.kind() == vc_graph::Kind::Object);
+        let pairs: BTreeSet<(NodeId, NodeId)> = found.union(&gold).map(|e| (e.from, e.to)).collect();
+        for (from, to) in pairs.into_iter().filter(|p| object(p.0) && object(p.1)) {
+            let key = (place(&gold, from, to), place(&found, from, to));
+            let entry = table.entry(key).or_default();
+            entry.0 += 1;
+            let classes = format!("{} {}", graph.label(from).class, graph.label(to).class);
+            *entry.1.entry(classes).or_default() += 1;
+        }
+    }
+    for ((theirs, ours), (count, classes)) in &table {
+        let mut most: Vec<(&String, &usize)> = classes.iter().collect();
+        most.sort_by(|a, b| b.1.cmp(a.1).then(a.0.cmp(b.0)));
+        most.truncate(12);
+        eprintln!("theirs {theirs:>6}, ours {ours:>6}: {count:>6}  {most:?}");
+    }
+}
