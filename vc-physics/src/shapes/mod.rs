@@ -21,7 +21,7 @@ pub(crate) use mass::scaled;
 /// library is dropped after the library is. An asset's shapes depend on its parts,
 /// its materials and the scale of the node, on nothing else.
 ///
-/// **Which shapes.** The asset's [`collision`](Asset::collision) pieces where it has
+/// **Which shapes.** The asset's [`collision`](vc_graph::Asset::collision) pieces where it has
 /// any, else its parts. What moves together is one body of convex pieces; if these
 /// are more than 24, those are joined whose common box wastes the least volume, but
 /// never across the free space above a surface that holds things. Mass and inertia
