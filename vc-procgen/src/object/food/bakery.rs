@@ -377,7 +377,7 @@ pub(super) fn muffin(b: &mut Build<'_>) {
             let k = 0.3 + 0.5 * i as f32 / count as f32;
             berry(
                 b,
-                [r * k * c, r * k * s, low * 0.9 + (z - low * 0.9) * (1.0 - k * k * 0.75) - r * 0.09],
+                [r * k * c, r * k * s, low * 0.9 + (z - low * 0.9) * (1.0 - k * k * k * k * 0.6) - r * 0.05],
                 r * 0.08,
                 bits,
             );
@@ -410,7 +410,7 @@ pub(super) fn pie(b: &mut Build<'_>) {
     let filling = b.one(&[RED_SKIN, PURPLE_SKIN, ORANGE_SKIN, MUSTARD]);
     let outside: Vec<_> = [(0.8, 0.0), (0.93, 0.85), (0.97, 0.9)].iter().map(|p| (p.0 * r, p.1 * z)).collect();
     b.lathe("crust", [0.0; 3], &shell(&outside, r * 0.05), CRUST);
-    b.cylinder("filling", [0.0, 0.0, z * 0.1], r * 0.86, z * 0.68, filling);
+    turn(b, "filling", [0.0, 0.0, z * 0.1], (r, z * 0.68), &[(0.77, 0.0), (0.87, 1.0)], filling);
     for i in 0..16 {
         let (s, c) = (TAU * i as f32 / 16.0).sine_cosine();
         berry(b, [r * 0.93 * c, r * 0.93 * s, z * 0.9], (r * 0.07).min(z * 0.1), CRUST);

@@ -263,7 +263,7 @@ pub(super) fn sausage(b: &mut Build<'_>) {
     let full = (z / 2.0).min(x * 0.5);
     // Strings lie around a salami.
     let r = if salami { full * 0.97 } else { full };
-    let bow = (x / 2.0 - r).max(0.0);
+    let bow = (x / 2.0 - full).max(0.0);
     let at = |k: f32, r: f32| ([bow * (1.0 - 2.0 * (2.0 * k - 1.0).raised(2)), y * (k - 0.5), z / 2.0], r, r);
     let end = if salami { 0.97 } else { 0.25 };
     let path = [

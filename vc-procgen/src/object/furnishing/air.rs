@@ -244,7 +244,7 @@ pub(super) fn dehumidifier(b: &mut Build<'_>) {
         b.ball("castor", [x * sx, y * sy, foot * 0.6], foot * 0.6, BLACK_PLASTIC);
     }
     let face = x - 0.012 * u;
-    b.soft("head", [-x, -y, split], [face, y, h], 0.02 * u, mat);
+    b.soft("head", [-x, -y, split], [face, y, h - 0.0015], 0.02 * u, mat);
     let wall = 0.012 * u;
     case(b, [-x, -y, foot], [face, y, split + 0.005 * u], wall, mat);
     for i in 0..8 {
@@ -257,7 +257,7 @@ pub(super) fn dehumidifier(b: &mut Build<'_>) {
         );
     }
     display(b, face - 0.001 * u, (-y * 0.3, h * 0.86), (y * 0.3, h * 0.92), LED);
-    b.block("outlet", [-x * 0.6, -y * 0.7, h - 0.002 * u], [x * 0.3, y * 0.7, h], BLACK_PLASTIC);
+    b.block("outlet", [-x * 0.6, -y * 0.7, h - 0.006 * u], [x * 0.3, y * 0.7, h], BLACK_PLASTIC);
     let (low, high) = ([-x + wall * 1.5, -y + wall * 1.5, foot + wall * 1.2], [face, y - wall * 1.5, split - wall]);
     b.jointed(vc_graph::asset::JointKind::Slide, low, [1.0, 0.0, 0.0], (0.0, x * 1.4), |b| {
         basket(b, "compartment_1", low, [high[0] - 0.001 * u, high[1], high[2] - 0.02 * u], 0.004 * u, CLEAR_PLASTIC);

@@ -18,7 +18,7 @@ pub(super) fn radiator(b: &mut Build<'_>) {
     let valve = (0.02 * u).min(x * 0.8);
     b.rod("valve", [pipe[0], -side + 0.01 * u, h * 0.3], [pipe[0], -y, h * 0.3], valve, WHITE_PLASTIC);
     match b.rng.below(3) {
-        0 => columns(b, side, foot, u),
+        0 => columns(b, side, foot, u, mat),
         1 => {
             let (back, front) = (-x + 0.02 * u, x - 0.006 * u);
             b.block("panel", [back, -side, foot], [front, side, h - 0.012 * u], mat);
@@ -50,7 +50,7 @@ pub(super) fn radiator(b: &mut Build<'_>) {
         }
     }
     for cy in [-side * 0.8, side * 0.8] {
-        b.block("bracket", [-x, cy - 0.015 * u, foot + 0.04 * u], [-x + 0.025 * u, cy + 0.015 * u, h * 0.85], mat);
+        b.block("bracket", [-x, cy - 0.015 * u, foot + 0.03 * u], [-x + 0.025 * u, cy + 0.015 * u, h * 0.85], mat);
     }
     b.top("top", [0.01 * u, 0.0, h], ((x - 0.014 * u).max(x * 0.3), side * 0.96));
 }
@@ -62,9 +62,8 @@ fn top_grille(b: &mut Build<'_>, (back, front): (f32, f32), side: f32, u: f32, m
 }
 
 /// Rounded sections side by side.
-fn columns(b: &mut Build<'_>, side: f32, foot: f32, u: f32) {
+fn columns(b: &mut Build<'_>, side: f32, foot: f32, u: f32, mat: Mat) {
     let (x, h) = (b.size.x / 2.0, b.size.z);
-    let mat = b.one(&[WHITE_METAL, WHITE_METAL, IRON, SILVER_METAL]);
     let count = (side / 0.028).clamp(5.0, 20.0) as usize;
     let step = 2.0 * side / count as f32;
     let back = -x + 0.015 * u;
@@ -80,6 +79,7 @@ fn columns(b: &mut Build<'_>, side: f32, foot: f32, u: f32) {
             b.block("head", [back, cy - r, z0], [x, cy + r, z1], mat);
         }
     }
+    b.block("rail", [back - 0.002 * u, -side, foot + 0.02 * u], [back + 0.006 * u, side, foot + 0.036 * u], mat);
     for z in [foot + 0.02 * u, h - 0.02 * u] {
         b.rod("tube", [middle, -side, z], [middle, side, z], (r * 0.8).min(0.012 * u), mat);
     }

@@ -289,7 +289,7 @@ pub(super) fn jar(b: &mut Build<'_>) {
             [(0.95, 0.0), (1.0, 0.03), (1.0, 0.5), (0.98, 0.97), (0.97, 1.0)],
         ])
     };
-    let r = r - 0.0008;
+    let r = r - 0.0022_f32.min(r * 0.1);
     vessel(b, b.class, (r, h), &shape, (r * 0.06).min(0.004), body);
     let rim = (shape[4].0 * r * 1.05).min(r);
     if canister && b.rng.chance(0.6) {

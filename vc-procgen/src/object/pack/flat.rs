@@ -161,7 +161,7 @@ pub(super) fn bag(b: &mut Build<'_>) {
     let py = hy * 0.62;
     let depth = |k: f32| hx * if k < 0.5 { 0.97 + 0.15 * (k - 0.3) } else { 1.0 - 0.75 * (k - 0.5) };
     patch(b, &[0.3, 0.5, 0.68].map(|k| (depth(k) + 0.0006, z * k)), py, look.paper);
-    patch(b, &[0.51, 0.62].map(|k| (depth(k) + 0.0012, z * k)), py * 0.75, look.ink);
+    patch(b, &[0.5, 0.62].map(|k| (depth(k) + 0.0012, z * k)), py * 0.75, look.ink);
 }
 
 /// A patch on a bulging front: its depth at some heights, half its width.
@@ -175,7 +175,8 @@ pub(super) fn squeeze_tube(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
     let g = 0.0012_f32.min(x.min(y) * 0.03);
-    let (hx, hy) = (x / 2.0 - g, y / 2.0 - g);
+    let hy = y / 2.0 - g;
+    let hx = (x / 2.0 - g).min(hy);
     let cap = z * b.vary(0.13, 0.2);
     let r = hx.min(hy);
     turn(b, "cap", [0.0; 3], (r, cap), &[(0.95, 0.0), (0.95, 0.9), (0.85, 1.0)], look.cap);
@@ -190,7 +191,7 @@ pub(super) fn squeeze_tube(b: &mut Build<'_>) {
     ];
     loft(b, "tube", &rings, look.body);
     let belly = cap / z + 0.03;
-    for (low, high, mat) in [(0.32, 0.52, look.paper), (0.58, 0.66, look.ink)] {
+    for (low, high, mat) in [(0.44, 0.56, look.paper), (0.62, 0.7, look.ink)] {
         let ring = |k: f32| {
             // Between the ring below the middle and the flat end.
             let middle = f32::midpoint(r, hy);

@@ -24,6 +24,9 @@ pub(in crate::object) fn wrap(b: &mut Build<'_>, r: f32, (low, high): (f32, f32)
     let tall = high - low;
     let band = r + BAND.min(r * 0.05);
     hoop(b, "label", (low, high), (r * 0.97, band), paper);
+    if r < 0.008 {
+        return;
+    }
     let out = band + PRINT.min(r * 0.05);
     for (from, to, turn) in [(0.62, 0.84, 0.15), (0.42, 0.5, 0.11), (0.12, 0.3, 0.08)] {
         patch(b, (band * 0.97, out), turn * TAU, (low + tall * from, low + tall * to), ink);

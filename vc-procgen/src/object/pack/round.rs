@@ -79,7 +79,9 @@ pub(super) fn bottle(b: &mut Build<'_>) {
     let (profile, (low, high)) = outline;
     turn(b, "bottle", [0.0; 3], (r, h), profile, look.body);
     if let Some(drink) = content(look.body) {
-        let inner: Vec<_> = profile.iter().filter(|p| p.1 < 0.7).map(|p| (p.0 * 0.94, 0.02 + p.1 * 0.98)).collect();
+        let level = (radius_at(profile, 0.7), 0.7);
+        let below = profile.iter().copied().filter(|p| p.1 < level.1).chain([level]);
+        let inner: Vec<_> = below.map(|p| (p.0 * 0.92, 0.02 + p.1 * 0.98)).collect();
         turn(b, "content", [0.0; 3], (r, h), &inner, drink);
     }
     let neck = profile.last().map_or(0.4, |p| p.0) * r;
@@ -96,9 +98,18 @@ pub(super) fn bottle(b: &mut Build<'_>) {
             look.cap,
         );
     }
-    let widest =
-        profile.iter().filter(|p| p.1 >= low - 0.1 && p.1 <= high + 0.1).fold(1.0_f32, |least, p| least.min(p.0)) * r;
-    wrap(b, widest, (h * low, h * high), look.label());
+    let within = profile.iter().filter(|p| p.1 > low && p.1 < high).map(|p| p.0);
+    let widest = within.chain([low, high].map(|z| radius_at(profile, z))).fold(0.0, f32::max) * r;
+    // A label in a waist keeps clear of how far the belly stands out.
+    let near = |out: f32| (widest + out - r).abs() < 0.0008;
+    let lift = if near(GROWTH) || near(GROWTH * 0.45) { 0.0016_f32.min(r * 0.04) } else { 0.0 };
+    wrap(b, widest + lift, (h * low, h * high), look.label());
+}
+
+/// The radius of a profile at a height.
+fn radius_at(profile: &[(f32, f32)], z: f32) -> f32 {
+    let between = profile.windows(2).find(|p| p[0].1 <= z && z <= p[1].1);
+    between.map_or(1.0, |p| p[0].0 + (p[1].0 - p[0].0) * (z - p[0].1) / (p[1].1 - p[0].1).max(1e-6))
 }
 
 /// What shows through glass: that its colour is the bottle's tells them apart.
@@ -140,7 +151,7 @@ pub(super) fn can(b: &mut Build<'_>) {
     let look = look(b);
     let r = body_radius(x, y);
     let rim = (z * 0.05).min(0.003);
-    let k = 1.0 - rim / r * 0.6;
+    let k = 1.0 - (0.0028 / r).min(0.12);
     turn(
         b,
         "can",
@@ -182,7 +193,7 @@ pub(super) fn jar(b: &mut Build<'_>) {
             [(0.95, 0.0), (1.0, 0.03), (1.0, 0.85), (neck, 0.95), (neck, 1.0)],
         ])
     };
-    turn(b, "jar", [0.0; 3], (r, h), &shape, look.body);
+    turn(b, "jar", [0.0; 3], (r - 0.0006_f32.min(r * 0.2), h), &shape, look.body);
     if let Some(pills) = content(look.body) {
         turn(
             b,

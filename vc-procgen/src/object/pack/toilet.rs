@@ -498,14 +498,14 @@ pub(super) fn cotton_pads(b: &mut Build<'_>) {
     for i in 0..count {
         let (low, t) = (z * 0.94 * i as f32 / count as f32, z * 0.94 / count as f32);
         profile.extend([
-            (r * 0.9, low),
-            (r * 0.96, low + t * 0.3),
-            (r * 0.96, low + t * 0.7),
-            (r * 0.9, low + t * 0.95),
+            (r * 0.86, low),
+            (r * 0.92, low + t * 0.3),
+            (r * 0.92, low + t * 0.7),
+            (r * 0.86, low + t * 0.95),
         ]);
     }
     b.lathe("pads", [0.0; 3], &profile, WHITE_COTTON);
-    wrap(b, r - GROWTH.min(r * 0.04), (z * 0.12, z * 0.55), (sleeve, WHITE_PAPER));
+    wrap(b, r - GROWTH.min(r * 0.1), (z * 0.12, z * 0.55), (sleeve, WHITE_PAPER));
     let grip = arch([0.0, 0.0, z * 0.9], [0.0, r * 0.5, 0.0], [0.0, 0.0, z * 0.09]);
     tube(b, "string", &grip, z * 0.006, [1.0, 0.0, 0.0], sleeve);
 }

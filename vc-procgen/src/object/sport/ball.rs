@@ -54,15 +54,16 @@ pub(super) fn plain(b: &mut Build<'_>) {
             let (mat, other) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
             b.ball("ball", c, r * 0.965, mat);
             let towards = [0.5, 0.3, 0.8];
+            let (stripe, cap) = (b.vary(0.16, 0.42), b.vary(0.22, 0.42));
             if b.rng.chance(0.5) {
-                mark(b, "stripe", towards, (PI / 2.0 - 0.3, PI / 2.0 + 0.3), 0.996, other);
+                mark(b, "stripe", towards, (PI / 2.0 - stripe, PI / 2.0 + stripe), 0.996, other);
             } else {
                 for turn in [0.0, PI / 3.0, PI * 2.0 / 3.0] {
                     let (s, k) = turn.sine_cosine();
                     mark(b, "stripe", [s, k, 0.0], (PI / 2.0 - 0.12, PI / 2.0 + 0.12), 0.992 + turn * 0.002, other);
                 }
             }
-            mark(b, "cap", [0.0, 0.0, 1.0], (0.0, 0.3), 1.0, other);
+            mark(b, "cap", [0.0, 0.0, 1.0], (0.0, cap), 1.0, other);
         }
     }
 }
