@@ -5,7 +5,7 @@ use vc_graph::Seed;
 use crate::check::{self, Violation};
 use crate::error::Impossible;
 use crate::furnish::{self, Item, Rest};
-use crate::plan::{Plan, Programme};
+use crate::plan::{Plan, Programme, RoomKind};
 use crate::reach::Reach;
 use crate::{Specification, Style, clutter, structure};
 
@@ -77,6 +77,11 @@ impl Apartment {
         // have fewer of them than were drawn.
         let programme = Programme::draw(specification, seed.nth(attempt / REDRAW))?;
         let plan = Plan::lay_out(&programme, own)?;
+        // A facade may have no room for a balcony that was wished for.
+        let balconies = plan.rooms.iter().filter(|r| r.kind == RoomKind::Balcony).count();
+        if specification.balconies.is_some_and(|wished| balconies < wished) {
+            return Err(Impossible::NoPlan { rooms: programme.wishes.len(), area: programme.area() });
+        }
         let mut furniture = furnish::furnish(&plan, &style, own)?;
         clear_ways(&plan, &mut furniture)?;
         let mut items = structure::build(&plan, &style, own.child("structure"));

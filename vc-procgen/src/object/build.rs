@@ -74,6 +74,11 @@ impl<'a> Build<'a> {
         (asset, Bounds::standing(high - low))
     }
 
+    /// What was built so far.
+    pub(super) fn asset(&mut self) -> &mut Asset {
+        &mut self.asset
+    }
+
     /// Names the asset: a book's title, a poster's motif.
     pub(crate) fn name(&mut self, name: &str) {
         self.asset.name = name.into();

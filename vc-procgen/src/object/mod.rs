@@ -6,6 +6,7 @@
 mod build;
 mod joinery;
 mod mirror;
+mod rest;
 mod solids;
 // families
 mod bath;

@@ -81,7 +81,7 @@ const SETS: &[&str] = &[
 ];
 
 /// What is made as it hangs.
-const HUNG: &[&str] = &["hanger", "wind_chime"];
+const HUNG: &[&str] = &["hanger", "wind_chime", "wall_clock", "wall_phone", "wreath"];
 
 pub(crate) fn check(case: &Case, say: Say<'_>) {
     closed(case, say);

@@ -183,6 +183,8 @@ pub(super) fn keys(b: &mut Build<'_>) {
         ]
         .map(|(t, s)| way(t, s * wide))
         .to_vec();
+        let low = outline.iter().map(|p| p.1).fold(h, f32::min);
+        let outline: Vec<(f32, f32)> = outline.iter().map(|p| (p.0, p.1 - low)).collect();
         let thick = (x * 0.25).min(0.0025);
         b.prism("key", Axis::X, [px - thick / 2.0, 0.0, 0.0], &outline, thick, metal);
     }

@@ -9,6 +9,7 @@ mod small;
 mod unit;
 mod wash;
 
+use super::rest::settled;
 use super::{Generator, indoor};
 
 pub(super) use unit::bathroom_counter;
@@ -61,7 +62,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("blender", 5, prep::blender),
     indoor("hand_blender", 3, prep::hand_blender),
     indoor("stand_mixer", 6, prep::stand_mixer),
-    indoor("hand_mixer", 3, prep::hand_mixer),
+    indoor("hand_mixer", 3, |b| settled(b, prep::hand_mixer)),
     indoor("food_processor", 4, prep::food_processor),
     indoor("juicer", 4, prep::juicer),
     indoor("citrus_juicer", 3, prep::citrus_juicer),

@@ -120,10 +120,9 @@ pub(super) fn alarm(b: &mut Build<'_>) {
     b.prism("case", Axis::X, [-x, 0.0, centre[2]], &ngon((r, r), 32), 2.0 * x - depth, case);
     dial(b, [x - depth * 1.05, 0.0, centre[2]], r * 0.9, depth, mats);
     let mut feet = Shell::default();
-    for side in [-1.0, 1.0] {
-        feet.tapered(&[[0.0, side * r * 0.5, centre[2] - r * 0.75], [0.0, side * r * 0.8, h * 0.02]], |t| {
-            r * (0.11 - 0.04 * t)
-        });
+    for (side, fx) in [(-1.0, -0.7), (-1.0, 0.6), (1.0, -0.7), (1.0, 0.6)] {
+        let (hip, toe) = ([x * fx * 0.8, side * r * 0.5, centre[2] - r * 0.75], [x * fx, side * r * 0.8, h * 0.02]);
+        feet.tapered(&[hip, toe], |t| (r * (0.11 - 0.04 * t)).min(x * 0.3));
     }
     feet.put(b, "foot", case);
     if !bells {

@@ -34,13 +34,14 @@ pub(super) fn necklace(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let metal = precious(b);
     let (pearls, r) = (b.rng.chance(0.5), h * 0.5);
+    let chain = (r * 0.6).min(x * 0.02);
     let wave = b.vary(0.0, TAU);
     let count = if pearls { ((x + y) * 3.0 / (2.0 * r)).clamp(14.0, 22.0) as usize } else { 36 };
     let line: Vec<P> = (0..count)
         .map(|i| {
             let a = TAU * i as f32 / count as f32;
             let s = 0.92 + 0.08 * (3.0 * a + wave).sine();
-            [(x - r) * a.cosine() * s, (y - r) * a.sine() * s, r]
+            [(x - r) * a.cosine() * s, (y - r) * a.sine() * s, if pearls { r } else { chain }]
         })
         .collect();
     if pearls {
@@ -48,7 +49,7 @@ pub(super) fn necklace(b: &mut Build<'_>) {
         line.iter().for_each(|&p| shell.egg(p, [r, r, r]));
         shell.put(b, "pearl", PORCELAIN);
     } else {
-        hoop(b, "chain", &line, (r * 0.6).min(x * 0.02), metal);
+        hoop(b, "chain", &line, chain, metal);
         let stone = b.one(&GEMS);
         let mut shell = Shell::default();
         shell.egg([x - r * 2.0, 0.0, r], [r * 1.8, r * 1.4, r]);
@@ -112,7 +113,9 @@ pub(super) fn watch(b: &mut Build<'_>) {
     let wide = if smart { y } else { y.min(h * 0.6) };
     let t = x * 0.1;
     let loop_ = |s: f32| oval(Axis::Y, [-t, 0.0, h / 2.0], ((x - t) * s, h / 2.0 * s), 0, 24);
-    let (outer, inner) = (loop_(1.0), loop_(0.86));
+    let (mut outer, inner) = (loop_(1.0), loop_(0.86));
+    // It stands on its clasp.
+    outer.iter_mut().for_each(|p| p[2] = p[2].max(h * 0.055));
     let half = wide * 0.55;
     let mut shell = Shell::default();
     let side = |p: &P, s: f32| [p[0], s * half, p[2]];

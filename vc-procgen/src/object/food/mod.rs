@@ -9,6 +9,7 @@ mod vegetable;
 
 pub(super) use fruit::berry;
 
+use super::rest::settled;
 use super::{Generator, indoor};
 
 pub(super) const GENERATORS: &[Generator] = &[
@@ -38,13 +39,13 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("bell_pepper", 3, fruit::single),
     indoor("cucumber", 2, fruit::single),
     indoor("zucchini", 2, fruit::single),
-    indoor("eggplant", 2, fruit::single),
-    indoor("carrot", 3, fruit::single),
+    indoor("eggplant", 2, |b| settled(b, fruit::single)),
+    indoor("carrot", 3, |b| settled(b, fruit::single)),
     indoor("sweet_potato", 2, fruit::single),
     indoor("egg", 3, fruit::single),
     indoor("potato", 4, fruit::root),
-    indoor("ginger", 2, fruit::root),
-    indoor("banana", 4, fruit::banana),
+    indoor("ginger", 2, |b| settled(b, fruit::root)),
+    indoor("banana", 4, |b| settled(b, fruit::banana)),
     indoor("grapes", 2, fruit::cluster),
     indoor("blueberries", 2, fruit::cluster),
     indoor("cherries", 2, fruit::cluster),
@@ -53,21 +54,21 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("cabbage", 2, vegetable::head),
     indoor("lettuce", 2, vegetable::head),
     indoor("spinach", 2, vegetable::greens),
-    indoor("fresh_herbs", 2, vegetable::greens),
-    indoor("celery", 2, vegetable::stalks),
+    indoor("fresh_herbs", 2, |b| settled(b, vegetable::greens)),
+    indoor("celery", 2, |b| settled(b, vegetable::stalks)),
     indoor("leek", 2, vegetable::stalks),
     indoor("spring_onion", 2, vegetable::stalks),
     indoor("peas", 2, vegetable::pods),
     indoor("green_beans", 2, vegetable::pods),
     indoor("mushroom", 2, vegetable::mushroom),
-    indoor("corn", 2, vegetable::corn),
+    indoor("corn", 2, |b| settled(b, vegetable::corn)),
     indoor("pumpkin", 3, vegetable::pumpkin),
-    indoor("chili_pepper", 2, vegetable::chili),
+    indoor("chili_pepper", 2, |b| settled(b, vegetable::chili)),
     indoor("steak", 3, meat::steak),
     indoor("pork_chop", 2, meat::steak),
     indoor("cutlets", 2, meat::steak),
     indoor("roast_beef", 2, meat::roast),
-    indoor("chicken", 3, meat::bird),
+    indoor("chicken", 3, |b| settled(b, meat::bird)),
     indoor("turkey", 2, meat::bird),
     indoor("bacon", 2, meat::slices),
     indoor("ham", 2, meat::slices),

@@ -57,13 +57,8 @@ fn upright(b: &mut Build<'_>, u: f32, mat: Mat) {
     let (x, y, h) = spans(b);
     let foot = h * 0.09;
     b.soft("foot", [x * 0.1, -y, 0.0], [x, y, foot], foot * 0.4, mat);
-    b.rod(
-        "wheel",
-        [-x * 0.5, -y * 0.5, foot * 0.8],
-        [-x * 0.5, y * 0.5, foot * 0.8],
-        (foot * 0.8).min(x * 0.45),
-        BLACK_PLASTIC,
-    );
+    let wheel = (foot * 0.8).min(x * 0.45);
+    b.rod("wheel", [-x * 0.5, -y * 0.5, wheel], [-x * 0.5, y * 0.5, wheel], wheel, BLACK_PLASTIC);
     b.bar("neck", [x * 0.3, 0.0, foot * 0.8], [-x * 0.3, 0.0, h * 0.2], 0.03 * u, mat);
     let r = (y * 0.55).min(x * 0.5);
     b.cylinder("motor", [-x * 0.35, 0.0, h * 0.14], r, h * 0.12, mat);

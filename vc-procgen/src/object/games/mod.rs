@@ -6,6 +6,7 @@ mod machine;
 mod pieces;
 mod table;
 
+use super::rest::settled;
 use super::{Generator, indoor};
 
 pub(super) const GENERATORS: &[Generator] = &[
@@ -19,7 +20,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("claw_machine", 2, machine::claw),
     indoor("jukebox", 2, machine::jukebox),
     indoor("dartboard", 3, bar::dartboard),
-    indoor("darts", 2, bar::darts),
+    indoor("darts", 2, |b| settled(b, bar::darts)),
     indoor("cue_rack", 2, bar::cue_rack),
     indoor("billiard_cue", 3, bar::cue),
     indoor("billiard_balls", 2, bar::balls),

@@ -133,6 +133,8 @@ pub(super) fn cards(b: &mut Build<'_>) {
     let suits = [RED_CARD, BLACK_CARD];
     let first = b.rng.below(2);
     let wide = (hx * 1.3).min(2.0 * hy * 0.8);
+    // Those above must not reach far beyond the first.
+    let hy = hy.min(wide * 0.9);
     let thick = h / (count as f32 + 0.6);
     let (mut faces, mut pips) = (Shell::default(), [Shell::default(), Shell::default()]);
     for i in 0..count {

@@ -32,7 +32,8 @@ pub(super) fn cup(b: &mut Build<'_>) {
     // Where the handle leaves the body, by the outline there.
     let wall = shape.iter().filter(|p| p.1 > 0.15 && p.1 < 0.9).fold(1.0_f32, |least, p| least.min(p.0)) * r;
     let (low, high) = if mug { (0.18, 0.86) } else { (0.3, 0.88) };
-    ear(b, (wall - t * 0.5, y - r * if milk { 1.32 } else { 1.02 }), (h * low, h * high), (r * 0.11).min(0.006), mat);
+    let reach = (y - r * if milk { 1.32 } else { 1.02 }).min(r * 2.4);
+    ear(b, (wall - t * 0.5, reach), (h * low, h * high), (r * 0.11).min(0.006), mat);
     if b.class == "milk_jug" {
         spout(b, (shape[4].0 * r, h), r * 0.3, mat);
     } else if shape[3].0 == 1.0 && shape[1].0 == 1.0 && b.rng.chance(0.6) {

@@ -108,11 +108,11 @@ pub(super) fn pan(b: &mut Build<'_>) {
     if b.class == "frying_pan" {
         b.top("top", [0.0, 0.0, t], (r * 0.46, r * 0.46));
     }
-    let thick = (z * 0.12).min(0.009);
+    let thick = (z * 0.12).min(r * 0.07).min(0.009);
     long_grip(
         b,
         (r * 0.95, h * 0.75),
-        (y - r * if saucepan { 1.1 } else { 1.0 }, z - thick),
+        ((y - r * if saucepan { 1.1 } else { 1.0 }).min(r * 3.4), z - thick),
         (thick * 1.6, thick),
         grip,
     );
@@ -142,9 +142,9 @@ pub(super) fn grill_pan(b: &mut Build<'_>) {
         b.block("rib", [-hx * 0.8, at - rib * 0.5, t * 0.5], [hx * 0.8, at + rib * 0.5, t + rib], mat);
     }
     b.top("top", [0.0, 0.0, t + rib], (hx * 0.72, hx * 0.72));
-    let thick = (z * 0.12).min(0.008);
+    let thick = (z * 0.12).min(hx * 0.07).min(0.008);
     let grip = b.one(&[mat, BLACK_PLASTIC, b.style.wood]);
-    long_grip(b, (hx * 0.96, h * 0.75), (y - hx, z - thick), (thick * 1.6, thick), grip);
+    long_grip(b, (hx * 0.96, h * 0.75), ((y - hx).min(hx * 3.4), z - thick), (thick * 1.6, thick), grip);
 }
 
 /// Oblong tins, dishes and pans with straight walls, some with grips or a lid.

@@ -112,7 +112,7 @@ pub(super) fn desk_lamp(b: &mut Build<'_>) {
     let mat = b.one(&[BLACK_METAL, WHITE_METAL, RED_METAL, STEEL, YELLOW_METAL, BLUE_METAL, b.style.metal]);
     let foot_r = (y * 0.92).min(x * 0.6);
     let foot = [-x + foot_r, 0.0];
-    let foot_h = 0.02 * u;
+    let foot_h = 0.03 * u;
     if b.rng.chance(0.6) {
         b.lathe("foot", [foot[0], 0.0, 0.0], &[(foot_r, 0.0), (foot_r, foot_h * 0.6), (foot_r * 0.9, foot_h)], mat);
     } else {

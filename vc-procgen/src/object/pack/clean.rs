@@ -1,6 +1,8 @@
 //! Cleaning things: brooms, mops, buckets, sponges.
 
-use std::f32::consts::TAU;
+use std::f32::consts::{PI, TAU};
+
+use nalgebra::{Isometry3, Vector3};
 
 use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{dims, hoop, level, loft, lump, oval, rounded, sweep, tub, tube, turn, vessel};
@@ -365,6 +367,12 @@ pub(super) fn garbage_bag(b: &mut Build<'_>) {
 
 /// A pair of rubber gloves hanging down, their fingers below.
 pub(super) fn rubber_gloves(b: &mut Build<'_>) {
+    let over = Isometry3::new(Vector3::z() * b.size.z.max(1e-3), Vector3::x() * PI);
+    b.posed(over, gloves);
+}
+
+/// Two gloves, their fingers down.
+fn gloves(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[YELLOW_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC]);
     let hy = y / 2.0;

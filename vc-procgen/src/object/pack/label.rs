@@ -16,7 +16,7 @@ const BAND: f32 = 0.001;
 const PRINT: f32 = 0.0012;
 
 /// What a label adds to a radius at most, metres.
-pub(super) const GROWTH: f32 = BAND + PRINT;
+pub(in crate::object) const GROWTH: f32 = BAND + PRINT;
 
 /// A band around a round body of radius `r` with bars on its front; it stands out by
 /// less than 2.3 mm.

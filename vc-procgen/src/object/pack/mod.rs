@@ -8,6 +8,7 @@ mod look;
 mod round;
 mod toilet;
 
+use super::rest::settled;
 use super::{Generator, indoor};
 
 pub(super) const GENERATORS: &[Generator] = &[
@@ -130,7 +131,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("hair_dryer", 2, toilet::hair_dryer),
     indoor("hair_straightener", 2, toilet::hair_straightener),
     indoor("nail_clippers", 1, toilet::nippers),
-    indoor("tweezers", 2, toilet::nippers),
+    indoor("tweezers", 2, |b| settled(b, toilet::nippers)),
     indoor("makeup_bag", 2, toilet::makeup_bag),
     indoor("toilet_paper", 3, toilet::roll),
     indoor("paper_towel", 3, toilet::roll),
@@ -139,7 +140,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("wet_wipes", 2, toilet::wet_wipes),
     indoor("diaper", 2, toilet::diaper),
     indoor("bathroom_scale", 2, toilet::bathroom_scale),
-    indoor("loofah", 2, toilet::loofah),
+    indoor("loofah", 2, |b| settled(b, toilet::loofah)),
     indoor("thermometer", 2, toilet::thermometer),
     indoor("first_aid_kit", 2, toilet::first_aid_kit),
     indoor("toilet_brush", 3, toilet::toilet_brush),

@@ -183,6 +183,8 @@ pub(super) fn sunflower(b: &mut Build<'_>) {
     let (centre, back) = (h - r, x * b.vary(-0.35, -0.1));
     b.rod("stem", [back, 0.0, 0.0], [back * 0.5, 0.0, centre * 0.6], 0.012, LEAF);
     b.rod("stem", [back * 0.5, 0.0, centre * 0.6], [x * 0.55, 0.0, centre], 0.01, LEAF);
+    let mound = x.min(y) * 0.95;
+    b.lathe("earth", [0.0; 3], &[(mound, 0.0), (mound * 0.6, 0.02), (0.0, 0.03)], SOIL);
     let petals = b.rng.count(13, 19);
     let core = r * b.vary(0.42, 0.55);
     for (layer, share) in [(0.0, 1.0), (0.5, 0.9)] {

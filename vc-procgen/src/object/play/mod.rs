@@ -14,6 +14,7 @@ mod vehicle;
 mod yard;
 mod yard_house;
 
+use super::rest::settled;
 use super::{Generator, indoor, outdoor};
 
 pub(super) const GENERATORS: &[Generator] = &[
@@ -49,7 +50,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("toy_phone", 2, small::phone),
     indoor("toy_tea_set", 2, small::tea_set),
     indoor("toy_tool_set", 2, small::tool_set),
-    indoor("water_gun", 2, small::water_gun),
+    indoor("water_gun", 2, |b| settled(b, small::water_gun)),
     indoor("bubble_wand", 1, small::bubble_wand),
     indoor("kite", 2, small::kite),
     indoor("sand_bucket", 2, small::bucket),

@@ -64,6 +64,7 @@ pub(super) fn rattle(b: &mut Build<'_>) {
 pub(super) fn duck(b: &mut Build<'_>) {
     let coat = b.one(&[YELLOW_PLASTIC, YELLOW_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC]);
     b.blob("body", [-0.1, 0.0, 0.28], [0.85, 0.98, 0.28], coat);
+    b.pad("base", [-0.5, -0.42, 0.0], [0.35, 0.42, 0.08], 0.002, coat);
     b.chunk("tail", &[[-0.6, 0.4, 0.3], [-0.6, -0.4, 0.3], [-0.7, 0.0, 0.15], [-1.0, 0.0, 0.56]], coat);
     b.blob("head", [0.35, 0.0, 0.74], [0.46, 0.52, 0.26], coat);
     b.blob("bill", [0.83, 0.0, 0.68], [0.17, 0.26, 0.05], ORANGE_PLASTIC);
@@ -232,7 +233,7 @@ pub(super) fn kite(b: &mut Build<'_>) {
     for (i, at) in tail.iter().enumerate().skip(1) {
         b.blob("bow", [0.0, at[1], at[2] + 0.005], [0.4, 0.07, 0.013], CLOTHS[i]);
     }
-    b.blob("reel", [0.55, 0.0, 0.03], [0.44, 0.07, 0.03], b.style.wood);
+    b.pad("reel", [-0.5, -0.07, 0.0], [0.5, 0.07, 0.05], 0.01, b.style.wood);
 }
 
 /// A bucket for sand with a handle.

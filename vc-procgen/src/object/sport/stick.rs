@@ -180,8 +180,9 @@ pub(super) fn golf_bag(b: &mut Build<'_>) {
         trim,
     );
     let front = (at[0] + r * 0.6) / b.size.x * 2.0;
-    b.pad("pocket", [front, -0.55, 0.06], [0.98, 0.55, 0.3], 0.03, trim);
-    b.pad("pocket", [front, -0.5, 0.36], [0.8, 0.5, 0.58], 0.03, cloth);
+    let deep = (0.98 - front).min(r * 1.6 / b.size.x * 2.0);
+    b.pad("pocket", [front, -0.55, 0.002], [front + deep, 0.55, 0.3], 0.03, trim);
+    b.pad("pocket", [front, -0.5, 0.36], [front + deep * 0.7, 0.5, 0.58], 0.03, cloth);
     let ax = at[0] / b.size.x * 2.0;
     let (near, far) = (1.8 * r / b.size.y, 2.26 * r / b.size.y);
     let strap = [[ax, near, 0.3], [ax, far, 0.42], [ax, far, 0.56], [ax, near, 0.66]];

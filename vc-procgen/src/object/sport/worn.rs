@@ -61,7 +61,7 @@ pub(super) fn ankle_weights(b: &mut Build<'_>) {
     for y in SIDES {
         let (low, high) = (y * 0.52 - 0.44, y * 0.52 + 0.44);
         for i in 0..5 {
-            let z = 0.02 + 0.194 * i as f32;
+            let z = 0.005 + 0.197 * i as f32;
             b.pad("pouch", [-0.9, low, z], [0.5, high, z + 0.185], 0.012, cloth);
         }
         b.slab("back", [-0.98, low + 0.02, 0.0], [-0.6, high - 0.02, 1.0], strap);

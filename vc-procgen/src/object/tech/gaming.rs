@@ -205,13 +205,13 @@ pub(super) fn racing_wheel(b: &mut Build<'_>) {
 pub(super) fn virtual_headset(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
-    let deep = (2.0 * x * 0.5).min(0.11);
+    let deep = x.min(0.11_f32.max(x * 0.6));
     let (back, tall) = (x - deep, h * 0.62);
-    b.soft("visor", [back + deep * 0.25, -y * 0.96, 0.0], [x, y * 0.96, tall], tall * 0.3, body);
+    b.soft("visor", [back + deep * 0.25, -y * 0.96, 0.0], [x, y * 0.96, tall], (tall * 0.3).min(deep * 0.2), body);
     b.block("plate", [x - deep * 0.1, -y * 0.6, tall * 0.25], [x + 0.0006, y * 0.6, tall * 0.75], BLACK_GLASS);
     b.soft(
         "cushion",
-        [back, -y * 0.85, tall * 0.06],
+        [back, -y * 0.85, tall * 0.01],
         [back + deep * 0.35, y * 0.85, tall * 0.95],
         tall * 0.25,
         BLACK_FABRIC,

@@ -52,7 +52,7 @@ pub(super) fn folded(b: &mut Build<'_>, name: &str, fold: Fold, mat: Mat) {
             let r = round * size;
             let front = high[0] - r.min(depth * 0.4);
             let turn = form::arc(Axis::Y, [front, y, z], (r.min(depth * 0.4), r), (-1.57, 1.57), 6);
-            let mut ring = vec![[low[0] + back, y, z + r * 0.9], [low[0] + back, y, z - r * 0.9]];
+            let mut ring = vec![[low[0] + back, y, z + r], [low[0] + back, y, z - r]];
             ring.extend(turn);
             ring
         };

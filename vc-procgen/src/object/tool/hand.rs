@@ -179,10 +179,10 @@ pub(super) fn saw(b: &mut Build<'_>) {
     let wood = b.one(&[BEECH, OAK, RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]);
     let grip = -y + y * 0.5;
     let teeth = 26;
-    let mut blade = vec![(grip - y * 0.05, h * 0.92), (y, h * 0.62), (y, h * 0.4)];
+    let mut blade = vec![(grip - y * 0.05, h * 0.92), (y, h * 0.4), (y, h * 0.12)];
     for i in 0..=teeth * 2 {
         let t = 1.0 - i as f32 / (teeth * 2) as f32;
-        let base = h * (0.1 + 0.26 * t);
+        let base = h * (0.1 - 0.05 * t);
         blade.push((grip + (y - grip) * t * 0.995, base - if i % 2 == 0 { 0.0 } else { h * 0.05 }));
     }
     let thin = (x * 0.15).min(0.0015);
@@ -209,8 +209,8 @@ pub(super) fn knife(b: &mut Build<'_>) {
     let body = [
         (-y, h * 0.15),
         (-y * 0.9, 0.0),
-        (y * 0.5, h * 0.1),
-        (y * 0.8, h * 0.35),
+        (y * 0.6, 0.0),
+        (y * 0.8, h * 0.3),
         (y * 0.8, h * 0.75),
         (-y * 0.8, h),
         (-y, h * 0.7),

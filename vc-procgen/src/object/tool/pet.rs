@@ -96,7 +96,8 @@ fn standing(b: &mut Build<'_>, beast: &Beast, (coat, trim): (Mat, Mat)) {
         let foot = [x * (px + step), py, h * 0.03];
         let hip = [x * px, py * 0.9, h * mid];
         let bend = [x * (px + knee + step), py, h * belly * 0.5];
-        legs.tapered(&[hip, bend, foot], |t| y * leg * (1.35 - 0.5 * t));
+        let ankle = [foot[0], py, h * 0.08];
+        legs.tapered(&[hip, bend, ankle, foot], |t| y * leg * (1.35 - 0.5 * t));
         paws.egg([foot[0] + y * leg * 0.4, py, h * 0.03], [y * leg * 1.3, y * leg * 1.05, h * 0.03]);
     }
     let way: Vec<P> = [(-0.8, back - 0.1)].iter().chain(&beast.tail).map(|&(t, z)| [x * t, 0.0, h * z]).collect();
@@ -242,7 +243,7 @@ pub(super) fn goldfish(b: &mut Build<'_>) {
         "fin",
         Axis::Y,
         [0.0, -thin * 0.8, 0.0],
-        &fin(&[(0.3, 0.2), (0.1, 0.0), (-0.15, 0.06), (-0.05, 0.26)]),
+        &fin(&[(0.6, 0.2), (0.5, 0.0), (0.05, 0.0), (-0.15, 0.06), (-0.05, 0.26)]),
         1.6 * thin,
         scales,
     );
@@ -319,7 +320,7 @@ pub(in crate::object) fn bird(b: &mut Build<'_>, at: P, high: f32, (body, wing, 
     hook.tapered(&spline(&bill, 3), |t| x.min(y) * 0.24 * (1.02 - t));
     for side in [-1.0, 1.0] {
         hook.tapered(&[on(0.15, side * 0.35, 0.3), on(0.2, side * 0.35, 0.05)], |_| x.min(y) * 0.09);
-        hook.egg(on(0.3, side * 0.35, 0.02), [x * 0.25, y * 0.14, high * 0.02]);
+        hook.egg(on(0.15, side * 0.35, 0.02), [x * 0.4, y * 0.14, high * 0.02]);
     }
     hook.put(b, "beak", beak);
     let mut eyes = Shell::default();

@@ -2,6 +2,7 @@
 
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, tube};
+use super::workshop::risen;
 use crate::material::*;
 use vc_graph::portable::Portable;
 
@@ -157,7 +158,7 @@ pub(super) fn leash(b: &mut Build<'_>) {
             let t = i as f32 / count as f32;
             let (s, c) = (t * turns * std::f32::consts::TAU).sine_cosine();
             let shrink = 1.0 - 0.15 * t;
-            [(x - r) * c * shrink, (y - r) * s * shrink, r + (h - 2.0 * r) * t]
+            [(x - r) * c * shrink, (y - r) * s * shrink, r + (h - 2.0 * r) * risen(t, turns)]
         })
         .chain([[x * 0.35, 0.0, h - r]])
         .collect();

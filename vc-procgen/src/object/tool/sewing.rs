@@ -108,7 +108,7 @@ pub(super) fn yarn(b: &mut Build<'_>) {
     }
     strands.put(b, "strand", colour);
     if b.rng.chance(0.5) && y > r * 1.1 {
-        let tip = [0.0, y - thick, thick];
+        let tip = [0.0, (y - thick).min(r * 1.8), thick];
         tube(b, "end", &[[0.0, r * 0.5, h * 0.2], [r * 0.2, r * 0.95, thick], tip], thick, colour);
     }
 }

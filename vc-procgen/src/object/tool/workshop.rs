@@ -108,6 +108,12 @@ pub(super) fn paint_can(b: &mut Build<'_>) {
     tube(b, "bail", &bail, ear * 0.35, STEEL);
 }
 
+/// How high a coil has risen of one after a part of its turns: the first lies on the
+/// ground.
+pub(super) fn risen(t: f32, turns: f32) -> f32 {
+    ((t * turns - 0.8) / (turns - 0.8).max(0.1)).clamp(0.0, 1.0)
+}
+
 /// A coil of rope.
 pub(super) fn rope(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
@@ -119,7 +125,7 @@ pub(super) fn rope(b: &mut Build<'_>) {
             let t = i as f32 / (turns * 20.0);
             let (s, c) = (t * turns * std::f32::consts::TAU).sine_cosine();
             let wobble = 0.92 + 0.06 * (t * 40.0).sine();
-            [(x - r) * c * wobble, (y - r) * s * wobble, r + (h - 2.0 * r) * t]
+            [(x - r) * c * wobble, (y - r) * s * wobble, r + (h - 2.0 * r) * risen(t, turns)]
         })
         .collect();
     tube(b, "rope", &coil, r, mat);

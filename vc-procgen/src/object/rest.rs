@@ -1,0 +1,128 @@
+//! How things come to rest: what was built about as it lies is turned until it lies as
+//! it would fall, its middle of mass above what touches the ground.
+
+use std::f32::consts::TAU;
+
+use nalgebra::{Isometry3, Point3, Quaternion, UnitQuaternion, Vector2, Vector3};
+use vc_graph::asset::{Joint, JointKind, Part};
+use vc_graph::portable::Portable;
+use vc_graph::{Asset, Pose};
+
+use super::build::Build;
+
+/// Turns until it rests: round things roll in many.
+const STEPS: usize = 120;
+
+/// Ways it may fall.
+const WAYS: usize = 64;
+
+/// Makes an object and lets it fall; where it then needs more room than it has, it is
+/// made smaller.
+pub(super) fn settled(b: &mut Build<'_>, make: fn(&mut Build<'_>)) {
+    const TRIES: usize = 4;
+    let (room, rng) = (b.size, b.rng.clone());
+    for _ in 1..TRIES {
+        make(b);
+        settle(b.asset());
+        let over = extent(b.asset()).component_div(&room).map(|k| k.max(1.0));
+        if over.add_scalar(-1.0).component_mul(&room).max() < 5e-4 {
+            return;
+        }
+        b.asset().parts.clear();
+        b.asset().surfaces.clear();
+        (b.size, b.rng) = (b.size.component_div(&over), rng.clone());
+    }
+    make(b);
+    settle(b.asset());
+}
+
+/// Depth, width and height of all parts.
+fn extent(asset: &Asset) -> Vector3<f32> {
+    let both = asset.parts.iter().map(Part::extent).reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)));
+    both.map_or_else(Vector3::zeros, |(low, high)| high - low)
+}
+
+/// Lets an asset fall on the ground below it.
+fn settle(asset: &mut Asset) {
+    let mut body = Body::new(asset);
+    let mut turned = Pose::identity();
+    for _ in 0..STEPS {
+        let Some(fall) = body.fall() else { break };
+        body.corners.iter_mut().for_each(|p| *p = fall * *p);
+        body.middle = fall * body.middle;
+        turned = fall * turned;
+    }
+    if turned == Pose::identity() {
+        return;
+    }
+    for part in &mut asset.parts {
+        part.pose = turned * part.pose;
+        turn_joint(&mut part.joint, &turned);
+    }
+    for surface in &mut asset.surfaces {
+        surface.centre = turned * surface.centre;
+        turn_joint(&mut surface.joint, &turned);
+    }
+}
+
+fn turn_joint(joint: &mut Option<Joint>, turned: &Pose) {
+    if let Some(joint) = joint {
+        joint.axis = turned * joint.axis;
+        if joint.kind == JointKind::Hinge {
+            joint.anchor = turned * joint.anchor;
+        }
+    }
+}
+
+/// An asset as what can touch the ground, and its middle of mass.
+struct Body {
+    corners: Vec<Point3<f32>>,
+    middle: Point3<f32>,
+    /// How far from the ground a corner still touches it.
+    slack: f32,
+}
+
+impl Body {
+    fn new(asset: &Asset) -> Self {
+        let size = extent(asset).max();
+        let (mut corners, mut sum, mut all) = (Vec::new(), Vector3::zeros(), 0.0);
+        for part in &asset.parts {
+            let mesh = part.shape.mesh((size * 0.004).max(1e-5));
+            let from = corners.len();
+            corners.extend(mesh.positions.iter().map(|p| part.pose * p));
+            for [a, b, c] in mesh.triangles.iter().map(|t| t.map(|v| corners[from + v as usize].coords)) {
+                let volume = a.dot(&b.cross(&c));
+                sum += (a + b + c) / 4.0 * volume;
+                all += volume;
+            }
+        }
+        let middle = if all > 0.0 { Point3::from(sum / all) } else { Point3::origin() };
+        Self { corners, middle, slack: (size * 0.008).clamp(2e-4, 2e-3) }
+    }
+
+    /// The turn by which it falls until something more touches the ground; `None` where
+    /// it rests.
+    fn fall(&self) -> Option<Pose> {
+        let low = self.corners.iter().map(|p| p.z).fold(f32::INFINITY, f32::min);
+        let aside = |p: &Point3<f32>| p.xy() - self.middle.xy();
+        let feet: Vec<Vector2<f32>> = self.corners.iter().filter(|p| p.z <= low + self.slack).map(aside).collect();
+        let ways = (0..WAYS).map(|i| {
+            let (s, c) = (TAU * i as f32 / WAYS as f32).sine_cosine();
+            Vector2::new(c, s)
+        });
+        let reach = |way: Vector2<f32>| feet.iter().map(|p| p.dot(&way)).fold(f32::NEG_INFINITY, f32::max);
+        let (way, edge) = ways.map(|way| (way, reach(way))).min_by(|a, b| a.1.total_cmp(&b.1))?;
+        if edge >= 0.0 {
+            return None;
+        }
+        let lowers = |p: &Point3<f32>| {
+            let (out, up) = (aside(p).dot(&way) - edge, p.z - low);
+            (out > 0.0 && up > self.slack).then(|| up.angle_to(out))
+        };
+        let angle = self.corners.iter().filter_map(lowers).min_by(f32::total_cmp)?;
+        let (s, c) = (angle * 0.5).sine_cosine();
+        let turn = UnitQuaternion::new_normalize(Quaternion::new(c, -way.y * s, way.x * s, 0.0));
+        let pivot = Point3::new(self.middle.x + way.x * edge, self.middle.y + way.y * edge, low);
+        Some(Isometry3::rotation_wrt_point(turn, pivot))
+    }
+}
