@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use nalgebra::Translation3;
 use vc_graph::asset::{Hold, Surface};
+use vc_graph::portable::Portable;
 use vc_graph::{Pose, Seed, State, Stream};
 
 use crate::apartment::Apartment;
 use crate::furnish::{Area, Item, Rest, standing};
 use crate::object::{self, Draft, Object};
-use vc_graph::portable::Portable;
 
 /// Gap between things, and from a surface's edge, metres.
 const GAP: f32 = 0.004;

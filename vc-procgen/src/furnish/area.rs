@@ -1,7 +1,8 @@
 //! Rectangles on the floor in metres, and the four ways to face.
 
-use crate::plan::{Rect, metres};
 use vc_graph::portable::Portable;
+
+use crate::plan::{Rect, metres};
 
 /// A rectangle on the floor, metres.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -5,12 +5,12 @@ use std::ops::Range;
 
 use nalgebra::{Matrix4, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Hold, JointKind};
+use vc_graph::portable::Portable;
 
 use super::GltfError;
 use super::access::Elements;
 use super::document::{Document, Node, Primitive};
 use super::note::{JointNote, NodeNote, SurfaceNote, noted};
-use vc_graph::portable::Portable;
 
 /// Most triangles that are read.
 const MOST: usize = 10_000_000;

@@ -5,9 +5,9 @@ use std::fmt::Write;
 use font8x8::legacy::LATIN_LEGACY;
 use font8x8::{BASIC_FONTS, UnicodeFonts};
 use tiny_skia::{FillRule, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
+use vc_graph::portable::Portable;
 
 use super::image::{Image, PictureError};
-use vc_graph::portable::Portable;
 
 /// A place in a drawing: x to the right, y up, in the drawing's own unit.
 pub type Point = [f32; 2];

@@ -2,13 +2,14 @@
 
 use std::f32::consts::{PI, TAU};
 
+use vc_graph::portable::Portable;
+
 use super::canvas::{Anchor, Canvas, Colour, Ink, Point};
 use super::top;
 use crate::apartment::Apartment;
 use crate::furnish::Area;
 use crate::plan::{Opening, OpeningKind, Plan, Rect, Room, RoomKind, Scheme, metres};
 use crate::reach::doorway;
-use vc_graph::portable::Portable;
 
 /// White space around the building, metres.
 const MARGIN: f32 = 0.7;

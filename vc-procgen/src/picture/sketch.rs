@@ -2,11 +2,11 @@
 
 use nalgebra::{Point3, Unit, Vector3};
 use vc_graph::asset::{Joint, Material};
+use vc_graph::portable::Portable;
 use vc_graph::{Asset, AssetLibrary, Pose};
 
 use super::canvas::encoded;
 use super::image::Image;
-use vc_graph::portable::Portable;
 
 type V = Vector3<f32>;
 

@@ -5,12 +5,12 @@ use std::f32::consts::TAU;
 use nalgebra::{Point3, Vector3};
 use vc_graph::Pose;
 use vc_graph::asset::{Part, Shape};
+use vc_graph::portable::Portable;
 
 use super::canvas::{Canvas, Colour, Ink, Point};
 use crate::apartment::Apartment;
 use crate::furnish::{Area, Item, Rest};
 use crate::material::{self, Family};
-use vc_graph::portable::Portable;
 
 /// Objects whose base is higher hang over the floor: dashed, metres.
 const OVERHEAD: f32 = 1.3;

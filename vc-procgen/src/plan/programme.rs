@@ -1,11 +1,11 @@
 //! Which rooms an apartment shall have, how large, and how they shall lie.
 
+use vc_graph::portable::Portable;
 use vc_graph::{Seed, Stream};
 
 use super::{RoomKind, Scheme, Topology};
 use crate::Specification;
 use crate::error::Impossible;
-use vc_graph::portable::Portable;
 
 /// A room wished for.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,10 +7,10 @@
 //! and the first is taken whose rooms meet as the programme says.
 
 use vc_graph::Stream;
+use vc_graph::portable::Portable;
 
 use super::programme::{Programme, Wish};
 use super::{Layout, Rect, Room, RoomKind, Scheme, Topology, cells};
-use vc_graph::portable::Portable;
 
 /// Candidates drawn before a scheme is given up.
 const TRIES: usize = 300;

@@ -1,10 +1,10 @@
 //! One main room; bathroom, stores and the entrance along the landing.
 
 use vc_graph::Stream;
+use vc_graph::portable::Portable;
 
 use super::programme::Programme;
 use super::{Layout, Rect, Room, RoomKind};
-use vc_graph::portable::Portable;
 
 /// Lays out a studio: service rooms side by side at the north wall, the main room
 /// around them.

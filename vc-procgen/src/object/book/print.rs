@@ -2,12 +2,13 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
 use super::super::textile::form::{blocks, facing, lying, room, sheet};
 use super::title::entitle;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A magazine: glossy cover with picture, masthead and lines.
 pub(super) fn magazine(b: &mut Build<'_>) {

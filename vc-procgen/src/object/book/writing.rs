@@ -2,10 +2,11 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, hoop, longwise, ngon, room, spline, tube};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// Pens, pencils, markers and brushes: shafts with a tip, along their longest side.
 pub(super) fn stick(b: &mut Build<'_>) {

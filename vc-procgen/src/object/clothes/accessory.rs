@@ -2,11 +2,12 @@
 
 use std::f32::consts::PI;
 
+use vc_graph::portable::Portable;
+
 use super::super::book::desk::tub;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, facing, hoop, longwise, mix, oval, room, sheet, spline, tube};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// The hook of a hanger whose top is the top of the size; gives how high its
 /// shoulders are, `least` at least.

@@ -1,11 +1,12 @@
 //! Shirts, coats and dresses: hanging on a hanger or by their loop, or folded.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, hoop, loft, oval, room, spline, tube};
 use super::super::textile::{Fold, folded};
 use super::accessory::hook;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// How a garment is cut, in shares of the half width and the height below the hook.
 struct Cut {

@@ -1,9 +1,10 @@
 //! Shoes, in pairs, toes to the front.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, loft, oval, room, spline};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// One shoe: where its middle is across, half length and half width, height.
 #[derive(Clone, Copy)]

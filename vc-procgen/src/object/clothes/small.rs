@@ -2,11 +2,12 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, facing, hoop, oval, room, spline, tube};
 use super::super::textile::{Fold, folded};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 const COLOURS: [Mat; 10] = [
     RED_FABRIC,

@@ -1,12 +1,12 @@
 //! Fridges, freezers and what professional kitchens cool with.
 
 use vc_graph::asset::JointKind;
+use vc_graph::portable::Portable;
 
 use super::fitting::*;
 use super::heat::{foot_row, glass_door};
 use crate::material::*;
 use crate::object::build::{Build, P};
-use vc_graph::portable::Portable;
 
 /// What is behind a door.
 #[derive(Debug, Clone, Copy)]

@@ -7,11 +7,11 @@
 use std::f32::consts::FRAC_PI_2;
 
 use vc_graph::asset::JointKind;
+use vc_graph::portable::Portable;
 
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{Handle, handle};
-use vc_graph::portable::Portable;
 
 /// Half depth, half width and height of what is asked for.
 pub(in crate::object) fn spans(b: &Build<'_>) -> (f32, f32, f32) {

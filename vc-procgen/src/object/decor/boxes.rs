@@ -2,11 +2,12 @@
 
 use std::f32::consts::PI;
 
+use vc_graph::portable::Portable;
+
 use super::super::book::desk::tub;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, spline};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A carton whose four flaps open outwards; taped, with marks printed on it.
 pub(super) fn carton(b: &mut Build<'_>) {

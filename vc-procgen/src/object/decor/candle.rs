@@ -2,10 +2,11 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, oval, room, spline};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 const WAXES: [Mat; 7] = [WAX, WHITE_PLASTIC, RED_GLAZE, WAX, PINK_PLASTIC, SAGE, NAVY];
 

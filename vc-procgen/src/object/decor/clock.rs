@@ -2,10 +2,11 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, hoop, ngon, oval, room, tube};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A dial that faces +X: plate, marks and hands. It stands out by `depth`.
 pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats: (Mat, Mat)) {

@@ -1,10 +1,11 @@
 //! Framed and unframed pictures, on the wall or on a shelf.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{blocks, facing, sheet};
 use super::picture::{Canvas, Inks, motif};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A frame around a picture; on a shelf it leans on a strut, if its size is deep.
 pub(super) fn frame(b: &mut Build<'_>) {

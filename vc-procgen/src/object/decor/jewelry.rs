@@ -2,11 +2,12 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, hoop, ngon, oval, room};
 use super::clock::{dial, digits};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 const GEMS: [Mat; 5] = [CLEAR_PLASTIC, RED_GLAZE, BLUE_GLAZE, GREEN_GLAZE, PORCELAIN];
 

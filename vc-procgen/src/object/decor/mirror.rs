@@ -1,9 +1,10 @@
 //! Mirrors for walls, floors and hands.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{blocks, facing, hoop, ngon, oval, room, tube};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A wall mirror: rectangular, round, arched or with lights.
 pub(super) fn wall(b: &mut Build<'_>) {

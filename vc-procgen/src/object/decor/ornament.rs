@@ -2,11 +2,12 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, mix, ngon, oval, room, spline, tube};
 use super::super::tool::pet;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A sculpture: a bust, a knot of rings, a twisted column, stacked stones, a
 /// standing figure or an abstract loop.

@@ -1,9 +1,10 @@
 //! Vases and what stands in the middle of tables.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, hoop, loft, mix, oval, room, spline};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 const GLAZES: [Mat; 13] = [
     PORCELAIN,

@@ -2,13 +2,14 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{
     boulder, dims, hoop, level, loft, lump, oval, rounded, shell, spun, sweep, tube, turn,
 };
 use super::fruit::berry;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// The section of a loaf: flat below, round above.
 const SLICE: [(f32, f32); 12] = [

@@ -2,13 +2,14 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{
     dims, ear, level, loft, lump, oval, rounded, shell, spun, sweep, tub, tube, turn,
 };
 use super::fruit::berry;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A plate that fills the plan, and the height of its floor.
 fn plate(b: &mut Build<'_>, z: f32) -> f32 {

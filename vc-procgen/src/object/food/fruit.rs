@@ -2,10 +2,11 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Build, P};
 use super::super::kitchenware::form::{boulder, dims, loft, lump, spun, sweep, tube};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 type Profile = &'static [(f32, f32)];
 

@@ -1,9 +1,10 @@
 //! Meat, fish, cheese and what else comes in slabs and slices.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{boulder, dims, loft, lump, rounded, spun, sweep, tub, tube};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// An irregular slab: an outline with its edges rounded.
 fn slab(b: &mut Build<'_>, name: &str, outline: &[(f32, f32)], centre: P, half: P, mat: Mat) {

@@ -2,11 +2,12 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Build, P};
 use super::super::kitchenware::form::{dims, lump, spun, sweep, tube, turn};
 use super::fruit::berry;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// Broccoli and cauliflower: florets on a stem.
 pub(super) fn florets(b: &mut Build<'_>) {

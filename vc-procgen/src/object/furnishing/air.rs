@@ -1,9 +1,10 @@
 //! What moves, cools, cleans and wets the air.
 
+use vc_graph::portable::Portable;
+
 use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::cooker::fitting::*;
-use vc_graph::portable::Portable;
 
 /// Sine and cosine of a place on a circle.
 fn turn(i: usize, count: usize) -> (f32, f32) {

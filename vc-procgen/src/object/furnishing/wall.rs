@@ -1,9 +1,10 @@
 //! Small devices on walls and ceilings.
 
+use vc_graph::portable::Portable;
+
 use crate::material::*;
 use crate::object::build::Build;
 use crate::object::cooker::fitting::*;
-use vc_graph::portable::Portable;
 
 /// A round dial or a square plate with a figure.
 pub(super) fn thermostat(b: &mut Build<'_>) {

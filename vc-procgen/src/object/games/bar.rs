@@ -2,11 +2,12 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Build, P};
 use super::super::play::kit::{SIDES, Scaled};
 use super::super::textile::form::{self, Shell};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A dartboard: twenty sectors with double and triple fields around a bull.
 pub(super) fn dartboard(b: &mut Build<'_>) {

@@ -1,10 +1,11 @@
 //! Cups, glasses, jugs and bottles.
 
+use vc_graph::portable::Portable;
+
 use super::dishes::KNOB;
 use super::form::{arch, dims, ear, hoop, sweep, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::Build;
-use vc_graph::portable::Portable;
 
 /// Glaze and paint of mugs.
 const COLOURS: [Mat; 9] =

@@ -1,9 +1,10 @@
 //! Cutlery and knives: they lie flat along Y, their grip at the low end.
 
+use vc_graph::portable::Portable;
+
 use super::form::{dims, loft, oval, sweep, turn};
 use crate::material::*;
 use crate::object::build::{Axis, Build};
-use vc_graph::portable::Portable;
 
 const ACROSS: [f32; 3] = [1.0, 0.0, 0.0];
 

@@ -1,9 +1,10 @@
 //! Plates, bowls and what stands with them on a table.
 
+use vc_graph::portable::Portable;
+
 use super::form::{arch, dims, ear, hoop, level, loft, shell, tub, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::Build;
-use vc_graph::portable::Portable;
 
 /// Plates and saucers: with a rim, without one, square; some with a ring of colour.
 pub(super) fn plate(b: &mut Build<'_>) {

@@ -3,10 +3,10 @@
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
+use vc_graph::portable::Portable;
 
 use super::super::build::{Build, P};
 use crate::material::Mat;
-use vc_graph::portable::Portable;
 
 /// Points around a bent or oval thing; a multiple of four, and enough to look round.
 const SIDES: usize = 12;

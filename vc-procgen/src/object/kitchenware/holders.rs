@@ -2,11 +2,12 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::dishes::KNOB;
 use super::form::{arch, dims, hoop, level, loft, rounded, tub, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::{Axis, Build};
-use vc_graph::portable::Portable;
 
 /// A slanted block of wood with knives in it.
 pub(super) fn knife_block(b: &mut Build<'_>) {

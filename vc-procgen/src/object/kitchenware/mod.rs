@@ -3,10 +3,12 @@
 mod cloths;
 mod cups;
 mod cutlery;
+mod cutters;
 mod dishes;
 pub(super) mod form;
 pub(super) mod holders;
 mod pots;
+mod prep;
 mod utensils;
 
 use super::rest::settled;
@@ -86,34 +88,34 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("skimmer", 2, |b| settled(b, utensils::ladle)),
     indoor("whisk", 2, |b| settled(b, utensils::whisk)),
     indoor("kitchen_tongs", 2, |b| settled(b, utensils::kitchen_tongs)),
-    indoor("grater", 2, utensils::grater),
-    indoor("zester", 2, |b| settled(b, utensils::grater)),
-    indoor("mandoline", 2, utensils::mandoline),
-    indoor("peeler", 3, |b| settled(b, utensils::peeler)),
-    indoor("can_opener", 2, |b| settled(b, utensils::levers)),
-    indoor("garlic_press", 2, |b| settled(b, utensils::levers)),
-    indoor("kitchen_scissors", 2, utensils::levers),
-    indoor("bottle_opener", 2, |b| settled(b, utensils::bottle_opener)),
-    indoor("corkscrew", 2, |b| settled(b, utensils::corkscrew)),
+    indoor("grater", 2, cutters::grater),
+    indoor("zester", 2, |b| settled(b, cutters::grater)),
+    indoor("mandoline", 2, cutters::mandoline),
+    indoor("peeler", 3, |b| settled(b, cutters::peeler)),
+    indoor("can_opener", 2, |b| settled(b, cutters::levers)),
+    indoor("garlic_press", 2, |b| settled(b, cutters::levers)),
+    indoor("kitchen_scissors", 2, cutters::levers),
+    indoor("bottle_opener", 2, |b| settled(b, cutters::bottle_opener)),
+    indoor("corkscrew", 2, |b| settled(b, cutters::corkscrew)),
     indoor("potato_masher", 2, |b| settled(b, utensils::potato_masher)),
-    indoor("pizza_cutter", 2, |b| settled(b, utensils::pizza_cutter)),
+    indoor("pizza_cutter", 2, |b| settled(b, cutters::pizza_cutter)),
     indoor("rolling_pin", 2, utensils::rolling_pin),
     indoor("pastry_brush", 2, utensils::pastry_brush),
-    indoor("cookie_cutter", 3, utensils::cookie_cutter),
-    indoor("piping_bag", 1, utensils::piping_bag),
-    indoor("measuring_cup", 2, utensils::measuring_cup),
-    indoor("measuring_spoon", 2, |b| settled(b, utensils::measuring_spoon)),
-    indoor("colander", 2, utensils::colander),
-    indoor("sieve", 2, |b| settled(b, utensils::sieve)),
-    indoor("tea_strainer", 2, |b| settled(b, utensils::sieve)),
-    indoor("funnel", 2, utensils::funnel),
-    indoor("salad_spinner", 2, utensils::salad_spinner),
-    indoor("cutting_board", 5, utensils::cutting_board),
-    indoor("knife_sharpener", 2, |b| settled(b, utensils::knife_sharpener)),
-    indoor("kitchen_timer", 2, utensils::kitchen_timer),
-    indoor("meat_thermometer", 2, |b| settled(b, utensils::meat_thermometer)),
-    indoor("ice_bucket", 2, utensils::ice_bucket),
-    indoor("ice_cube_tray", 2, utensils::ice_cube_tray),
+    indoor("cookie_cutter", 3, cutters::cookie_cutter),
+    indoor("piping_bag", 1, prep::piping_bag),
+    indoor("measuring_cup", 2, prep::measuring_cup),
+    indoor("measuring_spoon", 2, |b| settled(b, prep::measuring_spoon)),
+    indoor("colander", 2, prep::colander),
+    indoor("sieve", 2, |b| settled(b, prep::sieve)),
+    indoor("tea_strainer", 2, |b| settled(b, prep::sieve)),
+    indoor("funnel", 2, prep::funnel),
+    indoor("salad_spinner", 2, prep::salad_spinner),
+    indoor("cutting_board", 5, cutters::cutting_board),
+    indoor("knife_sharpener", 2, |b| settled(b, cutters::knife_sharpener)),
+    indoor("kitchen_timer", 2, prep::kitchen_timer),
+    indoor("meat_thermometer", 2, |b| settled(b, prep::meat_thermometer)),
+    indoor("ice_bucket", 2, prep::ice_bucket),
+    indoor("ice_cube_tray", 2, prep::ice_cube_tray),
     indoor("knife_block", 2, holders::knife_block),
     indoor("utensil_holder", 2, holders::utensil_holder),
     indoor("cutlery_tray", 2, holders::cutlery_tray),

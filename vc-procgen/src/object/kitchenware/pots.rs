@@ -2,11 +2,12 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::dishes::KNOB;
 use super::form::{arch, dims, hoop, shell, sweep, tub, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::Build;
-use vc_graph::portable::Portable;
 
 /// A loop to grip at the Y side of a round wall, level at height `z`.
 fn loop_grip(b: &mut Build<'_>, side: f32, (wall, reach): (f32, f32), z: f32, width: f32, radius: f32, mat: Mat) {

@@ -1,10 +1,11 @@
 //! Lamps on ceilings and walls.
 
+use vc_graph::portable::Portable;
+
 use super::{bulb, shade, shade_at, shade_mat, stand_mat};
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::cooker::fitting::*;
-use vc_graph::portable::Portable;
 
 /// Flat under the ceiling: a bowl of glass, a drum, a plate of light, or spots.
 pub(super) fn ceiling_lamp(b: &mut Build<'_>) {

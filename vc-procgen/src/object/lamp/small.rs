@@ -1,9 +1,10 @@
 //! Bulbs, torches, night lights, strings of lights.
 
+use vc_graph::portable::Portable;
+
 use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::cooker::fitting::*;
-use vc_graph::portable::Portable;
 
 /// Something soft that glows: a moon, a mushroom, a cube, a cat's ears.
 pub(super) fn night_light(b: &mut Build<'_>) {

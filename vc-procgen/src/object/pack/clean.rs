@@ -3,6 +3,7 @@
 use std::f32::consts::{PI, TAU};
 
 use nalgebra::{Isometry3, Vector3};
+use vc_graph::portable::Portable;
 
 use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{dims, hoop, level, loft, lump, oval, rounded, sweep, tub, tube, turn, vessel};
@@ -10,7 +11,6 @@ use super::super::kitchenware::holders::bail;
 use super::label::{GROWTH, panel};
 use super::look::look;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 const BRIGHT: [Mat; 6] = [RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC];
 

@@ -3,13 +3,13 @@
 use std::f32::consts::FRAC_PI_2;
 
 use nalgebra::{Isometry3, Vector3};
+use vc_graph::portable::Portable;
 
 use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{arch, dims, level, loft, sweep, tub, tube, turn};
 use super::label::panel;
 use super::look::{Look, look};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// How far a panel stands out.
 const PANEL: f32 = 0.0019;

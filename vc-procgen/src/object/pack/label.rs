@@ -2,10 +2,11 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build};
 use super::super::kitchenware::form::hoop;
 use crate::material::Mat;
-use vc_graph::portable::Portable;
 
 /// How far a panel stands out, metres.
 const RAISED: f32 = 0.0007;

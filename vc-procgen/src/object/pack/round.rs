@@ -1,11 +1,12 @@
 //! Round packages: bottles, jars, cans, tubs and spray tins.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::Build;
 use super::super::kitchenware::form::{dims, hoop, shell, turn};
 use super::label::{GROWTH, wrap};
 use super::look::{Look, look};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// Outlines of bottles without caps, in parts of radius and height, and where their
 /// label is.

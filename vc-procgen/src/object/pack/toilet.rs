@@ -1,5 +1,7 @@
 //! Toiletries that are things of their own: brushes, soap, razors, paper, cosmetics.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{
     arch, dims, hoop, level, loft, lump, oval, rounded, shell, sweep, tub, tube, turn,
@@ -7,7 +9,6 @@ use super::super::kitchenware::form::{
 use super::label::{GROWTH, panel, wrap};
 use super::look::look;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 const BRIGHT: [Mat; 7] =
     [WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC, ORANGE_PLASTIC, RED_PLASTIC];

@@ -3,10 +3,10 @@
 use std::f32::consts::TAU;
 
 use nalgebra::Vector3;
+use vc_graph::portable::Portable;
 
 use crate::material::Mat;
 use crate::object::build::{Build, P};
-use vc_graph::portable::Portable;
 
 /// The point at an angle and a distance from the origin of a plane.
 pub(crate) fn polar(angle: f32, radius: f32) -> (f32, f32) {

@@ -2,10 +2,11 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::shape::{Sketch, blob, limb, polar, spaced};
 use crate::material::*;
 use crate::object::build::{Build, P};
-use vc_graph::portable::Portable;
 
 const PETALS: &[Mat] = &[PETAL_RED, PETAL_WHITE, PETAL_YELLOW, PETAL_PINK, PETAL_BLUE];
 

@@ -2,10 +2,11 @@
 
 use std::f32::consts::TAU;
 
+use vc_graph::portable::Portable;
+
 use super::shape::{Sketch, blob, limb, mix, polar};
 use crate::material::*;
 use crate::object::build::{Build, P};
-use vc_graph::portable::Portable;
 
 /// Outlines of crowns.
 #[derive(Clone, Copy)]

@@ -2,11 +2,12 @@
 
 use std::f32::consts::{PI, TAU};
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, hoop, mix, oval, room, spline};
 use super::pot;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// The room that leaves have: half depth and width, earth and top.
 #[derive(Clone, Copy)]

@@ -1,9 +1,10 @@
 //! Building toys: blocks, bricks, rings, sorters, runs and beads.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A little castle of wooden blocks: cubes, arches, pillars, roofs.
 pub(super) fn wooden(b: &mut Build<'_>) {

@@ -4,10 +4,10 @@
 use std::f32::consts::TAU;
 
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use vc_graph::portable::Portable;
 
 use super::super::build::{Axis, Build, P};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// Bright plastics.
 pub(in crate::object) const BRIGHT: &[Mat] =

@@ -1,9 +1,10 @@
 //! Strollers and prams.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A spoked or solid wheel that stands on the floor.
 fn wheel(b: &mut Build<'_>, (x, y): (f32, f32), (r, w): (f32, f32), spoked: bool) {

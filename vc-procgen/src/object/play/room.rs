@@ -2,10 +2,11 @@
 
 use std::f32::consts::FRAC_PI_2;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A dolls' house, open in front or closed by two wings, furnished.
 pub(super) fn dollhouse(b: &mut Build<'_>) {

@@ -1,9 +1,10 @@
 //! Small toys for the hand, the bath and the beach.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A top on its tip, leaning on nothing: a humming top or a plain one.
 pub(super) fn top(b: &mut Build<'_>) {

@@ -3,10 +3,11 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// Timber or painted tube of a frame, and how thick.
 fn framing(b: &mut Build<'_>) -> (Mat, f32) {

@@ -1,9 +1,10 @@
 //! Chairs on four legs.
 
+use vc_graph::portable::Portable;
+
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::table::frame::{Cut, Four, Lean, Row, at_least, leg, ribbon, shell};
-use vc_graph::portable::Portable;
 
 /// A chair in the making: half depth, half width, height, and what follows.
 pub(super) struct Chair {

@@ -2,10 +2,11 @@
 
 use std::f32::consts::{PI, TAU};
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// Radius and middle of the ball that fits the size.
 fn fit(b: &Build<'_>) -> (f32, P) {

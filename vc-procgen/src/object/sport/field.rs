@@ -1,9 +1,10 @@
 //! Goals, hoops and nets.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A net of cords over a four-cornered field, so many by so many; what it hangs from
 /// runs along the sides.

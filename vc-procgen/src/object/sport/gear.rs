@@ -2,10 +2,11 @@
 
 use std::f32::consts::PI;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A dumbbell: hexagonal heads, round ones, or plates on a bar, lying along Y.
 pub(super) fn dumbbell(b: &mut Build<'_>) {

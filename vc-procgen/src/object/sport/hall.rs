@@ -2,10 +2,11 @@
 
 use std::f32::consts::PI;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A bar for a doorway or on wall brackets.
 pub(super) fn pull_up_bar(b: &mut Build<'_>) {

@@ -1,9 +1,10 @@
 //! Rackets, bats, clubs and sticks.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A strung racket that stands on its grip: tennis, squash or badminton.
 pub(super) fn racket(b: &mut Build<'_>) {

@@ -1,10 +1,11 @@
 //! Boards and screens.
 
+use vc_graph::portable::Portable;
+
 use super::case::{Look, frame, panel};
 use crate::material::*;
 use crate::object::build::Build;
 use crate::object::table::frame::at_least;
-use vc_graph::portable::Portable;
 
 /// A screen of three or four leaves that stand in a zigzag.
 pub(super) fn room_divider(b: &mut Build<'_>) {

@@ -2,12 +2,13 @@
 
 use std::f32::consts::{FRAC_PI_4, FRAC_PI_8};
 
+use vc_graph::portable::Portable;
+
 use super::case::{Case, Cell};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{BOARD, Handle};
 use crate::object::table::frame::{Cut, at_least, baluster, leg};
-use vc_graph::portable::Portable;
 
 /// A bent hook that stands out from `x`, its tip turned up, and its surface.
 fn peg(b: &mut Build<'_>, index: usize, at: P, reach: f32, drop: f32, mat: Mat) {

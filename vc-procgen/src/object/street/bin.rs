@@ -2,10 +2,11 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
+use vc_graph::portable::Portable;
+
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, polar, spaced, tub};
-use vc_graph::portable::Portable;
 
 /// A wheelie bin: a tapered tub on two wheels under a hinged lid.
 pub(super) fn wheelie_bin(b: &mut Build<'_>) {

@@ -2,10 +2,11 @@
 
 use std::f32::consts::FRAC_PI_2;
 
+use vc_graph::portable::Portable;
+
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::park::shape::{grown, limb, spaced};
-use vc_graph::portable::Portable;
 
 /// Ways to fill the space between posts.
 #[derive(Clone, Copy, PartialEq)]

@@ -2,12 +2,13 @@
 
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
+use vc_graph::portable::Portable;
+
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, polar, polygon, spaced};
 
 use super::sign::poster;
-use vc_graph::portable::Portable;
 
 /// A street lamp: an arm over the road, or a lantern, globe or disc on the post.
 pub(super) fn street_lamp(b: &mut Build<'_>) {

@@ -2,10 +2,11 @@
 
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
+use vc_graph::portable::Portable;
+
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, polygon, spaced};
-use vc_graph::portable::Portable;
 
 /// Rectangles (left, low, right, high) in a square from -1 to 1, seen from the
 /// front with Y to the left: what is drawn on a sign.

@@ -1,10 +1,10 @@
 //! Legs, bent boards, shells and outlines: what furniture stands on and leans by.
 
 use nalgebra::{Isometry3, Vector3};
+use vc_graph::portable::Portable;
 
 use crate::material::Mat;
 use crate::object::build::{Axis, Build, P};
-use vc_graph::portable::Portable;
 
 /// Cross section of a leg.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,10 +2,11 @@
 
 use std::f32::consts::PI;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, ngon, oval, room, spline, tube};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A driver in a front at `x`: a rim, a cone and its cap.
 fn driver(b: &mut Build<'_>, at: P, r: f32, cone: Mat) {

@@ -2,11 +2,12 @@
 
 use std::f32::consts::PI;
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, hoop, oval, room, spline, tube};
 use super::lens;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A camera for photographs: compact, reflex, instant or for action.
 pub(super) fn camera(b: &mut Build<'_>) {

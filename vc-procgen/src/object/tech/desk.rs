@@ -1,10 +1,11 @@
 //! What lies on desks: keyboards, mice, sticks and cables.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, lengthwise, loft, oval, room, spline, tube};
 use super::{case, grid};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A keyboard: sloping, with rows of keys and a number pad where it is wide.
 pub(super) fn keyboard(b: &mut Build<'_>) {

@@ -1,10 +1,11 @@
 //! What games are played with.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
 use super::super::textile::form::{Shell, blocks, facing, hoop, loft, oval, room, spline, tube};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A gamepad: two grips, sticks, a cross and buttons.
 pub(super) fn controller(b: &mut Build<'_>) {

@@ -1,11 +1,12 @@
 //! Phones, tablets, handsets and remote controls.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
 use super::super::textile::form::{Shell, blocks, facing, loft, oval, room, spline, tube};
 use super::grid;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A slab with a screen: tablet, phone, reader or player.
 pub(super) fn slab(b: &mut Build<'_>) {

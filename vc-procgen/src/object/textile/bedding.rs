@@ -1,10 +1,11 @@
 //! What lies on beds and sofas.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Build, P};
 use super::form::{Shell, blocks, puff, room, sheet};
 use super::{Fold, folded};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// Sheets or pillow cases, folded and stacked.
 pub(super) fn sheets(b: &mut Build<'_>) {

@@ -4,10 +4,10 @@
 use std::f32::consts::TAU;
 
 use nalgebra::{Isometry3, Point3, Vector3};
+use vc_graph::portable::Portable;
 
 use super::super::build::{Axis, Build, P};
 use crate::material::Mat;
-use vc_graph::portable::Portable;
 
 /// Half the depth, half the width, and the height of what is built.
 pub(in crate::object) fn room(b: &Build<'_>) -> (f32, f32, f32) {

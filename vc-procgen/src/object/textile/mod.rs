@@ -6,11 +6,12 @@ mod rug;
 
 use std::f32::consts::PI;
 
+use vc_graph::portable::Portable;
+
 use super::build::{Axis, Build, P};
 use super::{Generator, indoor};
 use crate::material::*;
 use form::{Shell, blocks, loft, room};
-use vc_graph::portable::Portable;
 
 pub(super) const GENERATORS: &[Generator] = &[
     indoor("towel", 6, towel),

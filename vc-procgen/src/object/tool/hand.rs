@@ -1,9 +1,10 @@
 //! Hand tools, standing or lying along their longest side.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, loft, longwise, oval, room, spline};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 const GRIPS: [Mat; 6] = [RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC];
 

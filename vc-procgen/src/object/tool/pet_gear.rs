@@ -1,10 +1,11 @@
 //! Cages, bowls, carriers and leashes.
 
+use vc_graph::portable::Portable;
+
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, tube};
 use super::workshop::risen;
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A cage of wires on a tray, with a door, a perch and a cup; domed for birds.
 pub(super) fn cage(b: &mut Build<'_>) {

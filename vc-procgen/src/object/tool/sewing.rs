@@ -1,10 +1,11 @@
 //! Sewing, knitting and laundry odds and ends.
 
+use vc_graph::portable::Portable;
+
 use super::super::book::desk::tub;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, hoop, longwise, oval, room, tube};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 const THREADS: [Mat; 7] =
     [RED_FABRIC, BLUE_FABRIC, MUSTARD_FABRIC, WHITE_COTTON, GREEN_FABRIC, PURPLE_FABRIC, ROSE_FABRIC];

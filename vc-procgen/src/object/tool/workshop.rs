@@ -2,11 +2,12 @@
 
 use std::f32::consts::FRAC_PI_2;
 
+use vc_graph::portable::Portable;
+
 use super::super::book::desk::tub;
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, lengthwise, longwise, oval, room, spline, tube};
 use crate::material::*;
-use vc_graph::portable::Portable;
 
 /// A toolbox: hinged lid with a handle over a compartment, a drawer below.
 pub(super) fn toolbox(b: &mut Build<'_>) {

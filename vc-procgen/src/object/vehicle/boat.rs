@@ -1,9 +1,10 @@
 //! Boats.
 
+use vc_graph::portable::Portable;
+
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, mix, shell, spaced};
-use vc_graph::portable::Portable;
 
 /// Lines of a hull: how full its ends are (front and rear), how its section bends,
 /// how much the sheer rises forward.

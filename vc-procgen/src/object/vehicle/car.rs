@@ -3,11 +3,12 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
+use vc_graph::portable::Portable;
+
 use super::wheel::{Rim, axled};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, mix, plate};
-use vc_graph::portable::Portable;
 
 /// How the body ends behind.
 #[derive(Clone, Copy, PartialEq)]

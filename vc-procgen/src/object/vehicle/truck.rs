@@ -2,12 +2,13 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
+use vc_graph::portable::Portable;
+
 use super::car::pane;
 use super::wheel::{Rim, axled, wheel};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, spaced, tub};
-use vc_graph::portable::Portable;
 
 const PAINTS: &[Mat] = &[WHITE_METAL, RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL, SILVER_METAL, NAVY, ORANGE];
 
