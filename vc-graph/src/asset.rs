@@ -455,9 +455,9 @@ impl Shape {
             Self::Lathe { profile } => corners(profile.iter().flat_map(ring)),
             Self::Extrusion { outline, height } => {
                 let both = |&(x, y): &(f32, f32)| [Point3::new(x, y, 0.0), Point3::new(x, y, *height)];
-                corners(outline.iter().flat_map(both).map(|p| turn * p))
+                corners(outline.iter().flat_map(both).map(|p| matrix * p))
             }
-            Self::Hull { points } | Self::Mesh { vertices: points, .. } => corners(points.iter().map(|p| turn * p)),
+            Self::Hull { points } | Self::Mesh { vertices: points, .. } => corners(points.iter().map(|p| matrix * p)),
         }
     }
 }

@@ -146,6 +146,35 @@ impl Bits {
         seen
     }
 
+    /// Whether the set bits around a rectangle, so far off at most, hang together there:
+    /// then whoever walked through the rectangle can walk around it.
+    pub(crate) fn is_whole_around(&self, x: (i32, i32), y: (i32, i32), far: usize) -> bool {
+        let far = far as i32;
+        let near = self.window((x.0 - far, x.1 + far), (y.0 - far, y.1 + far));
+        let all = ((0, near.width as i32), (0, near.height() as i32));
+        let Some((x, y)) = near.first(all.0, all.1) else { return true };
+        near.flood(x, y) == near
+    }
+
+    /// A rectangle, cut to the grid, as a grid of its own.
+    fn window(&self, x: (i32, i32), y: (i32, i32)) -> Self {
+        let cut = |v: i32, most: usize| v.clamp(0, most as i32) as usize;
+        let (x0, x1) = (cut(x.0, self.width), cut(x.1, self.width));
+        let (y0, y1) = (cut(y.0, self.height()), cut(y.1, self.height()));
+        let mut out = Self::new(x1 - x0, y1 - y0);
+        let (skip, shift) = (x0 / 64, x0 % 64);
+        for (to, from) in out.rows.chunks_mut(out.words).zip(self.rows.chunks(self.words).skip(y0)) {
+            for (i, word) in to.iter_mut().enumerate() {
+                let at = |k: usize| from.get(skip + i + k).copied().unwrap_or(0);
+                *word = at(0) >> shift | if shift > 0 { at(1) << (64 - shift) } else { 0 };
+            }
+            if out.width % 64 > 0 {
+                to[out.words - 1] &= span(0, out.width % 64);
+            }
+        }
+        out
+    }
+
     /// Adds what of a row is reached from a neighbouring one, and the runs of `free`
     /// that belongs to; returns whether that is more than before.
     fn spread(&mut self, free: &Self, row: usize, from: usize) -> bool {

@@ -12,11 +12,14 @@ use crate::object;
 pub(super) struct Habits {
     kept: HashMap<(Relation, String), Vec<Habit>>,
     affordances: HashMap<&'static str, PropertySet>,
+    /// Rooms that habits name.
+    rooms: Vec<String>,
 }
 
 struct Habit {
     class: &'static str,
-    room: Option<String>,
+    /// The only room it is for, by position among the rooms.
+    room: Option<usize>,
     weight: f32,
 }
 
@@ -30,6 +33,13 @@ impl Habits {
     fn read() -> Self {
         let classes = ClassTable::builtin();
         let mut kept: HashMap<(Relation, String), Vec<Habit>> = HashMap::new();
+        let mut rooms: Vec<String> = Vec::new();
+        let mut number = |room: &str| {
+            rooms.iter().position(|r| r == similar(room)).unwrap_or_else(|| {
+                rooms.push(similar(room).to_owned());
+                rooms.len() - 1
+            })
+        };
         for generator in object::generators() {
             let Some(class) = classes.get(generator.class).filter(|c| *c.name == *generator.class) else { continue };
             if !class.affordances.contains(Property::Graspable) {
@@ -37,13 +47,13 @@ impl Habits {
             }
             for place in &class.kept {
                 let Some((relation, at)) = &place.at else { continue };
-                let room = place.room.as_ref().map(|r| r.to_string());
+                let room = place.room.as_ref().map(|r| number(r));
                 let habit = Habit { class: generator.class, room, weight: place.weight as f32 };
                 kept.entry((*relation, at.to_string())).or_default().push(habit);
             }
         }
         let known = object::generators().filter_map(|g| Some((g.class, classes.get(g.class)?.affordances)));
-        Self { kept, affordances: known.collect() }
+        Self { kept, affordances: known.collect(), rooms }
     }
 
     /// Whether a class is one that things are put on or in.
@@ -62,15 +72,12 @@ impl Habits {
         if !self.holds(carrier, relation) {
             return Vec::new();
         }
+        let here = self.rooms.iter().position(|r| r == similar(room));
         let mut found = Vec::new();
         for name in standing_for(carrier, surface, relation, room) {
             let habits = self.kept.get(&(relation, (*name).to_owned())).into_iter().flatten();
-            for habit in habits {
-                let here = habit.room.as_deref().is_none_or(|r| r == room || similar(r) == similar(room));
-                if here {
-                    found.push((habit.class, habit.weight));
-                }
-            }
+            let kept = habits.filter(|h| h.room.is_none() || h.room == here);
+            found.extend(kept.map(|h| (h.class, h.weight)));
         }
         found
     }

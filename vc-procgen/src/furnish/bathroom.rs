@@ -89,7 +89,7 @@ fn above_basin(s: &mut Setter<'_>, basin: usize) {
         (item.area(), item.facing(), item.object.class, item.corners().1.z)
     };
     if class == "bathroom_vanity" {
-        let object = s.item(basin).object.clone();
+        let object = s.real(basin);
         let bowl = s.make("washbasin", [0.36, 0.42, 0.14]);
         if let (Some(bowl), Some(surface)) = (bowl, super::living::surface_of(&object)) {
             let top = s.item(basin).pose * object.asset.surfaces[surface].centre;

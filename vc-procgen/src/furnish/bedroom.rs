@@ -8,8 +8,29 @@ use crate::object::Draft;
 use crate::plan::RoomKind;
 
 pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
+    // In small rooms now one, now the other finds its place only if it comes first.
+    if s.rng.chance(0.3) {
+        wardrobe(s)?;
+        bed(s)?;
+    } else {
+        bed(s)?;
+        wardrobe(s)?;
+    }
+    if s.kind() == RoomKind::Kids {
+        kids(s);
+    } else {
+        grown_ups(s);
+    }
+    Ok(())
+}
+
+fn bed(s: &mut Setter<'_>) -> Result<(), Impossible> {
     let bed = place_bed(s).ok_or_else(|| s.missing("bed"))?;
     s.item(bed).required = true;
+    Ok(())
+}
+
+fn wardrobe(s: &mut Setter<'_>) -> Result<(), Impossible> {
     let widths: &[f32] =
         if s.space.square_metres > 13.0 { &[2.4, 2.0, 1.6, 1.2, 1.0, 0.8] } else { &[1.8, 1.5, 1.0, 0.8] };
     let skip = s.rng.below(2);
@@ -18,11 +39,6 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
     let wardrobe = s.first_against("wardrobe", &sizes, Need::front(0.75), in_corner);
     let wardrobe = wardrobe.ok_or_else(|| s.missing("wardrobe"))?;
     s.item(wardrobe).required = true;
-    if s.kind() == RoomKind::Kids {
-        kids(s);
-    } else {
-        grown_ups(s);
-    }
     Ok(())
 }
 

@@ -107,7 +107,7 @@ fn group(s: &mut Setter<'_>, sofa: &Draft, stand: &Draft) -> Option<usize> {
         }
     }
     let (_, spot, centre) = best?;
-    let index = s.settle(stand, spot.area, spot.facing, Need::default());
+    let index = s.settle(stand, spot.area, spot.facing, need);
     s.item(index).required = true;
     let seat = s.at(sofa, centre, spot.facing.turned(2), Need::default())?;
     s.item(seat).required = true;
@@ -176,7 +176,8 @@ fn coffee_table(s: &mut Setter<'_>, sofa: &Area, facing: Facing, gap: f32) {
         let swing = s.space.ways.iter().any(|w| w.overlaps(&solid.area));
         if s.space.is_floor(&solid.area) && s.space.is_empty(&solid) && !swing {
             let index = s.add(&rug, centre, 0.0, facing, Rest::Floor);
-            let (rug, flat) = (s.item(index).object.clone(), s.item(index).object.size());
+            let rug = s.real(index);
+            let flat = rug.size();
             let under = solid.area.holds(&Area::around(
                 before.centre().0,
                 before.centre().1,

@@ -93,6 +93,21 @@ impl Item {
         }
     }
 
+    /// Takes the place of its outline. What comes out smaller than it might keeps its
+    /// back, and its top where it hangs, where they were to be.
+    fn become_real(&mut self, draft: &Draft, style: &Style) {
+        let object = draft.object(style);
+        let spare = draft.size() - object.size();
+        let hangs = self.rest == Rest::Ceiling;
+        let (facing, (x, y)) = (self.facing(), self.area().centre());
+        let back = if hangs { 0.0 } else { spare.x / 2.0 };
+        let up = if hangs { spare.z } else { 0.0 };
+        let (dx, dy) = facing.step();
+        let z = self.corners().0.z + up;
+        self.pose = standing(&object, (x - dx * back, y - dy * back), z, facing.yaw());
+        self.object = object;
+    }
+
     fn solid(&self) -> Solid {
         let (low, high) = self.corners();
         Solid { area: self.area(), low: low.z, high: high.z }
@@ -111,22 +126,26 @@ pub(crate) fn furnish(plan: &Plan, style: &Style, seed: Seed) -> Result<Vec<Item
     let mut order: Vec<usize> = (0..plan.rooms.len()).collect();
     // Rooms that most often cannot hold what they need come first: what fails fails early.
     order.sort_by_key(|&r| strictness(plan.rooms[r].kind));
-    let mut items = Vec::new();
+    let (mut items, mut drafts) = (Vec::new(), Vec::new());
     for index in order {
         let space = Space::of(plan, index);
         let own = seed.child("furnish").nth(index as u64);
         let dealt = (0..DEALS).try_fold(None, |_, deal| {
             let mut setter = Setter::new(index, style, own.nth(deal), space.clone(), items.len());
             match furnish_room(&mut setter, plan, open_kitchen) {
-                Ok(()) => ControlFlow::Break(setter.items),
+                Ok(()) => ControlFlow::Break((setter.items, setter.drafts)),
                 Err(error) => ControlFlow::Continue(Some(error)),
             }
         });
         match dealt {
-            ControlFlow::Break(mut dealt) => items.append(&mut dealt),
+            ControlFlow::Break((mut dealt, mut drawn)) => {
+                items.append(&mut dealt);
+                drafts.append(&mut drawn);
+            }
             ControlFlow::Continue(error) => return Err(error.unwrap_or_else(|| unwalkable(plan, index))),
         }
     }
+    items.iter_mut().zip(&drafts).for_each(|(item, draft)| item.become_real(draft, style));
     Ok(items)
 }
 
@@ -169,14 +188,17 @@ struct Setter<'a> {
     space: Space,
     /// Number of items of the rooms before.
     base: usize,
+    /// What was put down, as boxes: objects are made once all rooms are furnished.
     items: Vec<Item>,
+    /// What each item is to be.
+    drafts: Vec<Draft>,
     /// Objects made so far: each has a sub-seed of its own.
     made: u64,
 }
 
 impl<'a> Setter<'a> {
     fn new(room: usize, style: &'a Style, seed: Seed, space: Space, base: usize) -> Self {
-        Self { room, style, seed, rng: seed.stream(), space, base, items: Vec::new(), made: 0 }
+        Self { room, style, seed, rng: seed.stream(), space, base, items: Vec::new(), drafts: Vec::new(), made: 0 }
     }
 }
 
@@ -198,20 +220,26 @@ impl Setter<'_> {
     }
 
     /// Adds an item whose footprint is centred on a point, its base at `z`; returns
-    /// its position in the list of all items. What comes out less deep than it might
-    /// keeps its back where it was to be.
+    /// its position in the list of all items.
     fn add(&mut self, draft: &Draft, centre: (f32, f32), z: f32, facing: Facing, rest: Rest) -> usize {
-        let object = draft.object(self.style);
-        let spare = if rest == Rest::Ceiling { 0.0 } else { (draft.size().x - object.size().x) / 2.0 };
-        let (dx, dy) = facing.step();
-        let z = if rest == Rest::Ceiling { z + draft.size().z - object.size().z } else { z };
-        let pose = standing(&object, (centre.0 - dx * spare, centre.1 - dy * spare), z, facing.yaw());
+        let object = Arc::new(draft.outline());
+        let pose = standing(&object, centre, z, facing.yaw());
         let item = Item { object, pose, rest, room: self.room, states: Vec::new(), between: None, required: false };
         let solid = item.solid();
         self.space.walk.put(&solid.area, (solid.low, solid.high), rest != Rest::Ceiling);
         self.space.solids.push(solid);
         self.items.push(item);
+        self.drafts.push(draft.clone());
         self.base + self.items.len() - 1
+    }
+
+    /// The object of an item, made at once: something is to lie on it.
+    fn real(&mut self, index: usize) -> Arc<Object> {
+        let at = index - self.base;
+        let item = &mut self.items[at];
+        item.become_real(&self.drafts[at], self.style);
+        self.drafts[at] = Draft::of(item.object.clone());
+        item.object.clone()
     }
 
     fn item(&mut self, index: usize) -> &mut Item {

@@ -9,6 +9,9 @@ use crate::reach::{ARM, BODY, boards, doorway, is_in_the_way, outward};
 /// Floor beyond a door that is taken to be free, cells: the next room keeps it so.
 const BEYOND: i32 = 7;
 
+/// A rectangle of cells: columns and rows.
+type Span = ((i32, i32), (i32, i32));
+
 /// The floor of one room and its doorways.
 #[derive(Debug, Clone)]
 pub(super) struct Walk {
@@ -60,7 +63,7 @@ impl Walk {
         walk
     }
 
-    fn cells(&self, r: &Rect) -> ((i32, i32), (i32, i32)) {
+    fn cells(&self, r: &Rect) -> Span {
         ((r.x0 - self.west, r.x1 - self.west), (r.y0 - self.south, r.y1 - self.south))
     }
 
@@ -68,10 +71,11 @@ impl Walk {
     pub(super) fn put(&mut self, area: &Area, heights: (f32, f32), wanted: bool) {
         if is_in_the_way(heights) {
             let (x, y) = self.cells(&outward(area));
-            let before = self.free.clone();
-            self.free.clear_within(x, y, BODY);
-            if self.free != before {
-                self.standing = self.flooded(&self.free);
+            let mut free = self.free.clone();
+            free.clear_within(x, y, BODY);
+            if free != self.free {
+                self.standing = self.standing_on(&free, &[(x, y)]);
+                self.free = free;
             }
         }
         if wanted {
@@ -85,18 +89,32 @@ impl Walk {
     /// Costs some microseconds.
     pub(super) fn stays_open(&self, things: &[Area]) -> bool {
         let mut free = self.free.clone();
-        for area in things {
-            let (x, y) = self.cells(&outward(area));
-            free.clear_within(x, y, BODY);
-        }
+        let taken: Vec<Span> = things.iter().map(|area| self.cells(&outward(area))).collect();
+        taken.iter().for_each(|&(x, y)| free.clear_within(x, y, BODY));
         // What stands where nobody could stand before changes no way.
-        let flooded = if free == self.free { None } else { Some(self.flooded(&free)) };
+        let flooded = if free == self.free { None } else { Some(self.standing_on(&free, &taken)) };
         let Some(standing) = flooded.as_ref().unwrap_or(&self.standing) else { return false };
         let things = things.iter().map(core);
         self.wanted.iter().copied().chain(things).all(|area| {
             let (x, y) = self.cells(&outward(&area));
             standing.any_within(x, y, ARM)
         })
+    }
+
+    /// Where one gets to on what is left of the free floor after rectangles were taken
+    /// from it; `None` if a doorway is cut off.
+    fn standing_on(&self, free: &Bits, taken: &[Span]) -> Option<Bits> {
+        let standing = self.standing.as_ref()?;
+        if !taken.iter().all(|&(x, y)| free.is_whole_around(x, y, BODY + 1)) {
+            return self.flooded(free);
+        }
+        // Who went through there goes around.
+        let left = standing.and(free);
+        let passed = |r: &Rect| {
+            let (x, y) = self.cells(r);
+            left.any(x, y)
+        };
+        self.doorways.iter().all(passed).then_some(left)
     }
 
     /// Where one gets to within the room and its doorways; `None` if a doorway is cut

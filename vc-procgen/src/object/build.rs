@@ -11,6 +11,9 @@ use vc_graph::{Asset, Bounds, Frame, Pose, Stream};
 use crate::material::Mat;
 use crate::style::Style;
 
+/// Parts there is room for from the start.
+const PARTS: usize = 16;
+
 /// A point or direction, metres.
 pub(crate) type P = [f32; 3];
 
@@ -41,7 +44,8 @@ pub(crate) struct Build<'a> {
 
 impl<'a> Build<'a> {
     pub(crate) fn new(class: &'a str, size: Vector3<f32>, style: &'a Style, rng: Stream) -> Self {
-        let asset = Asset { name: class.into(), ..Asset::default() };
+        // Most have so many parts; growing by steps would copy them.
+        let asset = Asset { name: class.into(), parts: Vec::with_capacity(PARTS), ..Asset::default() };
         Self { class, size, style, rng, asset, joint: None, frame: Pose::identity(), anchored: false }
     }
 
@@ -55,6 +59,7 @@ impl<'a> Build<'a> {
     /// box.
     pub(crate) fn finish(self) -> (Asset, Bounds) {
         let mut asset = self.asset;
+        asset.parts.shrink_to_fit();
         let Some((low, high)) = super::reveal::reveal(&mut asset) else { return (asset, Bounds::standing(self.size)) };
         let half = (high - low) / 2.0;
         if self.anchored {

@@ -194,6 +194,11 @@ impl Draft {
         self.size
     }
 
+    /// Its box alone, without any part: what a place is found for.
+    pub(crate) fn outline(&self) -> Object {
+        Object { class: self.class, asset: Asset::default(), bounds: Bounds::standing(self.size) }
+    }
+
     /// The object for its owner alone.
     pub(crate) fn into_object(self, style: &Style) -> Object {
         match self.source {

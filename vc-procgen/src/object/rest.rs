@@ -4,7 +4,7 @@
 use std::f32::consts::TAU;
 
 use nalgebra::{Isometry3, Point3, Quaternion, UnitQuaternion, Vector2, Vector3};
-use vc_graph::asset::{Joint, JointKind, Part};
+use vc_graph::asset::{Joint, JointKind, Part, Shape};
 use vc_graph::portable::Portable;
 use vc_graph::{Asset, Pose};
 
@@ -19,9 +19,9 @@ const WAYS: usize = 64;
 /// Makes an object and lets it fall; where it then needs more room than it has, it is
 /// made smaller.
 pub(super) fn settled(b: &mut Build<'_>, make: fn(&mut Build<'_>)) {
-    const TRIES: usize = 4;
+    const TRIES: usize = 6;
     let (room, rng) = (b.size, b.rng.clone());
-    for _ in 1..TRIES {
+    for attempt in 1..TRIES {
         make(b);
         settle(b.asset());
         let over = extent(b.asset()).component_div(&room).map(|k| k.max(1.0));
@@ -30,6 +30,8 @@ pub(super) fn settled(b: &mut Build<'_>, make: fn(&mut Build<'_>)) {
         }
         b.asset().parts.clear();
         b.asset().surfaces.clear();
+        // What falls another way each time is at last made smaller as a whole.
+        let over = if attempt < TRIES / 2 { over } else { Vector3::repeat(over.max()) };
         (b.size, b.rng) = (b.size.component_div(&over), rng.clone());
     }
     make(b);
@@ -87,13 +89,21 @@ impl Body {
         let size = extent(asset).max();
         let (mut corners, mut sum, mut all) = (Vec::new(), Vector3::zeros(), 0.0);
         for part in &asset.parts {
-            let mesh = part.shape.mesh((size * 0.004).max(1e-5));
             let from = corners.len();
-            corners.extend(mesh.positions.iter().map(|p| part.pose * p));
-            for [a, b, c] in mesh.triangles.iter().map(|t| t.map(|v| corners[from + v as usize].coords)) {
-                let volume = a.dot(&b.cross(&c));
-                sum += (a + b + c) / 4.0 * volume;
-                all += volume;
+            let mut add = |positions: &[Point3<f32>], triangles: &[[u32; 3]]| {
+                corners.extend(positions.iter().map(|p| part.pose * p));
+                for [a, b, c] in triangles.iter().map(|t| t.map(|v| corners[from + v as usize].coords)) {
+                    let volume = a.dot(&b.cross(&c));
+                    sum += (a + b + c) / 4.0 * volume;
+                    all += volume;
+                }
+            };
+            match &part.shape {
+                Shape::Mesh { vertices, triangles } => add(vertices, triangles),
+                shape => {
+                    let mesh = shape.mesh((size * 0.004).max(1e-5));
+                    add(&mesh.positions, &mesh.triangles);
+                }
             }
         }
         let middle = if all > 0.0 { Point3::from(sum / all) } else { Point3::origin() };
@@ -115,11 +125,12 @@ impl Body {
         if edge >= 0.0 {
             return None;
         }
-        let lowers = |p: &Point3<f32>| {
+        // The least steep way down is the first to touch the ground.
+        let slope = |p: &Point3<f32>| {
             let (out, up) = (aside(p).dot(&way) - edge, p.z - low);
-            (out > 0.0 && up > self.slack).then(|| up.angle_to(out))
+            (out > 0.0 && up > self.slack).then(|| up / out)
         };
-        let angle = self.corners.iter().filter_map(lowers).min_by(f32::total_cmp)?;
+        let angle = self.corners.iter().filter_map(slope).min_by(f32::total_cmp)?.angle_to(1.0);
         let (s, c) = (angle * 0.5).sine_cosine();
         let turn = UnitQuaternion::new_normalize(Quaternion::new(c, -way.y * s, way.x * s, 0.0));
         let pivot = Point3::new(self.middle.x + way.x * edge, self.middle.y + way.y * edge, low);

@@ -15,9 +15,9 @@ const TURNS: usize = 8;
 
 /// Sets back what would share a plane; returns the asset's extent. O(n²) in the
 /// parts, almost all of it one test of two boxes.
-pub(super) fn reveal(asset: &mut Asset) -> Option<(Point3<f32>, Point3<f32>)> {
+pub(super) fn reveal(asset: &mut Asset) -> Option<Corners> {
     let mut boxes: Vec<Around> = asset.parts.iter().map(Around::new).collect();
-    let mut corners: Vec<(Point3<f32>, Point3<f32>)> = asset.parts.iter().map(Part::extent).collect();
+    let mut corners: Vec<Corners> = asset.parts.iter().zip(&boxes).map(|(p, b)| b.corners(p)).collect();
     let (low, high) = around(&corners)?;
     let hair = HAIR.min((high - low).min() * 0.25);
     for j in 1..asset.parts.len() {
@@ -32,19 +32,23 @@ pub(super) fn reveal(asset: &mut Asset) -> Option<(Point3<f32>, Point3<f32>)> {
                 break;
             }
             boxes[j] = Around::new(&asset.parts[j]);
-            corners[j] = asset.parts[j].extent();
+            corners[j] = boxes[j].corners(&asset.parts[j]);
         }
     }
     around(&corners)
 }
 
-fn around(corners: &[(Point3<f32>, Point3<f32>)]) -> Option<(Point3<f32>, Point3<f32>)> {
+fn around(corners: &[Corners]) -> Option<Corners> {
     corners.iter().copied().reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))
 }
 
-fn meet(a: &(Point3<f32>, Point3<f32>), b: &(Point3<f32>, Point3<f32>), same: f32) -> bool {
-    (0..3).all(|k| a.0[k] <= b.1[k] + same && b.0[k] <= a.1[k] + same)
+fn meet(a: &Corners, b: &Corners, same: f32) -> bool {
+    // Without branches: almost all pairs fail, each somewhere else.
+    (0..3).fold(true, |all, k| all & (a.0[k] <= b.1[k] + same) & (b.0[k] <= a.1[k] + same))
 }
+
+/// Smallest and largest corner.
+type Corners = (Point3<f32>, Point3<f32>);
 
 /// The box around a part, in its own frame, and that frame.
 struct Around {
@@ -52,6 +56,7 @@ struct Around {
     half: Vector3<f32>,
     axes: Matrix3<f32>,
     pose: Pose,
+    straight: bool,
     /// Balls and pills have no flat side.
     flat: bool,
 }
@@ -63,7 +68,13 @@ impl Around {
         let straight = part.pose.rotation == UnitQuaternion::identity();
         let axes = if straight { Matrix3::identity() } else { part.pose.rotation.to_rotation_matrix().into_inner() };
         let flat = !matches!(part.shape, Shape::Sphere { .. } | Shape::Capsule { .. });
-        Self { centre, half, axes, pose: part.pose, flat }
+        Self { centre, half, axes, pose: part.pose, straight, flat }
+    }
+
+    /// The part's extent, which needs no second look at the points of what is straight.
+    fn corners(&self, part: &Part) -> Corners {
+        let middle = self.centre + self.pose.translation.vector;
+        if self.straight { (middle - self.half, middle + self.half) } else { part.extent() }
     }
 
     /// A side of this box, as axis and whether it is the higher one, that lies in a

@@ -71,6 +71,7 @@ impl Scheme {
             Self::OpenPlan => "open plan",
             Self::LPlan => "L-plan",
             Self::Irregular => "irregular",
+            Self::Annealed => "annealed",
         }
     }
 }

@@ -119,8 +119,11 @@ impl Grid {
         let mut sides = [0, 1, 2, 3];
         while patch.area() < area {
             rng.shuffle(&mut sides);
-            let grown = sides.iter().filter_map(|&s| patch.extended(s)).find(|&p| self.is_free(p) && p.is_round())?;
-            patch = grown;
+            let free = |&side: &usize| {
+                let (grown, strip) = patch.extended(side)?;
+                (grown.is_round() && self.is_free(strip)).then_some(grown)
+            };
+            patch = sides.iter().find_map(free)?;
         }
         Some(patch)
     }
@@ -206,14 +209,15 @@ impl Grid {
 }
 
 impl Patch {
-    /// One square larger on a side.
-    fn extended(self, side: usize) -> Option<Self> {
-        match side {
-            0 => Some(Self { x0: self.x0.checked_sub(1)?, ..self }),
-            1 => Some(Self { x1: self.x1 + 1, ..self }),
-            2 => Some(Self { y0: self.y0.checked_sub(1)?, ..self }),
-            _ => Some(Self { y1: self.y1 + 1, ..self }),
-        }
+    /// One square larger on a side, and what that adds.
+    fn extended(self, side: usize) -> Option<(Self, Self)> {
+        let Self { x0, y0, x1, y1 } = self;
+        Some(match side {
+            0 => (Self { x0: x0.checked_sub(1)?, ..self }, Self { x0: x0 - 1, x1: x0, ..self }),
+            1 => (Self { x1: x1 + 1, ..self }, Self { x0: x1, x1: x1 + 1, ..self }),
+            2 => (Self { y0: y0.checked_sub(1)?, ..self }, Self { y0: y0 - 1, y1: y0, ..self }),
+            _ => (Self { y1: y1 + 1, ..self }, Self { y0: y1, y1: y1 + 1, ..self }),
+        })
     }
 
     /// Neither side more than nine fifths of the other.

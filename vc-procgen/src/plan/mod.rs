@@ -4,6 +4,7 @@
 //! middle of its walls, so that neighbours share lines; its *net* area, which one can
 //! walk on, is half a partition (one cell) smaller on every side.
 
+mod anneal;
 mod edges;
 mod growth;
 mod openings;
@@ -214,6 +215,8 @@ pub enum Scheme {
     LPlan,
     /// Rooms grown on a coarse grid.
     Irregular,
+    /// A rectangle cut by annealing: what no other scheme holds.
+    Annealed,
 }
 
 impl Plan {
@@ -227,8 +230,8 @@ impl Plan {
 
     /// A plan for a programme.
     ///
-    /// Tries schemes with seeded rejection until one holds the programme; a few
-    /// microseconds to a few hundred.
+    /// Tries schemes with seeded rejection until one holds the programme, a few
+    /// microseconds to a few hundred; where none does, anneals, some milliseconds.
     ///
     /// # Errors
     /// [`Impossible::NoPlan`] if no scheme holds it.
@@ -246,6 +249,7 @@ impl Plan {
         let layout = match scheme {
             Scheme::Studio => studio::lay_out(programme, rng),
             Scheme::Irregular => growth::lay_out(programme, rng),
+            Scheme::Annealed => anneal::lay_out(programme, rng),
             _ => spine::lay_out(programme, scheme, rng),
         };
         let Layout { mut rooms, mut facades } = layout?;

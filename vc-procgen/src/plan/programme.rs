@@ -49,8 +49,8 @@ fn areas(kind: RoomKind) -> (f32, f32, f32, f32) {
         RoomKind::Kitchen => (8.6, 0.22, 5.2, 16.0),
         RoomKind::Bedroom => (15.6, 0.17, 9.5, 28.0),
         RoomKind::Kids => (13.4, 0.15, 8.5, 22.0),
-        RoomKind::Bathroom => (3.8, 0.2, 2.9, 9.0),
-        RoomKind::Wc => (1.6, 0.12, 1.3, 2.4),
+        RoomKind::Bathroom => (3.8, 0.2, 3.2, 9.0),
+        RoomKind::Wc => (1.65, 0.12, 1.5, 2.4),
         RoomKind::Hall => (6.0, 0.3, 2.5, 16.0),
         RoomKind::Study => (9.0, 0.2, 6.0, 15.0),
         RoomKind::Laundry => (4.0, 0.18, 2.6, 7.0),
@@ -104,7 +104,11 @@ impl Programme {
     fn draw_rooms(&mut self, specification: &Specification, bedrooms: usize, rng: &mut Stream) {
         let wish = |kind, of, rng: &mut Stream| Wish { kind, area: draw_area(kind, rng), of };
         let mut living = wish(RoomKind::Living, None, rng);
-        living.area *= [1.1, 0.86, 1.0, 1.08, 1.15][bedrooms.min(4)];
+        living.area *= [1.25, 0.86, 1.0, 1.08, 1.15][bedrooms.min(4)];
+        if bedrooms == 0 {
+            // Bed, kitchen, table and seat in one room.
+            living.area = living.area.max(20.0);
+        }
         self.wishes.push(living);
         if bedrooms > 0 {
             self.wishes.push(wish(RoomKind::Kitchen, None, rng));
@@ -196,6 +200,7 @@ impl Programme {
         let rest =
             [Scheme::OpenPlan, Scheme::Corridor, Scheme::LPlan, Scheme::CentralHall, Scheme::Bar, Scheme::Irregular];
         order.extend(rest.into_iter().flat_map(|s| [s; 2]));
+        order.extend([Scheme::Annealed; 4]);
         order
     }
 }

@@ -177,6 +177,7 @@ impl Draft<'_> {
             (1..self.programme.wishes.len()).filter(|&i| is_service(self.wish(i).kind)).collect();
         // A bedroom's own bathroom may lie behind one for all.
         services.sort_by_key(|&i| self.wish(i).of.is_some());
+        let mut hosts: Vec<(bool, usize, usize)> = Vec::with_capacity(2 * (souths.len() + norths.len()));
         for index in services {
             let wish = self.wish(index);
             if self.stack(index, souths, depths.0, rng) || self.stack(index, norths, depths.1, rng) {
@@ -187,7 +188,7 @@ impl Draft<'_> {
                 continue;
             }
             let owner = wish.of;
-            let mut hosts: Vec<(bool, usize, usize)> = Vec::new();
+            hosts.clear();
             for (north, band) in [(false, &*souths), (true, &**norths)] {
                 for (at, cell) in band.iter().enumerate() {
                     let fits = match (owner, cell.wish) {
@@ -236,10 +237,9 @@ impl Draft<'_> {
         }
         let topology = self.programme.topology;
         let own = |main: Option<usize>| main.is_some() && self.programme.wishes.iter().any(|w| w.of == main);
-        let suites: Vec<_> =
-            hosts.iter().copied().filter(|h| own(if h.0 { &*norths } else { &*souths }[h.1].wish)).collect();
-        if topology.bath_bath && !suites.is_empty() {
-            *hosts = suites;
+        let suite = |h: &(bool, usize, usize)| own(if h.0 { norths } else { souths }[h.1].wish);
+        if topology.bath_bath && hosts.iter().any(suite) {
+            hosts.retain(suite);
         }
         let kind_of = |wish: usize| self.wish(wish).kind;
         let meets = |&(north, at, side): &(bool, usize, usize), what: RoomKind| {
@@ -251,9 +251,9 @@ impl Draft<'_> {
                 || beside.and_then(|b| band.get(b)).is_some_and(|c| main(c) || facing(c))
         };
         for (what, wanted) in [(RoomKind::Kitchen, topology.bath_kitchen), (RoomKind::Bathroom, topology.bath_bath)] {
-            let fit: Vec<_> = hosts.iter().copied().filter(|h| meets(h, what) == wanted).collect();
-            if !fit.is_empty() {
-                *hosts = fit;
+            let fit = |h: &(bool, usize, usize)| meets(h, what) == wanted;
+            if hosts.iter().any(fit) {
+                hosts.retain(fit);
             }
         }
     }

@@ -146,7 +146,7 @@ pub(super) fn notebook(b: &mut Build<'_>) {
     let spiral = b.rng.chance(0.5);
     let board = (h * 0.1).min(0.0015);
     let relief = (h * 0.1).min(0.001);
-    let (back, low, high) = if spiral { (-y + h * 0.3, h * 0.12, h * 0.88) } else { (-y, 0.0, h - relief) };
+    let (back, low, high) = if spiral { (-y + h * 0.3, 0.0, h * 0.88) } else { (-y, 0.0, h - relief) };
     let end = x - (x * 0.02).min(0.0004);
     b.block("cover", [-end, back, low], [end, y, low + board], cover);
     b.block("pages", [-x * 0.98, back + 0.001, low + board], [x * 0.98, y * 0.98, high - board], WHITE_PAPER);
@@ -155,7 +155,7 @@ pub(super) fn notebook(b: &mut Build<'_>) {
         let mut wire = Shell::default();
         for i in 0..12 {
             let px = x * (-0.9 + 1.8 * i as f32 / 11.0);
-            let ring = arc(Axis::X, [px, -y + r, h / 2.0], (r * 0.94, h * 0.47), (0.0, 5.76), 11);
+            let ring = arc(Axis::X, [px, -y + r, h / 2.0], (r * 0.94, h * 0.43), (0.0, 5.76), 11);
             wire.hoop(&ring, r * 0.06);
         }
         wire.put(b, "spiral", STEEL);

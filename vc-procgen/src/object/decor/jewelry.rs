@@ -128,14 +128,14 @@ pub(super) fn watch(b: &mut Build<'_>) {
     let (back, front) = (x - 3.0 * t, x);
     let r = wide.min(h / 2.0) * 0.92;
     if smart {
-        b.soft("case", [back, -r, h / 2.0 - r], [front - t * 0.45, r, h / 2.0 + r], r * 0.3, case);
+        b.soft("case", [back, -r, h / 2.0 - r], [front - t * 0.8, r, h / 2.0 + r], r * 0.3, case);
         b.block(
             "screen",
             [front - t, -r * 0.8, h / 2.0 - r * 0.8],
-            [front - t * 0.15, r * 0.8, h / 2.0 + r * 0.8],
+            [front - t * 0.5, r * 0.8, h / 2.0 + r * 0.8],
             SCREEN,
         );
-        digits(b, [front - t * 0.2, 0.0, h / 2.0], (r * 0.7, r * 0.35), t * 0.2, COOL_BULB);
+        digits(b, [front - t * 0.6, 0.0, h / 2.0], (r * 0.7, r * 0.35), t * 0.6, COOL_BULB);
         return;
     }
     let outline = ngon((r, r), 28);

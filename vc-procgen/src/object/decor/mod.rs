@@ -11,6 +11,7 @@ mod ornament;
 pub(in crate::object) mod picture;
 mod vase;
 
+use super::rest::settled;
 use super::{Generator, indoor};
 
 pub(super) const GENERATORS: &[Generator] = &[
@@ -58,5 +59,5 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("earrings", 2, jewelry::earrings),
     indoor("bracelet", 2, jewelry::bracelet),
     indoor("watch", 4, jewelry::watch),
-    indoor("smart_watch", 2, jewelry::watch),
+    indoor("smart_watch", 2, |b| settled(b, jewelry::watch)),
 ];

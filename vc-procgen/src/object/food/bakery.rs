@@ -378,7 +378,11 @@ pub(super) fn muffin(b: &mut Build<'_>) {
             let k = 0.3 + 0.5 * i as f32 / count as f32;
             berry(
                 b,
-                [r * k * c, r * k * s, low * 0.9 + (z - low * 0.9) * (1.0 - k * k * k * k * 0.6) - r * 0.05],
+                [
+                    r * k * c,
+                    r * k * s,
+                    (low * 0.9 + (z - low * 0.9) * (1.0 - k * k * k * k * 0.6) - r * 0.05).min(z - r * 0.09),
+                ],
                 r * 0.08,
                 bits,
             );

@@ -23,7 +23,8 @@ pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
     let r = (h * 0.3).min(x * 0.6);
     for side in [-1.0_f32, 1.0] {
         let (a, c) = (side * y * 0.78, side * y);
-        b.rod("wheel", [-x + r, a, r], [-x + r, c, r], r, BLACK_PLASTIC);
+        let cx = (r - x).max(h * 0.2 - x * 0.9);
+        b.rod("wheel", [cx, a, r], [cx, c, r], r, BLACK_PLASTIC);
     }
     b.ball("castor", [x * 0.5, 0.0, h * 0.07], h * 0.07, BLACK_PLASTIC);
     b.rod("hub", [x * 0.5, 0.0, h * 0.07], [x * 0.5, 0.0, h * 0.2], h * 0.04, BLACK_PLASTIC);
@@ -59,6 +60,8 @@ fn upright(b: &mut Build<'_>, u: f32, mat: Mat) {
     b.soft("foot", [x * 0.1, -y, 0.0], [x, y, foot], foot * 0.4, mat);
     let wheel = (foot * 0.8).min(x * 0.45);
     b.rod("wheel", [-x * 0.5, -y * 0.5, wheel], [-x * 0.5, y * 0.5, wheel], wheel, BLACK_PLASTIC);
+    let hold = y * 0.1;
+    b.block("axle", [-x * 0.5, -hold, wheel * 0.6], [x * 0.2, hold, wheel * 1.3], mat);
     b.bar("neck", [x * 0.3, 0.0, foot * 0.8], [-x * 0.3, 0.0, h * 0.2], 0.03 * u, mat);
     let r = (y * 0.55).min(x * 0.5);
     b.cylinder("motor", [-x * 0.35, 0.0, h * 0.14], r, h * 0.12, mat);

@@ -20,6 +20,7 @@ mod tool;
 mod water;
 
 use super::park::bench;
+use super::rest::settled;
 use super::{Generator, outdoor};
 
 pub(super) const GENERATORS: &[Generator] = &[
@@ -51,7 +52,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     outdoor("garden_hose", 12, water::garden_hose),
     outdoor("hose_reel", 10, water::hose_reel),
     outdoor("sprinkler", 8, water::sprinkler),
-    outdoor("watering_can", 20, water::watering_can),
+    outdoor("watering_can", 20, |b| settled(b, water::watering_can)),
     outdoor("wheelbarrow", 14, tool::wheelbarrow),
     outdoor("ladder", 12, tool::ladder),
     outdoor("step_ladder", 12, tool::step_ladder),
@@ -63,11 +64,11 @@ pub(super) const GENERATORS: &[Generator] = &[
     outdoor("leaf_blower", 6, motor::leaf_blower),
     outdoor("chainsaw", 6, motor::chainsaw),
     outdoor("axe", 8, tool::hand_tool),
-    outdoor("rake", 8, tool::hand_tool),
+    outdoor("rake", 8, |b| settled(b, tool::lying_tool)),
     outdoor("shovel", 8, tool::hand_tool),
     outdoor("spade", 8, tool::hand_tool),
     outdoor("garden_fork", 8, tool::hand_tool),
-    outdoor("hoe", 6, tool::hand_tool),
+    outdoor("hoe", 6, |b| settled(b, tool::lying_tool)),
     outdoor("trowel", 6, tool::hand_tool),
     outdoor("pruning_shears", 6, tool::pruning_shears),
     outdoor("gardening_gloves", 5, tool::gloves),

@@ -1,11 +1,23 @@
 //! Garden tools that hands hold, ladders and a barrow.
 
+use std::f32::consts::FRAC_PI_2;
+
+use nalgebra::{Isometry3, Vector3};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, limb, spaced, tub};
 use crate::object::vehicle::wheel::{Rim, wheel};
+
+/// A long-handled tool whose head does not carry it: it lies, the head down.
+pub(super) fn lying_tool(b: &mut Build<'_>) {
+    let size = b.size;
+    b.size = size.zyx();
+    let pose = Isometry3::new(Vector3::new(-size.x / 2.0, 0.0, size.z / 2.0), Vector3::y() * FRAC_PI_2);
+    b.posed(pose, hand_tool);
+    b.size = size;
+}
 
 /// A long-handled tool, upright, its head below: shovel, spade, fork, hoe, rake, axe,
 /// trowel.

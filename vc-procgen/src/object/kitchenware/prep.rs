@@ -131,7 +131,7 @@ pub(super) fn sieve(b: &mut Build<'_>) {
     b.lathe("mesh", [0.0, centre, 0.0], &shell(&outside, (r * 0.03).min(0.0015)), ALUMINIUM);
     hoop_at(b, [0.0, centre, 0.0], (h, z), (r * 0.9, r), STEEL);
     if b.class == "sieve" {
-        b.inside("inside", [0.0, centre, (r * 0.03).min(0.0015)], (r * 0.17, r * 0.17), z * 0.9);
+        b.inside("inside", [0.0, centre, (r * 0.03).min(0.0015).max(r * 0.06)], (r * 0.17, r * 0.17), z * 0.9);
     }
     for i in 0..4 {
         let (s, c) = (PI * i as f32 / 4.0).sine_cosine();

@@ -68,7 +68,7 @@ pub(super) fn spatula(b: &mut Build<'_>) {
                 mat,
             );
         }
-        b.block("blade", [-hx, tip - length * 0.2, 0.0], [hx, tip, t * 0.8], mat);
+        b.block("blade", [-hx, tip - length * 0.2, t * 0.25], [hx, tip, t * 0.75], mat);
         let fan = [(-hx * 0.2, 0.0), (hx * 0.2, 0.0), (hx, length * 0.25), (-hx, length * 0.25)];
         b.prism("blade", Axis::Z, [0.0, root, t * 0.15], &fan, t * 0.65, mat);
     }

@@ -613,6 +613,8 @@ pub(super) fn loofah(b: &mut Build<'_>) {
         let k = (i as f32 + 0.5) / 7.0 * 2.0 - 1.0;
         let (s, c) = (2.4 * i as f32).sine_cosine();
         let out = (1.0 - k * k).sqrt();
+        // No two of one size, so that they share no plane.
+        let r = r.map(|r| r * (1.0 - 0.02 * i as f32));
         lump(b, "net", [x * 0.14 * out * c, y * 0.14 * out * s, z / 2.0 + z * 0.14 * k], r, 0.14, mat);
     }
 }

@@ -49,7 +49,7 @@ pub(in crate::object) fn bench(b: &mut Build<'_>) {
         }
     }
     let middle = f32::midpoint(front, back + 0.05);
-    let side = if arms { y * 0.8 } else { y * 0.95 };
+    let side = if arms { (y * 0.86 - 0.04).min(y * 0.8) } else { y * 0.95 };
     b.top("seat", [middle, 0.0, seat], ((front - back) / 2.0 - 0.06, side.max(0.05)));
 }
 
@@ -68,7 +68,8 @@ fn level_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, woo
 fn upright_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, wood: Mat) {
     let ([x0, z0], [x1, z1]) = (back_at(0.1), back_at(0.93));
     b.block("rail", [x0, -y, z0 - 0.03], [x0 + 0.03, y, z0 + 0.03], wood);
-    b.soft("rail", [x1 - 0.003, -y, z1 - 0.03], [x1 + 0.03, y, z1 + 0.03], 0.008, wood);
+    let top = (z1 + 0.03).min(b.size.z - 0.002);
+    b.soft("rail", [x1 - 0.003, -y, z1 - 0.03], [x1 + 0.03, y, top], 0.008, wood);
     let count = ((2.0 * y / b.vary(0.07, 0.13)) as usize).clamp(5, 24);
     for cy in spaced(count, -y * 0.94, y * 0.94) {
         let w = 0.02;

@@ -53,7 +53,7 @@ pub(super) fn plain(b: &mut Build<'_>) {
         }
         _ => {
             let (mat, other) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
-            b.ball("ball", c, r * 0.965, mat);
+            b.ball("ball", c, r * 0.95, mat);
             let towards = [0.5, 0.3, 0.8];
             let (stripe, cap) = (b.vary(0.16, 0.42), b.vary(0.22, 0.42));
             if b.rng.chance(0.5) {

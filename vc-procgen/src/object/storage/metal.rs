@@ -90,7 +90,7 @@ impl Rack {
                 let pitch = 2.0 * (x - 0.004) / count as f32;
                 for i in 0..count {
                     let x0 = 0.004 - x + pitch * i as f32;
-                    b.block("slat", [x0, 0.004 - y, z - 0.016], [x0 + pitch * 0.8, y - 0.004, z], self.board);
+                    b.block("slat", [x0, 0.004 - y, z - 0.016], [x0 + pitch - 0.003, y - 0.004, z], self.board);
                 }
                 for side in [-1.0_f32, 1.0] {
                     let cy = side * (y - p - 0.012);

@@ -22,7 +22,7 @@ pub(super) fn window(b: &mut Build<'_>) {
     if x - depth > 0.005 {
         b.block("outer_sill", [-x, -y, 0.0], [-depth, y, 0.012 * u], ALUMINIUM);
     }
-    let reach = x + b.vary(0.12, 0.18);
+    let reach = x + b.vary(0.05, 0.095);
     let board = 0.024 * u;
     let sill = b.one(&[b.style.joinery, MARBLE, b.style.wood, WHITE]);
     b.block("sill", [depth, -y, 0.0], [reach, y, board], sill);

@@ -6,6 +6,7 @@ mod pet_gear;
 mod sewing;
 mod workshop;
 
+use super::rest::settled;
 use super::{Generator, indoor};
 
 pub(super) const GENERATORS: &[Generator] = &[
@@ -15,7 +16,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("wrench", 3, hand::wrench),
     indoor("pliers", 3, hand::pliers),
     indoor("drill", 3, hand::drill),
-    indoor("saw", 3, hand::saw),
+    indoor("saw", 3, |b| settled(b, hand::saw)),
     indoor("utility_knife", 2, hand::knife),
     indoor("nail", 1, hand::nail),
     indoor("screw", 1, hand::nail),
@@ -31,7 +32,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("thread", 2, sewing::thread),
     indoor("button", 2, sewing::button),
     indoor("sewing_kit", 2, sewing::kit),
-    indoor("yarn", 3, sewing::yarn),
+    indoor("yarn", 3, |b| settled(b, sewing::yarn)),
     indoor("tape_measure", 2, sewing::tape_measure),
     indoor("clothespin", 2, sewing::clothespin),
     indoor("cat", 5, pet::cat),

@@ -59,7 +59,7 @@ pub(super) fn button(b: &mut Build<'_>) {
         mat,
     );
     let hole =
-        |sx: f32, sy: f32| ([r * (sx - 0.09), r * (sy - 0.09), h * 0.5], [r * (sx + 0.09), r * (sy + 0.09), h * 0.68]);
+        |sx: f32, sy: f32| ([r * (sx - 0.09), r * (sy - 0.09), h * 0.3], [r * (sx + 0.09), r * (sy + 0.09), h * 0.82]);
     blocks(b, "hole", &[hole(0.25, 0.25), hole(-0.25, 0.25), hole(0.25, -0.25), hole(-0.25, -0.25)], SCREEN);
 }
 
@@ -91,7 +91,7 @@ pub(super) fn yarn(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let colour = b.one(&THREADS);
     let r = x.min(y).min(h / 2.0);
-    let at = [0.0, 0.0, h / 2.0];
+    let at = [0.0, 0.0, r];
     b.ball("ball", at, r * 0.93, colour);
     let mut strands = Shell::default();
     let thick = r * 0.07;
@@ -110,7 +110,7 @@ pub(super) fn yarn(b: &mut Build<'_>) {
     strands.put(b, "strand", colour);
     if b.rng.chance(0.5) && y > r * 1.1 {
         let tip = [0.0, (y - thick).min(r * 1.8), thick];
-        tube(b, "end", &[[0.0, r * 0.5, h * 0.2], [r * 0.2, r * 0.95, thick], tip], thick, colour);
+        tube(b, "end", &[[0.0, r * 0.5, r * 0.4], [r * 0.2, r * 0.95, thick], tip], thick, colour);
     }
 }
 

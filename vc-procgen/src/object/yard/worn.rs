@@ -168,8 +168,8 @@ pub(super) fn life_jacket(b: &mut Build<'_>) {
         );
     }
     let back = [
-        (-y * 0.98, h * 0.02),
-        (y * 0.98, h * 0.02),
+        (-y * 0.98, 0.0),
+        (y * 0.98, 0.0),
         (y * 0.98, chest * 0.75),
         (shoulder, chest),
         (shoulder * 0.9, h * 0.92),
