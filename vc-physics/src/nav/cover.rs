@@ -1,17 +1,20 @@
 //! What bodies cover of the floor.
 
-use nalgebra::{Point2, Point3};
+use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{NodeId, Pose};
 
 use super::outline::{Outline, hull};
 use super::{Doors, FloorPlan};
 use crate::Role;
+use crate::shapes::{Footprint, Link, levels};
 use crate::world::{Thing, World};
 
 /// Up to which motion a body counts as where it was, metres.
 const SAME: f32 = 0.005;
 /// How far below the floor's level a floor may be and still be it, metres.
 const BELOW: f32 = 0.1;
+/// Up to which imaginary part of its turn a thing stands upright.
+const LEVEL: f32 = 1e-3;
 
 /// What a node covers, and how it stood when that was found.
 #[derive(Debug, Clone)]
@@ -69,7 +72,7 @@ impl Cover {
 /// Poses of a thing's links.
 fn poses(world: &World, thing: &Thing) -> Vec<Pose> {
     let base = world.engine.pose(thing.state.base).unwrap_or_else(Pose::identity);
-    let part = |(i, link): (usize, &crate::shapes::Link)| {
+    let part = |(i, link): (usize, &Link)| {
         let position = world.part_position(thing, i).unwrap_or(0.0);
         link.joint.map_or(base, |j| base * j.motion(position))
     };
@@ -79,14 +82,38 @@ fn poses(world: &World, thing: &Thing) -> Vec<Pose> {
 
 /// Outlines of the pieces of a link that are between floor and head.
 fn outlines(thing: &Thing, link: usize, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
-    let (low, high) = (plan.level + plan.step, plan.level + plan.height);
+    let link = &thing.form.links[link];
+    if is_upright(pose) { standing(link, pose, plan) } else { tilted(link, pose, plan) }
+}
+
+/// Whether a pose turns around the vertical only.
+fn is_upright(pose: &Pose) -> bool {
+    pose.rotation.i.abs() < LEVEL && pose.rotation.j.abs() < LEVEL
+}
+
+fn is_in_the_way(plan: &FloorPlan, low: f32, high: f32) -> bool {
+    high > plan.level + plan.step && low < plan.level + plan.height
+}
+
+/// Of what stands upright, the footprints that were made beforehand, without those
+/// that others cover.
+fn standing(link: &Link, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
+    let (all, z) = (link.footprints(), pose.translation.z);
+    let counts = |f: &Footprint| is_in_the_way(plan, z + f.low, z + f.high);
+    let front = pose.rotation * Vector3::x();
+    let (at, cos, sin) = (pose.translation.vector.xy(), front.x, front.y);
+    let placed = |p: &Point2<f32>| Point2::new(cos * p.x - sin * p.y + at.x, sin * p.x + cos * p.y + at.y);
+    let seen = all.iter().filter(|f| counts(f) && !f.within.is_some_and(|w| counts(&all[w])));
+    seen.map(|f| f.outline.iter().map(placed).collect()).collect()
+}
+
+fn tilted(link: &Link, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
     let piece = |corners: &Vec<Point3<f32>>| {
         let placed: Vec<Point3<f32>> = corners.iter().map(|p| pose * p).collect();
-        let bottom = placed.iter().map(|p| p.z).fold(f32::INFINITY, f32::min);
-        let top = placed.iter().map(|p| p.z).fold(f32::NEG_INFINITY, f32::max);
-        (top > low && bottom < high).then(|| hull(placed))
+        let (low, high) = levels(&placed);
+        is_in_the_way(plan, low, high).then(|| hull(placed))
     };
-    thing.form.links[link].hulls().iter().filter_map(piece).collect()
+    link.hulls().iter().filter_map(piece).collect()
 }
 
 /// What all nodes cover.
@@ -119,8 +146,7 @@ pub(crate) fn ground(world: &World, plan: &FloorPlan) -> Vec<Outline> {
         let Some(base) = world.engine.pose(thing.state.base) else { continue };
         for corners in thing.form.links[0].hulls() {
             let placed: Vec<Point3<f32>> = corners.iter().map(|p| base * p).collect();
-            let top = placed.iter().map(|p| p.z).fold(f32::NEG_INFINITY, f32::max);
-            if tops.contains(&top) {
+            if tops.contains(&levels(&placed).1) {
                 found.push(hull(placed));
             }
         }

@@ -3,9 +3,10 @@
 pub(crate) mod avoid;
 mod bands;
 mod cover;
-mod outline;
+pub(crate) mod outline;
 mod raster;
 mod search;
+mod spans;
 mod stand;
 
 use nalgebra::Point2;
