@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use rapier3d::dynamics::{
-    CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet, RigidBodyBuilder,
+    CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet, RigidBody, RigidBodyBuilder,
     RigidBodyHandle, RigidBodySet, SoftBodySet,
 };
 use rapier3d::geometry::{BroadPhaseBvh, Collider, ColliderHandle, ColliderSet, NarrowPhase};
@@ -16,8 +16,8 @@ use crate::convert;
 /// centimetres are as long as a cup's foot is wide: points that do not touch crowd out
 /// those that do, and small things rock for ever.
 const PREDICTION: f32 = 0.005;
-/// How far ahead of a body on its way contacts are looked for, metres, if it goes so
-/// far in one step.
+/// How far ahead of a fast body contacts are looked for, metres, if it goes so far in
+/// one step.
 const AHEAD: f32 = 0.25;
 /// How far two bodies move against each other before their contact points are looked
 /// for anew, metres.
@@ -79,6 +79,7 @@ impl Engine {
 
     /// One step; gives the bodies that became non-finite and were stopped.
     pub(crate) fn step(&mut self) -> &[RigidBodyHandle] {
+        self.look_ahead();
         self.scratch.pipeline.step(
             convert::vector(Vector3::new(0.0, 0.0, -self.gravity)),
             &self.parameters,
@@ -118,13 +119,27 @@ impl Engine {
         }
     }
 
-    /// Adds a body, with the length of its sleepiness and of its sight.
+    /// Adds a body.
     pub(crate) fn add_body(&mut self, body: RigidBodyBuilder) -> RigidBodyHandle {
-        let handle = self.bodies.insert(body.soft_ccd_prediction(knob("VX_SOFT", AHEAD)));
+        let handle = self.bodies.insert(body);
         if let Some(rigid) = self.bodies.get_mut(handle) {
             rigid.activation_mut().time_until_sleep = STILL;
         }
         handle
+    }
+
+    /// Lets fast bodies look ahead, and slow ones not: that costs time. Slow is who
+    /// gets less far in a step than contacts are looked for anyway.
+    fn look_ahead(&mut self) {
+        let slow = (PREDICTION / self.parameters.dt).powi(2);
+        let ahead = |body: &RigidBody| if body.linvel().length_squared() > slow { AHEAD } else { 0.0 };
+        let differs = |b: &RigidBodyHandle| self.bodies.get(*b).is_some_and(|b| b.soft_ccd_prediction() != ahead(b));
+        let differing: Vec<RigidBodyHandle> = self.awake_bodies().filter(differs).collect();
+        for handle in differing {
+            if let Some(body) = self.bodies.get_mut(handle) {
+                body.set_soft_ccd_prediction(ahead(body));
+            }
+        }
     }
 
     /// The bodies that are awake.
@@ -193,19 +208,14 @@ impl Engine {
     }
 }
 
-fn knob(name: &str, or: f32) -> f32 {
-    std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(or)
-}
-
 fn parameters(dt: f32) -> IntegrationParameters {
     IntegrationParameters {
         dt,
-        normalized_prediction_distance: knob("VX_PRED", PREDICTION),
-        normalized_contact_recycle_distance: knob("VX_RDIST", RECYCLED),
-        num_solver_iterations: knob("VX_ITER", 4.0) as usize,
+        normalized_prediction_distance: PREDICTION,
+        normalized_contact_recycle_distance: RECYCLED,
         // It would keep four points of all that touch in a plane, whether or not they
         // are the ones that carry.
-        contact_clustering: knob("VX_CLUSTER", 0.0) > 0.0,
+        contact_clustering: false,
         ..IntegrationParameters::default()
     }
 }
