@@ -296,6 +296,26 @@ fn chairs_in_the_way() {
     assert!(floor.update(&world));
 }
 
+/// What lies on a table is in nobody's way; what juts out over its edge is.
+#[test]
+fn things_on_tables_are_not_in_the_way() {
+    let (mut scene, _) = rooms();
+    let table = scene.table(at(4.0, 0.0, 0.0));
+    let cup = scene.cube(0.05, at(4.0, 0.0, 0.79));
+    let mut edit = scene.builder.edit();
+    edit.place(cup, vc_graph::Place { relation: vc_graph::Relation::On, at: table }).unwrap();
+    edit.commit();
+    let mut world = scene.world();
+    let mut floor = Floor::of(&world, FloorPlan::default());
+    let area = floor.area();
+    world.place(cup, at(4.2, 0.1, 0.79)).unwrap();
+    floor.update(&world);
+    assert_eq!(floor.area(), area);
+    world.place(cup, at(4.45, 0.0, 0.79)).unwrap();
+    floor.update(&world);
+    assert!(floor.area() < area && !floor.is_free(Point2::new(4.72, 0.0)));
+}
+
 #[test]
 fn places_to_stand() {
     let (mut scene, _) = rooms();

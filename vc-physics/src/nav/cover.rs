@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{NodeId, Pose};
 
-use super::outline::{Outline, hull};
+use super::outline::{Outline, contains, hull};
 use super::{Doors, FloorPlan};
 use crate::Role;
 use crate::shapes::{Footprint, Link, levels};
@@ -15,6 +15,8 @@ const SAME: f32 = 0.005;
 const BELOW: f32 = 0.1;
 /// Up to which imaginary part of its turn a thing stands upright.
 const LEVEL: f32 = 1e-3;
+/// Most things between a thing and what is fixed below it.
+const STACKED: usize = 8;
 
 /// What a node covers, and how it stood when that was found.
 #[derive(Debug, Clone)]
@@ -40,7 +42,7 @@ impl Cover {
         let passable = thing.state.door && !locked && plan.doors == Doors::Opened;
         let mut cover =
             Self { id: thing.id, outlines: Vec::new(), gate: Vec::new(), poses, role: Some(thing.state.role), locked };
-        if thing.state.role == Role::Carried {
+        if thing.state.role == Role::Carried || is_covered(world, thing, plan) {
             return cover;
         }
         for (link, pose) in cover.poses.iter().enumerate() {
@@ -78,6 +80,23 @@ fn poses(world: &World, thing: &Thing) -> Vec<Pose> {
     };
     let parts = thing.form.links.iter().skip(1).enumerate().map(part);
     std::iter::once(base).chain(parts).collect()
+}
+
+/// Whether what a thing is on or in by the graph, or that in turn, is fixed and covers
+/// all of it: cups on a table are in nobody's way.
+fn is_covered(world: &World, thing: &Thing, plan: &FloorPlan) -> bool {
+    let below = |t: &Thing| world.thing(t.state.rests?.at).ok();
+    let mut chain = std::iter::successors(below(thing), |t| below(t)).take(STACKED);
+    let Some(at) = chain.find(|t| t.state.role == Role::Fixed).filter(|_| thing.state.role != Role::Fixed) else {
+        return false;
+    };
+    let base = world.engine.pose(at.state.base).filter(is_upright);
+    let (Some(base), Some(around)) = (base, world.aabb(thing.id)) else { return false };
+    let local = |p: Point2<f32>| base.inverse_transform_point(&Point3::new(p.x, p.y, 0.0)).xy();
+    let corners: Outline = rectangle(&around.min, &around.max).into_iter().map(local).collect();
+    let level = base.translation.z;
+    let counts = |f: &&Footprint| is_in_the_way(plan, level + f.low, level + f.high);
+    at.form.links[0].footprints().iter().filter(counts).any(|f| contains(&f.outline, &corners))
 }
 
 /// Outlines of the pieces of a link that are between floor and head.
