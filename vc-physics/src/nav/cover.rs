@@ -23,7 +23,8 @@ const STACKED: usize = 8;
 pub(crate) struct Cover {
     pub(crate) id: NodeId,
     pub(crate) outlines: Vec<Outline>,
-    /// Of a door between rooms: its shut leaf.
+    /// What whoever walks moves out of the way: of a door between rooms the shut leaf,
+    /// of furniture what stands open.
     pub(crate) gate: Vec<Outline>,
     poses: Vec<Pose>,
     role: Option<Role>,
@@ -39,29 +40,26 @@ impl Cover {
     fn of(world: &World, thing: &Thing, plan: &FloorPlan) -> Self {
         let poses = poses(world, thing);
         let locked = thing.state.moving.iter().any(|m| m.locked);
-        let passable = thing.state.door && !locked && plan.doors == Doors::Opened;
         let mut cover =
             Self { id: thing.id, outlines: Vec::new(), gate: Vec::new(), poses, role: Some(thing.state.role), locked };
         if thing.state.role == Role::Carried || is_covered(world, thing, plan) {
             return cover;
         }
+        let base = cover.poses.first().copied().unwrap_or_else(Pose::identity);
         for (link, pose) in cover.poses.iter().enumerate() {
-            if link == 0 || !passable {
+            let (door, open) = (thing.state.door && link > 0, !near(pose, &base));
+            let aside = plan.doors == Doors::Opened && !locked && (door || open);
+            if door || aside {
+                cover.gate.extend(outlines(thing, link, if door { &base } else { pose }, plan));
+            }
+            if !aside {
                 cover.outlines.extend(outlines(thing, link, pose, plan));
             }
-        }
-        if let Some(base) = cover.poses.first().filter(|_| thing.state.door) {
-            let leaves = 1..thing.form.links.len();
-            cover.gate = leaves.flat_map(|link| outlines(thing, link, base, plan)).collect();
         }
         cover
     }
 
     fn is_current(&self, world: &World, thing: &Thing) -> bool {
-        let near = |a: &Pose, b: &Pose| {
-            (a.translation.vector - b.translation.vector).norm() < SAME
-                && (a.rotation.coords - b.rotation.coords).norm() < SAME
-        };
         let now = poses(world, thing);
         self.id == thing.id
             && self.role == Some(thing.state.role)
@@ -69,6 +67,11 @@ impl Cover {
             && self.poses.len() == now.len()
             && self.poses.iter().zip(&now).all(|(a, b)| near(a, b))
     }
+}
+
+/// Whether two poses are the same but for what does not matter.
+fn near(a: &Pose, b: &Pose) -> bool {
+    (a.translation.vector - b.translation.vector).norm() < SAME && (a.rotation.coords - b.rotation.coords).norm() < SAME
 }
 
 /// Poses of a thing's links.
