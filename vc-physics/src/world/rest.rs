@@ -19,7 +19,7 @@ const SLOW: f32 = 0.05;
 /// Time between looks at where things are, seconds.
 const LOOK: f32 = 0.1;
 /// Within which distance a thing counts as where it was, metres.
-const ABOUT: f32 = 0.01;
+const ABOUT: f32 = 0.02;
 /// After how many looks it may tremble and sleep all the same.
 const LOOKS: u8 = 4;
 /// How fast what stays where it is may tremble, metres a second.
