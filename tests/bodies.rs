@@ -16,9 +16,9 @@ fn build(graph: &SceneGraph) -> World {
     World::build(graph, &Shapes::new(), Settings::default()).unwrap()
 }
 
-/// What falls asleep in a generated home is where it was put, but for a few things.
+/// A generated home comes to rest in ten seconds but for a few things, nearly all of
+/// it where it was put.
 #[test]
-#[ignore = "open: some seventy of 563 things of a generated home have not fallen asleep after ten seconds"]
 fn homes_come_to_rest() {
     let (mut things, mut fell) = (0, 0);
     for graph in (1..4).filter_map(home) {
@@ -30,7 +30,7 @@ fn homes_come_to_rest() {
         fell += report.fell.len();
         assert!(world.awake() * 50 < graph.len(), "{} of {} awake", world.awake(), graph.len());
     }
-    assert!(fell * 20 < things, "{fell} of {things} things fell");
+    assert!(fell * 100 < things, "{fell} of {things} things fell");
 }
 
 /// A free point of a room, the one nearest to its middle.
@@ -44,7 +44,6 @@ fn inside(graph: &SceneGraph, floor: &Floor, room: NodeId) -> Option<Point2<f32>
 }
 
 #[test]
-#[ignore = "open: in apartment 4 the floor of the physics crate has no way into one room"]
 fn every_room_can_be_walked_to() {
     for graph in (1..6).filter_map(home) {
         let world = build(&graph);

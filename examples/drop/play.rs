@@ -77,6 +77,5 @@ fn clear_away(world: &mut World, cast: &Cast) -> Result<(), AgentError> {
             return Ok(());
         }
     }
-    let _ = cast.table;
     Ok(())
 }

@@ -15,7 +15,6 @@ pub(crate) const WATER: f32 = 0.9;
 /// Who plays.
 pub(crate) struct Cast {
     pub(crate) falling: Vec<NodeId>,
-    pub(crate) table: NodeId,
     pub(crate) shelf: NodeId,
     pub(crate) chest: NodeId,
     pub(crate) door: NodeId,
@@ -144,13 +143,13 @@ impl Build {
 
     fn everything(&mut self, seed: u64, things: u16) -> Result<Cast, Flaw> {
         self.building()?;
-        let table = self.table()?;
+        self.table()?;
         let (shelf, chest, door) = (self.shelf()?, self.chest()?, self.door()?);
         let falling = self.falling(seed, things)?;
         let (car, wood, stone) = self.outdoors()?;
         let mug = self.thing("mug", mug(), self.stuff.blue, at(-0.25, 0.45, 0.745))?;
         let person = self.builder.add(Draft::new("character").at(at(-1.2, 0.6, 0.0)))?;
-        Ok(Cast { falling, table, shelf, chest, door, car, wood, stone, mug, person })
+        Ok(Cast { falling, shelf, chest, door, car, wood, stone, mug, person })
     }
 
     /// A floor, three walls (one with a doorway), the road and the pool.
@@ -191,7 +190,7 @@ impl Build {
         Ok(())
     }
 
-    fn table(&mut self) -> Result<NodeId, Flaw> {
+    fn table(&mut self) -> Result<(), Flaw> {
         let oak = self.stuff.oak;
         let mut parts = vec![board("top", [-0.45, -0.8, 0.7], [0.45, 0.8, 0.74], oak)];
         for (x, y) in [(-0.42, -0.77), (0.36, -0.77), (-0.42, 0.71), (0.36, 0.71)] {
@@ -199,7 +198,8 @@ impl Build {
         }
         let top = surface("top", Hold::On, [0.0, 0.0, 0.74], (0.45, 0.8), None);
         let asset = self.asset("table", parts, vec![top])?;
-        self.add("dining_table", asset, at(0.0, 0.0, 0.0))
+        self.add("dining_table", asset, at(0.0, 0.0, 0.0))?;
+        Ok(())
     }
 
     fn shelf(&mut self) -> Result<NodeId, Flaw> {

@@ -59,7 +59,9 @@ pub struct Settings {
     /// opened.
     pub latches: bool,
     /// Whether a mass that no member of the class has is brought to the nearest that
-    /// one has. Assets are often modelled with too much or too little material.
+    /// one has. Assets are often modelled with too much or too little material. The
+    /// range grows with the volume of a scaled node;
+    /// [`World::modelled_mass`](crate::World::modelled_mass) has the mass before.
     pub class_masses: bool,
 }
 

@@ -72,14 +72,14 @@ impl World {
         let before: Vec<(NodeId, Pose, Vector)> = self.loose().filter_map(|t| self.whereabouts(t)).collect();
         let known = self.stopped.len();
         let mut steps = 0;
-        while steps < limit && (steps == 0 || self.awake() > 0) {
+        while steps < limit && (steps == 0 || !self.engine.is_at_rest()) {
             self.step();
             steps += 1;
         }
         let moved: Vec<Moved> = before.iter().filter_map(|b| self.change(b)).collect();
         Settling {
             steps,
-            at_rest: self.awake() == 0,
+            at_rest: self.engine.is_at_rest(),
             fell: moved.iter().filter(|m| m.drop > DROP).map(|m| m.id).collect(),
             moved: moved.into_iter().filter(|m| m.distance > STILL || m.angle > STRAIGHT).collect(),
             left: self.loose().filter_map(|t| Some((t.id, self.lost_place(t)?))).collect(),

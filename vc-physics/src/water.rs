@@ -206,6 +206,10 @@ fn below(triangle: &[Vector3<f32>; 3]) -> ([Vector3<f32>; 4], usize) {
 /// Buoyancy, drag, and the waves that carry energy away. The water that moves with
 /// the body makes it slower, which also keeps light bodies from being flung up.
 fn float(body: &mut RigidBody, below: &Submerged, dt: f32, gravity: f32) {
+    if body.linvel().length() > RESTLESS {
+        // What bobs slows down at every turn: it does not rest yet.
+        body.activation_mut().time_since_can_sleep = 0.0;
+    }
     let (mass, displaced) = (body.mass(), DENSITY * below.volume);
     let slower = mass / (mass + ADDED * displaced);
     let weight = mass * gravity * dt;
@@ -214,10 +218,6 @@ fn float(body: &mut RigidBody, below: &Submerged, dt: f32, gravity: f32) {
     let impulse = Vector3::z() * (lift * slower + weight);
     body.apply_impulse_at_point(convert::vector(impulse), convert::point(below.centre), false);
     let velocity = body.linvel();
-    if velocity.length() > RESTLESS {
-        // What bobs slows down at every turn: it does not rest yet.
-        body.activation_mut().time_since_can_sleep = 0.0;
-    }
     let area = nalgebra::ComplexField::cbrt(below.volume).powi(2);
     let drag = 0.5 * DENSITY * DRAG * area * velocity.length() * dt / (mass + ADDED * displaced);
     let slow = 1.0 / (1.0 + drag + WAVES * below.share * dt);

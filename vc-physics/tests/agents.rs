@@ -130,6 +130,25 @@ fn taking_carrying_and_putting_down() {
     assert_eq!(world.put(me, Hand::Right, spot), Err(AgentError::HandEmpty(me)));
 }
 
+/// What is carried touches nothing: cubes that it is swept through stay.
+#[test]
+fn what_is_held_pushes_nothing() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    scene.table(at(0.9, 0.0, 0.3));
+    let cubes: Vec<_> = (0..5).map(|i| scene.cube(0.05, at(0.6, 0.2 * i as f32 - 0.4, 1.09))).collect();
+    let toy = scene.cube(0.08, at(0.4, -1.5, 0.08));
+    let me = scene.agent(at(0.2, -1.5, 0.0));
+    let mut world = scene.world();
+    world.settle(100);
+    world.grab(me, Hand::Right, toy).unwrap();
+    world.follow(me, &[Point2::new(0.2, 1.5)], false).unwrap();
+    let before: Vec<_> = cubes.iter().map(|c| world.pose(*c)).collect();
+    world.run(300);
+    assert_eq!(world.walk(me).unwrap(), Walk::Still);
+    assert_eq!(cubes.iter().map(|c| world.pose(*c)).collect::<Vec<_>>(), before);
+}
+
 #[test]
 fn dropping() {
     let mut scene = Scene::default();

@@ -47,6 +47,21 @@ fn slope_at_the_friction_angle() {
     }
 }
 
+/// A ball rolls until rolling resistance, 0.03 of its weight, has stopped it: of a full
+/// sphere the resistance slows the roll by 5/7 of that.
+#[test]
+fn a_ball_rolls_to_a_stop() {
+    let mut scene = Scene::default();
+    scene.floor(10.0, 0.5);
+    let ball = scene.ball(0.1, at(0.0, 0.0, 0.1));
+    let mut world = scene.world();
+    world.set_velocity(ball, Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.0, 10.0, 0.0)).unwrap();
+    assert!(world.settle(600).at_rest);
+    let distance = world.pose(ball).unwrap().translation.x;
+    let expected = 1.0 / (2.0 * 0.03 * 9.81 * 5.0 / 7.0);
+    assert!((distance / expected - 1.0).abs() < 0.1, "{distance} m, should be {expected} m");
+}
+
 #[test]
 fn a_stack_of_ten_rests() {
     let mut scene = Scene::default();
@@ -139,6 +154,7 @@ fn depth_of_a_floating_block() {
         world.step();
         highest = highest.max(world.pose(ball).unwrap().translation.z);
     }
+    assert!(world.is_asleep(rock), "what has sunk comes to rest");
     // 0.6 of 0.2 m is below: the middle is 0.02 m below the surface.
     let middle = world.pose(wood).unwrap().translation.z;
     assert!((middle - 0.98).abs() < 0.003, "{middle}");

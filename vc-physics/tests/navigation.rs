@@ -279,6 +279,23 @@ fn doors_block_and_open() {
     assert!(any.route(left, Point2::new(0.0, 0.0)).is_some());
 }
 
+/// A drawer left open is shut in passing, and told; as it is, it is in the way.
+#[test]
+fn open_drawers_are_shut_in_passing() {
+    let (mut scene, _) = rooms();
+    let chest = scene.chest_asset();
+    let chest = scene.add("kitchen_cabinet", chest, at(4.0, 0.0, 0.0));
+    scene.wall([4.75, -2.0, 0.0], [4.85, 2.0, 2.6]);
+    let mut world = scene.world();
+    world.put_open(chest, 0, 1.0).unwrap();
+    let (a, b) = (Point2::new(4.5, -1.5), Point2::new(4.5, 1.5));
+    let straight = FloorPlan { radius: 0.15, ..FloorPlan::default() };
+    let route = Floor::of(&world, straight).route(a, b).unwrap();
+    assert!(route.length < 3.01 && route.doors == [chest], "{route:?}");
+    let as_it_is = Floor::of(&world, FloorPlan { doors: Doors::AsTheyAre, ..straight });
+    assert!(as_it_is.route(a, b).is_some_and(|r| r.length > 3.2 && r.doors.is_empty()));
+}
+
 #[test]
 fn chairs_in_the_way() {
     let (mut scene, _) = rooms();
@@ -294,6 +311,26 @@ fn chairs_in_the_way() {
     // What is carried is not in the way.
     world.remove(crate_).unwrap();
     assert!(floor.update(&world));
+}
+
+/// What lies on a table is in nobody's way; what juts out over its edge is.
+#[test]
+fn things_on_tables_are_not_in_the_way() {
+    let (mut scene, _) = rooms();
+    let table = scene.table(at(4.0, 0.0, 0.0));
+    let cup = scene.cube(0.05, at(4.0, 0.0, 0.79));
+    let mut edit = scene.builder.edit();
+    edit.place(cup, vc_graph::Place { relation: vc_graph::Relation::On, at: table }).unwrap();
+    edit.commit();
+    let mut world = scene.world();
+    let mut floor = Floor::of(&world, FloorPlan::default());
+    let area = floor.area();
+    world.place(cup, at(4.2, 0.1, 0.79)).unwrap();
+    floor.update(&world);
+    assert_eq!(floor.area(), area);
+    world.place(cup, at(4.45, 0.0, 0.79)).unwrap();
+    floor.update(&world);
+    assert!(floor.area() < area && !floor.is_free(Point2::new(4.72, 0.0)));
 }
 
 #[test]

@@ -80,9 +80,8 @@ impl World {
         let mut order: Vec<(f32, u32)> = places.iter().enumerate().map(|(i, p)| (far(p), i as u32)).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         let &(nearest, _) = order.first().ok_or(AgentError::NoSeat(on))?;
-        let reach = STEP.max(nearest.min(STEP));
-        if nearest > reach {
-            return Err(AgentError::OutOfReach { agent, id: on, distance: nearest, reach });
+        if nearest > STEP {
+            return Err(AgentError::OutOfReach { agent, id: on, distance: nearest, reach: STEP });
         }
         let &(_, place) = order.iter().find(|(_, i)| !taken(*i)).ok_or(AgentError::SeatTaken(on))?;
         let body = self.agent_mut(agent)?;

@@ -52,7 +52,7 @@ fn jointed(engine: &mut Engine, thing: &Thing, index: usize, moving: Moving, set
         .additional_mass_properties(mass)
         .gravity_scale(if settings.balanced { 0.0 } else { 1.0 })
         .user_data(group::mark(thing.id, index));
-    let body = engine.bodies.insert(builder);
+    let body = engine.add_body(builder);
     if let Some((shape, at)) = &link.solid {
         let collider = collider(link, shape, at).collision_groups(group::leaf());
         engine.add_collider(collider.user_data(group::mark(thing.id, index)).build(), body);

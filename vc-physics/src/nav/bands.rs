@@ -12,7 +12,8 @@ pub(crate) struct Band {
     pub(crate) x1: u32,
     pub(crate) y0: u32,
     pub(crate) y1: u32,
-    /// Its gates, below and above, in [`Bands::gates`].
+    /// Its gates: where they begin in the list of those downwards and upwards, and how
+    /// many they are.
     below: (u32, u32),
     above: (u32, u32),
 }
@@ -29,7 +30,8 @@ pub(crate) struct Gate {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Bands {
     pub(crate) all: Vec<Band>,
-    gates: Vec<Gate>,
+    up: Vec<Gate>,
+    down: Vec<Gate>,
     /// For each row the bands in it by column, in `in_rows`.
     rows: Vec<(u32, u32)>,
     in_rows: Vec<u32>,
@@ -65,37 +67,35 @@ impl Bands {
         current
     }
 
-    /// Finds the gates: bands that end at a row beside bands that begin there.
+    /// Finds the gates: bands that end at a row beside bands that begin there. Those
+    /// of one band on one side are met one after the other.
     fn join(&mut self) {
-        let mut above: Vec<Vec<Gate>> = vec![Vec::new(); self.all.len()];
-        let mut below: Vec<Vec<Gate>> = vec![Vec::new(); self.all.len()];
-        for pair in self.rows.windows(2) {
-            let slice = |(from, count): (u32, u32)| &self.in_rows[from as usize..(from + count) as usize];
+        let Self { all, up, down, rows, in_rows } = self;
+        for pair in rows.windows(2) {
+            let slice = |(from, count): (u32, u32)| &in_rows[from as usize..(from + count) as usize];
             let (lower, upper) = (slice(pair[0]), slice(pair[1]));
             let (mut i, mut j) = (0, 0);
             while let (Some(&a), Some(&b)) = (lower.get(i), upper.get(j)) {
-                let (one, two) = (&self.all[a as usize], &self.all[b as usize]);
+                let (one, two) = (&all[a as usize], &all[b as usize]);
                 let (from, to) = (one.x0.max(two.x0), one.x1.min(two.x1));
-                if from < to && a != b {
-                    above[a as usize].push(Gate { band: b, from, to });
-                    below[b as usize].push(Gate { band: a, from, to });
+                if one.x1 < two.x1 {
+                    i += 1
+                } else {
+                    j += 1
                 }
-                if one.x1 < two.x1 { i += 1 } else { j += 1 }
+                if from < to && a != b {
+                    extend(&mut all[a as usize].above, up, Gate { band: b, from, to });
+                    extend(&mut all[b as usize].below, down, Gate { band: a, from, to });
+                }
             }
-        }
-        for (band, (under, over)) in self.all.iter_mut().zip(below.iter().zip(&above)) {
-            band.below = (self.gates.len() as u32, under.len() as u32);
-            self.gates.extend(under);
-            band.above = (self.gates.len() as u32, over.len() as u32);
-            self.gates.extend(over);
         }
     }
 
     /// Ways out of a band over its upper or its lower side.
     pub(crate) fn gates(&self, band: u32, up: bool) -> &[Gate] {
         let band = &self.all[band as usize];
-        let (from, count) = if up { band.above } else { band.below };
-        &self.gates[from as usize..(from + count) as usize]
+        let ((from, count), gates) = if up { (band.above, &self.up) } else { (band.below, &self.down) };
+        &gates[from as usize..(from + count) as usize]
     }
 
     /// The band of a cell.
@@ -106,4 +106,13 @@ impl Bands {
         let band = *row.get(after.checked_sub(1)?)?;
         (column < self.all[band as usize].x1 as usize).then_some(band)
     }
+}
+
+/// Adds a gate to a list, and to the part of it that is a band's.
+fn extend((from, count): &mut (u32, u32), list: &mut Vec<Gate>, gate: Gate) {
+    if *count == 0 {
+        *from = list.len() as u32;
+    }
+    *count += 1;
+    list.push(gate);
 }

@@ -1,24 +1,30 @@
 //! What bodies cover of the floor.
 
-use nalgebra::{Point2, Point3};
+use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{NodeId, Pose};
 
-use super::outline::{Outline, hull};
+use super::outline::{Outline, contains, hull};
 use super::{Doors, FloorPlan};
 use crate::Role;
+use crate::shapes::{Footprint, Link, levels};
 use crate::world::{Thing, World};
 
 /// Up to which motion a body counts as where it was, metres.
 const SAME: f32 = 0.005;
 /// How far below the floor's level a floor may be and still be it, metres.
 const BELOW: f32 = 0.1;
+/// Up to which imaginary part of its turn a thing stands upright.
+const LEVEL: f32 = 1e-3;
+/// Most things between a thing and what is fixed below it.
+const STACKED: usize = 8;
 
 /// What a node covers, and how it stood when that was found.
 #[derive(Debug, Clone)]
 pub(crate) struct Cover {
     pub(crate) id: NodeId,
     pub(crate) outlines: Vec<Outline>,
-    /// Of a door between rooms: its shut leaf.
+    /// What whoever walks moves out of the way: of a door between rooms the shut leaf,
+    /// of furniture what stands open.
     pub(crate) gate: Vec<Outline>,
     poses: Vec<Pose>,
     role: Option<Role>,
@@ -34,29 +40,26 @@ impl Cover {
     fn of(world: &World, thing: &Thing, plan: &FloorPlan) -> Self {
         let poses = poses(world, thing);
         let locked = thing.state.moving.iter().any(|m| m.locked);
-        let passable = thing.state.door && !locked && plan.doors == Doors::Opened;
         let mut cover =
             Self { id: thing.id, outlines: Vec::new(), gate: Vec::new(), poses, role: Some(thing.state.role), locked };
-        if thing.state.role == Role::Carried {
+        if thing.state.role == Role::Carried || is_covered(world, thing, plan) {
             return cover;
         }
+        let base = cover.poses.first().copied().unwrap_or_else(Pose::identity);
         for (link, pose) in cover.poses.iter().enumerate() {
-            if link == 0 || !passable {
+            let (door, open) = (thing.state.door && link > 0, !near(pose, &base));
+            let aside = plan.doors == Doors::Opened && !locked && (door || open);
+            if door || aside {
+                cover.gate.extend(outlines(thing, link, if door { &base } else { pose }, plan));
+            }
+            if !aside {
                 cover.outlines.extend(outlines(thing, link, pose, plan));
             }
-        }
-        if let Some(base) = cover.poses.first().filter(|_| thing.state.door) {
-            let leaves = 1..thing.form.links.len();
-            cover.gate = leaves.flat_map(|link| outlines(thing, link, base, plan)).collect();
         }
         cover
     }
 
     fn is_current(&self, world: &World, thing: &Thing) -> bool {
-        let near = |a: &Pose, b: &Pose| {
-            (a.translation.vector - b.translation.vector).norm() < SAME
-                && (a.rotation.coords - b.rotation.coords).norm() < SAME
-        };
         let now = poses(world, thing);
         self.id == thing.id
             && self.role == Some(thing.state.role)
@@ -66,10 +69,15 @@ impl Cover {
     }
 }
 
+/// Whether two poses are the same but for what does not matter.
+fn near(a: &Pose, b: &Pose) -> bool {
+    (a.translation.vector - b.translation.vector).norm() < SAME && (a.rotation.coords - b.rotation.coords).norm() < SAME
+}
+
 /// Poses of a thing's links.
 fn poses(world: &World, thing: &Thing) -> Vec<Pose> {
     let base = world.engine.pose(thing.state.base).unwrap_or_else(Pose::identity);
-    let part = |(i, link): (usize, &crate::shapes::Link)| {
+    let part = |(i, link): (usize, &Link)| {
         let position = world.part_position(thing, i).unwrap_or(0.0);
         link.joint.map_or(base, |j| base * j.motion(position))
     };
@@ -77,16 +85,57 @@ fn poses(world: &World, thing: &Thing) -> Vec<Pose> {
     std::iter::once(base).chain(parts).collect()
 }
 
+/// Whether what a thing is on or in by the graph, or that in turn, is fixed and covers
+/// all of it: cups on a table are in nobody's way.
+fn is_covered(world: &World, thing: &Thing, plan: &FloorPlan) -> bool {
+    let below = |t: &Thing| world.thing(t.state.rests?.at).ok();
+    let mut chain = std::iter::successors(below(thing), |t| below(t)).take(STACKED);
+    let Some(at) = chain.find(|t| t.state.role == Role::Fixed).filter(|_| thing.state.role != Role::Fixed) else {
+        return false;
+    };
+    let base = world.engine.pose(at.state.base).filter(is_upright);
+    let (Some(base), Some(around)) = (base, world.aabb(thing.id)) else { return false };
+    let local = |p: Point2<f32>| base.inverse_transform_point(&Point3::new(p.x, p.y, 0.0)).xy();
+    let corners: Outline = rectangle(&around.min, &around.max).into_iter().map(local).collect();
+    let level = base.translation.z;
+    let counts = |f: &&Footprint| is_in_the_way(plan, level + f.low, level + f.high);
+    at.form.links[0].footprints().iter().filter(counts).any(|f| contains(&f.outline, &corners))
+}
+
 /// Outlines of the pieces of a link that are between floor and head.
 fn outlines(thing: &Thing, link: usize, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
-    let (low, high) = (plan.level + plan.step, plan.level + plan.height);
+    let link = &thing.form.links[link];
+    if is_upright(pose) { standing(link, pose, plan) } else { tilted(link, pose, plan) }
+}
+
+/// Whether a pose turns around the vertical only.
+fn is_upright(pose: &Pose) -> bool {
+    pose.rotation.i.abs() < LEVEL && pose.rotation.j.abs() < LEVEL
+}
+
+fn is_in_the_way(plan: &FloorPlan, low: f32, high: f32) -> bool {
+    high > plan.level + plan.step && low < plan.level + plan.height
+}
+
+/// Of what stands upright, the footprints that were made beforehand, without those
+/// that others cover.
+fn standing(link: &Link, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
+    let (all, z) = (link.footprints(), pose.translation.z);
+    let counts = |f: &Footprint| is_in_the_way(plan, z + f.low, z + f.high);
+    let front = pose.rotation * Vector3::x();
+    let (at, cos, sin) = (pose.translation.vector.xy(), front.x, front.y);
+    let placed = |p: &Point2<f32>| Point2::new(cos * p.x - sin * p.y + at.x, sin * p.x + cos * p.y + at.y);
+    let seen = all.iter().filter(|f| counts(f) && !f.within.is_some_and(|w| counts(&all[w])));
+    seen.map(|f| f.outline.iter().map(placed).collect()).collect()
+}
+
+fn tilted(link: &Link, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
     let piece = |corners: &Vec<Point3<f32>>| {
         let placed: Vec<Point3<f32>> = corners.iter().map(|p| pose * p).collect();
-        let bottom = placed.iter().map(|p| p.z).fold(f32::INFINITY, f32::min);
-        let top = placed.iter().map(|p| p.z).fold(f32::NEG_INFINITY, f32::max);
-        (top > low && bottom < high).then(|| hull(placed))
+        let (low, high) = levels(&placed);
+        is_in_the_way(plan, low, high).then(|| hull(placed))
     };
-    thing.form.links[link].hulls().iter().filter_map(piece).collect()
+    link.hulls().iter().filter_map(piece).collect()
 }
 
 /// What all nodes cover.
@@ -119,8 +168,7 @@ pub(crate) fn ground(world: &World, plan: &FloorPlan) -> Vec<Outline> {
         let Some(base) = world.engine.pose(thing.state.base) else { continue };
         for corners in thing.form.links[0].hulls() {
             let placed: Vec<Point3<f32>> = corners.iter().map(|p| base * p).collect();
-            let top = placed.iter().map(|p| p.z).fold(f32::NEG_INFINITY, f32::max);
-            if tops.contains(&top) {
+            if tops.contains(&levels(&placed).1) {
                 found.push(hull(placed));
             }
         }

@@ -3,9 +3,10 @@
 pub(crate) mod avoid;
 mod bands;
 mod cover;
-mod outline;
+pub(crate) mod outline;
 mod raster;
 mod search;
+mod spans;
 mod stand;
 
 use nalgebra::Point2;
@@ -19,11 +20,12 @@ use raster::Raster;
 
 pub use stand::Stand;
 
-/// How doors between rooms count.
+/// How doors between rooms count, and doors and drawers of furniture that stand open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Doors {
-    /// Whoever walks opens them: only locked ones are in the way.
+    /// Whoever walks opens the ones and shuts the others: only what is locked is in the
+    /// way.
     #[default]
     Opened,
     /// They are in the way as they stand.
@@ -60,7 +62,8 @@ pub struct Route {
     pub points: Vec<Point2<f32>>,
     /// Its length, metres.
     pub length: f32,
-    /// Doors it goes through, in order; those that are shut have to be opened.
+    /// Doors it goes through, in order; those that are shut have to be opened. Furniture
+    /// with them whose open doors or drawers are to be shut before.
     pub doors: Vec<NodeId>,
 }
 
@@ -199,7 +202,7 @@ impl Floor {
         Some((points, length))
     }
 
-    /// Doors whose shut leaf a way crosses, in order.
+    /// What has to be opened or shut on a way, in order.
     fn doors_on(&self, points: &[Point2<f32>]) -> Vec<NodeId> {
         let mut found = Vec::new();
         for pair in points.windows(2) {

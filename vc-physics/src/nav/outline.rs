@@ -33,48 +33,10 @@ pub(crate) fn turn(a: &Point2<f32>, b: &Point2<f32>, c: &Point2<f32>) -> f32 {
     (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
 }
 
-/// Where a level line meets an outline grown by a radius: the least and greatest x.
-pub(crate) fn span(outline: &[Point2<f32>], radius: f32, y: f32) -> Option<(f32, f32)> {
-    let mut reach = Reach { low: f32::INFINITY, high: f32::NEG_INFINITY };
-    let next = outline.iter().cycle().skip(1);
-    for (a, b) in outline.iter().zip(next) {
-        reach.disc(a, radius, y);
-        let way = b - a;
-        let length = way.norm();
-        if length > 0.0 {
-            let side = nalgebra::Vector2::new(way.y, -way.x) * (radius / length);
-            reach.segment(&(a + side), &(b + side), y);
-            reach.segment(&(a - side), &(b - side), y);
-        }
-    }
-    (reach.low <= reach.high).then_some((reach.low, reach.high))
-}
-
-struct Reach {
-    low: f32,
-    high: f32,
-}
-
-impl Reach {
-    fn add(&mut self, x: f32) {
-        self.low = self.low.min(x);
-        self.high = self.high.max(x);
-    }
-
-    fn disc(&mut self, centre: &Point2<f32>, radius: f32, y: f32) {
-        let rise = y - centre.y;
-        let half = radius * radius - rise * rise;
-        if half >= 0.0 {
-            self.add(centre.x - half.sqrt());
-            self.add(centre.x + half.sqrt());
-        }
-    }
-
-    fn segment(&mut self, a: &Point2<f32>, b: &Point2<f32>, y: f32) {
-        if (a.y <= y) != (b.y <= y) {
-            self.add(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
-        }
-    }
+/// Whether one convex outline covers all of another.
+pub(crate) fn contains(outer: &[Point2<f32>], inner: &[Point2<f32>]) -> bool {
+    let edges = || outer.iter().zip(outer.iter().cycle().skip(1));
+    outer.len() > 2 && inner.iter().all(|p| edges().all(|(a, b)| turn(a, b, p) >= -1e-7))
 }
 
 /// Whether a segment touches a convex outline.

@@ -2,13 +2,14 @@
 
 use nalgebra::Point2;
 
-use super::outline::{Outline, span};
+use super::outline::Outline;
+use super::spans::Spans;
 
 /// Most cells a grid has; larger floors get larger cells.
 const MOST: f32 = 4.0e6;
 
 /// Cells in rows; `low` is the corner of the first.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(crate) struct Raster {
     pub(crate) low: Point2<f32>,
     pub(crate) cell: f32,
@@ -17,6 +18,8 @@ pub(crate) struct Raster {
     /// Words in a row.
     words: usize,
     bits: Vec<u64>,
+    /// Kept for its memory.
+    spans: Spans,
 }
 
 impl Raster {
@@ -30,7 +33,7 @@ impl Raster {
         let count = |length: f32| (length / cell).ceil() as usize + 1;
         let (columns, rows) = (count(size.x), count(size.y));
         let words = columns.div_ceil(64);
-        Some(Self { low, cell, columns, rows, words, bits: vec![0; words * rows] })
+        Some(Self { low, cell, columns, rows, words, bits: vec![0; words * rows], spans: Spans::default() })
     }
 
     pub(crate) fn clear(&mut self) {
@@ -39,21 +42,19 @@ impl Raster {
 
     /// Sets or clears the cells whose centres are within an outline grown by a radius.
     pub(crate) fn paint(&mut self, outline: &Outline, radius: f32, value: bool) {
-        let (Some(bottom), Some(top)) =
-            (outline.iter().map(|p| p.y).reduce(f32::min), outline.iter().map(|p| p.y).reduce(f32::max))
-        else {
-            return;
-        };
-        let rows =
-            self.index(bottom - radius - self.low.y, self.rows)..self.index(top + radius - self.low.y, self.rows);
-        for row in rows {
-            let y = self.low.y + (row as f32 + 0.5) * self.cell;
-            if let Some((left, right)) = span(outline, radius, y) {
-                let from = self.index(left - self.low.x, self.columns);
-                let to = self.index(right - self.low.x, self.columns);
-                self.set(row, from, to, value);
-            }
+        let level = |pick: fn(f32, f32) -> f32| outline.iter().map(|p| p.y).reduce(pick);
+        let (Some(bottom), Some(top)) = (level(f32::min), level(f32::max)) else { return };
+        let first = self.index(bottom - radius - self.low.y, self.rows);
+        let last = self.index(top + radius - self.low.y, self.rows);
+        let middle = self.low.y + (first as f32 + 0.5) * self.cell;
+        let mut spans = std::mem::take(&mut self.spans);
+        spans.trace(outline, radius, middle, self.cell, last - first);
+        for (row, (left, right)) in spans.covered() {
+            let from = self.index(left - self.low.x, self.columns);
+            let to = self.index(right - self.low.x, self.columns);
+            self.set(first + row, from, to, value);
         }
+        self.spans = spans;
     }
 
     /// The first cell whose centre is not before an offset.

@@ -10,6 +10,7 @@ use vc_graph::asset::{Joint, Part, Shape, Surface};
 use vc_graph::class::Range;
 use vc_graph::{Asset, AssetLibrary, Bounds, Frame, Pose};
 
+use super::footprint::{self, Footprint};
 use super::piece::{self, Piece};
 use super::{mass, merge, scale};
 use crate::convert;
@@ -42,6 +43,7 @@ pub(crate) struct Link {
     pieces: Vec<Piece>,
     mesh: OnceLock<Vec<[Point3<f32>; 3]>>,
     hulls: OnceLock<Vec<Vec<Point3<f32>>>>,
+    footprints: OnceLock<Vec<Footprint>>,
 }
 
 impl Link {
@@ -59,11 +61,16 @@ impl Link {
         self.hulls.get_or_init(|| self.pieces.iter().map(scale::corners).collect())
     }
 
-    /// Whether it rolls: balls, cans, bottles.
-    pub(crate) fn is_round(&self) -> bool {
+    /// What each of its pieces covers of the floor while the asset stands upright; made
+    /// when first asked for.
+    pub(crate) fn footprints(&self) -> &[Footprint] {
+        self.footprints.get_or_init(|| footprint::of(self.hulls()))
+    }
+
+    /// Whether it can roll: it has a round piece, as balls, bottles and bowls have.
+    pub(crate) fn rolls(&self) -> bool {
         use rapier3d::geometry::ShapeType::{Ball, Capsule, Cone, Cylinder};
-        let round = |p: &Piece| matches!(p.shape.shape_type(), Ball | Capsule | Cone | Cylinder);
-        !self.pieces.is_empty() && self.pieces.iter().all(round)
+        self.pieces.iter().any(|p| matches!(p.shape.shape_type(), Ball | Capsule | Cone | Cylinder))
     }
 
     /// Number of convex pieces.
@@ -130,10 +137,10 @@ impl Form {
     }
 
     /// What to multiply masses by so that the whole is as heavy as a member of its
-    /// class can be.
-    pub(crate) fn mass_factor(&self, range: Option<Range>) -> f32 {
-        let mass = self.mass();
-        let wanted = range.map_or(mass, |r| mass.clamp(r.low, r.high.max(r.low)));
+    /// class can be; one that is scaled may be as much heavier as its volume is larger.
+    pub(crate) fn mass_factor(&self, range: Option<Range>, volume: f32) -> f32 {
+        let (mass, volume) = (self.mass(), volume.abs());
+        let wanted = range.map_or(mass, |r| mass.clamp(r.low * volume, r.high.max(r.low) * volume));
         let factor = wanted / mass;
         if factor.is_finite() && factor > 0.0 { factor } else { 1.0 }
     }
@@ -163,6 +170,7 @@ impl Link {
             pieces,
             mesh: OnceLock::new(),
             hulls: OnceLock::new(),
+            footprints: OnceLock::new(),
         }
     }
 }

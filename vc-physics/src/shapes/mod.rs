@@ -1,5 +1,6 @@
 //! From assets to what the engine needs, made once and shared.
 
+mod footprint;
 mod form;
 mod mass;
 mod merge;
@@ -12,6 +13,7 @@ use std::sync::{Arc, Mutex, Weak};
 
 use vc_graph::{AssetId, AssetLibrary, Node};
 
+pub(crate) use footprint::{Footprint, levels};
 pub(crate) use form::{Form, Link};
 pub(crate) use mass::scaled;
 

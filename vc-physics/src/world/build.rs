@@ -9,15 +9,12 @@ use rapier3d::math::Pose as EnginePose;
 use vc_graph::class::Category;
 use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, Relation, SceneGraph};
 
+use super::rest::Watch;
 use super::{State, Thing, World};
 use crate::engine::Engine;
 use crate::role::{Roles, is_structure};
 use crate::shapes::{Link, Session, Shapes, scaled};
 use crate::{PhysicsError, Role, Settings, convert, group, joints};
-
-/// What slows a spin of what is round, per second. It stands for rolling resistance,
-/// which the engine does not know: without it balls would roll for ever.
-const ROLLING: f32 = 2.0;
 
 impl World {
     /// A world with a body for every object that has a pose and an asset or a box,
@@ -123,8 +120,8 @@ impl World {
         let hollow = || graph.relating(Relation::Inside, node.id()).next().is_some();
         let Some(form) = session.form(node, node.affords(Property::Openable), hollow) else { return false };
         let mass_range = class.and_then(|c| c.mass).filter(|_| self.settings.class_masses);
-        let mass_factor = form.mass_factor(mass_range);
-        let Some(role) = roles.of(node, class, form.mass() * mass_factor) else { return false };
+        let mass_factor = form.mass_factor(mass_range, node.spec().scale.product());
+        let Some(role) = roles.of(node, class, &form, form.mass() * mass_factor) else { return false };
         let state = State {
             role,
             base: RigidBodyHandle::invalid(),
@@ -133,6 +130,7 @@ impl World {
             asset: node.spec().asset,
             scale: [node.spec().scale.x, node.spec().scale.y, node.spec().scale.z].map(f32::to_bits),
             written: pose,
+            watch: Watch::default(),
             rests: graph.place(node.id()),
             structure: is_structure(node, class),
             door: class.is_some_and(|c| c.category == Category::Door),
@@ -152,11 +150,10 @@ impl World {
             _ => RigidBodyBuilder::fixed(),
         };
         let link = &thing.form.links[0];
-        let damping = if link.is_round() { ROLLING } else { 0.0 };
-        let builder = builder.angular_damping(damping);
-        let builder = builder.pose(convert::pose(pose)).user_data(group::mark(thing.id, 0));
+        let rolls = if link.rolls() { group::ROLLS } else { 0 };
+        let builder = builder.pose(convert::pose(pose)).user_data(group::mark(thing.id, 0) | rolls);
         let builder = builder.additional_mass_properties(scaled(link.mass, link.mass.mass() * thing.state.mass_factor));
-        let body = self.engine.bodies.insert(builder);
+        let body = self.engine.add_body(builder);
         if let Some((shape, at)) = &link.solid {
             let collider = collider(link, shape, at).collision_groups(group::base(thing.state.role));
             self.engine.add_collider(collider.user_data(group::mark(thing.id, 0)).build(), body);

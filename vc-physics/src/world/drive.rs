@@ -17,10 +17,12 @@ impl World {
         for _ in 0..self.settings.substeps {
             self.push_vehicles();
             self.push_floating();
+            self.resist_rolling();
             let stopped = self.engine.step().to_vec();
             stopped.into_iter().for_each(|b| self.stop(b));
         }
         self.tend_motors();
+        self.watch();
         self.ticks += 1;
     }
 

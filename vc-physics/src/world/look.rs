@@ -62,6 +62,13 @@ impl World {
         self.thing(id).ok().map(|t| t.form.mass() * t.state.mass_factor)
     }
 
+    /// Mass of a node as its asset is modelled, by parts and densities, kilograms. It
+    /// differs from [`mass`](Self::mass) where no member of the class has such a mass
+    /// and [`Settings::class_masses`] is on.
+    pub fn modelled_mass(&self, id: NodeId) -> Option<f32> {
+        self.thing(id).ok().map(|t| t.form.mass())
+    }
+
     /// Centre of mass of a node's base, in the world's frame, metres.
     pub fn centre_of_mass(&self, id: NodeId) -> Option<Point3<f32>> {
         self.body(id).map(|b| convert::point3(b.center_of_mass()))

@@ -3,6 +3,7 @@
 mod build;
 mod drive;
 mod look;
+mod rest;
 
 pub(crate) use build::{collider, rooms};
 
@@ -68,6 +69,8 @@ pub(crate) struct State {
     pub(crate) scale: [u32; 3],
     #[serde(with = "crate::serial::pose")]
     pub(crate) written: Pose,
+    /// Since when it has been about where it is.
+    pub(crate) watch: rest::Watch,
     /// What the graph says it rests on.
     #[serde(with = "crate::serial::place")]
     pub(crate) rests: Option<Place>,

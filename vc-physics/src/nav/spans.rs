@@ -1,0 +1,72 @@
+//! Which part of each row of a raster a grown outline covers.
+//!
+//! Every corner's disc and every side, moved outwards by the radius, is followed over
+//! the rows it crosses. What is convex needs no more than its least and greatest x.
+
+use std::ops::Range;
+
+use nalgebra::{Point2, Vector2};
+
+/// From where to where rows are covered; the rows' middles are a pitch apart.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Spans {
+    /// Height of the first row's middle.
+    first: f32,
+    pitch: f32,
+    rows: Vec<(f32, f32)>,
+}
+
+impl Spans {
+    /// Follows a convex outline, corners counter-clockwise, grown by a radius, over
+    /// some rows from a first one on. Costs the rows that its sides cross.
+    pub(crate) fn trace(&mut self, outline: &[Point2<f32>], radius: f32, first: f32, pitch: f32, count: usize) {
+        (self.first, self.pitch) = (first, pitch);
+        self.rows.clear();
+        self.rows.resize(count, (f32::INFINITY, f32::NEG_INFINITY));
+        let next = outline.iter().cycle().skip(1);
+        for (a, b) in outline.iter().zip(next) {
+            self.disc(a, radius);
+            let way = b - a;
+            if let Some(unit) = way.try_normalize(0.0) {
+                let out = Vector2::new(unit.y, -unit.x) * radius;
+                self.side(&(a + out), &(b + out));
+            }
+        }
+    }
+
+    /// The rows that are covered, by their position, and from where to where.
+    pub(crate) fn covered(&self) -> impl Iterator<Item = (usize, (f32, f32))> + '_ {
+        self.rows.iter().copied().enumerate().filter(|(_, (low, high))| low <= high)
+    }
+
+    fn between(&self, low: f32, high: f32) -> Range<usize> {
+        let row = |y: f32| ((y - self.first) / self.pitch).max(0.0);
+        row(low).ceil() as usize..((row(high).floor() as usize) + usize::from(high >= self.first)).min(self.rows.len())
+    }
+
+    fn middle(&self, row: usize) -> f32 {
+        self.first + row as f32 * self.pitch
+    }
+
+    fn add(&mut self, row: usize, low: f32, high: f32) {
+        let span = &mut self.rows[row];
+        *span = (span.0.min(low), span.1.max(high));
+    }
+
+    fn disc(&mut self, centre: &Point2<f32>, radius: f32) {
+        for row in self.between(centre.y - radius, centre.y + radius) {
+            let rise = self.middle(row) - centre.y;
+            let half = (radius * radius - rise * rise).max(0.0).sqrt();
+            self.add(row, centre.x - half, centre.x + half);
+        }
+    }
+
+    fn side(&mut self, a: &Point2<f32>, b: &Point2<f32>) {
+        let rise = b.y - a.y;
+        for row in self.between(a.y.min(b.y), a.y.max(b.y)) {
+            let along = if rise == 0.0 { 0.0 } else { ((self.middle(row) - a.y) / rise).clamp(0.0, 1.0) };
+            let x = a.x + (b.x - a.x) * along;
+            self.add(row, x, x);
+        }
+    }
+}

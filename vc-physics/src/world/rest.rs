@@ -1,0 +1,103 @@
+//! How things come to rest: what rolls is slowed down, what only trembles may sleep.
+//!
+//! The engine has no rolling resistance, and it lets bodies sleep by how far they move
+//! in a single step. Things on small feet can tremble for long, to and fro by less than
+//! a millimetre. They are watched: what stays about where it is counts as at rest.
+
+use rapier3d::dynamics::{RigidBodyActivation, RigidBodyHandle};
+use rapier3d::math::Pose as EnginePose;
+use serde::{Deserialize, Serialize};
+
+use super::World;
+use crate::group;
+
+/// Rolling resistance: the force against rolling as a part of the weight. A ball on a
+/// floor has 0.01 to 0.05.
+const ROLLING: f32 = 0.03;
+/// Below which spin nothing is slowed down, radians a second.
+const SLOW: f32 = 0.05;
+/// Time between looks at where things are, seconds.
+const LOOK: f32 = 0.1;
+/// Within which distance a thing counts as where it was, metres.
+const ABOUT: f32 = 0.02;
+/// After how many looks it may tremble and sleep all the same.
+const LOOKS: u8 = 4;
+/// How fast what stays where it is may tremble, metres a second.
+const TREMBLES: f32 = 1.0;
+
+/// Where a thing was first seen that has not gone far since, and how often it has been
+/// seen there.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct Watch {
+    at: [f32; 7],
+    looks: u8,
+}
+
+impl Watch {
+    /// Looks again at a thing of a size; gives whether it has stayed.
+    fn look(&mut self, pose: &EnginePose, size: f32) -> bool {
+        let now: [f32; 7] = std::array::from_fn(|i| match i {
+            0..3 => pose.translation.to_array()[i],
+            _ => pose.rotation.to_array()[i - 3],
+        });
+        let far = |from: usize, to: usize| (from..to).map(|i| (now[i] - self.at[i]).powi(2)).sum::<f32>().sqrt();
+        // A turn by an angle moves the imaginary parts by half of it.
+        if far(0, 3) + 2.0 * far(3, 7) * size > ABOUT {
+            (self.at, self.looks) = (now, 0);
+        }
+        self.looks = self.looks.saturating_add(1);
+        self.looks > LOOKS
+    }
+}
+
+impl World {
+    /// Lets what only trembles sleep.
+    pub(crate) fn watch(&mut self) {
+        let every = (LOOK / self.settings.dt).round().max(1.0) as u64;
+        if !self.ticks.is_multiple_of(every) {
+            return;
+        }
+        let awake: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
+        for handle in awake {
+            let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic()) else { continue };
+            let (pose, (id, link)) = (*body.position(), group::marked(body.user_data));
+            let body_limit = body.activation().normalized_linear_threshold;
+            let Some(thing) = self.thing_mut(id).ok().filter(|_| link == 0) else { continue };
+            let (low, high) = thing.form.extent;
+            let calm = thing.state.watch.look(&pose, (high - low).norm() / 2.0);
+            let limit = if calm { TREMBLES } else { RigidBodyActivation::default_normalized_linear_threshold() };
+            if body_limit != limit
+                && let Some(body) = self.engine.bodies.get_mut(handle)
+            {
+                body.activation_mut().normalized_linear_threshold = limit;
+            }
+        }
+    }
+
+    /// Slows down what rolls on something.
+    pub(crate) fn resist_rolling(&mut self) {
+        let (dt, gravity) = (self.engine.dt(), self.settings.gravity.abs());
+        let rolling: Vec<RigidBodyHandle> = self.engine.awake_bodies().filter(|&b| self.rolls(b)).collect();
+        for handle in rolling {
+            let Some(body) = self.engine.bodies.get(handle) else { continue };
+            let Ok(thing) = self.thing(group::marked(body.user_data).0) else { continue };
+            let (low, high) = thing.form.extent;
+            let radius = ((high - low).min() / 2.0).max(0.005);
+            // Of a ball: the torque over its inertia.
+            let lost = 2.5 * ROLLING * gravity / radius * dt;
+            let spin = body.angvel();
+            let kept = (1.0 - lost / spin.length()).max(0.0);
+            if let Some(body) = self.engine.bodies.get_mut(handle) {
+                body.set_angvel(spin * kept, false);
+            }
+        }
+    }
+
+    /// Whether a body is round, turns, and touches something.
+    fn rolls(&self, handle: RigidBodyHandle) -> bool {
+        let Some(body) = self.engine.bodies.get(handle) else { return false };
+        let turns = body.user_data & group::ROLLS != 0 && body.angvel().length_squared() > SLOW * SLOW;
+        let touches = || body.colliders().iter().flat_map(|&c| self.engine.narrow.contact_pairs_with(c));
+        turns && body.is_dynamic() && touches().any(|pair| pair.has_any_active_contact())
+    }
+}
