@@ -113,13 +113,13 @@ impl Body {
 
     fn put_solids(&mut self, frame: &Isometry3<f32>) {
         let turn = *frame.rotation.to_rotation_matrix().matrix();
-        let mut region = Region { low: self.whole.low, high: self.whole.high };
+        let mut region = self.whole.region();
         for piece in &self.form.pieces {
             let solid = match self.motion(piece.link) {
                 Some(motion) => placed(piece, &(frame * motion), &self.scale),
                 None => put(piece, &turn, &frame.translation.vector, &self.scale),
             };
-            region = region.joined(&Region { low: solid.low, high: solid.high });
+            region = region.joined(&solid.region());
             self.solids.push(solid);
         }
         self.region = region;

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 use crate::body::{Body, Posture};
 use crate::distance::distance;
-use crate::solid::{Solid, gap, sweep};
+use crate::solid::{Solid, gap, sweep_upright};
 use crate::threshold::{
     BOX_GAP, HANG_GAP, HOOK_REACH, NEAR_REACH, SEAT_RANGE, SIDE_SHARE, SUPPORT_GAP, SUPPORT_NORMAL, SUPPORT_SINK,
     SUPPORT_TIE, TRACE_START, UNDER_CORE, UNDER_REACH,
@@ -84,23 +84,19 @@ pub(crate) fn measure(
         return None;
     }
     let (mut ab, mut ba) = (Pair::new(j), Pair::new(i));
-    if a.region.grown(HANG_GAP, BOX_GAP).meets(&b.region) {
+    let beside = a.region.distance_squared(&b.region);
+    if beside <= NEAR_REACH * NEAR_REACH && a.region.grown(HANG_GAP, BOX_GAP).meets(&b.region) {
         touch(a, b, &mut ab, &mut ba);
     }
-    if columns_meet(a, b) {
+    if a.region.meets_in_plan(&b.region) {
         ab.over = over(a, b);
         ba.over = over(b, a);
         (ab.is_below, ba.is_below) = (ba.over.is_finite(), ab.over.is_finite());
     }
-    if !a.traits.structure && !b.traits.structure {
+    if beside <= NEAR_REACH * NEAR_REACH && !a.traits.structure && !b.traits.structure {
         near(a, b, &mut ab, &mut ba, walled);
     }
     (ab.says_something() || ba.says_something()).then_some((ab, ba))
-}
-
-fn columns_meet(a: &Body, b: &Body) -> bool {
-    let (a, b) = (&a.region, &b.region);
-    a.low.x <= b.high.x && a.high.x >= b.low.x && a.low.y <= b.high.y && a.high.y >= b.low.y
 }
 
 /// Everything that needs them to be at each other.
@@ -120,7 +116,8 @@ fn touch(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair) {
 
 /// Whether a container holds a content. The building holds nothing.
 pub(crate) fn holds(container: &Body, content: &Body) -> bool {
-    !container.traits.fixed && !content.traits.fixed && container.cavity_with(content).is_some()
+    let may = !container.form.cavities.is_empty() && !container.traits.fixed && !content.traits.fixed;
+    may && container.cavity_with(content).is_some()
 }
 
 /// Whether one body is in the hull of another, begins no lower and is no thin layer below
@@ -134,15 +131,11 @@ pub(crate) fn is_within(inner: &Body, outer: &Body) -> bool {
         && inner.region.high.z >= outer.base() + SUPPORT_SINK
 }
 
-fn boxes_meet(a: &Solid, b: &Solid, margin: f32) -> bool {
-    (0..3).all(|k| a.low[k] <= b.high[k] + margin && a.high[k] + margin >= b.low[k])
-}
-
 /// The least gap between parts, up to [`HANG_GAP`]; negative where they overlap.
 fn parts_gap(a: &Body, b: &Body) -> f32 {
     let mut least = f32::INFINITY;
-    for s in &a.solids {
-        for t in b.solids.iter().filter(|t| boxes_meet(s, t, HANG_GAP)) {
+    for s in a.solids.iter().filter(|s| s.meets(&b.region, HANG_GAP)) {
+        for t in b.solids.iter().filter(|t| t.meets(&s.region(), HANG_GAP)) {
             let apart = gap(s, t, HANG_GAP);
             if apart <= HANG_GAP {
                 least = least.min(apart);
@@ -209,7 +202,7 @@ fn below(part: &Solid, core: &Solid, other: &Solid, limit: f32) -> Option<(f32, 
     let (full, thin) = ((part.high.z - part.low.z) / 2.0, (core.high.z - core.low.z) / 2.0);
     let raise = (TRACE_START - (full - thin)).max(0.0);
     let start = core.moved(Vector3::z() * raise);
-    let strike = sweep(&start, other, &-Vector3::z(), limit + raise + full)?;
+    let strike = sweep_upright(&start, other, -1.0, limit + raise + full)?;
     let falls = strike.way >= 0.0 && other.centre.z < part.centre.z;
     falls.then_some((strike.way - raise - (full - thin), strike.normal))
 }
@@ -228,7 +221,7 @@ pub(crate) fn over(a: &Body, b: &Body) -> f32 {
         if plans_apart(&core, t) || t.high.z <= middle {
             return None;
         }
-        sweep(&core, t, &Vector3::z(), a.whole.half.norm() + UNDER_REACH).filter(|s| s.way >= 0.0)
+        sweep_upright(&core, t, 1.0, a.whole.half.norm() + UNDER_REACH).filter(|s| s.way >= 0.0)
     };
     b.solids.iter().filter_map(meets).map(|s| s.way).fold(f32::INFINITY, f32::min)
 }
@@ -261,10 +254,6 @@ fn seated(a: &Body, b: &Body) -> bool {
 }
 
 fn near(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair, walled: &dyn Fn(&Body, &Body) -> bool) {
-    let (low, high) = (a.whole.low.sup(&b.whole.low), a.whole.high.inf(&b.whole.high));
-    if (low - high).sup(&Vector3::zeros()).norm_squared() > NEAR_REACH * NEAR_REACH {
-        return;
-    }
     let apart = distance(&a.whole, &b.whole);
     if apart > NEAR_REACH || walled(a, b) {
         return;
@@ -280,7 +269,9 @@ pub(crate) fn side(a: &Body, other: &Solid) -> Option<Side> {
     let way = other.centre - a.whole.centre;
     let off = |axis: usize| {
         let along: Vector3<f32> = a.heading.column(axis).into();
-        let reach = a.whole.reach(&along) + other.reach(&along);
+        let level = a.whole.upright && other.upright && along.z.abs() < 1e-3;
+        let reach = |s: &Solid| if level { s.level_reach(&along) } else { s.reach(&along) };
+        let reach = reach(&a.whole) + reach(other);
         let at = way.dot(&along);
         (at, at.abs() - reach, at.abs() / reach.max(1e-6))
     };

@@ -163,8 +163,8 @@ impl Relations {
         if self.rule != Rule::Repaired {
             return self.fixed.to_vec();
         }
-        let reader = Reader::new(&self.world, &self.facts);
-        let mut edges = Vec::with_capacity(16 * self.world.ids.len());
+        let reader = Reader::of_all(&self.world, &self.facts);
+        let mut edges = Vec::with_capacity(32 * self.world.ids.len());
         for index in 0..self.world.ids.len() {
             reader.edges(index, &mut edges);
         }
@@ -197,7 +197,7 @@ impl Relations {
     /// sitting or lying; empty for what falls and for what is unknown. By the repaired rule,
     /// whichever is selected.
     pub fn supports(&self, id: NodeId) -> Vec<Support> {
-        let supports = Supports { world: &self.world, facts: &self.facts };
+        let supports = Supports::new(&self.world, &self.facts);
         self.world.index(id).map_or_else(Vec::new, |index| supports.of(index))
     }
 

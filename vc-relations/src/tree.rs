@@ -18,12 +18,22 @@ impl Region {
 
     #[inline]
     pub(crate) fn meets(&self, other: &Self) -> bool {
-        self.low.x <= other.high.x
-            && self.high.x >= other.low.x
-            && self.low.y <= other.high.y
-            && self.high.y >= other.low.y
-            && self.low.z <= other.high.z
-            && self.high.z >= other.low.z
+        self.meets_in_plan(other) && self.low.z <= other.high.z && self.high.z >= other.low.z
+    }
+
+    /// Whether some of one is above or below some of the other.
+    #[inline]
+    pub(crate) fn meets_in_plan(&self, other: &Self) -> bool {
+        (self.low.x <= other.high.x)
+            & (self.high.x >= other.low.x)
+            & (self.low.y <= other.high.y)
+            & (self.high.y >= other.low.y)
+    }
+
+    /// The square of how far two are apart, square metres.
+    #[inline]
+    pub(crate) fn distance_squared(&self, other: &Self) -> f32 {
+        (0..3).map(|i| (self.low[i].max(other.low[i]) - self.high[i].min(other.high[i])).max(0.0)).map(|d| d * d).sum()
     }
 
     pub(crate) fn joined(&self, other: &Self) -> Self {
@@ -36,58 +46,107 @@ impl Region {
     }
 }
 
+/// How many boxes a leaf has.
+const LANES: usize = 8;
+
+/// Boxes side by side, so that all are compared at once.
+#[derive(Debug, Clone)]
+struct Leaf {
+    low: [[f32; LANES]; 3],
+    high: [[f32; LANES]; 3],
+    item: [u32; LANES],
+}
+
+impl Leaf {
+    const EMPTY: Self =
+        Self { low: [[f32::INFINITY; LANES]; 3], high: [[f32::NEG_INFINITY; LANES]; 3], item: [0; LANES] };
+
+    fn put(&mut self, lane: usize, region: &Region) {
+        for axis in 0..3 {
+            self.low[axis][lane] = region.low[axis];
+            self.high[axis][lane] = region.high[axis];
+        }
+    }
+
+    /// Which of the boxes meet a region.
+    #[inline]
+    fn meeting(&self, region: &Region) -> [bool; LANES] {
+        let mut meets = [true; LANES];
+        for axis in 0..3 {
+            let (low, high) = (region.low[axis], region.high[axis]);
+            for (lane, meets) in meets.iter_mut().enumerate() {
+                *meets &= (self.low[axis][lane] <= high) & (self.high[axis][lane] >= low);
+            }
+        }
+        meets
+    }
+
+    fn whole(&self) -> Region {
+        let least = |axis: usize| self.low[axis].into_iter().fold(f32::INFINITY, f32::min);
+        let most = |axis: usize| self.high[axis].into_iter().fold(f32::NEG_INFINITY, f32::max);
+        Region { low: Vector3::new(least(0), least(1), least(2)), high: Vector3::new(most(0), most(1), most(2)) }
+    }
+}
+
 /// A binary tree over boxes, kept as an array: node `i` has the children `2i + 1` and
-/// `2i + 2`. Built once by halving at the median of the widest axis; a box that moves
-/// keeps its leaf and its ancestors are measured again, so that answers stay exact and
-/// only the speed suffers from long ways.
+/// `2i + 2`, the last ones are leaves of eight. Built once by halving at the median of the
+/// widest axis; a box that moves keeps its leaf and its ancestors are measured again, so
+/// that answers stay exact and only the speed suffers from long ways.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Tree {
     nodes: Vec<Region>,
-    /// Which box is at a leaf, and which leaf has a box.
-    item: Vec<u32>,
-    leaf: Vec<u32>,
-    /// Number of the first leaf.
-    first: usize,
+    leaves: Vec<Leaf>,
+    /// In which leaf a box is, times [`LANES`], and in which of its lanes.
+    slot: Vec<u32>,
 }
 
 impl Tree {
     pub(crate) fn new(boxes: &[Region]) -> Self {
-        let first = boxes.len().next_power_of_two() - 1;
+        let leaves = boxes.len().div_ceil(LANES).next_power_of_two();
         let mut tree = Self {
-            nodes: vec![Region::EMPTY; 2 * first + 1],
-            item: vec![u32::MAX; first + 1],
-            leaf: vec![0; boxes.len()],
-            first,
+            nodes: vec![Region::EMPTY; 2 * leaves - 1],
+            leaves: vec![Leaf::EMPTY; leaves],
+            slot: vec![0; boxes.len()],
         };
         let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
-        tree.place(boxes, &mut order, 0, first + 1);
-        for node in (0..first).rev() {
+        tree.place(boxes, &mut order, 0, leaves);
+        for node in (0..tree.first()).rev() {
             tree.measure(node);
         }
         tree
     }
 
-    /// Puts boxes into the leaves from `start` on, halving both.
-    fn place(&mut self, boxes: &[Region], order: &mut [u32], start: usize, room: usize) {
-        if order.len() <= 1 || room == 1 {
-            for (slot, &item) in order.iter().enumerate() {
-                self.item[start + slot] = item;
-                self.leaf[item as usize] = (start + slot) as u32;
-                self.nodes[self.first + start + slot] = boxes[item as usize];
+    /// Number of the first leaf among the nodes.
+    fn first(&self) -> usize {
+        self.leaves.len().saturating_sub(1)
+    }
+
+    /// Puts boxes into as many leaves from `start` on, halving both.
+    fn place(&mut self, boxes: &[Region], order: &mut [u32], start: usize, leaves: usize) {
+        if leaves == 1 {
+            for (lane, &item) in order.iter().enumerate() {
+                self.leaves[start].put(lane, &boxes[item as usize]);
+                self.leaves[start].item[lane] = item;
+                self.slot[item as usize] = (start * LANES + lane) as u32;
             }
+            let node = self.first() + start;
+            self.nodes[node] = self.leaves[start].whole();
             return;
         }
         let middle = |i: u32| boxes[i as usize].low + boxes[i as usize].high;
-        let spread = order.iter().fold(Region::EMPTY, |r, &i| {
-            let at = middle(i);
-            r.joined(&Region { low: at, high: at })
-        });
-        let axis = (spread.high - spread.low).imax();
+        // Nodes without a place have middles that are no numbers: min and max pass them over.
+        let widen = |(low, high): (Vector3<f32>, Vector3<f32>), &i: &u32| {
+            (low.zip_map(&middle(i), f32::min), high.zip_map(&middle(i), f32::max))
+        };
+        let (low, high) = order.iter().fold((Region::EMPTY.low, Region::EMPTY.high), widen);
+        let axis = (high - low).imax();
         let half = order.len().div_ceil(2);
-        order.select_nth_unstable_by(half - 1, |&a, &b| middle(a)[axis].total_cmp(&middle(b)[axis]).then(a.cmp(&b)));
+        if half < order.len() {
+            order.select_nth_unstable_by(half, |&a, &b| middle(a)[axis].total_cmp(&middle(b)[axis]).then(a.cmp(&b)));
+        }
         let (left, right) = order.split_at_mut(half);
-        self.place(boxes, left, start, room / 2);
-        self.place(boxes, right, start + room / 2, room / 2);
+        self.place(boxes, left, start, leaves / 2);
+        self.place(boxes, right, start + leaves / 2, leaves / 2);
     }
 
     fn measure(&mut self, node: usize) {
@@ -96,8 +155,11 @@ impl Tree {
 
     /// A box has moved.
     pub(crate) fn set(&mut self, item: usize, to: Region) {
-        let mut node = self.first + self.leaf[item] as usize;
-        self.nodes[node] = to;
+        let slot = self.slot[item] as usize;
+        let leaf = slot / LANES;
+        self.leaves[leaf].put(slot % LANES, &to);
+        let mut node = self.first() + leaf;
+        self.nodes[node] = self.leaves[leaf].whole();
         while node > 0 {
             node = (node - 1) / 2;
             self.measure(node);
@@ -110,17 +172,17 @@ impl Tree {
         // A path is at most 32 deep and leaves one sibling at each depth.
         let mut stack = [0_u32; 40];
         let mut top = usize::from(!self.nodes.is_empty());
+        let first = self.first();
         while top > 0 {
             top -= 1;
             let node = stack[top] as usize;
             if !self.nodes[node].meets(region) {
                 continue;
             }
-            if node >= self.first {
-                let item = self.item[node - self.first];
-                if item != u32::MAX {
-                    found(item as usize);
-                }
+            if node >= first {
+                let leaf = &self.leaves[node - first];
+                let meets = leaf.meeting(region);
+                (0..LANES).filter(|&lane| meets[lane]).for_each(|lane| found(leaf.item[lane] as usize));
                 continue;
             }
             stack[top] = 2 * node as u32 + 2;

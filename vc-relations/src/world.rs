@@ -24,8 +24,9 @@ pub(crate) struct World {
     pub(crate) pairs: Vec<Vec<Pair>>,
     pub(crate) rooms: Rooms,
     pub(crate) tree: Tree,
-    /// Bodies that may stand between two rooms.
+    /// Parts of the building, which may stand between two things.
     walls: Vec<u32>,
+    wall_tree: Tree,
     forms: Forms,
 }
 
@@ -77,6 +78,8 @@ impl World {
         }
         let wall = |b: &Option<Body>| b.as_ref().is_some_and(|b| b.traits.structure);
         self.walls = (0..self.bodies.len() as u32).filter(|&i| wall(&self.bodies[i as usize])).collect();
+        self.wall_tree =
+            Tree::new(&self.walls.iter().map(|&w| region(&self.bodies[w as usize])).collect::<Vec<_>>());
         self.tree = Tree::new(&self.bodies.iter().map(region).collect::<Vec<_>>());
         self.measure_all();
     }
@@ -120,37 +123,39 @@ impl World {
         let region = Region { low: from.inf(to), high: from.sup(to) };
         let point = Solid::new(*from, nalgebra::Matrix3::identity(), Vector3::zeros(), crate::solid::Round::No);
         let along = way / length;
-        self.walls.iter().filter_map(|&w| self.bodies[w as usize].as_ref()).any(|wall| {
-            wall.region.meets(&region)
-                && wall.solids.iter().any(|s| {
-                    Region { low: s.low, high: s.high }.meets(&region)
-                        && sweep(&point, s, &along, length).is_some_and(|hit| hit.way >= 0.0)
-                })
-        })
+        let mut between = false;
+        self.wall_tree.each(&region, |wall| {
+            let solids = self.bodies[self.walls[wall] as usize].iter().flat_map(|wall| &wall.solids);
+            let mut near = solids.filter(|s| s.meets(&region, 0.0));
+            between = between || near.any(|s| sweep(&point, s, &along, length).is_some_and(|hit| hit.way >= 0.0));
+        });
+        between
     }
 
-    /// Whether bodies are in different rooms with part of the building between.
+    /// Whether part of the building is between bodies that are not in one room.
     pub(crate) fn is_walled_off(&self, from: &Body, to: &Body) -> bool {
-        from.room != to.room && self.walled(&from.whole.centre, &to.whole.centre)
+        (from.room.is_none() || from.room != to.room) && self.walled(&from.whole.centre, &to.whole.centre)
     }
 
     fn measure_all(&mut self) {
-        let mut pairs: Vec<Vec<Pair>> = (0..self.bodies.len()).map(|_| Vec::with_capacity(8)).collect();
+        let mut pairs = std::mem::take(&mut self.pairs);
+        pairs.iter_mut().for_each(Vec::clear);
+        pairs.resize_with(self.bodies.len(), || Vec::with_capacity(16));
+        let mut met = Vec::new();
         for (i, a) in self.bodies.iter().enumerate() {
             let Some(a) = a else { continue };
-            self.tree.each(&zone(a), |j| {
-                if j > i
-                    && let Some(b) = &self.bodies[j]
-                {
-                    let both = pair::measure((i, a), (j, b), &|a, b| self.is_walled_off(a, b));
-                    if let Some((ab, ba)) = both {
-                        pairs[i].push(ab);
-                        pairs[j].push(ba);
-                    }
+            met.clear();
+            self.tree.each(&zone(a), |j| if j > i { met.push(j as u32) });
+            // In this order every list comes out sorted.
+            met.sort_unstable();
+            for j in met.iter().map(|&j| j as usize) {
+                let Some(b) = &self.bodies[j] else { continue };
+                if let Some((ab, ba)) = pair::measure((i, a), (j, b), &|a, b| self.is_walled_off(a, b)) {
+                    pairs[i].push(ab);
+                    pairs[j].push(ba);
                 }
-            });
+            }
         }
-        pairs.iter_mut().for_each(|list| list.sort_unstable_by_key(|p| p.other));
         self.pairs = pairs;
     }
 
