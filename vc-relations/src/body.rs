@@ -71,6 +71,8 @@ pub(crate) struct Body {
     pub(crate) region: Region,
     /// The node's own axes.
     pub(crate) heading: Matrix3<f32>,
+    /// Whether its box is upright and has these axes.
+    pub(crate) level: bool,
     /// From the world to the asset's frame.
     inverse: Isometry3<f32>,
     scale: Vector3<f32>,
@@ -101,12 +103,14 @@ impl Body {
             whole: placed(&whole, &frame, &scale),
             region: Region::EMPTY,
             heading: own,
+            level: false,
             inverse: frame.inverse(),
             scale,
             positions,
             room: None,
             form,
         };
+        body.level = body.whole.upright && body.whole.axes == own;
         body.put_solids(&frame);
         (body.whole.is_finite() && body.solids.iter().all(Solid::is_finite)).then_some(body)
     }

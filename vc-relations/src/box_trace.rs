@@ -15,7 +15,7 @@ use vc_graph::{Edge, NodeId, Relation};
 
 use crate::body::Body;
 use crate::edges::toward;
-use crate::pair::Side;
+use crate::near::Side;
 use crate::solid::{Solid, sweep};
 use crate::threshold::{NEAR_REACH, UNDER_REACH};
 use crate::tree::Region;

@@ -3,7 +3,8 @@
 use vc_graph::{Edge, Relation};
 
 use crate::body::{Body, Posture};
-use crate::pair::{Pair, Side};
+use crate::near::Side;
+use crate::pair::Pair;
 use crate::support::{Facts, Supports};
 use crate::threshold::{FACING_COSINE, FACING_REACH, TOUCH_GAP};
 use crate::world::World;
@@ -112,15 +113,12 @@ impl<'w> Reader<'w> {
 
     /// Touching and near, with sides.
     fn beside(&self, index: usize, add: &mut impl FnMut(Relation, vc_graph::NodeId)) {
-        let world = self.world();
-        let pairs = &world.pairs[index];
-        let mut each = |relation, holds: &dyn Fn(&Pair) -> bool| {
-            pairs.iter().filter(|p| holds(p)).for_each(|p| add(relation, world.ids[p.other as usize]));
-        };
-        each(Relation::Touching, &|p| p.gap <= TOUCH_GAP);
-        each(Relation::Near, &|p| p.distance.is_finite());
+        let (pairs, ids) = (&self.world().pairs[index], &self.world().ids);
+        let to = |pair: &Pair| ids[pair.other as usize];
+        pairs.iter().filter(|p| p.gap <= TOUCH_GAP).for_each(|p| add(Relation::Touching, to(p)));
+        pairs.iter().filter(|p| p.distance.is_finite()).for_each(|p| add(Relation::Near, to(p)));
         for side in [Side::Front, Side::Back, Side::Left, Side::Right] {
-            each(toward(side), &|p| p.side == Some(side));
+            pairs.iter().filter(|p| p.side == Some(side)).for_each(|p| add(toward(side), to(p)));
         }
     }
 

@@ -7,7 +7,8 @@ use vc_graph::{NodeId, Relation};
 
 use crate::body::Body;
 use crate::edges::Reader;
-use crate::pair::{self, Contact, Side};
+use crate::near::Side;
+use crate::pair::{self, Contact};
 use crate::relations::Relations;
 use crate::support::{Ground, Support};
 use crate::threshold::{CORNERS_WITHIN, NEAR_REACH, SUPPORT_NORMAL, SUPPORT_SINK, TOUCH_GAP, UNDER_REACH};

@@ -85,6 +85,7 @@ mod evidence;
 mod explain;
 mod form;
 mod hollow;
+mod near;
 mod pair;
 mod relations;
 mod room;
@@ -99,7 +100,7 @@ mod write;
 
 pub use evidence::{Attachment, Contact, Evidence};
 pub use explain::{Explanation, Hit, Verdict, Within};
-pub use pair::Side;
+pub use near::Side;
 pub use relations::{Near, Relations, relations};
 pub use rule::Rule;
 pub use support::{Ground, Support};

@@ -6,26 +6,13 @@
 use nalgebra::Vector3;
 
 use crate::body::{Body, Posture};
-use crate::distance::distance;
+use crate::near::{self, Side};
 use crate::solid::{Solid, gap, sweep_upright};
 use crate::threshold::{
-    BOX_GAP, HANG_GAP, HOOK_REACH, NEAR_REACH, SEAT_RANGE, SIDE_SHARE, SUPPORT_GAP, SUPPORT_NORMAL, SUPPORT_SINK,
+    BOX_GAP, HANG_GAP, HOOK_REACH, NEAR_REACH, RIM_MARGIN, SEAT_RANGE, SUPPORT_GAP, SUPPORT_NORMAL, SUPPORT_SINK,
     SUPPORT_TIE, TRACE_START, UNDER_CORE, UNDER_REACH,
 };
-
-/// A side of a thing, by its own axes: X is front, Y is left.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Side {
-    /// Towards its +X.
-    Front,
-    /// Towards its -X.
-    Back,
-    /// Towards its +Y.
-    Left,
-    /// Towards its -Y.
-    Right,
-}
+use crate::tree::Region;
 
 /// What one body is to another. Fields that do not apply are infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,18 +70,26 @@ pub(crate) fn measure(
     if a.traits.fixed && b.traits.fixed {
         return None;
     }
+    let is_near = a.region.distance_squared(&b.region) <= NEAR_REACH * NEAR_REACH;
+    let columns_meet = a.region.meets_in_plan(&b.region);
+    if !is_near && !columns_meet {
+        return None;
+    }
     let (mut ab, mut ba) = (Pair::new(j), Pair::new(i));
-    let beside = a.region.distance_squared(&b.region);
-    if beside <= NEAR_REACH * NEAR_REACH && a.region.grown(HANG_GAP, BOX_GAP).meets(&b.region) {
+    if is_near && a.region.grown(HANG_GAP, BOX_GAP).meets(&b.region) {
         touch(a, b, &mut ab, &mut ba);
     }
-    if a.region.meets_in_plan(&b.region) {
+    if columns_meet {
         ab.over = over(a, b);
         ba.over = over(b, a);
         (ab.is_below, ba.is_below) = (ba.over.is_finite(), ab.over.is_finite());
     }
-    if beside <= NEAR_REACH * NEAR_REACH && !a.traits.structure && !b.traits.structure {
-        near(a, b, &mut ab, &mut ba, walled);
+    if is_near
+        && !(a.traits.structure || b.traits.structure)
+        && let Some(found) = near::beside(a, b).filter(|_| !walled(a, b))
+    {
+        (ab.distance, ba.distance) = (found.distance, found.distance);
+        [ab.side, ba.side] = found.sides;
     }
     (ab.says_something() || ba.says_something()).then_some((ab, ba))
 }
@@ -116,8 +111,12 @@ fn touch(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair) {
 
 /// Whether a container holds a content. The building holds nothing.
 pub(crate) fn holds(container: &Body, content: &Body) -> bool {
-    let may = !container.form.cavities.is_empty() && !container.traits.fixed && !content.traits.fixed;
-    may && container.cavity_with(content).is_some()
+    let centre = Region { low: content.whole.centre, high: content.whole.centre };
+    !container.form.cavities.is_empty()
+        && container.region.grown(RIM_MARGIN, RIM_MARGIN).meets(&centre)
+        && !container.traits.fixed
+        && !content.traits.fixed
+        && container.cavity_with(content).is_some()
 }
 
 /// Whether one body is in the hull of another, begins no lower and is no thin layer below
@@ -214,6 +213,11 @@ pub(crate) fn over(a: &Body, b: &Body) -> f32 {
     if a.traits.structure || b.region.high.z <= middle || b.region.low.z > a.region.high.z + UNDER_REACH {
         return f32::INFINITY;
     }
+    let middle_half = (a.whole.high - a.whole.low) * (UNDER_CORE / 2.0);
+    let middle_region = Region { low: a.whole.centre - middle_half, high: a.whole.centre + middle_half };
+    if !middle_region.meets_in_plan(&b.region) {
+        return f32::INFINITY;
+    }
     let mut half = a.whole.half * UNDER_CORE;
     half[a.whole.axes.row(2).abs().transpose().imax()] = 0.0;
     let core = Solid::new(a.whole.centre, a.whole.axes, half, a.whole.round);
@@ -251,43 +255,4 @@ fn seated(a: &Body, b: &Body) -> bool {
         let over = (s.low.x..=s.high.x).contains(&centre.x) && (s.low.y..=s.high.y).contains(&centre.y);
         over && (SEAT_RANGE.0..=SEAT_RANGE.1).contains(&share)
     })
-}
-
-fn near(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair, walled: &dyn Fn(&Body, &Body) -> bool) {
-    let apart = distance(&a.whole, &b.whole);
-    if apart > NEAR_REACH || walled(a, b) {
-        return;
-    }
-    (ab.distance, ba.distance) = (apart, apart);
-    (ab.side, ba.side) = (side(a, &b.whole), side(b, &a.whole));
-}
-
-/// At which side of a body another's box is: the one towards which it is farthest apart;
-/// where they overlap, the one towards which its centre is off. None if it is above or
-/// below rather than beside.
-pub(crate) fn side(a: &Body, other: &Solid) -> Option<Side> {
-    let way = other.centre - a.whole.centre;
-    let off = |axis: usize| {
-        let along: Vector3<f32> = a.heading.column(axis).into();
-        let level = a.whole.upright && other.upright && along.z.abs() < 1e-3;
-        let reach = |s: &Solid| if level { s.level_reach(&along) } else { s.reach(&along) };
-        let reach = reach(&a.whole) + reach(other);
-        let at = way.dot(&along);
-        (at, at.abs() - reach, at.abs() / reach.max(1e-6))
-    };
-    let (x, y) = (off(0), off(1));
-    let rise = (other.low.z - a.whole.high.z).max(a.whole.low.z - other.high.z);
-    let apart = x.1.max(y.1);
-    if rise > apart.max(-TRACE_START) {
-        return None;
-    }
-    let along_x = if apart > 0.0 { x.1 >= y.1 } else { x.2 >= y.2 };
-    let (at, _, share) = if along_x { x } else { y };
-    let side = match (along_x, at >= 0.0) {
-        (true, true) => Side::Front,
-        (true, false) => Side::Back,
-        (false, true) => Side::Left,
-        (false, false) => Side::Right,
-    };
-    (share >= SIDE_SHARE).then_some(side)
 }

@@ -6,7 +6,7 @@ use vc_graph::{Edge, NodeId, Relation, SceneGraph};
 
 use crate::edges::Reader;
 use crate::evidence::Evidence;
-use crate::pair::Side;
+use crate::near::Side;
 use crate::rule::Rule;
 use crate::support::{Facts, Support, Supports};
 use crate::world::World;

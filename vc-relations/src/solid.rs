@@ -72,13 +72,7 @@ impl Solid {
         }
     }
 
-    /// How far the box of an upright piece reaches along a level direction of unit length.
-    #[inline]
-    pub(crate) fn level_reach(&self, along: &Vector3<f32>) -> f32 {
-        let (x, y) = self.level(along);
-        x.abs() + y.abs()
-    }
-
+    /// How far the two level axes of an upright piece reach along a level direction.
     #[inline]
     fn level(&self, along: &Vector3<f32>) -> (f32, f32) {
         let x = (self.axes[(0, 0)] * along.x + self.axes[(1, 0)] * along.y) * self.half.x;
@@ -96,6 +90,24 @@ impl Solid {
     pub(crate) fn nearest(&self, point: &Vector3<f32>) -> Vector3<f32> {
         let own = self.axes.tr_mul(&(point - self.centre));
         self.centre + self.axes * own.sup(&-self.half).inf(&self.half)
+    }
+
+    /// Whether a way from a point goes through its box: the times at which it enters and
+    /// leaves each pair of faces.
+    pub(crate) fn is_crossed(&self, from: &Vector3<f32>, way: &Vector3<f32>) -> bool {
+        let (at, way) = (self.axes.tr_mul(&(from - self.centre)), self.axes.tr_mul(way));
+        let (mut enters, mut leaves) = (0.0_f32, 1.0_f32);
+        for axis in 0..3 {
+            let (at, way, half) = (at[axis], way[axis], self.half[axis]);
+            if way.abs() > 1e-9 {
+                let (one, other) = ((-half - at) / way, (half - at) / way);
+                enters = enters.max(one.min(other));
+                leaves = leaves.min(one.max(other));
+            } else if at.abs() > half {
+                return false;
+            }
+        }
+        enters <= leaves
     }
 
     /// The eight corners of the box, drawn in to a share of the half size.

@@ -33,7 +33,9 @@ impl Region {
     /// The square of how far two are apart, square metres.
     #[inline]
     pub(crate) fn distance_squared(&self, other: &Self) -> f32 {
-        (0..3).map(|i| (self.low[i].max(other.low[i]) - self.high[i].min(other.high[i])).max(0.0)).map(|d| d * d).sum()
+        let apart = |i: usize| (self.low[i] - other.high[i]).max(other.low[i] - self.high[i]).max(0.0);
+        let (x, y, z) = (apart(0), apart(1), apart(2));
+        x * x + y * y + z * z
     }
 
     pub(crate) fn joined(&self, other: &Self) -> Self {
@@ -68,14 +70,15 @@ impl Leaf {
         }
     }
 
-    /// Which of the boxes meet a region.
-    #[inline]
-    fn meeting(&self, region: &Region) -> [bool; LANES] {
-        let mut meets = [true; LANES];
+    /// Which of the boxes meet a region: not zero where they do. As wide as the numbers, so
+    /// that compilers compare several at once.
+    #[inline(always)]
+    fn meeting(&self, region: &Region) -> [u32; LANES] {
+        let mut meets = [u32::MAX; LANES];
         for axis in 0..3 {
             let (low, high) = (region.low[axis], region.high[axis]);
             for (lane, meets) in meets.iter_mut().enumerate() {
-                *meets &= (self.low[axis][lane] <= high) & (self.high[axis][lane] >= low);
+                *meets &= u32::from((self.low[axis][lane] <= high) & (self.high[axis][lane] >= low));
             }
         }
         meets
@@ -108,7 +111,8 @@ impl Tree {
             leaves: vec![Leaf::EMPTY; leaves],
             slot: vec![0; boxes.len()],
         };
-        let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
+        let middle = |(item, b): (usize, &Region)| (b.low + b.high, item as u32);
+        let mut order: Vec<_> = boxes.iter().enumerate().map(middle).collect();
         tree.place(boxes, &mut order, 0, leaves);
         for node in (0..tree.first()).rev() {
             tree.measure(node);
@@ -121,10 +125,10 @@ impl Tree {
         self.leaves.len().saturating_sub(1)
     }
 
-    /// Puts boxes into as many leaves from `start` on, halving both.
-    fn place(&mut self, boxes: &[Region], order: &mut [u32], start: usize, leaves: usize) {
+    /// Puts boxes, each with its middle, into as many leaves from `start` on, halving both.
+    fn place(&mut self, boxes: &[Region], order: &mut [(Vector3<f32>, u32)], start: usize, leaves: usize) {
         if leaves == 1 {
-            for (lane, &item) in order.iter().enumerate() {
+            for (lane, &(_, item)) in order.iter().enumerate() {
                 self.leaves[start].put(lane, &boxes[item as usize]);
                 self.leaves[start].item[lane] = item;
                 self.slot[item as usize] = (start * LANES + lane) as u32;
@@ -133,16 +137,10 @@ impl Tree {
             self.nodes[node] = self.leaves[start].whole();
             return;
         }
-        let middle = |i: u32| boxes[i as usize].low + boxes[i as usize].high;
-        // Nodes without a place have middles that are no numbers: min and max pass them over.
-        let widen = |(low, high): (Vector3<f32>, Vector3<f32>), &i: &u32| {
-            (low.zip_map(&middle(i), f32::min), high.zip_map(&middle(i), f32::max))
-        };
-        let (low, high) = order.iter().fold((Region::EMPTY.low, Region::EMPTY.high), widen);
-        let axis = (high - low).imax();
         let half = order.len().div_ceil(2);
         if half < order.len() {
-            order.select_nth_unstable_by(half, |&a, &b| middle(a)[axis].total_cmp(&middle(b)[axis]).then(a.cmp(&b)));
+            let axis = widest(order);
+            order.select_nth_unstable_by(half, |a, b| a.0[axis].total_cmp(&b.0[axis]).then(a.1.cmp(&b.1)));
         }
         let (left, right) = order.split_at_mut(half);
         self.place(boxes, left, start, leaves / 2);
@@ -182,7 +180,7 @@ impl Tree {
             if node >= first {
                 let leaf = &self.leaves[node - first];
                 let meets = leaf.meeting(region);
-                (0..LANES).filter(|&lane| meets[lane]).for_each(|lane| found(leaf.item[lane] as usize));
+                (0..LANES).filter(|&lane| meets[lane] != 0).for_each(|lane| found(leaf.item[lane] as usize));
                 continue;
             }
             stack[top] = 2 * node as u32 + 2;
@@ -190,4 +188,17 @@ impl Tree {
             top += 2;
         }
     }
+}
+
+/// The axis along which middles are spread most. Those of nodes without a place are no
+/// numbers: comparisons pass them over.
+fn widest(order: &[(Vector3<f32>, u32)]) -> usize {
+    let (mut low, mut high) = (Region::EMPTY.low, Region::EMPTY.high);
+    for (middle, _) in order {
+        for axis in 0..3 {
+            low[axis] = if middle[axis] < low[axis] { middle[axis] } else { low[axis] };
+            high[axis] = if middle[axis] > high[axis] { middle[axis] } else { high[axis] };
+        }
+    }
+    (high - low).imax()
 }

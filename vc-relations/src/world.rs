@@ -11,7 +11,7 @@ use crate::evidence::Evidence;
 use crate::form::Form;
 use crate::pair::{self, Pair};
 use crate::room::Rooms;
-use crate::solid::{Solid, sweep};
+use crate::solid::Solid;
 use crate::threshold::{NEAR_REACH, UNDER_REACH};
 use crate::tree::{Region, Tree};
 
@@ -24,8 +24,8 @@ pub(crate) struct World {
     pub(crate) pairs: Vec<Vec<Pair>>,
     pub(crate) rooms: Rooms,
     pub(crate) tree: Tree,
-    /// Parts of the building, which may stand between two things.
-    walls: Vec<u32>,
+    /// Pieces of the building, which may stand between two things.
+    walls: Vec<Solid>,
     wall_tree: Tree,
     forms: Forms,
 }
@@ -76,10 +76,9 @@ impl World {
             let body = self.body(node, evidence);
             self.bodies.push(body);
         }
-        let wall = |b: &Option<Body>| b.as_ref().is_some_and(|b| b.traits.structure);
-        self.walls = (0..self.bodies.len() as u32).filter(|&i| wall(&self.bodies[i as usize])).collect();
-        self.wall_tree =
-            Tree::new(&self.walls.iter().map(|&w| region(&self.bodies[w as usize])).collect::<Vec<_>>());
+        let building = self.bodies.iter().flatten().filter(|b| b.traits.structure);
+        self.walls = building.flat_map(|b| &b.solids).copied().collect();
+        self.wall_tree = Tree::new(&self.walls.iter().map(Solid::region).collect::<Vec<_>>());
         self.tree = Tree::new(&self.bodies.iter().map(region).collect::<Vec<_>>());
         self.measure_all();
     }
@@ -115,20 +114,9 @@ impl World {
 
     /// Whether part of the building stands between two points.
     fn walled(&self, from: &Vector3<f32>, to: &Vector3<f32>) -> bool {
-        let way = to - from;
-        let length = way.norm();
-        if length < 1e-6 {
-            return false;
-        }
-        let region = Region { low: from.inf(to), high: from.sup(to) };
-        let point = Solid::new(*from, nalgebra::Matrix3::identity(), Vector3::zeros(), crate::solid::Round::No);
-        let along = way / length;
+        let (way, region) = (to - from, Region { low: from.inf(to), high: from.sup(to) });
         let mut between = false;
-        self.wall_tree.each(&region, |wall| {
-            let solids = self.bodies[self.walls[wall] as usize].iter().flat_map(|wall| &wall.solids);
-            let mut near = solids.filter(|s| s.meets(&region, 0.0));
-            between = between || near.any(|s| sweep(&point, s, &along, length).is_some_and(|hit| hit.way >= 0.0));
-        });
+        self.wall_tree.each(&region, |wall| between = between || self.walls[wall].is_crossed(from, &way));
         between
     }
 
