@@ -36,17 +36,17 @@ fn all(c: &mut Criterion<Cpu>) {
     let mut group = c.benchmark_group("all relations");
     for objects in SIZES {
         let (graph, evidence, _) = scene(objects);
-        let mut relations = Relations::new(&graph, Rule::Repaired, evidence.clone());
+        let mut relations = Relations::new(&graph, Rule::Repaired, evidence.clone()).unwrap();
         eprintln!("{objects} objects: {} relations", relations.edges().len());
         group.bench_function(BenchmarkId::new("assets known", objects), |b| {
             b.iter(|| {
-                relations.rebuild(&graph);
+                relations.rebuild(&graph).unwrap();
                 black_box(relations.edges())
             });
         });
         for rule in [Rule::Repaired, Rule::BoxTrace] {
             group.bench_function(BenchmarkId::new(format!("from nothing, {rule:?}"), objects), |b| {
-                b.iter(|| Relations::new(&graph, rule, evidence.clone()).edges());
+                b.iter(|| Relations::new(&graph, rule, evidence.clone()).unwrap().edges());
             });
         }
     }
@@ -57,7 +57,7 @@ fn moved(c: &mut Criterion<Cpu>) {
     let mut group = c.benchmark_group("update");
     for objects in SIZES {
         let (mut graph, evidence, ids) = scene(objects);
-        let mut relations = Relations::new(&graph, Rule::Repaired, evidence);
+        let mut relations = Relations::new(&graph, Rule::Repaired, evidence).unwrap();
         let mut turn = 0_usize;
         for count in [1, 10, 50] {
             group.bench_function(BenchmarkId::new(format!("{count} moved"), objects), |b| {
@@ -68,7 +68,7 @@ fn moved(c: &mut Criterion<Cpu>) {
                         nudge(&mut graph, &batch, turn);
                         turn += 1;
                         let start = ThreadTime::now();
-                        black_box(relations.update(&graph, &batch));
+                        black_box(relations.update(&graph, &batch).unwrap());
                         for &id in &batch {
                             black_box(relations.of(id));
                         }

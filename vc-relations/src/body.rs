@@ -82,8 +82,7 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    /// The geometry of a node; `None` if it has no pose, no shape, or one that is not
-    /// finite.
+    /// The geometry of a node; `None` if it has no pose.
     pub(crate) fn new(node: &Node, form: Arc<Form>, positions: Vec<f32>) -> Option<Self> {
         let pose = node.pose()?;
         let spec = node.spec();
@@ -112,7 +111,7 @@ impl Body {
         };
         body.level = body.whole.upright && body.whole.axes == own;
         body.put_solids(&frame);
-        (body.whole.is_finite() && body.solids.iter().all(Solid::is_finite)).then_some(body)
+        Some(body)
     }
 
     fn put_solids(&mut self, frame: &Isometry3<f32>) {

@@ -131,7 +131,7 @@ impl<'w> Reader<'w> {
         let mut faced = Vec::new();
         world.tree.each(&body.region.grown(FACING_REACH, FACING_REACH), |other| {
             let Some(target) = world.bodies[other].as_ref() else { return };
-            if other != index && target.traits.lookable && faces(body, target) && !world.is_walled_off(body, target) {
+            if other != index && target.traits.lookable && faces(body, target) && !world.walls.between(body, target) {
                 faced.push(world.ids[other]);
             }
         });

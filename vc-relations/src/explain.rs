@@ -112,7 +112,7 @@ impl Relations {
             gap: finite(pair.map(|p| p.gap)),
             distance: finite(pair.map(|p| p.distance)),
             side: pair.and_then(|p| p.side),
-            walled: self.world.is_walled_off(a, b),
+            walled: self.world.walls.between(a, b),
         })
     }
 

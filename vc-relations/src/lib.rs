@@ -18,9 +18,9 @@
 //! let milk = scene.add(milk)?;
 //! let graph = scene.build();
 //!
-//! let relations = Relations::new(&graph, Rule::Repaired, Evidence::default());
+//! let relations = Relations::new(&graph, Rule::Repaired, Evidence::default())?;
 //! assert_eq!(relations.between(milk, fridge), [Relation::Inside, Relation::Touching, Relation::Near]);
-//! # Ok::<(), vc_graph::EditError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! # The rule
@@ -76,11 +76,14 @@
 //! Scaling a part that is turned against its asset's axes keeps its right angles. Of a thing
 //! of which only the box is known, what is put on it may be in the upper half of its box.
 
+#![warn(clippy::disallowed_methods)]
+
 mod body;
 mod box_trace;
 mod carve;
 mod distance;
 mod edges;
+mod error;
 mod evidence;
 mod explain;
 mod form;
@@ -95,9 +98,11 @@ mod support;
 pub mod threshold;
 mod tree;
 mod virtual_home;
+mod walls;
 mod world;
 mod write;
 
+pub use error::{Flaw, InputError};
 pub use evidence::{Attachment, Contact, Evidence};
 pub use explain::{Explanation, Hit, Verdict, Within};
 pub use near::Side;

@@ -13,6 +13,7 @@ use crate::threshold::{
     SUPPORT_TIE, TRACE_START, UNDER_CORE, UNDER_REACH,
 };
 use crate::tree::Region;
+use crate::walls::Around;
 
 /// What one body is to another. Fields that do not apply are infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,11 +62,11 @@ impl Pair {
 }
 
 /// Measures two bodies, each from its own point of view; `None` where there is nothing to
-/// say from either. `walled` tells whether a wall is between the two.
+/// say from either. The walls are those around one of the two.
 pub(crate) fn measure(
     (i, a): (usize, &Body),
     (j, b): (usize, &Body),
-    walled: &dyn Fn(&Body, &Body) -> bool,
+    walls: &Around<'_>,
 ) -> Option<(Pair, Pair)> {
     if a.traits.fixed && b.traits.fixed {
         return None;
@@ -86,7 +87,7 @@ pub(crate) fn measure(
     }
     if is_near
         && !(a.traits.structure || b.traits.structure)
-        && let Some(found) = near::beside(a, b).filter(|_| !walled(a, b))
+        && let Some(found) = near::beside(a, b).filter(|_| !walls.between(a, b))
     {
         (ab.distance, ba.distance) = (found.distance, found.distance);
         [ab.side, ba.side] = found.sides;

@@ -30,6 +30,10 @@ impl Region {
             & (self.high.y >= other.low.y)
     }
 
+    pub(crate) fn contains(&self, other: &Self) -> bool {
+        (0..3).all(|i| self.low[i] <= other.low[i] && other.high[i] <= self.high[i])
+    }
+
     /// The square of how far two are apart, square metres.
     #[inline]
     pub(crate) fn distance_squared(&self, other: &Self) -> f32 {

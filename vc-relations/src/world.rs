@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::Vector3;
 use vc_graph::{AssetId, AssetLibrary, Kind, Node, NodeId, Property, Relation, SceneGraph};
 
 use crate::body::Body;
@@ -11,9 +10,9 @@ use crate::evidence::Evidence;
 use crate::form::Form;
 use crate::pair::{self, Pair};
 use crate::room::Rooms;
-use crate::solid::Solid;
 use crate::threshold::{NEAR_REACH, UNDER_REACH};
 use crate::tree::{Region, Tree};
+use crate::walls::Walls;
 
 /// Bodies are numbered in the order of their nodes' numbers.
 #[derive(Debug, Clone, Default)]
@@ -24,9 +23,7 @@ pub(crate) struct World {
     pub(crate) pairs: Vec<Vec<Pair>>,
     pub(crate) rooms: Rooms,
     pub(crate) tree: Tree,
-    /// Pieces of the building, which may stand between two things.
-    walls: Vec<Solid>,
-    wall_tree: Tree,
+    pub(crate) walls: Walls,
     forms: Forms,
 }
 
@@ -76,9 +73,7 @@ impl World {
             let body = self.body(node, evidence);
             self.bodies.push(body);
         }
-        let building = self.bodies.iter().flatten().filter(|b| b.traits.structure);
-        self.walls = building.flat_map(|b| &b.solids).copied().collect();
-        self.wall_tree = Tree::new(&self.walls.iter().map(Solid::region).collect::<Vec<_>>());
+        self.walls = Walls::new(self.bodies.iter().flatten());
         self.tree = Tree::new(&self.bodies.iter().map(region).collect::<Vec<_>>());
         self.measure_all();
     }
@@ -101,7 +96,7 @@ impl World {
             return None;
         }
         let form = self.forms.of(node)?;
-        let position = |link| evidence.positions.get(&(node.id(), link)).copied().filter(|p| p.is_finite());
+        let position = |link| evidence.positions.get(&(node.id(), link)).copied();
         let positions = (0..form.joints.len() as u32).map(|link| position(link).unwrap_or(0.0)).collect();
         let mut body = Body::new(node, form, positions)?;
         body.room = self.rooms.at(&body.whole.centre);
@@ -110,19 +105,6 @@ impl World {
 
     pub(crate) fn index(&self, id: NodeId) -> Option<usize> {
         self.ids.binary_search(&id).ok()
-    }
-
-    /// Whether part of the building stands between two points.
-    fn walled(&self, from: &Vector3<f32>, to: &Vector3<f32>) -> bool {
-        let (way, region) = (to - from, Region { low: from.inf(to), high: from.sup(to) });
-        let mut between = false;
-        self.wall_tree.each(&region, |wall| between = between || self.walls[wall].is_crossed(from, &way));
-        between
-    }
-
-    /// Whether part of the building is between bodies that are not in one room.
-    pub(crate) fn is_walled_off(&self, from: &Body, to: &Body) -> bool {
-        (from.room.is_none() || from.room != to.room) && self.walled(&from.whole.centre, &to.whole.centre)
     }
 
     fn measure_all(&mut self) {
@@ -136,9 +118,10 @@ impl World {
             self.tree.each(&zone(a), |j| if j > i { met.push(j as u32) });
             // In this order every list comes out sorted.
             met.sort_unstable();
+            let walls = self.walls.around(a);
             for j in met.iter().map(|&j| j as usize) {
                 let Some(b) = &self.bodies[j] else { continue };
-                if let Some((ab, ba)) = pair::measure((i, a), (j, b), &|a, b| self.is_walled_off(a, b)) {
+                if let Some((ab, ba)) = pair::measure((i, a), (j, b), &walls) {
                     pairs[i].push(ab);
                     pairs[j].push(ba);
                 }
@@ -176,11 +159,12 @@ impl World {
     fn measure_one(&mut self, index: usize) -> Vec<Pair> {
         let Some(a) = &self.bodies[index] else { return Vec::new() };
         let (mut own, mut theirs) = (Vec::new(), Vec::new());
+        let walls = self.walls.around(a);
         self.tree.each(&zone(a), |j| {
             let Some(b) = self.bodies[j].as_ref().filter(|_| j != index) else { return };
             // In the order of a full build, so that the figures are the same to the last bit.
             let (first, second) = if index < j { ((index, a), (j, b)) } else { ((j, b), (index, a)) };
-            if let Some((p, q)) = pair::measure(first, second, &|a, b| self.is_walled_off(a, b)) {
+            if let Some((p, q)) = pair::measure(first, second, &walls) {
                 let (ab, ba) = if index < j { (p, q) } else { (q, p) };
                 own.push(ab);
                 theirs.push((j, ba));

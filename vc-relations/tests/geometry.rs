@@ -73,7 +73,7 @@ proptest! {
     fn distances_are_those_of_the_slow_way(a in half(), p in pose(), b in half(), q in pose()) {
         let (one, two) = ((a, p), (b, q));
         let graph = boxes(&[one, two]);
-        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default());
+        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
         let slow = slow_distance(&one, &two);
         match relations.near(NodeId(1)).first() {
             Some(near) => prop_assert!((near.distance - slow).abs() < 2e-3, "{} against {slow}", near.distance),
@@ -88,7 +88,7 @@ proptest! {
     fn sweeps_meet_what_a_dropped_box_meets(a in half(), p in pose(), b in half(), q in pose()) {
         let (one, two) = ((a, p), (b, q));
         let graph = boxes(&[one, two]);
-        let relations = Relations::new(&graph, Rule::BoxTrace, Evidence::default());
+        let relations = Relations::new(&graph, Rule::BoxTrace, Evidence::default()).unwrap();
         let hit = relations.between(NodeId(1), NodeId(2)).contains(&Relation::On);
         let slow = slow_drop(&one, &two, 2.9);
         // Grazing hits may go either way: the slow one must be as sure with a thicker or
@@ -113,7 +113,7 @@ proptest! {
             edit.add(Draft::new("character").bounds(bounds).at(list[0].1)).unwrap();
             edit.commit();
         }
-        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default());
+        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
         let edges = relations.edges();
         prop_assert!(edges.is_sorted());
         for edge in &edges {
@@ -155,8 +155,8 @@ fn hostile_numbers_are_passed_over() {
     ];
     let graph = boxes(&list);
     for rule in [Rule::Repaired, Rule::BoxTrace, Rule::VirtualHome] {
-        let mut relations = Relations::new(&graph, rule, Evidence::default());
-        relations.update(&graph, &[NodeId(1), NodeId(7), NodeId(99)]);
+        let mut relations = Relations::new(&graph, rule, Evidence::default()).unwrap();
+        relations.update(&graph, &[NodeId(1), NodeId(7), NodeId(99)]).unwrap();
         assert!(relations.of(NodeId(99)).is_empty());
         assert!(relations.explain(NodeId(1), NodeId(99)).is_none());
     }
@@ -167,11 +167,11 @@ fn contacts_decide_before_traces() {
     let scene =
         shared::scene(["a = box 0.3 0.3 0.3", "b = box 0.3 0.3 0.3 @ 0.3 0 0", "c = box 0.2 0.2 0.2 @ 0.15 0 0.3"]);
     let [a, b, c] = ["a", "b", "c"].map(|n| scene.id(n));
-    let traced = Relations::new(&scene.graph, Rule::Repaired, Evidence::default());
+    let traced = Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap();
     assert_eq!(traced.supports(c).iter().map(|s| s.by).collect::<Vec<_>>(), [a, b]);
     let contact = |on, up: f32| vc_relations::Contact { between: (on, c), impulse: Vector3::new(0.0, 0.0, up) };
     let evidence = Evidence::default().contact(contact(a, 0.95)).contact(contact(b, 0.05));
-    let pushed = Relations::new(&scene.graph, Rule::Repaired, evidence);
+    let pushed = Relations::new(&scene.graph, Rule::Repaired, evidence).unwrap();
     let supports = pushed.supports(c);
     assert_eq!(supports.iter().map(|s| s.by).collect::<Vec<_>>(), [a]);
     assert!((supports[0].share - 0.95).abs() < 1e-6);
@@ -182,7 +182,7 @@ fn joints_take_the_place_of_support() {
     let scene =
         shared::scene(["floor = floor 4 4", "frame = box 0.6 0.6 1.8", "leaf = box 0.05 0.6 1.7 @ 0.33 0 0.05"]);
     let attachment = vc_relations::Attachment { child: scene.id("leaf"), parent: scene.id("frame") };
-    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default().attached(attachment));
+    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default().attached(attachment)).unwrap();
     assert_eq!(relations.between(scene.id("leaf"), scene.id("frame"))[0], Relation::On);
     assert!(!relations.between(scene.id("leaf"), scene.id("floor")).contains(&Relation::On));
 }
@@ -191,7 +191,7 @@ fn joints_take_the_place_of_support() {
 fn explanations_tell_what_was_met_where() {
     let scene =
         shared::scene(["floor = floor 4 4", "table = table 0.8 1.2 0.75", "cup = mug 0.08 0.1 @ 0.1 0.2 0.752"]);
-    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default());
+    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap();
     let why = relations.explain(scene.id("cup"), scene.id("table")).unwrap();
     assert_eq!(why.down[0].what, scene.id("table"));
     assert!((why.down[0].distance - 0.002).abs() < 1e-4);
@@ -205,7 +205,7 @@ fn explanations_tell_what_was_met_where() {
 #[test]
 fn what_is_written_back_is_sound() {
     let (mut home, truth) = shared::home::home(50);
-    let relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default());
+    let relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap();
     let all: Vec<NodeId> = home.graph.nodes().map(vc_graph::Node::id).collect();
     relations.write(&mut home.graph, &all).unwrap();
     for t in &truth {

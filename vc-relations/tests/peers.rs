@@ -17,7 +17,7 @@ struct Score {
 
 fn score(objects: u32, rule: Rule) -> Option<Score> {
     let peers = shared::peers::read(objects)?;
-    let relations = Relations::new(&peers.graph, rule, peers.evidence.clone());
+    let relations = Relations::new(&peers.graph, rule, peers.evidence.clone()).unwrap();
     let to = |id, relation| -> Vec<NodeId> {
         relations.of(id).iter().filter(|e| e.relation == relation).map(|e| e.to).collect()
     };
