@@ -1,8 +1,9 @@
 //! What cannot be read: numbers that no scene can have.
 
 use std::fmt;
+use std::sync::Arc;
 
-use vc_graph::{Edge, Node, NodeId, Relation, SceneGraph};
+use vc_graph::{Asset, AssetId, AssetLibrary, Edge, Node, NodeId, Relation, SceneGraph};
 
 use crate::evidence::Evidence;
 use crate::threshold::{ROTATION_SLACK, WORLD_REACH};
@@ -37,6 +38,14 @@ pub enum Flaw {
         /// What of it.
         what: &'static str,
         /// What it is.
+        value: f32,
+    },
+    /// A shape beyond what single precision resolves to a millimetre.
+    #[error("asset `{name}` reaches {value} m from its origin, more than {WORLD_REACH} m")]
+    HugeAsset {
+        /// The asset's name.
+        name: Arc<str>,
+        /// How far it reaches, metres.
         value: f32,
     },
     /// The rotation of a pose is none.
@@ -88,6 +97,18 @@ pub(crate) fn check_nodes(graph: &SceneGraph, ids: &[NodeId]) -> Result<(), Inpu
     let mut flaws = Vec::new();
     ids.iter().filter_map(|id| graph.node(*id)).for_each(|node| check_node(node, &mut flaws));
     refuse_if_any(flaws)
+}
+
+/// # Errors
+/// Every asset that is too large; other figures the library has checked when it got them.
+pub(crate) fn check_assets(library: &AssetLibrary) -> Result<(), InputError> {
+    let asset = |i: usize| library.get(AssetId(i as u32));
+    let flaw = |asset: &Arc<Asset>| {
+        let (low, high) = asset.extent()?;
+        let value = low.coords.abs().sup(&high.coords.abs()).max();
+        (value > WORLD_REACH).then(|| Flaw::HugeAsset { name: asset.name.clone(), value })
+    };
+    refuse_if_any((0..library.len()).filter_map(asset).filter_map(flaw).collect())
 }
 
 fn check_node(node: &Node, flaws: &mut Vec<Flaw>) {

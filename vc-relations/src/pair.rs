@@ -63,11 +63,7 @@ impl Pair {
 
 /// Measures two bodies, each from its own point of view; `None` where there is nothing to
 /// say from either. The walls are those around one of the two.
-pub(crate) fn measure(
-    (i, a): (usize, &Body),
-    (j, b): (usize, &Body),
-    walls: &Around<'_>,
-) -> Option<(Pair, Pair)> {
+pub(crate) fn measure((i, a): (usize, &Body), (j, b): (usize, &Body), walls: &Around<'_>) -> Option<(Pair, Pair)> {
     if a.traits.fixed && b.traits.fixed {
         return None;
     }

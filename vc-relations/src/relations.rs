@@ -5,7 +5,7 @@ use std::sync::Arc;
 use vc_graph::{Edge, NodeId, Relation, SceneGraph};
 
 use crate::edges::Reader;
-use crate::error::{InputError, check_evidence, check_nodes, check_scene};
+use crate::error::{InputError, check_assets, check_evidence, check_nodes, check_scene};
 use crate::evidence::Evidence;
 use crate::near::Side;
 use crate::rule::Rule;
@@ -87,6 +87,9 @@ impl Relations {
     /// [`InputError`] as for [`Self::new`]; then nothing is changed.
     pub fn rebuild(&mut self, graph: &SceneGraph) -> Result<(), InputError> {
         check_scene(graph)?;
+        if !self.world.knows(graph.assets()) {
+            check_assets(graph.assets())?;
+        }
         self.facts = facts(graph, &self.evidence);
         self.world.rebuild(graph, &self.evidence);
         self.fixed = Arc::new(match self.rule {

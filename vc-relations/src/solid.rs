@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::tree::Region;
 use crate::threshold::{BALL_SPOT, TRACE_SHRINK, UPRIGHT};
+use crate::tree::Region;
 
 /// How a piece is rounded within its box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -55,10 +55,6 @@ impl Solid {
     #[inline]
     pub(crate) fn meets(&self, region: &Region, margin: f32) -> bool {
         (0..3).all(|k| self.low[k] <= region.high[k] + margin && self.high[k] + margin >= region.low[k])
-    }
-
-    pub(crate) fn is_finite(&self) -> bool {
-        self.low.iter().chain(self.high.iter()).all(|v| v.is_finite())
     }
 
     /// How far it reaches from its centre along a direction of unit length.

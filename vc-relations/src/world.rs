@@ -61,9 +61,14 @@ fn is_container(node: &Node) -> bool {
 }
 
 impl World {
+    /// Whether its forms are those of a library.
+    pub(crate) fn knows(&self, library: &Arc<AssetLibrary>) -> bool {
+        Arc::ptr_eq(&self.forms.library, library)
+    }
+
     /// Builds all anew; what is known of assets is kept.
     pub(crate) fn rebuild(&mut self, graph: &SceneGraph, evidence: &Evidence) {
-        if !Arc::ptr_eq(&self.forms.library, graph.assets()) {
+        if !self.knows(graph.assets()) {
             self.forms = Forms { library: graph.assets().clone(), known: BTreeMap::new() };
         }
         self.rooms = self.find_rooms(graph);
@@ -115,7 +120,11 @@ impl World {
         for (i, a) in self.bodies.iter().enumerate() {
             let Some(a) = a else { continue };
             met.clear();
-            self.tree.each(&zone(a), |j| if j > i { met.push(j as u32) });
+            self.tree.each(&zone(a), |j| {
+                if j > i {
+                    met.push(j as u32)
+                }
+            });
             // In this order every list comes out sorted.
             met.sort_unstable();
             let walls = self.walls.around(a);

@@ -8,7 +8,7 @@ mod shared;
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use vc_graph::{Bounds, Draft, NodeId, Pose, Relation, SceneBuilder, SceneGraph};
-use vc_relations::{Evidence, Relations, Rule};
+use vc_relations::{Evidence, Flaw, Relations, Rule};
 
 fn boxes(list: &[(Vector3<f32>, Pose)]) -> SceneGraph {
     let mut scene = SceneBuilder::new("boxes");
@@ -140,26 +140,56 @@ proptest! {
     }
 }
 
-#[test]
-fn hostile_numbers_are_passed_over() {
-    let nan = f32::NAN;
-    let far = Pose::translation(1e30, -1e30, 1e30);
-    let list = [
-        (Vector3::new(nan, 0.1, 0.1), Pose::identity()),
-        (Vector3::new(0.1, 0.1, f32::INFINITY), Pose::identity()),
-        (Vector3::repeat(1e30), Pose::identity()),
-        (Vector3::repeat(0.1), far),
-        (Vector3::repeat(-0.1), Pose::identity()),
-        (Vector3::repeat(0.0), Pose::identity()),
-        (Vector3::repeat(0.1), Pose::identity()),
-    ];
-    let graph = boxes(&list);
-    for rule in [Rule::Repaired, Rule::BoxTrace, Rule::VirtualHome] {
-        let mut relations = Relations::new(&graph, rule, Evidence::default()).unwrap();
-        relations.update(&graph, &[NodeId(1), NodeId(7), NodeId(99)]).unwrap();
-        assert!(relations.of(NodeId(99)).is_empty());
-        assert!(relations.explain(NodeId(1), NodeId(99)).is_none());
+fn hostile() -> impl Strategy<Value = f32> {
+    prop_oneof![
+        4 => -2.0_f32..2.0,
+        1 => prop::sample::select(vec![f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30, -1e30, f32::MIN_POSITIVE, 0.0]),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Either every number is sound, or all that are not are named; never a panic.
+    #[test]
+    fn hostile_numbers_are_refused_by_name(numbers in prop::collection::vec(prop::array::uniform6(hostile()), 1..6)) {
+        let number = |n: &[f32; 6]| (Vector3::new(n[0], n[1], n[2]), Pose::translation(n[3], n[4], n[5]));
+        let graph = boxes(&numbers.iter().map(number).collect::<Vec<_>>());
+        let is_bad = |n: &&[f32; 6]| {
+            n[..3].iter().any(|&v| !(0.0..=1e4).contains(&v)) || n[3..].iter().any(|v| !(-1e4..=1e4).contains(v))
+        };
+        let bad = numbers.iter().filter(is_bad).count();
+        for rule in [Rule::Repaired, Rule::BoxTrace, Rule::VirtualHome] {
+            match Relations::new(&graph, rule, Evidence::default()) {
+                Ok(mut relations) => {
+                    prop_assert_eq!(bad, 0);
+                    relations.update(&graph, &[NodeId(1), NodeId(99)]).unwrap();
+                    prop_assert!(relations.of(NodeId(99)).is_empty());
+                    prop_assert!(relations.explain(NodeId(1), NodeId(99)).is_none());
+                }
+                Err(error) => prop_assert!(bad > 0 && error.flaws.len() >= bad, "{error}"),
+            }
+        }
     }
+}
+
+#[test]
+fn flaws_are_named_and_change_nothing() {
+    let mut graph = boxes(&[(Vector3::repeat(0.1), Pose::identity()), (Vector3::repeat(0.1), Pose::identity())]);
+    let mut relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
+    let before = relations.edges();
+    let mut edit = graph.edit();
+    edit.set_pose(NodeId(1), Some(Pose::translation(f32::NAN, 0.0, 0.0))).unwrap();
+    edit.commit();
+    let error = relations.update(&graph, &[NodeId(1)]).unwrap_err();
+    assert_eq!(error.flaws, [Flaw::NotFinite { node: NodeId(1), what: "position" }]);
+    assert_eq!(error.to_string(), "position of #1 is not finite");
+    assert_eq!(relations.edges(), before);
+    let nan = Vector3::new(0.0, 0.0, f32::NAN);
+    let contact = vc_relations::Contact { between: (NodeId(1), NodeId(2)), impulse: nan };
+    let near = vc_graph::Edge::new(NodeId(1), Relation::Near, NodeId(2));
+    let evidence = Evidence::default().contact(contact).holding(near).positioned(NodeId(2), 0, f32::INFINITY);
+    assert_eq!(relations.set_evidence(&graph, evidence).unwrap_err().flaws.len(), 3);
 }
 
 #[test]

@@ -107,9 +107,8 @@ fn build(file: &File) -> Peers {
         making.add(class, o.pos, o.yaw, o.parts.iter().map(piece).collect())
     };
     let ids: Vec<NodeId> = file.objs.iter().map(&mut add).collect();
-    let hinged = |(child, o): (&NodeId, &Object)| {
-        o.hinge.as_ref().map(|h| Attachment { child: *child, parent: ids[h.parent] })
-    };
+    let hinged =
+        |(child, o): (&NodeId, &Object)| o.hinge.as_ref().map(|h| Attachment { child: *child, parent: ids[h.parent] });
     let attachments = ids.iter().zip(&file.objs).filter_map(hinged).collect();
     let carrier = |o: &Object| usize::try_from(o.truth_support).map_or(floor, |i| ids[i]);
     let truth = ids.iter().zip(&file.objs).map(|(id, o)| (*id, carrier(o), o.truth_inside.map(|i| ids[i]))).collect();
