@@ -102,6 +102,8 @@ impl Leaf {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Tree {
     nodes: Vec<Region>,
+    /// The largest number of a box below each node.
+    last: Vec<u32>,
     leaves: Vec<Leaf>,
     /// In which leaf a box is, times [`LANES`], and in which of its lanes.
     slot: Vec<u32>,
@@ -112,6 +114,7 @@ impl Tree {
         let leaves = boxes.len().div_ceil(LANES).next_power_of_two();
         let mut tree = Self {
             nodes: vec![Region::EMPTY; 2 * leaves - 1],
+            last: vec![0; 2 * leaves - 1],
             leaves: vec![Leaf::EMPTY; leaves],
             slot: vec![0; boxes.len()],
         };
@@ -120,6 +123,7 @@ impl Tree {
         tree.place(boxes, &mut order, 0, leaves);
         for node in (0..tree.first()).rev() {
             tree.measure(node);
+            tree.last[node] = tree.last[2 * node + 1].max(tree.last[2 * node + 2]);
         }
         tree
     }
@@ -139,6 +143,7 @@ impl Tree {
             }
             let node = self.first() + start;
             self.nodes[node] = self.leaves[start].whole();
+            self.last[node] = order.iter().map(|o| o.1).max().unwrap_or(0);
             return;
         }
         let half = order.len().div_ceil(2);
@@ -170,7 +175,13 @@ impl Tree {
 
     /// Calls `found` with every box that meets a region, in no useful order.
     #[inline]
-    pub(crate) fn each(&self, region: &Region, mut found: impl FnMut(usize)) {
+    pub(crate) fn each(&self, region: &Region, found: impl FnMut(usize)) {
+        self.each_from(0, region, found);
+    }
+
+    /// The same for boxes from a number on.
+    #[inline]
+    pub(crate) fn each_from(&self, from: usize, region: &Region, mut found: impl FnMut(usize)) {
         // A path is at most 32 deep and leaves one sibling at each depth.
         let mut stack = [0_u32; 40];
         let mut top = usize::from(!self.nodes.is_empty());
@@ -178,13 +189,14 @@ impl Tree {
         while top > 0 {
             top -= 1;
             let node = stack[top] as usize;
-            if !self.nodes[node].meets(region) {
+            if (self.last[node] as usize) < from || !self.nodes[node].meets(region) {
                 continue;
             }
             if node >= first {
                 let leaf = &self.leaves[node - first];
                 let meets = leaf.meeting(region);
-                (0..LANES).filter(|&lane| meets[lane] != 0).for_each(|lane| found(leaf.item[lane] as usize));
+                let items = (0..LANES).filter(|&lane| meets[lane] != 0).map(|lane| leaf.item[lane] as usize);
+                items.filter(|&item| item >= from).for_each(&mut found);
                 continue;
             }
             stack[top] = 2 * node as u32 + 2;

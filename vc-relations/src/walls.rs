@@ -33,7 +33,9 @@ impl Walls {
     }
 
     pub(crate) fn around(&self, body: &Body) -> Around<'_> {
-        Around { walls: self, region: body.region.grown(NEAR_REACH, NEAR_REACH), near: OnceCell::new() }
+        // What is near has its middle within about twice the reach.
+        let region = body.region.grown(2.0 * NEAR_REACH, 2.0 * NEAR_REACH);
+        Around { walls: self, region, near: OnceCell::new() }
     }
 }
 

@@ -120,11 +120,7 @@ impl World {
         for (i, a) in self.bodies.iter().enumerate() {
             let Some(a) = a else { continue };
             met.clear();
-            self.tree.each(&zone(a), |j| {
-                if j > i {
-                    met.push(j as u32)
-                }
-            });
+            self.tree.each_from(i + 1, &zone(a), |j| met.push(j as u32));
             // In this order every list comes out sorted.
             met.sort_unstable();
             let walls = self.walls.around(a);
