@@ -226,7 +226,7 @@ impl<'w> Supports<'w> {
     fn covers(&self, between: &Pair, deeper: &Pair) -> bool {
         let rests = |p: &Pair, q: &Pair| self.world.pair(p.other as usize, q.other as usize).map(|r| r.rest);
         between.other != deeper.other
-            && deeper.rest < between.rest
+            && between.rest < deeper.rest
             && rests(between, deeper).is_some_and(f32::is_finite)
     }
 
