@@ -193,7 +193,9 @@ impl fmt::Display for Explanation {
         for (way, hits) in [("down", &self.down), ("up", &self.up)] {
             for hit in hits {
                 let (what, at) = (hit.what, hit.at);
-                write!(f, "  trace {way} meets {what} after {:.1} cm ", hit.distance * 100.0)?;
+                // Tenths of millimetres are shown as none, not as minus none.
+                let way_long = (hit.distance * 1000.0).round() / 10.0 + 0.0;
+                write!(f, "  trace {way} meets {what} after {way_long:.1} cm ")?;
                 writeln!(f, "at {:.2} {:.2} {:.2}: {}", at.x, at.y, at.z, because(hit.verdict))?;
             }
         }
