@@ -41,9 +41,9 @@ fn main() -> Result<(), Complaint> {
         Some(file) => read_scene(&support::read(file)?, &ClassTable::builtin()).map_err(Complaint::new)?,
         None => kitchen::build().map_err(Complaint::new)?,
     };
-    let relations = Relations::new(&graph, Rule::Repaired, Evidence::default());
+    let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).map_err(Complaint::new)?;
     list(&graph, &relations, options.all);
-    compare(&graph, &relations);
+    compare(&graph, &relations)?;
     let (from, to) = pair(&graph, &relations, options.why.as_deref())?;
     let none = || Complaint::new("one of the two has no pose or no shape");
     let why = relations.explain(from, to).ok_or_else(none)?;
@@ -79,8 +79,8 @@ fn list(graph: &SceneGraph, relations: &Relations, all: bool) {
 }
 
 /// Where the thesis's rule says otherwise.
-fn compare(graph: &SceneGraph, relations: &Relations) {
-    let plain = Relations::new(graph, Rule::BoxTrace, Evidence::default());
+fn compare(graph: &SceneGraph, relations: &Relations) -> Result<(), Complaint> {
+    let plain = Relations::new(graph, Rule::BoxTrace, Evidence::default()).map_err(Complaint::new)?;
     let placed = |r: &Relations, id| -> Vec<Edge> {
         let counts = |e: &Edge| matches!(e.relation, Relation::On | Relation::Inside | Relation::Under);
         r.of(id).into_iter().filter(counts).collect()
@@ -95,6 +95,7 @@ fn compare(graph: &SceneGraph, relations: &Relations) {
             say!("{:>20}  {words}", node.label().to_string());
         }
     }
+    Ok(())
 }
 
 /// The pair to explain: the one asked for, else the first thing that is inside another.

@@ -7,9 +7,11 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::{Node, NodeId, SceneGraph};
 use virtualcity::relations::{Explanation, Hit, Verdict};
 
-/// Pixels a metre, and the picture's size.
-const SCALE: f32 = 260.0;
-const SIZE: (f32, f32) = (1180.0, 760.0);
+/// The picture's size, and the part of it the scene is drawn in, pixels.
+const SIZE: (f32, f32) = (1240.0, 720.0);
+const STAGE: (f32, f32) = (640.0, 720.0);
+/// How far around the thing asked about is shown, metres.
+const AROUND: f32 = 0.95;
 
 /// A face with its distance from the eye.
 struct Face {
@@ -19,10 +21,19 @@ struct Face {
     node: NodeId,
 }
 
-/// Oblique from the front right above: X comes towards the eye, Y goes left, Z up.
-fn project(p: &Point3<f32>) -> (f32, f32) {
-    let (x, y) = (p.x * 0.5 - p.y * 0.87, p.x * 0.42 + p.y * 0.2 - p.z);
-    (SIZE.0 * 0.36 + x * SCALE, SIZE.1 * 0.62 + y * SCALE)
+/// From metres to pixels: oblique from the front right above, with one thing in the middle.
+/// X comes towards the eye, Y goes left, Z up.
+struct View {
+    middle: Point3<f32>,
+}
+
+impl View {
+    fn project(&self, p: &Point3<f32>) -> (f32, f32) {
+        let p = p - self.middle;
+        let (x, y) = (p.x * 0.5 - p.y * 0.87, p.x * 0.42 + p.y * 0.2 - p.z);
+        let scale = STAGE.0 / (2.0 * AROUND);
+        (STAGE.0 / 2.0 + x * scale, STAGE.1 * 0.3 + y * scale)
+    }
 }
 
 fn depth(p: &Point3<f32>) -> f32 {
@@ -31,11 +42,15 @@ fn depth(p: &Point3<f32>) -> f32 {
 
 /// The scene as SVG.
 pub(crate) fn draw(graph: &SceneGraph, why: &Explanation) -> String {
-    let mut faces: Vec<Face> = graph.nodes().flat_map(|node| faces_of(graph, node, why)).collect();
+    let middle = graph.node(why.from).and_then(Node::position).unwrap_or_else(Point3::origin);
+    let view = View { middle };
+    let mut faces: Vec<Face> = graph.nodes().flat_map(|node| faces_of(graph, node, why, &view)).collect();
     faces.sort_by(|a, b| a.depth.total_cmp(&b.depth).then(a.node.cmp(&b.node)));
     let (w, h) = SIZE;
     let mut svg = format!("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {w} {h}' font-family='sans-serif'>\n");
     svg += "<rect width='100%' height='100%' fill='#fafaf7'/>\n";
+    let _ = writeln!(svg, "<clipPath id='stage'><rect width='{}' height='{}'/></clipPath>", STAGE.0, STAGE.1);
+    svg += "<g clip-path='url(#stage)'>\n";
     for face in &faces {
         let points: Vec<String> = face.points.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
         let focus = face.node == why.from || face.node == why.to;
@@ -48,13 +63,16 @@ pub(crate) fn draw(graph: &SceneGraph, why: &Explanation) -> String {
             face.fill
         );
     }
-    why.down.iter().for_each(|hit| arrow(&mut svg, graph, why, hit, false));
-    why.up.iter().for_each(|hit| arrow(&mut svg, graph, why, hit, true));
+    svg += "</g>\n";
+    let mut free = f32::NEG_INFINITY;
+    for (hits, up) in [(&why.up, true), (&why.down, false)] {
+        hits.iter().for_each(|hit| arrow(&mut svg, graph, hit, &view, up, &mut free));
+    }
     caption(&mut svg, graph, why);
     svg + "</svg>\n"
 }
 
-fn faces_of(graph: &SceneGraph, node: &Node, why: &Explanation) -> Vec<Face> {
+fn faces_of(graph: &SceneGraph, node: &Node, why: &Explanation, view: &View) -> Vec<Face> {
     let Some(pose) = node.pose() else { return Vec::new() };
     let asset = node.spec().asset.and_then(|a| graph.assets().get(a));
     let mut boxes: Vec<(Point3<f32>, Point3<f32>)> = Vec::new();
@@ -84,7 +102,7 @@ fn faces_of(graph: &SceneGraph, node: &Node, why: &Explanation) -> Vec<Face> {
         let middle = corners.iter().fold(Vector3::zeros(), |s, c| s + c.coords) / 4.0;
         Face {
             depth: depth(&middle.into()),
-            points: corners.map(|c| project(&c)),
+            points: corners.map(|c| view.project(&c)),
             fill: format!("#{:02x}{:02x}{:02x}", fill[0], fill[1], fill[2]),
             node: node.id(),
         }
@@ -92,39 +110,41 @@ fn faces_of(graph: &SceneGraph, node: &Node, why: &Explanation) -> Vec<Face> {
     boxes.iter().flat_map(|(low, high)| (0..3).map(|side| face(*low, *high, side))).collect()
 }
 
-fn arrow(svg: &mut String, graph: &SceneGraph, why: &Explanation, hit: &Hit, up: bool) {
-    let centre = graph.node(why.from).and_then(Node::aabb).map(|a| a.centre());
-    let start = match (up, centre) {
-        (true, _) => hit.at - Vector3::z() * hit.distance,
-        (false, Some(c)) => Point3::new(hit.at.x, hit.at.y, c.z),
-        (false, None) => hit.at + Vector3::z() * hit.distance.max(0.12),
-    };
+/// A trace and its hit. Names stand below each other, at least as high as `free` says.
+fn arrow(svg: &mut String, graph: &SceneGraph, hit: &Hit, view: &View, up: bool, free: &mut f32) {
+    let start = if up { hit.at - Vector3::z() * hit.distance } else { Point3::new(hit.at.x, hit.at.y, view.middle.z) };
     let colour = match hit.verdict {
         Verdict::Counts => "#1a8f3c",
         Verdict::Carried | Verdict::Content => "#8a6fb0",
         _ => "#c23b3b",
     };
-    let ((x1, y1), (x2, y2)) = (project(&start), project(&hit.at));
-    let _ =
-        writeln!(svg, "<line x1='{x1:.1}' y1='{y1:.1}' x2='{x2:.1}' y2='{y2:.1}' stroke='{colour}' stroke-width='2'/>");
+    let ((x1, y1), (x2, y2)) = (view.project(&start), view.project(&hit.at));
+    let (x3, y3) = (x2 + 70.0, y2.max(*free));
+    *free = y3 + 18.0;
+    let mut line = |from: (f32, f32), to: (f32, f32), width: f32| {
+        let ends = format!("x1='{:.1}' y1='{:.1}' x2='{:.1}' y2='{:.1}'", from.0, from.1, to.0, to.1);
+        let _ = writeln!(svg, "<line {ends} stroke='{colour}' stroke-width='{width}'/>");
+    };
+    line((x1, y1), (x2, y2), 2.0);
+    line((x2, y2), (x3, y3), 0.7);
     let _ = writeln!(svg, "<circle cx='{x2:.1}' cy='{y2:.1}' r='4' fill='{colour}'/>");
-    let label = graph.label(hit.what);
-    let _ =
-        writeln!(svg, "<text x='{:.1}' y='{:.1}' font-size='12' fill='{colour}'>{label}</text>", x2 + 7.0, y2 + 4.0);
+    let (label, x, y) = (graph.label(hit.what), x3 + 4.0, y3 + 4.0);
+    let _ = writeln!(svg, "<text x='{x:.1}' y='{y:.1}' font-size='13' fill='{colour}'>{label}</text>");
 }
 
 fn caption(svg: &mut String, graph: &SceneGraph, why: &Explanation) {
     let title = format!("{} and {}", graph.label(why.from), graph.label(why.to));
-    let _ = writeln!(svg, "<text x='20' y='34' font-size='20' fill='#222'>{title}</text>");
+    let _ = writeln!(svg, "<text x='{}' y='40' font-size='20' fill='#222'>{title}</text>", STAGE.0 + 16.0);
     let text = crate::named(graph, &why.to_string());
     for (line, text) in text.lines().enumerate() {
-        let y = 60.0 + 18.0 * line as f32;
-        let _ = writeln!(svg, "<text x='20' y='{y}' font-size='13' fill='#444'>{}</text>", text.trim());
+        let y = 72.0 + 20.0 * line as f32;
+        let _ = writeln!(svg, "<text x='{}' y='{y}' font-size='13' fill='#444'>{}</text>", STAGE.0 + 16.0, text.trim());
     }
     let legend = [("#1a8f3c", "the hit that counts"), ("#8a6fb0", "in it or on it"), ("#c23b3b", "does not count")];
     for (row, (colour, text)) in legend.into_iter().enumerate() {
         let y = SIZE.1 - 60.0 + 18.0 * row as f32;
-        let _ = writeln!(svg, "<circle cx='26' cy='{}' r='5' fill='{colour}'/>", y - 4.0);
-        let _ = writeln!(svg, "<text x='38' y='{y}' font-size='13' fill='#444'>{text}</text>");
+        let x = STAGE.0 + 22.0;
+        let _ = writeln!(svg, "<circle cx='{x}' cy='{}' r='5' fill='{colour}'/>", y - 4.0);
+        let _ = writeln!(svg, "<text x='{}' y='{y}' font-size='13' fill='#444'>{text}</text>", x + 12.0);
     }
 }

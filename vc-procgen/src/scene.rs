@@ -99,9 +99,11 @@ impl Apartment {
 fn draft(item: &Item, asset: AssetId) -> Draft {
     let mut draft = Draft::new(item.object.class).at(item.pose).bounds(item.object.bounds);
     draft.asset = Some(asset);
-    // Shelves without doors are open, whatever their class starts as.
+    // Shelves without doors are open, those with doors closed, whatever their class
+    // starts as.
     let shelves = matches!(item.object.class, "bookshelf" | "low_bookcase");
-    let open = (shelves && !item.object.asset.parts.iter().any(|p| p.joint.is_some())).then_some(State::Open);
-    draft.entering.extend(open.into_iter().chain(item.states.iter().copied()));
+    let doors = item.object.asset.parts.iter().any(|p| p.joint.is_some());
+    let state = shelves.then_some(if doors { State::Closed } else { State::Open });
+    draft.entering.extend(state.into_iter().chain(item.states.iter().copied()));
     draft
 }

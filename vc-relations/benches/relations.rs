@@ -1,58 +1,74 @@
-//! What relations cost, beside a plain implementation and engine shape casts.
-//!
-//! The home is that of the tests: rooms of 25 objects. Run with
-//! `cargo bench -p vc-relations`.
+//! What relations cost, beside engine shape casts: CPU time of the thread, on the scenes
+//! physics is timed on. Run with `cargo bench -p vc-relations`.
 
 #![allow(missing_docs, clippy::unwrap_used, reason = "benches stop where something is wrong")]
 
+#[path = "../../benches/support/cpu.rs"]
+mod cpu;
 #[path = "../tests/shared/mod.rs"]
 mod shared;
 
 use std::hint::black_box;
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use cpu::Cpu;
+use cpu_time::ThreadTime;
+use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use nalgebra::Vector3;
-use parry3d::math::{Pose as EnginePose, Vector as EngineVector};
+use parry3d::math::{Pose as EnginePose, Rotation as EngineRotation, Vector as EngineVector};
 use parry3d::query::{ShapeCastOptions, cast_shapes};
 use parry3d::shape::{Compound, Cuboid, SharedShape};
 use vc_graph::{NodeId, Pose, SceneGraph};
 use vc_relations::{Evidence, Relations, Rule};
 
-fn all(c: &mut Criterion) {
-    for objects in [100, 500, 2000] {
-        let (home, _) = shared::home::home(objects);
-        let mut relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default());
-        c.bench_function(&format!("all relations, {objects} objects"), |b| {
+const SIZES: [u32; 3] = [100, 500, 2000];
+
+/// A scene of the peers, or one as large of the tests' own where those are not at hand.
+fn scene(objects: u32) -> (SceneGraph, Evidence, Vec<NodeId>) {
+    if let Some(peers) = shared::peers::read(objects) {
+        return (peers.graph, peers.evidence, peers.truth.iter().map(|t| t.0).collect());
+    }
+    let (home, truth) = shared::home::home(objects as usize);
+    let ids = truth.iter().map(|t| home.id(&t.name)).collect();
+    (home.graph, home.evidence, ids)
+}
+
+fn all(c: &mut Criterion<Cpu>) {
+    let mut group = c.benchmark_group("all relations");
+    for objects in SIZES {
+        let (graph, evidence, _) = scene(objects);
+        let mut relations = Relations::new(&graph, Rule::Repaired, evidence.clone()).unwrap();
+        eprintln!("{objects} objects: {} relations", relations.edges().len());
+        group.bench_function(BenchmarkId::new("assets known", objects), |b| {
             b.iter(|| {
-                relations.rebuild(&home.graph);
+                relations.rebuild(&graph).unwrap();
                 black_box(relations.edges())
             });
         });
-        c.bench_function(&format!("the same, assets seen for the first time, {objects} objects"), |b| {
-            b.iter(|| Relations::new(&home.graph, Rule::Repaired, Evidence::default()).edges());
-        });
-        c.bench_function(&format!("box traces of the thesis, {objects} objects"), |b| {
-            b.iter(|| Relations::new(&home.graph, Rule::BoxTrace, Evidence::default()).edges());
-        });
+        for rule in [Rule::Repaired, Rule::BoxTrace] {
+            group.bench_function(BenchmarkId::new(format!("from nothing, {rule:?}"), objects), |b| {
+                b.iter(|| Relations::new(&graph, rule, evidence.clone()).unwrap().edges());
+            });
+        }
     }
+    group.finish();
 }
 
-fn moved(c: &mut Criterion) {
-    for objects in [100, 500, 2000] {
-        let (mut home, truth) = shared::home::home(objects);
-        let mut relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default());
-        let ids: Vec<NodeId> = truth.iter().map(|t| home.id(&t.name)).collect();
+fn moved(c: &mut Criterion<Cpu>) {
+    let mut group = c.benchmark_group("update");
+    for objects in SIZES {
+        let (mut graph, evidence, ids) = scene(objects);
+        let mut relations = Relations::new(&graph, Rule::Repaired, evidence).unwrap();
         let mut turn = 0_usize;
         for count in [1, 10, 50] {
-            c.bench_function(&format!("{count} moved of {objects} objects"), |b| {
+            group.bench_function(BenchmarkId::new(format!("{count} moved"), objects), |b| {
                 b.iter_custom(|rounds| {
                     let mut spent = std::time::Duration::ZERO;
                     for _ in 0..rounds {
                         let batch: Vec<NodeId> = (0..count).map(|k| ids[(turn + k * 7) % ids.len()]).collect();
-                        nudge(&mut home.graph, &batch, turn);
+                        nudge(&mut graph, &batch, turn);
                         turn += 1;
-                        let start = std::time::Instant::now();
-                        black_box(relations.update(&home.graph, &batch));
+                        let start = ThreadTime::now();
+                        black_box(relations.update(&graph, &batch).unwrap());
                         for &id in &batch {
                             black_box(relations.of(id));
                         }
@@ -63,6 +79,7 @@ fn moved(c: &mut Criterion) {
             });
         }
     }
+    group.finish();
 }
 
 /// Moves objects to and fro by a centimetre.
@@ -83,7 +100,8 @@ struct Engine {
 }
 
 fn engine_pose(pose: &Pose) -> EnginePose {
-    (*pose).into()
+    let (at, turn) = (pose.translation.vector, pose.rotation);
+    (EngineVector::new(at.x, at.y, at.z), EngineRotation::from_xyzw(turn.i, turn.j, turn.k, turn.w)).into()
 }
 
 impl Engine {
@@ -150,9 +168,8 @@ impl Engine {
     }
 }
 
-fn beside(c: &mut Criterion) {
-    let (home, _) = shared::home::home(500);
-    let engine = Engine::new(&home.graph);
+fn beside(c: &mut Criterion<Cpu>) {
+    let engine = Engine::new(&scene(500).0);
     c.bench_function("engine shape casts, the thesis's rule, 500 objects", |b| {
         b.iter(|| black_box(engine.trace_all()))
     });
@@ -160,7 +177,7 @@ fn beside(c: &mut Criterion) {
 
 criterion_group! {
     name = benches;
-    config = Criterion::default().sample_size(20).measurement_time(std::time::Duration::from_secs(2));
+    config = Criterion::default().with_measurement(Cpu).sample_size(20).measurement_time(std::time::Duration::from_secs(2));
     targets = all, moved, beside
 }
 criterion_main!(benches);

@@ -71,6 +71,8 @@ pub(crate) struct Body {
     pub(crate) region: Region,
     /// The node's own axes.
     pub(crate) heading: Matrix3<f32>,
+    /// Whether its box is upright and has these axes.
+    pub(crate) level: bool,
     /// From the world to the asset's frame.
     inverse: Isometry3<f32>,
     scale: Vector3<f32>,
@@ -80,8 +82,7 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    /// The geometry of a node; `None` if it has no pose, no shape, or one that is not
-    /// finite.
+    /// The geometry of a node; `None` if it has no pose.
     pub(crate) fn new(node: &Node, form: Arc<Form>, positions: Vec<f32>) -> Option<Self> {
         let pose = node.pose()?;
         let spec = node.spec();
@@ -101,25 +102,27 @@ impl Body {
             whole: placed(&whole, &frame, &scale),
             region: Region::EMPTY,
             heading: own,
+            level: false,
             inverse: frame.inverse(),
             scale,
             positions,
             room: None,
             form,
         };
+        body.level = body.whole.upright && body.whole.axes == own;
         body.put_solids(&frame);
-        (body.whole.is_finite() && body.solids.iter().all(Solid::is_finite)).then_some(body)
+        Some(body)
     }
 
     fn put_solids(&mut self, frame: &Isometry3<f32>) {
         let turn = *frame.rotation.to_rotation_matrix().matrix();
-        let mut region = Region { low: self.whole.low, high: self.whole.high };
+        let mut region = self.whole.region();
         for piece in &self.form.pieces {
             let solid = match self.motion(piece.link) {
                 Some(motion) => placed(piece, &(frame * motion), &self.scale),
                 None => put(piece, &turn, &frame.translation.vector, &self.scale),
             };
-            region = region.joined(&Region { low: solid.low, high: solid.high });
+            region = region.joined(&solid.region());
             self.solids.push(solid);
         }
         self.region = region;

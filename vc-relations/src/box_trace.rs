@@ -15,7 +15,7 @@ use vc_graph::{Edge, NodeId, Relation};
 
 use crate::body::Body;
 use crate::edges::toward;
-use crate::pair::Side;
+use crate::near::Side;
 use crate::solid::{Solid, sweep};
 use crate::threshold::{NEAR_REACH, UNDER_REACH};
 use crate::tree::Region;
@@ -67,7 +67,7 @@ pub(crate) fn trace(world: &World, index: usize, trace: Trace) -> Option<(usize,
 }
 
 fn nearest(whole: &Solid, target: &Body, along: &Vector3<f32>, limit: f32, region: &Region) -> Option<f32> {
-    let near = target.solids.iter().filter(|s| Region { low: s.low, high: s.high }.meets(region));
+    let near = target.solids.iter().filter(|s| s.meets(region, 0.0));
     let hits = near.filter_map(|s| sweep(whole, s, along, limit)).map(|hit| hit.way.max(0.0));
     hits.min_by(f32::total_cmp)
 }

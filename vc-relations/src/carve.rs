@@ -2,6 +2,7 @@
 //! they are, not a faithful likeness.
 
 use nalgebra::{Matrix3, Point3, Vector3};
+use vc_graph::portable::Portable;
 
 use crate::hollow;
 use crate::solid::Round;
@@ -34,9 +35,9 @@ pub(crate) fn lathe(profile: &[(f32, f32)], put: Put<'_>) {
 
 fn ring(at: Vector3<f32>, inner: f32, outer: f32, half: f32, put: Put<'_>) {
     let (middle, thick) = (f32::midpoint(inner, outer), (outer - inner) / 2.0);
-    let long = outer * (std::f32::consts::PI / STAVES as f32).tan();
+    let long = outer * (std::f32::consts::PI / STAVES as f32).tangent();
     for stave in 0..STAVES {
-        let (sin, cos) = (std::f32::consts::TAU * stave as f32 / STAVES as f32).sin_cos();
+        let (sin, cos) = (std::f32::consts::TAU * stave as f32 / STAVES as f32).sine_cosine();
         let axes = Matrix3::new(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
         put(at + Vector3::new(cos, sin, 0.0) * middle, axes, Vector3::new(thick, long, half), Round::No);
     }

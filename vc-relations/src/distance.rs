@@ -1,59 +1,13 @@
-//! Distance between two boxes.
+//! Distance between two boxes that may lean.
 
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector3;
 
 use crate::solid::Solid;
 
-/// How far two boxes are apart, metres; zero where they overlap. Exact. Costs some tens of
-/// nanoseconds for upright boxes, a microsecond for others.
+/// How far two boxes are apart, metres; zero where they overlap. Exact. Costs about a
+/// microsecond.
 pub(crate) fn distance(a: &Solid, b: &Solid) -> f32 {
-    if a.upright && b.upright {
-        let rise = (a.low.z - b.high.z).max(b.low.z - a.high.z).max(0.0);
-        return rise.hypot(plan_distance(a, b));
-    }
     if crate::solid::gap(a, b, 0.0) <= 0.0 { 0.0 } else { features(a, b) }
-}
-
-/// Distance of the footprints of two upright boxes.
-fn plan_distance(a: &Solid, b: &Solid) -> f32 {
-    let way = (b.centre - a.centre).xy();
-    let axis = |s: &Solid, i: usize| Vector2::new(s.axes[(0, i)], s.axes[(1, i)]);
-    let (ax, bx) = (axis(a, 0), axis(b, 0));
-    let cosine = ax.dot(&bx).abs();
-    if !(1e-4..=0.999_999).contains(&cosine) {
-        // Parallel rectangles: the gaps along both axes.
-        let (bh, ay) = (if cosine > 0.5 { b.half.xy() } else { b.half.yx() }, axis(a, 1));
-        let x = (way.dot(&ax).abs() - a.half.x - bh.x).max(0.0);
-        let y = (way.dot(&ay).abs() - a.half.y - bh.y).max(0.0);
-        return x.hypot(y);
-    }
-    // Turned rectangles are apart where a corner of one is nearest to the other.
-    let least = corner_distance(a, b).min(corner_distance(b, a));
-    if least > 0.0 && overlap(a, b, way) { 0.0 } else { least }
-}
-
-fn overlap(a: &Solid, b: &Solid, way: Vector2<f32>) -> bool {
-    let flat = |v: Vector2<f32>| Vector3::new(v.x, v.y, 0.0);
-    [a, b].iter().all(|s| {
-        (0..2).all(|i| {
-            let axis: Vector3<f32> = s.axes.column(i).into();
-            flat(way).dot(&axis).abs() <= box_reach(a, &axis) + box_reach(b, &axis)
-        })
-    })
-}
-
-fn box_reach(s: &Solid, along: &Vector3<f32>) -> f32 {
-    s.axes.tr_mul(along).component_mul(&s.half).abs().sum()
-}
-
-/// The least distance of a footprint's corners from another footprint.
-fn corner_distance(corners_of: &Solid, from: &Solid) -> f32 {
-    let turn = from.axes.transpose() * corners_of.axes;
-    let centre = from.axes.tr_mul(&(corners_of.centre - from.centre)).xy();
-    let (x, y) = (turn.column(0).xy() * corners_of.half.x, turn.column(1).xy() * corners_of.half.y);
-    let outside = |p: Vector2<f32>| (p.abs() - from.half.xy()).sup(&Vector2::zeros()).norm_squared();
-    let squared = [x + y, x - y, -x + y, -x - y].map(|c| outside(centre + c));
-    squared.into_iter().fold(f32::INFINITY, f32::min).sqrt()
 }
 
 /// The least distance of corners from boxes and edges from edges, of boxes that do not

@@ -3,7 +3,8 @@
 use vc_graph::{Edge, Relation};
 
 use crate::body::{Body, Posture};
-use crate::pair::{Pair, Side};
+use crate::near::Side;
+use crate::pair::Pair;
 use crate::support::{Facts, Supports};
 use crate::threshold::{FACING_COSINE, FACING_REACH, TOUCH_GAP};
 use crate::world::World;
@@ -14,56 +15,57 @@ pub(crate) struct Reader<'w> {
 
 impl<'w> Reader<'w> {
     pub(crate) fn new(world: &'w World, facts: &'w Facts) -> Self {
-        Self { supports: Supports { world, facts } }
+        Self { supports: Supports::new(world, facts) }
+    }
+
+    /// For reading all bodies.
+    pub(crate) fn of_all(world: &'w World, facts: &'w Facts) -> Self {
+        Self { supports: Supports::of_all(world, facts) }
     }
 
     fn world(&self) -> &'w World {
         self.supports.world
     }
 
-    /// All edges that start at a body, sorted.
+    /// All edges that start at a body, sorted. They come about in their order, so that
+    /// sorting has little to do.
     pub(crate) fn edges(&self, index: usize, out: &mut Vec<Edge>) {
         let start = out.len();
         let Some(body) = &self.world().bodies[index] else { return };
         let mut add = |relation, to| out.push(Edge::new(body.id, relation, to));
+        self.placed(index, body, &mut add);
         if let Some(room) = body.room {
             add(Relation::InRoom, room);
-        }
-        if body.traits.door {
-            self.world().rooms.beside(body).into_iter().for_each(|room| add(Relation::Between, room));
         }
         for edge in self.supports.facts.holding(body.id) {
             add(edge.relation, edge.to);
         }
-        self.placed(index, body, &mut add);
-        for pair in &self.world().pairs[index] {
-            self.beside(pair, &mut add);
+        if let Some(over) = self.over(index) {
+            add(Relation::Under, self.world().ids[over]);
         }
+        self.beside(index, &mut add);
         self.facing(index, body, &mut add);
+        if body.traits.door {
+            self.world().rooms.beside(body).into_iter().for_each(|room| add(Relation::Between, room));
+        }
         out[start..].sort_unstable();
     }
 
-    /// On, inside, under, sitting and lying: of two nodes at most one of these.
+    /// On, inside, sitting and lying: of two nodes at most one of these.
     fn placed(&self, index: usize, body: &Body, add: &mut impl FnMut(Relation, vc_graph::NodeId)) {
         let world = self.world();
-        let pairs = &world.pairs[index];
-        let inside = |other: usize| world.pair(index, other).is_some_and(|p| p.inside);
-        for pair in pairs.iter().filter(|p| p.inside) {
+        let seat = self.seat(index, body);
+        if seat.is_none() {
+            let is_inside = |other: usize| world.pair(index, other).is_some_and(|p| p.inside);
+            let candidates = self.supports.candidates(index);
+            let on = candidates.iter().filter(|c| !is_inside(c.index) && self.supports.is_sound(index, c));
+            on.for_each(|c| add(Relation::On, c.support.by));
+        }
+        for pair in world.pairs[index].iter().filter(|p| p.inside) {
             add(Relation::Inside, world.ids[pair.other as usize]);
         }
-        let supports = self.supports.of(index);
-        let seat = self.seat(index, body);
         if let Some((relation, other)) = seat {
             add(relation, world.ids[other]);
-        } else {
-            for support in &supports {
-                if !world.index(support.by).is_some_and(inside) {
-                    add(Relation::On, support.by);
-                }
-            }
-        }
-        if let Some(over) = self.over(index) {
-            add(Relation::Under, world.ids[over]);
         }
     }
 
@@ -90,10 +92,9 @@ impl<'w> Reader<'w> {
     /// What holds or carries it shades it from all further.
     pub(crate) fn over(&self, index: usize) -> Option<usize> {
         let world = self.world();
-        let mut above: Vec<&Pair> = world.pairs[index].iter().filter(|p| p.over.is_finite()).collect();
-        above.sort_by(|a, b| a.over.total_cmp(&b.over).then(a.other.cmp(&b.other)));
-        let carried = |p: &&&Pair| self.is_carried(p.other as usize, index);
-        let first = above.iter().find(|p| !carried(p))?;
+        let above = world.pairs[index].iter().filter(|p| p.over.is_finite());
+        let is_free = |p: &&Pair| !self.is_carried(p.other as usize, index);
+        let first = above.filter(is_free).min_by(|a, b| a.over.total_cmp(&b.over).then(a.other.cmp(&b.other)))?;
         let other = first.other as usize;
         let shades = first.inside
             || world.bodies[other].as_ref().is_none_or(|b| b.traits.fixed)
@@ -110,16 +111,14 @@ impl<'w> Reader<'w> {
             || self.supports.reaches(what, by)
     }
 
-    fn beside(&self, pair: &Pair, add: &mut impl FnMut(Relation, vc_graph::NodeId)) {
-        let to = self.world().ids[pair.other as usize];
-        if pair.gap <= TOUCH_GAP {
-            add(Relation::Touching, to);
-        }
-        if pair.distance.is_finite() {
-            add(Relation::Near, to);
-            if let Some(side) = pair.side {
-                add(toward(side), to);
-            }
+    /// Touching and near, with sides.
+    fn beside(&self, index: usize, add: &mut impl FnMut(Relation, vc_graph::NodeId)) {
+        let (pairs, ids) = (&self.world().pairs[index], &self.world().ids);
+        let to = |pair: &Pair| ids[pair.other as usize];
+        pairs.iter().filter(|p| p.gap <= TOUCH_GAP).for_each(|p| add(Relation::Touching, to(p)));
+        pairs.iter().filter(|p| p.distance.is_finite()).for_each(|p| add(Relation::Near, to(p)));
+        for side in [Side::Front, Side::Back, Side::Left, Side::Right] {
+            pairs.iter().filter(|p| p.side == Some(side)).for_each(|p| add(toward(side), to(p)));
         }
     }
 
@@ -132,7 +131,7 @@ impl<'w> Reader<'w> {
         let mut faced = Vec::new();
         world.tree.each(&body.region.grown(FACING_REACH, FACING_REACH), |other| {
             let Some(target) = world.bodies[other].as_ref() else { return };
-            if other != index && target.traits.lookable && faces(body, target) && !world.is_walled_off(body, target) {
+            if other != index && target.traits.lookable && faces(body, target) && !world.walls.between(body, target) {
                 faced.push(world.ids[other]);
             }
         });

@@ -7,7 +7,8 @@ use vc_graph::{NodeId, Relation};
 
 use crate::body::Body;
 use crate::edges::Reader;
-use crate::pair::{self, Contact, Side};
+use crate::near::Side;
+use crate::pair::{self, Contact};
 use crate::relations::Relations;
 use crate::support::{Ground, Support};
 use crate::threshold::{CORNERS_WITHIN, NEAR_REACH, SUPPORT_NORMAL, SUPPORT_SINK, TOUCH_GAP, UNDER_REACH};
@@ -111,7 +112,7 @@ impl Relations {
             gap: finite(pair.map(|p| p.gap)),
             distance: finite(pair.map(|p| p.distance)),
             side: pair.and_then(|p| p.side),
-            walled: self.world.is_walled_off(a, b),
+            walled: self.world.walls.between(a, b),
         })
     }
 
@@ -192,7 +193,9 @@ impl fmt::Display for Explanation {
         for (way, hits) in [("down", &self.down), ("up", &self.up)] {
             for hit in hits {
                 let (what, at) = (hit.what, hit.at);
-                write!(f, "  trace {way} meets {what} after {:.1} cm ", hit.distance * 100.0)?;
+                // Tenths of millimetres are shown as none, not as minus none.
+                let way_long = (hit.distance * 1000.0).round() / 10.0 + 0.0;
+                write!(f, "  trace {way} meets {what} after {way_long:.1} cm ")?;
                 writeln!(f, "at {:.2} {:.2} {:.2}: {}", at.x, at.y, at.z, because(hit.verdict))?;
             }
         }

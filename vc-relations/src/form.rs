@@ -87,7 +87,6 @@ impl Form {
             let link = form.link(part.joint.as_ref());
             pieces(part, &mut |piece| form.pieces.push(Piece { link, ..piece }));
         }
-        form.pieces.retain(|p| p.solid().is_finite());
         form.measure();
         for surface in &asset.surfaces {
             let link = form.link(surface.joint.as_ref());
@@ -132,7 +131,7 @@ impl Form {
         let top = surface.clearance.map_or(self.high.z, |c| floor + c).max(floor + HOLLOW_LEAST);
         let half = Vector3::new(surface.half.0, surface.half.1, (top - floor) / 2.0);
         let centre = Vector3::new(surface.centre.x, surface.centre.y, floor + half.z);
-        let sound = centre.iter().chain(half.iter()).all(|v| v.is_finite()) && half.iter().all(|&h| h > 0.0);
+        let sound = half.iter().all(|&h| h > 0.0);
         let open = surface.clearance.is_none() || !self.is_roofed(&(centre + Vector3::z() * half.z));
         sound.then_some(Cavity { space: Space::Box { centre, half }, open, link })
     }

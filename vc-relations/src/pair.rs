@@ -6,26 +6,14 @@
 use nalgebra::Vector3;
 
 use crate::body::{Body, Posture};
-use crate::distance::distance;
-use crate::solid::{Solid, gap, sweep};
+use crate::near::{self, Side};
+use crate::solid::{Solid, gap, sweep_upright};
 use crate::threshold::{
-    BOX_GAP, HANG_GAP, HOOK_REACH, NEAR_REACH, SEAT_RANGE, SIDE_SHARE, SUPPORT_GAP, SUPPORT_NORMAL, SUPPORT_SINK,
+    BOX_GAP, HANG_GAP, HOOK_REACH, NEAR_REACH, RIM_MARGIN, SEAT_RANGE, SUPPORT_GAP, SUPPORT_NORMAL, SUPPORT_SINK,
     SUPPORT_TIE, TRACE_START, UNDER_CORE, UNDER_REACH,
 };
-
-/// A side of a thing, by its own axes: X is front, Y is left.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Side {
-    /// Towards its +X.
-    Front,
-    /// Towards its -X.
-    Back,
-    /// Towards its +Y.
-    Left,
-    /// Towards its -Y.
-    Right,
-}
+use crate::tree::Region;
+use crate::walls::Around;
 
 /// What one body is to another. Fields that do not apply are infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,33 +62,33 @@ impl Pair {
 }
 
 /// Measures two bodies, each from its own point of view; `None` where there is nothing to
-/// say from either. `walled` tells whether a wall is between the two.
-pub(crate) fn measure(
-    (i, a): (usize, &Body),
-    (j, b): (usize, &Body),
-    walled: &dyn Fn(&Body, &Body) -> bool,
-) -> Option<(Pair, Pair)> {
+/// say from either. The walls are those around one of the two.
+pub(crate) fn measure((i, a): (usize, &Body), (j, b): (usize, &Body), walls: &Around<'_>) -> Option<(Pair, Pair)> {
     if a.traits.fixed && b.traits.fixed {
         return None;
     }
+    let is_near = a.region.distance_squared(&b.region) <= NEAR_REACH * NEAR_REACH;
+    let columns_meet = a.region.meets_in_plan(&b.region);
+    if !is_near && !columns_meet {
+        return None;
+    }
     let (mut ab, mut ba) = (Pair::new(j), Pair::new(i));
-    if a.region.grown(HANG_GAP, BOX_GAP).meets(&b.region) {
+    if is_near && a.region.grown(HANG_GAP, BOX_GAP).meets(&b.region) {
         touch(a, b, &mut ab, &mut ba);
     }
-    if columns_meet(a, b) {
+    if columns_meet {
         ab.over = over(a, b);
         ba.over = over(b, a);
         (ab.is_below, ba.is_below) = (ba.over.is_finite(), ab.over.is_finite());
     }
-    if !a.traits.structure && !b.traits.structure {
-        near(a, b, &mut ab, &mut ba, walled);
+    if is_near
+        && !(a.traits.structure || b.traits.structure)
+        && let Some(found) = near::beside(a, b).filter(|_| !walls.between(a, b))
+    {
+        (ab.distance, ba.distance) = (found.distance, found.distance);
+        [ab.side, ba.side] = found.sides;
     }
     (ab.says_something() || ba.says_something()).then_some((ab, ba))
-}
-
-fn columns_meet(a: &Body, b: &Body) -> bool {
-    let (a, b) = (&a.region, &b.region);
-    a.low.x <= b.high.x && a.high.x >= b.low.x && a.low.y <= b.high.y && a.high.y >= b.low.y
 }
 
 /// Everything that needs them to be at each other.
@@ -120,7 +108,12 @@ fn touch(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair) {
 
 /// Whether a container holds a content. The building holds nothing.
 pub(crate) fn holds(container: &Body, content: &Body) -> bool {
-    !container.traits.fixed && !content.traits.fixed && container.cavity_with(content).is_some()
+    let centre = Region { low: content.whole.centre, high: content.whole.centre };
+    !container.form.cavities.is_empty()
+        && container.region.grown(RIM_MARGIN, RIM_MARGIN).meets(&centre)
+        && !container.traits.fixed
+        && !content.traits.fixed
+        && container.cavity_with(content).is_some()
 }
 
 /// Whether one body is in the hull of another, begins no lower and is no thin layer below
@@ -134,15 +127,11 @@ pub(crate) fn is_within(inner: &Body, outer: &Body) -> bool {
         && inner.region.high.z >= outer.base() + SUPPORT_SINK
 }
 
-fn boxes_meet(a: &Solid, b: &Solid, margin: f32) -> bool {
-    (0..3).all(|k| a.low[k] <= b.high[k] + margin && a.high[k] + margin >= b.low[k])
-}
-
 /// The least gap between parts, up to [`HANG_GAP`]; negative where they overlap.
 fn parts_gap(a: &Body, b: &Body) -> f32 {
     let mut least = f32::INFINITY;
-    for s in &a.solids {
-        for t in b.solids.iter().filter(|t| boxes_meet(s, t, HANG_GAP)) {
+    for s in a.solids.iter().filter(|s| s.meets(&b.region, HANG_GAP)) {
+        for t in b.solids.iter().filter(|t| t.meets(&s.region(), HANG_GAP)) {
             let apart = gap(s, t, HANG_GAP);
             if apart <= HANG_GAP {
                 least = least.min(apart);
@@ -209,7 +198,7 @@ fn below(part: &Solid, core: &Solid, other: &Solid, limit: f32) -> Option<(f32, 
     let (full, thin) = ((part.high.z - part.low.z) / 2.0, (core.high.z - core.low.z) / 2.0);
     let raise = (TRACE_START - (full - thin)).max(0.0);
     let start = core.moved(Vector3::z() * raise);
-    let strike = sweep(&start, other, &-Vector3::z(), limit + raise + full)?;
+    let strike = sweep_upright(&start, other, -1.0, limit + raise + full)?;
     let falls = strike.way >= 0.0 && other.centre.z < part.centre.z;
     falls.then_some((strike.way - raise - (full - thin), strike.normal))
 }
@@ -221,6 +210,11 @@ pub(crate) fn over(a: &Body, b: &Body) -> f32 {
     if a.traits.structure || b.region.high.z <= middle || b.region.low.z > a.region.high.z + UNDER_REACH {
         return f32::INFINITY;
     }
+    let middle_half = (a.whole.high - a.whole.low) * (UNDER_CORE / 2.0);
+    let middle_region = Region { low: a.whole.centre - middle_half, high: a.whole.centre + middle_half };
+    if !middle_region.meets_in_plan(&b.region) {
+        return f32::INFINITY;
+    }
     let mut half = a.whole.half * UNDER_CORE;
     half[a.whole.axes.row(2).abs().transpose().imax()] = 0.0;
     let core = Solid::new(a.whole.centre, a.whole.axes, half, a.whole.round);
@@ -228,7 +222,7 @@ pub(crate) fn over(a: &Body, b: &Body) -> f32 {
         if plans_apart(&core, t) || t.high.z <= middle {
             return None;
         }
-        sweep(&core, t, &Vector3::z(), a.whole.half.norm() + UNDER_REACH).filter(|s| s.way >= 0.0)
+        sweep_upright(&core, t, 1.0, a.whole.half.norm() + UNDER_REACH).filter(|s| s.way >= 0.0)
     };
     b.solids.iter().filter_map(meets).map(|s| s.way).fold(f32::INFINITY, f32::min)
 }
@@ -258,45 +252,4 @@ fn seated(a: &Body, b: &Body) -> bool {
         let over = (s.low.x..=s.high.x).contains(&centre.x) && (s.low.y..=s.high.y).contains(&centre.y);
         over && (SEAT_RANGE.0..=SEAT_RANGE.1).contains(&share)
     })
-}
-
-fn near(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair, walled: &dyn Fn(&Body, &Body) -> bool) {
-    let (low, high) = (a.whole.low.sup(&b.whole.low), a.whole.high.inf(&b.whole.high));
-    if (low - high).sup(&Vector3::zeros()).norm_squared() > NEAR_REACH * NEAR_REACH {
-        return;
-    }
-    let apart = distance(&a.whole, &b.whole);
-    if apart > NEAR_REACH || walled(a, b) {
-        return;
-    }
-    (ab.distance, ba.distance) = (apart, apart);
-    (ab.side, ba.side) = (side(a, &b.whole), side(b, &a.whole));
-}
-
-/// At which side of a body another's box is: the one towards which it is farthest apart;
-/// where they overlap, the one towards which its centre is off. None if it is above or
-/// below rather than beside.
-pub(crate) fn side(a: &Body, other: &Solid) -> Option<Side> {
-    let way = other.centre - a.whole.centre;
-    let off = |axis: usize| {
-        let along: Vector3<f32> = a.heading.column(axis).into();
-        let reach = a.whole.reach(&along) + other.reach(&along);
-        let at = way.dot(&along);
-        (at, at.abs() - reach, at.abs() / reach.max(1e-6))
-    };
-    let (x, y) = (off(0), off(1));
-    let rise = (other.low.z - a.whole.high.z).max(a.whole.low.z - other.high.z);
-    let apart = x.1.max(y.1);
-    if rise > apart.max(-TRACE_START) {
-        return None;
-    }
-    let along_x = if apart > 0.0 { x.1 >= y.1 } else { x.2 >= y.2 };
-    let (at, _, share) = if along_x { x } else { y };
-    let side = match (along_x, at >= 0.0) {
-        (true, true) => Side::Front,
-        (true, false) => Side::Back,
-        (false, true) => Side::Left,
-        (false, false) => Side::Right,
-    };
-    (share >= SIDE_SHARE).then_some(side)
 }

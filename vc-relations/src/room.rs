@@ -37,10 +37,10 @@ impl Rooms {
             let floors: Vec<Body> = floors_of(graph, room).filter_map(&body).collect();
             if floors.is_empty() {
                 let solids = own.iter().flat_map(|b| &b.solids);
-                solids.for_each(|s| put(Region { low: s.low, high: s.high }, false));
+                solids.for_each(|s| put(s.region(), false));
             } else {
                 let solids = floors.iter().flat_map(|b| &b.solids);
-                solids.for_each(|s| put(Region { low: s.low, high: s.high }, true));
+                solids.for_each(|s| put(s.region(), true));
             }
         }
         let tree = Tree::new(&boxes.iter().map(|b| b.0.grown(ROOM_MARGIN, ROOM_MARGIN)).collect::<Vec<_>>());

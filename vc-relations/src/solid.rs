@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::threshold::{BALL_SPOT, TRACE_SHRINK, UPRIGHT};
+use crate::tree::Region;
 
 /// How a piece is rounded within its box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -46,8 +47,14 @@ impl Solid {
         }
     }
 
-    pub(crate) fn is_finite(&self) -> bool {
-        self.low.iter().chain(self.high.iter()).all(|v| v.is_finite())
+    pub(crate) fn region(&self) -> Region {
+        Region { low: self.low, high: self.high }
+    }
+
+    /// Whether its world-aligned box is at most so far from a region, metres.
+    #[inline]
+    pub(crate) fn meets(&self, region: &Region, margin: f32) -> bool {
+        (0..3).all(|k| self.low[k] <= region.high[k] + margin && self.high[k] + margin >= region.low[k])
     }
 
     /// How far it reaches from its centre along a direction of unit length.
@@ -61,10 +68,42 @@ impl Solid {
         }
     }
 
+    /// How far the two level axes of an upright piece reach along a level direction.
+    #[inline]
+    fn level(&self, along: &Vector3<f32>) -> (f32, f32) {
+        let x = (self.axes[(0, 0)] * along.x + self.axes[(1, 0)] * along.y) * self.half.x;
+        let y = (self.axes[(0, 1)] * along.x + self.axes[(1, 1)] * along.y) * self.half.y;
+        (x, y)
+    }
+
+    /// Whether nothing of it leans: its outline is the same at every height.
+    #[inline]
+    fn is_prism(&self) -> bool {
+        self.upright && self.round != Round::Ball
+    }
+
     /// The point of its box nearest to a point.
     pub(crate) fn nearest(&self, point: &Vector3<f32>) -> Vector3<f32> {
         let own = self.axes.tr_mul(&(point - self.centre));
         self.centre + self.axes * own.sup(&-self.half).inf(&self.half)
+    }
+
+    /// Whether a way from a point goes through its box: the times at which it enters and
+    /// leaves each pair of faces.
+    pub(crate) fn is_crossed(&self, from: &Vector3<f32>, way: &Vector3<f32>) -> bool {
+        let (at, way) = (self.axes.tr_mul(&(from - self.centre)), self.axes.tr_mul(way));
+        let (mut enters, mut leaves) = (0.0_f32, 1.0_f32);
+        for axis in 0..3 {
+            let (at, way, half) = (at[axis], way[axis], self.half[axis]);
+            if way.abs() > 1e-9 {
+                let (one, other) = ((-half - at) / way, (half - at) / way);
+                enters = enters.max(one.min(other));
+                leaves = leaves.min(one.max(other));
+            } else if at.abs() > half {
+                return false;
+            }
+        }
+        enters <= leaves
     }
 
     /// The eight corners of the box, drawn in to a share of the half size.
@@ -153,16 +192,53 @@ fn round_axes(a: &Solid, b: &Solid, mut visit: impl FnMut(Vector3<f32>) -> bool)
     (a.round == Round::No || toward(a, b)) && (b.round == Round::No || toward(b, a))
 }
 
+/// How far the outlines of two upright prisms are apart, as [`gap`] has it.
+#[inline]
+fn level_gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
+    let way = b.centre - a.centre;
+    let reach = |s: &Solid, axis: &Vector3<f32>| match (s.round, s.level(axis)) {
+        (Round::No, (x, y)) => x.abs() + y.abs(),
+        (_, (x, y)) => (x * x + y * y).sqrt(),
+    };
+    let mut most = f32::NEG_INFINITY;
+    let mut visit = |axis: Vector3<f32>| {
+        most = most.max((way.x * axis.x + way.y * axis.y).abs() - reach(a, &axis) - reach(b, &axis));
+        most <= enough
+    };
+    let faces = |s: &Solid, i: usize| s.axes.column(i).into();
+    let near = visit(faces(a, 0)) && visit(faces(a, 1)) && visit(faces(b, 0)) && visit(faces(b, 1));
+    if near && (a.round != Round::No || b.round != Round::No) {
+        round_axes(a, b, visit);
+    }
+    most
+}
+
 /// How far two pieces are apart along the direction that separates them most; negative
 /// where they overlap. Stops looking once it is more than `enough`.
 pub(crate) fn gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
     let way = b.centre - a.centre;
+    if a.is_prism() && b.is_prism() {
+        let rise = way.z.abs() - a.half.z - b.half.z;
+        return if rise > enough { rise } else { rise.max(level_gap(a, b, enough)) };
+    }
     let mut most = f32::NEG_INFINITY;
     each_axis(a, b, |axis| {
         most = most.max(way.dot(&axis).abs() - a.reach(&axis) - b.reach(&axis));
         most <= enough
     });
     most
+}
+
+/// [`sweep`] straight up (1) or down (-1): upright prisms meet where their outlines do.
+#[inline]
+pub(crate) fn sweep_upright(a: &Solid, b: &Solid, up: f32, limit: f32) -> Option<Strike> {
+    let along = Vector3::z() * up;
+    if !a.is_prism() || !b.is_prism() {
+        return sweep(a, b, &along, limit);
+    }
+    let (way, reach) = ((b.centre.z - a.centre.z) * up, a.half.z + b.half.z);
+    let meets = way - reach <= limit && way + reach >= 0.0 && level_gap(a, b, 0.0) <= 0.0;
+    meets.then_some(Strike { way: way - reach, normal: -along })
 }
 
 /// Moves `a` in a direction of unit length until it meets `b`: exact for boxes, by the

@@ -1,9 +1,12 @@
 //! What a body rests on, from its pairs and the evidence.
 
+use std::borrow::Cow;
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use vc_graph::{Edge, NodeId, Relation};
 
+use crate::body::Body;
 use crate::evidence::Evidence;
 use crate::pair::Pair;
 use crate::threshold::{HANG_GAP, IMPULSE_SHARE, SUPPORT_SINK, SUPPORT_TIE, TOUCH_GAP};
@@ -117,89 +120,134 @@ pub(crate) struct Candidate {
     pub(crate) soft: bool,
 }
 
+/// What bodies may rest on, one after the other.
+#[derive(Debug, Default)]
+struct Known {
+    list: Vec<Candidate>,
+    /// Where in the list each body's end.
+    ends: Vec<u32>,
+}
+
+impl Known {
+    fn of(&self, index: usize) -> &[Candidate] {
+        let start = index.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.list[start as usize..self.ends[index] as usize]
+    }
+}
+
 pub(crate) struct Supports<'w> {
     pub(crate) world: &'w World,
     pub(crate) facts: &'w Facts,
+    /// Of all bodies, where all are asked about.
+    known: Option<Known>,
+    /// Kept between walks down.
+    met: Cell<Vec<usize>>,
 }
 
-impl Supports<'_> {
+impl<'w> Supports<'w> {
+    /// For a few bodies: what they rest on is found when asked for.
+    pub(crate) fn new(world: &'w World, facts: &'w Facts) -> Self {
+        Self { world, facts, known: None, met: Cell::default() }
+    }
+
+    /// For all bodies: what they rest on is found once.
+    pub(crate) fn of_all(world: &'w World, facts: &'w Facts) -> Self {
+        let mut supports = Self::new(world, facts);
+        let mut known = Known::default();
+        for index in 0..world.bodies.len() {
+            supports.find(index, &mut known.list);
+            known.ends.push(known.list.len() as u32);
+        }
+        supports.known = Some(known);
+        supports
+    }
+
+    pub(crate) fn candidates(&self, index: usize) -> Cow<'_, [Candidate]> {
+        if let Some(known) = &self.known {
+            return known.of(index).into();
+        }
+        let mut found = Vec::new();
+        self.find(index, &mut found);
+        found.into()
+    }
+
     /// What a body rests on: by joint, else by contact, else by trace. Held and worn things
     /// rest on nothing, nor does the building.
-    pub(crate) fn candidates(&self, index: usize) -> Vec<Candidate> {
-        let Some(body) = &self.world.bodies[index] else { return Vec::new() };
+    fn find(&self, index: usize, out: &mut Vec<Candidate>) {
+        let Some(body) = &self.world.bodies[index] else { return };
         if !self.facts.held(body.id).is_empty() {
-            return Vec::new();
+            return;
         }
         if let Some(parents) = self.facts.attached.get(&body.id) {
             let share = 1.0 / parents.len() as f32;
             let support = |&by| Support { by, ground: Ground::Joint, share, gap: 0.0 };
-            return self.found(index, parents.iter().map(support));
+            return self.put(index, parents.iter().map(support), out);
         }
         if body.traits.fixed {
-            return Vec::new();
+            return;
         }
+        let start = out.len();
         if let Some(pushes) = self.facts.pushed.get(&body.id) {
             let sum: f32 = pushes.values().filter(|v| **v > 0.0).sum();
             let carries = pushes.iter().filter(|(_, v)| **v > 0.0 && **v >= IMPULSE_SHARE * sum);
             let support = |(&by, v): (_, &f32)| Support { by, ground: Ground::Contact, share: v / sum, gap: 0.0 };
-            let found = self.found(index, carries.map(support));
-            if !found.is_empty() {
-                return found;
-            }
+            self.put(index, carries.map(support), out);
         }
-        self.traced(index)
+        if out.len() == start {
+            self.traced(index, out);
+        }
     }
 
-    fn found(&self, index: usize, supports: impl Iterator<Item = Support>) -> Vec<Candidate> {
-        let base = |i: usize| self.world.bodies[i].as_ref().map_or(f32::NEG_INFINITY, |b| b.base());
+    fn put(&self, index: usize, supports: impl Iterator<Item = Support>, out: &mut Vec<Candidate>) {
+        let base = |i: usize| self.world.bodies[i].as_ref().map_or(f32::NEG_INFINITY, Body::base);
         let candidate = |support: Support| {
             let other = self.world.index(support.by)?;
             Some(Candidate { support, index: other, soft: base(other) >= base(index) })
         };
-        supports.filter_map(candidate).collect()
+        out.extend(supports.filter_map(candidate));
     }
 
-    fn traced(&self, index: usize) -> Vec<Candidate> {
+    fn traced(&self, index: usize, out: &mut Vec<Candidate>) {
         let pairs = &self.world.pairs[index];
         let best = pairs.iter().map(|p| p.rest.abs()).fold(f32::INFINITY, f32::min);
-        if best.is_finite() {
-            let tied: Vec<&Pair> = pairs.iter().filter(|p| p.rest.abs() <= best + SUPPORT_TIE).collect();
-            let chosen: Vec<&Pair> = tied.iter().filter(|p| !self.is_covered(p, &tied)).copied().collect();
-            let share = 1.0 / chosen.len() as f32;
-            let support = |p: &&Pair| self.support(p, Ground::Trace, share, p.rest);
-            return self.found(index, chosen.iter().map(support));
+        if best.is_infinite() {
+            return self.hung(index, out);
         }
-        self.hung(index)
+        let tied = || pairs.iter().filter(|p| p.rest.abs() <= best + SUPPORT_TIE);
+        let is_covered = |p: &&Pair| tied().any(|q| self.covers(q, p));
+        let start = out.len();
+        self.put(index, tied().filter(|p| !is_covered(p)).map(|p| self.support(p, Ground::Trace, p.rest)), out);
+        let share = 1.0 / (out.len() - start) as f32;
+        out[start..].iter_mut().for_each(|c| c.support.share = share);
     }
 
-    /// Whether another support lies between: the cup is on the saucer, however thin that is,
-    /// and not on the table.
-    fn is_covered(&self, deeper: &Pair, tied: &[&Pair]) -> bool {
-        let between = |p: &&Pair| {
-            let rests = self.world.pair(p.other as usize, deeper.other as usize).is_some_and(|q| q.rest.is_finite());
-            p.other != deeper.other && p.rest < deeper.rest && rests
-        };
-        tied.iter().any(between)
+    /// Whether one support lies between and is rested on: the cup is on the saucer, however
+    /// thin that is, and not on the table.
+    fn covers(&self, between: &Pair, deeper: &Pair) -> bool {
+        let rests = |p: &Pair, q: &Pair| self.world.pair(p.other as usize, q.other as usize).map(|r| r.rest);
+        between.other != deeper.other
+            && between.rest < deeper.rest
+            && rests(between, deeper).is_some_and(f32::is_finite)
     }
 
-    fn support(&self, pair: &Pair, ground: Ground, share: f32, gap: f32) -> Support {
-        Support { by: self.world.ids[pair.other as usize], ground, share, gap }
+    fn support(&self, pair: &Pair, ground: Ground, gap: f32) -> Support {
+        Support { by: self.world.ids[pair.other as usize], ground, share: 1.0, gap }
     }
 
     /// What rests on nothing hangs: on a hook, else in its container, else on the wall or
     /// ceiling, else on the nearest thing it touches that stands or hangs itself.
-    fn hung(&self, index: usize) -> Vec<Candidate> {
+    fn hung(&self, index: usize, out: &mut Vec<Candidate>) {
         if self.world.bodies[index].as_ref().is_none_or(|b| b.traits.agent) {
-            return Vec::new();
+            return;
         }
         let ranked = self.world.pairs[index].iter().filter_map(|p| Some((self.rank(index, p)?, p)));
         let order = |a: &(u8, &Pair), b: &(u8, &Pair)| {
             a.0.cmp(&b.0).then(a.1.gap.total_cmp(&b.1.gap)).then(a.1.other.cmp(&b.1.other))
         };
-        let Some((rank, pair)) = ranked.min_by(order) else { return Vec::new() };
+        let Some((rank, pair)) = ranked.min_by(order) else { return };
         let ground = [Ground::Hook, Ground::Container, Ground::Hanging][usize::from(rank.min(2))];
         let gap = if pair.gap.is_finite() { pair.gap } else { 0.0 };
-        self.found(index, std::iter::once(self.support(pair, ground, 1.0, gap)))
+        self.put(index, std::iter::once(self.support(pair, ground, gap)), out);
     }
 
     /// How good another body is to hang on; `None` if one cannot.
@@ -234,26 +282,32 @@ impl Supports<'_> {
 
     /// Whether one body rests on another, directly or through others.
     pub(crate) fn reaches(&self, from: usize, goal: usize) -> bool {
-        let mut met = vec![from];
+        let mut met = self.met.take();
+        met.clear();
+        met.push(from);
         let mut next = 0;
-        while next < met.len() {
-            for step in self.candidates(met[next]) {
-                if step.index == goal {
-                    return true;
-                }
+        let mut found = false;
+        while next < met.len() && !found {
+            for step in self.candidates(met[next]).iter() {
+                found |= step.index == goal;
                 if !met.contains(&step.index) {
                     met.push(step.index);
                 }
             }
             next += 1;
         }
-        false
+        self.met.set(met);
+        found
+    }
+
+    /// Whether a candidate is one: it closes no cycle.
+    pub(crate) fn is_sound(&self, index: usize, candidate: &Candidate) -> bool {
+        !(candidate.soft && self.reaches(candidate.index, index))
     }
 
     /// What a body rests on, without those that would close a cycle.
     pub(crate) fn of(&self, index: usize) -> Vec<Support> {
         let all = self.candidates(index);
-        let sound = |c: &Candidate| !(c.soft && self.reaches(c.index, index));
-        all.into_iter().filter(sound).map(|c| c.support).collect()
+        all.iter().filter(|c| self.is_sound(index, c)).map(|c| c.support).collect()
     }
 }

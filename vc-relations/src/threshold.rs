@@ -127,3 +127,10 @@ pub const VH_CAST: f32 = 0.05;
 
 /// VirtualHome: least share of the footprint that is over the support.
 pub const VH_FOOTPRINT: f32 = 0.5;
+
+/// Farther out and larger than this single precision does not resolve a millimetre, metres.
+pub const WORLD_REACH: f32 = 10_000.0;
+
+/// How much the length of a rotation's quaternion may be off one: what files round to
+/// three digits passes, what is no rotation does not.
+pub const ROTATION_SLACK: f32 = 0.01;

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::Vector3;
 use vc_graph::{AssetId, AssetLibrary, Kind, Node, NodeId, Property, Relation, SceneGraph};
 
 use crate::body::Body;
@@ -11,9 +10,9 @@ use crate::evidence::Evidence;
 use crate::form::Form;
 use crate::pair::{self, Pair};
 use crate::room::Rooms;
-use crate::solid::{Solid, sweep};
 use crate::threshold::{NEAR_REACH, UNDER_REACH};
 use crate::tree::{Region, Tree};
+use crate::walls::Walls;
 
 /// Bodies are numbered in the order of their nodes' numbers.
 #[derive(Debug, Clone, Default)]
@@ -24,8 +23,7 @@ pub(crate) struct World {
     pub(crate) pairs: Vec<Vec<Pair>>,
     pub(crate) rooms: Rooms,
     pub(crate) tree: Tree,
-    /// Bodies that may stand between two rooms.
-    walls: Vec<u32>,
+    pub(crate) walls: Walls,
     forms: Forms,
 }
 
@@ -63,9 +61,14 @@ fn is_container(node: &Node) -> bool {
 }
 
 impl World {
+    /// Whether its forms are those of a library.
+    pub(crate) fn knows(&self, library: &Arc<AssetLibrary>) -> bool {
+        Arc::ptr_eq(&self.forms.library, library)
+    }
+
     /// Builds all anew; what is known of assets is kept.
     pub(crate) fn rebuild(&mut self, graph: &SceneGraph, evidence: &Evidence) {
-        if !Arc::ptr_eq(&self.forms.library, graph.assets()) {
+        if !self.knows(graph.assets()) {
             self.forms = Forms { library: graph.assets().clone(), known: BTreeMap::new() };
         }
         self.rooms = self.find_rooms(graph);
@@ -75,8 +78,7 @@ impl World {
             let body = self.body(node, evidence);
             self.bodies.push(body);
         }
-        let wall = |b: &Option<Body>| b.as_ref().is_some_and(|b| b.traits.structure);
-        self.walls = (0..self.bodies.len() as u32).filter(|&i| wall(&self.bodies[i as usize])).collect();
+        self.walls = Walls::new(self.bodies.iter().flatten());
         self.tree = Tree::new(&self.bodies.iter().map(region).collect::<Vec<_>>());
         self.measure_all();
     }
@@ -99,7 +101,7 @@ impl World {
             return None;
         }
         let form = self.forms.of(node)?;
-        let position = |link| evidence.positions.get(&(node.id(), link)).copied().filter(|p| p.is_finite());
+        let position = |link| evidence.positions.get(&(node.id(), link)).copied();
         let positions = (0..form.joints.len() as u32).map(|link| position(link).unwrap_or(0.0)).collect();
         let mut body = Body::new(node, form, positions)?;
         body.room = self.rooms.at(&body.whole.centre);
@@ -110,47 +112,26 @@ impl World {
         self.ids.binary_search(&id).ok()
     }
 
-    /// Whether part of the building stands between two points.
-    fn walled(&self, from: &Vector3<f32>, to: &Vector3<f32>) -> bool {
-        let way = to - from;
-        let length = way.norm();
-        if length < 1e-6 {
-            return false;
-        }
-        let region = Region { low: from.inf(to), high: from.sup(to) };
-        let point = Solid::new(*from, nalgebra::Matrix3::identity(), Vector3::zeros(), crate::solid::Round::No);
-        let along = way / length;
-        self.walls.iter().filter_map(|&w| self.bodies[w as usize].as_ref()).any(|wall| {
-            wall.region.meets(&region)
-                && wall.solids.iter().any(|s| {
-                    Region { low: s.low, high: s.high }.meets(&region)
-                        && sweep(&point, s, &along, length).is_some_and(|hit| hit.way >= 0.0)
-                })
-        })
-    }
-
-    /// Whether bodies are in different rooms with part of the building between.
-    pub(crate) fn is_walled_off(&self, from: &Body, to: &Body) -> bool {
-        from.room != to.room && self.walled(&from.whole.centre, &to.whole.centre)
-    }
-
     fn measure_all(&mut self) {
-        let mut pairs: Vec<Vec<Pair>> = (0..self.bodies.len()).map(|_| Vec::with_capacity(8)).collect();
+        let mut pairs = std::mem::take(&mut self.pairs);
+        pairs.iter_mut().for_each(Vec::clear);
+        pairs.resize_with(self.bodies.len(), || Vec::with_capacity(16));
+        let mut met = Vec::new();
         for (i, a) in self.bodies.iter().enumerate() {
             let Some(a) = a else { continue };
-            self.tree.each(&zone(a), |j| {
-                if j > i
-                    && let Some(b) = &self.bodies[j]
-                {
-                    let both = pair::measure((i, a), (j, b), &|a, b| self.is_walled_off(a, b));
-                    if let Some((ab, ba)) = both {
-                        pairs[i].push(ab);
-                        pairs[j].push(ba);
-                    }
+            met.clear();
+            self.tree.each_from(i + 1, &zone(a), |j| met.push(j as u32));
+            // In this order every list comes out sorted.
+            met.sort_unstable();
+            let walls = self.walls.around(a);
+            for j in met.iter().map(|&j| j as usize) {
+                let Some(b) = &self.bodies[j] else { continue };
+                if let Some((ab, ba)) = pair::measure((i, a), (j, b), &walls) {
+                    pairs[i].push(ab);
+                    pairs[j].push(ba);
                 }
-            });
+            }
         }
-        pairs.iter_mut().for_each(|list| list.sort_unstable_by_key(|p| p.other));
         self.pairs = pairs;
     }
 
@@ -183,11 +164,12 @@ impl World {
     fn measure_one(&mut self, index: usize) -> Vec<Pair> {
         let Some(a) = &self.bodies[index] else { return Vec::new() };
         let (mut own, mut theirs) = (Vec::new(), Vec::new());
+        let walls = self.walls.around(a);
         self.tree.each(&zone(a), |j| {
             let Some(b) = self.bodies[j].as_ref().filter(|_| j != index) else { return };
             // In the order of a full build, so that the figures are the same to the last bit.
             let (first, second) = if index < j { ((index, a), (j, b)) } else { ((j, b), (index, a)) };
-            if let Some((p, q)) = pair::measure(first, second, &|a, b| self.is_walled_off(a, b)) {
+            if let Some((p, q)) = pair::measure(first, second, &walls) {
                 let (ab, ba) = if index < j { (p, q) } else { (q, p) };
                 own.push(ab);
                 theirs.push((j, ba));

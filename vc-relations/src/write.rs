@@ -35,10 +35,10 @@ impl Relations {
     /// let cup = Draft::new("cup").bounds(size(0.08, 0.08, 0.1)).at(Pose::translation(0.0, 0.0, 0.75));
     /// let cup = scene.add(cup)?;
     /// let mut graph = scene.build();
-    /// let relations = Relations::new(&graph, Rule::Repaired, Evidence::default());
+    /// let relations = Relations::new(&graph, Rule::Repaired, Evidence::default())?;
     /// relations.write(&mut graph, &[table, cup])?;
     /// assert_eq!(graph.place(cup).map(|p| p.at), Some(table));
-    /// # Ok::<(), vc_graph::EditError>(())
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn write(&self, graph: &mut SceneGraph, nodes: &[NodeId]) -> Result<ChangeSet, EditError> {
         let mut edit = graph.edit();

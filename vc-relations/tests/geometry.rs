@@ -8,7 +8,7 @@ mod shared;
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use vc_graph::{Bounds, Draft, NodeId, Pose, Relation, SceneBuilder, SceneGraph};
-use vc_relations::{Evidence, Relations, Rule};
+use vc_relations::{Evidence, Flaw, Relations, Rule};
 
 fn boxes(list: &[(Vector3<f32>, Pose)]) -> SceneGraph {
     let mut scene = SceneBuilder::new("boxes");
@@ -73,7 +73,7 @@ proptest! {
     fn distances_are_those_of_the_slow_way(a in half(), p in pose(), b in half(), q in pose()) {
         let (one, two) = ((a, p), (b, q));
         let graph = boxes(&[one, two]);
-        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default());
+        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
         let slow = slow_distance(&one, &two);
         match relations.near(NodeId(1)).first() {
             Some(near) => prop_assert!((near.distance - slow).abs() < 2e-3, "{} against {slow}", near.distance),
@@ -88,7 +88,7 @@ proptest! {
     fn sweeps_meet_what_a_dropped_box_meets(a in half(), p in pose(), b in half(), q in pose()) {
         let (one, two) = ((a, p), (b, q));
         let graph = boxes(&[one, two]);
-        let relations = Relations::new(&graph, Rule::BoxTrace, Evidence::default());
+        let relations = Relations::new(&graph, Rule::BoxTrace, Evidence::default()).unwrap();
         let hit = relations.between(NodeId(1), NodeId(2)).contains(&Relation::On);
         let slow = slow_drop(&one, &two, 2.9);
         // Grazing hits may go either way: the slow one must be as sure with a thicker or
@@ -113,7 +113,7 @@ proptest! {
             edit.add(Draft::new("character").bounds(bounds).at(list[0].1)).unwrap();
             edit.commit();
         }
-        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default());
+        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
         let edges = relations.edges();
         prop_assert!(edges.is_sorted());
         for edge in &edges {
@@ -140,26 +140,60 @@ proptest! {
     }
 }
 
-#[test]
-fn hostile_numbers_are_passed_over() {
-    let nan = f32::NAN;
-    let far = Pose::translation(1e30, -1e30, 1e30);
-    let list = [
-        (Vector3::new(nan, 0.1, 0.1), Pose::identity()),
-        (Vector3::new(0.1, 0.1, f32::INFINITY), Pose::identity()),
-        (Vector3::repeat(1e30), Pose::identity()),
-        (Vector3::repeat(0.1), far),
-        (Vector3::repeat(-0.1), Pose::identity()),
-        (Vector3::repeat(0.0), Pose::identity()),
-        (Vector3::repeat(0.1), Pose::identity()),
-    ];
-    let graph = boxes(&list);
-    for rule in [Rule::Repaired, Rule::BoxTrace, Rule::VirtualHome] {
-        let mut relations = Relations::new(&graph, rule, Evidence::default());
-        relations.update(&graph, &[NodeId(1), NodeId(7), NodeId(99)]);
-        assert!(relations.of(NodeId(99)).is_empty());
-        assert!(relations.explain(NodeId(1), NodeId(99)).is_none());
+fn hostile(worst: &'static [f32]) -> impl Strategy<Value = f32> {
+    prop_oneof![4 => 0.0_f32..2.0, 1 => prop::sample::select(worst)]
+}
+
+/// A size of any kind, and a place: graphs take no poses that are not finite.
+fn hostile_box() -> impl Strategy<Value = [f32; 6]> {
+    let size = prop::array::uniform3(hostile(&[f32::NAN, f32::INFINITY, -1.0, 1e30, f32::MIN_POSITIVE, 0.0]));
+    let place = prop::array::uniform3(hostile(&[1e30, -1e30, -2.0, 9_999.0, 10_001.0]));
+    (size, place).prop_map(|(s, p)| [s[0], s[1], s[2], p[0], p[1], p[2]])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Either every number is sound, or all that are not are named; never a panic.
+    #[test]
+    fn hostile_numbers_are_refused_by_name(numbers in prop::collection::vec(hostile_box(), 1..6)) {
+        let number = |n: &[f32; 6]| (Vector3::new(n[0], n[1], n[2]), Pose::translation(n[3], n[4], n[5]));
+        let graph = boxes(&numbers.iter().map(number).collect::<Vec<_>>());
+        let is_bad = |n: &&[f32; 6]| {
+            n[..3].iter().any(|&v| !(0.0..=1e4).contains(&v)) || n[3..].iter().any(|v| !(-1e4..=1e4).contains(v))
+        };
+        let bad = numbers.iter().filter(is_bad).count();
+        for rule in [Rule::Repaired, Rule::BoxTrace, Rule::VirtualHome] {
+            match Relations::new(&graph, rule, Evidence::default()) {
+                Ok(mut relations) => {
+                    prop_assert_eq!(bad, 0);
+                    relations.update(&graph, &[NodeId(1), NodeId(99)]).unwrap();
+                    prop_assert!(relations.of(NodeId(99)).is_empty());
+                    prop_assert!(relations.explain(NodeId(1), NodeId(99)).is_none());
+                }
+                Err(error) => prop_assert!(bad > 0 && error.flaws.len() >= bad, "{error}"),
+            }
+        }
     }
+}
+
+#[test]
+fn flaws_are_named_and_change_nothing() {
+    let mut graph = boxes(&[(Vector3::repeat(0.1), Pose::identity()), (Vector3::repeat(0.1), Pose::identity())]);
+    let mut relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
+    let before = relations.edges();
+    let mut edit = graph.edit();
+    edit.set_pose(NodeId(1), Some(Pose::translation(0.0, 20_000.0, 0.0))).unwrap();
+    edit.commit();
+    let error = relations.update(&graph, &[NodeId(1)]).unwrap_err();
+    assert_eq!(error.flaws, [Flaw::TooFar { node: NodeId(1), what: "position", value: 20_000.0 }]);
+    assert_eq!(error.to_string(), "position of #1 is 20000 m, more than 10000 m");
+    assert_eq!(relations.edges(), before);
+    let nan = Vector3::new(0.0, 0.0, f32::NAN);
+    let contact = vc_relations::Contact { between: (NodeId(1), NodeId(2)), impulse: nan };
+    let near = vc_graph::Edge::new(NodeId(1), Relation::Near, NodeId(2));
+    let evidence = Evidence::default().contact(contact).holding(near).positioned(NodeId(2), 0, f32::INFINITY);
+    assert_eq!(relations.set_evidence(&graph, evidence).unwrap_err().flaws.len(), 3);
 }
 
 #[test]
@@ -167,11 +201,11 @@ fn contacts_decide_before_traces() {
     let scene =
         shared::scene(["a = box 0.3 0.3 0.3", "b = box 0.3 0.3 0.3 @ 0.3 0 0", "c = box 0.2 0.2 0.2 @ 0.15 0 0.3"]);
     let [a, b, c] = ["a", "b", "c"].map(|n| scene.id(n));
-    let traced = Relations::new(&scene.graph, Rule::Repaired, Evidence::default());
+    let traced = Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap();
     assert_eq!(traced.supports(c).iter().map(|s| s.by).collect::<Vec<_>>(), [a, b]);
     let contact = |on, up: f32| vc_relations::Contact { between: (on, c), impulse: Vector3::new(0.0, 0.0, up) };
     let evidence = Evidence::default().contact(contact(a, 0.95)).contact(contact(b, 0.05));
-    let pushed = Relations::new(&scene.graph, Rule::Repaired, evidence);
+    let pushed = Relations::new(&scene.graph, Rule::Repaired, evidence).unwrap();
     let supports = pushed.supports(c);
     assert_eq!(supports.iter().map(|s| s.by).collect::<Vec<_>>(), [a]);
     assert!((supports[0].share - 0.95).abs() < 1e-6);
@@ -182,7 +216,7 @@ fn joints_take_the_place_of_support() {
     let scene =
         shared::scene(["floor = floor 4 4", "frame = box 0.6 0.6 1.8", "leaf = box 0.05 0.6 1.7 @ 0.33 0 0.05"]);
     let attachment = vc_relations::Attachment { child: scene.id("leaf"), parent: scene.id("frame") };
-    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default().attached(attachment));
+    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default().attached(attachment)).unwrap();
     assert_eq!(relations.between(scene.id("leaf"), scene.id("frame"))[0], Relation::On);
     assert!(!relations.between(scene.id("leaf"), scene.id("floor")).contains(&Relation::On));
 }
@@ -191,7 +225,7 @@ fn joints_take_the_place_of_support() {
 fn explanations_tell_what_was_met_where() {
     let scene =
         shared::scene(["floor = floor 4 4", "table = table 0.8 1.2 0.75", "cup = mug 0.08 0.1 @ 0.1 0.2 0.752"]);
-    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default());
+    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap();
     let why = relations.explain(scene.id("cup"), scene.id("table")).unwrap();
     assert_eq!(why.down[0].what, scene.id("table"));
     assert!((why.down[0].distance - 0.002).abs() < 1e-4);
@@ -205,7 +239,7 @@ fn explanations_tell_what_was_met_where() {
 #[test]
 fn what_is_written_back_is_sound() {
     let (mut home, truth) = shared::home::home(50);
-    let relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default());
+    let relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap();
     let all: Vec<NodeId> = home.graph.nodes().map(vc_graph::Node::id).collect();
     relations.write(&mut home.graph, &all).unwrap();
     for t in &truth {

@@ -10,7 +10,7 @@ use vc_relations::{Evidence, Relations, Rule};
 /// Supports right, containments found, false containments.
 fn score(objects: usize, rule: Rule) -> (usize, usize, usize, usize, usize) {
     let (home, truth) = shared::home::home(objects);
-    let relations = Relations::new(&home.graph, rule, Evidence::default());
+    let relations = Relations::new(&home.graph, rule, Evidence::default()).unwrap();
     let mut score = (0, truth.len(), 0, 0, 0);
     for t in &truth {
         let id = home.id(&t.name);

@@ -67,7 +67,7 @@ fn configurations(file: &str) -> Vec<Configuration> {
 
 /// What is wrong, if anything.
 fn judge(c: &Configuration, rule: Rule) -> Option<String> {
-    let relations = Relations::new(&c.scene.graph, rule, c.scene.evidence.clone());
+    let relations = Relations::new(&c.scene.graph, rule, c.scene.evidence.clone()).unwrap();
     let [from, to] = [0, 1].map(|i| c.scene.id(&c.pair[i]));
     let found: BTreeSet<Relation> = relations.between(from, to).into_iter().collect();
     let complete: BTreeSet<Relation> = COMPLETE.into();

@@ -54,12 +54,12 @@ proptest! {
     fn update_equals_rebuild(seed in any::<u64>()) {
         let (mut home, truth) = shared::home::home(100);
         let movable: Vec<NodeId> = truth.iter().map(|t| home.id(&t.name)).collect();
-        let mut relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default());
+        let mut relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap();
         let mut before = by_node(&relations.edges());
         for round in 0..12 {
             let moved = shuffle(&mut home.graph, &movable, Seed(seed).nth(round));
-            let met = relations.update(&home.graph, &moved);
-            let fresh = Relations::new(&home.graph, Rule::Repaired, Evidence::default());
+            let met = relations.update(&home.graph, &moved).unwrap();
+            let fresh = Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap();
             let after = relations.edges();
             prop_assert!(differences(&after, &fresh.edges()).is_empty(), "{:?}", differences(&after, &fresh.edges()));
             for &id in &movable {
@@ -79,21 +79,21 @@ proptest! {
 #[test]
 fn nodes_come_and_go() {
     let (mut home, _) = shared::home::home(50);
-    let mut relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default());
+    let mut relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap();
     let (apple, bowl) = (home.id("apple0"), home.id("bowl0"));
     let mut edit = home.graph.edit();
     edit.remove(apple).unwrap();
     edit.commit();
-    relations.update(&home.graph, &[apple]);
+    relations.update(&home.graph, &[apple]).unwrap();
     assert!(relations.of(apple).is_empty());
-    assert_eq!(relations.edges(), Relations::new(&home.graph, Rule::Repaired, Evidence::default()).edges());
+    assert_eq!(relations.edges(), Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap().edges());
     let mut edit = home.graph.edit();
     let pose = *edit.graph().node(bowl).unwrap().pose().unwrap();
     let mut draft = vc_graph::Draft::new("apple").at(Pose::translation(0.0, 0.0, 0.02) * pose);
     draft.bounds = Some(vc_graph::Bounds::standing(Vector3::repeat(0.06)));
     let fresh = edit.add(draft).unwrap();
     edit.commit();
-    relations.update(&home.graph, &[fresh]);
+    relations.update(&home.graph, &[fresh]).unwrap();
     assert!(relations.has(Edge::new(fresh, vc_graph::Relation::Inside, bowl)));
-    assert_eq!(relations.edges(), Relations::new(&home.graph, Rule::Repaired, Evidence::default()).edges());
+    assert_eq!(relations.edges(), Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap().edges());
 }

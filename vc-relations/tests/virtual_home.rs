@@ -69,7 +69,7 @@ fn scores(rule: Rule) -> Option<[Score; 5]> {
     let scenes = scenes();
     let mut scores = [Score::default(); 5];
     for graph in &scenes {
-        let relations = Relations::new(graph, rule, Evidence::default());
+        let relations = Relations::new(graph, rule, Evidence::default()).unwrap();
         for (score, relation) in scores.iter_mut().zip(COMPARED) {
             let found = of_kind(graph, relations.edges().into_iter(), relation);
             score.add(&found, &of_kind(graph, graph.edges(), relation));
@@ -113,7 +113,7 @@ fn the_default_rule_is_reported_beside_it() {
     let mut table: BTreeMap<(&str, &str), Confusion> = BTreeMap::new();
     for graph in scenes() {
         let found: BTreeSet<Edge> =
-            Relations::new(&graph, Rule::Repaired, Evidence::default()).edges().into_iter().collect();
+            Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap().edges().into_iter().collect();
         let gold: BTreeSet<Edge> = graph.edges().collect();
         let object = |id| graph.node(id).is_some_and(|n| n.kind() == vc_graph::Kind::Object);
         let pairs: BTreeSet<(NodeId, NodeId)> = found.union(&gold).map(|e| (e.from, e.to)).collect();

@@ -202,9 +202,9 @@ impl Site<'_> {
         let (short, long) = (rect.short(), rect.width().max(rect.depth()));
         let least = kind.least_side() + 2;
         let most = match kind {
-            RoomKind::Hall => 6.0,
+            RoomKind::Hall => 8.0,
             RoomKind::Bathroom | RoomKind::Wc | RoomKind::Storage | RoomKind::Laundry => 2.6,
-            _ => 2.1,
+            _ => 2.2,
         };
         missing(short, least) + (long as f32 / short.max(1) as f32 - most).max(0.0)
     }
@@ -216,14 +216,12 @@ impl Site<'_> {
         let meets = |other: usize| contact(&rects[room], &rects[other]);
         let way = match own.kind {
             RoomKind::Hall => {
-                missing(outer(&rects[room], hull, [true; 4]).max(outer(&rects[0], hull, [true; 4])), DOOR)
+                let entrance = outer(&rects[room], hull, [true; 4]).max(outer(&rects[0], hull, [true; 4]));
+                missing(entrance, DOOR)
             }
-            RoomKind::Living => missing(meets(hall), WINDOW),
-            RoomKind::Kitchen if self.open => missing(meets(0), WINDOW),
-            _ => match own.of {
-                Some(owner) => missing(meets(owner), DOOR),
-                None => missing(meets(hall), DOOR),
-            },
+            RoomKind::Living => missing(meets(hall), DOOR),
+            RoomKind::Kitchen if self.open => missing(meets(0), WINDOW).min(missing(meets(hall), WINDOW)),
+            _ => missing(own.of.map_or_else(|| meets(hall).max(meets(0)), meets), DOOR),
         };
         let lit = own.kind.is_bedroom() || matches!(own.kind, RoomKind::Living | RoomKind::Kitchen | RoomKind::Study);
         way + if lit { missing(outer(&rects[room], hull, FACADES), WINDOW) } else { 0.0 }

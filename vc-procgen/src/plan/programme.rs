@@ -200,7 +200,7 @@ impl Programme {
         let rest =
             [Scheme::OpenPlan, Scheme::Corridor, Scheme::LPlan, Scheme::CentralHall, Scheme::Bar, Scheme::Irregular];
         order.extend(rest.into_iter().flat_map(|s| [s; 2]));
-        order.extend([Scheme::Annealed; 4]);
+        order.extend([Scheme::Annealed; 3]);
         order
     }
 }

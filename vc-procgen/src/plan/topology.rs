@@ -27,7 +27,7 @@ impl Topology {
     pub(super) fn draw(rng: &mut Stream) -> Self {
         Self {
             bedroom_bedroom: rng.chance(0.53),
-            bath_bath: rng.chance(0.7),
+            bath_bath: rng.chance(0.76),
             bedroom_kitchen: rng.chance(0.03),
             bath_kitchen: rng.chance(0.5),
         }
@@ -50,11 +50,12 @@ impl Topology {
         found
     }
 
-    /// In how many respects two differ, counting those that can differ at all.
+    /// In how many respects two differ, counting those that can differ at all; twice
+    /// the one that schemes find hardest to follow.
     pub(super) fn differences(self, other: Self, bedrooms: usize, baths: usize, kitchen: bool) -> usize {
         usize::from(bedrooms > 1 && self.bedroom_bedroom != other.bedroom_bedroom)
             + usize::from(baths > 1 && self.bath_bath != other.bath_bath)
-            + usize::from(kitchen && self.bedroom_kitchen != other.bedroom_kitchen)
+            + 2 * usize::from(kitchen && self.bedroom_kitchen != other.bedroom_kitchen)
             + usize::from(kitchen && self.bath_kitchen != other.bath_kitchen)
     }
 }

@@ -5,6 +5,7 @@
 #![allow(dead_code, clippy::unwrap_used, reason = "each test uses a part, and tests may unwrap")]
 
 pub(crate) mod home;
+pub(crate) mod peers;
 pub(crate) mod shapes;
 
 use std::collections::BTreeMap;

@@ -1,0 +1,154 @@
+//! What cannot be read: numbers that no scene can have.
+
+use std::fmt;
+use std::sync::Arc;
+
+use vc_graph::{Asset, AssetId, AssetLibrary, Edge, Node, NodeId, Relation, SceneGraph};
+
+use crate::evidence::Evidence;
+use crate::threshold::{ROTATION_SLACK, WORLD_REACH};
+
+/// One thing that is wrong with a scene or with what is said about it.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Flaw {
+    /// A number is not finite.
+    #[error("{what} of {node} is not finite")]
+    NotFinite {
+        /// Which node.
+        node: NodeId,
+        /// What of it.
+        what: &'static str,
+    },
+    /// A place or size beyond what single precision resolves to a millimetre.
+    #[error("{what} of {node} is {value} m, more than {WORLD_REACH} m")]
+    TooFar {
+        /// Which node.
+        node: NodeId,
+        /// What of it.
+        what: &'static str,
+        /// What it is, metres.
+        value: f32,
+    },
+    /// A size below zero, or a scale of zero.
+    #[error("{what} of {node} is {value}: nothing is of that size")]
+    NoSize {
+        /// Which node.
+        node: NodeId,
+        /// What of it.
+        what: &'static str,
+        /// What it is.
+        value: f32,
+    },
+    /// A shape beyond what single precision resolves to a millimetre.
+    #[error("asset `{name}` reaches {value} m from its origin, more than {WORLD_REACH} m")]
+    HugeAsset {
+        /// The asset's name.
+        name: Arc<str>,
+        /// How far it reaches, metres.
+        value: f32,
+    },
+    /// The rotation of a pose is none.
+    #[error("the rotation of {node} has length {length} instead of 1")]
+    NoRotation {
+        /// Which node.
+        node: NodeId,
+        /// Length of its quaternion.
+        length: f32,
+    },
+    /// An edge of the evidence says neither who holds nor who wears something.
+    #[error("evidence: {} {:?} {} is neither holding nor wearing", .0.from, .0.relation, .0.to)]
+    NotHolding(Edge),
+}
+
+/// Everything that keeps a scene from being read; never empty.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InputError {
+    /// All flaws, by node.
+    pub flaws: Vec<Flaw>,
+}
+
+impl fmt::Display for InputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (number, flaw) in self.flaws.iter().enumerate() {
+            write!(f, "{}{flaw}", if number == 0 { "" } else { "; " })?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for InputError {}
+
+fn refuse_if_any(flaws: Vec<Flaw>) -> Result<(), InputError> {
+    if flaws.is_empty() { Ok(()) } else { Err(InputError { flaws }) }
+}
+
+/// # Errors
+/// Every flaw of every node.
+pub(crate) fn check_scene(graph: &SceneGraph) -> Result<(), InputError> {
+    let mut flaws = Vec::new();
+    graph.nodes().for_each(|node| check_node(node, &mut flaws));
+    refuse_if_any(flaws)
+}
+
+/// # Errors
+/// Every flaw of these nodes; those that are not there have none.
+pub(crate) fn check_nodes(graph: &SceneGraph, ids: &[NodeId]) -> Result<(), InputError> {
+    let mut flaws = Vec::new();
+    ids.iter().filter_map(|id| graph.node(*id)).for_each(|node| check_node(node, &mut flaws));
+    refuse_if_any(flaws)
+}
+
+/// # Errors
+/// Every asset that is too large; other figures the library has checked when it got them.
+pub(crate) fn check_assets(library: &AssetLibrary) -> Result<(), InputError> {
+    let asset = |i: usize| library.get(AssetId(i as u32));
+    let flaw = |asset: &Arc<Asset>| {
+        let (low, high) = asset.extent()?;
+        let value = low.coords.abs().sup(&high.coords.abs()).max();
+        (value > WORLD_REACH).then(|| Flaw::HugeAsset { name: asset.name.clone(), value })
+    };
+    refuse_if_any((0..library.len()).filter_map(asset).filter_map(flaw).collect())
+}
+
+fn check_node(node: &Node, flaws: &mut Vec<Flaw>) {
+    let id = node.id();
+    if let Some(pose) = node.pose() {
+        check(id, "position", pose.translation.vector.as_slice(), -WORLD_REACH, flaws);
+        let length = pose.rotation.norm();
+        if (length - 1.0).abs() > ROTATION_SLACK || !length.is_finite() {
+            flaws.push(Flaw::NoRotation { node: id, length });
+        }
+    }
+    if let Some(bounds) = node.spec().bounds {
+        check(id, "offset", bounds.offset.as_slice(), -WORLD_REACH, flaws);
+        check(id, "size", bounds.half.as_slice(), 0.0, flaws);
+    }
+    let scale = node.spec().scale.abs();
+    check(id, "scale", scale.as_slice(), f32::MIN_POSITIVE, flaws);
+}
+
+fn check(node: NodeId, what: &'static str, numbers: &[f32], least: f32, flaws: &mut Vec<Flaw>) {
+    let flaw = |&value: &f32| match value {
+        v if !v.is_finite() => Some(Flaw::NotFinite { node, what }),
+        v if v.abs() > WORLD_REACH => Some(Flaw::TooFar { node, what, value }),
+        v if v < least => Some(Flaw::NoSize { node, what, value }),
+        _ => None,
+    };
+    flaws.extend(numbers.iter().find_map(flaw));
+}
+
+/// # Errors
+/// Every flaw of what is said beside the geometry. Nodes that the scene does not have are
+/// passed over: they may come later.
+pub(crate) fn check_evidence(evidence: &Evidence) -> Result<(), InputError> {
+    let not_finite = |node, what| Flaw::NotFinite { node, what };
+    let contacts = evidence.contacts.iter().filter(|c| !c.impulse.iter().all(|v| v.is_finite()));
+    let positions = evidence.positions.iter().filter(|p| !p.1.is_finite());
+    let holding = [Relation::HoldsRight, Relation::HoldsLeft, Relation::WornBy];
+    let held = evidence.held.iter().filter(|e| !holding.contains(&e.relation));
+    let mut flaws: Vec<Flaw> = contacts.map(|c| not_finite(c.between.1, "the impulse of a contact")).collect();
+    flaws.extend(positions.map(|(key, _)| not_finite(key.0, "the position of a moving part")));
+    flaws.extend(held.map(|e| Flaw::NotHolding(*e)));
+    refuse_if_any(flaws)
+}

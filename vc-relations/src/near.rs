@@ -1,0 +1,128 @@
+//! How far two boxes are apart, and at which side of each other they are.
+
+use nalgebra::{Matrix2, Vector2, Vector3};
+
+use crate::body::Body;
+use crate::distance::distance;
+use crate::solid::Solid;
+use crate::threshold::{NEAR_REACH, SIDE_SHARE, TRACE_START};
+
+/// A side of a thing, by its own axes: X is front, Y is left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// Towards its +X.
+    Front,
+    /// Towards its -X.
+    Back,
+    /// Towards its +Y.
+    Left,
+    /// Towards its -Y.
+    Right,
+}
+
+/// Two boxes within reach of each other.
+pub(crate) struct Beside {
+    /// Metres.
+    pub(crate) distance: f32,
+    /// At which side of the first the second is, and of the second the first.
+    pub(crate) sides: [Option<Side>; 2],
+}
+
+/// Measures two bodies' boxes; `None` where they are too far apart.
+pub(crate) fn beside(a: &Body, b: &Body) -> Option<Beside> {
+    let rise = (a.whole.low.z - b.whole.high.z).max(b.whole.low.z - a.whole.high.z);
+    let (distance, seen) = if a.level && b.level {
+        let plan = Plan::new(&a.whole, &b.whole);
+        let up = rise.max(0.0);
+        ((up * up + plan.distance_squared(&a.whole, &b.whole)).sqrt(), plan.seen)
+    } else {
+        (distance(&a.whole, &b.whole), [Seen::turned(a, b), Seen::turned(b, a)])
+    };
+    (distance <= NEAR_REACH).then(|| Beside { distance, sides: [seen[0].side(rise), seen[1].side(rise)] })
+}
+
+/// Another box along the own X and Y of one: where its centre is, and how far the two reach
+/// together, metres.
+#[derive(Clone, Copy)]
+struct Seen {
+    at: Vector2<f32>,
+    reach: Vector2<f32>,
+}
+
+impl Seen {
+    fn turned(a: &Body, b: &Body) -> Self {
+        let axis = |i: usize| -> Vector3<f32> { a.heading.column(i).into() };
+        let way = b.whole.centre - a.whole.centre;
+        let reach = |i: usize| a.whole.reach(&axis(i)) + b.whole.reach(&axis(i));
+        Self { at: Vector2::new(way.dot(&axis(0)), way.dot(&axis(1))), reach: Vector2::new(reach(0), reach(1)) }
+    }
+
+    fn gaps(&self) -> Vector2<f32> {
+        self.at.abs() - self.reach
+    }
+
+    /// At which side the other is: the one towards which it is farthest apart; where they
+    /// overlap, the one towards which its centre is off. None if it is above or below rather
+    /// than beside.
+    fn side(&self, rise: f32) -> Option<Side> {
+        let gaps = self.gaps();
+        let apart = gaps.x.max(gaps.y);
+        if rise > apart.max(-TRACE_START) {
+            return None;
+        }
+        let share = |i: usize| self.at[i].abs() / self.reach[i].max(1e-6);
+        let along_x = if apart > 0.0 { gaps.x >= gaps.y } else { share(0) >= share(1) };
+        let axis = usize::from(!along_x);
+        let side = match (along_x, self.at[axis] >= 0.0) {
+            (true, true) => Side::Front,
+            (true, false) => Side::Back,
+            (false, true) => Side::Left,
+            (false, false) => Side::Right,
+        };
+        (share(axis) >= SIDE_SHARE).then_some(side)
+    }
+}
+
+/// Two upright boxes from above.
+struct Plan {
+    seen: [Seen; 2],
+    /// The second's axes along the first's.
+    turn: Matrix2<f32>,
+}
+
+impl Plan {
+    fn new(a: &Solid, b: &Solid) -> Self {
+        let axes = |s: &Solid| Matrix2::new(s.axes[(0, 0)], s.axes[(0, 1)], s.axes[(1, 0)], s.axes[(1, 1)]);
+        let (a_axes, b_axes) = (axes(a), axes(b));
+        let turn = a_axes.tr_mul(&b_axes);
+        let way = (b.centre - a.centre).xy();
+        let (a_half, b_half, share) = (a.half.xy(), b.half.xy(), turn.abs());
+        let first = Seen { at: a_axes.tr_mul(&way), reach: a_half + share * b_half };
+        let second = Seen { at: b_axes.tr_mul(&-way), reach: b_half + share.tr_mul(&a_half) };
+        Self { seen: [first, second], turn }
+    }
+
+    /// Square of the distance of the two footprints.
+    fn distance_squared(&self, a: &Solid, b: &Solid) -> f32 {
+        let [first, second] = self.seen.map(|s| s.gaps().sup(&Vector2::zeros()));
+        let cosine = self.turn[(0, 0)].abs();
+        if !(1e-4..=0.999_999).contains(&cosine) {
+            return first.norm_squared();
+        }
+        if first.x + first.y + second.x + second.y == 0.0 {
+            return 0.0;
+        }
+        // Turned rectangles are apart where a corner of one is nearest to the other.
+        let back = self.turn.transpose();
+        corner_distance(&self.seen[0], &self.turn, b, a).min(corner_distance(&self.seen[1], &back, a, b))
+    }
+}
+
+/// Square of the least distance of a footprint's corners from the one it is seen from.
+fn corner_distance(seen: &Seen, turn: &Matrix2<f32>, corners_of: &Solid, from: &Solid) -> f32 {
+    let (x, y) = (turn.column(0) * corners_of.half.x, turn.column(1) * corners_of.half.y);
+    let outside = |p: Vector2<f32>| (p.abs() - from.half.xy()).sup(&Vector2::zeros()).norm_squared();
+    let squared = [x + y, x - y, -x + y, -x - y].map(|c| outside(seen.at + c));
+    squared.into_iter().fold(f32::INFINITY, f32::min)
+}

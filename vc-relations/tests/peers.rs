@@ -1,0 +1,55 @@
+//! The prototype's scenes: what carries each of up to 2,000 objects, and what it is in.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+mod shared;
+
+use vc_graph::{NodeId, Relation};
+use vc_relations::{Relations, Rule};
+
+/// Of all supports those found, of all containments those found, and false containments.
+#[derive(Debug, PartialEq, Eq)]
+struct Score {
+    supports: (usize, usize),
+    containments: (usize, usize),
+    false_ones: usize,
+}
+
+fn score(objects: u32, rule: Rule) -> Option<Score> {
+    let peers = shared::peers::read(objects)?;
+    let relations = Relations::new(&peers.graph, rule, peers.evidence.clone()).unwrap();
+    let to = |id, relation| -> Vec<NodeId> {
+        relations.of(id).iter().filter(|e| e.relation == relation).map(|e| e.to).collect()
+    };
+    let supports = |id| match rule {
+        Rule::Repaired => relations.supports(id).iter().map(|s| s.by).collect(),
+        _ => to(id, Relation::On),
+    };
+    let right = peers.truth.iter().filter(|t| supports(t.0) == [t.1]).count();
+    let (mut found, mut false_ones) = (0, 0);
+    for (id, _, container) in &peers.truth {
+        let inside = to(*id, Relation::Inside);
+        found += inside.iter().filter(|c| Some(**c) == *container).count();
+        false_ones += inside.iter().filter(|c| Some(**c) != *container).count();
+    }
+    let containments = (found, peers.truth.iter().filter(|t| t.2.is_some()).count());
+    let score = Score { supports: (right, peers.truth.len()), containments, false_ones };
+    eprintln!("{objects} objects, {rule:?}: {score:?}");
+    Some(score)
+}
+
+#[test]
+fn every_support_and_containment_is_found_and_none_is_false() {
+    for objects in [100, 500, 2000] {
+        let Some(score) = score(objects, Rule::Repaired) else { return };
+        assert_eq!(score.supports.0, score.supports.1);
+        assert_eq!(score.containments.0, score.containments.1);
+        assert_eq!(score.false_ones, 0);
+    }
+}
+
+#[test]
+fn the_box_traces_are_reported_beside_it() {
+    let Some(score) = score(500, Rule::BoxTrace) else { return };
+    assert!(score.supports.0 < score.supports.1 && score.containments.0 < score.containments.1);
+}
