@@ -1,5 +1,24 @@
 //! Pictures of a scene.
-//!
-//! This crate is reserved: nothing is built here yet, and nothing is public. It
-//! will render six modalities from one camera, on a CPU by default: RGB, instance
-//! and class segmentation, optical flow, depth, bounding boxes and object masks.
+mod affine;
+pub mod camera;
+mod error;
+mod frame;
+mod label;
+mod mesh;
+mod modality;
+mod raster;
+mod renderer;
+mod scene;
+mod shade;
+mod simd;
+mod surface;
+mod view;
+
+pub use camera::Camera;
+pub use error::RenderError;
+pub use frame::{Box3, BoxLabel, Frame, Mask, NO_LABEL, NOTHING, PixelBox, Rle};
+pub use modality::{Modalities, Modality};
+pub use renderer::Renderer;
+pub use scene::Snapshot;
+pub use shade::Lighting;
+pub use view::{Shot, View};
