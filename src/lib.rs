@@ -9,6 +9,7 @@
 //! | [`planner`] | `vc-planner` | belief, regression planner, agents, episodes |
 //! | [`relations`] | `vc-relations` | what is on, in, under and near what, read from poses and shapes |
 //! | `physics` | `vc-physics` | bodies, agents, navigation, vehicles, water (feature `physics`, on by default) |
+//! | `render` | `vc-render` | what cameras see: six modalities (feature `render`, on by default) |
 //! | `procgen` | `vc-procgen` | objects and apartments from a seed (feature `procgen`, on by default) |
 //!
 //! An agent that sees only its room brings the milk:
@@ -48,4 +49,6 @@ pub use vc_planner as planner;
 #[cfg(feature = "procgen")]
 pub use vc_procgen as procgen;
 pub use vc_relations as relations;
+#[cfg(feature = "render")]
+pub use vc_render as render;
 pub use vc_tasks as tasks;

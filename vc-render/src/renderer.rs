@@ -107,7 +107,7 @@ impl Renderer {
             label::amodal(camera, snapshot, self.detail, frame);
         }
         if let (true, Some(lighting)) = (wanted.has(Modality::Rgb), shot.lighting) {
-            shade::finish(lighting, shot.view, frame);
+            shade::finish(self, lighting, shot.view, frame);
         }
         Ok(())
     }
@@ -144,8 +144,8 @@ impl Renderer {
         let last = if rgb { (strip.rows.end + 1).min(camera.height as i32) } else { strip.rows.end };
         let rows = strip.rows.start..last;
         self.draw(shot.view, rows, &mut band.layers, rgb);
-        if let (true, Some(lighting)) = (rgb, shot.lighting) {
-            shade::shade(self, lighting, shot.view, &mut band.layers, &mut band.shading, &mut strip);
+        if rgb {
+            shade::shade(self, shot.view, band, &mut strip);
         }
         simd::widest(|| label::depths(camera, &band.layers, &mut strip));
         label::normals(camera, snapshot, &band.layers, &mut strip);

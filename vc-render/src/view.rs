@@ -3,7 +3,7 @@
 use crate::camera::Camera;
 use crate::modality::{Modalities, Modality};
 use crate::scene::Snapshot;
-use crate::shade::Lighting;
+use crate::light::Lighting;
 use crate::RenderError;
 
 /// A camera and what is before it.

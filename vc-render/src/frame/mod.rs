@@ -13,7 +13,8 @@ use vc_graph::NodeId;
 
 use crate::label::{Other, Run};
 use crate::modality::{Modalities, Modality};
-use crate::raster::{Layers, Target};
+use crate::raster::Layers;
+use crate::shade::{Around, Surfel};
 
 /// Node of a pixel where nothing is seen, in [`Frame::instance`].
 pub const NOTHING: NodeId = NodeId(u32::MAX);
@@ -62,6 +63,8 @@ pub struct Frame {
     pub boxes: Vec<BoxLabel>,
     pub(crate) visible_masks: Masks,
     pub(crate) whole_masks: Masks,
+    /// Surfaces before there is light.
+    pub(crate) surfels: Vec<Surfel>,
     /// Linear colours before the picture is finished.
     pub(crate) light: Vec<[f32; 3]>,
     /// How much of a pixel's right and lower neighbour is mixed in.
@@ -76,7 +79,8 @@ pub(crate) struct Memory {
     pub(crate) other: [Other; 2],
     pub(crate) alone: Layers,
     pub(crate) tally: Vec<crate::label::Tally>,
-    pub(crate) whole: Target,
+    pub(crate) open: Vec<f32>,
+    pub(crate) around: Vec<Around>,
 }
 
 /// What the rendering of a band of rows needs.
@@ -117,6 +121,7 @@ impl Frame {
         let pixels = width * height;
         let count = |of: Modality| if wanted.has(of) { pixels } else { 0 };
         self.rgb.resize(count(Modality::Rgb), [0; 3]);
+        self.surfels.resize(count(Modality::Rgb), Surfel::NOTHING);
         self.light.resize(count(Modality::Rgb), [0.0; 3]);
         self.edges.resize(count(Modality::Rgb), [0; 2]);
         self.depth.resize(count(Modality::Depth), 0.0);

@@ -5,6 +5,7 @@ use std::ops::Range;
 use vc_graph::NodeId;
 
 use super::Frame;
+use crate::shade::Surfel;
 
 macro_rules! strips {
     ($($name:ident: $of:ty),* $(,)?) => {
@@ -37,7 +38,7 @@ macro_rules! strips {
 }
 
 strips! {
-    light: [f32; 3],
+    surfels: Surfel,
     edges: [i8; 2],
     depth: f32,
     distance: f32,

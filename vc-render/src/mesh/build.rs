@@ -84,7 +84,8 @@ impl Mesh {
 
 fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
     let mesh = &source.mesh;
-    mesh.triangles.iter().filter_map(|triangle| {
+    let grain = longest(mesh);
+    mesh.triangles.iter().filter_map(move |triangle| {
         let at = triangle.map(|v| v as usize);
         let [a, b, c] = [mesh.positions.get(at[0])?, mesh.positions.get(at[1])?, mesh.positions.get(at[2])?];
         let normals = [mesh.normals.get(at[0])?, mesh.normals.get(at[1])?, mesh.normals.get(at[2])?];
@@ -97,7 +98,13 @@ fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
             corners: [a, b, c].map(|p| [p.x, p.y, p.z]),
             middle: middle.into(),
             normal: normal.into(),
-            face: Face { normals, part: source.part, surface: source.surface, flat },
+            face: Face { normals, part: source.part, surface: source.surface, flat, grain },
         })
     })
+}
+
+/// The axis along which a mesh is longest.
+fn longest(mesh: &TriangleMesh) -> u8 {
+    let size = mesh.bounds().map_or([0.0; 3], |b| (b.max - b.min).into());
+    (0..3).fold(0, |best: usize, axis| if size[axis] > size[best] { axis } else { best }) as u8
 }

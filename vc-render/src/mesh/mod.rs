@@ -46,6 +46,8 @@ pub(crate) struct Face {
     pub(crate) surface: u16,
     /// Whether its normals are all the same.
     pub(crate) flat: bool,
+    /// The axis of the asset along which its part is longest.
+    pub(crate) grain: u8,
 }
 
 impl Bounds {

@@ -58,6 +58,22 @@ impl Layers {
         self.add(drawing, which, apart);
     }
 
+    /// As [`Self::draw`], without what is clear.
+    #[inline(always)]
+    pub(crate) fn draw_solid(
+        &mut self,
+        drawing: &Drawing<'_>,
+        which: impl Iterator<Item = u32>,
+        (width, rows): (usize, Range<i32>),
+    ) {
+        self.front.reset(width, rows);
+        self.visible.clear();
+        self.sort(drawing, which);
+        for placed in &std::mem::take(&mut self.order) {
+            self.instance(drawing, placed, false);
+        }
+    }
+
     /// As [`Self::draw`], into what there is.
     #[inline(always)]
     pub(crate) fn add(&mut self, drawing: &Drawing<'_>, which: impl Iterator<Item = u32>, apart: bool) {

@@ -4,6 +4,6 @@ mod body;
 mod snapshot;
 mod store;
 
-pub(crate) use body::{Body, Instance, NO_ROOM};
+pub(crate) use body::{Body, Instance, NO_ROOM, turned};
 pub use snapshot::Snapshot;
 pub(crate) use store::Store;

@@ -3,18 +3,17 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Material, Part, Shape};
-use vc_graph::{Asset, AssetLibrary, Frame, Pose, Spec};
+use vc_graph::{Asset, AssetLibrary, Pose, Spec};
 
 use crate::mesh::{Link, TOLERANCES, links};
-use crate::surface::Surface;
+use crate::surface::{Role, Surface};
 
 /// Links of all assets seen so far, and the surfaces they have.
 #[derive(Debug, Default)]
 pub(crate) struct Store {
     pub(crate) surfaces: Vec<Surface>,
-    known_surfaces: HashMap<(usize, u32, bool), u16>,
+    known_surfaces: HashMap<(usize, u32, Role), u16>,
     assets: HashMap<(usize, usize), Vec<Arc<Link>>>,
     /// Keeps what the addresses above belong to.
     kept: Vec<(Arc<AssetLibrary>, Arc<Asset>)>,
@@ -42,7 +41,7 @@ impl Store {
             self.surfaces.push(Surface::plain());
             self.surfaces.len() as u16 - 1
         });
-        let offset = if bounds.frame == Frame::Object { bounds.offset } else { Vector3::zeros() + bounds.offset };
+        let offset = bounds.offset;
         let part = Part {
             name: "box".into(),
             shape: Shape::Box { half: bounds.half },
@@ -55,11 +54,11 @@ impl Store {
     }
 
     fn surface(&mut self, address: usize, library: &AssetLibrary, part: &Part) -> (u16, bool) {
-        let shade = is_shade(part);
-        let key = (address, part.material, shade);
+        let role = Role::of(part);
+        let key = (address, part.material, role);
         let known = self.known_surfaces.get(&key).copied();
         let index = known.unwrap_or_else(|| {
-            let made = library.material(part.material).map_or_else(Surface::plain, |m: &Material| Surface::of(m, shade));
+            let made = library.material(part.material).map_or_else(Surface::plain, |m: &Material| Surface::of(m, role));
             let same = self.surfaces.iter().position(|s| *s == made);
             let index = same.unwrap_or_else(|| {
                 self.surfaces.push(made);
@@ -81,15 +80,4 @@ impl Store {
         };
         (all().map(|l| l.levels[0].len()).sum(), all().map(bytes).sum())
     }
-}
-
-/// Whether a part is a lampshade, which light shines through.
-fn is_shade(part: &Part) -> bool {
-    &*part.name == "shade"
-}
-
-/// The origin, for boxes.
-pub(crate) fn corner(bounds: &crate::mesh::Bounds, index: usize) -> Point3<f32> {
-    let sign = |axis: usize| if index >> axis & 1 == 1 { 1.0 } else { -1.0 };
-    Point3::from([0, 1, 2].map(|i: usize| bounds.centre[i] + sign(i) * bounds.half[i]))
 }
