@@ -1,6 +1,6 @@
 //! Renders a scene file of any format that has shapes or boxes, and says what it costs.
 //!
-//! `cargo run --release -p vc-render --example view -- SCENE.json OUT [ROOM [day|evening|overcast|night]]`
+//! `cargo run --release -p vc-render --example view -- SCENE.json OUT [ROOM [day|evening|overcast|night [SAMPLES]]]`
 
 use std::error::Error;
 use std::io::Write;
@@ -8,7 +8,7 @@ use std::io::Write;
 use cpu_time::ThreadTime;
 use nalgebra::{Point3, Vector3};
 use vc_graph::{NodeId, SceneGraph};
-use vc_render::{Camera, Daylight, Frame, Lighting, Modalities, Modality, Renderer, Shot, Snapshot, picture};
+use vc_render::{Camera, Daylight, Exposure, Frame, Lighting, Modalities, Modality, Renderer, Shot, Snapshot, picture};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut words = std::env::args().skip(1);
@@ -38,6 +38,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     say(format_args!("light made in {:.0} ms", 1e3 * start.elapsed().as_secs_f64()))?;
     let camera = corner(&renderer, &snapshot, &scene, &room)?;
     sheet(&renderer, &snapshot, &lighting, &camera, &out)?;
+    if let Some(samples) = words.next() {
+        let how = Exposure { samples: samples.parse()?, ..Exposure::default() };
+        let start = std::time::Instant::now();
+        let photograph = renderer.photograph(&lighting, &camera, &how, |_| true)?;
+        say(format_args!("reference picture in {:.1} s", start.elapsed().as_secs_f64()))?;
+        std::fs::write(format!("{out}_reference.png"), picture::png(&photograph.picture())?)?;
+        return Ok(());
+    }
     times(&renderer, &snapshot, &lighting, &camera)
 }
 

@@ -4,7 +4,7 @@
 //! products are never fused, so every version gives the same bits.
 
 /// Runs `work` in the version for this processor. What is to profit must be inlined
-/// into it.
+/// into it, the closure itself first of all: `widest(#[inline(always)] || ...)`.
 #[inline]
 pub(crate) fn widest<R>(work: impl FnOnce() -> R) -> R {
     struct Work<F>(F);

@@ -16,7 +16,7 @@ use crate::trace::Ray;
 /// Distance of the grid's points over the floor and upwards, metres.
 const STEP: [f32; 3] = [0.5, 0.5, 0.6];
 /// Rays from each point.
-const RAYS: usize = 160;
+const RAYS: usize = 256;
 /// How often light is thrown on.
 const BOUNCES: usize = 4;
 /// Coefficients by colour: even, and along X, Y and Z.
@@ -127,6 +127,7 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
         }
         grids.iter_mut().for_each(Grid::mend);
     }
+    grids.iter_mut().for_each(Grid::smooth);
     grids
 }
 
@@ -251,6 +252,22 @@ impl Grid {
         }
         // A room without any free point is dark.
         self.points.iter_mut().filter(|p| p[0][0].is_nan()).for_each(|p| *p = [[0.0; 4]; 3]);
+    }
+
+    /// Takes the mean with neighbours along each axis in turn: rays are few, and what they
+    /// miss differs from point to point.
+    fn smooth(&mut self) {
+        let [nx, ny, _] = self.counts;
+        for (axis, stride) in [(0, 1), (1, nx), (2, nx * ny)] {
+            let before = self.points.clone();
+            for (index, point) in self.points.iter_mut().enumerate() {
+                let cell = index / stride % self.counts[axis];
+                let low = if cell > 0 { index - stride } else { index };
+                let high = if cell + 1 < self.counts[axis] { index + stride } else { index };
+                let mean = |c: usize, k: usize| 0.25 * (before[low][c][k] + before[high][c][k]) + 0.5 * before[index][c][k];
+                *point = [0, 1, 2].map(|c: usize| [0, 1, 2, 3].map(|k: usize| mean(c, k)));
+            }
+        }
     }
 
     /// Mean light from all sides.

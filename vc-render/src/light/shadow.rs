@@ -36,7 +36,7 @@ impl ShadowMap {
         let frustum = Frustum::new(camera, &(0..side));
         let drawing = Drawing { instances: &snapshot.instances, frustum, detail: renderer.detail.max(0.5) };
         let mut layers = Layers::default();
-        crate::simd::widest(|| layers.draw_solid(&drawing, which, (side as usize, 0..side)));
+        crate::simd::widest(#[inline(always)] || layers.draw_solid(&drawing, which, (side as usize, 0..side)));
         let depth = (0..side).flat_map(|y| layers.front.inverse_row(y)).map(|v| 1.0 / v).collect();
         Self { map: frustum.map.narrow(), side, depth, slack }
     }

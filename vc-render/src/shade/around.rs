@@ -40,7 +40,6 @@ fn spirals() -> [[[f32; 2]; TAPS]; 9] {
 }
 
 /// How open every point is, 0 to 1 (Bavoil and Sainz 2009, by comparisons of points).
-#[inline(always)]
 pub(super) fn occlusion(view: View<'_>, frame: &mut Frame) {
     let (width, height) = (frame.width, frame.height);
     let across = width.div_ceil(2);
@@ -51,7 +50,7 @@ pub(super) fn occlusion(view: View<'_>, frame: &mut Frame) {
     let focal = view.camera.focal;
     let look = Look { surfels, width, height, over: [1.0 / focal.0, 1.0 / focal.1], centre: view.camera.centre };
     open.par_chunks_mut(across * ROWS).enumerate().for_each(|(chunk, rows)| {
-        crate::simd::widest(|| {
+        crate::simd::widest(#[inline(always)] || {
             for (i, out) in rows.iter_mut().enumerate() {
                 let (x, y) = (i % across * 2, (chunk * ROWS + i / across) * 2);
                 let surfel = &surfels[y * width + x];
@@ -111,7 +110,7 @@ pub(super) fn around(lighting: &Lighting, view: View<'_>, frame: &mut Frame) {
     let pose = Affine::of(&view.camera.pose).narrow();
     let eye: [f32; 3] = view.camera.eye().into();
     memory.around.par_chunks_mut(across * ROWS).enumerate().for_each(|(chunk, rows)| {
-        crate::simd::widest(|| {
+        crate::simd::widest(#[inline(always)] || {
             for (i, out) in rows.iter_mut().enumerate() {
                 let (hx, hy) = (i % across, chunk * ROWS + i / across);
                 let surfel = &surfels[hy * 2 * width + hx * 2];

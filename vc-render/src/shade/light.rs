@@ -23,7 +23,7 @@ pub(super) fn light(renderer: &Renderer, lighting: &Lighting, view: View<'_>, fr
     let pose = Affine::of(&view.camera.pose).narrow();
     let eye: [f32; 3] = view.camera.eye().into();
     frame.light.par_chunks_mut(width * ROWS).enumerate().for_each(|(chunk, rows)| {
-        crate::simd::widest(|| {
+        crate::simd::widest(#[inline(always)] || {
             for (i, out) in rows.iter_mut().enumerate() {
                 let (x, y) = (i % width, chunk * ROWS + i / width);
                 let surfel = &surfels[y * width + x];

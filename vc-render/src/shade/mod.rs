@@ -15,6 +15,7 @@ mod tone;
 pub(crate) use around::Around;
 pub(crate) use look::{Look, look};
 pub(crate) use surfel::{Scratch, Surfel};
+pub(crate) use tone::{encoded, film};
 
 use crate::frame::{Band, Frame, Strip};
 use crate::light::Lighting;
@@ -23,13 +24,13 @@ use crate::view::View;
 
 /// Writes down the surfaces of a band, and where its edges are.
 pub(crate) fn shade(renderer: &Renderer, view: View<'_>, band: &mut Band, strip: &mut Strip<'_>) {
-    crate::simd::widest(|| surfel::surfels(renderer, view, &band.layers, &mut band.shading, strip));
+    crate::simd::widest(#[inline(always)] || surfel::surfels(renderer, view, &band.layers, &mut band.shading, strip));
     edge::edges(view, &band.layers, strip);
 }
 
 /// Light on surfaces, and colours.
 pub(crate) fn finish(renderer: &Renderer, lighting: &Lighting, view: View<'_>, frame: &mut Frame) {
-    crate::simd::widest(|| around::occlusion(view, frame));
+    around::occlusion(view, frame);
     around::around(lighting, view, frame);
     light::light(renderer, lighting, view, frame);
     for band in &frame.memory.bands {

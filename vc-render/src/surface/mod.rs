@@ -7,7 +7,7 @@ mod tile;
 use vc_graph::asset::{Material, Part};
 
 pub(crate) use pattern::Pattern;
-pub(crate) use tile::{Tile, Touch};
+pub(crate) use tile::Tile;
 
 /// A material as light meets it.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,10 +85,5 @@ impl Surface {
     /// Whether it can give light.
     pub(crate) fn glows(&self) -> bool {
         self.emission != [0.0; 3]
-    }
-
-    /// Share of light reflected head-on.
-    pub(crate) fn head_on(&self) -> [f32; 3] {
-        self.colour.map(|c| 0.04 + (c - 0.04) * self.metallic)
     }
 }

@@ -64,18 +64,13 @@ impl Bvh {
     /// The first triangle along a ray, from either side.
     #[inline]
     pub(crate) fn first(&self, ray: &Ray) -> Option<Hit> {
-        crate::simd::widest(|| self.walk::<false>(ray))
+        crate::simd::widest(#[inline(always)] || self.walk::<false>(ray))
     }
 
     /// Whether there is any triangle along a ray.
     #[inline]
     pub(crate) fn any(&self, ray: &Ray) -> bool {
-        crate::simd::widest(|| self.walk::<true>(ray)).is_some()
-    }
-
-    /// The first of many rays each.
-    pub(crate) fn each(&self, rays: &[Ray], mut meet: impl FnMut(usize, Option<Hit>)) {
-        crate::simd::widest(|| rays.iter().enumerate().for_each(|(i, ray)| meet(i, self.walk::<false>(ray))));
+        crate::simd::widest(#[inline(always)] || self.walk::<true>(ray)).is_some()
     }
 
     #[inline(always)]

@@ -4,5 +4,5 @@ mod build;
 mod bvh;
 mod scene;
 
-pub(crate) use bvh::{Bvh, Ray};
+pub(crate) use bvh::Ray;
 pub(crate) use scene::{Met, Tracer};

@@ -23,11 +23,7 @@ pub(crate) struct Met<'a> {
     pub(crate) t: f32,
     pub(crate) at: [f32; 3],
     pub(crate) instance: &'a Instance,
-    /// Position of the instance in the snapshot.
-    pub(crate) index: u32,
     pub(crate) face: &'a Face,
-    /// Number of the triangle in its mesh.
-    pub(crate) triangle: u32,
     /// Normal of the triangle, unit length, outwards.
     pub(crate) flat: [f32; 3],
     /// Normal of the surface, unit length, outwards.
@@ -73,11 +69,6 @@ impl Tracer {
         self.solid.any(ray)
     }
 
-    /// The tree of what is solid.
-    pub(crate) fn solid(&self) -> &Bvh {
-        &self.solid
-    }
-
     fn met(&self, ray: &Ray, hit: &Hit, kind: usize) -> Met<'_> {
         let (index, triangle) = self.origins[kind][hit.number as usize];
         let instance = &self.snapshot.instances[index as usize];
@@ -96,9 +87,7 @@ impl Tracer {
             t: hit.t,
             at: [0, 1, 2].map(|i: usize| ray.from[i] + hit.t * ray.along[i]),
             instance,
-            index,
             face,
-            triangle,
             flat,
             normal: crate::label::unit(affine::normal(&instance.inverse, normal)),
         }
