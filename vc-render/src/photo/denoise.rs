@@ -31,6 +31,7 @@ struct Guide {
 pub(super) fn denoised(traced: &[Traced], width: usize) -> Vec<[f32; 3]> {
     let guides: Vec<Guide> = traced.iter().map(Guide::of).collect();
     let mut soft: Vec<Soft> = traced.iter().zip(&guides).map(|(t, g)| Soft::of(t, g)).collect();
+    spread_variance(&mut soft, width);
     for pass in 0..PASSES {
         soft = smoothed(&soft, &guides, width, 1 << pass);
     }
@@ -58,6 +59,20 @@ impl Soft {
         let colour = brightness(guide.colour);
         Self { light: [0, 1, 2].map(|i: usize| light[i] / guide.colour[i]), variance: spread / (colour * colour) }
     }
+}
+
+/// Each pixel is as noisy as those around it: where paths are few, one may have found no
+/// light at all and seem free of noise.
+fn spread_variance(soft: &mut [Soft], width: usize) {
+    let own: Vec<f32> = soft.iter().map(|s| s.variance).collect();
+    let (columns, rows) = (width as i32, (soft.len() / width.max(1)) as i32);
+    soft.par_iter_mut().enumerate().for_each(|(index, pixel)| {
+        let (x, y) = (index as i32 % columns, index as i32 / columns);
+        let around = (-3..=3).flat_map(|dy| (-3..=3).map(move |dx| (x + dx, y + dy)));
+        let inside = around.filter(|(x, y)| (0..columns).contains(x) && (0..rows).contains(y));
+        let (sum, count) = inside.fold((0.0, 0.0), |(s, n), (x, y)| (s + own[(y * columns + x) as usize], n + 1.0));
+        pixel.variance = sum / count;
+    });
 }
 
 fn smoothed(soft: &[Soft], guides: &[Guide], width: usize, step: i32) -> Vec<Soft> {

@@ -9,6 +9,9 @@ pub(super) struct Lights {
     triangles: Vec<Glowing>,
     /// Sums of light up to and with each triangle.
     sums: Vec<f32>,
+    /// Panes, through which the sky shines, and sums of their areas.
+    panes: Vec<[[f32; 3]; 3]>,
+    areas: Vec<f32>,
 }
 
 struct Glowing {
@@ -17,6 +20,9 @@ struct Glowing {
     normal: [f32; 3],
     light: [f32; 3],
 }
+
+/// Area of triangles of panes that are looked through on purpose, square metres.
+const SMALL: f32 = 0.05;
 
 /// A point of a light.
 pub(super) struct Lit {
@@ -29,14 +35,19 @@ pub(super) struct Lit {
 
 impl Lights {
     pub(super) fn of(renderer: &Renderer, lighting: &Lighting) -> Self {
-        let mut lights = Self { triangles: Vec::new(), sums: Vec::new() };
+        let mut lights = Self { triangles: Vec::new(), sums: Vec::new(), panes: Vec::new(), areas: Vec::new() };
         let snapshot = &lighting.tracer.snapshot;
         for instance in &snapshot.instances {
+            let mesh = &*instance.link.levels[0];
+            let world = instance.world.narrow();
+            for cluster in &mesh.clusters[mesh.opaque..] {
+                for triangle in cluster.triangles.clone() {
+                    lights.push_pane(mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p)));
+                }
+            }
             if !snapshot.bodies[instance.body as usize].lit {
                 continue;
             }
-            let mesh = &*instance.link.levels[0];
-            let world = instance.world.narrow();
             for cluster in &mesh.clusters {
                 for triangle in cluster.triangles.clone() {
                     let face = &mesh.faces[triangle as usize];
@@ -58,6 +69,35 @@ impl Lights {
         if power > 0.0 {
             self.sums.push(self.total() + power);
             self.triangles.push(Glowing { corner: a, edges: [u, v], normal: crate::label::unit(cross), light });
+        }
+    }
+
+    /// Small panes are left to chance.
+    fn push_pane(&mut self, [a, b, c]: [[f32; 3]; 3]) {
+        let edge = |p: [f32; 3]| [0, 1, 2].map(|i: usize| p[i] - a[i]);
+        let (u, v) = (edge(b), edge(c));
+        let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+        let area = 0.5 * (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
+        if area >= SMALL {
+            self.areas.push(self.areas.last().copied().unwrap_or(0.0) + area);
+            self.panes.push([a, u, v]);
+        }
+    }
+
+    /// A point of a pane.
+    pub(super) fn pane(&self, which: f32, [a, b]: [f32; 2]) -> Option<[f32; 3]> {
+        let index = self.areas.partition_point(|s| *s <= which * self.areas.last().copied().unwrap_or(0.0));
+        let [corner, u, v] = self.panes.get(index.min(self.panes.len().checked_sub(1)?))?;
+        let root = a.sqrt();
+        Some([0, 1, 2].map(|i: usize| corner[i] + (1.0 - root) * u[i] + b * root * v[i]))
+    }
+
+    /// The chance for each unit of solid angle that a way through a triangle of a pane is
+    /// picked, given the triangle's area, its distance and the cosine to it.
+    pub(super) fn through(&self, area: f32, distance: f32, cosine: f32) -> f32 {
+        match self.areas.last() {
+            Some(all) if area >= SMALL => distance * distance / (cosine.max(1e-4) * all),
+            _ => 0.0,
         }
     }
 

@@ -70,6 +70,10 @@ struct Walk {
     share: [f32; 3],
     /// Chance of the direction taken; infinite where there was no choice.
     chance: f32,
+    /// Chance that the way through the panes met since would have been picked.
+    through: f32,
+    /// Distance since the last surface.
+    gone: f32,
     found: Sample,
     guided: bool,
 }
@@ -82,13 +86,14 @@ impl Paths<'_> {
         let pose = Affine::of(&self.camera.pose).narrow();
         let along = unit(affine::vector(&pose, self.camera.ray(x as f32 + dx, y as f32 + dy).into()));
         let ray = Ray { from: self.camera.eye().into(), along, end: 1e4 };
-        let mut walk = Walk { ray, share: [1.0; 3], chance: f32::INFINITY, found: Sample::default(), guided: false };
+        let mut walk = Walk { ray, share: [1.0; 3], chance: f32::INFINITY, through: 0.0, gone: 0.0, found: Sample::default(), guided: false };
         // Panes do not count as surfaces, but neither may a path go through them for ever.
         let (mut surfaces, mut steps) = (0, 0);
         while surfaces < self.how.bounces.max(1) && steps < 64 {
             steps += 1;
             let Some(met) = self.lighting.tracer.first_of_all(&walk.ray) else {
-                walk.gain(self.lighting.daylight.radiance(walk.ray.along), surfaces);
+                let weight = if walk.chance.is_finite() { walk.chance / (walk.chance + walk.through) } else { 1.0 };
+                walk.gain(self.lighting.daylight.radiance(walk.ray.along).map(|v| v * weight), surfaces);
                 walk.guide([1.0; 3], [0.0; 3], 0.0);
                 break;
             };
@@ -110,8 +115,12 @@ impl Paths<'_> {
         let facing = dot(walk.ray.along, met.normal).abs().min(1.0);
         let edge = (1.0 - facing) * (1.0 - facing);
         let fresnel = 0.04 + 0.96 * edge * edge * (1.0 - facing);
-        let off = if choice < fresnel { walk.ray.along = mirrored(walk.ray.along, met.normal); true } else { false };
-        if !off {
+        if choice < fresnel {
+            walk.ray.along = mirrored(walk.ray.along, met.normal);
+            walk.chance = f32::INFINITY;
+        } else {
+            walk.gone += met.t;
+            walk.through += self.lights.through(met.area, walk.gone, dot(walk.ray.along, met.flat).abs());
             // A pane has two sides.
             walk.share = [0, 1, 2].map(|i: usize| walk.share[i] * (surface.colour[i] * surface.transmission).sqrt());
         }
@@ -137,7 +146,7 @@ impl Paths<'_> {
         if surface.is_mirror() {
             walk.share = [0, 1, 2].map(|i: usize| walk.share[i] * look.colour[i]);
             walk.ray.along = mirrored(walk.ray.along, met.normal);
-            walk.chance = f32::INFINITY;
+            (walk.chance, walk.through, walk.gone) = (f32::INFINITY, 0.0, 0.0);
             walk.leave(met);
             return true;
         }
@@ -145,6 +154,7 @@ impl Paths<'_> {
         let scatter = Scatter::new(look.colour, surface.metallic, look.roughness, normal, back);
         self.sunlight(walk, met, &scatter, sampler.pair(), surfaces);
         self.lamplight(walk, met, &scatter, (sampler.one(), sampler.pair()), surfaces);
+        self.skylight(walk, met, &scatter, (sampler.one(), sampler.pair()), surfaces);
         self.go_on(walk, met, &scatter, sampler, surfaces)
     }
 
@@ -183,6 +193,34 @@ impl Paths<'_> {
         }
     }
 
+    /// Light of the sky through a pane.
+    fn skylight(&self, walk: &mut Walk, met: &Met<'_>, scatter: &Scatter, (which, point): (f32, [f32; 2]), surfaces: u32) {
+        let Some(pane) = self.lights.pane(which, point) else { return };
+        let towards = unit([0, 1, 2].map(|i: usize| pane[i] - met.at[i]));
+        let (value, chance) = scatter.evaluate(towards);
+        let mut ray = Ray { from: off(met, towards), along: towards, end: 1e4 };
+        if value == [0.0; 3] || dot(met.flat, towards) <= 0.0 || self.lighting.tracer.blocked(&ray) {
+            return;
+        }
+        let (mut share, mut own, mut gone) = ([1.0_f32; 3], 0.0, 0.0);
+        for _ in 0..16 {
+            let Some(glass) = self.lighting.tracer.first_clear(&ray) else { break };
+            let surface = &self.renderer.store.surfaces[usize::from(glass.face.surface)];
+            gone += glass.t;
+            let cosine = dot(towards, glass.flat).abs();
+            own += self.lights.through(glass.area, gone, cosine);
+            let edge = (1.0 - cosine.min(1.0)) * (1.0 - cosine.min(1.0));
+            let passes = 0.96 * (1.0 - edge * edge * (1.0 - cosine.min(1.0)));
+            share = [0, 1, 2].map(|i: usize| share[i] * passes * (surface.colour[i] * surface.transmission).sqrt());
+            ray.from = off(&glass, towards);
+        }
+        let sky = self.lighting.daylight.radiance(towards);
+        if own > 0.0 {
+            let weight = 1.0 / (own + chance);
+            walk.gain([0, 1, 2].map(|i: usize| value[i] * sky[i] * share[i] * weight), surfaces + 1);
+        }
+    }
+
     fn go_on(&self, walk: &mut Walk, met: &Met<'_>, scatter: &Scatter, sampler: &mut Sampler, surfaces: u32) -> bool {
         let towards = scatter.sample(sampler.one(), sampler.pair());
         let (value, chance) = scatter.evaluate(towards);
@@ -190,7 +228,7 @@ impl Paths<'_> {
             return false;
         }
         walk.share = [0, 1, 2].map(|i: usize| walk.share[i] * value[i] / chance);
-        walk.chance = chance;
+        (walk.chance, walk.through, walk.gone) = (chance, 0.0, 0.0);
         walk.ray.along = towards;
         walk.leave(met);
         if surfaces < 2 {

@@ -93,11 +93,18 @@ impl Tile {
         let texels = &self.levels[level];
         let corners = [texels[y0 * side + x0], texels[y0 * side + x1], texels[y1 * side + x0], texels[y1 * side + x1]];
         let weights = [(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy];
-        let sum = |part: &dyn Fn(&Texel) -> f32| corners.iter().zip(weights).map(|(t, w)| part(t) * w).sum::<f32>();
+        let mut sum = [0.0_f32; 6];
+        for (texel, weight) in corners.iter().zip(weights) {
+            let [r, g, b] = texel.tint.map(f32::from);
+            let [lu, lv] = texel.lean.map(f32::from);
+            for (sum, value) in sum.iter_mut().zip([r, g, b, f32::from(texel.roughness), lu, lv]) {
+                *sum += weight * value;
+            }
+        }
         Touch {
-            tint: [0, 1, 2].map(|i: usize| sum(&|t| f32::from(t.tint[i])) * (1.0 / 128.0)),
-            roughness: sum(&|t| f32::from(t.roughness)) * (1.0 / 64.0),
-            lean: [0, 1].map(|i: usize| sum(&|t| f32::from(t.lean[i])) * (1.0 / 64.0)),
+            tint: [0, 1, 2].map(|i: usize| sum[i] * (1.0 / 128.0)),
+            roughness: sum[3] * (1.0 / 64.0),
+            lean: [sum[4] * (1.0 / 64.0), sum[5] * (1.0 / 64.0)],
         }
     }
 }

@@ -24,6 +24,8 @@ pub(crate) struct Met<'a> {
     pub(crate) at: [f32; 3],
     pub(crate) instance: &'a Instance,
     pub(crate) face: &'a Face,
+    /// Area of the triangle, square metres.
+    pub(crate) area: f32,
     /// Normal of the triangle, unit length, outwards.
     pub(crate) flat: [f32; 3],
     /// Normal of the surface, unit length, outwards.
@@ -64,6 +66,11 @@ impl Tracer {
         }
     }
 
+    /// The first clear thing along a ray.
+    pub(crate) fn first_clear(&self, ray: &Ray) -> Option<Met<'_>> {
+        self.clear.first(ray).map(|hit| self.met(ray, &hit, 1))
+    }
+
     /// Whether something solid is on the way.
     pub(crate) fn blocked(&self, ray: &Ray) -> bool {
         self.solid.any(ray)
@@ -76,6 +83,8 @@ impl Tracer {
         let face = &mesh.faces[triangle as usize];
         let corners = mesh.triangle(mesh.cluster_of(triangle as usize), triangle as usize);
         let [u, v] = hit.weights;
+        let world = instance.world.narrow();
+        let placed = corners.map(|p| affine::point(&world, p));
         let edge = |k: usize| [0, 1, 2].map(|i: usize| corners[k][i] - corners[0][i]);
         let (b, c) = (edge(1), edge(2));
         let own = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
@@ -88,6 +97,7 @@ impl Tracer {
             at: [0, 1, 2].map(|i: usize| ray.from[i] + hit.t * ray.along[i]),
             instance,
             face,
+            area: area(placed),
             flat,
             normal: crate::label::unit(affine::normal(&instance.inverse, normal)),
         }
@@ -106,4 +116,11 @@ impl Met<'_> {
         let axes = if built { Affine::IDENTITY.narrow() } else { self.instance.world.narrow() };
         look(surface, (local, facing, self.face.grain), &axes, self.normal, footprint)
     }
+}
+
+fn area([a, b, c]: [[f32; 3]; 3]) -> f32 {
+    let edge = |p: [f32; 3]| [0, 1, 2].map(|i: usize| p[i] - a[i]);
+    let (u, v) = (edge(b), edge(c));
+    let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    0.5 * (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt()
 }
