@@ -10,7 +10,12 @@ const SIZES: [(u32, u32); 4] = [(84, 84), (300, 300), (640, 480), (1920, 1080)];
 
 /// Prints milliseconds of one thread's CPU for sets of modalities at several sizes:
 /// the median of some pictures.
-pub(crate) fn table(renderer: &Renderer, snapshot: &Snapshot, camera: &Camera, lighting: &Lighting) -> Result<(), Complaint> {
+pub(crate) fn table(
+    renderer: &Renderer,
+    snapshot: &Snapshot,
+    camera: &Camera,
+    lighting: &Lighting,
+) -> Result<(), Complaint> {
     let labels = Modalities::SIX.without(Modality::Rgb);
     let sets = [
         ("depth and nodes", Modality::Depth | Modality::Instance),

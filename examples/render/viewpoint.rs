@@ -47,11 +47,7 @@ fn candidates(scene: &SceneGraph, room: NodeId, camera: Camera) -> Vec<Camera> {
     let place = |share: f32, low: f32, high: f32| low + 0.3 + share * (high - low - 0.6).max(0.0);
     let mut all = Vec::new();
     for (i, j) in (0..5).flat_map(|i| (0..5).map(move |j| (i, j))).filter(|(i, j)| i % 4 == 0 || j % 4 == 0) {
-        let eye = Point3::new(
-            place(i as f32 / 4.0, low.x, high.x),
-            place(j as f32 / 4.0, low.y, high.y),
-            low.z + 1.55,
-        );
+        let eye = Point3::new(place(i as f32 / 4.0, low.x, high.x), place(j as f32 / 4.0, low.y, high.y), low.z + 1.55);
         for pull in [0.0, 0.35] {
             let target = middle + (eye - middle) * -pull;
             all.push(camera.looking(eye, Point3::new(target.x, target.y, low.z + 0.95)));

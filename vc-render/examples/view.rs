@@ -27,7 +27,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         "overcast" => Daylight::overcast(),
         "night" => {
             let lamp = |class: &str| ["lamp", "light", "chandelier"].iter().any(|w| class.contains(w));
-            let lamps: Vec<NodeId> = snapshot.nodes().filter(|n| scene.node(*n).is_some_and(|n| lamp(n.class()))).collect();
+            let lamps: Vec<NodeId> =
+                snapshot.nodes().filter(|n| scene.node(*n).is_some_and(|n| lamp(n.class()))).collect();
             lamps.into_iter().try_for_each(|n| snapshot.switch(n, true))?;
             Daylight::night()
         }
@@ -70,7 +71,8 @@ fn corner(renderer: &Renderer, snapshot: &Snapshot, scene: &SceneGraph, class: &
         let target = Point3::new(middle.x, middle.y, low.z + 0.95);
         let camera = Camera::with_fov(80, 60, 1.15).looking(eye, target);
         renderer.render(&Shot::new(snapshot, &camera, Modality::Instance | Modality::Depth), &mut frame)?;
-        let mut seen: Vec<NodeId> = frame.instance.iter().copied().filter(|n| scene.room_of(*n) == Some(room)).collect();
+        let mut seen: Vec<NodeId> =
+            frame.instance.iter().copied().filter(|n| scene.room_of(*n) == Some(room)).collect();
         let own = seen.len() as f32 / 4800.0;
         seen.sort_unstable();
         seen.dedup();

@@ -147,7 +147,10 @@ impl Renderer {
         if rgb {
             shade::shade(self, shot.view, band, &mut strip);
         }
-        simd::widest(#[inline(always)] || label::depths(camera, &band.layers, &mut strip));
+        simd::widest(
+            #[inline(always)]
+            || label::depths(camera, &band.layers, &mut strip),
+        );
         label::normals(camera, snapshot, &band.layers, &mut strip);
         band.runs.clear();
         if RUNS.iter().any(|m| wanted.has(*m)) || wanted.has(Modality::Part) {
@@ -163,7 +166,10 @@ impl Renderer {
         let frustum = Frustum::new(camera, &rows);
         let drawing = Drawing { instances: &snapshot.instances, frustum, detail: self.detail };
         let all = 0..snapshot.instances.len() as u32;
-        simd::widest(#[inline(always)] || layers.draw(&drawing, all, (camera.width as usize, rows), apart));
+        simd::widest(
+            #[inline(always)]
+            || layers.draw(&drawing, all, (camera.width as usize, rows), apart),
+        );
     }
 
     /// Depth at the moments after and before.
@@ -184,13 +190,19 @@ fn flow(shot: &Shot<'_>, strip: &mut Strip<'_>, band: &mut Band, other: &[Other;
     let width = strip.width;
     let seen = (&*layers, runs.as_slice());
     if let (Some(then), true) = (shot.after, shot.wanted.has(Modality::FlowForward)) {
-        simd::widest(#[inline(always)] || label::flows(shot.view, then, seen, motion, (width, strip.flow_forward)));
+        simd::widest(
+            #[inline(always)]
+            || label::flows(shot.view, then, seen, motion, (width, strip.flow_forward)),
+        );
         if shot.wanted.has(Modality::Occlusion) {
             label::hidden(shot.view, then, seen, (motion, &other[0]), (width, strip.occluded_forward));
         }
     }
     if let (Some(then), true) = (shot.before, shot.wanted.has(Modality::FlowBackward)) {
-        simd::widest(#[inline(always)] || label::flows(shot.view, then, seen, motion, (width, strip.flow_backward)));
+        simd::widest(
+            #[inline(always)]
+            || label::flows(shot.view, then, seen, motion, (width, strip.flow_backward)),
+        );
         if shot.wanted.has(Modality::Occlusion) {
             label::hidden(shot.view, then, seen, (motion, &other[1]), (width, strip.occluded_backward));
         }

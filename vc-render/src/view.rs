@@ -1,10 +1,10 @@
 //! What is rendered: who sees what, and what of it is wanted.
 
+use crate::RenderError;
 use crate::camera::Camera;
+use crate::light::Lighting;
 use crate::modality::{Modalities, Modality};
 use crate::scene::Snapshot;
-use crate::light::Lighting;
-use crate::RenderError;
 
 /// A camera and what is before it.
 #[derive(Debug, Clone, Copy)]

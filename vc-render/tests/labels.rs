@@ -106,7 +106,8 @@ fn threads_do_not_change_a_byte() {
             let how = Exposure { samples: 1, bounces: 3, ..Exposure::default() };
             let small = Camera { width: 40, height: 30, ..camera };
             let photograph = renderer.photograph(&lighting, &small, &how, |_| true).unwrap();
-            (frame.rgb, frame.depth, frame.instance, frame.flow_forward, photograph.light)
+            let flow: Vec<[u32; 2]> = frame.flow_forward.iter().map(|f| f.map(f32::to_bits)).collect();
+            (frame.rgb, frame.depth, frame.instance, flow, photograph.light)
         })
     };
     let one = make(1);

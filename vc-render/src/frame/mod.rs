@@ -5,8 +5,8 @@ mod mask;
 mod strip;
 
 pub use boxes::{Box3, BoxLabel, PixelBox};
-pub use mask::{Mask, Rle};
 pub(crate) use mask::Masks;
+pub use mask::{Mask, Rle};
 pub(crate) use strip::Strip;
 
 use vc_graph::NodeId;

@@ -17,12 +17,20 @@ pub(crate) fn amodal(camera: &Camera, snapshot: &Snapshot, detail: f32, frame: &
         let Some(body) = snapshot.body_of(label.node) else { continue };
         // One pixel more on every side, against rounding.
         let PixelBox { x, y, width: w, height: h } = label.amodal;
-        let roomy = PixelBox { x: x.saturating_sub(1), y: y.saturating_sub(1), width: w.saturating_add(2), height: h.saturating_add(2) };
+        let roomy = PixelBox {
+            x: x.saturating_sub(1),
+            y: y.saturating_sub(1),
+            width: w.saturating_add(2),
+            height: h.saturating_add(2),
+        };
         let Some(within) = roomy.within(width, height) else { continue };
         let layers = &mut memory.alone;
         layers.front.erase(within.x..within.x + within.width, within.y..within.y + within.height);
         layers.visible.clear();
-        crate::simd::widest(#[inline(always)] || layers.add(&drawing, body.instances.clone(), false));
+        crate::simd::widest(
+            #[inline(always)]
+            || layers.add(&drawing, body.instances.clone(), false),
+        );
         let index = whole_masks.iter().len();
         whole_masks.push(label.node, within);
         let area = copy(layers, within, |y, from, to| whole_masks.set(index, y, from, to));

@@ -65,7 +65,10 @@ impl Tally {
 fn label(camera: &Camera, frustum: &Frustum, snapshot: &Snapshot, body: &Body, tally: &Tally) -> BoxLabel {
     let visible = PixelBox::between(tally.low, tally.high);
     let instances = &snapshot.instances[body.instances.start as usize..body.instances.end as usize];
-    let whole = crate::simd::widest(#[inline(always)] || outline(frustum, instances));
+    let whole = crate::simd::widest(
+        #[inline(always)]
+        || outline(frustum, instances),
+    );
     BoxLabel {
         node: body.node,
         class: body.class,

@@ -53,8 +53,7 @@ pub(crate) fn flows(
     out.fill([f32::NAN; 2]);
     for run in runs {
         let at = run.instance as usize;
-        let map =
-            motions.map(at, (&now.snapshot.instances[at], &from.map), (&then.snapshot.instances[at], &to.map));
+        let map = motions.map(at, (&now.snapshot.instances[at], &from.map), (&then.snapshot.instances[at], &to.map));
         let inverse = &layers.front.inverse_row(run.y)[run.from as usize..run.to as usize];
         let row = (run.y - rows.start) as usize * width;
         let pixels = &mut out[row + run.from as usize..row + run.to as usize];
@@ -86,8 +85,7 @@ pub(crate) fn hidden(
     out.fill(1);
     for run in runs {
         let at = run.instance as usize;
-        let map =
-            motions.map(at, (&now.snapshot.instances[at], &from.map), (&then.snapshot.instances[at], &to.map));
+        let map = motions.map(at, (&now.snapshot.instances[at], &from.map), (&then.snapshot.instances[at], &to.map));
         let row = (run.y - rows.start) as usize * width;
         for x in run.from..run.to {
             let v = layers.front.inverse_row(run.y)[x as usize];

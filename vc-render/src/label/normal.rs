@@ -42,7 +42,11 @@ impl Bent {
 
 /// The normal of a flat triangle in the world, or how it bends.
 #[inline(always)]
-pub(crate) fn bent(frustum: &crate::raster::Frustum, instances: &[Instance], visible: Visible) -> Result<[f32; 3], Bent> {
+pub(crate) fn bent(
+    frustum: &crate::raster::Frustum,
+    instances: &[Instance],
+    visible: Visible,
+) -> Result<[f32; 3], Bent> {
     let instance = &instances[visible.instance as usize];
     let mesh = visible.mesh(instances);
     let face = &mesh.faces[visible.index()];

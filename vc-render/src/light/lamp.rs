@@ -51,12 +51,14 @@ pub(super) fn lamps(renderer: &Renderer, snapshot: &Snapshot) -> (Vec<[f32; 2]>,
             let gain = target / LUMENS / brightness(glow.flux).max(1e-9);
             let flux = glow.flux.map(|f| f * gain);
             // A third of the light goes through the shade.
-            let shade = if glow.shade > 0.0 { 0.35 * brightness(flux) / (std::f32::consts::PI * glow.shade) } else { 0.0 };
+            let shade =
+                if glow.shade > 0.0 { 0.35 * brightness(flux) / (std::f32::consts::PI * glow.shade) } else { 0.0 };
             gains[index] = [gain, shade];
             found.push((index as u32, flux, glow));
         }
     }
-    let lamps = found.into_par_iter().map(|(body, flux, glow)| Lamp::new(renderer, snapshot, body, flux, &glow)).collect();
+    let lamps =
+        found.into_par_iter().map(|(body, flux, glow)| Lamp::new(renderer, snapshot, body, flux, &glow)).collect();
     (gains, lamps)
 }
 
@@ -66,7 +68,9 @@ fn lumens(snapshot: &Snapshot, body: &Body, area: f32) -> Option<f32> {
     let any = |words: &[&str]| words.iter().any(|w| class.contains(w));
     match () {
         () if any(&["candle"]) => Some(40.0),
-        () if any(&["lamp", "light", "chandelier", "lantern", "bulb"]) => Some((500.0 + 9000.0 * area).clamp(400.0, 2500.0)),
+        () if any(&["lamp", "light", "chandelier", "lantern", "bulb"]) => {
+            Some((500.0 + 9000.0 * area).clamp(400.0, 2500.0))
+        }
         () => None,
     }
 }
@@ -149,4 +153,3 @@ impl Lamp {
         self.shadows.lit([0, 1, 2].map(|i: usize| at[i] - self.at[i]), at)
     }
 }
-

@@ -41,7 +41,15 @@ impl Renderer {
         let (middle, radius) = ball(snapshot);
         let shines = daylight.sun.norm() > 0.0;
         let sun = shines.then(|| ShadowMap::sun(self, snapshot, daylight.towards_sun, middle, radius));
-        let mut lighting = Lighting { daylight: *daylight, tracer: Tracer::new(snapshot), sun, lamps, gains, grids: Vec::new(), rooms };
+        let mut lighting = Lighting {
+            daylight: *daylight,
+            tracer: Tracer::new(snapshot),
+            sun,
+            lamps,
+            gains,
+            grids: Vec::new(),
+            rooms,
+        };
         lighting.grids = room::grids(self, &lighting);
         lighting
     }

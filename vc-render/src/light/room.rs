@@ -141,7 +141,10 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
         let floor = snapshot.class(body.class).is_some_and(|c| &**c == "floor");
         let map = affine::Affine::of(&body.pose).narrow();
         let around = crate::scene::turned(&map, &body.bounds);
-        let (low, high) = ([0, 1, 2].map(|i: usize| around.centre[i] - around.half[i]), [0, 1, 2].map(|i: usize| around.centre[i] + around.half[i]));
+        let (low, high) = (
+            [0, 1, 2].map(|i: usize| around.centre[i] - around.half[i]),
+            [0, 1, 2].map(|i: usize| around.centre[i] + around.half[i]),
+        );
         // Over the plan what the floor covers, if there is one; upwards all there is.
         let (from, to) = &mut all[room];
         if floor && !floors[room] {
@@ -167,7 +170,13 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
 }
 
 /// What is seen from a point; none from inside of things.
-fn look(renderer: &Renderer, lighting: &Lighting, room: usize, from: [f32; 3], directions: &[[f32; 3]]) -> Option<Vec<Seen>> {
+fn look(
+    renderer: &Renderer,
+    lighting: &Lighting,
+    room: usize,
+    from: [f32; 3],
+    directions: &[[f32; 3]],
+) -> Option<Vec<Seen>> {
     let tracer = &lighting.tracer;
     let rays: Vec<Ray> = directions.iter().map(|along| Ray { from, along: *along, end: 1e4 }).collect();
     let mut behind = 0;
@@ -239,7 +248,8 @@ impl Grid {
             for (index, point) in self.points.iter_mut().enumerate().filter(|(_, p)| p[0][0].is_nan()) {
                 let (x, y, z) = (index % nx, index / nx % ny, index / (nx * ny));
                 let down = |v: usize| v.wrapping_sub(1);
-                let around = [(down(x), y, z), (x + 1, y, z), (x, down(y), z), (x, y + 1, z), (x, y, down(z)), (x, y, z + 1)];
+                let around =
+                    [(down(x), y, z), (x + 1, y, z), (x, down(y), z), (x, y + 1, z), (x, y, down(z)), (x, y, z + 1)];
                 let found: Vec<&Harmonics> = around.into_iter().filter_map(|(x, y, z)| known(x, y, z)).collect();
                 if !found.is_empty() {
                     let mean = |c: usize, k: usize| found.iter().map(|f| f[c][k]).sum::<f32>() / found.len() as f32;
@@ -264,7 +274,8 @@ impl Grid {
                 let cell = index / stride % self.counts[axis];
                 let low = if cell > 0 { index - stride } else { index };
                 let high = if cell + 1 < self.counts[axis] { index + stride } else { index };
-                let mean = |c: usize, k: usize| 0.25 * (before[low][c][k] + before[high][c][k]) + 0.5 * before[index][c][k];
+                let mean =
+                    |c: usize, k: usize| 0.25 * (before[low][c][k] + before[high][c][k]) + 0.5 * before[index][c][k];
                 *point = [0, 1, 2].map(|c: usize| [0, 1, 2, 3].map(|k: usize| mean(c, k)));
             }
         }
@@ -276,4 +287,3 @@ impl Grid {
         sum / self.points.len().max(1) as f32
     }
 }
-

@@ -31,18 +31,33 @@ const LAMP: u32 = 256;
 const FAR: f32 = 400.0;
 
 impl ShadowMap {
-    fn new(renderer: &Renderer, snapshot: &Snapshot, which: impl Iterator<Item = u32>, camera: &Camera, slack: f32) -> Self {
+    fn new(
+        renderer: &Renderer,
+        snapshot: &Snapshot,
+        which: impl Iterator<Item = u32>,
+        camera: &Camera,
+        slack: f32,
+    ) -> Self {
         let side = camera.height as i32;
         let frustum = Frustum::new(camera, &(0..side));
         let drawing = Drawing { instances: &snapshot.instances, frustum, detail: renderer.detail.max(0.5) };
         let mut layers = Layers::default();
-        crate::simd::widest(#[inline(always)] || layers.draw_solid(&drawing, which, (side as usize, 0..side)));
+        crate::simd::widest(
+            #[inline(always)]
+            || layers.draw_solid(&drawing, which, (side as usize, 0..side)),
+        );
         let depth = (0..side).flat_map(|y| layers.front.inverse_row(y)).map(|v| 1.0 / v).collect();
         Self { map: frustum.map.narrow(), side, depth, slack }
     }
 
     /// The sun's, over everything within a ball.
-    pub(super) fn sun(renderer: &Renderer, snapshot: &Snapshot, towards: Vector3<f32>, middle: Point3<f32>, radius: f32) -> Self {
+    pub(super) fn sun(
+        renderer: &Renderer,
+        snapshot: &Snapshot,
+        towards: Vector3<f32>,
+        middle: Point3<f32>,
+        radius: f32,
+    ) -> Self {
         let eye = middle + towards * FAR;
         let focal = 0.5 * SUN as f32 * (FAR - radius) / radius;
         let centre = 0.5 * SUN as f32;
@@ -95,7 +110,13 @@ impl Cube {
     #[inline(always)]
     pub(crate) fn lit(&self, from: [f32; 3], at: [f32; 3]) -> f32 {
         let size = from.map(f32::abs);
-        let axis = if size[0] >= size[1] && size[0] >= size[2] { 0 } else if size[1] >= size[2] { 1 } else { 2 };
+        let axis = if size[0] >= size[1] && size[0] >= size[2] {
+            0
+        } else if size[1] >= size[2] {
+            1
+        } else {
+            2
+        };
         let face = if from[axis] >= 0.0 { axis } else { axis + 3 };
         self.0[face].lit(at)
     }

@@ -67,9 +67,7 @@ impl Bounds {
 
     /// Around two boxes.
     pub(crate) fn joined(&self, other: &Self) -> Self {
-        let corners = |b: &Self| {
-            [-1.0, 1.0].map(|s| [0, 1, 2].map(|i: usize| b.centre[i] + s * b.half[i]))
-        };
+        let corners = |b: &Self| [-1.0, 1.0].map(|s| [0, 1, 2].map(|i: usize| b.centre[i] + s * b.half[i]));
         Self::around(corners(self).into_iter().chain(corners(other)))
     }
 }

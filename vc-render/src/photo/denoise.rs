@@ -31,6 +31,7 @@ struct Guide {
 pub(super) fn denoised(traced: &[Traced], width: usize) -> Vec<[f32; 3]> {
     let guides: Vec<Guide> = traced.iter().map(Guide::of).collect();
     let mut soft: Vec<Soft> = traced.iter().zip(&guides).map(|(t, g)| Soft::of(t, g)).collect();
+    dim_specks(&mut soft, width);
     spread_variance(&mut soft, width);
     for pass in 0..PASSES {
         soft = smoothed(&soft, &guides, width, 1 << pass);
@@ -61,6 +62,23 @@ impl Soft {
     }
 }
 
+/// A pixel brighter than all its neighbours is as bright as the brightest of them.
+fn dim_specks(soft: &mut [Soft], width: usize) {
+    let bright: Vec<f32> = soft.iter().map(|s| brightness(s.light)).collect();
+    let (columns, rows) = (width as i32, (soft.len() / width.max(1)) as i32);
+    soft.par_iter_mut().enumerate().for_each(|(index, pixel)| {
+        let (x, y) = (index as i32 % columns, index as i32 / columns);
+        let around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (x + dx, y + dy))).filter(|p| *p != (x, y));
+        let inside = around.filter(|(x, y)| (0..columns).contains(x) && (0..rows).contains(y));
+        let most = inside.map(|(x, y)| bright[(y * columns + x) as usize]).fold(0.0, f32::max);
+        if bright[index] > most && most > 0.0 {
+            let share = most / bright[index];
+            pixel.light = pixel.light.map(|v| v * share);
+            pixel.variance *= share * share;
+        }
+    });
+}
+
 /// Each pixel is as noisy as those around it: where paths are few, one may have found no
 /// light at all and seem free of noise.
 fn spread_variance(soft: &mut [Soft], width: usize) {
@@ -80,7 +98,7 @@ fn smoothed(soft: &[Soft], guides: &[Guide], width: usize, step: i32) -> Vec<Sof
     let pixel = |index: usize| {
         let (x, y) = ((index % width) as i32, (index / width) as i32);
         let (own, guide) = (&soft[index], &guides[index]);
-        let noise = 3.0 * own.variance.sqrt() + 1e-4;
+        let noise = 4.0 * own.variance.sqrt() + 1e-4;
         let (mut light, mut variance, mut total) = ([0.0; 3], 0.0, 0.0);
         for (dy, wy) in (-2..=2).zip(KERNEL) {
             for (dx, wx) in (-2..=2).zip(KERNEL) {
@@ -96,7 +114,9 @@ fn smoothed(soft: &[Soft], guides: &[Guide], width: usize, step: i32) -> Vec<Sof
                 let turned = turned * turned * turned * turned;
                 let apart = (guide.inverse - edge.inverse).abs() / guide.inverse.max(1e-4);
                 let unlike = (brightness(own.light) - brightness(other.light)).abs() / noise;
-                let weight = wx * wy * turned / (1.0 + (apart * 12.0 / step as f32 * 4.0) * (apart * 12.0)) / (1.0 + unlike * unlike);
+                let weight = wx * wy * turned
+                    / (1.0 + (apart * 12.0 / step as f32 * 4.0) * (apart * 12.0))
+                    / (1.0 + unlike * unlike);
                 for i in 0..3 {
                     light[i] += weight * other.light[i];
                 }

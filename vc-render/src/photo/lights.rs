@@ -9,8 +9,14 @@ pub(super) struct Lights {
     triangles: Vec<Glowing>,
     /// Sums of light up to and with each triangle.
     sums: Vec<f32>,
-    /// Panes, through which the sky shines, and sums of their areas.
-    panes: Vec<[[f32; 3]; 3]>,
+    /// Panes, through which the sky shines, by room.
+    panes: Vec<Panes>,
+}
+
+/// The panes of a room.
+#[derive(Default, Clone)]
+struct Panes {
+    triangles: Vec<[[f32; 3]; 3]>,
     areas: Vec<f32>,
 }
 
@@ -35,14 +41,16 @@ pub(super) struct Lit {
 
 impl Lights {
     pub(super) fn of(renderer: &Renderer, lighting: &Lighting) -> Self {
-        let mut lights = Self { triangles: Vec::new(), sums: Vec::new(), panes: Vec::new(), areas: Vec::new() };
+        let mut lights = Self { triangles: Vec::new(), sums: Vec::new(), panes: Vec::new() };
         let snapshot = &lighting.tracer.snapshot;
+        lights.panes.resize(snapshot.rooms.len() + 1, Panes::default());
         for instance in &snapshot.instances {
             let mesh = &*instance.link.levels[0];
             let world = instance.world.narrow();
             for cluster in &mesh.clusters[mesh.opaque..] {
                 for triangle in cluster.triangles.clone() {
-                    lights.push_pane(mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p)));
+                    let room = snapshot.bodies[instance.body as usize].room;
+                    lights.push_pane(room, mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p)));
                 }
             }
             if !snapshot.bodies[instance.body as usize].lit {
@@ -73,30 +81,37 @@ impl Lights {
     }
 
     /// Small panes are left to chance.
-    fn push_pane(&mut self, [a, b, c]: [[f32; 3]; 3]) {
+    fn push_pane(&mut self, room: u16, [a, b, c]: [[f32; 3]; 3]) {
         let edge = |p: [f32; 3]| [0, 1, 2].map(|i: usize| p[i] - a[i]);
         let (u, v) = (edge(b), edge(c));
         let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
         let area = 0.5 * (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
         if area >= SMALL {
-            self.areas.push(self.areas.last().copied().unwrap_or(0.0) + area);
-            self.panes.push([a, u, v]);
+            let last = self.panes.len() - 1;
+            let panes = &mut self.panes[usize::from(room).min(last)];
+            panes.areas.push(panes.areas.last().copied().unwrap_or(0.0) + area);
+            panes.triangles.push([a, u, v]);
         }
     }
 
-    /// A point of a pane.
-    pub(super) fn pane(&self, which: f32, [a, b]: [f32; 2]) -> Option<[f32; 3]> {
-        let index = self.areas.partition_point(|s| *s <= which * self.areas.last().copied().unwrap_or(0.0));
-        let [corner, u, v] = self.panes.get(index.min(self.panes.len().checked_sub(1)?))?;
+    fn panes_of(&self, room: u16) -> &Panes {
+        &self.panes[usize::from(room).min(self.panes.len() - 1)]
+    }
+
+    /// A point of a pane of a room.
+    pub(super) fn pane(&self, room: u16, which: f32, [a, b]: [f32; 2]) -> Option<[f32; 3]> {
+        let Panes { triangles, areas } = self.panes_of(room);
+        let index = areas.partition_point(|s| *s <= which * areas.last().copied().unwrap_or(0.0));
+        let [corner, u, v] = triangles.get(index.min(triangles.len().checked_sub(1)?))?;
         let root = a.sqrt();
         Some([0, 1, 2].map(|i: usize| corner[i] + (1.0 - root) * u[i] + b * root * v[i]))
     }
 
-    /// The chance for each unit of solid angle that a way through a triangle of a pane is
-    /// picked, given the triangle's area, its distance and the cosine to it.
-    pub(super) fn through(&self, area: f32, distance: f32, cosine: f32) -> f32 {
-        match self.areas.last() {
-            Some(all) if area >= SMALL => distance * distance / (cosine.max(1e-4) * all),
+    /// The chance for each unit of solid angle that from a room a way through a triangle of a
+    /// pane is picked, given the pane's room, the triangle's area, its distance and the cosine to it.
+    pub(super) fn through(&self, [from, pane]: [u16; 2], area: f32, distance: f32, cosine: f32) -> f32 {
+        match self.panes_of(from).areas.last() {
+            Some(all) if area >= SMALL && from == pane => distance * distance / (cosine.max(1e-4) * all),
             _ => 0.0,
         }
     }

@@ -97,7 +97,8 @@ impl Renderer {
                 break;
             }
         }
-        let light = if how.denoise { denoise::denoised(&traced, width) } else { traced.iter().map(Traced::light).collect() };
+        let light =
+            if how.denoise { denoise::denoised(&traced, width) } else { traced.iter().map(Traced::light).collect() };
         let exposure = lighting.exposure(camera.eye().into());
         Ok(Photograph { width, height, light, exposure })
     }

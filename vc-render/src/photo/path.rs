@@ -72,8 +72,9 @@ struct Walk {
     chance: f32,
     /// Chance that the way through the panes met since would have been picked.
     through: f32,
-    /// Distance since the last surface.
+    /// Distance since the last surface, and the room of that.
     gone: f32,
+    room: u16,
     found: Sample,
     guided: bool,
 }
@@ -86,7 +87,16 @@ impl Paths<'_> {
         let pose = Affine::of(&self.camera.pose).narrow();
         let along = unit(affine::vector(&pose, self.camera.ray(x as f32 + dx, y as f32 + dy).into()));
         let ray = Ray { from: self.camera.eye().into(), along, end: 1e4 };
-        let mut walk = Walk { ray, share: [1.0; 3], chance: f32::INFINITY, through: 0.0, gone: 0.0, found: Sample::default(), guided: false };
+        let mut walk = Walk {
+            ray,
+            share: [1.0; 3],
+            chance: f32::INFINITY,
+            through: 0.0,
+            gone: 0.0,
+            room: u16::MAX,
+            found: Sample::default(),
+            guided: false,
+        };
         // Panes do not count as surfaces, but neither may a path go through them for ever.
         let (mut surfaces, mut steps) = (0, 0);
         while surfaces < self.how.bounces.max(1) && steps < 64 {
@@ -110,6 +120,10 @@ impl Paths<'_> {
         walk.found
     }
 
+    fn room(&self, met: &Met<'_>) -> u16 {
+        self.lighting.tracer.snapshot.bodies[met.instance.body as usize].room
+    }
+
     /// Through a pane or off it.
     fn pane(&self, walk: &mut Walk, met: &Met<'_>, surface: &Surface, choice: f32) {
         let facing = dot(walk.ray.along, met.normal).abs().min(1.0);
@@ -120,7 +134,12 @@ impl Paths<'_> {
             walk.chance = f32::INFINITY;
         } else {
             walk.gone += met.t;
-            walk.through += self.lights.through(met.area, walk.gone, dot(walk.ray.along, met.flat).abs());
+            walk.through += self.lights.through(
+                [walk.room, self.room(met)],
+                met.area,
+                walk.gone,
+                dot(walk.ray.along, met.flat).abs(),
+            );
             // A pane has two sides.
             walk.share = [0, 1, 2].map(|i: usize| walk.share[i] * (surface.colour[i] * surface.transmission).sqrt());
         }
@@ -175,7 +194,14 @@ impl Paths<'_> {
         }
     }
 
-    fn lamplight(&self, walk: &mut Walk, met: &Met<'_>, scatter: &Scatter, (which, point): (f32, [f32; 2]), surfaces: u32) {
+    fn lamplight(
+        &self,
+        walk: &mut Walk,
+        met: &Met<'_>,
+        scatter: &Scatter,
+        (which, point): (f32, [f32; 2]),
+        surfaces: u32,
+    ) {
         let Some(lit) = self.lights.pick(which, point) else { return };
         let to = [0, 1, 2].map(|i: usize| lit.at[i] - met.at[i]);
         let square = dot(to, to).max(1e-6);
@@ -194,8 +220,16 @@ impl Paths<'_> {
     }
 
     /// Light of the sky through a pane.
-    fn skylight(&self, walk: &mut Walk, met: &Met<'_>, scatter: &Scatter, (which, point): (f32, [f32; 2]), surfaces: u32) {
-        let Some(pane) = self.lights.pane(which, point) else { return };
+    fn skylight(
+        &self,
+        walk: &mut Walk,
+        met: &Met<'_>,
+        scatter: &Scatter,
+        (which, point): (f32, [f32; 2]),
+        surfaces: u32,
+    ) {
+        let room = self.room(met);
+        let Some(pane) = self.lights.pane(room, which, point) else { return };
         let towards = unit([0, 1, 2].map(|i: usize| pane[i] - met.at[i]));
         let (value, chance) = scatter.evaluate(towards);
         let mut ray = Ray { from: off(met, towards), along: towards, end: 1e4 };
@@ -208,7 +242,7 @@ impl Paths<'_> {
             let surface = &self.renderer.store.surfaces[usize::from(glass.face.surface)];
             gone += glass.t;
             let cosine = dot(towards, glass.flat).abs();
-            own += self.lights.through(glass.area, gone, cosine);
+            own += self.lights.through([room, self.room(&glass)], glass.area, gone, cosine);
             let edge = (1.0 - cosine.min(1.0)) * (1.0 - cosine.min(1.0));
             let passes = 0.96 * (1.0 - edge * edge * (1.0 - cosine.min(1.0)));
             share = [0, 1, 2].map(|i: usize| share[i] * passes * (surface.colour[i] * surface.transmission).sqrt());
@@ -228,7 +262,7 @@ impl Paths<'_> {
             return false;
         }
         walk.share = [0, 1, 2].map(|i: usize| walk.share[i] * value[i] / chance);
-        (walk.chance, walk.through, walk.gone) = (chance, 0.0, 0.0);
+        (walk.chance, walk.through, walk.gone, walk.room) = (chance, 0.0, 0.0, self.room(met));
         walk.ray.along = towards;
         walk.leave(met);
         if surfaces < 2 {

@@ -31,8 +31,7 @@ impl Picture {
         let (columns, first) = (columns.max(1), pictures.first());
         let (width, height) = first.map_or((0, 0), |p| (p.width, p.height));
         let rows = pictures.len().div_ceil(columns);
-        let mut all =
-            Self::new(columns * (width + margin) + margin, rows * (height + margin) + margin, [255; 3]);
+        let mut all = Self::new(columns * (width + margin) + margin, rows * (height + margin) + margin, [255; 3]);
         for (i, picture) in pictures.iter().enumerate() {
             all.paste(picture, margin + (i % columns) * (width + margin), margin + (i / columns) * (height + margin));
         }

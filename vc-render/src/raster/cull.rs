@@ -33,7 +33,9 @@ impl Frustum {
     pub(crate) fn new(camera: &Camera, rows: &std::ops::Range<i32>) -> Self {
         let Camera { focal, centre, .. } = *camera;
         let view = camera.view().0;
-        let mix = |f: f32, c: f32, r: usize| [0, 1, 2, 3].map(|k: usize| f64::from(f) * view[r][k] + f64::from(c) * view[2][k]);
+        let mix = |f: f32, c: f32, r: usize| {
+            [0, 1, 2, 3].map(|k: usize| f64::from(f) * view[r][k] + f64::from(c) * view[2][k])
+        };
         Self {
             map: Affine([mix(focal.0, centre.0, 0), mix(focal.1, centre.1, 1), view[2]]),
             near: camera.near,

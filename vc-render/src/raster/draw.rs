@@ -129,7 +129,14 @@ impl Layers {
             if looks_away(cluster, eye) || self.hidden(drawing, &narrow, &cluster.bounds) {
                 continue;
             }
-            let run = Run { mesh, cluster, map: &map, narrow: &narrow, near: drawing.frustum.near, mirrored: instance.mirrored };
+            let run = Run {
+                mesh,
+                cluster,
+                map: &map,
+                narrow: &narrow,
+                near: drawing.frustum.near,
+                mirrored: instance.mirrored,
+            };
             let name = |triangle: u32| Visible::new(placed.instance, placed.level, triangle);
             self.cluster(&run, name);
         }

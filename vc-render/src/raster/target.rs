@@ -62,7 +62,8 @@ impl Target {
 
     /// Makes a part of it empty: columns and rows of the image, the first included, the last not.
     pub(crate) fn erase(&mut self, columns: Range<i32>, rows: Range<i32>) {
-        let columns = columns.start.max(0) as usize / LANES..(columns.end.max(0) as usize).div_ceil(LANES).min(self.stride);
+        let columns =
+            columns.start.max(0) as usize / LANES..(columns.end.max(0) as usize).div_ceil(LANES).min(self.stride);
         let rows = rows.start.max(self.rows.start)..rows.end.min(self.rows.end);
         for y in rows.clone() {
             let at = (y - self.rows.start) as usize * self.stride;
@@ -70,7 +71,10 @@ impl Target {
             self.triangles[at + columns.start..at + columns.end].fill([NONE; LANES]);
         }
         if !rows.is_empty() && !columns.is_empty() {
-            self.mark([(columns.start * LANES) as i32, rows.start], [(columns.end * LANES - 1).min(self.width - 1) as i32, rows.end - 1]);
+            self.mark(
+                [(columns.start * LANES) as i32, rows.start],
+                [(columns.end * LANES - 1).min(self.width - 1) as i32, rows.end - 1],
+            );
         }
     }
 

@@ -50,17 +50,20 @@ pub(super) fn occlusion(view: View<'_>, frame: &mut Frame) {
     let focal = view.camera.focal;
     let look = Look { surfels, width, height, over: [1.0 / focal.0, 1.0 / focal.1], centre: view.camera.centre };
     open.par_chunks_mut(across * ROWS).enumerate().for_each(|(chunk, rows)| {
-        crate::simd::widest(#[inline(always)] || {
-            for (i, out) in rows.iter_mut().enumerate() {
-                let (x, y) = (i % across * 2, (chunk * ROWS + i / across) * 2);
-                let surfel = &surfels[y * width + x];
-                if surfel.inverse > 0.0 {
-                    let normal = affine::vector(&turn, surfel.normal());
-                    let pattern = &spirals[(x / 2) % 3 + 3 * ((y / 2) % 3)];
-                    *out = look.open((x, y), normal, focal.0 * surfel.inverse * REACH, pattern);
+        crate::simd::widest(
+            #[inline(always)]
+            || {
+                for (i, out) in rows.iter_mut().enumerate() {
+                    let (x, y) = (i % across * 2, (chunk * ROWS + i / across) * 2);
+                    let surfel = &surfels[y * width + x];
+                    if surfel.inverse > 0.0 {
+                        let normal = affine::vector(&turn, surfel.normal());
+                        let pattern = &spirals[(x / 2) % 3 + 3 * ((y / 2) % 3)];
+                        *out = look.open((x, y), normal, focal.0 * surfel.inverse * REACH, pattern);
+                    }
                 }
-            }
-        });
+            },
+        );
     });
 }
 
@@ -83,7 +86,7 @@ impl Look<'_> {
 
     #[inline(always)]
     fn open(&self, (x, y): (usize, usize), normal: [f32; 3], radius: f32, taps: &[[f32; 2]; TAPS]) -> f32 {
-        let radius = radius.clamp(3.0, 0.2 * self.height as f32);
+        let radius = radius.min(0.2 * self.height as f32).max(3.0);
         let here = self.point(x, y);
         let mut kept = 0.0;
         for tap in taps {
@@ -110,30 +113,33 @@ pub(super) fn around(lighting: &Lighting, view: View<'_>, frame: &mut Frame) {
     let pose = Affine::of(&view.camera.pose).narrow();
     let eye: [f32; 3] = view.camera.eye().into();
     memory.around.par_chunks_mut(across * ROWS).enumerate().for_each(|(chunk, rows)| {
-        crate::simd::widest(#[inline(always)] || {
-            for (i, out) in rows.iter_mut().enumerate() {
-                let (hx, hy) = (i % across, chunk * ROWS + i / across);
-                let surfel = &surfels[hy * 2 * width + hx * 2];
-                *out = Around::default();
-                if surfel.inverse <= 0.0 {
-                    continue;
+        crate::simd::widest(
+            #[inline(always)]
+            || {
+                for (i, out) in rows.iter_mut().enumerate() {
+                    let (hx, hy) = (i % across, chunk * ROWS + i / across);
+                    let surfel = &surfels[hy * 2 * width + hx * 2];
+                    *out = Around::default();
+                    if surfel.inverse <= 0.0 {
+                        continue;
+                    }
+                    let ray = view.camera.ray(hx as f32 * 2.0 + 0.5, hy as f32 * 2.0 + 0.5);
+                    let towards = affine::vector(&pose, ray.into());
+                    let depth = 1.0 / surfel.inverse;
+                    let at = [0, 1, 2].map(|k: usize| eye[k] + towards[k] * depth);
+                    let normal = surfel.normal();
+                    let room = view.snapshot.bodies[surfel.body as usize].room;
+                    let light = lighting.harmonics(at, normal, room);
+                    let share = blurred(open, (across, down), (hx, hy));
+                    let along = 2.0 * (towards[0] * normal[0] + towards[1] * normal[1] + towards[2] * normal[2]);
+                    let mirrored = crate::label::unit([0, 1, 2].map(|k: usize| towards[k] - along * normal[k]));
+                    out.inverse = surfel.inverse;
+                    out.normal = normal;
+                    out.falls = falls(&light, normal).map(|v| v * share);
+                    out.sheen = sheen(&light, mirrored).map(|v| v * (0.3 + 0.7 * share));
                 }
-                let ray = view.camera.ray(hx as f32 * 2.0 + 0.5, hy as f32 * 2.0 + 0.5);
-                let towards = affine::vector(&pose, ray.into());
-                let depth = 1.0 / surfel.inverse;
-                let at = [0, 1, 2].map(|k: usize| eye[k] + towards[k] * depth);
-                let normal = surfel.normal();
-                let room = view.snapshot.bodies[surfel.body as usize].room;
-                let light = lighting.harmonics(at, normal, room);
-                let share = blurred(open, (across, down), (hx, hy));
-                let along = 2.0 * (towards[0] * normal[0] + towards[1] * normal[1] + towards[2] * normal[2]);
-                let mirrored = crate::label::unit([0, 1, 2].map(|k: usize| towards[k] - along * normal[k]));
-                out.inverse = surfel.inverse;
-                out.normal = normal;
-                out.falls = falls(&light, normal).map(|v| v * share);
-                out.sheen = sheen(&light, mirrored).map(|v| v * (0.3 + 0.7 * share));
-            }
-        });
+            },
+        );
     });
 }
 
@@ -143,14 +149,20 @@ fn blurred(open: &[f32], (across, down): (usize, usize), (x, y): (usize, usize))
     let rows = y.saturating_sub(1)..(y + 2).min(down);
     let columns = x.saturating_sub(1)..(x + 2).min(across);
     let count = rows.len() * columns.len();
-    let sum: f32 = rows.map(|row| open[row * across + columns.start..row * across + columns.end].iter().sum::<f32>()).sum();
+    let sum: f32 =
+        rows.map(|row| open[row * across + columns.start..row * across + columns.end].iter().sum::<f32>()).sum();
     sum / count as f32
 }
 
 impl Around {
     /// Light at a pixel: of the four around it those that are of its surface.
     #[inline(always)]
-    pub(crate) fn at(all: &[Self], (across, down): (usize, usize), (x, y): (usize, usize), own: &Surfel) -> ([f32; 3], [f32; 3]) {
+    pub(crate) fn at(
+        all: &[Self],
+        (across, down): (usize, usize),
+        (x, y): (usize, usize),
+        own: &Surfel,
+    ) -> ([f32; 3], [f32; 3]) {
         let normal = own.normal();
         let (x0, y0) = (x / 2, y / 2);
         let (x1, y1) = (((x + 1) / 2).min(across - 1), ((y + 1) / 2).min(down - 1));

@@ -23,19 +23,22 @@ pub(super) fn light(renderer: &Renderer, lighting: &Lighting, view: View<'_>, fr
     let pose = Affine::of(&view.camera.pose).narrow();
     let eye: [f32; 3] = view.camera.eye().into();
     frame.light.par_chunks_mut(width * ROWS).enumerate().for_each(|(chunk, rows)| {
-        crate::simd::widest(#[inline(always)] || {
-            for (i, out) in rows.iter_mut().enumerate() {
-                let (x, y) = (i % width, chunk * ROWS + i / width);
-                let surfel = &surfels[y * width + x];
-                let towards = affine::vector(&pose, view.camera.ray(x as f32 + 0.5, y as f32 + 0.5).into());
-                *out = if surfel.inverse > 0.0 {
-                    let pixel = Pixel::new(surfel, eye, towards);
-                    pixel.light(renderer, lighting, view, Around::at(around, half, (x, y), surfel))
-                } else {
-                    lighting.daylight.radiance(unit(towards))
-                };
-            }
-        });
+        crate::simd::widest(
+            #[inline(always)]
+            || {
+                for (i, out) in rows.iter_mut().enumerate() {
+                    let (x, y) = (i % width, chunk * ROWS + i / width);
+                    let surfel = &surfels[y * width + x];
+                    let towards = affine::vector(&pose, view.camera.ray(x as f32 + 0.5, y as f32 + 0.5).into());
+                    *out = if surfel.inverse > 0.0 {
+                        let pixel = Pixel::new(surfel, eye, towards);
+                        pixel.light(renderer, lighting, view, Around::at(around, half, (x, y), surfel))
+                    } else {
+                        lighting.daylight.radiance(unit(towards))
+                    };
+                }
+            },
+        );
     });
 }
 
@@ -67,7 +70,13 @@ impl<'a> Pixel<'a> {
     }
 
     #[inline(always)]
-    fn light(&self, renderer: &Renderer, lighting: &Lighting, view: View<'_>, (falls, sheen): ([f32; 3], [f32; 3])) -> [f32; 3] {
+    fn light(
+        &self,
+        renderer: &Renderer,
+        lighting: &Lighting,
+        view: View<'_>,
+        (falls, sheen): ([f32; 3], [f32; 3]),
+    ) -> [f32; 3] {
         let body = &view.snapshot.bodies[self.surfel.body as usize];
         let surface = &renderer.store.surfaces[usize::from(self.surfel.surface)];
         let facing = dot(self.normal, self.back).clamp(0.02, 1.0);
@@ -133,7 +142,12 @@ impl<'a> Pixel<'a> {
     /// How much of light from all sides is reflected (Karis's fit for mobile, 2014).
     #[inline(always)]
     fn shine(&self, facing: f32) -> [f32; 3] {
-        let r = [1.0 - self.roughness, 0.0425 - 0.0275 * self.roughness, 1.04 - 0.572 * self.roughness, 0.022 * self.roughness - 0.04];
+        let r = [
+            1.0 - self.roughness,
+            0.0425 - 0.0275 * self.roughness,
+            1.04 - 0.572 * self.roughness,
+            0.022 * self.roughness - 0.04,
+        ];
         // 2^(-9.28 facing), by a power of what is nearly that.
         let low = 1.0 - facing;
         let fall = low * low * low * low * low * low;

@@ -43,7 +43,13 @@ pub(crate) fn look(
 #[inline(always)]
 fn plane(facing: [f32; 3], grain: u8) -> (usize, usize) {
     let [x, y, z] = facing.map(f32::abs);
-    let through = if x >= y && x >= z { 0 } else if y >= z { 1 } else { 2 };
+    let through = if x >= y && x >= z {
+        0
+    } else if y >= z {
+        1
+    } else {
+        2
+    };
     let (a, b) = [(1, 2), (0, 2), (0, 1)][through];
     if usize::from(grain) == a { (b, a) } else { (a, b) }
 }

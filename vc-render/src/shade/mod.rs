@@ -24,7 +24,10 @@ use crate::view::View;
 
 /// Writes down the surfaces of a band, and where its edges are.
 pub(crate) fn shade(renderer: &Renderer, view: View<'_>, band: &mut Band, strip: &mut Strip<'_>) {
-    crate::simd::widest(#[inline(always)] || surfel::surfels(renderer, view, &band.layers, &mut band.shading, strip));
+    crate::simd::widest(
+        #[inline(always)]
+        || surfel::surfels(renderer, view, &band.layers, &mut band.shading, strip),
+    );
     edge::edges(view, &band.layers, strip);
 }
 

@@ -43,15 +43,8 @@ pub(crate) struct Scratch {
 }
 
 impl Surfel {
-    pub(crate) const NOTHING: Self = Self {
-        inverse: 0.0,
-        normal: [0; 3],
-        colour: [0; 3],
-        roughness: 0,
-        metallic: 0,
-        surface: 0,
-        body: 0,
-    };
+    pub(crate) const NOTHING: Self =
+        Self { inverse: 0.0, normal: [0; 3], colour: [0; 3], roughness: 0, metallic: 0, surface: 0, body: 0 };
 
     #[inline(always)]
     pub(crate) fn normal(&self) -> [f32; 3] {
@@ -178,7 +171,11 @@ impl Place<'_> {
             return;
         }
         let built = matches!(surface.role, Role::Built | Role::Floor);
-        let (back, axes) = if built { (*self.world, UNMOVED) } else { (scratch.back(visible.instance, instance, self.frustum), instance.world.narrow()) };
+        let (back, axes) = if built {
+            (*self.world, UNMOVED)
+        } else {
+            (scratch.back(visible.instance, instance, self.frustum), instance.world.narrow())
+        };
         for (i, (out, inverse)) in out.iter_mut().zip(inverse).enumerate() {
             let depth = 1.0 / inverse;
             let local = affine::point(&back, [(x + i as f32) * depth, y * depth, depth]);

@@ -48,7 +48,12 @@ pub(super) fn colours(frame: &mut Frame, exposure: f32) {
 
 /// A pixel's colour with what belongs to its neighbours' surfaces.
 #[inline(always)]
-fn smoothed(light: &[[f32; 3]], edges: &[[i8; 2]], (x, y): (usize, usize), (width, height): (usize, usize)) -> [f32; 3] {
+fn smoothed(
+    light: &[[f32; 3]],
+    edges: &[[i8; 2]],
+    (x, y): (usize, usize),
+    (width, height): (usize, usize),
+) -> [f32; 3] {
     let at = y * width + x;
     let own = light[at];
     let share = |e: i8| f32::from(e.max(0)) * (1.0 / 127.0);

@@ -36,14 +36,38 @@ pub(super) struct Sample {
 }
 
 const WOODS: [&str; 15] = [
-    "oak", "beech", "birch", "pine", "ash", "maple", "cherry", "walnut", "teak", "mahogany", "wenge", "bamboo",
-    "whitewashed", "grey_oak", "wood",
+    "oak",
+    "beech",
+    "birch",
+    "pine",
+    "ash",
+    "maple",
+    "cherry",
+    "walnut",
+    "teak",
+    "mahogany",
+    "wenge",
+    "bamboo",
+    "whitewashed",
+    "grey_oak",
+    "wood",
 ];
 
 impl Pattern {
     pub(crate) const ALL: [Self; 13] = [
-        Self::Plain, Self::Grain, Self::Boards, Self::Weave, Self::Leather, Self::Tiles, Self::Bricks, Self::Speckle,
-        Self::Marble, Self::Rough, Self::Brushed, Self::Paper, Self::Wall,
+        Self::Plain,
+        Self::Grain,
+        Self::Boards,
+        Self::Weave,
+        Self::Leather,
+        Self::Tiles,
+        Self::Bricks,
+        Self::Speckle,
+        Self::Marble,
+        Self::Rough,
+        Self::Brushed,
+        Self::Paper,
+        Self::Wall,
     ];
 
     /// What suits a material, by the words in its name.
@@ -55,7 +79,9 @@ impl Pattern {
             () if any(&WOODS) && role == Role::Floor => Self::Boards,
             () if any(&WOODS) || any(&["bark"]) => Self::Grain,
             () if any(&["leather"]) => Self::Leather,
-            () if any(&["fabric", "linen", "cotton", "denim", "wool", "jute", "terry", "cloth", "wicker"]) => Self::Weave,
+            () if any(&["fabric", "linen", "cotton", "denim", "wool", "jute", "terry", "cloth", "wicker"]) => {
+                Self::Weave
+            }
             () if any(&["roof_tile"]) => Self::Bricks,
             () if any(&["tile"]) => Self::Tiles,
             () if any(&["brick"]) => Self::Bricks,

@@ -56,10 +56,7 @@ impl Tile {
             Texel {
                 tint: samples[i].tint.map(|t| (t * 128.0 + 0.5).clamp(0.0, 255.0) as u8),
                 roughness: (samples[i].roughness * 64.0).clamp(0.0, 255.0) as u8,
-                lean: [
-                    lean(height(x - 1, y), height(x + 1, y)),
-                    lean(height(x, y - 1), height(x, y + 1)),
-                ],
+                lean: [lean(height(x - 1, y), height(x + 1, y)), lean(height(x, y - 1), height(x, y + 1))],
             }
         };
         let mut levels = vec![(0..texels * texels).map(texel).collect::<Vec<Texel>>()];

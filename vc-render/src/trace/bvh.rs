@@ -64,13 +64,20 @@ impl Bvh {
     /// The first triangle along a ray, from either side.
     #[inline]
     pub(crate) fn first(&self, ray: &Ray) -> Option<Hit> {
-        crate::simd::widest(#[inline(always)] || self.walk::<false>(ray))
+        crate::simd::widest(
+            #[inline(always)]
+            || self.walk::<false>(ray),
+        )
     }
 
     /// Whether there is any triangle along a ray.
     #[inline]
     pub(crate) fn any(&self, ray: &Ray) -> bool {
-        crate::simd::widest(#[inline(always)] || self.walk::<true>(ray)).is_some()
+        crate::simd::widest(
+            #[inline(always)]
+            || self.walk::<true>(ray),
+        )
+        .is_some()
     }
 
     #[inline(always)]

@@ -111,8 +111,11 @@ impl Met<'_> {
             return Look { colour: surface.colour, roughness: surface.roughness, normal: self.normal };
         }
         let built = matches!(surface.role, Role::Built | Role::Floor);
-        let (local, facing) =
-            if built { (self.at, self.flat) } else { (affine::point(&self.instance.inverse, self.at), self.face.normals[0]) };
+        let (local, facing) = if built {
+            (self.at, self.flat)
+        } else {
+            (affine::point(&self.instance.inverse, self.at), self.face.normals[0])
+        };
         let axes = if built { Affine::IDENTITY.narrow() } else { self.instance.world.narrow() };
         look(surface, (local, facing, self.face.grain), &axes, self.normal, footprint)
     }

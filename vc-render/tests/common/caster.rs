@@ -38,7 +38,15 @@ impl Caster {
         made
     }
 
-    fn add(&mut self, node: NodeId, part: u16, shape: &Shape, pose: &vc_graph::Pose, map: &Matrix4<f64>, tolerance: f32) {
+    fn add(
+        &mut self,
+        node: NodeId,
+        part: u16,
+        shape: &Shape,
+        pose: &vc_graph::Pose,
+        map: &Matrix4<f64>,
+        tolerance: f32,
+    ) {
         let mesh = shape.mesh(tolerance).transformed(pose);
         let first = self.triangles.len();
         let place = |v: u32| map.transform_point(&mesh.positions[v as usize].cast::<f64>());
@@ -52,7 +60,11 @@ impl Caster {
     /// What is first seen at a place in the image, front sides only.
     pub fn cast(&self, camera: &Camera, x: f64, y: f64) -> Option<Hit> {
         let f = |v: f32| f64::from(v);
-        let own = Vector3::new((x - f(camera.centre.0)) / f(camera.focal.0), (y - f(camera.centre.1)) / f(camera.focal.1), 1.0);
+        let own = Vector3::new(
+            (x - f(camera.centre.0)) / f(camera.focal.0),
+            (y - f(camera.centre.1)) / f(camera.focal.1),
+            1.0,
+        );
         let pose = camera.pose.cast::<f64>();
         let (eye, ray) = (Point3::from(pose.translation.vector), pose.rotation * own);
         let mut best: Option<Hit> = None;

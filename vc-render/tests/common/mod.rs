@@ -1,5 +1,5 @@
 //! A room to render, and an independent ray caster to compare with.
-#![allow(dead_code, clippy::unwrap_used, reason = "each test file uses a part of this")]
+#![allow(dead_code, unreachable_pub, missing_docs, clippy::unwrap_used, reason = "each test file uses a part of this")]
 
 pub mod caster;
 
@@ -115,13 +115,20 @@ pub fn furnished() -> SceneGraph {
             1 => Shape::Cylinder { radius: size * 0.5, half_height: size },
             2 => Shape::Cone { radius: size, half_height: size },
             3 => Shape::Capsule { radius: size * 0.5, half_height: size },
-            4 => Shape::Lathe { profile: vec![(size, 0.0), (size, size), (size * 0.9, size), (size * 0.9, size * 0.1)] },
+            4 => {
+                Shape::Lathe { profile: vec![(size, 0.0), (size, size), (size * 0.9, size), (size * 0.9, size * 0.1)] }
+            }
             5 => Shape::RoundedBox { half: Vector3::new(size, size * 0.5, size), radius: size * 0.2 },
             _ => block([size, size * 0.3, size * 0.6]),
         };
         let at = [rng.between(-2.5, 2.5), rng.between(-2.0, 2.0), rng.between(0.2, 2.2)];
         let place = pose(at, rng.between(0.0, 6.0), rng.between(0.0, 3.0));
-        stage.one(["ball", "cup", "vase", "bottle", "bowl", "cushion", "book"][index % 7], shape, place, (index % 3) as u32);
+        stage.one(
+            ["ball", "cup", "vase", "bottle", "bowl", "cushion", "book"][index % 7],
+            shape,
+            place,
+            (index % 3) as u32,
+        );
     }
     let mut graph = stage.build();
     let mut edit = graph.edit();
