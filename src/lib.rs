@@ -37,8 +37,7 @@
 //! # What is not here yet
 //!
 //! The environment with its five endpoints (make, reset, render, observation, set
-//! action), batches and camera pictures. `vc-render` is a reserved name: nothing is
-//! built there, and this crate does not depend on it. Until then
+//! action) and batches. Until then
 //! [`Simulator`](graph::Simulator) is the environment: symbolic, with poses that
 //! follow actions only roughly. Bodies are in `physics`, and not tied to its actions.
 

@@ -18,7 +18,7 @@ use clap::{Parser, ValueEnum};
 use support::{Complaint, say};
 use virtualcity::graph::{SceneGraph, Seed};
 use virtualcity::procgen::Apartment;
-use virtualcity::render::{Daylight, Frame, Renderer, Snapshot, picture};
+use virtualcity::render::{Daylight, Exposure, Frame, Renderer, Snapshot, picture};
 
 /// All modalities of a room.
 #[derive(Parser)]
@@ -41,6 +41,9 @@ struct Options {
     /// The light outside.
     #[arg(long, value_enum, default_value_t = Hour::Day)]
     daylight: Hour,
+    /// Also make the reference picture, with so many paths for each pixel.
+    #[arg(long, num_args = 0..=1, default_missing_value = "64")]
+    reference: Option<u32>,
     /// Say what each modality costs.
     #[arg(long)]
     time: bool,
@@ -87,7 +90,11 @@ fn main() -> Result<(), Complaint> {
     let sheet = sheet::all(&renderer, &snapshot, &camera, &lighting, &mut frame).map_err(Complaint::new)?;
     let name = format!("{}_{}", options.room, options.seed);
     write(&options.out.join(format!("{name}.png")), &picture::rgb(&frame))?;
-    write(&options.out.join(format!("{name}_sheet.png")), &sheet)
+    write(&options.out.join(format!("{name}_sheet.png")), &sheet)?;
+    let Some(samples) = options.reference else { return Ok(()) };
+    let how = Exposure { samples, ..Exposure::default() };
+    let photograph = renderer.photograph(&lighting, &camera, &how, |_| true).map_err(Complaint::new)?;
+    write(&options.out.join(format!("{name}_reference.png")), &photograph.picture())
 }
 
 fn write(path: &std::path::Path, image: &picture::Picture) -> Result<(), Complaint> {

@@ -1,7 +1,10 @@
-//! Pictures of a scene.
+#![doc = include_str!("../FRONT.md")]
+#![warn(clippy::disallowed_methods)]
+
 mod affine;
 pub mod camera;
 mod error;
+pub mod format;
 mod frame;
 mod label;
 mod light;
