@@ -1,6 +1,6 @@
 //! Normals.
 
-use crate::affine;
+use crate::affine::{self, Narrow};
 use crate::camera::Camera;
 use crate::frame::Strip;
 use crate::raster::{Layers, Visible};
@@ -40,10 +40,12 @@ impl Bent {
     }
 }
 
-/// The normal of a flat triangle in the world, or how it bends.
+/// The normal of a flat triangle in the world, or how it bends. `map` leads from its mesh to
+/// the image.
 #[inline(always)]
 pub(crate) fn bent(
-    frustum: &crate::raster::Frustum,
+    map: impl FnOnce() -> Narrow,
+    near: f32,
     instances: &[Instance],
     visible: Visible,
 ) -> Result<[f32; 3], Bent> {
@@ -54,10 +56,10 @@ pub(crate) fn bent(
     if face.flat {
         return Ok(turned(face.normals[0]));
     }
-    let map = frustum.map.after(&instance.world).narrow();
+    let map = map();
     let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index()).map(|p| {
         let [x, y, z] = affine::point(&map, p);
-        (z >= frustum.near, [x / z, y / z, 1.0 / z])
+        (z >= near, [x / z, y / z, 1.0 / z])
     });
     let normals = face.normals.map(turned);
     if corners.iter().all(|c| c.0) {
@@ -90,7 +92,10 @@ pub(crate) fn normals(camera: &Camera, snapshot: &Snapshot, layers: &Layers, str
             let pixels = &mut normals[column..column + same.len()];
             let first = column as f32 + 0.5;
             column += same.len();
-            match layers.visible.get(same[0] as usize).map(|v| bent(&frustum, &snapshot.instances, *v)) {
+            let instances = &snapshot.instances;
+            let map = |v: Visible| frustum.map.after(&instances[v.instance as usize].world).narrow();
+            let found = layers.visible.get(same[0] as usize);
+            match found.map(|v| bent(|| map(*v), frustum.near, instances, *v)) {
                 None => pixels.fill([0.0; 3]),
                 Some(Ok(flat)) => pixels.fill(flat),
                 Some(Err(bent)) => {

@@ -7,15 +7,16 @@ use crate::affine;
 use crate::frame::Strip;
 use crate::raster::{Frustum, Layers, Visible};
 use crate::scene::Instance;
+use crate::shade::Scratch;
 use crate::view::View;
 
 /// Writes for each pixel how much of its right and its lower neighbour belongs into it
 /// (positive), or of it into the neighbour (negative); 127 is all.
-pub(super) fn edges(view: View<'_>, layers: &Layers, strip: &mut Strip<'_>) {
+pub(super) fn edges(view: View<'_>, layers: &Layers, scratch: &mut Scratch, strip: &mut Strip<'_>) {
     let solid = if layers.clear { &layers.behind } else { &layers.front };
     let frustum = Frustum::new(view.camera, &strip.rows);
     let instances = &view.snapshot.instances;
-    let find = Find { frustum: &frustum, instances, layers };
+    let mut find = Find { frustum: &frustum, instances, layers, scratch };
     let last = view.camera.height as i32 - 1;
     for y in strip.rows.clone() {
         let out = strip.row(y);
@@ -38,6 +39,7 @@ struct Find<'a> {
     frustum: &'a Frustum,
     instances: &'a [Instance],
     layers: &'a Layers,
+    scratch: &'a mut Scratch,
 }
 
 /// A pixel's triangle and inverse depth.
@@ -45,7 +47,7 @@ type Seen = (u32, f32);
 
 impl Find<'_> {
     /// How the edge between two pixels cuts them; the second is after the first along an axis.
-    fn between(&self, first: Seen, second: Seen, (at, axis): ([f32; 2], usize)) -> i8 {
+    fn between(&mut self, first: Seen, second: Seen, (at, axis): ([f32; 2], usize)) -> i8 {
         let [a, b] = [first.0, second.0].map(|t| self.layers.visible.get(t as usize).copied());
         if let (Some(a), Some(b)) = (a, b)
             && self.smooth(a, b)
@@ -70,9 +72,9 @@ impl Find<'_> {
     }
 
     /// How far a triangle reaches from a point in it along an axis, up to one pixel.
-    fn reach(&self, visible: Visible, from: [f32; 2], axis: usize, step: f32) -> Option<f32> {
+    fn reach(&mut self, visible: Visible, from: [f32; 2], axis: usize, step: f32) -> Option<f32> {
         let mesh = visible.mesh(self.instances);
-        let map = self.frustum.map.after(&self.instances[visible.instance as usize].world).narrow();
+        let map = self.scratch.maps(visible.instance, self.instances, self.frustum)[0];
         let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index()).map(|p| affine::point(&map, p));
         let mut best: Option<f32> = None;
         let area = homogeneous(corners[0], corners[1], corners[2]);

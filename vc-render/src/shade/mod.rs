@@ -28,7 +28,7 @@ pub(crate) fn shade(renderer: &Renderer, view: View<'_>, band: &mut Band, strip:
         #[inline(always)]
         || surfel::surfels(renderer, view, &band.layers, &mut band.shading, strip),
     );
-    edge::edges(view, &band.layers, strip);
+    edge::edges(view, &band.layers, &mut band.shading, strip);
 }
 
 /// Light on surfaces, and colours.

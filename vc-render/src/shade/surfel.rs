@@ -36,8 +36,10 @@ pub(crate) struct Pane {
 /// What shading a band needs.
 #[derive(Default)]
 pub(crate) struct Scratch {
+    /// By instance, the position of its maps in the list below.
     known: Vec<u32>,
-    backs: Vec<Narrow>,
+    /// From a mesh to the image, and from (x, y, 1) times depth to the mesh.
+    maps: Vec<[Narrow; 2]>,
     pub(crate) panes: Vec<Pane>,
     pub(crate) mirrors: Vec<u32>,
 }
@@ -81,16 +83,16 @@ fn packed(look: &look::Look, inverse: f32, metallic: f32, surface: u16, body: u3
 }
 
 impl Scratch {
-    /// From (x, y, 1) times depth to a point in an instance's frame.
+    /// An instance's maps to the image and back, made when they are first asked for.
     #[inline(always)]
-    fn back(&mut self, index: u32, instance: &Instance, frustum: &Frustum) -> Narrow {
+    pub(super) fn maps(&mut self, index: u32, instances: &[Instance], frustum: &Frustum) -> &[Narrow; 2] {
         let known = &mut self.known[index as usize];
         if *known == NONE {
-            *known = self.backs.len() as u32;
-            let map = frustum.map.after(&instance.world);
-            self.backs.push(map.inverse().unwrap_or(Affine::IDENTITY).narrow());
+            *known = self.maps.len() as u32;
+            let map = frustum.map.after(&instances[index as usize].world);
+            self.maps.push([map.narrow(), map.inverse().unwrap_or(Affine::IDENTITY).narrow()]);
         }
-        self.backs[*known as usize]
+        &self.maps[*known as usize]
     }
 }
 
@@ -106,7 +108,7 @@ pub(crate) fn surfels(
     let frustum = Frustum::new(view.camera, &strip.rows);
     let world = frustum.map.inverse().unwrap_or(Affine::IDENTITY).narrow();
     refill(&mut scratch.known, NONE, view.snapshot.instances.len());
-    scratch.backs.clear();
+    scratch.maps.clear();
     scratch.panes.clear();
     scratch.mirrors.clear();
     let solid = if layers.clear { &layers.behind } else { &layers.front };
@@ -150,7 +152,7 @@ impl Place<'_> {
         let instance = &instances[visible.instance as usize];
         let face = &visible.mesh(instances).faces[visible.index()];
         let surface: &Surface = &self.renderer.store.surfaces[usize::from(face.surface)];
-        let bend = bent(self.frustum, instances, visible);
+        let bend = bent(|| scratch.maps(visible.instance, instances, self.frustum)[0], self.frustum.near, instances, visible);
         let (x, y) = (column as f32 + 0.5, self.y as f32 + 0.5);
         let normal = |i: usize| match &bend {
             Ok(flat) => *flat,
@@ -174,7 +176,7 @@ impl Place<'_> {
         let (back, axes) = if built {
             (*self.world, UNMOVED)
         } else {
-            (scratch.back(visible.instance, instance, self.frustum), instance.world.narrow())
+            (scratch.maps(visible.instance, instances, self.frustum)[1], instance.world.narrow())
         };
         for (i, (out, inverse)) in out.iter_mut().zip(inverse).enumerate() {
             let depth = 1.0 / inverse;
@@ -198,7 +200,7 @@ fn panes(view: View<'_>, frustum: &Frustum, layers: &Layers, (y, first): (i32, u
     let inverse = layers.front.inverse_row(y);
     for x in (0..front.len()).filter(|&x| front[x] != behind[x]) {
         let visible = layers.visible[front[x] as usize];
-        let normal = match bent(frustum, instances, visible) {
+        let normal = match bent(|| scratch.maps(visible.instance, instances, frustum)[0], frustum.near, instances, visible) {
             Ok(flat) => flat,
             Err(bend) => crate::label::unit(bend.at(x as f32 + 0.5, y as f32 + 0.5)),
         };
