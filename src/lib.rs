@@ -9,6 +9,7 @@
 //! | [`planner`] | `vc-planner` | belief, regression planner, agents, episodes |
 //! | [`relations`] | `vc-relations` | what is on, in, under and near what, read from poses and shapes |
 //! | `physics` | `vc-physics` | bodies, agents, navigation, vehicles, water (feature `physics`, on by default) |
+//! | `render` | `vc-render` | what cameras see: six modalities (feature `render`, on by default) |
 //! | `procgen` | `vc-procgen` | objects and apartments from a seed (feature `procgen`, on by default) |
 //!
 //! An agent that sees only its room brings the milk:
@@ -36,8 +37,7 @@
 //! # What is not here yet
 //!
 //! The environment with its five endpoints (make, reset, render, observation, set
-//! action), batches and camera pictures. `vc-render` is a reserved name: nothing is
-//! built there, and this crate does not depend on it. Until then
+//! action) and batches. Until then
 //! [`Simulator`](graph::Simulator) is the environment: symbolic, with poses that
 //! follow actions only roughly. Bodies are in `physics`, and not tied to its actions.
 
@@ -48,4 +48,6 @@ pub use vc_planner as planner;
 #[cfg(feature = "procgen")]
 pub use vc_procgen as procgen;
 pub use vc_relations as relations;
+#[cfg(feature = "render")]
+pub use vc_render as render;
 pub use vc_tasks as tasks;

@@ -1,5 +1,32 @@
-//! Pictures of a scene.
-//!
-//! This crate is reserved: nothing is built here yet, and nothing is public. It
-//! will render six modalities from one camera, on a CPU by default: RGB, instance
-//! and class segmentation, optical flow, depth, bounding boxes and object masks.
+#![doc = include_str!("../FRONT.md")]
+#![warn(clippy::disallowed_methods)]
+
+mod affine;
+pub mod camera;
+mod error;
+pub mod format;
+mod frame;
+mod label;
+mod light;
+mod mesh;
+mod modality;
+mod photo;
+pub mod picture;
+mod raster;
+mod renderer;
+mod scene;
+mod shade;
+mod simd;
+mod surface;
+mod trace;
+mod view;
+
+pub use camera::Camera;
+pub use error::RenderError;
+pub use frame::{Box3, BoxLabel, Frame, Mask, NO_LABEL, NOTHING, PixelBox, Rle};
+pub use light::{Daylight, Lighting};
+pub use modality::{Modalities, Modality};
+pub use photo::{Exposure, Photograph};
+pub use renderer::Renderer;
+pub use scene::Snapshot;
+pub use view::{Shot, View};

@@ -1,0 +1,114 @@
+//! All modalities of a room of a generated home, side by side.
+//!
+//! `cargo run --release --example render -- --seed 42 --room livingroom --out out/render`
+//! writes one sheet. `--daylight evening` or `night` is another time; at night the lamps
+//! are on. `--time` says what each modality costs.
+
+#[path = "../support/mod.rs"]
+#[expect(dead_code, reason = "this example reads no scenes")]
+mod support;
+
+mod sheet;
+mod time;
+mod viewpoint;
+
+use std::path::PathBuf;
+
+use clap::{Parser, ValueEnum};
+use support::{Complaint, say};
+use virtualcity::graph::{SceneGraph, Seed};
+use virtualcity::procgen::Apartment;
+use virtualcity::render::{Daylight, Exposure, Frame, Renderer, Snapshot, picture};
+
+/// All modalities of a room.
+#[derive(Parser)]
+struct Options {
+    /// The home's seed.
+    #[arg(long, default_value_t = 42)]
+    seed: u64,
+    /// Class of the room.
+    #[arg(long, default_value = "livingroom")]
+    room: String,
+    /// The folder to write to; it is made if need be.
+    #[arg(long, default_value = "out/render")]
+    out: PathBuf,
+    /// Pixels across.
+    #[arg(long, default_value_t = 640, value_parser = clap::value_parser!(u32).range(16..=4096))]
+    width: u32,
+    /// Pixels down.
+    #[arg(long, default_value_t = 480, value_parser = clap::value_parser!(u32).range(16..=4096))]
+    height: u32,
+    /// The light outside.
+    #[arg(long, value_enum, default_value_t = Hour::Day)]
+    daylight: Hour,
+    /// Also make the reference picture, with so many paths for each pixel.
+    #[arg(long, num_args = 0..=1, default_missing_value = "64")]
+    reference: Option<u32>,
+    /// Say what each modality costs.
+    #[arg(long)]
+    time: bool,
+}
+
+/// Time of day, or weather.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Hour {
+    Day,
+    Evening,
+    Overcast,
+    Night,
+}
+
+impl Hour {
+    fn daylight(self) -> Daylight {
+        match self {
+            Self::Day => Daylight::noon(),
+            Self::Evening => Daylight::clear(0.2, 3.6),
+            Self::Overcast => Daylight::overcast(),
+            Self::Night => Daylight::night(),
+        }
+    }
+}
+
+fn main() -> Result<(), Complaint> {
+    let options = Options::parse();
+    let home = Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?;
+    let scene = home.scene();
+    std::fs::create_dir_all(&options.out).map_err(Complaint::new)?;
+    let mut renderer = Renderer::new();
+    let mut snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;
+    if options.daylight == Hour::Night {
+        switch_lamps(&scene, &mut snapshot)?;
+    }
+    let camera = viewpoint::best(&renderer, &snapshot, &scene, &options.room, (options.width, options.height))?;
+    let start = std::time::Instant::now();
+    let lighting = renderer.light(&snapshot, &options.daylight.daylight());
+    say!("{} triangles; light made in {:.0} ms", snapshot.triangles(), 1e3 * start.elapsed().as_secs_f64());
+    if options.time {
+        return time::table(&renderer, &snapshot, &camera, &lighting);
+    }
+    let mut frame = Frame::new();
+    let sheet = sheet::all(&renderer, &snapshot, &camera, &lighting, &mut frame).map_err(Complaint::new)?;
+    let name = format!("{}_{}", options.room, options.seed);
+    write(&options.out.join(format!("{name}.png")), &picture::rgb(&frame))?;
+    write(&options.out.join(format!("{name}_sheet.png")), &sheet)?;
+    let Some(samples) = options.reference else { return Ok(()) };
+    let how = Exposure { samples, ..Exposure::default() };
+    let photograph = renderer.photograph(&lighting, &camera, &how, |_| true).map_err(Complaint::new)?;
+    write(&options.out.join(format!("{name}_reference.png")), &photograph.picture())
+}
+
+fn write(path: &std::path::Path, image: &picture::Picture) -> Result<(), Complaint> {
+    let bytes = picture::png(image).map_err(Complaint::new)?;
+    std::fs::write(path, bytes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))?;
+    say!("wrote {}", path.display());
+    Ok(())
+}
+
+/// Switches on everything that is a lamp.
+fn switch_lamps(scene: &SceneGraph, snapshot: &mut Snapshot) -> Result<(), Complaint> {
+    let lamp = |class: &str| ["lamp", "light", "chandelier"].iter().any(|w| class.contains(w));
+    for node in scene.nodes().filter(|n| lamp(n.class()) && n.pose().is_some()) {
+        snapshot.switch(node.id(), true).map_err(Complaint::new)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,32 @@
+//! One picture of everything a camera gives.
+
+use nalgebra::Vector3;
+use virtualcity::render::picture::{self, Picture};
+use virtualcity::render::{Camera, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
+
+/// Colours, boxes, depth; nodes, classes, masks; normals, flow, and boxes with masks.
+pub(crate) fn all(
+    renderer: &Renderer,
+    snapshot: &Snapshot,
+    camera: &Camera,
+    lighting: &Lighting,
+    frame: &mut Frame,
+) -> Result<Picture, RenderError> {
+    // The next moment: a step forward and to the side.
+    let step = Vector3::new(0.03, 0.0, 0.06);
+    let next = Camera { pose: camera.pose * nalgebra::Translation3::from(step), ..*camera };
+    let wanted = Modalities::SIX | Modality::Normal | Modality::Part;
+    renderer.render(&Shot::new(snapshot, camera, wanted).lit(lighting).after(snapshot, &next), frame)?;
+    let rgb = picture::rgb(frame);
+    let pictures = [
+        rgb.clone(),
+        picture::instances(frame),
+        picture::classes(frame),
+        picture::depth(frame, 8.0),
+        picture::flow(frame, 25.0),
+        picture::normals(frame),
+        picture::with_boxes(rgb, frame, 150),
+        picture::masks(frame),
+    ];
+    Ok(Picture::sheet(&pictures, 4, 4))
+}

@@ -1,0 +1,166 @@
+//! A pinhole camera.
+
+use nalgebra::{Isometry3, Matrix3, Matrix3x4, Matrix4, Point3, Rotation3, UnitQuaternion, Vector3};
+use vc_graph::Pose;
+use vc_graph::portable::Portable;
+
+use crate::RenderError;
+use crate::affine::Affine;
+
+/// Longest side of an image, pixels.
+pub const MAX_SIDE: u32 = 8192;
+
+/// A pinhole camera. Its optical frame has x to the right, y down and z forward.
+///
+/// Pixel (0, 0) covers the square from (0, 0) to (1, 1) of the image plane, so its
+/// centre is at (0.5, 0.5), and an image is cut in half at `width / 2`.
+///
+/// ```
+/// use nalgebra::Point3;
+/// use vc_render::Camera;
+/// let camera = Camera::with_fov(640, 480, 60_f32.to_radians())
+///     .looking(Point3::new(0.0, 0.0, 1.6), Point3::new(2.0, 0.0, 1.6));
+/// let seen = camera.project(&Point3::new(4.0, 0.0, 1.6)).unwrap();
+/// assert!((seen.x - 320.0).abs() < 1e-3 && (seen.y - 240.0).abs() < 1e-3);
+/// assert!((seen.z - 4.0).abs() < 1e-5); // depth
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Camera {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// Focal lengths across and down, pixels.
+    pub focal: (f32, f32),
+    /// Principal point, pixels from the top left corner of the image.
+    pub centre: (f32, f32),
+    /// The optical frame in the world.
+    pub pose: Pose,
+    /// What is nearer than this along the axis is not seen, metres.
+    pub near: f32,
+}
+
+impl Camera {
+    /// A camera at the origin that looks along X, with a vertical field of view in
+    /// radians and square pixels.
+    pub fn with_fov(width: u32, height: u32, vertical: f32) -> Self {
+        let focal = 0.5 * height as f32 / (0.5 * vertical).tangent();
+        Self::with_intrinsics(width, height, (focal, focal), (0.5 * width as f32, 0.5 * height as f32))
+    }
+
+    /// A camera at the origin that looks along X, with focal lengths and principal
+    /// point in pixels.
+    pub fn with_intrinsics(width: u32, height: u32, focal: (f32, f32), centre: (f32, f32)) -> Self {
+        Self { width, height, focal, centre, pose: Pose::identity(), near: 0.01 }.mounted(&Pose::identity())
+    }
+
+    /// The camera on a body: it looks along the pose's X, its left is the pose's Y.
+    #[must_use]
+    pub fn mounted(self, on: &Pose) -> Self {
+        let axes = Matrix3::new(0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, -1.0, 0.0);
+        let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
+        Self { pose: on * turn, ..self }
+    }
+
+    /// The camera at `eye`, with `target` in the middle of the image and the world's
+    /// Z up in it; looking straight up or down, the world's X is up.
+    #[must_use]
+    pub fn looking(self, eye: Point3<f32>, target: Point3<f32>) -> Self {
+        let forward = (target - eye).try_normalize(1e-12).unwrap_or_else(Vector3::x);
+        let upright = if forward.xy().norm() > 1e-6 { Vector3::z() } else { Vector3::x() };
+        let right = forward.cross(&upright).normalize();
+        let axes = Matrix3::from_columns(&[right, forward.cross(&right), forward]);
+        let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
+        Self { pose: Isometry3::from_parts(eye.coords.into(), turn), ..self }
+    }
+
+    /// The camera above a point, looking down, so that `span` metres of the ground
+    /// fit from top to bottom.
+    #[must_use]
+    pub fn overhead(self, at: Point3<f32>, span: f32) -> Self {
+        let up = span * self.focal.1 / self.height.max(1) as f32;
+        self.looking(at + Vector3::new(0.0, 0.0, up), at)
+    }
+
+    /// Where a point of the world is in the image: pixels across and down, and depth
+    /// along the axis in metres. None if it is nearer than the near plane.
+    pub fn project(&self, point: &Point3<f32>) -> Option<Point3<f32>> {
+        let seen = self.pose.inverse_transform_point(point);
+        (seen.z >= self.near).then(|| {
+            let across = self.focal.0 * seen.x / seen.z + self.centre.0;
+            let down = self.focal.1 * seen.y / seen.z + self.centre.1;
+            Point3::new(across, down, seen.z)
+        })
+    }
+
+    /// The point of the world at a place in the image (pixels) and a depth along the
+    /// axis (metres).
+    pub fn unproject(&self, across: f32, down: f32, depth: f32) -> Point3<f32> {
+        self.pose * Point3::from(self.ray(across, down) * depth)
+    }
+
+    /// The intrinsic matrix, pixels.
+    pub fn intrinsics(&self) -> Matrix3<f32> {
+        Matrix3::new(self.focal.0, 0.0, self.centre.0, 0.0, self.focal.1, self.centre.1, 0.0, 0.0, 1.0)
+    }
+
+    /// The extrinsic matrix: from the world to the optical frame.
+    pub fn extrinsics(&self) -> Matrix4<f32> {
+        self.pose.inverse().to_homogeneous()
+    }
+
+    /// From the world, homogeneous, to the image, homogeneous.
+    pub fn projection(&self) -> Matrix3x4<f32> {
+        self.intrinsics() * self.extrinsics().fixed_rows::<3>(0)
+    }
+
+    /// Cameras on a circle around a point, all looking at it, `steps` of them.
+    ///
+    /// `elevation` is the angle above the horizon, radians.
+    pub fn around(self, target: Point3<f32>, distance: f32, elevation: f32, steps: usize) -> Vec<Self> {
+        let (rise, level) = elevation.sine_cosine();
+        let view = |step: usize| {
+            let (s, c) = (std::f32::consts::TAU * step as f32 / steps.max(1) as f32).sine_cosine();
+            self.looking(target + Vector3::new(level * c, level * s, rise) * distance, target)
+        };
+        (0..steps).map(view).collect()
+    }
+
+    /// Direction through a place in the image, in the optical frame, with z = 1.
+    pub(crate) fn ray(&self, across: f32, down: f32) -> Vector3<f32> {
+        Vector3::new((across - self.centre.0) / self.focal.0, (down - self.centre.1) / self.focal.1, 1.0)
+    }
+
+    /// Where the eye is.
+    pub fn eye(&self) -> Point3<f32> {
+        self.pose.translation.vector.into()
+    }
+
+    /// From the world to the optical frame.
+    pub(crate) fn view(&self) -> Affine {
+        Affine::of(&self.pose).inverse().unwrap_or(Affine::IDENTITY)
+    }
+
+    pub(crate) fn check(&self) -> Result<(), RenderError> {
+        let Self { width, height, .. } = *self;
+        let side = 1..=MAX_SIDE;
+        if !side.contains(&width) || !side.contains(&height) {
+            return Err(RenderError::BadSize { width, height });
+        }
+        let length = |v: f32| v.is_finite() && v > 0.0 && v < 1e9;
+        if !length(self.focal.0) || !length(self.focal.1) {
+            return Err(RenderError::BadCamera("focal length"));
+        }
+        if !(self.centre.0.abs() < 1e6 && self.centre.1.abs() < 1e6) {
+            return Err(RenderError::BadCamera("principal point"));
+        }
+        if !(1e-6..1e6).contains(&self.near) {
+            return Err(RenderError::BadCamera("near plane"));
+        }
+        let turn = self.pose.rotation.norm();
+        if !Affine::of(&self.pose).is_finite() || !(0.99..1.01).contains(&turn) {
+            return Err(RenderError::BadCamera("pose"));
+        }
+        Ok(())
+    }
+}

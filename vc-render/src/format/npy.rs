@@ -1,0 +1,47 @@
+//! Arrays as numpy keeps them.
+
+/// A number that numpy knows.
+pub trait Number: Copy {
+    /// numpy's name of it, `<f4`.
+    const NAME: &'static str;
+    /// Its bytes, the lowest first.
+    fn bytes(self, out: &mut Vec<u8>);
+}
+
+macro_rules! numbers {
+    ($($number:ty: $name:literal),*) => {
+        $(impl Number for $number {
+            const NAME: &'static str = $name;
+            fn bytes(self, out: &mut Vec<u8>) {
+                out.extend(self.to_le_bytes());
+            }
+        })*
+    };
+}
+
+numbers!(f32: "<f4", u32: "<u4", u16: "<u2", u8: "|u1");
+
+/// An array as a file for `numpy.load`, format 1.0. `shape` is the length along each axis, the
+/// slowest first; numbers that are missing are left out, so their count should be its product.
+///
+/// ```
+/// let depth = [1.0_f32, 2.0, f32::INFINITY, 4.0];
+/// let file = vc_render::format::npy(&depth, &[2, 2]);
+/// assert!(file.starts_with(b"\x93NUMPY\x01\x00"));
+/// assert_eq!(file.len() % 64, 16); // a header of whole blocks, and four numbers
+/// ```
+pub fn npy<T: Number>(numbers: &[T], shape: &[usize]) -> Vec<u8> {
+    let lengths: String = shape.iter().map(|n| format!("{n},")).collect();
+    let mut header = format!("{{'descr': '{}', 'fortran_order': False, 'shape': ({lengths}), }}", T::NAME);
+    // Header and what is before it fill blocks of 64 bytes.
+    let length = (header.len() + 11).next_multiple_of(64) - 10;
+    while header.len() + 1 < length {
+        header.push(' ');
+    }
+    header.push('\n');
+    let mut file = b"\x93NUMPY\x01\x00".to_vec();
+    file.extend((header.len() as u16).to_le_bytes());
+    file.extend(header.bytes());
+    numbers.iter().for_each(|n| n.bytes(&mut file));
+    file
+}

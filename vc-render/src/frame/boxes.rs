@@ -1,0 +1,90 @@
+//! Boxes around what is seen.
+
+use nalgebra::{Point2, Point3, Vector3};
+use vc_graph::{NodeId, Pose};
+
+/// A box of whole pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct PixelBox {
+    /// First column.
+    pub x: i32,
+    /// First row.
+    pub y: i32,
+    /// Columns.
+    pub width: i32,
+    /// Rows.
+    pub height: i32,
+}
+
+/// A box in space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Box3 {
+    /// Its middle and axes in the world.
+    pub pose: Pose,
+    /// Half its lengths along its own axes, metres.
+    pub half: Vector3<f32>,
+    /// Its corners in the image, pixels, those behind the camera left out: the corner
+    /// with bits `zyx` has the sign plus along the axes whose bit is set.
+    pub corners: [Option<Point2<f32>>; 8],
+}
+
+/// Boxes of one object.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoxLabel {
+    /// Which node.
+    pub node: NodeId,
+    /// Class number, see [`Snapshot::class`](crate::Snapshot::class).
+    pub class: u16,
+    /// Around what is seen of it.
+    pub visible: PixelBox,
+    /// Around what would be seen of it if nothing hid it and the image had no border.
+    /// What is behind the camera's near plane is left out.
+    pub amodal: PixelBox,
+    /// Pixels in which it is seen.
+    pub area: u32,
+    /// Seen pixels over those in the image it would have if nothing hid it; if
+    /// [`Modality::Amodal`](crate::Modality::Amodal) was asked for.
+    pub visible_fraction: Option<f32>,
+    /// The box turned with it.
+    pub oriented: Box3,
+}
+
+impl PixelBox {
+    /// From the first and last pixel, both included.
+    pub(crate) fn between(low: [i32; 2], high: [i32; 2]) -> Self {
+        let length = |i: usize| high[i].saturating_sub(low[i]).saturating_add(1);
+        Self { x: low[0], y: low[1], width: length(0), height: length(1) }
+    }
+
+    /// Whether another box is in this one.
+    pub fn contains(&self, other: &Self) -> bool {
+        let inside = |at: i32, length: i32, from: i32, all: i32| {
+            at >= from && i64::from(at) + i64::from(length) <= i64::from(from) + i64::from(all)
+        };
+        inside(other.x, other.width, self.x, self.width) && inside(other.y, other.height, self.y, self.height)
+    }
+
+    /// The smallest box with both in it.
+    #[must_use]
+    pub fn joined(&self, other: &Self) -> Self {
+        let last = |b: &Self| [b.x.saturating_add(b.width) - 1, b.y.saturating_add(b.height) - 1];
+        let (a, b) = (last(self), last(other));
+        Self::between([self.x.min(other.x), self.y.min(other.y)], [a[0].max(b[0]), a[1].max(b[1])])
+    }
+
+    /// What of it is in an image of this size, if anything.
+    pub(crate) fn within(&self, width: usize, height: usize) -> Option<Self> {
+        let (x, y) = (self.x.max(0), self.y.max(0));
+        let right = self.x.saturating_add(self.width).min(width as i32);
+        let bottom = self.y.saturating_add(self.height).min(height as i32);
+        (x < right && y < bottom).then(|| Self { x, y, width: right - x, height: bottom - y })
+    }
+}
+
+impl Box3 {
+    /// The corner of a number in the world.
+    pub fn corner(&self, number: usize) -> Point3<f32> {
+        let sign = |axis: usize| if number >> axis & 1 == 1 { 1.0 } else { -1.0 };
+        self.pose * Point3::new(sign(0) * self.half.x, sign(1) * self.half.y, sign(2) * self.half.z)
+    }
+}

@@ -1,0 +1,173 @@
+//! Which pixels are an object's.
+
+use vc_graph::NodeId;
+
+use super::PixelBox;
+
+/// Masks of many objects in one block of memory.
+#[derive(Default, Clone)]
+pub(crate) struct Masks {
+    entries: Vec<Entry>,
+    bits: Vec<u64>,
+    width: usize,
+    height: usize,
+}
+
+#[derive(Clone)]
+struct Entry {
+    node: NodeId,
+    within: PixelBox,
+    first: usize,
+    words: usize,
+}
+
+impl Masks {
+    pub(crate) fn clear(&mut self) {
+        self.entries.clear();
+        self.bits.clear();
+    }
+
+    pub(crate) fn begin(&mut self, width: usize, height: usize) {
+        self.clear();
+        (self.width, self.height) = (width, height);
+    }
+
+    /// Adds an empty mask for a box within the image.
+    pub(crate) fn push(&mut self, node: NodeId, within: PixelBox) {
+        let words = (within.width as usize).div_ceil(64);
+        self.entries.push(Entry { node, within, first: self.bits.len(), words });
+        self.bits.resize(self.bits.len() + words * within.height as usize, 0);
+    }
+
+    /// Sets pixels of a row, the last not included, in the mask of a position.
+    #[inline]
+    pub(crate) fn set(&mut self, mask: usize, y: i32, from: i32, to: i32) {
+        let Entry { within, first, words, .. } = self.entries[mask];
+        let at = first + (y - within.y) as usize * words;
+        let (from, to) = ((from - within.x) as usize, (to - within.x) as usize);
+        for word in from / 64..to.div_ceil(64) {
+            let low = from.saturating_sub(word * 64);
+            let high = (to - word * 64).min(64);
+            self.bits[at + word] |= (u64::MAX >> (64 - (high - low))) << low;
+        }
+    }
+
+    pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = Mask<'_>> {
+        self.entries.iter().map(|entry| Mask { entry, masks: self })
+    }
+}
+
+/// The pixels of one object.
+#[derive(Clone, Copy)]
+pub struct Mask<'a> {
+    entry: &'a Entry,
+    masks: &'a Masks,
+}
+
+impl Mask<'_> {
+    /// Whose it is.
+    pub fn node(&self) -> NodeId {
+        self.entry.node
+    }
+
+    /// The box around it, within the image.
+    pub fn within(&self) -> PixelBox {
+        self.entry.within
+    }
+
+    /// Whether a pixel of the image is in it.
+    pub fn has(&self, x: i32, y: i32) -> bool {
+        let PixelBox { x: left, y: top, width, height } = self.entry.within;
+        let (x, y) = (x - left, y - top);
+        if !(0..width).contains(&x) || !(0..height).contains(&y) {
+            return false;
+        }
+        let word = self.entry.first + y as usize * self.entry.words + x as usize / 64;
+        self.masks.bits[word] >> (x % 64) & 1 == 1
+    }
+
+    /// Number of its pixels.
+    pub fn area(&self) -> u32 {
+        let words = self.entry.words * self.entry.within.height as usize;
+        self.masks.bits[self.entry.first..self.entry.first + words].iter().map(|w| w.count_ones()).sum()
+    }
+
+    /// One byte for each pixel of the image, 1 where it is.
+    pub fn bitmap(&self) -> Vec<u8> {
+        let (width, height) = (self.masks.width as i32, self.masks.height as i32);
+        (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| u8::from(self.has(x, y))).collect()
+    }
+
+    /// As COCO has it: lengths of runs down the columns, from the left, of pixels
+    /// outside and inside in turn.
+    pub fn rle(&self) -> Rle {
+        let within = self.entry.within;
+        let (height, total) = (self.masks.height as u32, (self.masks.width * self.masks.height) as u32);
+        let (mut counts, mut end, mut start) = (Vec::new(), 0, None);
+        for x in within.x..within.x + within.width {
+            for y in within.y..within.y + within.height {
+                let at = x as u32 * height + y as u32;
+                match (self.has(x, y), start) {
+                    (true, None) => start = Some(at),
+                    (false, Some(first)) => {
+                        counts.extend([first - end, at - first]);
+                        (end, start) = (at, None);
+                    }
+                    (true, Some(_)) | (false, None) => {}
+                }
+            }
+            // Between columns of the box are pixels outside it, unless it is as high as the image.
+            let last = x as u32 * height + (within.y + within.height) as u32;
+            if let Some(first) = start.take_if(|_| within.height as u32 != height) {
+                counts.extend([first - end, last - first]);
+                end = last;
+            }
+        }
+        let bottom = (within.x + within.width) as u32 * height;
+        if let Some(first) = start {
+            counts.extend([first - end, bottom - first]);
+            end = bottom;
+        }
+        if end < total {
+            counts.push(total - end);
+        }
+        Rle { size: [height, self.masks.width as u32], counts }
+    }
+}
+
+/// A mask as run lengths, column by column.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
+pub struct Rle {
+    /// Height and width of the image, pixels.
+    pub size: [u32; 2],
+    /// Lengths of runs, pixels outside first.
+    pub counts: Vec<u32>,
+}
+
+impl Rle {
+    /// Number of pixels inside.
+    pub fn area(&self) -> u32 {
+        self.counts.iter().skip(1).step_by(2).sum()
+    }
+
+    /// The counts in COCO's compressed text: differences to the count before last, five
+    /// bits to a character (pycocotools' `rleToString`).
+    pub fn compressed(&self) -> String {
+        let mut text = String::new();
+        for (i, &count) in self.counts.iter().enumerate() {
+            let before = if i > 2 { i64::from(self.counts[i - 2]) } else { 0 };
+            let mut left = i64::from(count) - before;
+            loop {
+                let bits = left & 0x1f;
+                left >>= 5;
+                let more = if bits & 0x10 == 0 { left != 0 } else { left != -1 };
+                let code = bits as u8 | if more { 0x20 } else { 0 };
+                text.push(char::from(code + 48));
+                if !more {
+                    break;
+                }
+            }
+        }
+        text
+    }
+}

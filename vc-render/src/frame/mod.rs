@@ -1,0 +1,143 @@
+//! What a camera has seen: typed buffers, reused from picture to picture.
+
+mod boxes;
+mod mask;
+mod strip;
+
+pub use boxes::{Box3, BoxLabel, PixelBox};
+pub(crate) use mask::Masks;
+pub use mask::{Mask, Rle};
+pub(crate) use strip::Strip;
+
+use vc_graph::NodeId;
+
+use crate::label::{Other, Run};
+use crate::modality::{Modalities, Modality};
+use crate::raster::Layers;
+use crate::shade::{Around, Surfel};
+
+/// Node of a pixel where nothing is seen, in [`Frame::instance`].
+pub const NOTHING: NodeId = NodeId(u32::MAX);
+
+/// Class and part of a pixel where nothing is seen, in [`Frame::class`] and [`Frame::part`].
+pub const NO_LABEL: u16 = u16::MAX;
+
+/// What was asked for of one view. Buffers hold rows from the top, pixels from the
+/// left, `height * width` of them; those not asked for are empty.
+///
+/// A frame that is rendered into again keeps its memory.
+#[derive(Default)]
+pub struct Frame {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    /// What it holds.
+    pub holds: Modalities,
+    /// Colours in sRGB.
+    pub rgb: Vec<[u8; 3]>,
+    /// Depth along the optical axis, metres; infinite where nothing is seen.
+    pub depth: Vec<f32>,
+    /// Distance from the eye, metres; infinite where nothing is seen.
+    pub distance: Vec<f32>,
+    /// The graph's node; [`NOTHING`] where nothing is seen.
+    pub instance: Vec<NodeId>,
+    /// Position of the part in the node's asset; [`NO_LABEL`] where nothing is seen.
+    pub part: Vec<u16>,
+    /// Class number, see [`Snapshot::class`](crate::Snapshot::class); [`NO_LABEL`] where nothing is seen.
+    pub class: Vec<u16>,
+    /// Normal of the surface in the world, unit length; zero where nothing is seen.
+    pub normal: Vec<[f32; 3]>,
+    /// Point of the surface in the world, metres; infinite where nothing is seen.
+    pub position: Vec<[f32; 3]>,
+    /// Pixels right and down to where what is seen here is at the next moment; NaN where
+    /// nothing is seen or it is then behind the camera.
+    pub flow_forward: Vec<[f32; 2]>,
+    /// Pixels right and down to where what is seen here was at the moment before.
+    pub flow_backward: Vec<[f32; 2]>,
+    /// 1 where what is seen here cannot be seen at the next moment: hidden or out of the image.
+    pub occluded_forward: Vec<u8>,
+    /// 1 where what is seen here could not be seen at the moment before.
+    pub occluded_backward: Vec<u8>,
+    /// Boxes of everything seen, in the order of nodes.
+    pub boxes: Vec<BoxLabel>,
+    pub(crate) visible_masks: Masks,
+    pub(crate) whole_masks: Masks,
+    /// Surfaces before there is light.
+    pub(crate) surfels: Vec<Surfel>,
+    /// Linear colours before the picture is finished.
+    pub(crate) light: Vec<[f32; 3]>,
+    /// How much of a pixel's right and lower neighbour is mixed in.
+    pub(crate) edges: Vec<[i8; 2]>,
+    pub(crate) memory: Memory,
+}
+
+/// What rendering needs besides its results.
+#[derive(Default)]
+pub(crate) struct Memory {
+    pub(crate) bands: Vec<Band>,
+    pub(crate) other: [Other; 2],
+    pub(crate) alone: Layers,
+    pub(crate) tally: Vec<crate::label::Tally>,
+    pub(crate) open: Vec<f32>,
+    pub(crate) around: Vec<Around>,
+}
+
+/// What the rendering of a band of rows needs.
+#[derive(Default)]
+pub(crate) struct Band {
+    pub(crate) layers: Layers,
+    pub(crate) runs: Vec<Run>,
+    pub(crate) motion: crate::label::Motions,
+    pub(crate) shading: crate::shade::Scratch,
+}
+
+impl Frame {
+    /// An empty frame.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The visible masks, in the order of nodes, if they were asked for.
+    pub fn masks(&self) -> impl ExactSizeIterator<Item = Mask<'_>> {
+        self.visible_masks.iter()
+    }
+
+    /// The masks as if nothing hid the object, in the order of nodes, if they were asked for.
+    pub fn amodal_masks(&self) -> impl ExactSizeIterator<Item = Mask<'_>> {
+        self.whole_masks.iter()
+    }
+
+    /// The points of all pixels where something is seen, metres, with their pixel's
+    /// position in the buffers; needs [`Modality::Position`].
+    pub fn points(&self) -> impl Iterator<Item = (usize, nalgebra::Point3<f32>)> + '_ {
+        let seen = |(_, p): &(usize, &[f32; 3])| p[0].is_finite();
+        self.position.iter().enumerate().filter(seen).map(|(i, p)| (i, (*p).into()))
+    }
+
+    /// Gives the buffers their length.
+    pub(crate) fn prepare(&mut self, width: usize, height: usize, wanted: Modalities) {
+        (self.width, self.height, self.holds) = (width, height, wanted);
+        let pixels = width * height;
+        let count = |of: Modality| if wanted.has(of) { pixels } else { 0 };
+        self.rgb.resize(count(Modality::Rgb), [0; 3]);
+        self.surfels.resize(count(Modality::Rgb), Surfel::NOTHING);
+        self.light.resize(count(Modality::Rgb), [0.0; 3]);
+        self.edges.resize(count(Modality::Rgb), [0; 2]);
+        self.depth.resize(count(Modality::Depth), 0.0);
+        self.distance.resize(count(Modality::Distance), 0.0);
+        self.instance.resize(count(Modality::Instance), NOTHING);
+        self.part.resize(count(Modality::Part), 0);
+        self.class.resize(count(Modality::Class), 0);
+        self.normal.resize(count(Modality::Normal), [0.0; 3]);
+        self.position.resize(count(Modality::Position), [0.0; 3]);
+        self.flow_forward.resize(count(Modality::FlowForward), [0.0; 2]);
+        self.flow_backward.resize(count(Modality::FlowBackward), [0.0; 2]);
+        let both = |of: Modality| if wanted.has(Modality::Occlusion) { count(of) } else { 0 };
+        self.occluded_forward.resize(both(Modality::FlowForward), 0);
+        self.occluded_backward.resize(both(Modality::FlowBackward), 0);
+        self.boxes.clear();
+        self.visible_masks.clear();
+        self.whole_masks.clear();
+    }
+}

@@ -1,0 +1,63 @@
+//! Some rows of a frame's buffers.
+
+use std::ops::Range;
+
+use vc_graph::NodeId;
+
+use super::Frame;
+use crate::shade::Surfel;
+
+macro_rules! strips {
+    ($($name:ident: $of:ty),* $(,)?) => {
+        /// Rows of all buffers of a frame; buffers not asked for are empty.
+        pub(crate) struct Strip<'a> {
+            pub(crate) width: usize,
+            pub(crate) rows: Range<i32>,
+            $(pub(crate) $name: &'a mut [$of],)*
+        }
+
+        impl<'a> Strip<'a> {
+            /// All rows of a frame.
+            pub(crate) fn of(frame: &'a mut Frame) -> (Self, &'a mut super::Memory) {
+                let Frame { width, height, memory, $($name,)* .. } = frame;
+                (Self { width: *width, rows: 0..*height as i32, $($name,)* }, memory)
+            }
+
+            /// The first rows and the others.
+            pub(crate) fn split(self, rows: i32) -> (Self, Self) {
+                let (start, end) = (self.rows.start, self.rows.end);
+                let count = rows as usize * self.width;
+                $(let $name = self.$name.split_at_mut(count.min(self.$name.len()));)*
+                (
+                    Self { width: self.width, rows: start..start + rows, $($name: $name.0,)* },
+                    Self { width: self.width, rows: start + rows..end, $($name: $name.1,)* },
+                )
+            }
+        }
+    };
+}
+
+strips! {
+    surfels: Surfel,
+    edges: [i8; 2],
+    depth: f32,
+    distance: f32,
+    instance: NodeId,
+    part: u16,
+    class: u16,
+    normal: [f32; 3],
+    position: [f32; 3],
+    flow_forward: [f32; 2],
+    flow_backward: [f32; 2],
+    occluded_forward: u8,
+    occluded_backward: u8,
+}
+
+impl Strip<'_> {
+    /// Pixels of a row of the image in the strip's buffers.
+    #[inline(always)]
+    pub(crate) fn row(&self, y: i32) -> Range<usize> {
+        let at = (y - self.rows.start) as usize * self.width;
+        at..at + self.width
+    }
+}

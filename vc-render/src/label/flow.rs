@@ -1,0 +1,116 @@
+//! Optical flow, from the true motion of camera and bodies.
+
+use crate::affine::{Affine, Narrow};
+use crate::label::Run;
+use crate::raster::{Frustum, Layers, NONE, refill};
+use crate::scene::Instance;
+use crate::view::View;
+
+/// Depth at another moment, to tell what is hidden then.
+#[derive(Default)]
+pub(crate) struct Other {
+    pub(crate) layers: Layers,
+}
+
+/// For every instance how pixels move, found when it is asked for.
+#[derive(Default)]
+pub(crate) struct Motions {
+    /// Position in the list below.
+    known: Vec<u32>,
+    maps: Vec<Narrow>,
+}
+
+impl Motions {
+    fn reset(&mut self, instances: usize) {
+        self.maps.clear();
+        refill(&mut self.known, NONE, instances);
+    }
+
+    /// From (x, y, 1, inverse depth) now to pixels times something, and that, then.
+    fn map(&mut self, index: usize, now: (&Instance, &Affine), then: (&Instance, &Affine)) -> Narrow {
+        if self.known[index] == NONE {
+            let own = then.0.world.after(&now.0.world.inverse().unwrap_or(Affine::IDENTITY));
+            let back = now.1.inverse().unwrap_or(Affine::IDENTITY);
+            self.known[index] = self.maps.len() as u32;
+            self.maps.push(then.1.after(&own).after(&back).narrow());
+        }
+        self.maps[self.known[index] as usize]
+    }
+}
+
+/// Writes flow from `now` to `then` for the band's pixels.
+#[inline(always)]
+pub(crate) fn flows(
+    now: View<'_>,
+    then: View<'_>,
+    (layers, runs): (&Layers, &[Run]),
+    motions: &mut Motions,
+    (width, out): (usize, &mut [[f32; 2]]),
+) {
+    let rows = layers.front.rows.clone();
+    let [from, to] = [now, then].map(|m| Frustum::new(m.camera, &(0..m.camera.height as i32)));
+    motions.reset(now.snapshot.instances.len());
+    out.fill([f32::NAN; 2]);
+    for run in runs {
+        let at = run.instance as usize;
+        let map = motions.map(at, (&now.snapshot.instances[at], &from.map), (&then.snapshot.instances[at], &to.map));
+        let inverse = &layers.front.inverse_row(run.y)[run.from as usize..run.to as usize];
+        let row = (run.y - rows.start) as usize * width;
+        let pixels = &mut out[row + run.from as usize..row + run.to as usize];
+        follow(&map, (run.from as f32 + 0.5, run.y as f32 + 0.5), inverse, pixels);
+    }
+}
+
+#[inline(always)]
+fn follow(map: &Narrow, (x, y): (f32, f32), inverse: &[f32], out: &mut [[f32; 2]]) {
+    for ((i, out), v) in (0_u32..).zip(out).zip(inverse) {
+        let x = x + i as f32;
+        let row = |r: usize| map[r][0] * x + map[r][1] * y + map[r][2] + map[r][3] * v;
+        let over = 1.0 / row(2);
+        let seen = [row(0) * over - x, row(1) * over - y];
+        *out = if over > 0.0 { seen } else { [f32::NAN; 2] };
+    }
+}
+
+/// Writes 1 where what is seen now cannot be seen at the other moment.
+pub(crate) fn hidden(
+    now: View<'_>,
+    then: View<'_>,
+    (layers, runs): (&Layers, &[Run]),
+    (motions, other): (&mut Motions, &Other),
+    (width, out): (usize, &mut [u8]),
+) {
+    let rows = layers.front.rows.clone();
+    let [from, to] = [now, then].map(|m| Frustum::new(m.camera, &(0..m.camera.height as i32)));
+    out.fill(1);
+    for run in runs {
+        let at = run.instance as usize;
+        let map = motions.map(at, (&now.snapshot.instances[at], &from.map), (&then.snapshot.instances[at], &to.map));
+        let row = (run.y - rows.start) as usize * width;
+        for x in run.from..run.to {
+            let v = layers.front.inverse_row(run.y)[x as usize];
+            let across = [x as f32 + 0.5, run.y as f32 + 0.5];
+            let part = |r: usize| map[r][0] * across[0] + map[r][1] * across[1] + map[r][2] + map[r][3] * v;
+            out[row + x as usize] = u8::from(!other.sees([part(0), part(1), part(2)], v, run.instance));
+        }
+    }
+}
+
+impl Other {
+    /// Whether a point is seen at the other moment: nothing there is nearer by more than a hundredth.
+    fn sees(&self, [x, y, z]: [f32; 3], inverse: f32, instance: u32) -> bool {
+        let (column, row) = ((x / z).floor(), (y / z).floor());
+        let target = &self.layers.front;
+        let inside = z > 0.0 && column >= 0.0 && row >= 0.0;
+        if !inside || column >= target.width as f32 || row >= target.rows.len() as f32 {
+            return false;
+        }
+        let (column, row) = (column as usize, row as i32);
+        let there = target.inverse_row(row)[column];
+        let triangle = target.triangle_row(row)[column];
+        let same = self.layers.visible.get(triangle as usize).is_some_and(|v| v.instance == instance);
+        // The point's own inverse depth then.
+        let own = inverse / z;
+        there <= own * if same { 1.05 } else { 1.01 }
+    }
+}

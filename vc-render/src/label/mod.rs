@@ -1,0 +1,15 @@
+//! Ground truth: what is read off the triangle of every pixel.
+
+mod amodal;
+mod boxes;
+mod depth;
+mod flow;
+mod ids;
+mod normal;
+
+pub(crate) use amodal::amodal;
+pub(crate) use boxes::{Tally, boxes};
+pub(crate) use depth::depths;
+pub(crate) use flow::{Motions, Other, flows, hidden};
+pub(crate) use ids::{Run, ids, runs};
+pub(crate) use normal::{bent, normals, unit};

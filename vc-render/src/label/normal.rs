@@ -1,0 +1,108 @@
+//! Normals.
+
+use crate::affine::{self, Narrow};
+use crate::camera::Camera;
+use crate::frame::Strip;
+use crate::raster::{Layers, Visible};
+use crate::scene::{Instance, Snapshot};
+
+/// Normals across a triangle: how they change over the image.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Bent {
+    /// Normal times inverse depth at the image's corner, and its change across and down.
+    start: [f32; 3],
+    across: [f32; 3],
+    down: [f32; 3],
+}
+
+impl Bent {
+    /// Of a triangle, given its corners as pixels and inverse depth, and the normals there.
+    #[inline(always)]
+    fn new(corners: [[f32; 3]; 3], normals: [[f32; 3]; 3]) -> Self {
+        let [a, b, c] = corners;
+        let (bx, by, cx, cy) = (b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]);
+        let over = 1.0 / (bx * cy - by * cx);
+        let mut bent = Self::default();
+        for i in 0..3 {
+            let value = |k: usize| normals[k][i] * corners[k][2];
+            let (db, dc) = (value(1) - value(0), value(2) - value(0));
+            bent.across[i] = (db * cy - dc * by) * over;
+            bent.down[i] = (dc * bx - db * cx) * over;
+            bent.start[i] = value(0) - bent.across[i] * a[0] - bent.down[i] * a[1];
+        }
+        bent
+    }
+
+    /// The normal at a place in the image, not of unit length.
+    #[inline(always)]
+    pub(crate) fn at(&self, x: f32, y: f32) -> [f32; 3] {
+        [0, 1, 2].map(|i: usize| self.start[i] + self.across[i] * x + self.down[i] * y)
+    }
+}
+
+/// The normal of a flat triangle in the world, or how it bends. `map` leads from its mesh to
+/// the image.
+#[inline(always)]
+pub(crate) fn bent(
+    map: impl FnOnce() -> Narrow,
+    near: f32,
+    instances: &[Instance],
+    visible: Visible,
+) -> Result<[f32; 3], Bent> {
+    let instance = &instances[visible.instance as usize];
+    let mesh = visible.mesh(instances);
+    let face = &mesh.faces[visible.index()];
+    let turned = |n: [f32; 3]| unit(affine::normal(&instance.inverse, n));
+    if face.flat {
+        return Ok(turned(face.normals[0]));
+    }
+    let map = map();
+    let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index()).map(|p| {
+        let [x, y, z] = affine::point(&map, p);
+        (z >= near, [x / z, y / z, 1.0 / z])
+    });
+    let normals = face.normals.map(turned);
+    if corners.iter().all(|c| c.0) {
+        Err(Bent::new(corners.map(|c| c.1), normals))
+    } else {
+        // What reaches behind the eye is taken as flat.
+        Ok(unit([0, 1, 2].map(|i: usize| normals[0][i] + normals[1][i] + normals[2][i])))
+    }
+}
+
+/// Of unit length; up, where there is none.
+#[inline(always)]
+pub(crate) fn unit(v: [f32; 3]) -> [f32; 3] {
+    let square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    let over = 1.0 / square.sqrt();
+    if over.is_finite() { v.map(|x| x * over) } else { [0.0, 0.0, 1.0] }
+}
+
+/// Writes normals, where they are asked for.
+pub(crate) fn normals(camera: &Camera, snapshot: &Snapshot, layers: &Layers, strip: &mut Strip<'_>) {
+    if strip.normal.is_empty() {
+        return;
+    }
+    let frustum = crate::raster::Frustum::new(camera, &strip.rows);
+    for y in strip.rows.clone() {
+        let row = strip.row(y);
+        let mut column = 0;
+        let normals = &mut strip.normal[row];
+        for same in layers.front.triangle_row(y).chunk_by(|a, b| a == b) {
+            let pixels = &mut normals[column..column + same.len()];
+            let first = column as f32 + 0.5;
+            column += same.len();
+            let instances = &snapshot.instances;
+            let map = |v: Visible| frustum.map.after(&instances[v.instance as usize].world).narrow();
+            let found = layers.visible.get(same[0] as usize);
+            match found.map(|v| bent(|| map(*v), frustum.near, instances, *v)) {
+                None => pixels.fill([0.0; 3]),
+                Some(Ok(flat)) => pixels.fill(flat),
+                Some(Err(bent)) => {
+                    let at = |i: usize| unit(bent.at(first + i as f32, y as f32 + 0.5));
+                    pixels.iter_mut().enumerate().for_each(|(i, n)| *n = at(i));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! Lamps that are on.
+
+use rayon::prelude::*;
+
+use super::brightness;
+use super::shadow::Cube;
+use crate::affine;
+use crate::renderer::Renderer;
+use crate::scene::{Body, Snapshot};
+
+/// Lumens of one unit of light.
+const LUMENS: f32 = 5000.0;
+/// What glows and is no lamp, against what its material says.
+const FAINT: f32 = 0.004;
+
+/// All light of a body as if it came from its middle.
+#[derive(Debug, Clone)]
+pub(crate) struct Lamp {
+    pub(crate) body: u32,
+    pub(crate) room: u16,
+    pub(crate) at: [f32; 3],
+    /// Radius of what glows, metres.
+    pub(crate) radius: f32,
+    /// Flux by colour.
+    pub(crate) flux: [f32; 3],
+    /// Where it shines to, times how much it prefers that direction, 0 to 1.
+    pub(crate) axis: [f32; 3],
+    pub(crate) shadows: Cube,
+}
+
+/// What glows of a body.
+struct Glow {
+    area: f32,
+    flux: [f32; 3],
+    middle: [f32; 3],
+    axis: [f32; 3],
+    shade: f32,
+}
+
+/// How much what glows of each body is to be turned up, and the lamps among them.
+pub(super) fn lamps(renderer: &Renderer, snapshot: &Snapshot) -> (Vec<[f32; 2]>, Vec<Lamp>) {
+    let mut gains = vec![[0.0; 2]; snapshot.bodies.len()];
+    let mut found = Vec::new();
+    for (index, body) in snapshot.bodies.iter().enumerate().filter(|(_, b)| b.lit) {
+        let glow = Glow::of(renderer, snapshot, body);
+        let Some(target) = lumens(snapshot, body, glow.area) else {
+            gains[index] = [FAINT, 0.0];
+            continue;
+        };
+        if glow.area > 0.0 {
+            let gain = target / LUMENS / brightness(glow.flux).max(1e-9);
+            let flux = glow.flux.map(|f| f * gain);
+            // A third of the light goes through the shade.
+            let shade =
+                if glow.shade > 0.0 { 0.35 * brightness(flux) / (std::f32::consts::PI * glow.shade) } else { 0.0 };
+            gains[index] = [gain, shade];
+            found.push((index as u32, flux, glow));
+        }
+    }
+    let lamps =
+        found.into_par_iter().map(|(body, flux, glow)| Lamp::new(renderer, snapshot, body, flux, &glow)).collect();
+    (gains, lamps)
+}
+
+/// Lumens of a lamp, by how large its bulbs are; none for what is no lamp.
+fn lumens(snapshot: &Snapshot, body: &Body, area: f32) -> Option<f32> {
+    let class = snapshot.class(body.class)?;
+    let any = |words: &[&str]| words.iter().any(|w| class.contains(w));
+    match () {
+        () if any(&["candle"]) => Some(40.0),
+        () if any(&["lamp", "light", "chandelier", "lantern", "bulb"]) => {
+            Some((500.0 + 9000.0 * area).clamp(400.0, 2500.0))
+        }
+        () => None,
+    }
+}
+
+impl Glow {
+    fn of(renderer: &Renderer, snapshot: &Snapshot, body: &Body) -> Self {
+        let mut glow = Self { area: 0.0, flux: [0.0; 3], middle: [0.0; 3], axis: [0.0; 3], shade: 0.0 };
+        for instance in &snapshot.instances[body.instances.start as usize..body.instances.end as usize] {
+            let mesh = &*instance.link.levels[1];
+            let world = instance.world.narrow();
+            for cluster in &mesh.clusters {
+                for triangle in cluster.triangles.clone() {
+                    let surface = &renderer.store.surfaces[usize::from(mesh.faces[triangle as usize].surface)];
+                    let corners = mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p));
+                    if surface.glows() {
+                        glow.add(corners, surface.emission);
+                    } else if surface.role == crate::surface::Role::Shade {
+                        glow.shade += area(corners).1;
+                    }
+                }
+            }
+        }
+        if glow.area > 0.0 {
+            glow.middle = glow.middle.map(|v| v / glow.area);
+            glow.axis = glow.axis.map(|v| v / glow.area);
+        }
+        glow
+    }
+
+    fn add(&mut self, corners: [[f32; 3]; 3], emission: [f32; 3]) {
+        let (normal, area) = area(corners);
+        self.area += area;
+        for i in 0..3 {
+            self.flux[i] += std::f32::consts::PI * emission[i] * area;
+            self.middle[i] += (corners[0][i] + corners[1][i] + corners[2][i]) / 3.0 * area;
+            self.axis[i] += normal[i] * area;
+        }
+    }
+}
+
+/// Normal and area of a triangle.
+fn area([a, b, c]: [[f32; 3]; 3]) -> ([f32; 3], f32) {
+    let edge = |p: [f32; 3]| [0, 1, 2].map(|i: usize| p[i] - a[i]);
+    let (u, v) = (edge(b), edge(c));
+    let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let length = (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
+    (if length > 0.0 { cross.map(|x| x / length) } else { [0.0; 3] }, 0.5 * length)
+}
+
+impl Lamp {
+    fn new(renderer: &Renderer, snapshot: &Snapshot, index: u32, flux: [f32; 3], glow: &Glow) -> Self {
+        let body = &snapshot.bodies[index as usize];
+        let others = |i: &u32| snapshot.instances[*i as usize].body != index;
+        let others: Vec<u32> = (0..snapshot.instances.len() as u32).filter(others).collect();
+        let radius = (glow.area / (4.0 * std::f32::consts::PI)).sqrt();
+        let shadows = Cube::new(renderer, snapshot, &others, glow.middle);
+        Self { body: index, room: body.room, at: glow.middle, radius, flux, axis: glow.axis, shadows }
+    }
+
+    /// Light on a surface at a point that faces the lamp, and the direction to it (unit
+    /// length), shadows left out.
+    #[inline(always)]
+    pub(crate) fn falls(&self, at: [f32; 3]) -> ([f32; 3], f32) {
+        let to = [0, 1, 2].map(|i: usize| self.at[i] - at[i]);
+        let square = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
+        let over = 1.0 / square.sqrt().max(1e-6);
+        let to = to.map(|v| v * over);
+        let facing = -(to[0] * self.axis[0] + to[1] * self.axis[1] + to[2] * self.axis[2]);
+        let [x, y, z] = self.axis;
+        let narrow = (x * x + y * y + z * z).sqrt().min(1.0);
+        // From all around, to a half space with the cosine's law.
+        let even = (1.0 - narrow) / (4.0 * std::f32::consts::PI);
+        let beam = facing.max(0.0) / std::f32::consts::PI;
+        (to, (even + beam) / (square + self.radius * self.radius))
+    }
+
+    /// The share of the lamp that is seen from a point, 0 to 1.
+    #[inline(always)]
+    pub(crate) fn seen(&self, at: [f32; 3]) -> f32 {
+        self.shadows.lit([0, 1, 2].map(|i: usize| at[i] - self.at[i]), at)
+    }
+}

@@ -1,0 +1,130 @@
+//! The light in a scene, made once and kept while nothing moves that matters.
+
+use nalgebra::Point3;
+
+use super::lamp::{Lamp, lamps};
+use super::room::{self, Grid, Harmonics, falls};
+use super::shadow::ShadowMap;
+use super::{Daylight, room::rooms};
+use crate::renderer::Renderer;
+use crate::scene::Snapshot;
+use crate::surface::{Role, Surface};
+use crate::trace::Tracer;
+
+/// Light in a scene at one moment: shadow maps of the sun and the lamps that are on, and
+/// the light that rooms throw back. Made by [`Renderer::light`], good for any number
+/// of cameras; when lamps are switched or large things move, make it anew.
+#[derive(Debug, Clone)]
+pub struct Lighting {
+    pub(crate) daylight: Daylight,
+    pub(crate) tracer: Tracer,
+    pub(crate) sun: Option<ShadowMap>,
+    pub(crate) lamps: Vec<Lamp>,
+    /// By body: what its glow and its shade's glow are multiplied with.
+    gains: Vec<[f32; 2]>,
+    pub(super) grids: Vec<Grid>,
+    /// Boxes of rooms, to tell in which an eye is.
+    rooms: Vec<([f32; 3], [f32; 3])>,
+}
+
+/// How bright a colour is to the eye (Rec. 709).
+#[inline(always)]
+pub(crate) fn brightness([r, g, b]: [f32; 3]) -> f32 {
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
+
+impl Renderer {
+    /// The light in a scene: tens of milliseconds for shadows, and some for each room.
+    pub fn light(&self, snapshot: &Snapshot, daylight: &Daylight) -> Lighting {
+        let (gains, lamps) = lamps(self, snapshot);
+        let rooms = rooms(snapshot);
+        let (middle, radius) = ball(snapshot);
+        let shines = daylight.sun.norm() > 0.0;
+        let sun = shines.then(|| ShadowMap::sun(self, snapshot, daylight.towards_sun, middle, radius));
+        let mut lighting = Lighting {
+            daylight: *daylight,
+            tracer: Tracer::new(snapshot),
+            sun,
+            lamps,
+            gains,
+            grids: Vec::new(),
+            rooms,
+        };
+        lighting.grids = room::grids(self, &lighting);
+        lighting
+    }
+}
+
+/// A ball around everything.
+fn ball(snapshot: &Snapshot) -> (Point3<f32>, f32) {
+    let corners = snapshot.instances.iter().map(|i| crate::scene::turned(&i.world.narrow(), &i.link.levels[0].bounds));
+    let all = corners.reduce(|a, b| a.joined(&b)).unwrap_or_default();
+    let radius = nalgebra::Vector3::from(all.half).norm();
+    (all.centre.into(), radius.clamp(0.5, 200.0))
+}
+
+impl Lighting {
+    /// Light from all sides that falls on a surface, from the grid of its room.
+    #[inline(always)]
+    pub(crate) fn around(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> [f32; 3] {
+        falls(&self.harmonics(at, normal, room), normal)
+    }
+
+    /// Light from all sides at a surface.
+    #[inline(always)]
+    pub(crate) fn harmonics(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> Harmonics {
+        let index = usize::from(room).min(self.grids.len() - 1);
+        self.grids[index].at([0, 1, 2].map(|i: usize| at[i] + 0.12 * normal[i]))
+    }
+
+    /// Light that falls straight from the sun and the room's lamps on a surface, with shadows.
+    pub(crate) fn direct(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> [f32; 3] {
+        let off = |by: f32| [0, 1, 2].map(|i: usize| at[i] + by * normal[i]);
+        let mut sum = [0.0; 3];
+        if let Some(map) = &self.sun {
+            let towards: [f32; 3] = self.daylight.towards_sun.into();
+            let facing = dot(towards, normal);
+            if facing > 0.0 {
+                let share = facing * map.lit(off(0.02));
+                sum = [0, 1, 2].map(|i: usize| sum[i] + share * self.daylight.sun[i]);
+            }
+        }
+        for lamp in self.lamps.iter().filter(|l| l.room == room) {
+            let (to, light) = lamp.falls(at);
+            let facing = dot(to, normal);
+            if facing > 0.0 {
+                let share = facing * light * lamp.seen(off(0.02));
+                sum = [0, 1, 2].map(|i: usize| sum[i] + share * lamp.flux[i]);
+            }
+        }
+        sum
+    }
+
+    /// Light a surface of a body gives of itself.
+    #[inline(always)]
+    pub(crate) fn glow(&self, surface: &Surface, body: u32) -> [f32; 3] {
+        let [gain, shade] = self.gains[body as usize];
+        match surface.role {
+            Role::Shade => surface.colour.map(|c| c * shade),
+            _ => surface.emission.map(|e| e * gain),
+        }
+    }
+
+    /// What brings the light around an eye to a picture's middle grey.
+    pub(crate) fn exposure(&self, eye: [f32; 3]) -> f32 {
+        let within = |(low, high): &([f32; 3], [f32; 3])| (0..3).all(|i| eye[i] >= low[i] && eye[i] <= high[i]);
+        let rooms = &self.rooms[..self.rooms.len() - 1];
+        let index = rooms.iter().position(within).unwrap_or(self.rooms.len() - 1);
+        let lamps = self.lamps.iter().filter(|l| usize::from(l.room) == index);
+        let own: f32 = lamps.map(|l| brightness(l.flux)).sum();
+        let [x, y] = [0, 1].map(|i: usize| self.rooms[index].1[i] - self.rooms[index].0[i]);
+        // Mean radiance of a grey room: thrown back, and straight from the lamps.
+        let mean = self.grids[index].mean() + 0.25 * own / (x * y * 4.0).max(1.0);
+        0.95 / mean.max(1e-4)
+    }
+}
+
+#[inline(always)]
+pub(crate) fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}

@@ -1,0 +1,14 @@
+//! Where light comes from: sun, sky, lamps, and what rooms throw back.
+//!
+//! Radiance is in units of an overcast sky's, about 5000 candela per square metre.
+
+mod lamp;
+mod lighting;
+mod room;
+mod shadow;
+mod sky;
+
+pub use lighting::Lighting;
+pub(crate) use lighting::{brightness, dot};
+pub(crate) use room::{falls, sheen};
+pub use sky::Daylight;

@@ -1,0 +1,289 @@
+//! What rooms throw back: light from all sides, on a grid in every room.
+//!
+//! Each point of the grid keeps incoming light as spherical harmonics of the first order
+//! (Ramamoorthi and Hanrahan 2001), and every room has its own grid, so that no light
+//! leaks through walls. Light that comes straight from the sun and the room's own
+//! lamps is left out: it is shaded with its shadows.
+
+use rayon::prelude::*;
+
+use super::Lighting;
+use crate::affine;
+use crate::renderer::Renderer;
+use crate::scene::Snapshot;
+use crate::trace::Ray;
+
+/// Distance of the grid's points over the floor and upwards, metres.
+const STEP: [f32; 3] = [0.5, 0.5, 0.6];
+/// Rays from each point.
+const RAYS: usize = 256;
+/// How often light is thrown on.
+const BOUNCES: usize = 4;
+/// Coefficients by colour: even, and along X, Y and Z.
+pub(crate) type Harmonics = [[f32; 4]; 3];
+
+/// The grid of a room.
+#[derive(Debug, Clone)]
+pub(crate) struct Grid {
+    low: [f32; 3],
+    over: [f32; 3],
+    counts: [usize; 3],
+    points: Vec<Harmonics>,
+}
+
+/// What a ray from a point of the grid has met.
+struct Seen {
+    towards: [f32; 3],
+    /// Light it gives, and what is thrown back of direct light.
+    direct: [f32; 3],
+    /// Where, which way it faces, its reflectance and room; none where there is nothing.
+    place: Option<([f32; 3], [f32; 3], [f32; 3], u16)>,
+}
+
+impl Grid {
+    fn over(low: [f32; 3], high: [f32; 3]) -> Self {
+        // Points keep away from walls.
+        let low = low.map(|v| v + 0.12);
+        let size = [0, 1, 2].map(|i: usize| (high[i] - 0.12 - low[i]).max(0.05));
+        let counts = [0, 1, 2].map(|i: usize| ((size[i] / STEP[i]).ceil() as usize + 1).clamp(2, 64));
+        let over = [0, 1, 2].map(|i: usize| (counts[i] - 1) as f32 / size[i]);
+        Self { low, over, counts, points: vec![[[0.0; 4]; 3]; counts.iter().product()] }
+    }
+
+    fn place(&self, index: usize) -> [f32; 3] {
+        let [nx, ny, _] = self.counts;
+        let cell = [index % nx, index / nx % ny, index / (nx * ny)];
+        [0, 1, 2].map(|i: usize| self.low[i] + cell[i] as f32 / self.over[i])
+    }
+
+    /// Incoming light at a point.
+    #[inline(always)]
+    pub(crate) fn at(&self, p: [f32; 3]) -> Harmonics {
+        let mut cell = [0_usize; 3];
+        let mut share = [0.0_f32; 3];
+        for i in 0..3 {
+            let most = (self.counts[i] - 1) as f32;
+            let x = ((p[i] - self.low[i]) * self.over[i]).max(0.0).min(most - 0.001);
+            cell[i] = x as usize;
+            share[i] = x - cell[i] as f32;
+        }
+        let [nx, ny, _] = self.counts;
+        let mut sum = [[0.0_f32; 4]; 3];
+        for corner in 0..8 {
+            let bit = |axis: usize| corner >> axis & 1;
+            let part = |axis: usize| if bit(axis) == 1 { share[axis] } else { 1.0 - share[axis] };
+            let weight = part(0) * part(1) * part(2);
+            let point = &self.points[((cell[2] + bit(2)) * ny + cell[1] + bit(1)) * nx + cell[0] + bit(0)];
+            for c in 0..3 {
+                for k in 0..4 {
+                    sum[c][k] += weight * point[c][k];
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// Light that falls on a surface of this normal.
+#[inline(always)]
+pub(crate) fn falls(light: &Harmonics, n: [f32; 3]) -> [f32; 3] {
+    // Pi for the even part, two thirds of pi for the other.
+    light.map(|h| (3.141_593 * h[0] + 2.094_395 * (h[1] * n[0] + h[2] * n[1] + h[3] * n[2])).max(0.05 * h[0]))
+}
+
+/// Light that comes from about a direction.
+#[inline(always)]
+pub(crate) fn sheen(light: &Harmonics, towards: [f32; 3]) -> [f32; 3] {
+    let [x, y, z] = towards;
+    light.map(|h| (h[0] + 0.9 * (h[1] * x + h[2] * y + h[3] * z)).max(0.1 * h[0]))
+}
+
+/// Directions spread evenly over the sphere (Fibonacci's lattice).
+fn directions() -> Vec<[f32; 3]> {
+    use vc_graph::portable::Portable;
+    let direction = |i: usize| {
+        let z = 1.0 - (2 * i + 1) as f32 / RAYS as f32;
+        let (s, c) = (2.399_963_2 * i as f32).sine_cosine();
+        let level = (1.0 - z * z).sqrt();
+        [level * c, level * s, z]
+    };
+    (0..RAYS).map(direction).collect()
+}
+
+/// The grids of all rooms, and one for what is in no room, last.
+pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
+    let bounds = rooms(&lighting.tracer.snapshot);
+    let mut grids: Vec<Grid> = bounds.iter().map(|(low, high)| Grid::over(*low, *high)).collect();
+    let directions = directions();
+    let each = |(g, grid): (usize, &Grid)| (0..grid.points.len()).map(move |i| (g, i)).collect::<Vec<_>>();
+    let places: Vec<(usize, usize)> = grids.iter().enumerate().flat_map(each).collect();
+    let look = |(g, i): &(usize, usize)| look(renderer, lighting, *g, grids[*g].place(*i), &directions);
+    let seen: Vec<Option<Vec<Seen>>> = places.par_iter().map(look).collect();
+    for _ in 0..BOUNCES {
+        let gather = |seen: &Option<Vec<Seen>>| seen.as_ref().map(|seen| gathered(&grids, seen));
+        let next: Vec<Option<Harmonics>> = seen.par_iter().map(gather).collect();
+        for ((g, i), light) in places.iter().zip(next) {
+            grids[*g].points[*i] = light.unwrap_or([[f32::NAN; 4]; 3]);
+        }
+        grids.iter_mut().for_each(Grid::mend);
+    }
+    grids.iter_mut().for_each(Grid::smooth);
+    grids
+}
+
+/// Boxes around rooms: their floors and walls.
+pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
+    let count = snapshot.rooms.len() + 1;
+    let mut all = vec![([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]); count];
+    let mut floors = vec![false; count];
+    for body in &snapshot.bodies {
+        let room = usize::from(body.room).min(count - 1);
+        let floor = snapshot.class(body.class).is_some_and(|c| &**c == "floor");
+        let map = affine::Affine::of(&body.pose).narrow();
+        let around = crate::scene::turned(&map, &body.bounds);
+        let (low, high) = (
+            [0, 1, 2].map(|i: usize| around.centre[i] - around.half[i]),
+            [0, 1, 2].map(|i: usize| around.centre[i] + around.half[i]),
+        );
+        // Over the plan what the floor covers, if there is one; upwards all there is.
+        let (from, to) = &mut all[room];
+        if floor && !floors[room] {
+            floors[room] = true;
+            for i in 0..2 {
+                (from[i], to[i]) = (low[i], high[i]);
+            }
+        } else if floor || !floors[room] {
+            for i in 0..2 {
+                (from[i], to[i]) = (from[i].min(low[i]), to[i].max(high[i]));
+            }
+        }
+        from[2] = from[2].min(if floor { high[2] } else { low[2].max(from[2].min(high[2])) });
+        to[2] = to[2].max(high[2]);
+    }
+    for (low, high) in &mut all {
+        if low.iter().chain(high.iter()).any(|v| !v.is_finite()) {
+            (*low, *high) = ([0.0; 3], [1.0; 3]);
+        }
+        high[2] = high[2].max(low[2] + 0.1);
+    }
+    all
+}
+
+/// What is seen from a point; none from inside of things.
+fn look(
+    renderer: &Renderer,
+    lighting: &Lighting,
+    room: usize,
+    from: [f32; 3],
+    directions: &[[f32; 3]],
+) -> Option<Vec<Seen>> {
+    let tracer = &lighting.tracer;
+    let rays: Vec<Ray> = directions.iter().map(|along| Ray { from, along: *along, end: 1e4 }).collect();
+    let mut behind = 0;
+    let mut seen = Vec::with_capacity(rays.len());
+    for ray in &rays {
+        let met = tracer.first(ray);
+        let inside = met.as_ref().is_some_and(|m| dot(m.flat, ray.along) > 0.0);
+        behind += usize::from(inside);
+        seen.push(match met {
+            Some(met) if !inside => lighting.seen(renderer, ray, &met, room),
+            Some(_) => Seen { towards: ray.along, direct: [0.0; 3], place: None },
+            None => Seen { towards: ray.along, direct: lighting.daylight.radiance(ray.along), place: None },
+        });
+    }
+    (behind * 5 < directions.len()).then_some(seen)
+}
+
+#[inline(always)]
+fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+impl Lighting {
+    fn seen(&self, renderer: &Renderer, ray: &Ray, met: &crate::trace::Met<'_>, room: usize) -> Seen {
+        let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
+        let body = &self.tracer.snapshot.bodies[met.instance.body as usize];
+        let colour = surface.colour;
+        let lamp = self.lamps.iter().any(|l| l.body == met.instance.body && usize::from(l.room) == room);
+        let own = if lamp { [0.0; 3] } else { self.glow(surface, met.instance.body) };
+        let direct = self.direct(met.at, met.normal, body.room);
+        let over = 1.0 / std::f32::consts::PI;
+        Seen {
+            towards: ray.along,
+            direct: [0, 1, 2].map(|i: usize| own[i] + colour[i] * direct[i] * over),
+            place: Some((met.at, met.normal, colour, body.room)),
+        }
+    }
+}
+
+/// The light from what is seen, given the light in rooms so far.
+fn gathered(grids: &[Grid], seen: &[Seen]) -> Harmonics {
+    let mut light = [[0.0; 4]; 3];
+    for one in seen {
+        let mut radiance = one.direct;
+        if let Some((at, normal, colour, room)) = &one.place {
+            let falling = falls(&grids[usize::from(*room).min(grids.len() - 1)].at(*at), *normal);
+            radiance = [0, 1, 2].map(|i: usize| radiance[i] + colour[i] * falling[i] / std::f32::consts::PI);
+        }
+        let [x, y, z] = one.towards;
+        for (channel, value) in light.iter_mut().zip(radiance) {
+            for (k, base) in [1.0, 3.0 * x, 3.0 * y, 3.0 * z].into_iter().enumerate() {
+                channel[k] += value * base / RAYS as f32;
+            }
+        }
+    }
+    light
+}
+
+impl Grid {
+    /// Points inside of things take the mean of their neighbours, again and again until all have one.
+    fn mend(&mut self) {
+        let [nx, ny, nz] = self.counts;
+        for _ in 0..nx.max(ny).max(nz) {
+            let before = self.points.clone();
+            let known = |x: usize, y: usize, z: usize| {
+                let p = before.get((z * ny + y) * nx + x).filter(|_| x < nx && y < ny && z < nz)?;
+                (!p[0][0].is_nan()).then_some(p)
+            };
+            for (index, point) in self.points.iter_mut().enumerate().filter(|(_, p)| p[0][0].is_nan()) {
+                let (x, y, z) = (index % nx, index / nx % ny, index / (nx * ny));
+                let down = |v: usize| v.wrapping_sub(1);
+                let around =
+                    [(down(x), y, z), (x + 1, y, z), (x, down(y), z), (x, y + 1, z), (x, y, down(z)), (x, y, z + 1)];
+                let found: Vec<&Harmonics> = around.into_iter().filter_map(|(x, y, z)| known(x, y, z)).collect();
+                if !found.is_empty() {
+                    let mean = |c: usize, k: usize| found.iter().map(|f| f[c][k]).sum::<f32>() / found.len() as f32;
+                    *point = [0, 1, 2].map(|c: usize| [0, 1, 2, 3].map(|k: usize| mean(c, k)));
+                }
+            }
+            if !before.iter().any(|p| p[0][0].is_nan()) {
+                return;
+            }
+        }
+        // A room without any free point is dark.
+        self.points.iter_mut().filter(|p| p[0][0].is_nan()).for_each(|p| *p = [[0.0; 4]; 3]);
+    }
+
+    /// Takes the mean with neighbours along each axis in turn: rays are few, and what they
+    /// miss differs from point to point.
+    fn smooth(&mut self) {
+        let [nx, ny, _] = self.counts;
+        for (axis, stride) in [(0, 1), (1, nx), (2, nx * ny)] {
+            let before = self.points.clone();
+            for (index, point) in self.points.iter_mut().enumerate() {
+                let cell = index / stride % self.counts[axis];
+                let low = if cell > 0 { index - stride } else { index };
+                let high = if cell + 1 < self.counts[axis] { index + stride } else { index };
+                let mean =
+                    |c: usize, k: usize| 0.25 * (before[low][c][k] + before[high][c][k]) + 0.5 * before[index][c][k];
+                *point = [0, 1, 2].map(|c: usize| [0, 1, 2, 3].map(|k: usize| mean(c, k)));
+            }
+        }
+    }
+
+    /// Mean light from all sides.
+    pub(super) fn mean(&self) -> f32 {
+        let sum: f32 = self.points.iter().map(|p| super::brightness([p[0][0], p[1][0], p[2][0]])).sum();
+        sum / self.points.len().max(1) as f32
+    }
+}

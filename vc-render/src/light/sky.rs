@@ -1,0 +1,85 @@
+//! The sky, the sun and the ground before the house.
+
+use nalgebra::Vector3;
+use vc_graph::portable::Portable;
+
+/// The light outside.
+///
+/// ```
+/// use vc_render::Daylight;
+/// let evening = Daylight::clear(0.2, 3.9);
+/// assert!(evening.sun.x < Daylight::noon().sun.x); // less of the sun comes through
+/// assert_eq!(Daylight::night().sun.norm(), 0.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Daylight {
+    /// Direction to the sun, unit length.
+    pub towards_sun: Vector3<f32>,
+    /// Light of the sun on a surface that faces it, linear RGB.
+    pub sun: Vector3<f32>,
+    /// Radiance of the sky above.
+    pub zenith: Vector3<f32>,
+    /// Radiance of the sky at the horizon.
+    pub horizon: Vector3<f32>,
+    /// Radiance of the ground far away.
+    pub ground: Vector3<f32>,
+}
+
+impl Daylight {
+    /// A clear day with the sun at an elevation above the horizon and an azimuth
+    /// from X towards Y, radians. The lower the sun, the redder.
+    pub fn clear(elevation: f32, azimuth: f32) -> Self {
+        let (rise, level) = elevation.sine_cosine();
+        let (s, c) = azimuth.sine_cosine();
+        // Air the light passes (Kasten and Young's formula, rounded), and what each colour loses in it.
+        let air = 1.0 / (rise.max(0.0) + 0.05);
+        let through = Vector3::new(0.12, 0.19, 0.32).map(|k: f32| (-k * air).exponential());
+        let day = (rise * 4.0).clamp(0.0, 1.0);
+        let warm = 1.0 - (rise * 2.5).clamp(0.0, 1.0);
+        let blue = Vector3::new(0.30, 0.52, 0.95) * (0.9 * day);
+        let haze = Vector3::new(0.95 + 0.4 * warm, 1.02, 1.10 - 0.4 * warm) * (1.1 * day);
+        Self {
+            towards_sun: Vector3::new(level * c, level * s, rise),
+            sun: if rise > 0.0 { through * 16.0 } else { Vector3::zeros() },
+            zenith: blue,
+            horizon: haze,
+            ground: Vector3::new(0.20, 0.22, 0.14) * (0.3 + day),
+        }
+    }
+
+    /// A clear day, the sun high.
+    pub fn noon() -> Self {
+        Self::clear(0.85, 0.7)
+    }
+
+    /// An even grey sky, no sun.
+    pub fn overcast() -> Self {
+        let grey = Vector3::new(0.95, 1.0, 1.06);
+        Self { sun: Vector3::zeros(), zenith: grey * 1.2, horizon: grey * 0.7, ..Self::clear(0.85, 0.7) }
+    }
+
+    /// Darkness, but for a little light of the sky.
+    pub fn night() -> Self {
+        let dark = Vector3::new(0.004, 0.006, 0.012);
+        Self { sun: Vector3::zeros(), zenith: dark, horizon: dark * 1.8, ground: dark * 0.4, ..Self::noon() }
+    }
+
+    /// Radiance from a direction of unit length, without the sun itself.
+    pub(crate) fn radiance(&self, towards: [f32; 3]) -> [f32; 3] {
+        let rise = towards[2];
+        if rise < 0.0 {
+            let far = (1.0 + rise * 6.0).max(0.0);
+            return (self.ground + (self.horizon - self.ground) * (far * far * 0.8)).into();
+        }
+        let share = 1.0 - rise;
+        let low = share * share * share;
+        let glow = self.towards_sun.dot(&Vector3::from(towards)).max(0.0).raised(32) * 0.02;
+        (self.zenith + (self.horizon - self.zenith) * low + self.sun * glow).into()
+    }
+}
+
+impl Default for Daylight {
+    fn default() -> Self {
+        Self::noon()
+    }
+}

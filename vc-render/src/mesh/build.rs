@@ -1,0 +1,110 @@
+//! Cutting triangles into clusters.
+
+use std::collections::HashMap;
+
+use vc_graph::TriangleMesh;
+
+use super::cluster::cone;
+use super::{Bounds, Cluster, Face, MOST, Mesh};
+
+/// A part's triangles, in the asset's frame, and what they look like.
+pub(crate) struct Source {
+    pub(crate) mesh: TriangleMesh,
+    pub(crate) part: u16,
+    pub(crate) surface: u16,
+    pub(crate) clear: bool,
+}
+
+/// A triangle on its way into a cluster.
+struct Loose {
+    corners: [[f32; 3]; 3],
+    middle: [f32; 3],
+    /// Which way it looks; zero where it has no area.
+    normal: [f32; 3],
+    face: Face,
+}
+
+impl Mesh {
+    /// Clusters of the parts' triangles, opaque parts first.
+    pub(crate) fn build(sources: &[Source]) -> Self {
+        let mut mesh = Self::default();
+        for clear in [false, true] {
+            let mut loose: Vec<Loose> = sources.iter().filter(|s| s.clear == clear).flat_map(triangles).collect();
+            mesh.split(&mut loose);
+            if !clear {
+                mesh.opaque = mesh.clusters.len();
+            }
+        }
+        mesh.bounds = mesh.clusters.iter().map(|c| c.bounds).reduce(|a, b| a.joined(&b)).unwrap_or_default();
+        mesh
+    }
+
+    /// Halves at the median of the longest side until they are small enough.
+    fn split(&mut self, loose: &mut [Loose]) {
+        if loose.len() <= MOST {
+            return self.push(loose);
+        }
+        let around = Bounds::around(loose.iter().map(|t| t.middle));
+        let axis = (0..3).fold(0, |best, i| if around.half[i] > around.half[best] { i } else { best });
+        let middle = loose.len() / 2;
+        loose.sort_by(|a, b| a.middle[axis].total_cmp(&b.middle[axis]));
+        let (low, high) = loose.split_at_mut(middle);
+        self.split(low);
+        self.split(high);
+    }
+
+    fn push(&mut self, loose: &[Loose]) {
+        if loose.is_empty() {
+            return;
+        }
+        let (vertices, triangles) = (self.axes[0].len() as u32, self.corners.len() as u32);
+        let mut known: HashMap<[u32; 3], u8> = HashMap::with_capacity(3 * loose.len());
+        for triangle in loose {
+            let corners = triangle.corners.map(|p| {
+                let next = (self.axes[0].len() as u32 - vertices) as u8;
+                *known.entry(p.map(|v| (v + 0.0).to_bits())).or_insert_with(|| {
+                    self.axes.iter_mut().zip(p).for_each(|(axis, v)| axis.push(v));
+                    next
+                })
+            });
+            self.corners.push(corners);
+            self.faces.push(triangle.face);
+        }
+        let normals: Vec<[f32; 3]> = loose.iter().map(|t| t.normal).filter(|n| *n != [0.0; 3]).collect();
+        let (axis, spread) = cone(&normals);
+        self.clusters.push(Cluster {
+            vertices: vertices..self.axes[0].len() as u32,
+            triangles: triangles..self.corners.len() as u32,
+            bounds: Bounds::around(loose.iter().flat_map(|t| t.corners)),
+            axis,
+            spread,
+        });
+    }
+}
+
+fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
+    let mesh = &source.mesh;
+    let grain = longest(mesh);
+    mesh.triangles.iter().filter_map(move |triangle| {
+        let at = triangle.map(|v| v as usize);
+        let [a, b, c] = [mesh.positions.get(at[0])?, mesh.positions.get(at[1])?, mesh.positions.get(at[2])?];
+        let normals = [mesh.normals.get(at[0])?, mesh.normals.get(at[1])?, mesh.normals.get(at[2])?];
+        let normals = normals.map(|n| [n.x, n.y, n.z]);
+        let flat = normals[0] == normals[1] && normals[1] == normals[2];
+        let across = (b.cast::<f64>() - a.cast()).cross(&(c.cast::<f64>() - a.cast()));
+        let normal = across.try_normalize(0.0).unwrap_or_default().cast::<f32>();
+        let middle = (a.coords + b.coords + c.coords) / 3.0;
+        Some(Loose {
+            corners: [a, b, c].map(|p| [p.x, p.y, p.z]),
+            middle: middle.into(),
+            normal: normal.into(),
+            face: Face { normals, part: source.part, surface: source.surface, flat, grain },
+        })
+    })
+}
+
+/// The axis along which a mesh is longest.
+fn longest(mesh: &TriangleMesh) -> u8 {
+    let size = mesh.bounds().map_or([0.0; 3], |b| (b.max - b.min).into());
+    (0..3).fold(0, |best: usize, axis| if size[axis] > size[best] { axis } else { best }) as u8
+}

@@ -1,0 +1,63 @@
+//! Assets as links: the parts that move together.
+
+use std::sync::Arc;
+
+use vc_graph::asset::{Joint, Part, Shape};
+use vc_graph::{Asset, TriangleMesh};
+
+use super::{Mesh, Source};
+
+/// Largest distance of curves from their chords at each level of detail, metres.
+pub(crate) const TOLERANCES: [f32; 4] = [0.0005, 0.002, 0.008, 0.03];
+
+/// Parts of an asset that move together, at every level of detail.
+#[derive(Debug, Clone)]
+pub(crate) struct Link {
+    pub(crate) joint: Option<Joint>,
+    /// The most detailed one first.
+    pub(crate) levels: [Arc<Mesh>; TOLERANCES.len()],
+}
+
+/// The links of an asset, the one without a joint first where there is one.
+///
+/// `surface` tells a part's surface and whether one sees through it.
+pub(crate) fn links(asset: &Asset, mut surface: impl FnMut(&Part) -> (u16, bool)) -> Vec<Link> {
+    let mut groups: Vec<(Option<Joint>, Vec<(usize, u16, bool)>)> = vec![(None, Vec::new())];
+    for (index, part) in asset.parts.iter().enumerate() {
+        let (surface, clear) = surface(part);
+        match groups.iter_mut().find(|g| g.0 == part.joint) {
+            Some(group) => group.1.push((index, surface, clear)),
+            None => groups.push((part.joint, vec![(index, surface, clear)])),
+        }
+    }
+    groups.retain(|g| !g.1.is_empty());
+    groups.into_iter().map(|(joint, parts)| Link { joint, levels: levels(asset, &parts) }).collect()
+}
+
+fn levels(asset: &Asset, parts: &[(usize, u16, bool)]) -> [Arc<Mesh>; TOLERANCES.len()] {
+    let mut last: Option<Arc<Mesh>> = None;
+    TOLERANCES.map(|tolerance| {
+        let sources: Vec<Source> = parts.iter().map(|part| source(asset, part, tolerance)).collect();
+        let count: usize = sources.iter().map(|s| s.mesh.triangles.len()).sum();
+        let same = last.clone().filter(|mesh| mesh.len() == count);
+        last.insert(same.unwrap_or_else(|| Arc::new(Mesh::build(&sources)))).clone()
+    })
+}
+
+fn source(asset: &Asset, &(index, surface, clear): &(usize, u16, bool), tolerance: f32) -> Source {
+    let part = &asset.parts[index];
+    let mut mesh = part.shape.mesh(tolerance).transformed(&part.pose);
+    // What is not closed has two sides; all other shapes are closed.
+    if matches!(part.shape, Shape::Mesh { .. }) && !mesh.is_closed() {
+        mesh.append(&turned_over(&mesh));
+    }
+    Source { mesh, part: index.min(usize::from(u16::MAX)) as u16, surface, clear }
+}
+
+fn turned_over(mesh: &TriangleMesh) -> TriangleMesh {
+    TriangleMesh {
+        positions: mesh.positions.clone(),
+        normals: mesh.normals.iter().map(|n| -n).collect(),
+        triangles: mesh.triangles.iter().map(|&[a, b, c]| [a, c, b]).collect(),
+    }
+}

@@ -1,0 +1,103 @@
+//! Meshes as they are uploaded: triangles in clusters of nearby ones, once per asset.
+
+mod build;
+mod cluster;
+mod link;
+
+pub(crate) use build::Source;
+pub(crate) use cluster::Cluster;
+pub(crate) use link::{Link, TOLERANCES, links};
+
+/// Most triangles of a cluster, so that their corners fit in a byte.
+pub(crate) const MOST: usize = 85;
+
+/// Triangles of one link of an asset at one level of detail, in the asset's frame.
+#[derive(Debug, Default)]
+pub(crate) struct Mesh {
+    /// Opaque ones first.
+    pub(crate) clusters: Vec<Cluster>,
+    /// How many clusters are opaque.
+    pub(crate) opaque: usize,
+    /// Vertices by cluster, one list for each axis.
+    pub(crate) axes: [Vec<f32>; 3],
+    /// Corners of triangles, counted from their cluster's first vertex.
+    pub(crate) corners: Vec<[u8; 3]>,
+    /// What else there is to know about a triangle.
+    pub(crate) faces: Vec<Face>,
+    /// The box around all, in the asset's frame.
+    pub(crate) bounds: Bounds,
+}
+
+/// A box by its middle and half its lengths.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Bounds {
+    pub(crate) centre: [f32; 3],
+    pub(crate) half: [f32; 3],
+}
+
+/// What a triangle looks like and belongs to.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Face {
+    /// Normals at its corners, unit length.
+    pub(crate) normals: [[f32; 3]; 3],
+    /// Index of the part in the asset.
+    pub(crate) part: u16,
+    /// Index in the renderer's list of surfaces.
+    pub(crate) surface: u16,
+    /// Whether its normals are all the same.
+    pub(crate) flat: bool,
+    /// The axis of the asset along which its part is longest.
+    pub(crate) grain: u8,
+}
+
+impl Bounds {
+    /// Around points; an empty box at the origin around none.
+    pub(crate) fn around(points: impl Iterator<Item = [f32; 3]>) -> Self {
+        let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+        for p in points {
+            low = [0, 1, 2].map(|i: usize| low[i].min(p[i]));
+            high = [0, 1, 2].map(|i: usize| high[i].max(p[i]));
+        }
+        if low[0] > high[0] {
+            return Self::default();
+        }
+        let half = [0, 1, 2].map(|i: usize| 0.5 * (high[i] - low[i]));
+        Self { centre: [0, 1, 2].map(|i: usize| low[i] + half[i]), half }
+    }
+
+    /// Around two boxes.
+    pub(crate) fn joined(&self, other: &Self) -> Self {
+        let corners = |b: &Self| [-1.0, 1.0].map(|s| [0, 1, 2].map(|i: usize| b.centre[i] + s * b.half[i]));
+        Self::around(corners(self).into_iter().chain(corners(other)))
+    }
+}
+
+impl Mesh {
+    /// Number of triangles.
+    pub(crate) fn len(&self) -> usize {
+        self.corners.len()
+    }
+
+    /// Where the corners of a triangle of a cluster are.
+    #[inline(always)]
+    pub(crate) fn triangle(&self, cluster: &Cluster, index: usize) -> [[f32; 3]; 3] {
+        self.corners[index].map(|c| {
+            let at = cluster.vertices.start as usize + usize::from(c);
+            [self.axes[0][at], self.axes[1][at], self.axes[2][at]]
+        })
+    }
+
+    /// The cluster of a triangle.
+    pub(crate) fn cluster_of(&self, triangle: usize) -> &Cluster {
+        let after = self.clusters.partition_point(|c| c.triangles.start as usize <= triangle);
+        &self.clusters[after.saturating_sub(1)]
+    }
+
+    /// Bytes it takes.
+    pub(crate) fn bytes(&self) -> usize {
+        self.clusters.len() * size_of::<Cluster>()
+            + self.axes.iter().map(|a| a.len() * 4).sum::<usize>()
+            + self.corners.len() * 3
+            + self.faces.len() * size_of::<Face>()
+    }
+}

@@ -1,0 +1,71 @@
+//! A picture in memory.
+
+/// Colours in sRGB, rows from the top.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Picture {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    /// `height * width` colours.
+    pub pixels: Vec<[u8; 3]>,
+}
+
+impl Picture {
+    /// A picture of one colour.
+    pub fn new(width: usize, height: usize, colour: [u8; 3]) -> Self {
+        Self { width, height, pixels: vec![colour; width * height] }
+    }
+
+    /// Puts another picture into it, its corner at a pixel; what is outside is left out.
+    pub fn paste(&mut self, other: &Self, x: usize, y: usize) {
+        let width = other.width.min(self.width.saturating_sub(x));
+        for row in 0..other.height.min(self.height.saturating_sub(y)) {
+            let to = (y + row) * self.width + x;
+            self.pixels[to..to + width].copy_from_slice(&other.pixels[row * other.width..][..width]);
+        }
+    }
+
+    /// Pictures of one size side by side, so many in a row, with a margin.
+    pub fn sheet(pictures: &[Self], columns: usize, margin: usize) -> Self {
+        let (columns, first) = (columns.max(1), pictures.first());
+        let (width, height) = first.map_or((0, 0), |p| (p.width, p.height));
+        let rows = pictures.len().div_ceil(columns);
+        let mut all = Self::new(columns * (width + margin) + margin, rows * (height + margin) + margin, [255; 3]);
+        for (i, picture) in pictures.iter().enumerate() {
+            all.paste(picture, margin + (i % columns) * (width + margin), margin + (i / columns) * (height + margin));
+        }
+        all
+    }
+
+    /// Draws the outline of a box.
+    pub(super) fn outline(&mut self, of: &crate::PixelBox, colour: [u8; 3]) {
+        let Some(within) = of.within(self.width, self.height) else { return };
+        let (x, y) = (within.x as usize, within.y as usize);
+        let (right, bottom) = (x + within.width as usize - 1, y + within.height as usize - 1);
+        for column in x..=right {
+            self.pixels[y * self.width + column] = colour;
+            self.pixels[bottom * self.width + column] = colour;
+        }
+        for row in y..=bottom {
+            self.pixels[row * self.width + x] = colour;
+            self.pixels[row * self.width + right] = colour;
+        }
+    }
+
+    /// Draws a line between two places, pixels.
+    pub(super) fn line(&mut self, from: [f32; 2], to: [f32; 2], colour: [u8; 3]) {
+        let far = |p: [f32; 2]| !(p[0].abs() < 1e5 && p[1].abs() < 1e5);
+        if far(from) || far(to) {
+            return;
+        }
+        let steps = (to[0] - from[0]).abs().max((to[1] - from[1]).abs()).ceil().max(1.0);
+        for i in 0..=steps as usize {
+            let at = |axis: usize| from[axis] + (to[axis] - from[axis]) * i as f32 / steps;
+            let (x, y) = (at(0), at(1));
+            if x >= 0.0 && y >= 0.0 && (x as usize) < self.width && (y as usize) < self.height {
+                self.pixels[y as usize * self.width + x as usize] = colour;
+            }
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! What colour a depth, a node or a motion has.
+
+use vc_graph::portable::Portable;
+
+use super::Picture;
+use crate::frame::{Frame, NO_LABEL, NOTHING};
+
+/// Colours that tell numbers apart: the same number has the same colour always.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Palette;
+
+impl Palette {
+    /// The colour of a number: hues a golden angle apart, in four shades.
+    pub fn colour(self, number: u32) -> [u8; 3] {
+        let hue = (f64::from(number) * 0.618_033_988_75).fract() as f32;
+        let shade = [(0.65, 0.95), (0.45, 0.8), (0.85, 0.7), (0.35, 1.0)][number as usize / 3 % 4];
+        hsv(hue, shade.0, shade.1)
+    }
+}
+
+fn hsv(hue: f32, saturation: f32, value: f32) -> [u8; 3] {
+    let part = |shift: f32| {
+        let k = (shift + hue * 6.0) % 6.0;
+        value - value * saturation * k.min(4.0 - k).clamp(0.0, 1.0)
+    };
+    [part(5.0), part(3.0), part(1.0)].map(|v| (v * 255.0 + 0.5) as u8)
+}
+
+fn picture(frame: &Frame, pixels: Vec<[u8; 3]>) -> Picture {
+    let wanted = frame.width * frame.height;
+    let pixels = if pixels.len() == wanted { pixels } else { vec![[0; 3]; wanted] };
+    Picture { width: frame.width, height: frame.height, pixels }
+}
+
+/// The colours; black if the frame has none.
+pub fn rgb(frame: &Frame) -> Picture {
+    picture(frame, frame.rgb.clone())
+}
+
+/// Depth: near is bright and warm, `farthest` metres and beyond dark.
+pub fn depth(frame: &Frame, farthest: f32) -> Picture {
+    let colour = |&d: &f32| turbo(1.0 - (d / farthest).min(1.0));
+    picture(frame, frame.depth.iter().map(colour).collect())
+}
+
+/// Google's Turbo colour map, as the polynomial of its authors (Mikhailov 2019).
+fn turbo(x: f32) -> [u8; 3] {
+    let powers = [1.0, x, x * x, x * x * x, x * x * x * x, x * x * x * x * x];
+    let rows = [
+        [0.135_721_4, 4.615_392_6, -42.660_32, 132.131_08, -152.942_4, 59.286_38],
+        [0.091_402_61, 2.194_188_4, 4.842_967, -14.185_034, 4.277_298_6, 2.829_566],
+        [0.106_673_3, 12.641_946, -60.582_05, 110.362_77, -89.903_11, 27.348_25],
+    ];
+    rows.map(|row| {
+        let value: f32 = row.iter().zip(powers).map(|(a, b)| a * b).sum();
+        (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
+    })
+}
+
+/// Nodes in the palette's colours, nothing in black.
+pub fn instances(frame: &Frame) -> Picture {
+    let colour = |n: &vc_graph::NodeId| if *n == NOTHING { [0; 3] } else { Palette.colour(n.0) };
+    picture(frame, frame.instance.iter().map(colour).collect())
+}
+
+/// Classes in the palette's colours, nothing in black.
+pub fn classes(frame: &Frame) -> Picture {
+    let colour = |c: &u16| if *c == NO_LABEL { [0; 3] } else { Palette.colour(u32::from(*c)) };
+    picture(frame, frame.class.iter().map(colour).collect())
+}
+
+/// Normals: X, Y and Z as red, green and blue.
+pub fn normals(frame: &Frame) -> Picture {
+    picture(frame, frame.normal.iter().map(|n| n.map(|v| (127.5 + 127.5 * v) as u8)).collect())
+}
+
+/// Motion to the next moment: its direction as hue, its length up to `most` pixels as saturation.
+pub fn flow(frame: &Frame, most: f32) -> Picture {
+    let colour = |&[x, y]: &[f32; 2]| {
+        if x.is_nan() {
+            return [0; 3];
+        }
+        let hue = y.angle_to(x) / std::f32::consts::TAU;
+        hsv(if hue < 0.0 { hue + 1.0 } else { hue }, (x.hypotenuse(y) / most).min(1.0), 1.0)
+    };
+    picture(frame, frame.flow_forward.iter().map(colour).collect())
+}
+
+/// The visible masks over a grey picture of the frame.
+pub fn masks(frame: &Frame) -> Picture {
+    let mut all = picture(frame, frame.rgb.clone());
+    for p in &mut all.pixels {
+        *p = [(p.iter().map(|v| u16::from(*v)).sum::<u16>() / 3) as u8; 3];
+    }
+    for mask in frame.masks() {
+        let (colour, within) = (Palette.colour(mask.node().0), mask.within());
+        for y in within.y..within.y + within.height {
+            for x in (within.x..within.x + within.width).filter(|x| mask.has(*x, y)) {
+                let p = &mut all.pixels[y as usize * frame.width + x as usize];
+                *p = [0, 1, 2].map(|i: usize| (u16::midpoint(u16::from(p[i]), u16::from(colour[i]))) as u8);
+            }
+        }
+    }
+    all
+}
+
+/// Boxes over a picture: visible ones as rectangles, oriented ones as edges in space,
+/// of what has at least `least` pixels.
+pub fn with_boxes(mut picture: Picture, frame: &Frame, least: u32) -> Picture {
+    for label in frame.boxes.iter().filter(|b| b.area >= least) {
+        let colour = Palette.colour(label.node.0);
+        picture.outline(&label.visible, colour);
+        for (from, axis) in (0..8).flat_map(|c| (0..3).map(move |a| (c, a))).filter(|(c, a)| c >> a & 1 == 0) {
+            let ends = [label.oriented.corners[from], label.oriented.corners[from | 1 << axis]];
+            if let [Some(from), Some(to)] = ends {
+                picture.line([from.x, from.y], [to.x, to.y], colour.map(|v| v / 2 + 100));
+            }
+        }
+    }
+    picture
+}

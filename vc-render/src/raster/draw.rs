@@ -1,0 +1,229 @@
+//! Instances to the target, nearest first.
+
+use std::ops::Range;
+
+use super::clip::Polygon;
+use super::cull::{Frustum, looks_away};
+use super::fill;
+use super::project::Points;
+use super::target::{Target, Visible};
+use crate::affine::{Affine, Narrow};
+use crate::mesh::{Cluster, Mesh, TOLERANCES};
+use crate::scene::Instance;
+
+/// What is drawn, from where.
+#[derive(Clone, Copy)]
+pub(crate) struct Drawing<'a> {
+    pub(crate) instances: &'a [Instance],
+    pub(crate) frustum: Frustum,
+    /// Largest error of a curve's outline, pixels.
+    pub(crate) detail: f32,
+}
+
+/// What is drawn into, with the memory drawing needs.
+#[derive(Default)]
+pub(crate) struct Layers {
+    /// The nearest triangles.
+    pub(crate) front: Target,
+    /// The nearest triangles that are not clear; of use where [`Self::clear`] is set.
+    pub(crate) behind: Target,
+    /// Whether something clear was drawn, so that the two differ.
+    pub(crate) clear: bool,
+    /// The triangles that may be seen, by number.
+    pub(crate) visible: Vec<Visible>,
+    order: Vec<Placed>,
+    points: Option<Box<Points>>,
+}
+
+/// An instance in view.
+struct Placed {
+    nearest: f32,
+    instance: u32,
+    level: u8,
+}
+
+impl Layers {
+    /// Draws instances into some rows of the image. With `apart`, what is behind clear
+    /// things is kept too.
+    #[inline(always)]
+    pub(crate) fn draw(
+        &mut self,
+        drawing: &Drawing<'_>,
+        which: impl Iterator<Item = u32>,
+        (width, rows): (usize, Range<i32>),
+        apart: bool,
+    ) {
+        self.front.reset(width, rows);
+        self.visible.clear();
+        self.add(drawing, which, apart);
+    }
+
+    /// As [`Self::draw`], without what is clear.
+    #[inline(always)]
+    pub(crate) fn draw_solid(
+        &mut self,
+        drawing: &Drawing<'_>,
+        which: impl Iterator<Item = u32>,
+        (width, rows): (usize, Range<i32>),
+    ) {
+        self.front.reset(width, rows);
+        self.visible.clear();
+        self.sort(drawing, which);
+        for placed in &std::mem::take(&mut self.order) {
+            self.instance(drawing, placed, false);
+        }
+    }
+
+    /// As [`Self::draw`], into what there is.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, drawing: &Drawing<'_>, which: impl Iterator<Item = u32>, apart: bool) {
+        self.sort(drawing, which);
+        let order = std::mem::take(&mut self.order);
+        for placed in &order {
+            self.instance(drawing, placed, false);
+        }
+        let glazed = |p: &Placed| {
+            let mesh = &*drawing.instances[p.instance as usize].link.levels[usize::from(p.level)];
+            mesh.opaque < mesh.clusters.len()
+        };
+        self.clear = order.iter().any(glazed);
+        if self.clear && apart {
+            self.behind.clone_from(&self.front);
+        }
+        if self.clear {
+            for placed in order.iter().filter(|p| glazed(p)) {
+                self.instance(drawing, placed, true);
+            }
+        }
+        self.order = order;
+    }
+
+    /// What is in view, nearest first.
+    #[inline(always)]
+    fn sort(&mut self, drawing: &Drawing<'_>, which: impl Iterator<Item = u32>) {
+        self.order.clear();
+        for index in which {
+            let instance = &drawing.instances[index as usize];
+            let map = drawing.frustum.map.after(&instance.world).narrow();
+            let bounds = &instance.link.levels[0].bounds;
+            let Some(extent) = drawing.frustum.extent(&map, bounds) else { continue };
+            let level = drawing.level(instance, extent.nearest);
+            self.order.push(Placed { nearest: extent.nearest, instance: index, level });
+        }
+        self.order.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest).then(a.instance.cmp(&b.instance)));
+    }
+
+    #[inline(always)]
+    fn instance(&mut self, drawing: &Drawing<'_>, placed: &Placed, clear: bool) {
+        let instance = &drawing.instances[placed.instance as usize];
+        let mesh = &*instance.link.levels[usize::from(placed.level)];
+        let map = drawing.frustum.map.after(&instance.world);
+        let narrow = map.narrow();
+        let clusters = if clear { mesh.opaque..mesh.clusters.len() } else { 0..mesh.opaque };
+        let alone = mesh.clusters.len() == 1;
+        if !alone && self.hidden(drawing, &narrow, &mesh.bounds) {
+            return;
+        }
+        let eye = crate::affine::point(&instance.inverse, drawing.frustum.eye);
+        for cluster in &mesh.clusters[clusters] {
+            if looks_away(cluster, eye) || self.hidden(drawing, &narrow, &cluster.bounds) {
+                continue;
+            }
+            let run = Run {
+                mesh,
+                cluster,
+                map: &map,
+                narrow: &narrow,
+                near: drawing.frustum.near,
+                mirrored: instance.mirrored,
+            };
+            let name = |triangle: u32| Visible::new(placed.instance, placed.level, triangle);
+            self.cluster(&run, name);
+        }
+    }
+
+    /// Whether a box is out of view or behind what has been drawn.
+    #[inline(always)]
+    fn hidden(&mut self, drawing: &Drawing<'_>, map: &Narrow, bounds: &crate::mesh::Bounds) -> bool {
+        let Some(extent) = drawing.frustum.extent(map, bounds) else { return true };
+        // A thousandth nearer, against rounding.
+        extent.nearest > drawing.frustum.near && self.front.hides(extent.low, extent.high, 1.001 / extent.nearest)
+    }
+
+    #[inline(always)]
+    fn cluster(&mut self, run: &Run<'_>, name: impl Fn(u32) -> Visible) {
+        let points = self.points.get_or_insert_with(|| Box::new(Points::new()));
+        let vertices = run.cluster.vertices.start as usize..run.cluster.vertices.end as usize;
+        let axes = [0, 1, 2].map(|axis: usize| &run.mesh.axes[axis][vertices.clone()]);
+        let stray = points.project(axes, run.narrow, run.near);
+        let first = run.cluster.triangles.start;
+        let triangles = first as usize..run.cluster.triangles.end as usize;
+        for (&[a, b, c], index) in run.mesh.corners[triangles].iter().zip(first..) {
+            // Counter-clockwise seen from outside is clockwise with y down.
+            let [a, b, c] = if run.mirrored { [a, b, c] } else { [a, c, b] };
+            let number = self.visible.len() as u32;
+            let any = stray && [a, b, c].iter().any(|&v| points.stray[usize::from(v)] != 0);
+            let drawn = if any {
+                run.clipped([a, b, c]).triangles().fold(false, |d, t| fill::triangle(&mut self.front, &t, number) | d)
+            } else {
+                fill::triangle(&mut self.front, &[points.corner(a), points.corner(b), points.corner(c)], number)
+            };
+            if drawn {
+                self.visible.push(name(index));
+            }
+        }
+    }
+}
+
+/// A cluster on its way to the target.
+struct Run<'a> {
+    mesh: &'a Mesh,
+    cluster: &'a Cluster,
+    map: &'a Affine,
+    narrow: &'a Narrow,
+    near: f32,
+    mirrored: bool,
+}
+
+impl Run<'_> {
+    #[cold]
+    fn clipped(&self, corners: [u8; 3]) -> Polygon {
+        let point = |corner: u8| {
+            let at = self.cluster.vertices.start as usize + usize::from(corner);
+            let p = [0, 1, 2].map(|axis: usize| f64::from(self.mesh.axes[axis][at]));
+            self.map.0.map(|row| row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3])
+        };
+        Polygon::clipped(corners.map(point), self.near)
+    }
+}
+
+impl Visible {
+    /// Bits of the triangle's number; the level is above.
+    const BITS: u32 = 30;
+
+    pub(super) fn new(instance: u32, level: u8, triangle: u32) -> Self {
+        Self { instance, triangle: u32::from(level) << Self::BITS | triangle }
+    }
+
+    /// The mesh it is a triangle of.
+    #[inline(always)]
+    pub(crate) fn mesh(self, instances: &[Instance]) -> &Mesh {
+        &instances[self.instance as usize].link.levels[(self.triangle >> Self::BITS) as usize]
+    }
+
+    /// Its position in the mesh.
+    #[inline(always)]
+    pub(crate) fn index(self) -> usize {
+        (self.triangle & ((1 << Self::BITS) - 1)) as usize
+    }
+}
+
+impl Drawing<'_> {
+    /// The coarsest level whose curves are off by no more than allowed.
+    #[inline(always)]
+    fn level(&self, instance: &Instance, nearest: f32) -> u8 {
+        let stretch = instance.world.0.iter().flat_map(|row| &row[..3]).fold(0.0_f64, |m, v| m.max(v.abs())) as f32;
+        let error = stretch * self.frustum.focal / nearest.max(self.frustum.near);
+        (1..TOLERANCES.len()).rev().find(|&l| TOLERANCES[l] * error <= self.detail).unwrap_or(0) as u8
+    }
+}

@@ -1,0 +1,159 @@
+//! What is drawn into: inverse depth and triangle of every pixel of some rows.
+
+use std::ops::Range;
+
+/// Triangle of a pixel where there is none.
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// Pixels that are drawn at once.
+pub(super) const LANES: usize = 8;
+
+/// Side of the tiles of the coarse depth buffer, pixels.
+const TILE: usize = 16;
+
+/// A triangle that may be seen.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Visible {
+    pub(crate) instance: u32,
+    /// Level of detail and index in the mesh.
+    pub(super) triangle: u32,
+}
+
+/// Inverse depth and triangle of every pixel of a band of rows.
+#[derive(Debug, Default, Clone)]
+pub(crate) struct Target {
+    /// Pixels across.
+    pub(crate) width: usize,
+    /// Which rows of the image.
+    pub(crate) rows: Range<i32>,
+    /// Blocks of pixels in a row.
+    pub(super) stride: usize,
+    /// One over depth; zero where there is nothing.
+    pub(super) inverse: Vec<[f32; LANES]>,
+    /// Positions in a list of [`Visible`].
+    pub(super) triangles: Vec<[u32; LANES]>,
+    tiles: Tiles,
+}
+
+/// The least inverse depth in every tile, found when it is asked for.
+#[derive(Debug, Default, Clone)]
+struct Tiles {
+    across: usize,
+    least: Vec<f32>,
+    stale: Vec<bool>,
+}
+
+impl Target {
+    /// Makes it empty, with these rows of an image of this width.
+    pub(crate) fn reset(&mut self, width: usize, rows: Range<i32>) {
+        // A multiple of a tile's width.
+        self.stride = width.div_ceil(TILE) * TILE / LANES;
+        self.width = width;
+        let height = rows.len();
+        self.rows = rows;
+        refill(&mut self.inverse, [0.0; LANES], self.stride * height);
+        refill(&mut self.triangles, [NONE; LANES], self.stride * height);
+        self.close_margin(height);
+        self.tiles.across = width.div_ceil(TILE);
+        let tiles = self.tiles.across * height.div_ceil(TILE);
+        refill(&mut self.tiles.least, 0.0, tiles);
+        refill(&mut self.tiles.stale, false, tiles);
+    }
+
+    /// Makes a part of it empty: columns and rows of the image, the first included, the last not.
+    pub(crate) fn erase(&mut self, columns: Range<i32>, rows: Range<i32>) {
+        let columns =
+            columns.start.max(0) as usize / LANES..(columns.end.max(0) as usize).div_ceil(LANES).min(self.stride);
+        let rows = rows.start.max(self.rows.start)..rows.end.min(self.rows.end);
+        for y in rows.clone() {
+            let at = (y - self.rows.start) as usize * self.stride;
+            self.inverse[at + columns.start..at + columns.end].fill([0.0; LANES]);
+            self.triangles[at + columns.start..at + columns.end].fill([NONE; LANES]);
+        }
+        if !rows.is_empty() && !columns.is_empty() {
+            self.mark(
+                [(columns.start * LANES) as i32, rows.start],
+                [(columns.end * LANES - 1).min(self.width - 1) as i32, rows.end - 1],
+            );
+        }
+    }
+
+    /// Columns past the image are nearer than anything, so that nothing is drawn
+    /// there and tiles do not wait for them.
+    fn close_margin(&mut self, height: usize) {
+        for x in self.width..self.stride * LANES {
+            for y in 0..height {
+                self.inverse[y * self.stride + x / LANES][x % LANES] = f32::INFINITY;
+            }
+        }
+    }
+
+    /// Inverse depths of a row of the image, which must be one of the band's.
+    #[inline]
+    pub(crate) fn inverse_row(&self, y: i32) -> &[f32] {
+        let at = (y - self.rows.start) as usize * self.stride;
+        &self.inverse[at..at + self.stride].as_flattened()[..self.width]
+    }
+
+    /// Triangles of a row of the image, which must be one of the band's.
+    #[inline]
+    pub(crate) fn triangle_row(&self, y: i32) -> &[u32] {
+        let at = (y - self.rows.start) as usize * self.stride;
+        &self.triangles[at..at + self.stride].as_flattened()[..self.width]
+    }
+
+    /// Notes that pixels between two corners, both included, have changed.
+    #[inline(always)]
+    pub(super) fn mark(&mut self, low: [i32; 2], high: [i32; 2]) {
+        let row = |y: i32| (y - self.rows.start) as usize / TILE;
+        for ty in row(low[1])..=row(high[1]) {
+            for tx in low[0] as usize / TILE..=high[0] as usize / TILE {
+                self.tiles.stale[ty * self.tiles.across + tx] = true;
+            }
+        }
+    }
+
+    /// Whether everything between two corners, both included, is nearer than this.
+    #[inline(always)]
+    pub(super) fn hides(&mut self, low: [i32; 2], high: [i32; 2], inverse: f32) -> bool {
+        let row = |y: i32| (y - self.rows.start) as usize / TILE;
+        for ty in row(low[1])..=row(high[1]) {
+            for tx in low[0] as usize / TILE..=high[0] as usize / TILE {
+                if self.least(tx, ty) <= inverse {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    #[inline(always)]
+    fn least(&mut self, tx: usize, ty: usize) -> f32 {
+        let tile = ty * self.tiles.across + tx;
+        if self.tiles.stale[tile] {
+            self.tiles.stale[tile] = false;
+            self.tiles.least[tile] = self.measured(tx, ty);
+        }
+        self.tiles.least[tile]
+    }
+
+    #[inline(always)]
+    fn measured(&self, tx: usize, ty: usize) -> f32 {
+        let mut least = [f32::INFINITY; LANES];
+        for y in ty * TILE..((ty + 1) * TILE).min(self.rows.len()) {
+            let at = y * self.stride + tx * (TILE / LANES);
+            for block in &self.inverse[at..at + TILE / LANES] {
+                for (l, v) in least.iter_mut().zip(block) {
+                    *l = if *v < *l { *v } else { *l };
+                }
+            }
+        }
+        least.into_iter().fold(f32::INFINITY, f32::min)
+    }
+}
+
+/// `count` times `value`, in the memory there is.
+pub(crate) fn refill<T: Clone>(list: &mut Vec<T>, value: T, count: usize) {
+    list.clear();
+    list.resize(count, value);
+}

@@ -1,0 +1,217 @@
+//! The renderer: uploaded meshes, and what is made of them.
+
+use rayon::prelude::*;
+use vc_graph::asset::Joint;
+use vc_graph::{NodeId, SceneGraph};
+
+use crate::frame::{Band, Frame, Memory, Strip};
+use crate::label::{self, Other};
+use crate::modality::Modality;
+use crate::raster::{Drawing, Frustum, Layers};
+use crate::scene::{Snapshot, Store};
+use crate::shade;
+use crate::view::{Shot, View};
+use crate::{RenderError, simd};
+
+/// Owns uploaded meshes and surfaces, and renders with them.
+///
+/// Uploading happens in [`snapshot`](Self::snapshot), once for each asset. Rendering takes `&self`: many
+/// threads may share a renderer. A picture does not depend on how many threads make it;
+/// they are those of the [rayon](https://docs.rs/rayon) pool it is called in.
+#[derive(Debug)]
+pub struct Renderer {
+    pub(crate) store: Store,
+    pub(crate) detail: f32,
+}
+
+impl Default for Renderer {
+    fn default() -> Self {
+        Self { store: Store::default(), detail: 0.25 }
+    }
+}
+
+/// What stands for pixels, of nodes and their bodies.
+const RUNS: [Modality; 6] = [
+    Modality::Instance,
+    Modality::Class,
+    Modality::FlowForward,
+    Modality::FlowBackward,
+    Modality::Boxes,
+    Modality::Masks,
+];
+
+impl Renderer {
+    /// A renderer that knows no meshes yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets the largest error of a curve's outline when a coarser mesh is drawn, pixels:
+    /// a quarter if not said. Zero draws the finest mesh always.
+    #[must_use]
+    pub fn with_detail(self, pixels: f32) -> Self {
+        Self { detail: pixels, ..self }
+    }
+
+    /// A scene as it is now: nodes with a pose and a shape, or at least a box, and
+    /// joints open or closed as the nodes' states say.
+    ///
+    /// Assets not seen before are uploaded, which takes some hundred nanoseconds for each
+    /// triangle; the rest takes about a microsecond for each node.
+    ///
+    /// # Errors
+    /// [`RenderError::BadPose`], [`RenderError::NoSuchAsset`].
+    pub fn snapshot(&mut self, graph: &SceneGraph) -> Result<Snapshot, RenderError> {
+        self.snapshot_with(graph, |_, _| None)
+    }
+
+    /// As [`Self::snapshot`], with positions of joints (radians or metres) from who knows
+    /// them better than the nodes' states: `None` leaves a joint to these.
+    ///
+    /// # Errors
+    /// As [`Self::snapshot`].
+    pub fn snapshot_with(
+        &mut self,
+        graph: &SceneGraph,
+        mut joint: impl FnMut(NodeId, &Joint) -> Option<f32>,
+    ) -> Result<Snapshot, RenderError> {
+        Snapshot::new(&mut self.store, graph, &mut joint)
+    }
+
+    /// Uploaded triangles at the finest level of detail, and bytes of all levels.
+    pub fn size(&self) -> (usize, usize) {
+        self.store.size()
+    }
+
+    /// Renders a shot into a frame. What is not wanted costs nothing.
+    ///
+    /// # Errors
+    /// [`RenderError::BadSize`], [`RenderError::BadCamera`], [`RenderError::Missing`],
+    /// [`RenderError::OtherScene`]; the frame is then as it was.
+    pub fn render(&self, shot: &Shot<'_>, frame: &mut Frame) -> Result<(), RenderError> {
+        shot.check()?;
+        let View { snapshot, camera } = shot.view;
+        let wanted = shot.wanted;
+        frame.prepare(camera.width as usize, camera.height as usize, wanted);
+        let (strip, memory) = Strip::of(frame);
+        let Memory { bands, other, .. } = memory;
+        if wanted.has(Modality::Occlusion) {
+            self.others(shot, other);
+        }
+        bands.resize_with(count(camera.height), Band::default);
+        self.bands(shot, strip, bands, other);
+        if [Modality::Boxes, Modality::Masks, Modality::Amodal].iter().any(|m| wanted.has(*m)) {
+            label::boxes(camera, snapshot, frame);
+        }
+        if wanted.has(Modality::Amodal) {
+            label::amodal(camera, snapshot, self.detail, frame);
+        }
+        if let (true, Some(lighting)) = (wanted.has(Modality::Rgb), shot.lighting) {
+            shade::finish(self, lighting, shot.view, frame);
+        }
+        Ok(())
+    }
+
+    /// Renders several shots, each into its frame, on the threads there are.
+    ///
+    /// # Errors
+    /// As [`Self::render`], for the first shot that fails; [`RenderError::FrameCount`].
+    pub fn render_all(&self, shots: &[Shot<'_>], frames: &mut [Frame]) -> Result<(), RenderError> {
+        if shots.len() != frames.len() {
+            return Err(RenderError::FrameCount { shots: shots.len(), frames: frames.len() });
+        }
+        let results: Vec<_> = shots.par_iter().zip(frames).map(|(shot, frame)| self.render(shot, frame)).collect();
+        results.into_iter().collect()
+    }
+
+    /// Bands of rows, halved among the threads.
+    fn bands(&self, shot: &Shot<'_>, strip: Strip<'_>, bands: &mut [Band], other: &[Other; 2]) {
+        if let [band] = bands {
+            return self.band(shot, strip, band, other);
+        }
+        let middle = bands.len() / 2;
+        let rows = strip.rows.len() * middle / bands.len();
+        let (upper, lower) = strip.split(rows as i32);
+        let (first, last) = bands.split_at_mut(middle);
+        rayon::join(|| self.bands(shot, upper, first, other), || self.bands(shot, lower, last, other));
+    }
+
+    fn band(&self, shot: &Shot<'_>, mut strip: Strip<'_>, band: &mut Band, other: &[Other; 2]) {
+        let View { snapshot, camera } = shot.view;
+        let wanted = shot.wanted;
+        // One row more for colours, whose edges are smoothed.
+        let rgb = wanted.has(Modality::Rgb);
+        let last = if rgb { (strip.rows.end + 1).min(camera.height as i32) } else { strip.rows.end };
+        let rows = strip.rows.start..last;
+        self.draw(shot.view, rows, &mut band.layers, rgb);
+        if rgb {
+            shade::shade(self, shot.view, band, &mut strip);
+        }
+        simd::widest(
+            #[inline(always)]
+            || label::depths(camera, &band.layers, &mut strip),
+        );
+        label::normals(camera, snapshot, &band.layers, &mut strip);
+        band.runs.clear();
+        if RUNS.iter().any(|m| wanted.has(*m)) || wanted.has(Modality::Part) {
+            label::runs(&band.layers, strip.rows.clone(), &mut band.runs);
+            label::ids(snapshot, &band.layers, &band.runs, &mut strip);
+        }
+        flow(shot, &mut strip, band, other);
+    }
+
+    /// Draws everything into some rows of an image.
+    fn draw(&self, view: View<'_>, rows: std::ops::Range<i32>, layers: &mut Layers, apart: bool) {
+        let View { snapshot, camera } = view;
+        let frustum = Frustum::new(camera, &rows);
+        let drawing = Drawing { instances: &snapshot.instances, frustum, detail: self.detail };
+        let all = 0..snapshot.instances.len() as u32;
+        simd::widest(
+            #[inline(always)]
+            || layers.draw(&drawing, all, (camera.width as usize, rows), apart),
+        );
+    }
+
+    /// Depth at the moments after and before.
+    fn others(&self, shot: &Shot<'_>, other: &mut [Other; 2]) {
+        let wanted = [Modality::FlowForward, Modality::FlowBackward].map(|m| shot.wanted.has(m));
+        let views = [shot.after, shot.before];
+        other.par_iter_mut().zip(views).zip(wanted).for_each(|((other, view), wanted)| {
+            if let (Some(view), true) = (view, wanted) {
+                self.draw(view, 0..view.camera.height as i32, &mut other.layers, false);
+            }
+        });
+    }
+}
+
+/// Flow of a band, and what is hidden at the other moment.
+fn flow(shot: &Shot<'_>, strip: &mut Strip<'_>, band: &mut Band, other: &[Other; 2]) {
+    let Band { layers, runs, motion, .. } = band;
+    let width = strip.width;
+    let seen = (&*layers, runs.as_slice());
+    if let (Some(then), true) = (shot.after, shot.wanted.has(Modality::FlowForward)) {
+        simd::widest(
+            #[inline(always)]
+            || label::flows(shot.view, then, seen, motion, (width, strip.flow_forward)),
+        );
+        if shot.wanted.has(Modality::Occlusion) {
+            label::hidden(shot.view, then, seen, (motion, &other[0]), (width, strip.occluded_forward));
+        }
+    }
+    if let (Some(then), true) = (shot.before, shot.wanted.has(Modality::FlowBackward)) {
+        simd::widest(
+            #[inline(always)]
+            || label::flows(shot.view, then, seen, motion, (width, strip.flow_backward)),
+        );
+        if shot.wanted.has(Modality::Occlusion) {
+            label::hidden(shot.view, then, seen, (motion, &other[1]), (width, strip.occluded_backward));
+        }
+    }
+}
+
+/// Bands for an image: one on one thread, and none lower than 32 rows.
+fn count(height: u32) -> usize {
+    let threads = rayon::current_num_threads();
+    let most = if threads == 1 { 1 } else { 2 * threads };
+    most.min(height as usize / 32).max(1)
+}

@@ -1,0 +1,80 @@
+//! A node's body, and the instances of meshes it is made of.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+use vc_graph::{NodeId, Pose};
+
+use crate::affine::{Affine, Narrow};
+use crate::mesh::{Bounds, Link};
+
+/// Room of what is in none.
+pub(crate) const NO_ROOM: u16 = u16::MAX;
+
+/// A node that can be seen.
+#[derive(Debug, Clone)]
+pub(crate) struct Body {
+    pub(crate) node: NodeId,
+    /// Index in the snapshot's list of classes.
+    pub(crate) class: u16,
+    /// Index in the scene's list of rooms.
+    pub(crate) room: u16,
+    /// Whether what glows in it does.
+    pub(crate) lit: bool,
+    pub(crate) pose: Pose,
+    pub(crate) scale: Vector3<f32>,
+    pub(crate) instances: Range<u32>,
+    /// The box around it in its own frame, scale included, joints where they are.
+    pub(crate) bounds: Bounds,
+}
+
+/// A mesh somewhere in the world.
+#[derive(Debug, Clone)]
+pub(crate) struct Instance {
+    pub(crate) link: Arc<Link>,
+    /// Index of its body.
+    pub(crate) body: u32,
+    /// Where its joint is, radians or metres.
+    pub(crate) joint: f32,
+    /// From the mesh to the world.
+    pub(crate) world: Affine,
+    /// From the world to the mesh.
+    pub(crate) inverse: Narrow,
+    /// Whether the map turns triangles over.
+    pub(crate) mirrored: bool,
+}
+
+impl Instance {
+    /// Puts it where its body's pose and its joint say; false if it has no extent
+    /// there in some direction.
+    pub(crate) fn put(&mut self, pose: &Pose, scale: &Vector3<f32>) -> bool {
+        let base = Affine::placed(pose, scale);
+        let own = self.link.joint.map_or(Affine::IDENTITY, |joint| Affine::of(&joint.motion(self.joint)));
+        self.world = base.after(&own);
+        self.mirrored = self.world.determinant() < 0.0;
+        let inverse = self.world.inverse();
+        self.inverse = inverse.unwrap_or(Affine::IDENTITY).narrow();
+        inverse.is_some()
+    }
+}
+
+impl Body {
+    /// The box around the body's instances in its own frame.
+    pub(crate) fn measured(&self, instances: &[Instance]) -> Bounds {
+        let Some(back) = Affine::of(&self.pose).inverse() else { return Bounds::default() };
+        let mut all: Option<Bounds> = None;
+        for instance in instances {
+            let own = back.after(&instance.world).narrow();
+            let bounds = turned(&own, &instance.link.levels[0].bounds);
+            all = Some(all.map_or(bounds, |a| a.joined(&bounds)));
+        }
+        all.unwrap_or_default()
+    }
+}
+
+/// The box around a box that is mapped.
+pub(crate) fn turned(map: &Narrow, bounds: &Bounds) -> Bounds {
+    let half = [0, 1, 2].map(|r: usize| (0..3).map(|c| map[r][c].abs() * bounds.half[c]).sum());
+    Bounds { centre: crate::affine::point(map, bounds.centre), half }
+}

@@ -1,0 +1,9 @@
+//! What is to be seen: bodies and where they are.
+
+mod body;
+mod snapshot;
+mod store;
+
+pub(crate) use body::{Body, Instance, NO_ROOM, turned};
+pub use snapshot::Snapshot;
+pub(crate) use store::Store;

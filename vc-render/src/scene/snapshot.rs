@@ -1,0 +1,207 @@
+//! A scene at one moment.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use vc_graph::asset::Joint;
+use vc_graph::{Kind, Node, NodeId, Pose, SceneGraph, State};
+
+use super::{Body, Instance, NO_ROOM, Store};
+use crate::RenderError;
+use crate::affine::Affine;
+use crate::mesh::Link;
+
+/// Everything that can be seen of a scene at one moment: which meshes are where,
+/// which lamps are on.
+///
+/// A snapshot is made by [`Renderer::snapshot`](crate::Renderer::snapshot) and is cheap to clone; a clone that is
+/// moved is the state before or after that optical flow needs. It knows no more of the graph.
+#[derive(Debug, Clone)]
+pub struct Snapshot {
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) instances: Vec<Instance>,
+    pub(crate) classes: Arc<Vec<Arc<str>>>,
+    pub(crate) rooms: Arc<Vec<NodeId>>,
+    by_node: Arc<HashMap<NodeId, u32>>,
+}
+
+impl Snapshot {
+    /// Everything in a graph that has a pose and a shape or box. `joint` gives the
+    /// position of a node's joint, where it knows it.
+    pub(crate) fn new(
+        store: &mut Store,
+        graph: &SceneGraph,
+        joint: &mut dyn FnMut(NodeId, &Joint) -> Option<f32>,
+    ) -> Result<Self, RenderError> {
+        let rooms: HashMap<NodeId, u16> = graph.rooms().iter().copied().zip(0..NO_ROOM).collect();
+        let mut classes = Classes::of(graph);
+        let (mut bodies, mut instances) = (Vec::new(), Vec::new());
+        for node in graph.nodes().filter(|n| n.kind() != Kind::Room) {
+            let Some(pose) = node.pose() else { continue };
+            let links = links(store, graph, node)?;
+            let first = instances.len() as u32;
+            let room = graph.room_of(node.id()).and_then(|r| rooms.get(&r).copied()).unwrap_or(NO_ROOM);
+            let scale = if node.spec().asset.is_some() { node.spec().scale } else { nalgebra::Vector3::repeat(1.0) };
+            if !Affine::placed(pose, &scale).is_finite() {
+                return Err(RenderError::BadPose(node.id()));
+            }
+            for link in links {
+                instances.extend(instance(link, bodies.len() as u32, node, (pose, &scale), joint));
+            }
+            let mut body = Body {
+                node: node.id(),
+                class: classes.number(node.class()),
+                room,
+                lit: node.is(State::On),
+                pose: *pose,
+                scale,
+                instances: first..instances.len() as u32,
+                bounds: Default::default(),
+            };
+            body.bounds = body.measured(&instances[first as usize..]);
+            bodies.push(body);
+        }
+        let by_node = bodies.iter().zip(0..).map(|(b, i)| (b.node, i)).collect();
+        let (classes, rooms) = (Arc::new(classes.names), Arc::new(graph.rooms().to_vec()));
+        Ok(Self { bodies, instances, classes, rooms, by_node: Arc::new(by_node) })
+    }
+
+    /// Moves a body. Costs a few operations for each of its links.
+    ///
+    /// # Errors
+    /// [`RenderError::NoBody`], [`RenderError::BadPose`].
+    pub fn place(&mut self, node: NodeId, pose: &Pose) -> Result<(), RenderError> {
+        let index = self.body(node)?;
+        let body = &mut self.bodies[index];
+        if !Affine::placed(pose, &body.scale).is_finite() {
+            return Err(RenderError::BadPose(node));
+        }
+        body.pose = *pose;
+        for instance in &mut self.instances[body.instances.start as usize..body.instances.end as usize] {
+            instance.put(pose, &body.scale);
+        }
+        Ok(())
+    }
+
+    /// Moves the joints of a body: `position` gives each joint's, radians or metres,
+    /// where it is to change.
+    ///
+    /// # Errors
+    /// [`RenderError::NoBody`], [`RenderError::BadPose`].
+    pub fn articulate(
+        &mut self,
+        node: NodeId,
+        mut position: impl FnMut(&Joint) -> Option<f32>,
+    ) -> Result<(), RenderError> {
+        let index = self.body(node)?;
+        let body = &mut self.bodies[index];
+        let instances = &mut self.instances[body.instances.start as usize..body.instances.end as usize];
+        for instance in &mut *instances {
+            let Some(wanted) = instance.link.joint.and_then(|j| position(&j)) else { continue };
+            if !wanted.is_finite() {
+                return Err(RenderError::BadPose(node));
+            }
+            instance.joint = wanted;
+            instance.put(&body.pose, &body.scale);
+        }
+        body.bounds = body.measured(instances);
+        Ok(())
+    }
+
+    /// Switches what glows of a body.
+    ///
+    /// # Errors
+    /// [`RenderError::NoBody`].
+    pub fn switch(&mut self, node: NodeId, on: bool) -> Result<(), RenderError> {
+        let index = self.body(node)?;
+        self.bodies[index].lit = on;
+        Ok(())
+    }
+
+    /// The name of a class number.
+    pub fn class(&self, number: u16) -> Option<&Arc<str>> {
+        self.classes.get(usize::from(number))
+    }
+
+    /// Nodes that have a body, in order.
+    pub fn nodes(&self) -> impl Iterator<Item = NodeId> + '_ {
+        self.bodies.iter().map(|b| b.node)
+    }
+
+    /// Number of triangles at the finest level of detail.
+    pub fn triangles(&self) -> usize {
+        self.instances.iter().map(|i| i.link.levels[0].len()).sum()
+    }
+
+    fn body(&self, node: NodeId) -> Result<usize, RenderError> {
+        self.by_node.get(&node).map(|&i| i as usize).ok_or(RenderError::NoBody(node))
+    }
+
+    /// The body of a node, if it has one.
+    pub(crate) fn body_of(&self, node: NodeId) -> Option<&Body> {
+        self.body(node).ok().map(|i| &self.bodies[i])
+    }
+}
+
+fn links(store: &mut Store, graph: &SceneGraph, node: &Node) -> Result<Vec<Arc<Link>>, RenderError> {
+    let Some(id) = node.spec().asset else { return Ok(store.stand_in(node.spec()).unwrap_or_default()) };
+    let missing = RenderError::NoSuchAsset { node: node.id(), asset: id.0 };
+    let asset = graph.assets().get(id).ok_or(missing)?;
+    Ok(store.links(graph.assets(), asset))
+}
+
+/// The instance of a link; none where its scale leaves it no volume.
+fn instance(
+    link: Arc<Link>,
+    body: u32,
+    node: &Node,
+    (pose, scale): (&Pose, &nalgebra::Vector3<f32>),
+    joint: &mut dyn FnMut(NodeId, &Joint) -> Option<f32>,
+) -> Option<Instance> {
+    let position = link.joint.map_or(0.0, |j| {
+        let told = joint(node.id(), &j).filter(|p| p.is_finite());
+        told.unwrap_or_else(|| if node.is(State::Open) { opened(&j) } else { closed(&j) })
+    });
+    let mut instance =
+        Instance { link, body, joint: position, world: Affine::IDENTITY, inverse: [[0.0; 4]; 3], mirrored: false };
+    instance.put(pose, scale).then_some(instance)
+}
+
+/// The limit farther from zero.
+fn opened(joint: &Joint) -> f32 {
+    let (low, high) = joint.limits;
+    if high >= -low { high } else { low }
+}
+
+/// Zero, or the limit nearest to it.
+fn closed(joint: &Joint) -> f32 {
+    let (low, high) = joint.limits;
+    0.0_f32.max(low).min(high)
+}
+
+/// Numbers of classes: those of the scene's class table, then classes it does not
+/// know in the order of their names.
+struct Classes {
+    names: Vec<Arc<str>>,
+    numbers: HashMap<Arc<str>, u16>,
+}
+
+impl Classes {
+    fn of(graph: &SceneGraph) -> Self {
+        let mut names: Vec<Arc<str>> = graph.classes().iter().map(|c| c.name.clone()).collect();
+        let mut numbers: HashMap<Arc<str>, u16> = names.iter().cloned().zip(0..).collect();
+        let mut others: Vec<Arc<str>> =
+            graph.nodes().map(|n| n.class().clone()).filter(|c| !numbers.contains_key(c)).collect();
+        others.sort_unstable();
+        others.dedup();
+        for name in others {
+            numbers.insert(name.clone(), names.len() as u16);
+            names.push(name);
+        }
+        Self { names, numbers }
+    }
+
+    fn number(&mut self, class: &Arc<str>) -> u16 {
+        self.numbers.get(class).copied().unwrap_or(u16::MAX)
+    }
+}

@@ -1,0 +1,83 @@
+//! Uploaded assets: made once, kept while the renderer lives.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use vc_graph::asset::{Material, Part, Shape};
+use vc_graph::{Asset, AssetLibrary, Pose, Spec};
+
+use crate::mesh::{Link, TOLERANCES, links};
+use crate::surface::{Role, Surface};
+
+/// Links of all assets seen so far, and the surfaces they have.
+#[derive(Debug, Default)]
+pub(crate) struct Store {
+    pub(crate) surfaces: Vec<Surface>,
+    known_surfaces: HashMap<(usize, u32, Role), u16>,
+    assets: HashMap<(usize, usize), Vec<Arc<Link>>>,
+    /// Keeps what the addresses above belong to.
+    kept: Vec<(Arc<AssetLibrary>, Arc<Asset>)>,
+    stand_in: Option<u16>,
+}
+
+impl Store {
+    /// The links of an asset; made if they are not there yet.
+    pub(crate) fn links(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>) -> Vec<Arc<Link>> {
+        let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize);
+        if let Some(links) = self.assets.get(&key) {
+            return links.clone();
+        }
+        self.kept.push((library.clone(), asset.clone()));
+        let made: Vec<Arc<Link>> =
+            links(asset, |part| self.surface(key.0, library, part)).into_iter().map(Arc::new).collect();
+        self.assets.insert(key, made.clone());
+        made
+    }
+
+    /// A plain box for a node of which only the box is known; none without one.
+    pub(crate) fn stand_in(&mut self, spec: &Spec) -> Option<Vec<Arc<Link>>> {
+        let bounds = spec.bounds?;
+        let surface = *self.stand_in.get_or_insert_with(|| {
+            self.surfaces.push(Surface::plain());
+            self.surfaces.len() as u16 - 1
+        });
+        let offset = bounds.offset;
+        let part = Part {
+            name: "box".into(),
+            shape: Shape::Box { half: bounds.half },
+            material: 0,
+            pose: Pose::translation(offset.x, offset.y, offset.z),
+            joint: None,
+        };
+        let asset = Asset { name: "box".into(), parts: vec![part], ..Asset::default() };
+        Some(links(&asset, |_| (surface, false)).into_iter().map(Arc::new).collect())
+    }
+
+    fn surface(&mut self, address: usize, library: &AssetLibrary, part: &Part) -> (u16, bool) {
+        let role = Role::of(part);
+        let key = (address, part.material, role);
+        let known = self.known_surfaces.get(&key).copied();
+        let index = known.unwrap_or_else(|| {
+            let made = library.material(part.material).map_or_else(Surface::plain, |m: &Material| Surface::of(m, role));
+            let same = self.surfaces.iter().position(|s| *s == made);
+            let index = same.unwrap_or_else(|| {
+                self.surfaces.push(made);
+                self.surfaces.len() - 1
+            });
+            let index = index.min(usize::from(u16::MAX)) as u16;
+            self.known_surfaces.insert(key, index);
+            index
+        });
+        (index, self.surfaces[usize::from(index)].is_clear())
+    }
+
+    /// Triangles at the finest level, and bytes of all levels.
+    pub(crate) fn size(&self) -> (usize, usize) {
+        let all = || self.assets.values().flatten();
+        let bytes = |link: &Arc<Link>| {
+            let fresh = |&i: &usize| i == 0 || !Arc::ptr_eq(&link.levels[i], &link.levels[i - 1]);
+            (0..TOLERANCES.len()).filter(fresh).map(|i| link.levels[i].bytes()).sum::<usize>()
+        };
+        (all().map(|l| l.levels[0].len()).sum(), all().map(bytes).sum())
+    }
+}

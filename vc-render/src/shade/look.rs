@@ -1,0 +1,55 @@
+//! A surface close up: its material, touched by its texture.
+
+use crate::affine::{self, Narrow};
+use crate::label::unit;
+use crate::surface::{Surface, Tile};
+
+/// What light meets at a point.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Look {
+    pub(crate) colour: [f32; 3],
+    pub(crate) roughness: f32,
+    pub(crate) normal: [f32; 3],
+}
+
+/// The look at a point: `local` is where it is and `facing` the triangle's normal,
+/// both in the frame that `axes` leads from; `footprint` is the width seen there, metres.
+#[inline(always)]
+pub(crate) fn look(
+    surface: &Surface,
+    (local, facing, grain): ([f32; 3], [f32; 3], u8),
+    axes: &Narrow,
+    normal: [f32; 3],
+    footprint: f32,
+) -> Look {
+    let tile = Tile::of(surface.pattern);
+    let (u, v) = plane(facing, grain);
+    let touch = tile.at(tile.level(footprint), local[u], local[v]);
+    let colour = [0, 1, 2].map(|i: usize| surface.colour[i] * touch.tint[i]);
+    let roughness = (surface.roughness * touch.roughness).clamp(0.02, 1.0);
+    if touch.lean == [0.0; 2] {
+        return Look { colour, roughness, normal };
+    }
+    let axis = |a: usize, by: f32| {
+        let mut own = [0.0; 3];
+        own[a] = by;
+        affine::vector(axes, own)
+    };
+    let (a, b) = (axis(u, touch.lean[0]), axis(v, touch.lean[1]));
+    Look { colour, roughness, normal: unit([0, 1, 2].map(|i: usize| normal[i] + a[i] + b[i])) }
+}
+
+/// The axes a texture lies along, across and with the grain.
+#[inline(always)]
+fn plane(facing: [f32; 3], grain: u8) -> (usize, usize) {
+    let [x, y, z] = facing.map(f32::abs);
+    let through = if x >= y && x >= z {
+        0
+    } else if y >= z {
+        1
+    } else {
+        2
+    };
+    let (a, b) = [(1, 2), (0, 2), (0, 1)][through];
+    if usize::from(grain) == a { (b, a) } else { (a, b) }
+}

@@ -1,0 +1,89 @@
+//! What light does at a surface: its material and its texture.
+
+mod noise;
+mod pattern;
+mod tile;
+
+use vc_graph::asset::{Material, Part};
+
+pub(crate) use pattern::Pattern;
+pub(crate) use tile::Tile;
+
+/// A material as light meets it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Surface {
+    /// Linear reflectance; of clear things, what share of light passes by colour.
+    pub(crate) colour: [f32; 3],
+    pub(crate) roughness: f32,
+    pub(crate) metallic: f32,
+    pub(crate) transmission: f32,
+    pub(crate) emission: [f32; 3],
+    pub(crate) role: Role,
+    pub(crate) pattern: Pattern,
+}
+
+/// What a part is for, where that changes how it looks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Role {
+    Plain,
+    /// Light shines through it.
+    Shade,
+    /// Wood of it is laid as boards.
+    Floor,
+    /// A wall or ceiling: its texture goes on from piece to piece.
+    Built,
+}
+
+impl Role {
+    pub(crate) fn of(part: &Part) -> Self {
+        match &*part.name {
+            "shade" => Self::Shade,
+            "floor" => Self::Floor,
+            "wall" | "ceiling" => Self::Built,
+            _ => Self::Plain,
+        }
+    }
+}
+
+impl Surface {
+    pub(crate) fn of(material: &Material, role: Role) -> Self {
+        Self {
+            // Nothing reflects everything.
+            colour: material.colour.map(|c| c.min(0.9)),
+            roughness: material.roughness.clamp(0.02, 1.0),
+            metallic: material.metallic.min(1.0),
+            transmission: material.transmission.min(1.0),
+            emission: material.emission,
+            role,
+            pattern: Pattern::of(material, role),
+        }
+    }
+
+    /// Grey, matt.
+    pub(crate) fn plain() -> Self {
+        Self {
+            colour: [0.5; 3],
+            roughness: 0.7,
+            metallic: 0.0,
+            transmission: 0.0,
+            emission: [0.0; 3],
+            role: Role::Plain,
+            pattern: Pattern::Plain,
+        }
+    }
+
+    /// Whether one sees through it.
+    pub(crate) fn is_clear(&self) -> bool {
+        self.transmission > 0.3
+    }
+
+    /// Whether it shows what is before it sharply.
+    pub(crate) fn is_mirror(&self) -> bool {
+        self.metallic > 0.9 && self.roughness < 0.06
+    }
+
+    /// Whether it can give light.
+    pub(crate) fn glows(&self) -> bool {
+        self.emission != [0.0; 3]
+    }
+}

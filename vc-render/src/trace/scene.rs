@@ -1,0 +1,129 @@
+//! A snapshot's triangles in the world, for rays.
+
+use super::bvh::{Bvh, Hit, Ray};
+use crate::affine::{self, Affine};
+use crate::mesh::Face;
+use crate::scene::{Instance, Snapshot};
+use crate::shade::{Look, look};
+use crate::surface::{Pattern, Role, Surface};
+
+/// All triangles of a snapshot: those one sees through in a tree of their own.
+#[derive(Debug, Clone)]
+pub(crate) struct Tracer {
+    pub(crate) snapshot: Snapshot,
+    solid: Bvh,
+    clear: Bvh,
+    /// Instance and triangle by number, of the solid and of the clear ones.
+    origins: [Vec<(u32, u32)>; 2],
+}
+
+/// What a ray has met.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Met<'a> {
+    pub(crate) t: f32,
+    pub(crate) at: [f32; 3],
+    pub(crate) instance: &'a Instance,
+    pub(crate) face: &'a Face,
+    /// Area of the triangle, square metres.
+    pub(crate) area: f32,
+    /// Normal of the triangle, unit length, outwards.
+    pub(crate) flat: [f32; 3],
+    /// Normal of the surface, unit length, outwards.
+    pub(crate) normal: [f32; 3],
+}
+
+impl Tracer {
+    pub(crate) fn new(snapshot: &Snapshot) -> Self {
+        let mut origins = [Vec::new(), Vec::new()];
+        let mut corners = [Vec::new(), Vec::new()];
+        for (index, instance) in snapshot.instances.iter().enumerate() {
+            let mesh = &instance.link.levels[0];
+            let world = instance.world.narrow();
+            for (number, cluster) in mesh.clusters.iter().enumerate() {
+                let kind = usize::from(number >= mesh.opaque);
+                for triangle in cluster.triangles.clone() {
+                    corners[kind].push(mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p)));
+                    origins[kind].push((index as u32, triangle));
+                }
+            }
+        }
+        let (solid, clear) = rayon::join(|| Bvh::build(&corners[0]), || Bvh::build(&corners[1]));
+        Self { snapshot: snapshot.clone(), solid, clear, origins }
+    }
+
+    /// The first solid thing along a ray.
+    pub(crate) fn first(&self, ray: &Ray) -> Option<Met<'_>> {
+        self.solid.first(ray).map(|hit| self.met(ray, &hit, 0))
+    }
+
+    /// The first thing along a ray, solid or clear.
+    pub(crate) fn first_of_all(&self, ray: &Ray) -> Option<Met<'_>> {
+        let solid = self.solid.first(ray);
+        let nearer = Ray { end: solid.map_or(ray.end, |h| h.t), ..*ray };
+        match self.clear.first(&nearer) {
+            Some(hit) => Some(self.met(ray, &hit, 1)),
+            None => solid.map(|hit| self.met(ray, &hit, 0)),
+        }
+    }
+
+    /// The first clear thing along a ray.
+    pub(crate) fn first_clear(&self, ray: &Ray) -> Option<Met<'_>> {
+        self.clear.first(ray).map(|hit| self.met(ray, &hit, 1))
+    }
+
+    /// Whether something solid is on the way.
+    pub(crate) fn blocked(&self, ray: &Ray) -> bool {
+        self.solid.any(ray)
+    }
+
+    fn met(&self, ray: &Ray, hit: &Hit, kind: usize) -> Met<'_> {
+        let (index, triangle) = self.origins[kind][hit.number as usize];
+        let instance = &self.snapshot.instances[index as usize];
+        let mesh = &*instance.link.levels[0];
+        let face = &mesh.faces[triangle as usize];
+        let corners = mesh.triangle(mesh.cluster_of(triangle as usize), triangle as usize);
+        let [u, v] = hit.weights;
+        let world = instance.world.narrow();
+        let placed = corners.map(|p| affine::point(&world, p));
+        let edge = |k: usize| [0, 1, 2].map(|i: usize| corners[k][i] - corners[0][i]);
+        let (b, c) = (edge(1), edge(2));
+        let own = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+        let flat = crate::label::unit(affine::normal(&instance.inverse, own));
+        let [n0, n1, n2] = face.normals;
+        let bent = [0, 1, 2].map(|i: usize| n0[i] * (1.0 - u - v) + n1[i] * u + n2[i] * v);
+        let normal = if face.flat { face.normals[0] } else { bent };
+        Met {
+            t: hit.t,
+            at: [0, 1, 2].map(|i: usize| ray.from[i] + hit.t * ray.along[i]),
+            instance,
+            face,
+            area: area(placed),
+            flat,
+            normal: crate::label::unit(affine::normal(&instance.inverse, normal)),
+        }
+    }
+}
+
+impl Met<'_> {
+    /// The surface close up; `footprint` is the width seen there, metres.
+    pub(crate) fn look(&self, surface: &Surface, footprint: f32) -> Look {
+        if surface.pattern == Pattern::Plain {
+            return Look { colour: surface.colour, roughness: surface.roughness, normal: self.normal };
+        }
+        let built = matches!(surface.role, Role::Built | Role::Floor);
+        let (local, facing) = if built {
+            (self.at, self.flat)
+        } else {
+            (affine::point(&self.instance.inverse, self.at), self.face.normals[0])
+        };
+        let axes = if built { Affine::IDENTITY.narrow() } else { self.instance.world.narrow() };
+        look(surface, (local, facing, self.face.grain), &axes, self.normal, footprint)
+    }
+}
+
+fn area([a, b, c]: [[f32; 3]; 3]) -> f32 {
+    let edge = |p: [f32; 3]| [0, 1, 2].map(|i: usize| p[i] - a[i]);
+    let (u, v) = (edge(b), edge(c));
+    let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    0.5 * (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt()
+}

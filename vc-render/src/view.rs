@@ -1,0 +1,79 @@
+//! What is rendered: who sees what, and what of it is wanted.
+
+use crate::RenderError;
+use crate::camera::Camera;
+use crate::light::Lighting;
+use crate::modality::{Modalities, Modality};
+use crate::scene::Snapshot;
+
+/// A camera and what is before it.
+#[derive(Debug, Clone, Copy)]
+pub struct View<'a> {
+    /// The scene at that moment.
+    pub snapshot: &'a Snapshot,
+    /// Who looks at it.
+    pub camera: &'a Camera,
+}
+
+/// One picture to be: a view, the views before and after it for optical flow, the
+/// light for colours, and what is wanted.
+#[derive(Clone, Copy)]
+pub struct Shot<'a> {
+    /// What is seen.
+    pub view: View<'a>,
+    /// The moment before, which backward flow needs; of the same scene.
+    pub before: Option<View<'a>>,
+    /// The next moment, which forward flow needs; of the same scene.
+    pub after: Option<View<'a>>,
+    /// The light, which colours need.
+    pub lighting: Option<&'a Lighting>,
+    /// What is wanted.
+    pub wanted: Modalities,
+}
+
+impl<'a> Shot<'a> {
+    /// A picture of a moment.
+    pub fn new(snapshot: &'a Snapshot, camera: &'a Camera, wanted: impl Into<Modalities>) -> Self {
+        let view = View { snapshot, camera };
+        Self { view, before: None, after: None, lighting: None, wanted: wanted.into() }
+    }
+
+    /// With the moment before.
+    #[must_use]
+    pub fn before(self, snapshot: &'a Snapshot, camera: &'a Camera) -> Self {
+        Self { before: Some(View { snapshot, camera }), ..self }
+    }
+
+    /// With the next moment.
+    #[must_use]
+    pub fn after(self, snapshot: &'a Snapshot, camera: &'a Camera) -> Self {
+        Self { after: Some(View { snapshot, camera }), ..self }
+    }
+
+    /// In a light.
+    #[must_use]
+    pub fn lit(self, lighting: &'a Lighting) -> Self {
+        Self { lighting: Some(lighting), ..self }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), RenderError> {
+        self.view.camera.check()?;
+        let here = self.view.snapshot.instances.len();
+        for other in [self.before, self.after].into_iter().flatten() {
+            other.camera.check()?;
+            let there = other.snapshot.instances.len();
+            if there != here {
+                return Err(RenderError::OtherScene { here, there });
+            }
+        }
+        let needs = [
+            (Modality::Rgb, "colour", "light", self.lighting.is_some()),
+            (Modality::FlowForward, "forward flow", "next moment", self.after.is_some()),
+            (Modality::FlowBackward, "backward flow", "moment before", self.before.is_some()),
+        ];
+        match needs.into_iter().find(|(modality, .., there)| self.wanted.has(*modality) && !there) {
+            Some((_, wanted, needs, _)) => Err(RenderError::Missing { wanted, needs }),
+            None => Ok(()),
+        }
+    }
+}
