@@ -114,6 +114,8 @@ pub(crate) fn surfels(
     let solid = if layers.clear { &layers.behind } else { &layers.front };
     for y in strip.rows.clone() {
         let row = strip.row(y);
+        // Panes and mirrors are finished when the whole frame is there.
+        let first = y as usize * strip.width;
         let out = &mut strip.surfels[row.clone()];
         let inverse = solid.inverse_row(y);
         let mut column = 0;
@@ -124,11 +126,11 @@ pub(crate) fn surfels(
                 out[columns].fill(Surfel::NOTHING);
                 continue;
             };
-            let place = Place { renderer, view, frustum: &frustum, world: &world, y, first: row.start as u32 };
+            let place = Place { renderer, view, frustum: &frustum, world: &world, y, first: first as u32 };
             place.run(visible, scratch, &inverse[columns.clone()], (columns.start, &mut out[columns]));
         }
         if layers.clear {
-            panes(view, &frustum, layers, (y, row.start), scratch);
+            panes(view, &frustum, layers, (y, first), scratch);
         }
     }
 }
