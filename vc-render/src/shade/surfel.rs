@@ -154,7 +154,8 @@ impl Place<'_> {
         let instance = &instances[visible.instance as usize];
         let face = &visible.mesh(instances).faces[visible.index()];
         let surface: &Surface = &self.renderer.store.surfaces[usize::from(face.surface)];
-        let bend = bent(|| scratch.maps(visible.instance, instances, self.frustum)[0], self.frustum.near, instances, visible);
+        let bend =
+            bent(|| scratch.maps(visible.instance, instances, self.frustum)[0], self.frustum.near, instances, visible);
         let (x, y) = (column as f32 + 0.5, self.y as f32 + 0.5);
         let normal = |i: usize| match &bend {
             Ok(flat) => *flat,
@@ -202,10 +203,11 @@ fn panes(view: View<'_>, frustum: &Frustum, layers: &Layers, (y, first): (i32, u
     let inverse = layers.front.inverse_row(y);
     for x in (0..front.len()).filter(|&x| front[x] != behind[x]) {
         let visible = layers.visible[front[x] as usize];
-        let normal = match bent(|| scratch.maps(visible.instance, instances, frustum)[0], frustum.near, instances, visible) {
-            Ok(flat) => flat,
-            Err(bend) => crate::label::unit(bend.at(x as f32 + 0.5, y as f32 + 0.5)),
-        };
+        let normal =
+            match bent(|| scratch.maps(visible.instance, instances, frustum)[0], frustum.near, instances, visible) {
+                Ok(flat) => flat,
+                Err(bend) => crate::label::unit(bend.at(x as f32 + 0.5, y as f32 + 0.5)),
+            };
         scratch.panes.push(Pane {
             pixel: (first + x) as u32,
             surface: visible.mesh(instances).faces[visible.index()].surface,
