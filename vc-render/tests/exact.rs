@@ -1,5 +1,7 @@
 //! Ids, depth and normals against a ray caster at every pixel's centre.
 
+#![allow(clippy::unwrap_used)]
+
 mod common;
 
 use common::caster::Caster;

@@ -1,5 +1,7 @@
 //! Labels agree with each other, with other threads, and survive bad input.
 
+#![allow(clippy::unwrap_used)]
+
 mod common;
 
 use common::{Stage, block, cameras, furnished, pose};

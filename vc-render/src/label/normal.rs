@@ -7,7 +7,7 @@ use crate::raster::{Layers, Visible};
 use crate::scene::{Instance, Snapshot};
 
 /// Normals across a triangle: how they change over the image.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct Bent {
     /// Normal times inverse depth at the image's corner, and its change across and down.
     start: [f32; 3],
@@ -22,15 +22,15 @@ impl Bent {
         let [a, b, c] = corners;
         let (bx, by, cx, cy) = (b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]);
         let over = 1.0 / (bx * cy - by * cx);
-        let mut bent = Self::default();
-        for i in 0..3 {
+        let part = |i: usize| {
             let value = |k: usize| normals[k][i] * corners[k][2];
             let (db, dc) = (value(1) - value(0), value(2) - value(0));
-            bent.across[i] = (db * cy - dc * by) * over;
-            bent.down[i] = (dc * bx - db * cx) * over;
-            bent.start[i] = value(0) - bent.across[i] * a[0] - bent.down[i] * a[1];
-        }
-        bent
+            let (across, down) = ((db * cy - dc * by) * over, (dc * bx - db * cx) * over);
+            [value(0) - across * a[0] - down * a[1], across, down]
+        };
+        let parts = [part(0), part(1), part(2)];
+        let [start, across, down] = [0, 1, 2].map(|k: usize| parts.map(|p| p[k]));
+        Self { start, across, down }
     }
 
     /// The normal at a place in the image, not of unit length.

@@ -31,13 +31,16 @@ pub(crate) struct Grid {
     points: Vec<Harmonics>,
 }
 
+/// Where light is thrown back, which way that faces, its reflectance and room.
+type Thrown = ([f32; 3], [f32; 3], [f32; 3], u16);
+
 /// What a ray from a point of the grid has met.
 struct Seen {
     towards: [f32; 3],
     /// Light it gives, and what is thrown back of direct light.
     direct: [f32; 3],
-    /// Where, which way it faces, its reflectance and room; none where there is nothing.
-    place: Option<([f32; 3], [f32; 3], [f32; 3], u16)>,
+    /// Where that is; none where there is nothing.
+    place: Option<Thrown>,
 }
 
 impl Grid {
@@ -88,7 +91,8 @@ impl Grid {
 #[inline(always)]
 pub(crate) fn falls(light: &Harmonics, n: [f32; 3]) -> [f32; 3] {
     // Pi for the even part, two thirds of pi for the other.
-    light.map(|h| (3.141_593 * h[0] + 2.094_395 * (h[1] * n[0] + h[2] * n[1] + h[3] * n[2])).max(0.05 * h[0]))
+    light
+        .map(|h| (std::f32::consts::PI * h[0] + 2.094_395 * (h[1] * n[0] + h[2] * n[1] + h[3] * n[2])).max(0.05 * h[0]))
 }
 
 /// Light that comes from about a direction.

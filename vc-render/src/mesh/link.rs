@@ -18,11 +18,14 @@ pub(crate) struct Link {
     pub(crate) levels: [Arc<Mesh>; TOLERANCES.len()],
 }
 
+/// A part's position, its surface, and whether one sees through it.
+type Look = (usize, u16, bool);
+
 /// The links of an asset, the one without a joint first where there is one.
 ///
 /// `surface` tells a part's surface and whether one sees through it.
 pub(crate) fn links(asset: &Asset, mut surface: impl FnMut(&Part) -> (u16, bool)) -> Vec<Link> {
-    let mut groups: Vec<(Option<Joint>, Vec<(usize, u16, bool)>)> = vec![(None, Vec::new())];
+    let mut groups: Vec<(Option<Joint>, Vec<Look>)> = vec![(None, Vec::new())];
     for (index, part) in asset.parts.iter().enumerate() {
         let (surface, clear) = surface(part);
         match groups.iter_mut().find(|g| g.0 == part.joint) {
@@ -34,7 +37,7 @@ pub(crate) fn links(asset: &Asset, mut surface: impl FnMut(&Part) -> (u16, bool)
     groups.into_iter().map(|(joint, parts)| Link { joint, levels: levels(asset, &parts) }).collect()
 }
 
-fn levels(asset: &Asset, parts: &[(usize, u16, bool)]) -> [Arc<Mesh>; TOLERANCES.len()] {
+fn levels(asset: &Asset, parts: &[Look]) -> [Arc<Mesh>; TOLERANCES.len()] {
     let mut last: Option<Arc<Mesh>> = None;
     TOLERANCES.map(|tolerance| {
         let sources: Vec<Source> = parts.iter().map(|part| source(asset, part, tolerance)).collect();
@@ -44,7 +47,7 @@ fn levels(asset: &Asset, parts: &[(usize, u16, bool)]) -> [Arc<Mesh>; TOLERANCES
     })
 }
 
-fn source(asset: &Asset, &(index, surface, clear): &(usize, u16, bool), tolerance: f32) -> Source {
+fn source(asset: &Asset, &(index, surface, clear): &Look, tolerance: f32) -> Source {
     let part = &asset.parts[index];
     let mut mesh = part.shape.mesh(tolerance).transformed(&part.pose);
     // What is not closed has two sides; all other shapes are closed.

@@ -117,9 +117,7 @@ fn smoothed(soft: &[Soft], guides: &[Guide], width: usize, step: i32) -> Vec<Sof
                 let weight = wx * wy * turned
                     / (1.0 + (apart * 12.0 / step as f32 * 4.0) * (apart * 12.0))
                     / (1.0 + unlike * unlike);
-                for i in 0..3 {
-                    light[i] += weight * other.light[i];
-                }
+                light.iter_mut().zip(other.light).for_each(|(sum, value)| *sum += weight * value);
                 variance += weight * weight * other.variance;
                 total += weight;
             }

@@ -32,14 +32,14 @@ impl Scatter {
         Self { colour, metallic, alpha, axes, back: unit(own), gloss }
     }
 
-    pub(super) fn into_frame(&self, world: [f32; 3]) -> [f32; 3] {
+    pub(super) fn inwards(&self, world: [f32; 3]) -> [f32; 3] {
         self.axes.map(|axis| dot(axis, world))
     }
 
     /// What share of light from a direction of the world is thrown back, times the cosine, by
     /// colour; and the chance for each unit of solid angle that [`Self::sample`] goes there.
     pub(super) fn evaluate(&self, towards: [f32; 3]) -> ([f32; 3], f32) {
-        let to = self.into_frame(towards);
+        let to = self.inwards(towards);
         if to[2] <= 1e-4 {
             return ([0.0; 3], 0.0);
         }

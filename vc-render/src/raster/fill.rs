@@ -99,16 +99,12 @@ fn small(target: &mut Target, corners: &[Corner; 3], (low, high): Span, number: 
             }
             for edge in 0..3 {
                 let step = edges[edge].1 * LANES as i32;
-                for lane in 0..LANES {
-                    inside[edge][lane] = inside[edge][lane].wrapping_add(step);
-                }
+                inside[edge].iter_mut().for_each(|value| *value = value.wrapping_add(step));
             }
             column += LANES as f32;
         }
         for edge in 0..3 {
-            for lane in 0..LANES {
-                rows[edge][lane] += edges[edge].2;
-            }
+            rows[edge].iter_mut().for_each(|value| *value += edges[edge].2);
         }
     }
 }
@@ -152,15 +148,13 @@ fn large(target: &mut Target, corners: &[Corner; 3], (low, high): Span, number: 
 
 #[inline(always)]
 fn run(inverse: &mut [f32], triangles: &mut [u32], (start, step): (f32, f32), (least, most): (f32, f32), number: u32) {
-    let mut column = 0_u32;
-    for (inverse, triangle) in inverse.iter_mut().zip(triangles) {
+    for ((column, inverse), triangle) in (0_u32..).zip(inverse).zip(triangles) {
         let v = start + step * column as f32;
         let v = if v > least { v } else { least };
         let v = if v < most { v } else { most };
         let drawn = v > *inverse;
         *inverse = if drawn { v } else { *inverse };
         *triangle = if drawn { number } else { *triangle };
-        column += 1;
     }
 }
 

@@ -165,7 +165,7 @@ impl Around {
     ) -> ([f32; 3], [f32; 3]) {
         let normal = own.normal();
         let (x0, y0) = (x / 2, y / 2);
-        let (x1, y1) = (((x + 1) / 2).min(across - 1), ((y + 1) / 2).min(down - 1));
+        let (x1, y1) = (x.div_ceil(2).min(across - 1), y.div_ceil(2).min(down - 1));
         let (mut falls, mut sheen, mut total) = ([0.0; 3], [0.0; 3], 1e-12);
         for index in [y0 * across + x0, y0 * across + x1, y1 * across + x0, y1 * across + x1] {
             let one = &all[index];

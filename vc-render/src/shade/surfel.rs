@@ -114,6 +114,8 @@ pub(crate) fn surfels(
     let solid = if layers.clear { &layers.behind } else { &layers.front };
     for y in strip.rows.clone() {
         let row = strip.row(y);
+        // Panes and mirrors are finished when the whole frame is there.
+        let first = y as usize * strip.width;
         let out = &mut strip.surfels[row.clone()];
         let inverse = solid.inverse_row(y);
         let mut column = 0;
@@ -124,11 +126,11 @@ pub(crate) fn surfels(
                 out[columns].fill(Surfel::NOTHING);
                 continue;
             };
-            let place = Place { renderer, view, frustum: &frustum, world: &world, y, first: row.start as u32 };
+            let place = Place { renderer, view, frustum: &frustum, world: &world, y, first: first as u32 };
             place.run(visible, scratch, &inverse[columns.clone()], (columns.start, &mut out[columns]));
         }
         if layers.clear {
-            panes(view, &frustum, layers, (y, row.start), scratch);
+            panes(view, &frustum, layers, (y, first), scratch);
         }
     }
 }
@@ -152,7 +154,8 @@ impl Place<'_> {
         let instance = &instances[visible.instance as usize];
         let face = &visible.mesh(instances).faces[visible.index()];
         let surface: &Surface = &self.renderer.store.surfaces[usize::from(face.surface)];
-        let bend = bent(|| scratch.maps(visible.instance, instances, self.frustum)[0], self.frustum.near, instances, visible);
+        let bend =
+            bent(|| scratch.maps(visible.instance, instances, self.frustum)[0], self.frustum.near, instances, visible);
         let (x, y) = (column as f32 + 0.5, self.y as f32 + 0.5);
         let normal = |i: usize| match &bend {
             Ok(flat) => *flat,
@@ -200,10 +203,11 @@ fn panes(view: View<'_>, frustum: &Frustum, layers: &Layers, (y, first): (i32, u
     let inverse = layers.front.inverse_row(y);
     for x in (0..front.len()).filter(|&x| front[x] != behind[x]) {
         let visible = layers.visible[front[x] as usize];
-        let normal = match bent(|| scratch.maps(visible.instance, instances, frustum)[0], frustum.near, instances, visible) {
-            Ok(flat) => flat,
-            Err(bend) => crate::label::unit(bend.at(x as f32 + 0.5, y as f32 + 0.5)),
-        };
+        let normal =
+            match bent(|| scratch.maps(visible.instance, instances, frustum)[0], frustum.near, instances, visible) {
+                Ok(flat) => flat,
+                Err(bend) => crate::label::unit(bend.at(x as f32 + 0.5, y as f32 + 0.5)),
+            };
         scratch.panes.push(Pane {
             pixel: (first + x) as u32,
             surface: visible.mesh(instances).faces[visible.index()].surface,

@@ -134,15 +134,16 @@ impl Node {
         let mut leaves = [end; WIDE];
         for axis in 0..3 {
             let (near, far) = if over[axis] >= 0.0 { (axis, axis + 3) } else { (axis + 3, axis) };
-            for lane in 0..WIDE {
-                let a = (self.bounds[near][lane] - from[axis]) * over[axis];
-                let b = (self.bounds[far][lane] - from[axis]) * over[axis] * 1.000_001;
-                enters[lane] = if a > enters[lane] { a } else { enters[lane] };
-                leaves[lane] = if b < leaves[lane] { b } else { leaves[lane] };
+            let boxes = self.bounds[near].iter().zip(&self.bounds[far]);
+            for ((near, far), (enters, leaves)) in boxes.zip(enters.iter_mut().zip(&mut leaves)) {
+                let a = (near - from[axis]) * over[axis];
+                let b = (far - from[axis]) * over[axis] * 1.000_001;
+                *enters = if a > *enters { a } else { *enters };
+                *leaves = if b < *leaves { b } else { *leaves };
             }
         }
-        for lane in 0..WIDE {
-            enters[lane] = if enters[lane] <= leaves[lane] { enters[lane] } else { f32::INFINITY };
+        for (enters, leaves) in enters.iter_mut().zip(leaves) {
+            *enters = if *enters <= leaves { *enters } else { f32::INFINITY };
         }
         enters
     }
