@@ -246,7 +246,8 @@ impl Grid {
         for _ in 0..nx.max(ny).max(nz) {
             let before = self.points.clone();
             let known = |x: usize, y: usize, z: usize| {
-                let p = before.get((z * ny + y) * nx + x).filter(|_| x < nx && y < ny && z < nz)?;
+                // What lies beyond has no number.
+                let p = (x < nx && y < ny && z < nz).then(|| &before[(z * ny + y) * nx + x])?;
                 (!p[0][0].is_nan()).then_some(p)
             };
             for (index, point) in self.points.iter_mut().enumerate().filter(|(_, p)| p[0][0].is_nan()) {

@@ -38,10 +38,11 @@ pub(super) struct Corner {
     pub(super) inverse: f32,
 }
 
-/// The nearest whole number of parts of a pixel.
+/// The nearest whole number of parts of a pixel; anything for what is astray, and not
+/// looked at then.
 #[inline(always)]
 pub(super) fn snapped(pixels: f32) -> i32 {
-    (pixels * STEPS + ROUNDER).to_bits() as i32 - ROUNDER.to_bits() as i32
+    ((pixels * STEPS + ROUNDER).to_bits() as i32).wrapping_sub(ROUNDER.to_bits() as i32)
 }
 
 impl Points {

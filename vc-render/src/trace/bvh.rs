@@ -109,15 +109,15 @@ impl Bvh {
             let node = &self.nodes[child as usize];
             let enters = node.enters(ray.from, over, end);
             let first = height;
-            for lane in 0..WIDE {
-                if enters[lane] <= end && height < STACK {
+            for (child, enter) in node.children.into_iter().zip(enters) {
+                if enter <= end && height < STACK {
                     // Nearest on top.
                     let mut at = height;
-                    while at > first && stack[at - 1].1 < enters[lane] {
+                    while at > first && stack[at - 1].1 < enter {
                         stack[at] = stack[at - 1];
                         at -= 1;
                     }
-                    stack[at] = (node.children[lane], enters[lane]);
+                    stack[at] = (child, enter);
                     height += 1;
                 }
             }
