@@ -8,7 +8,7 @@ use vc_procgen::{Apartment, Specification};
 
 /// Digests of the scenes of seeds 0, 1, 2 and so on. They are the same on every
 /// machine; who changes what is generated puts the new ones here.
-const DIGESTS: [&str; 4] = ["95ab6afe745f08fd", "99ecf6ea7a1f324b", "570a638170ed5ff9", "33eb4db7736eb8f8"];
+const DIGESTS: [&str; 4] = ["09123ac307abfb4e", "99ecf6ea7a1f324b", "a9ebaccf29b9a860", "a8208defa633061a"];
 
 #[test]
 fn every_machine_makes_the_same_bytes() {

@@ -7,6 +7,7 @@ use vc_graph::asset::Hold;
 use vc_graph::{ClassTable, Property, PropertySet, Relation};
 
 use crate::object;
+use crate::plan::RoomKind;
 
 /// For each kind of carrier what is kept on and inside it, with the rooms where.
 pub(super) struct Habits {
@@ -66,20 +67,73 @@ impl Habits {
         needs.iter().any(|&p| affordances.contains(p))
     }
 
-    /// What is kept on a surface of a carrier in a room, with weights.
-    pub(super) fn of(&self, carrier: &str, surface: &str, hold: Hold, room: &str) -> Vec<(&'static str, f32)> {
-        let relation = if hold == Hold::Inside { Relation::Inside } else { Relation::On };
-        if !self.holds(carrier, relation) {
-            return Vec::new();
+    /// What is kept in a place.
+    pub(super) fn of(&self, place: &Place) -> Choice {
+        let relation = if place.hold == Hold::Inside { Relation::Inside } else { Relation::On };
+        let mut choice = Choice::default();
+        if !self.holds(place.carrier, relation) {
+            return choice;
         }
-        let here = self.rooms.iter().position(|r| r == similar(room));
-        let mut found = Vec::new();
-        for name in standing_for(carrier, surface, relation, room) {
+        let here = self.rooms.iter().position(|r| r == similar(place.room));
+        for name in standing_for(place, relation) {
             let habits = self.kept.get(&(relation, (*name).to_owned())).into_iter().flatten();
             let kept = habits.filter(|h| h.room.is_none() || h.room == here);
-            found.extend(kept.map(|h| (h.class, h.weight)));
+            kept.for_each(|h| choice.add(h.class, h.weight));
         }
-        found
+        choice
+    }
+}
+
+/// A kind of surface things are kept on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) struct Place {
+    pub(super) carrier: &'static str,
+    /// Whether it is a drawer of the carrier.
+    pub(super) drawer: bool,
+    pub(super) hold: Hold,
+    /// Class of the room whose habits hold.
+    pub(super) room: &'static str,
+}
+
+/// Classes to draw from by weight.
+#[derive(Debug, Default)]
+pub(super) struct Choice {
+    classes: Vec<&'static str>,
+    /// Sums of the weights up to each class.
+    sums: Vec<f32>,
+}
+
+impl Choice {
+    fn add(&mut self, class: &'static str, weight: f32) {
+        self.classes.push(class);
+        self.sums.push(self.sums.last().unwrap_or(&0.0) + weight);
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.classes.is_empty()
+    }
+
+    /// The class a number of the unit interval stands for.
+    pub(super) fn draw(&self, unit: f32) -> Option<&'static str> {
+        let drawn = unit * self.sums.last()?;
+        self.classes.get(self.sums.partition_point(|&sum| sum <= drawn)).copied()
+    }
+}
+
+/// The room whose habits a piece brings into a studio's only room.
+pub(super) fn studio_corner(carrier: &str) -> &'static str {
+    match carrier {
+        "kitchen_cabinet"
+        | "kitchen_wall_cabinet"
+        | "kitchen_island"
+        | "kitchen_counter"
+        | "fridge"
+        | "freezer"
+        | "stove"
+        | "dishwasher"
+        | "microwave" => RoomKind::Kitchen.class(),
+        "single_bed" | "double_bed" | "nightstand" | "wardrobe" | "dresser" => RoomKind::Bedroom.class(),
+        _ => RoomKind::Living.class(),
     }
 }
 
@@ -93,11 +147,11 @@ fn similar(room: &str) -> &str {
 }
 
 /// The classes of the table that a carrier stands for.
-fn standing_for<'a>(carrier: &'a str, surface: &str, relation: Relation, room: &str) -> Vec<&'a str> {
-    let inside = relation == Relation::Inside;
-    match carrier {
+fn standing_for(place: &Place, relation: Relation) -> Vec<&'static str> {
+    let (room, inside) = (place.room, relation == Relation::Inside);
+    match place.carrier {
         "kitchen_cabinet" | "kitchen_island" if !inside => vec!["kitchen_counter"],
-        "kitchen_cabinet" | "kitchen_island" if surface.starts_with("drawer") => vec!["kitchen_drawer"],
+        "kitchen_cabinet" | "kitchen_island" if place.drawer => vec!["kitchen_drawer"],
         "kitchen_cabinet" | "kitchen_wall_cabinet" | "kitchen_island" if inside => {
             vec!["kitchen_cabinet", "pantry_cabinet"]
         }

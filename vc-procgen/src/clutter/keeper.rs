@@ -7,9 +7,11 @@ use vc_graph::asset::{Hold, Surface};
 use vc_graph::portable::Portable;
 use vc_graph::{Pose, Seed, State, Stream};
 
+use super::habits::studio_corner;
 use crate::apartment::Apartment;
 use crate::furnish::{Area, Item, Rest, standing};
 use crate::object::{self, Draft, Object};
+use crate::plan::{RoomKind, Scheme};
 
 /// Gap between things, and from a surface's edge, metres.
 const GAP: f32 = 0.004;
@@ -30,37 +32,34 @@ pub(super) struct Keeper<'a> {
 }
 
 impl<'a> Keeper<'a> {
-    pub(super) fn new(home: &'a mut Apartment, carrier: usize, seed: Seed) -> Self {
-        let count = home.items[carrier].object.asset.surfaces.len();
-        let mut keeper = Self { home, carrier, rng: seed.stream(), seed, made: 0, taken: vec![Vec::new(); count] };
-        keeper.note_standing();
-        keeper
-    }
-
-    /// Notes what furniture already stands on the carrier: a bowl on its vanity.
-    fn note_standing(&mut self) {
-        let own = self.home.items[self.carrier].pose;
-        for item in &self.home.items {
-            if let Rest::On(at, surface) | Rest::Inside(at, surface) = item.rest
-                && at == self.carrier
-            {
-                let bounds = item.object.bounds.aabb(&(own.inverse() * item.pose));
-                self.taken[surface].push(Area {
-                    x0: bounds.min.x,
-                    y0: bounds.min.y,
-                    x1: bounds.max.x,
-                    y1: bounds.max.y,
-                });
-            }
+    /// For one item, on whose surfaces (first) some furniture (second) already stands.
+    pub(super) fn new(
+        home: &'a mut Apartment,
+        carrier: usize,
+        seed: Seed,
+        standing: impl Iterator<Item = (usize, usize)>,
+    ) -> Self {
+        let own = home.items[carrier].pose.inverse();
+        let mut taken = vec![Vec::new(); home.items[carrier].object.asset.surfaces.len()];
+        for (surface, item) in standing {
+            let item = &home.items[item];
+            let bounds = item.object.bounds.aabb(&(own * item.pose));
+            taken[surface].push(Area { x0: bounds.min.x, y0: bounds.min.y, x1: bounds.max.x, y1: bounds.max.y });
         }
+        Self { home, carrier, rng: seed.stream(), seed, made: 0, taken }
     }
 
     pub(super) fn class(&self) -> &'static str {
         self.home.items[self.carrier].object.class
     }
 
+    /// Class of the room whose habits hold here.
     pub(super) fn room_class(&self) -> &'static str {
-        self.home.plan.rooms[self.home.items[self.carrier].room].kind.class()
+        let kind = self.home.plan.rooms[self.home.items[self.carrier].room].kind;
+        match (self.home.plan.scheme, kind) {
+            (Scheme::Studio, RoomKind::Living) => studio_corner(self.class()),
+            _ => kind.class(),
+        }
     }
 
     pub(super) fn surfaces(&self) -> usize {

@@ -10,39 +10,74 @@ mod habits;
 mod keeper;
 mod set;
 
+use std::collections::HashMap;
+use std::rc::Rc;
+
 use vc_graph::Seed;
 use vc_graph::asset::Hold;
 
 use crate::apartment::Apartment;
-use crate::furnish::Rest;
-use habits::Habits;
+use crate::furnish::{Item, Rest};
+use habits::{Choice, Habits, Place};
 use keeper::Keeper;
 
 /// Fills an apartment; `amount` from 0 (only what belongs to the furniture) to 1.
 pub(crate) fn fill(home: &mut Apartment, amount: f32, seed: Seed) {
     let carriers = home.items.len();
-    let habits = Habits::known();
+    let standing = standing(&home.items);
+    let mut choices = Choices::default();
     for index in 0..carriers {
         if home.items[index].rest == Rest::Built || home.items[index].object.asset.surfaces.is_empty() {
             continue;
         }
         let own = seed.child("clutter").nth(index as u64);
-        let mut keeper = Keeper::new(home, index, own);
+        let first = standing.partition_point(|s| s.carrier < index);
+        let on_it = standing[first..].iter().take_while(|s| s.carrier == index);
+        let mut keeper = Keeper::new(home, index, own, on_it.map(|s| (s.surface, s.item)));
         set::dress(&mut keeper, amount);
         for surface in 0..keeper.surfaces() {
-            keep(&mut keeper, surface, habits, amount);
+            keep(&mut keeper, surface, &mut choices, amount);
         }
     }
 }
 
+/// A piece of furniture that stands on another: a bowl on its vanity.
+struct Standing {
+    carrier: usize,
+    surface: usize,
+    item: usize,
+}
+
+/// What stands on other furniture, by carrier.
+fn standing(items: &[Item]) -> Vec<Standing> {
+    let mut all: Vec<Standing> = Vec::new();
+    for (item, thing) in items.iter().enumerate() {
+        if let Rest::On(carrier, surface) | Rest::Inside(carrier, surface) = thing.rest {
+            all.push(Standing { carrier, surface, item });
+        }
+    }
+    all.sort_by_key(|s| s.carrier);
+    all
+}
+
+/// What is kept in places of a kind, looked up once for a home.
+#[derive(Default)]
+struct Choices {
+    known: HashMap<Place, Rc<Choice>>,
+}
+
+impl Choices {
+    fn of(&mut self, place: Place) -> Rc<Choice> {
+        self.known.entry(place).or_insert_with_key(|place| Rc::new(Habits::known().of(place))).clone()
+    }
+}
+
 /// Puts what people keep there on a surface, as many as its area and the amount ask.
-fn keep(keeper: &mut Keeper<'_>, surface: usize, habits: &Habits, amount: f32) {
+fn keep(keeper: &mut Keeper<'_>, surface: usize, choices: &mut Choices, amount: f32) {
     let (class, room) = (keeper.class(), keeper.room_class());
-    let Some((hold, area, name)) = keeper.surface(surface).map(|s| (s.hold, 4.0 * s.half.0 * s.half.1, s.name.clone()))
-    else {
-        return;
-    };
-    let kept = habits.of(class, &name, hold, room);
+    let Some(s) = keeper.surface(surface) else { return };
+    let (hold, area) = (s.hold, 4.0 * s.half.0 * s.half.1);
+    let kept = choices.of(Place { carrier: class, drawer: s.name.starts_with("drawer"), hold, room });
     let density = match hold {
         Hold::Inside => 20.0,
         Hold::On if matches!(class, "sofa" | "armchair" | "chair" | "dining_chair" | "office_chair") => 0.4,
@@ -53,21 +88,12 @@ fn keep(keeper: &mut Keeper<'_>, surface: usize, habits: &Habits, amount: f32) {
     if kept.is_empty() || amount <= 0.0 {
         return;
     }
-    let sums: Vec<f32> = kept
-        .iter()
-        .scan(0.0, |sum, k| {
-            *sum += k.1;
-            Some(*sum)
-        })
-        .collect();
-    let all = sums.last().copied().unwrap_or(0.0);
     let most = if hold == Hold::Inside { 7.0 } else { 8.0 };
     let mean = (area * density).min(most) * amount * 1.3;
     let mut left = (mean * keeper.rng.between(0.4, 1.5) + keeper.rng.unit()) as usize;
     while left > 0 {
         left -= 1;
-        let drawn = keeper.rng.unit() * all;
-        let Some(&(class, _)) = kept.get(sums.partition_point(|&sum| sum <= drawn)) else { continue };
+        let Some(class) = kept.draw(keeper.rng.unit()) else { continue };
         let Some(first) = keeper.put(class, surface) else { continue };
         // Some things are kept by the several.
         let more = set::together(class, &mut keeper.rng);

@@ -87,15 +87,21 @@ fn hangs(thing: &Thing, hook: &P) -> bool {
 fn feet(thing: &Thing) -> Vec<P> {
     let low = thing.low.z + SETTLE;
     let pieces = thing.pieces.iter().filter(|p| p.low.z < low);
-    let all: Vec<P> = pieces.flat_map(|p| p.points.iter()).filter(|p| p.z < low).copied().collect();
-    let step = all.len().div_ceil(160).max(1);
-    let lowest = all.iter().copied().min_by(|a, b| a.z.total_cmp(&b.z));
-    let mut feet: Vec<P> = all.into_iter().step_by(step).chain(lowest).collect();
+    // Of each piece some: a notebook's spiral has a thousand points, its cover four.
+    let mut feet: Vec<P> = pieces.flat_map(|piece| some_of(piece.points.iter().filter(|p| p.z < low))).collect();
     let centre = P::from(feet.iter().map(|p| p.coords).sum::<V>() / feet.len() as f64);
     let drawn_in: Vec<P> = feet.iter().map(|p| p + (centre - p).component_mul(&V::new(0.15, 0.15, 0.0))).collect();
     feet.extend(drawn_in);
     feet.push(P::new(centre.x, centre.y, thing.low.z));
     feet
+}
+
+/// About a hundred points at most, the lowest among them.
+fn some_of<'a>(points: impl Iterator<Item = &'a P>) -> Vec<P> {
+    let all: Vec<P> = points.copied().collect();
+    let step = all.len().div_ceil(100).max(1);
+    let lowest = all.iter().copied().min_by(|a, b| a.z.total_cmp(&b.z));
+    all.into_iter().step_by(step).chain(lowest).collect()
 }
 
 /// Points along the edges of a carrier at the height of a thing's base and under it.
