@@ -49,26 +49,21 @@ impl Bits {
 
     /// Whether any bit of a rectangle is set.
     pub(crate) fn any(&self, x: (i32, i32), y: (i32, i32)) -> bool {
-        let cut = |v: i32, most: usize| v.clamp(0, most as i32) as usize;
-        let (x0, x1) = (cut(x.0, self.width), cut(x.1, self.width));
-        (cut(y.0, self.height())..cut(y.1, self.height())).any(|row| {
-            (x0 / 64..x1.div_ceil(64)).any(|word| {
-                let mask = span(x0.max(word * 64) - word * 64, x1.min(word * 64 + 64).max(word * 64) - word * 64);
-                self.rows[row * self.words + word] & mask != 0
-            })
-        })
+        self.first(x, y).is_some()
     }
 
-    /// Whether any bit within a distance of a rectangle is set.
-    pub(crate) fn any_within(&self, x: (i32, i32), y: (i32, i32), distance: usize) -> bool {
+    /// A set bit within a distance of a rectangle.
+    pub(crate) fn first_within(&self, x: (i32, i32), y: (i32, i32), distance: usize) -> Option<(usize, usize)> {
         let far = distance as i32;
         // Rows of the rectangle grown by a disc, nearest first.
-        self.any((x.0 - far, x.1 + far), y)
-            || (1..=far).any(|off| {
+        self.first((x.0 - far, x.1 + far), y).or_else(|| {
+            (1..=far).find_map(|off| {
                 let half = ((far * far - off * off) as f32).sqrt() as i32;
                 let x = (x.0 - half, x.1 + half);
-                self.any(x, (y.0 - off, y.0 - off + 1)) || self.any(x, (y.1 + off - 1, y.1 + off))
+                let below = self.first(x, (y.0 - off, y.0 - off + 1));
+                below.or_else(|| self.first(x, (y.1 + off - 1, y.1 + off)))
             })
+        })
     }
 
     /// Clears all bits from whose middle a disc would meet a rectangle.
@@ -92,7 +87,6 @@ impl Bits {
     /// Costs a few operations for each word and each row of the disc.
     pub(crate) fn dilated(&self, radius: usize) -> Self {
         let mut out = self.empty();
-        let height = self.height();
         let mut wide = self.clone();
         let mut reach = 0;
         // From the disc's rim rows inwards the span only grows.
@@ -102,13 +96,10 @@ impl Bits {
                 wide.widen();
                 reach += 1;
             }
-            for row in 0..height {
-                let from = &wide.rows[row * self.words..(row + 1) * self.words];
-                for target in [row.checked_sub(dy), Some(row + dy).filter(|&t| t < height)].into_iter().flatten() {
-                    let to = &mut out.rows[target * self.words..(target + 1) * self.words];
-                    to.iter_mut().zip(from).for_each(|(a, b)| *a |= b);
-                }
-            }
+            // So many rows up and down: all rows at once.
+            let skip = (dy * self.words).min(wide.rows.len());
+            out.rows.iter_mut().zip(&wide.rows[skip..]).for_each(|(a, b)| *a |= b);
+            out.rows[skip..].iter_mut().zip(&wide.rows).for_each(|(a, b)| *a |= b);
         }
         out
     }
@@ -129,7 +120,7 @@ impl Bits {
     /// Everything that can be reached from a set bit over set bits, by steps along
     /// the axes; nothing from a bit that is not set.
     ///
-    /// Sweeps down and up, whole runs of a row at once, until nothing is new.
+    /// Spreads from row to row, whole runs of a row at once.
     pub(crate) fn flood(&self, x: usize, y: usize) -> Self {
         let mut seen = self.empty();
         if !self.get(x, y) {
@@ -137,11 +128,14 @@ impl Bits {
         }
         seen.set(x, y);
         seen.fill_runs(self, y);
-        let (mut news, height) = (true, self.height());
-        while news {
-            news = false;
-            (1..height).for_each(|row| news |= seen.spread(self, row, row - 1));
-            (1..height).rev().for_each(|row| news |= seen.spread(self, row - 1, row));
+        let height = self.height();
+        let mut grown = vec![y];
+        while let Some(row) = grown.pop() {
+            for next in [row.wrapping_sub(1), row + 1] {
+                if next < height && seen.spread(self, next, row) {
+                    grown.push(next);
+                }
+            }
         }
         seen
     }
@@ -214,9 +208,14 @@ impl Bits {
     /// The first set bit of a rectangle.
     pub(crate) fn first(&self, x: (i32, i32), y: (i32, i32)) -> Option<(usize, usize)> {
         let cut = |v: i32, most: usize| v.clamp(0, most as i32) as usize;
-        let columns = cut(x.0, self.width)..cut(x.1, self.width);
-        (cut(y.0, self.height())..cut(y.1, self.height()))
-            .find_map(|y| columns.clone().find(|&x| self.get(x, y)).map(|x| (x, y)))
+        let (x0, x1) = (cut(x.0, self.width), cut(x.1, self.width));
+        (cut(y.0, self.height())..cut(y.1, self.height())).find_map(|row| {
+            (x0 / 64..x1.div_ceil(64)).find_map(|word| {
+                let mask = span(x0.max(word * 64) - word * 64, x1.min(word * 64 + 64).max(word * 64) - word * 64);
+                let bits = self.rows[row * self.words + word] & mask;
+                (bits != 0).then(|| (word * 64 + bits.trailing_zeros() as usize, row))
+            })
+        })
     }
 
     /// The bits that are not set.

@@ -5,7 +5,7 @@
 //! [`Specification`], or says which wish cannot be met. [`Apartment::scene`] is its
 //! scene graph with poses, relations, states and assets, [`Apartment::check`] lists
 //! whatever is wrong with it (nothing, for those that are returned), and
-//! `Apartment::floor_plan` draws it.
+//! `Apartment::floor_plan` draws it. [`Layout`] is rooms and furniture alone, as boxes.
 //!
 //! ```
 //! use vc_graph::Seed;
@@ -31,6 +31,7 @@ mod error;
 mod fingerprint;
 pub mod furnish;
 pub mod gltf;
+mod layout;
 pub mod material;
 pub mod object;
 pub mod picture;
@@ -45,5 +46,6 @@ mod style;
 pub use apartment::Apartment;
 pub use error::Impossible;
 pub use fingerprint::Fingerprint;
+pub use layout::Layout;
 pub use specification::Specification;
 pub use style::Style;

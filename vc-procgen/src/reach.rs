@@ -92,7 +92,7 @@ impl Reach {
     pub(crate) fn touches(&self, room: usize, area: &Area) -> bool {
         let r = outward(area);
         let (x, y) = ((r.x0 - self.west, r.x1 - self.west), (r.y0 - self.south, r.y1 - self.south));
-        self.within[room].any_within(x, y, ARM)
+        self.within[room].first_within(x, y, ARM).is_some()
     }
 }
 

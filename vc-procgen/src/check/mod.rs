@@ -5,7 +5,7 @@ mod overlap;
 use std::fmt;
 
 use crate::apartment::Apartment;
-use crate::furnish::{Item, Rest};
+use crate::furnish::{Area, Item, Rest};
 use crate::plan::{OpeningKind, RoomKind};
 use crate::reach::Reach;
 
@@ -77,7 +77,8 @@ impl Apartment {
         let items = &self.items;
         let pairs = collisions(items);
         found.extend(pairs.into_iter().map(|(a, b)| Violation::Overlap(self.named(a), self.named(b))));
-        found.extend((0..items.len()).filter_map(|i| self.outside(i)));
+        let nets: Vec<Vec<Area>> = self.plan.rooms.iter().map(|r| r.net().iter().map(Area::of).collect()).collect();
+        found.extend((0..items.len()).filter_map(|i| self.outside(i, &nets[items[i].room])));
         found.extend((0..items.len()).filter_map(|i| self.unsupported(i)));
         found.extend(self.blocked());
         let reach = Reach::of(&self.plan, items);
@@ -103,8 +104,9 @@ impl Apartment {
         !self.plan.rooms.iter().any(|r| r.kind.is_bedroom())
     }
 
-    /// What is part of the building reaches beyond its room; all else does not.
-    fn outside(&self, index: usize) -> Option<Violation> {
+    /// What is part of the building reaches beyond its room's net area; all else does
+    /// not.
+    fn outside(&self, index: usize, net: &[Area]) -> Option<Violation> {
         let item = &self.items[index];
         if item.rest == Rest::Built {
             return None;
@@ -112,10 +114,9 @@ impl Apartment {
         let area = item.area();
         let (low, high) = item.corners();
         let slack = 1e-3;
-        let net: Vec<_> =
-            self.plan.rooms[item.room].net().iter().map(|r| crate::furnish::Area::of(r).grown(slack)).collect();
         let corners = [(area.x0, area.y0), (area.x0, area.y1), (area.x1, area.y0), (area.x1, area.y1)];
-        let inside = |&(x, y): &(f32, f32)| net.iter().any(|n| x >= n.x0 && x <= n.x1 && y >= n.y0 && y <= n.y1);
+        let holds = |n: &Area, x, y| x >= n.x0 - slack && x <= n.x1 + slack && y >= n.y0 - slack && y <= n.y1 + slack;
+        let inside = |&(x, y): &(f32, f32)| net.iter().any(|n| holds(n, x, y));
         let upright = low.z > -slack && high.z < self.plan.ceiling + slack;
         (!corners.iter().all(inside) || !upright).then(|| Violation::Outside(self.named(index), item.room))
     }
@@ -151,8 +152,8 @@ impl Apartment {
         let mut found = Vec::new();
         for (door, opening) in self.plan.openings.iter().enumerate().filter(|(_, o)| o.is_way()) {
             let zones = opening.swing().into_iter().chain([opening.before(true, 5), opening.before(false, 5)]);
-            let zones: Vec<_> = zones.map(|z| crate::furnish::Area::of(&z).grown(-0.03)).collect();
-            let blocks = |(_, room, area): &&(usize, usize, crate::furnish::Area)| {
+            let zones: Vec<_> = zones.map(|z| Area::of(&z).grown(-0.03)).collect();
+            let blocks = |(_, room, area): &&(usize, usize, Area)| {
                 opening.touches(*room) && zones.iter().any(|z| z.overlaps(area))
             };
             let items = standing.iter().filter(blocks);

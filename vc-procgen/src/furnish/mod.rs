@@ -114,11 +114,11 @@ impl Item {
     }
 }
 
-/// Furniture of a whole plan, room by room.
+/// Furniture of a whole plan, room by room, as boxes; and what each piece is to be.
 ///
 /// # Errors
 /// [`Impossible::NoPlace`] names the room and what does not fit.
-pub(crate) fn furnish(plan: &Plan, style: &Style, seed: Seed) -> Result<Vec<Item>, Impossible> {
+pub(crate) fn furnish(plan: &Plan, style: &Style, seed: Seed) -> Result<(Vec<Item>, Vec<Draft>), Impossible> {
     let open_kitchen = plan.openings.iter().any(|o| {
         o.kind == OpeningKind::Passage
             && [o.low, o.high].into_iter().flatten().any(|r| plan.rooms[r].kind == RoomKind::Kitchen)
@@ -145,8 +145,12 @@ pub(crate) fn furnish(plan: &Plan, style: &Style, seed: Seed) -> Result<Vec<Item
             ControlFlow::Continue(error) => return Err(error.unwrap_or_else(|| unwalkable(plan, index))),
         }
     }
-    items.iter_mut().zip(&drafts).for_each(|(item, draft)| item.become_real(draft, style));
-    Ok(items)
+    Ok((items, drafts))
+}
+
+/// Makes of boxes the objects they stand for.
+pub(crate) fn make(items: &mut [Item], drafts: &[Draft], style: &Style) {
+    items.iter_mut().zip(drafts).for_each(|(item, draft)| item.become_real(draft, style));
 }
 
 /// Small for what it needs first.

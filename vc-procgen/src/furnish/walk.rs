@@ -25,7 +25,14 @@ pub(super) struct Walk {
     /// Where one gets to, if every doorway is among it.
     standing: Option<Bits>,
     /// What one wants to reach.
-    wanted: Vec<Area>,
+    wanted: Vec<Wanted>,
+}
+
+/// Something to reach, and a cell one reached it from when last looked.
+#[derive(Debug, Clone)]
+struct Wanted {
+    area: Area,
+    from: Option<(usize, usize)>,
 }
 
 impl Walk {
@@ -58,8 +65,8 @@ impl Walk {
         }
         walk.free = floor.inverted().dilated(BODY).inverted();
         let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.touches(room));
-        walk.wanted.extend(windows.map(|o| Area::of(&o.across(o.at - 1, o.at + 1))));
         walk.standing = walk.flooded(&walk.free);
+        windows.for_each(|o| walk.want(Area::of(&o.across(o.at - 1, o.at + 1))));
         walk
     }
 
@@ -76,11 +83,33 @@ impl Walk {
             if free != self.free {
                 self.standing = self.standing_on(&free, &[(x, y)]);
                 self.free = free;
+                self.look_again();
             }
         }
         if wanted {
-            self.wanted.push(core(area));
+            self.want(core(area));
         }
+    }
+
+    fn want(&mut self, area: Area) {
+        let from = self.standing.as_ref().and_then(|standing| self.reached(&area, standing));
+        self.wanted.push(Wanted { area, from });
+    }
+
+    /// Finds other cells to reach from where one gets no longer to the old ones.
+    fn look_again(&mut self) {
+        let Some(standing) = self.standing.take() else { return };
+        let mut wanted = std::mem::take(&mut self.wanted);
+        for w in wanted.iter_mut().filter(|w| !w.from.is_some_and(|(x, y)| standing.get(x, y))) {
+            w.from = self.reached(&w.area, &standing);
+        }
+        (self.wanted, self.standing) = (wanted, Some(standing));
+    }
+
+    /// A cell from which one reaches something.
+    fn reached(&self, area: &Area, standing: &Bits) -> Option<(usize, usize)> {
+        let (x, y) = self.cells(&outward(area));
+        standing.first_within(x, y, ARM)
     }
 
     /// Whether every doorway is reached from every other and everything wanted can be
@@ -94,11 +123,9 @@ impl Walk {
         // What stands where nobody could stand before changes no way.
         let flooded = if free == self.free { None } else { Some(self.standing_on(&free, &taken)) };
         let Some(standing) = flooded.as_ref().unwrap_or(&self.standing) else { return false };
-        let things = things.iter().map(core);
-        self.wanted.iter().copied().chain(things).all(|area| {
-            let (x, y) = self.cells(&outward(&area));
-            standing.any_within(x, y, ARM)
-        })
+        let still = |w: &Wanted| w.from.is_some_and(|(x, y)| standing.get(x, y));
+        let reached = |area: &Area| self.reached(area, standing).is_some();
+        self.wanted.iter().all(|w| still(w) || reached(&w.area)) && things.iter().map(core).all(|area| reached(&area))
     }
 
     /// Where one gets to on what is left of the free floor after rectangles were taken

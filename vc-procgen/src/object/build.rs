@@ -228,8 +228,8 @@ impl<'a> Build<'a> {
     }
 
     /// A closed triangle mesh.
-    pub(crate) fn mesh(&mut self, name: &str, vertices: &[P], triangles: Vec<[u32; 3]>, mat: Mat) {
-        let vertices = vertices.iter().map(|&p| Point3::from(p)).collect();
+    pub(crate) fn mesh(&mut self, name: &str, vertices: Vec<P>, triangles: Vec<[u32; 3]>, mat: Mat) {
+        let vertices = vertices.into_iter().map(Point3::from).collect();
         self.push(name, Shape::Mesh { vertices, triangles }, Pose::identity(), mat);
     }
 

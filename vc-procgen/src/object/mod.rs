@@ -4,6 +4,7 @@
 //! is a function that builds parts; nothing is loaded.
 
 mod build;
+mod circle;
 mod joinery;
 mod mirror;
 mod rest;

@@ -1,14 +1,13 @@
 //! How things come to rest: what was built about as it lies is turned until it lies as
 //! it would fall, its middle of mass above what touches the ground.
 
-use std::f32::consts::TAU;
-
 use nalgebra::{Isometry3, Point3, Quaternion, UnitQuaternion, Vector2, Vector3};
 use vc_graph::asset::{Joint, JointKind, Part, Shape};
 use vc_graph::portable::Portable;
 use vc_graph::{Asset, Pose};
 
 use super::build::Build;
+use super::circle;
 
 /// Turns until it rests: round things roll in many.
 const STEPS: usize = 120;
@@ -117,7 +116,7 @@ impl Body {
         let aside = |p: &Point3<f32>| p.xy() - self.middle.xy();
         let feet: Vec<Vector2<f32>> = self.corners.iter().filter(|p| p.z <= low + self.slack).map(aside).collect();
         let ways = (0..WAYS).map(|i| {
-            let (s, c) = (TAU * i as f32 / WAYS as f32).sine_cosine();
+            let (s, c) = circle::part(i, WAYS);
             Vector2::new(c, s)
         });
         let reach = |way: Vector2<f32>| feet.iter().map(|p| p.dot(&way)).fold(f32::NEG_INFINITY, f32::max);

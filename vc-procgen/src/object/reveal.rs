@@ -14,19 +14,27 @@ const HAIR: f32 = 4e-4;
 const TURNS: usize = 8;
 
 /// Sets back what would share a plane; returns the asset's extent. O(n²) in the
-/// parts, almost all of it one test of two boxes.
+/// parts, almost all of it one test of two words.
 pub(super) fn reveal(asset: &mut Asset) -> Option<Corners> {
     let mut boxes: Vec<Around> = asset.parts.iter().map(Around::new).collect();
     let mut corners: Vec<Corners> = asset.parts.iter().zip(&boxes).map(|(p, b)| b.corners(p)).collect();
     let (low, high) = around(&corners)?;
     let hair = HAIR.min((high - low).min() * 0.25);
-    for j in 1..asset.parts.len() {
+    let cells = Cells::of((low, high), hair);
+    let mut flat: Vec<(usize, u64)> = Vec::with_capacity(boxes.len());
+    let mut near = Vec::new();
+    for j in 0..asset.parts.len() {
+        if !boxes[j].flat {
+            continue;
+        }
+        // What is set back comes near nothing new.
+        let own = cells.of_part(&corners[j]);
+        near.clear();
+        near.extend(flat.iter().filter(|(_, other)| Cells::share(own, *other)).map(|(i, _)| *i));
+        flat.push((j, own));
         for _ in 0..TURNS {
-            if !boxes[j].flat {
-                break;
-            }
-            let near = (0..j).filter(|&i| boxes[i].flat && meet(&corners[i], &corners[j], hair));
-            let flush = near.filter_map(|i| boxes[j].flush(&boxes[i], hair * 0.75)).next();
+            let still = near.iter().filter(|&&i| meet(&corners[i], &corners[j], hair));
+            let flush = still.filter_map(|&i| boxes[j].flush(&boxes[i], hair * 0.75)).next();
             let Some((axis, high)) = flush else { break };
             if !set_back(&mut asset.parts[j], axis, high, hair) {
                 break;
@@ -45,6 +53,39 @@ fn around(corners: &[Corners]) -> Option<Corners> {
 fn meet(a: &Corners, b: &Corners, same: f32) -> bool {
     // Without branches: almost all pairs fail, each somewhere else.
     (0..3).fold(true, |all, k| all & (a.0[k] <= b.1[k] + same) & (b.0[k] <= a.1[k] + same))
+}
+
+/// An asset's extent in cells, so many along each axis: almost all pairs of parts are
+/// told apart by a word each.
+struct Cells {
+    low: Point3<f32>,
+    size: Vector3<f32>,
+    hair: f32,
+}
+
+impl Cells {
+    const COUNT: usize = 21;
+
+    fn of((low, high): Corners, hair: f32) -> Self {
+        let size = (high - low).map(|length| (length / Self::COUNT as f32).max(f32::MIN_POSITIVE));
+        Self { low, size, hair }
+    }
+
+    /// The cells of a part, a hair around it included: a bit for each along X, Y and Z.
+    fn of_part(&self, (low, high): &Corners) -> u64 {
+        let cell = |v: f32, k: usize| (((v - self.low[k]) / self.size[k]) as usize).min(Self::COUNT - 1);
+        (0..3).fold(0, |bits, k| {
+            let (from, to) = (cell(low[k] - self.hair, k), cell(high[k] + self.hair, k));
+            bits | ((2 << (to - from)) - 1) << (from + k * Self::COUNT)
+        })
+    }
+
+    /// Whether two parts share a cell along every axis.
+    fn share(a: u64, b: u64) -> bool {
+        const AXIS: u64 = (1 << Cells::COUNT) - 1;
+        let both = a & b;
+        (0..3).all(|k| both & AXIS << (k * Self::COUNT) != 0)
+    }
 }
 
 /// Smallest and largest corner.

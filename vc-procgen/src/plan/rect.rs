@@ -109,6 +109,9 @@ impl Rect {
 
 /// Area covered by any of several rectangles, square metres.
 pub(super) fn union_area(rects: &[Rect]) -> f32 {
+    if let [one] = rects {
+        return one.area();
+    }
     let mut xs: Vec<i32> = rects.iter().flat_map(|r| [r.x0, r.x1]).collect();
     xs.sort_unstable();
     xs.dedup();
@@ -152,6 +155,6 @@ pub(super) fn turn(rooms: &mut [Room], facades: &mut [bool; 4], way: usize) {
 
 /// Whether rectangles together cover one.
 pub(crate) fn covers(by: &[Rect], what: Rect) -> bool {
-    let shared: Vec<Rect> = by.iter().map(|r| r.shared(what)).filter(|r| !r.is_empty()).collect();
-    shared.contains(&what) || union_area(&shared) >= what.area() - 1e-4
+    let shared = by.iter().map(|r| r.shared(what)).filter(|r| !r.is_empty());
+    shared.clone().any(|r| r == what) || union_area(&shared.collect::<Vec<_>>()) >= what.area() - 1e-4
 }

@@ -238,7 +238,7 @@ pub(super) fn pile(b: &mut Build<'_>) {
         let (z0, z1) = (h * level * 0.75, (h * (level * 0.75 + 0.36)).min(h));
         let (p, q) = (b.vary(0.0, 6.0), b.vary(0.0, 6.0));
         let mut shell = Shell::default();
-        shell.sheet((10, 12), |u, v| {
+        shell.sheet((7, 10), |u, v| {
             let (a, r) = (TAU * v, u);
             let wobble = 0.86 + 0.14 * (3.0 * a + p).sine();
             let at = [px + dx * r * a.cosine() * wobble, py + dy * r * a.sine() * wobble];

@@ -183,7 +183,7 @@ pub(in crate::object) fn loft(b: &mut Build<'_>, name: &str, loops: &[(Vec<(f32,
     for i in 1..n - 1 {
         triangles.extend([[0, i + 1, i], [last, last + i, last + i + 1]]);
     }
-    b.mesh(name, &vertices, triangles, mat);
+    b.mesh(name, vertices, triangles, mat);
 }
 
 /// A rectangle of half lengths `half` whose corners are rounded by `r`.

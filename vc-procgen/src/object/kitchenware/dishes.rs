@@ -131,7 +131,7 @@ pub(super) fn ring_skin(b: &mut Build<'_>, name: &str, rings: &[Vec<[f32; 3]>], 
         let [c, d] = [at(row + 1, k + 1), at(row + 1, k)];
         [[a, b, c], [a, c, d]]
     };
-    b.mesh(name, &vertices, quads.flat_map(sides).collect(), mat);
+    b.mesh(name, vertices, quads.flat_map(sides).collect(), mat);
 }
 
 /// Long dishes: serving platters and trays.

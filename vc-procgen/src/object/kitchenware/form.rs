@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use vc_graph::portable::Portable;
 
 use super::super::build::{Build, P};
+use super::super::circle;
 use crate::material::Mat;
 
 /// Points around a bent or oval thing; a multiple of four, and enough to look round.
@@ -25,7 +26,7 @@ pub(in crate::object) fn dims(b: &Build<'_>) -> (f32, f32, f32) {
 /// A level ellipse.
 pub(in crate::object) fn oval(centre: P, half: (f32, f32)) -> Vec<P> {
     let point = |k: usize| {
-        let (s, c) = (TAU * k as f32 / 16.0).sine_cosine();
+        let (s, c) = circle::part(k, 16);
         [centre[0] + half.0 * c, centre[1] + half.1 * s, centre[2]]
     };
     (0..16).map(point).collect()
@@ -52,7 +53,8 @@ pub(in crate::object) fn level(z: f32, half: (f32, f32), round: f32) -> Vec<P> {
 /// A closed skin over rings of equally many points, from one end to the other.
 pub(in crate::object) fn loft(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: Mat) {
     let n = rings.iter().map(Vec::len).min().unwrap_or(0);
-    let mut vertices: Vec<P> = rings.iter().flat_map(|r| r.iter().take(n).copied()).collect();
+    let mut vertices = Vec::with_capacity(rings.len() * n + 2);
+    rings.iter().for_each(|r| vertices.extend_from_slice(&r[..n]));
     let last = rings.len().saturating_sub(1);
     let at = |row: usize, k: usize| (row * n + k % n) as u32;
     let middle = |row: usize| [0, 1, 2].map(|i| rings[row].iter().map(|p| p[i]).sum::<f32>() / n as f32);
@@ -72,7 +74,7 @@ pub(in crate::object) fn loft(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], m
     if volume(&vertices, &triangles) < 0.0 {
         triangles.iter_mut().for_each(|t| t.swap(1, 2));
     }
-    b.mesh(name, &vertices, triangles, mat);
+    b.mesh(name, vertices, triangles, mat);
 }
 
 fn volume(vertices: &[P], triangles: &[[u32; 3]]) -> f32 {
@@ -101,7 +103,7 @@ pub(in crate::object) fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f
         let way = at(i + 1) - at(i.saturating_sub(1));
         let up = way.cross(&side).try_normalize(1e-12).unwrap_or_else(Vector3::z);
         let point = move |k: usize| {
-            let (s, c) = (TAU * k as f32 / SIDES as f32).sine_cosine();
+            let (s, c) = circle::part(k, SIDES);
             let mut p: P = (centre + side * (width * c) + up * (thick * s)).into();
             // Both ends are cut square to an axis, so that they stay where they were put.
             if i == 0 || i + 1 == path.len() {

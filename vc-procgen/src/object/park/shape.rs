@@ -134,7 +134,7 @@ pub(crate) fn shell(b: &mut Build<'_>, name: &str, outer: &[Vec<P>], inner: &[Ve
         quads.push([o(0, j), o(0, j + 1), n(0, j + 1), n(0, j)]);
         quads.push([o(ends, j + 1), o(ends, j), n(ends, j), n(ends, j + 1)]);
     }
-    b.mesh(name, &vertices, quads.into_iter().flat_map(|[p, q, r, s]| [[p, q, r], [p, r, s]]).collect(), mat);
+    b.mesh(name, vertices, quads.into_iter().flat_map(|[p, q, r, s]| [[p, q, r], [p, r, s]]).collect(), mat);
 }
 
 /// Convex solids drawn at any scale, to be fitted into a box.

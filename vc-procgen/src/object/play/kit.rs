@@ -154,7 +154,7 @@ impl Scaled for Build<'_> {
         };
         let rings: Vec<_> = rings.iter().map(|&(c, u, v)| (Vector3::from(self.p(c)), a * u, b * v)).collect();
         let (vertices, triangles) = skinned(&rings, 12, heading(&rings, a.cross(&b)));
-        self.mesh(name, &vertices, triangles, mat);
+        self.mesh(name, vertices, triangles, mat);
     }
 
     fn layer(&mut self, name: &str, from: P, to: P, section: (f32, f32), lift: f32, mat: Mat) {
@@ -365,7 +365,7 @@ pub(in crate::object) fn zone(
     };
     let rings: Vec<Skin> = (0..=steps).map(ring).collect();
     let (vertices, triangles) = skinned(&rings, n, -1.0);
-    b.mesh(name, &vertices, triangles, mat);
+    b.mesh(name, vertices, triangles, mat);
 }
 
 /// A coil spring that stands on `base`: radii of the coil and of its wire, height.
@@ -381,7 +381,7 @@ pub(in crate::object) fn coil(b: &mut Build<'_>, name: &str, base: P, radii: (f3
     };
     let rings: Vec<Skin> = (0..=count).map(ring).collect();
     let (vertices, triangles) = skinned(&rings, 8, -1.0);
-    b.mesh(name, &vertices, triangles, mat);
+    b.mesh(name, vertices, triangles, mat);
 }
 
 /// A line along a closed curve of places in metres, raised from a `centre`: a
@@ -403,5 +403,5 @@ pub(in crate::object) fn seam(b: &mut Build<'_>, name: &str, centre: P, curve: &
         let [a, c, d, e] = [i * 4 + k, next + k, next + turn, i * 4 + turn];
         triangles.extend([[a, c, d], [a, d, e]]);
     }
-    b.mesh(name, &vertices, triangles, mat);
+    b.mesh(name, vertices, triangles, mat);
 }

@@ -177,7 +177,7 @@ fn tied(b: &mut Build<'_>, wide: (f32, f32, f32), slim: (f32, f32, f32), (z0, z1
     if z1 < z0 {
         triangles.iter_mut().for_each(|t| t.swap(1, 2));
     }
-    b.mesh("cloth", &vertices, triangles, mat);
+    b.mesh("cloth", vertices, triangles, mat);
 }
 
 /// A rod on brackets with knobs at its ends and rings.

@@ -149,7 +149,7 @@ pub(in crate::object) fn shell(b: &mut Build<'_>, name: &str, rows: &[Row], thic
     for (&p, &q) in rim.iter().zip(rim.iter().cycle().skip(1)) {
         triangles.extend([[p + under, q + under, q], [p + under, q, p]]);
     }
-    b.mesh(name, &vertices, triangles, mat);
+    b.mesh(name, vertices, triangles, mat);
 }
 
 /// The upper side's direction at each point of a line.

@@ -1,12 +1,11 @@
 //! Forms that boxes and lathes do not make: lofts, bent tubes, leaves, draped
 //! sheets and cushions, gathered into one mesh per material.
 
-use std::f32::consts::TAU;
-
 use nalgebra::{Isometry3, Point3, Vector3};
 use vc_graph::portable::Portable;
 
 use super::super::build::{Axis, Build, P};
+use super::super::circle;
 use crate::material::Mat;
 
 /// Half the depth, half the width, and the height of what is built.
@@ -68,7 +67,7 @@ pub(in crate::object) fn oval(axis: Axis, at: P, half: (f32, f32), square: usize
     let full = |v: f32| (0..square).fold(v.abs(), |v, _| v.sqrt()).copysign(v);
     (0..n)
         .map(|i| {
-            let (s, c) = (TAU * i as f32 / n as f32).sine_cosine();
+            let (s, c) = circle::part(i, n);
             across(axis, at, half.0 * full(c), half.1 * full(s))
         })
         .collect()
@@ -128,20 +127,24 @@ impl Shell {
     /// Adds the mesh to what is built, as one part.
     pub(in crate::object) fn put(self, b: &mut Build<'_>, name: &str, mat: Mat) {
         if !self.triangles.is_empty() {
-            b.mesh(name, &self.vertices, self.triangles, mat);
+            b.mesh(name, self.vertices, self.triangles, mat);
         }
     }
 
     /// Adds one closed piece, turned inside out if its volume says so.
-    fn piece(&mut self, vertices: &[P], mut triangles: Vec<[u32; 3]>) {
+    fn piece(&mut self, vertices: Vec<P>, mut triangles: Vec<[u32; 3]>) {
         let at = |v: u32| Vector3::from(vertices[v as usize]);
         let origin = vertices.first().map_or(Vector3::zeros(), |&v| Vector3::from(v));
         let volume = |t: &[u32; 3]| (at(t[0]) - origin).dot(&(at(t[1]) - origin).cross(&(at(t[2]) - origin)));
         if triangles.iter().map(volume).sum::<f32>() < 0.0 {
             triangles.iter_mut().for_each(|t| t.swap(1, 2));
         }
+        if self.vertices.is_empty() {
+            (self.vertices, self.triangles) = (vertices, triangles);
+            return;
+        }
         let first = self.vertices.len() as u32;
-        self.vertices.extend_from_slice(vertices);
+        self.vertices.extend(vertices);
         self.triangles.extend(triangles.into_iter().map(|t| t.map(|v| first + v)));
     }
 
@@ -153,13 +156,14 @@ impl Shell {
         let corner = |i: usize| [0, 1, 2].map(|k| if i >> k & 1 == 1 { high[k] } else { low[k] });
         let corners: [P; 8] = std::array::from_fn(corner);
         let halves = FACES.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
-        self.piece(&corners, halves.collect());
+        self.piece(corners.to_vec(), halves.collect());
     }
 
     /// A skin over rings of equally many points, closed at both ends.
     pub(in crate::object) fn loft(&mut self, rings: &[Vec<P>]) {
         let Some(n) = rings.first().map(Vec::len).filter(|&n| n > 2 && rings.len() > 1) else { return };
-        let mut vertices = rings.concat();
+        let mut vertices = Vec::with_capacity(rings.len() * n + 2);
+        rings.iter().for_each(|ring| vertices.extend_from_slice(ring));
         let mut triangles = skin(n, rings.len(), rings.len() - 1);
         for (ring, start) in [(0, 0), (rings.len() - 1, (rings.len() - 1) * n)] {
             let centre = vertices.len() as u32;
@@ -170,13 +174,13 @@ impl Shell {
                 if ring == 0 { [centre, q, p] } else { [centre, p, q] }
             }));
         }
-        self.piece(&vertices, triangles);
+        self.piece(vertices, triangles);
     }
 
     /// A skin over rings of which the last is joined to the first.
     pub(in crate::object) fn torus(&mut self, rings: &[Vec<P>]) {
         let Some(n) = rings.first().map(Vec::len).filter(|&n| n > 2 && rings.len() > 2) else { return };
-        self.piece(&rings.concat(), skin(n, rings.len(), rings.len()));
+        self.piece(rings.concat(), skin(n, rings.len(), rings.len()));
     }
 
     /// A round tube along points, with ends cut straight.
@@ -234,7 +238,7 @@ impl Shell {
         (0..nu).for_each(|i| wall(index(i + 1, nv), index(i, nv)));
         (0..nv).for_each(|j| wall(index(nu, j), index(nu, j + 1)));
         (0..nv).for_each(|j| wall(index(0, j + 1), index(0, j)));
-        self.piece(&[top, bottom].concat(), triangles);
+        self.piece([top, bottom].concat(), triangles);
     }
 
     /// A cushion: bulging in the middle, thin at its edges, which are drawn in by
@@ -305,7 +309,7 @@ fn sections(points: &[P], closed: bool, radius: impl Fn(f32) -> f32) -> Vec<Vec<
             let other = way.cross(&normal);
             let r = radius(i as f32 / last.max(1) as f32);
             let corner = |k: usize| {
-                let (s, c) = (TAU * k as f32 / sides as f32).sine_cosine();
+                let (s, c) = circle::part(k, sides);
                 P::from(Point3::from(at(i) + (normal * c + other * s) * r))
             };
             (0..sides).map(corner).collect()

@@ -92,7 +92,7 @@ fn ring_wall(b: &mut Build<'_>, name: &str, [outer, inner]: [&[(f32, f32)]; 2], 
         quad(n + i, n + j, 3 * n + j, 3 * n + i);
         quad(2 * n + i, 2 * n + j, j, i);
     }
-    b.mesh(name, &vertices, triangles, mat);
+    b.mesh(name, vertices, triangles, mat);
 }
 
 /// Two bent rails over an edge at `at` towards -Y, as high above it as below, and
