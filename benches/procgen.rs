@@ -11,7 +11,7 @@ use std::hint::black_box;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use virtualcity::graph::Seed;
 use virtualcity::procgen::plan::Plan;
-use virtualcity::procgen::{Apartment, Specification, Style, object};
+use virtualcity::procgen::{Apartment, Layout, Specification, Style, object};
 
 /// Homes of one iteration.
 const HOMES: u64 = 16;
@@ -30,6 +30,7 @@ fn homes(c: &mut Criterion) {
         });
     };
     over("plan", &|seed| drop(black_box(Plan::generate(&wishes, seed))));
+    over("layout: plan, furniture, reachability", &|seed| drop(black_box(Layout::generate(&wishes, seed))));
     over("plan, building, furniture, check", &|seed| drop(black_box(Apartment::generate(&bare, seed))));
     over("everything", &|seed| drop(black_box(Apartment::generate(&wishes, seed))));
     group.finish();

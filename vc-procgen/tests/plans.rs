@@ -8,7 +8,7 @@ use vc_procgen::{Apartment, Specification};
 
 /// Digests of the scenes of seeds 0, 1, 2 and so on. They are the same on every
 /// machine; who changes what is generated puts the new ones here.
-const DIGESTS: [&str; 4] = ["09123ac307abfb4e", "99ecf6ea7a1f324b", "a9ebaccf29b9a860", "a8208defa633061a"];
+const DIGESTS: [&str; 4] = ["e827e8ddb728e4aa", "f34741ff77faafa3", "f5c7823e4e03cd48", "cae0f5714520689d"];
 
 #[test]
 fn every_machine_makes_the_same_bytes() {

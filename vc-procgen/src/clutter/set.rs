@@ -1,6 +1,6 @@
 //! What belongs to a piece of furniture: bedding, taps, screens, books in rows.
 
-use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};
 use vc_graph::asset::Hold;
 use vc_graph::{State, Stream};
 
@@ -232,9 +232,10 @@ fn books(k: &mut Keeper<'_>, amount: f32) {
     }
 }
 
-/// From lying flat to standing with the spine in front: X stays, the thickness goes
-/// to Y, what was Y points up.
+/// From lying flat, the spine at -Y and the head at -X, to standing with the spine in
+/// front and the head up: the front board faces to the right of who looks at it.
 fn on_edge() -> vc_graph::Pose {
-    let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f32::consts::FRAC_PI_2);
+    let axes = Matrix3::from_columns(&[-Vector3::z(), -Vector3::x(), Vector3::y()]);
+    let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
     Isometry3::from_parts(Vector3::zeros().into(), turn)
 }

@@ -1,4 +1,4 @@
-//! Bound books: lying flat, the spine to the right (-Y) of who reads them.
+//! Bound books: lying flat, the spine (-Y) to the left of who reads them from the front.
 
 use std::f32::consts::FRAC_PI_2;
 
