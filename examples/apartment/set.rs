@@ -208,6 +208,7 @@ impl<'a> Workshop<'a> {
 
     /// Takes batches until there are none, or something failed.
     fn work(&self) {
+        let _alarm = Alarm(&self.error);
         while locked(&self.error).is_none() {
             let index = self.next.fetch_add(1, Ordering::Relaxed);
             let (file, batch) = (index / self.batches.max(1), index % self.batches.max(1));
@@ -232,6 +233,17 @@ impl<'a> Workshop<'a> {
             locked(&self.files[file]).sidecar = Some(sidecar);
         }
         Ok(())
+    }
+}
+
+/// Ends the other threads' work where one panics: the set would not be whole.
+struct Alarm<'a>(&'a Mutex<Option<Complaint>>);
+
+impl Drop for Alarm<'_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            locked(self.0).get_or_insert_with(|| Complaint::new("a thread that made homes panicked"));
+        }
     }
 }
 

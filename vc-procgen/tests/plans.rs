@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use vc_graph::Seed;
-use vc_procgen::plan::{OpeningKind, Plan, RoomKind, Scheme};
+use vc_procgen::plan::{OpeningKind, Plan, Rect, Room, RoomKind, Scheme};
 use vc_procgen::{Apartment, Specification};
 
 /// Digests of the scenes of seeds 0, 1, 2 and so on. They are the same on every
@@ -29,5 +29,13 @@ fn what_no_template_holds_is_annealed() {
             let lit = matches!(room.kind, RoomKind::Living | RoomKind::Bedroom | RoomKind::Kids);
             assert!(!lit || has(|k| matches!(k, OpeningKind::Window | OpeningKind::BalconyDoor)), "{:?}", room.kind);
         }
+    }
+}
+
+#[test]
+fn a_room_no_wider_than_its_walls_has_no_area() {
+    for rect in [Rect::sized(0, 0, 1, 40), Rect::sized(0, 0, 40, 2), Rect::sized(3, 3, 1, 1)] {
+        let room = Room { kind: RoomKind::Storage, rects: vec![rect], of: None };
+        assert_eq!((room.net(), room.area()), (Vec::new(), 0.0));
     }
 }

@@ -9,7 +9,7 @@ use vc_graph::Stream;
 use vc_graph::portable::Portable;
 
 use super::programme::Programme;
-use super::{Layout, Rect, Room, RoomKind};
+use super::{Arrangement, Rect, Room, RoomKind};
 
 /// Changes tried before it is given up.
 const STEPS: usize = 8000;
@@ -22,7 +22,7 @@ const WINDOW: i32 = 30;
 const FACADES: [bool; 4] = [false, true, true, true];
 
 /// A plan with one rectangle for every room; `None` if none was found.
-pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Layout> {
+pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Arrangement> {
     let mut rooms: Vec<Room> =
         programme.wishes.iter().map(|w| Room { kind: w.kind, rects: Vec::new(), of: w.of }).collect();
     rooms.push(Room { kind: RoomKind::Hall, rects: Vec::new(), of: None });
@@ -41,7 +41,7 @@ pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Layout>
         return None;
     }
     rooms.iter_mut().zip(rects).for_each(|(room, rect)| room.rects.push(rect));
-    Some(Layout { rooms, facades: FACADES })
+    Some(Arrangement { rooms, facades: FACADES })
 }
 
 /// A tree of cuts in postfix order (a Polish expression): two parts, then how they

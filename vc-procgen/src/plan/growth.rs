@@ -7,7 +7,7 @@
 use vc_graph::Stream;
 
 use super::programme::Programme;
-use super::{Layout, Rect, Room, RoomKind};
+use super::{Arrangement, Rect, Room, RoomKind};
 
 /// Side of a grid square, cells.
 const SQUARE: i32 = 6;
@@ -15,7 +15,7 @@ const SQUARE: i32 = 6;
 const PASSAGE: usize = 4;
 
 /// Grows the rooms; `None` after several hundred failed attempts.
-pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Layout> {
+pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Arrangement> {
     if programme.wishes.len() > 9 {
         return None;
     }
@@ -48,7 +48,7 @@ impl Patch {
     }
 }
 
-fn attempt(programme: &Programme, rng: &mut Stream) -> Option<Layout> {
+fn attempt(programme: &Programme, rng: &mut Stream) -> Option<Arrangement> {
     let squares = |index: usize| {
         let side = programme.wishes[index].area.sqrt() + 0.1;
         (side * side * 400.0 / (SQUARE * SQUARE) as f32).round() as usize
@@ -83,7 +83,7 @@ fn attempt(programme: &Programme, rng: &mut Stream) -> Option<Layout> {
     rooms[0].rects = grid.rest();
     let living = rooms[0].area();
     let sound = living <= programme.wishes[0].area * 1.7 && rooms.iter().all(|r| r.widest() >= r.kind.least_side());
-    sound.then_some(Layout { rooms, facades: [false, true, true, true] })
+    sound.then_some(Arrangement { rooms, facades: [false, true, true, true] })
 }
 
 impl Grid {

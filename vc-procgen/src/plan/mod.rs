@@ -129,7 +129,7 @@ pub struct Room {
 /// Rooms in place, and which sides of the building have windows: west, east, south,
 /// north.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct Layout {
+struct Arrangement {
     rooms: Vec<Room>,
     facades: [bool; 4],
 }
@@ -158,7 +158,8 @@ impl Room {
     /// Its net rectangles: what is inside the walls. They cover the net area and may
     /// overlap where two gross rectangles meet.
     pub fn net(&self) -> Vec<Rect> {
-        let mut net: Vec<Rect> = self.rects.iter().map(|r| r.grown(-1)).collect();
+        // What is no wider than its walls leaves nothing.
+        let mut net: Vec<Rect> = self.rects.iter().map(|r| r.grown(-1)).filter(|r| !r.is_empty()).collect();
         for (i, a) in self.rects.iter().enumerate() {
             for b in &self.rects[i + 1..] {
                 // The seam between two rectangles is no wall.
@@ -252,7 +253,7 @@ impl Plan {
             Scheme::Annealed => anneal::lay_out(programme, rng),
             _ => spine::lay_out(programme, scheme, rng),
         };
-        let Layout { mut rooms, mut facades } = layout?;
+        let Arrangement { mut rooms, mut facades } = layout?;
         let area: f32 = rooms.iter().map(Room::area).sum();
         if programme.wished_area.is_some_and(|wished| (area / wished - 1.0).abs() > 0.045) {
             return None;

@@ -110,7 +110,7 @@ impl Rect {
 /// Area covered by any of several rectangles, square metres.
 pub(super) fn union_area(rects: &[Rect]) -> f32 {
     if let [one] = rects {
-        return one.area();
+        return if one.is_empty() { 0.0 } else { one.area() };
     }
     let mut xs: Vec<i32> = rects.iter().flat_map(|r| [r.x0, r.x1]).collect();
     xs.sort_unstable();

@@ -10,7 +10,7 @@ use vc_graph::Stream;
 use vc_graph::portable::Portable;
 
 use super::programme::{Programme, Wish};
-use super::{Layout, Rect, Room, RoomKind, Scheme, Topology, cells};
+use super::{Arrangement, Rect, Room, RoomKind, Scheme, Topology, cells};
 
 /// Candidates drawn before a scheme is given up.
 const TRIES: usize = 300;
@@ -63,11 +63,11 @@ struct Frame {
 }
 
 /// The best plan of several hundred candidates; `None` if none was sound.
-pub(super) fn lay_out(programme: &Programme, scheme: Scheme, rng: &mut Stream) -> Option<Layout> {
+pub(super) fn lay_out(programme: &Programme, scheme: Scheme, rng: &mut Stream) -> Option<Arrangement> {
     let count = |f: fn(RoomKind) -> bool| programme.wishes.iter().filter(|w| f(w.kind)).count();
     let (bedrooms, baths) = (count(RoomKind::is_bedroom), count(|k| k == RoomKind::Bathroom));
     let kitchen = count(|k| k == RoomKind::Kitchen) > 0;
-    let mut best: Option<(usize, Layout)> = None;
+    let mut best: Option<(usize, Arrangement)> = None;
     let mut scale = 1.0;
     let mut latest = 0;
     for candidate in 0..TRIES {
@@ -103,7 +103,7 @@ struct Draft<'a> {
 }
 
 impl Draft<'_> {
-    fn attempt(&self, rng: &mut Stream) -> Option<Layout> {
+    fn attempt(&self, rng: &mut Stream) -> Option<Arrangement> {
         let shallow = self.scheme == Scheme::Bar;
         let hall = match self.scheme {
             Scheme::CentralHall => rng.count(32, 44),
@@ -394,7 +394,7 @@ impl Draft<'_> {
         taker: Option<bool>,
         shallow: bool,
         rng: &mut Stream,
-    ) -> Layout {
+    ) -> Arrangement {
         let mut rooms: Vec<Room> =
             self.programme.wishes.iter().map(|w| Room { kind: w.kind, rects: Vec::new(), of: w.of }).collect();
         let (hall_low, hall_high) = (frame.south, frame.south + frame.hall);
@@ -426,7 +426,7 @@ impl Draft<'_> {
         }
         rooms.push(Room { kind: RoomKind::Hall, rects: hall, of: None });
         let facades = [rng.chance(0.3), rng.chance(0.4), true, !shallow];
-        Layout { rooms, facades }
+        Arrangement { rooms, facades }
     }
 
     /// Whether every room is as large and as wide as it must be.

@@ -4,15 +4,15 @@ use vc_graph::Stream;
 use vc_graph::portable::Portable;
 
 use super::programme::Programme;
-use super::{Layout, Rect, Room, RoomKind};
+use super::{Arrangement, Rect, Room, RoomKind};
 
 /// Lays out a studio: service rooms side by side at the north wall, the main room
 /// around them.
-pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Layout> {
+pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Arrangement> {
     (0..200).find_map(|_| attempt(programme, rng))
 }
 
-fn attempt(programme: &Programme, rng: &mut Stream) -> Option<Layout> {
+fn attempt(programme: &Programme, rng: &mut Stream) -> Option<Arrangement> {
     let mut services: Vec<usize> = (1..programme.wishes.len()).collect();
     rng.shuffle(&mut services);
     let depth = rng.count(94, 140) as i32;
@@ -46,5 +46,5 @@ fn attempt(programme: &Programme, rng: &mut Stream) -> Option<Layout> {
     let wide = rooms.iter().all(|r| r.widest() >= r.kind.least_side());
     let shaped = rooms[0].hull().width() * 2 >= depth - band;
     let facades = [rng.chance(0.25), rng.chance(0.25), true, false];
-    (wide && shaped).then_some(Layout { rooms, facades })
+    (wide && shaped).then_some(Arrangement { rooms, facades })
 }
