@@ -3,6 +3,7 @@
 mod cool;
 pub(super) mod fitting;
 mod heat;
+mod pot;
 mod prep;
 mod sink;
 mod small;
@@ -47,17 +48,17 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("coffee_maker", 6, small::coffee_maker),
     indoor("espresso_machine", 5, small::espresso_machine),
     indoor("coffee_grinder", 4, small::coffee_grinder),
-    indoor("hot_plate", 4, small::hot_plate),
-    indoor("deep_fryer", 5, small::deep_fryer),
-    indoor("air_fryer", 4, small::air_fryer),
-    indoor("griddle", 5, small::griddle),
-    indoor("electric_grill", 4, small::electric_grill),
-    indoor("waffle_maker", 4, small::waffle_maker),
-    indoor("rice_cooker", 4, small::rice_cooker),
-    indoor("slow_cooker", 4, small::slow_cooker),
-    indoor("bread_maker", 4, small::bread_maker),
-    indoor("bain_marie", 5, small::bain_marie),
-    indoor("plate_warmer", 4, small::plate_warmer),
+    indoor("hot_plate", 4, pot::hot_plate),
+    indoor("deep_fryer", 5, pot::deep_fryer),
+    indoor("air_fryer", 4, pot::air_fryer),
+    indoor("griddle", 5, pot::griddle),
+    indoor("electric_grill", 4, pot::electric_grill),
+    indoor("waffle_maker", 4, pot::waffle_maker),
+    indoor("rice_cooker", 4, pot::rice_cooker),
+    indoor("slow_cooker", 4, pot::slow_cooker),
+    indoor("bread_maker", 4, pot::bread_maker),
+    indoor("bain_marie", 5, pot::bain_marie),
+    indoor("plate_warmer", 4, pot::plate_warmer),
     // preparing
     indoor("blender", 5, prep::blender),
     indoor("hand_blender", 3, prep::hand_blender),

@@ -5,6 +5,7 @@ mod bakery;
 mod dish;
 mod fruit;
 mod meat;
+mod sweet;
 mod vegetable;
 
 pub(super) use fruit::berry;
@@ -92,17 +93,17 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("croissant", 2, bakery::croissant),
     indoor("tortilla", 2, bakery::stack),
     indoor("pancake", 3, bakery::stack),
-    indoor("cake", 4, bakery::cake),
-    indoor("cupcake", 3, bakery::muffin),
-    indoor("muffin", 3, bakery::muffin),
-    indoor("pie", 3, bakery::pie),
-    indoor("cookie", 3, bakery::cookie),
-    indoor("waffle", 2, bakery::waffle),
+    indoor("cake", 4, sweet::cake),
+    indoor("cupcake", 3, sweet::muffin),
+    indoor("muffin", 3, sweet::muffin),
+    indoor("pie", 3, sweet::pie),
+    indoor("cookie", 3, sweet::cookie),
+    indoor("waffle", 2, sweet::waffle),
     indoor("dough", 2, bakery::dough),
     indoor("pretzel", 2, bakery::pretzel),
-    indoor("lollipop", 2, bakery::lollipop),
-    indoor("ice_cream", 3, bakery::ice_cream),
-    indoor("pudding", 2, bakery::pudding),
+    indoor("lollipop", 2, sweet::lollipop),
+    indoor("ice_cream", 3, sweet::ice_cream),
+    indoor("pudding", 2, sweet::pudding),
     indoor("soup", 2, dish::bowlful),
     indoor("stew", 2, dish::bowlful),
     indoor("salad", 3, dish::bowlful),

@@ -1,4 +1,4 @@
-//! Toiletries that are things of their own: brushes, soap, razors, paper, cosmetics.
+//! Toiletries that are things of their own: soap, razors, brushes, cosmetics.
 
 use vc_graph::portable::Portable;
 
@@ -6,7 +6,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{
     arch, dims, hoop, level, loft, lump, oval, rounded, shell, sweep, tub, tube, turn,
 };
-use super::label::{GROWTH, panel, wrap};
+use super::label::{GROWTH, panel};
 use super::look::look;
 use crate::material::*;
 
@@ -17,7 +17,7 @@ const BRIGHT: [Mat; 7] =
 pub(super) fn soap(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     if z > 0.07 {
-        return super::flat::oval_bottle(b);
+        return super::flask::oval_bottle(b);
     }
     let mat = b.one(&[SOAP, PETAL_PINK, WAX, LIGHT_LEAF, PETAL_WHITE, PETAL_BLUE]);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -248,144 +248,6 @@ pub(super) fn dental_floss(b: &mut Build<'_>) {
     panel(b, hx - g, (0.0, hy * 0.6), (z * 0.15, z * 0.65), (body, WHITE_PAPER));
 }
 
-/// A comb lying flat: a back, teeth, coarse and fine.
-pub(super) fn comb(b: &mut Build<'_>) {
-    let (x, y, z) = dims(b);
-    let mat = b.one(&[BLACK_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC, BAMBOO]);
-    let (hx, hy) = (x / 2.0, y / 2.0);
-    let handled = b.rng.chance(0.4);
-    let start = if handled { -hy * 0.2 } else { -hy };
-    let count = 26;
-    let pitch = (hy - start) / count as f32;
-    let mut outline = vec![(-hx, start), (-hx * 0.9, hy), (hx, hy)];
-    for i in 0..count {
-        let at = hy - pitch * (i as f32 + 0.35);
-        outline.extend([
-            (hx, at),
-            (-hx * 0.25, at - pitch * 0.05),
-            (-hx * 0.25, at - pitch * 0.5),
-            (hx, at - pitch * 0.55),
-        ]);
-    }
-    outline.push((hx, start));
-    b.prism("comb", Axis::Z, [0.0; 3], &outline, z, mat);
-    if handled {
-        let grip = [
-            (-hx * 0.9, start + hy * 0.02),
-            (hx * 0.3, start + hy * 0.02),
-            (0.0, -hy * 0.95),
-            (-hx * 0.4, -hy),
-            (-hx * 0.8, -hy * 0.95),
-        ];
-        b.prism("grip", Axis::Z, [0.0, 0.0, z * 0.1], &grip, z * 0.8, mat);
-    }
-}
-
-/// Brushes for hair and body, lying on their back, and the scrubbing kind on their
-/// bristles.
-pub(super) fn brush(b: &mut Build<'_>) {
-    let (x, y, z) = dims(b);
-    let scrub = b.class == "scrubbing_brush";
-    let (back, bristle) = if scrub {
-        (b.one(&[BEECH, WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]), b.one(&[HAY, WHITE_PLASTIC, BLACK_PLASTIC]))
-    } else {
-        (b.one(&[BEECH, BLACK_PLASTIC, PINK_PLASTIC, WALNUT, BAMBOO]), b.one(&[BLACK_PLASTIC, HAY]))
-    };
-    let (hx, hy) = (x / 2.0, y / 2.0);
-    let handled = y > x * 2.6;
-    let head = if handled { hy * 0.1 } else { -hy };
-    let (mid, half) = (f32::midpoint(head, hy), (hy - head) / 2.0);
-    let body = z * 0.42;
-    let shift = |ring: Vec<P>| -> Vec<P> { ring.into_iter().map(|p| [p[0], p[1] + mid, p[2]]).collect() };
-    let lift = if scrub { z - body } else { 0.0 };
-    let at = |z: f32, k: f32| shift(level(z + lift, (hx * k, half * k), 0.9));
-    loft(b, "back", &[at(0.0, 0.9), at(body * 0.4, 1.0), at(body * 0.8, 0.98), at(body, 0.88)], back);
-    if !scrub {
-        let pad = shift(level(body * 0.95, (hx * 0.8, half * 0.85), 1.0));
-        let top = shift(level(body * 1.2, (hx * 0.65, half * 0.72), 1.0));
-        loft(b, "pad", &[pad, top], RED_RUBBER);
-    }
-    let (rows, columns) = (4, 7);
-    let (low, high) = if scrub { (0.0, lift + body * 0.1) } else { (body, z) };
-    for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
-        let (u, v) = (i as f32 / (rows - 1) as f32 * 2.0 - 1.0, j as f32 / (columns - 1) as f32 * 2.0 - 1.0);
-        if u * u * 0.6 + v * v * 0.6 > 1.0 {
-            continue;
-        }
-        let (cx, cy) = (hx * 0.62 * u, mid + half * 0.75 * v);
-        let w = if scrub { hx * 0.13 } else { hx * 0.035 };
-        b.block("bristle", [cx - w, cy - w, low], [cx + w, cy + w, high], bristle);
-    }
-    if handled {
-        let (r, level_) = ((body * 0.5).min(hx * 0.4), lift + body * 0.5);
-        let path = [
-            ([0.0, -hy, level_], r * 0.6, r * 0.6),
-            ([0.0, -hy * 0.95, level_], r * 1.1, r * 0.9),
-            ([0.0, -hy * 0.5, level_], r * 1.3, r * 0.98),
-            ([0.0, head - hy * 0.08, level_], r * 0.8, r * 0.8),
-            ([0.0, head + half * 0.2, level_], r, r * 0.8),
-        ];
-        sweep(b, "grip", &path, [1.0, 0.0, 0.0], back);
-    }
-}
-
-/// A dryer for hair, lying on its side edge: barrel, nozzle and grip.
-pub(super) fn hair_dryer(b: &mut Build<'_>) {
-    let (x, y, z) = dims(b);
-    let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC, RED_PLASTIC]);
-    let (hx, hy) = (x / 2.0, y / 2.0);
-    let r = hx.min(z * 0.24);
-    let axis = z - r;
-    let barrel: Vec<_> = [(0.65, 0.008), (0.95, 0.1), (1.0, 0.3), (0.9, 0.6), (0.7, 0.75), (0.68, 0.8)]
-        .iter()
-        .map(|p| (p.0 * r, p.1 * y))
-        .collect();
-    b.lathe_along("barrel", [0.0, -hy, axis], [0.0, hy, axis], &barrel, body);
-    let nozzle: Vec<_> = [(0.6, 0.78), (0.75, 0.8), (0.66, 1.0)].iter().map(|p| (p.0 * r, p.1 * y)).collect();
-    b.lathe_along("nozzle", [0.0, -hy, axis], [0.0, hy, axis], &nozzle, BLACK_PLASTIC);
-    b.rod("grille", [0.0, -hy, axis], [0.0, -hy + y * 0.015, axis], r * 0.5, GREY_PLASTIC);
-    let w = r * 0.42;
-    let path = [
-        ([0.0, -hy * 0.25, axis - r * 0.5], w, w * 1.2),
-        ([0.0, -hy * 0.3, z * 0.45], w * 0.9, w * 1.1),
-        ([0.0, -hy * 0.38, z * 0.12], w, w * 1.2),
-        ([0.0, -hy * 0.4, 0.0], w * 0.8, w),
-    ];
-    sweep(b, "grip", &path, [1.0, 0.0, 0.0], body);
-    b.block(
-        "switch",
-        [-w * 0.3, -hy * 0.3 + w * 0.9, z * 0.36],
-        [w * 0.3, -hy * 0.3 + w * 1.3, z * 0.46],
-        GREY_PLASTIC,
-    );
-}
-
-/// Two long jaws with plates, lying.
-pub(super) fn hair_straightener(b: &mut Build<'_>) {
-    let (x, y, z) = dims(b);
-    let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC]);
-    let (hx, hy) = (x / 2.0, y / 2.0);
-    let t = z * 0.36;
-    for up in [false, true] {
-        let arm = |k: f32, open: f32, w: f32, thick: f32| {
-            let level_ = if up { t / 2.0 + (z - t) * open } else { t / 2.0 };
-            ([0.0, -hy + y * k, level_], hx * w, t / 2.0 * thick)
-        };
-        let path = [
-            arm(0.0, 0.45, 0.6, 0.6),
-            arm(0.05, 0.5, 0.9, 1.0),
-            arm(0.45, 0.75, 1.0, 1.0),
-            arm(0.55, 0.8, 1.0, 1.0),
-            arm(0.97, 1.0, 0.95, 0.9),
-            arm(1.0, 1.0, 0.6, 0.6),
-        ];
-        sweep(b, "arm", &path, [1.0, 0.0, 0.0], body);
-        let (z0, z1) = if up { (z - t * 1.1, z - t * 0.6) } else { (t * 0.6, t * 1.1) };
-        b.block("plate", [-hx * 0.8, hy * 0.2, z0], [hx * 0.8, hy * 0.88, z1], CHROME);
-    }
-    b.rod("hinge", [-hx * 0.9, -hy * 0.9, z * 0.42], [hx * 0.9, -hy * 0.9, z * 0.42], t * 0.5, GREY_PLASTIC);
-}
-
 /// Clippers and tweezers: two strips of steel that meet.
 pub(super) fn nippers(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
@@ -447,147 +309,6 @@ pub(super) fn makeup_bag(b: &mut Build<'_>) {
         b.block("zip", [-hx * 0.06, -hy * 0.85, z * 0.95], [hx * 0.06, hy * 0.85, z], GOLD);
         b.block("pull", [-hx * 0.03, hy * 0.83, z * 0.8], [hx * 0.03, hy * 0.98, z * 0.985], GOLD);
     });
-}
-
-/// Rolls of paper: for the toilet and the kitchen; now and then two lie on each other.
-pub(super) fn roll(b: &mut Build<'_>) {
-    let (x, y, z) = dims(b);
-    let r = x.min(y) / 2.0;
-    let kitchen = b.class == "paper_towel";
-    let tube_r = if kitchen { r * 0.34 } else { r * 0.38 };
-    let paper = b.one(&[WHITE_PAPER, WHITE_PAPER, CREAM_PAPER]);
-    let body = r * 0.985;
-    let bulge = [
-        (body * 0.985, 0.0),
-        (body, z * 0.03),
-        (body, z * 0.97),
-        (body * 0.985, z),
-        (tube_r, z),
-        (tube_r, 0.0),
-        (body * 0.985, 0.0),
-    ];
-    b.lathe("paper", [0.0; 3], &bulge, paper);
-    hoop(b, "core", (z * 0.004, z * 0.996), (tube_r * 0.92, tube_r * 1.01), CARDBOARD);
-    // The end of the sheet.
-    let flap: Vec<_> = (0..=6)
-        .map(|k| {
-            let (s, c) = (0.5 + 0.12 * k as f32).sine_cosine();
-            (r * c, r * s)
-        })
-        .chain((0..=6).rev().map(|k| {
-            let (s, c) = (0.5 + 0.12 * k as f32).sine_cosine();
-            (body * 0.98 * c, body * 0.98 * s)
-        }))
-        .collect();
-    b.prism("end", Axis::Z, [0.0, 0.0, z * 0.01], &flap, z * 0.98, paper);
-    if kitchen && b.rng.chance(0.6) {
-        let ink = b.one(&[BLUE_CARD, GREEN_CARD, RED_CARD]);
-        for i in 0..3 {
-            let low = z * (0.2 + 0.28 * i as f32);
-            hoop(b, "print", (low, low + z * 0.02), (body * 0.97, body + (r - body) * 0.6), ink);
-        }
-    }
-}
-
-/// A stack of cotton pads in a sleeve.
-pub(super) fn cotton_pads(b: &mut Build<'_>) {
-    let (x, y, z) = dims(b);
-    let r = x.min(y) / 2.0;
-    let sleeve = b.one(&[BLUE_PLASTIC, PINK_PLASTIC, GREEN_PLASTIC]);
-    let count = ((z / 0.012) as usize).clamp(5, 8);
-    let mut profile = vec![];
-    for i in 0..count {
-        let (low, t) = (z * 0.94 * i as f32 / count as f32, z * 0.94 / count as f32);
-        profile.extend([
-            (r * 0.86, low),
-            (r * 0.92, low + t * 0.3),
-            (r * 0.92, low + t * 0.7),
-            (r * 0.86, low + t * 0.95),
-        ]);
-    }
-    b.lathe("pads", [0.0; 3], &profile, WHITE_COTTON);
-    wrap(b, r - GROWTH.min(r * 0.1), (z * 0.12, z * 0.55), (sleeve, WHITE_PAPER));
-    let grip = arch([0.0, 0.0, z * 0.9], [0.0, r * 0.5, 0.0], [0.0, 0.0, z * 0.09]);
-    tube(b, "string", &grip, z * 0.006, [1.0, 0.0, 0.0], sleeve);
-}
-
-/// A box with tissues that stand out of its slot.
-pub(super) fn tissue_box(b: &mut Build<'_>) {
-    let (x, y, z) = dims(b);
-    let look = look(b);
-    let (hx, hy) = (x / 2.0, y / 2.0);
-    let h = z * 0.75;
-    let skin = b.one(&[look.body, b.style.wood, WHITE_PAPER, look.ink]);
-    let g = GROWTH.min(x * 0.01);
-    b.soft("box", [-hx, -hy, 0.0], [hx - g, hy, h], 0.0015, skin);
-    b.prism("slot", Axis::Z, [0.0, 0.0, h - z * 0.01], &rounded((hx * 0.35, hy * 0.55), 1.0), z * 0.03, BLACK_CARD);
-    let fold = |s: f32| {
-        [
-            [s * hx * 0.05, -hy * 0.4, h * 0.97],
-            [s * hx * 0.05, hy * 0.4, h * 0.97],
-            [s * hx * 0.4, hy * 0.3, z * 0.98],
-            [s * hx * 0.25, -hy * 0.35, z * 0.94],
-            [s * hx * 0.15, hy * 0.05, z],
-            [0.0, -hy * 0.3, h],
-            [0.0, hy * 0.3, h],
-        ]
-    };
-    b.hull("tissue", &fold(1.0), WHITE_PAPER);
-    b.hull("tissue", &fold(-1.0), WHITE_PAPER);
-    if skin == look.body {
-        panel(b, hx - g, (0.0, hy * 0.8), (h * 0.2, h * 0.8), look.label());
-    }
-}
-
-/// A soft pack of wipes with a lid on top.
-pub(super) fn wet_wipes(b: &mut Build<'_>) {
-    let (x, y, z) = dims(b);
-    let look = look(b);
-    let (hx, hy) = (x / 2.0, y / 2.0);
-    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), 0.35);
-    loft(
-        b,
-        "pack",
-        &[at(0.0, 0.9, 0.9), at(z * 0.15, 1.0, 0.96), at(z * 0.7, 1.0, 0.96), at(z * 0.86, 0.88, 0.9)],
-        look.body,
-    );
-    for side in [-1.0_f32, 1.0] {
-        let (y0, y1) = if side < 0.0 { (-hy, -hy * 0.9) } else { (hy * 0.9, hy) };
-        b.block("seam", [-hx * 0.95, y0, z * 0.42], [hx * 0.95, y1, z * 0.48], look.body);
-    }
-    b.hinge([-hx * 0.5, 0.0, z * 0.88], [0.0, -1.0, 0.0], 1.9, |b| {
-        b.soft("lid", [-hx * 0.5, -hy * 0.45, z * 0.845], [hx * 0.5, hy * 0.45, z], z * 0.05, look.cap);
-    });
-}
-
-/// A diaper, folded and upright.
-pub(super) fn diaper(b: &mut Build<'_>) {
-    let (x, y, z) = dims(b);
-    let (hx, hy) = (x / 2.0, y / 2.0);
-    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), 0.7);
-    loft(
-        b,
-        "diaper",
-        &[
-            at(0.0, 0.6, 0.55),
-            at(z * 0.06, 0.95, 0.7),
-            at(z * 0.35, 1.0, 0.75),
-            at(z * 0.7, 0.9, 0.95),
-            at(z * 0.95, 0.75, 1.0),
-            at(z, 0.6, 0.98),
-        ],
-        WHITE_COTTON,
-    );
-    let ink = b.one(&[BLUE_FABRIC, ROSE_FABRIC, GREEN_FABRIC, MUSTARD_FABRIC]);
-    for side in [-1.0, 1.0] {
-        b.block(
-            "tape",
-            [hx * 0.5, side * hy * 0.7 - hy * 0.18, z * 0.8],
-            [hx * 0.9, side * hy * 0.7 + hy * 0.18, z * 0.92],
-            ink,
-        );
-    }
-    b.block("band", [hx * 0.4, -hy * 0.5, z * 0.82], [hx * 0.86, hy * 0.5, z * 0.9], ink);
 }
 
 /// A bathroom scale: a plate with a display, on feet.
