@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Isometry3, Matrix3, Vector3};
+use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
 use vc_graph::{Frame, Node, NodeId, Property, State};
 
 use crate::form::{Form, Piece};
+use crate::region::Region;
 use crate::solid::{Round, Solid};
 use crate::threshold::{CORNER_SHARE, CORNERS_WITHIN, LYING_TILT, RIM_MARGIN, ROUND_CORNER_SHARE};
-use crate::tree::Region;
 
 /// How an agent holds itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,8 +89,9 @@ impl Body {
         let own = *pose.rotation.to_rotation_matrix().matrix();
         // A box aligned with the world does not turn with its node.
         let still = spec.asset.is_none() && spec.bounds.is_some_and(|b| b.frame == Frame::World);
-        let turn = if still { nalgebra::UnitQuaternion::identity() } else { pose.rotation };
-        let frame = Isometry3::from_parts(pose.translation, turn);
+        let (rotation, turn) =
+            if still { (UnitQuaternion::identity(), Matrix3::identity()) } else { (pose.rotation, own) };
+        let frame = Isometry3::from_parts(pose.translation, rotation);
         let scale = if spec.asset.is_some() { spec.scale.abs() } else { Vector3::repeat(1.0) };
         let (centre, half) = ((form.low + form.high) / 2.0, (form.high - form.low) / 2.0);
         let whole = Piece { centre, axes: Matrix3::identity(), half, round: Round::No, link: None };
@@ -99,7 +100,7 @@ impl Body {
             traits: Traits::of(node),
             posture: posture(node),
             solids: Vec::with_capacity(form.pieces.len()),
-            whole: placed(&whole, &frame, &scale),
+            whole: put(&whole, &turn, &frame.translation.vector, &scale),
             region: Region::EMPTY,
             heading: own,
             level: false,
@@ -110,17 +111,16 @@ impl Body {
             form,
         };
         body.level = body.whole.upright && body.whole.axes == own;
-        body.put_solids(&frame);
+        body.put_solids(&frame, &turn);
         Some(body)
     }
 
-    fn put_solids(&mut self, frame: &Isometry3<f32>) {
-        let turn = *frame.rotation.to_rotation_matrix().matrix();
+    fn put_solids(&mut self, frame: &Isometry3<f32>, turn: &Matrix3<f32>) {
         let mut region = self.whole.region();
         for piece in &self.form.pieces {
             let solid = match self.motion(piece.link) {
                 Some(motion) => placed(piece, &(frame * motion), &self.scale),
-                None => put(piece, &turn, &frame.translation.vector, &self.scale),
+                None => put(piece, turn, &frame.translation.vector, &self.scale),
             };
             region = region.joined(&solid.region());
             self.solids.push(solid);
@@ -142,8 +142,9 @@ impl Body {
     /// Which of its cavities has this body in it: its centre, and half of its corners.
     pub(crate) fn cavity_with(&self, content: &Self) -> Option<usize> {
         let own = (!self.form.cavities.is_empty()).then(|| self.to_own(&content.whole.centre))?;
+        let half = CORNERS_WITHIN as usize;
         (0..self.form.cavities.len())
-            .find(|&index| self.has_centre(index, &own) && self.corners_within(index, content) >= CORNERS_WITHIN)
+            .find(|&index| self.has_centre(index, &own) && self.corners_within(index, content).nth(half - 1).is_some())
     }
 
     /// Whether a point of the asset's frame is in a cavity, or a little over its rim.
@@ -152,18 +153,18 @@ impl Body {
         cavity.contains(&self.before_motion(cavity.link, *own), RIM_MARGIN / self.scale.z.max(1e-3))
     }
 
-    /// How many corners of a content's box are in a cavity.
-    fn corners_within(&self, cavity: usize, content: &Self) -> u32 {
+    /// The corners of a content's box that are in a cavity.
+    fn corners_within(&self, cavity: usize, content: &Self) -> impl Iterator<Item = Vector3<f32>> {
         let cavity = &self.form.cavities[cavity];
-        let own = |c: &Vector3<f32>| self.before_motion(cavity.link, self.to_own(c));
+        let own = move |c: Vector3<f32>| self.before_motion(cavity.link, self.to_own(&c));
         let corners = content.whole.corners(content.corner_share());
-        corners.iter().filter(|c| cavity.admits(&own(c))).count() as u32
+        corners.into_iter().map(own).filter(|own| cavity.admits(own))
     }
 
     /// For each cavity, whether it has a content's centre and how many of its corners.
     pub(crate) fn cavities_with(&self, content: &Self) -> Vec<(bool, u32)> {
         let own = self.to_own(&content.whole.centre);
-        let judge = |index| (self.has_centre(index, &own), self.corners_within(index, content));
+        let judge = |index| (self.has_centre(index, &own), self.corners_within(index, content).count() as u32);
         (0..self.form.cavities.len()).map(judge).collect()
     }
 

@@ -16,9 +16,9 @@ use vc_graph::{Edge, NodeId, Relation};
 use crate::body::Body;
 use crate::edges::toward;
 use crate::near::Side;
+use crate::region::Region;
 use crate::solid::{Solid, sweep};
 use crate::threshold::{NEAR_REACH, UNDER_REACH};
-use crate::tree::Region;
 use crate::world::World;
 
 /// One of the six traces.

@@ -6,13 +6,7 @@ use vc_graph::portable::Portable;
 
 use crate::hollow;
 use crate::solid::Round;
-
-/// Into how many slices a shape is cut at most.
-const SLICES: usize = 6;
-/// How many boxes stand around a ring.
-const STAVES: usize = 8;
-/// Columns along each side over a mesh.
-const COLUMNS: usize = 8;
+use crate::threshold::{AXIS_HOLE, COLUMNS, FULL_MESH, SLICES, STAVES, THIN_SLICE};
 
 type Put<'a> = &'a mut dyn FnMut(Vector3<f32>, Matrix3<f32>, Vector3<f32>, Round);
 
@@ -25,7 +19,7 @@ pub(crate) fn lathe(profile: &[(f32, f32)], put: Put<'_>) {
         // Closed to the axis by flat discs: an odd number of crossings is a full middle.
         let inner = if cuts.len() % 2 == 1 { 0.0 } else { cuts[0] };
         let at = Vector3::z() * centre;
-        if inner < 0.02 * outer {
+        if inner < AXIS_HOLE * outer {
             put(at, Matrix3::identity(), Vector3::new(outer, outer, half), Round::Turned);
         } else {
             ring(at, inner, outer, half, put);
@@ -48,7 +42,7 @@ fn slices(levels: impl Iterator<Item = f32>) -> Vec<(f32, f32)> {
     let mut levels: Vec<f32> = levels.collect();
     levels.sort_by(f32::total_cmp);
     let Some((&low, &high)) = levels.first().zip(levels.last()) else { return Vec::new() };
-    let least = (high - low) / 100.0;
+    let least = (high - low) * THIN_SLICE;
     levels.dedup_by(|b, a| *b - *a < least);
     hollow::thin_out(&mut levels, SLICES + 1);
     levels.windows(2).map(|w| (w[0], w[1])).collect()
@@ -94,7 +88,7 @@ pub(crate) fn mesh(vertices: &[Point3<f32>], triangles: &[[u32; 3]], put: Put<'_
         })
         .collect();
     let volume: f32 = corners.iter().map(|[a, b, c]| (a - low).dot(&(b - low).cross(&(c - low))) / 6.0).sum();
-    if corners.is_empty() || volume.abs() > 0.9 * size.x * size.y * size.z {
+    if corners.is_empty() || volume.abs() > FULL_MESH * size.x * size.y * size.z {
         return whole(put);
     }
     let step = Vector3::new(size.x, size.y, 0.0) / COLUMNS as f32;

@@ -129,9 +129,9 @@ impl<'w> Reader<'w> {
         }
         let world = self.world();
         let mut faced = Vec::new();
-        world.tree.each(&body.region.grown(FACING_REACH, FACING_REACH), |other| {
+        world.targets.each(&body.region.grown(FACING_REACH, FACING_REACH), |other| {
             let Some(target) = world.bodies[other].as_ref() else { return };
-            if other != index && target.traits.lookable && faces(body, target) && !world.walls.between(body, target) {
+            if other != index && faces(body, target) && !world.walls.between(body, target) {
                 faced.push(world.ids[other]);
             }
         });

@@ -8,7 +8,7 @@ use vc_graph::asset::{Hold, Joint, Part, Shape, Surface};
 use crate::carve;
 use crate::hollow::{self, Cells};
 use crate::solid::{Round, Solid};
-use crate::threshold::{HOLLOW_LEAST, RIM_MARGIN};
+use crate::threshold::{HOLLOW_LEAST, ROOF_LEAST};
 
 /// A convex piece in the asset's frame, joints at zero, metres.
 #[derive(Debug, Clone, Copy)]
@@ -141,7 +141,7 @@ impl Form {
         let over = |s: Solid| {
             (s.low.x..=s.high.x).contains(&point.x)
                 && (s.low.y..=s.high.y).contains(&point.y)
-                && s.high.z > point.z + RIM_MARGIN / 10.0
+                && s.high.z > point.z + ROOF_LEAST
         };
         self.pieces.iter().any(|p| over(p.solid()))
     }

@@ -6,14 +6,8 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::form::{Cavity, Form, Space};
 use crate::solid::{Round, Solid, gap};
-use crate::threshold::{HOLLOW_DEPTH, HOLLOW_VOLUME};
+use crate::threshold::{GRID_EVENLY, GRID_FILL, GRID_PLANES, GRID_THINNEST, HOLLOW_DEPTH, HOLLOW_VOLUME};
 
-/// Planes along an axis at most.
-const PLANES: usize = 28;
-/// Planes along an axis at least, for what is not made of boxes.
-const EVENLY: usize = 8;
-/// Planes closer than this are one, metres.
-const THINNEST: f32 = 0.002;
 /// Label of a cell in which there is something of the asset.
 const SOLID: u16 = u16::MAX;
 
@@ -45,7 +39,7 @@ impl Cells {
     /// nothing between.
     pub(crate) fn contains(&self, point: &Vector3<f32>, label: u16, above: f32) -> bool {
         let top = self.planes[2][self.count(2)];
-        let low = Vector3::new(point.x, point.y, point.z.min(top - THINNEST / 2.0));
+        let low = Vector3::new(point.x, point.y, point.z.min(top - GRID_THINNEST / 2.0));
         let Some([x, y, z]) = self.find(&low) else { return false };
         let reach = point.z - above;
         for z in (0..=z).rev() {
@@ -84,7 +78,7 @@ impl Cells {
         [at % self.count(0), at / self.count(0) % self.count(1), at / (self.count(0) * self.count(1))]
     }
 
-    /// Marks the cells that a solid reaches into by more than a fiftieth.
+    /// Marks the cells that a solid reaches into.
     fn fill(&mut self, solid: &Solid) {
         let range = |i: usize| {
             let start = self.planes[i].partition_point(|&p| p <= solid.low[i]).saturating_sub(1);
@@ -96,7 +90,7 @@ impl Cells {
                 for x in ranges[0].clone() {
                     let cell = [x, y, z];
                     let centre = Vector3::from_fn(|i, _| self.middle(i, cell[i]));
-                    let probe = Solid::new(centre, Matrix3::identity(), self.size(cell) * 0.48, Round::No);
+                    let probe = Solid::new(centre, Matrix3::identity(), self.size(cell) * (0.5 - GRID_FILL), Round::No);
                     let at = self.at(cell);
                     if gap(&probe, solid, 0.0) < 0.0 {
                         self.labels[at] = SOLID;
@@ -168,14 +162,14 @@ impl Cells {
 /// Where parts begin and end along an axis, and some planes between.
 fn planes(form: &Form, solids: &[Solid], axis: usize) -> Vec<f32> {
     let (low, high) = (form.low[axis], form.high[axis]);
-    let even = (0..=EVENLY).map(|i| low + (high - low) * i as f32 / EVENLY as f32);
+    let even = (0..=GRID_EVENLY).map(|i| low + (high - low) * i as f32 / GRID_EVENLY as f32);
     let faces = solids.iter().flat_map(|s| [s.low[axis], s.high[axis]]);
     let mut planes: Vec<f32> = faces.collect();
     planes.sort_by(f32::total_cmp);
-    planes.dedup_by(|b, a| *b - *a < THINNEST);
-    thin_out(&mut planes, PLANES);
+    planes.dedup_by(|b, a| *b - *a < GRID_THINNEST);
+    thin_out(&mut planes, GRID_PLANES);
     // Even planes fill what is wide and free; faces are never lost to them.
-    let space = (high - low) / EVENLY as f32;
+    let space = (high - low) / GRID_EVENLY as f32;
     let far = |p: &f32| planes.iter().all(|q| (p - q).abs() > space / 2.0);
     let more: Vec<f32> = even.filter(far).collect();
     planes.extend(more);

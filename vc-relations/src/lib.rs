@@ -42,7 +42,7 @@
 //! | touching | parts at most [`TOUCH_GAP`](threshold::TOUCH_GAP) apart |
 //! | facing | an agent or a seat has a thing to look at within 75 degrees of its front, 5 m, and no wall between |
 //! | in room | its centre is over the room's floors (its shape, or its box, where it has none); in a doorway, the nearest |
-//! | between | a door has these rooms on its two sides |
+//! | between | a door has these rooms on its two sides: across its thickness, or, where its box has none as around a leaf that stands open, across whichever axis leads from room to room. A frame has them beside its leaf, an outer door has one |
 //! | held, worn | the graph or the evidence says so; then it rests on nothing |
 //!
 //! A trace starts at a part's middle plane and is a little narrower than the part, so that a
@@ -65,11 +65,12 @@
 //!
 //! All that depends on two things is measured for the pair alone, and relations are read off
 //! these facts. So after a move only the moved thing's pairs are measured again, and the
-//! result is that of a full rebuild, to the last bit. Pairs are found in a tree of boxes;
-//! traces are sweeps of boxes by separating axes, exact for boxes. Pieces and hollows are found
-//! once for each asset and shared by all that have it. One thread; results do not depend on
-//! the order of anything, and are the same bits on every machine. `benches/README.md` has
-//! figures: about three microseconds an object for all relations, about ten for a move.
+//! result is that of a full rebuild, to the last bit. The pairs of a scene are found by sorting
+//! boxes and sweeping over them, those of a moved thing in a tree; eight boxes are compared at
+//! once. Traces are sweeps of boxes by separating axes, exact for boxes. Pieces and hollows are
+//! found once for each asset and shared by all that have it. One thread; results do not depend
+//! on the order of anything, and are the same bits on every machine. `benches/README.md` has
+//! figures: about two microseconds an object for all relations, about ten for a move.
 //!
 //! # Input
 //!
@@ -97,13 +98,17 @@ mod evidence;
 mod explain;
 mod form;
 mod hollow;
+mod lanes;
 mod near;
 mod pair;
+mod region;
 mod relations;
 mod room;
 mod rule;
 mod solid;
 mod support;
+mod sweep;
+mod targets;
 pub mod threshold;
 mod tree;
 mod virtual_home;

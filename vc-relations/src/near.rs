@@ -4,6 +4,7 @@ use nalgebra::{Matrix2, Vector2, Vector3};
 
 use crate::body::Body;
 use crate::distance::distance;
+use crate::region::{less, more};
 use crate::solid::Solid;
 use crate::threshold::{NEAR_REACH, SIDE_SHARE, TRACE_START};
 
@@ -31,10 +32,10 @@ pub(crate) struct Beside {
 
 /// Measures two bodies' boxes; `None` where they are too far apart.
 pub(crate) fn beside(a: &Body, b: &Body) -> Option<Beside> {
-    let rise = (a.whole.low.z - b.whole.high.z).max(b.whole.low.z - a.whole.high.z);
+    let rise = more(a.whole.low.z - b.whole.high.z, b.whole.low.z - a.whole.high.z);
     let (distance, seen) = if a.level && b.level {
         let plan = Plan::new(&a.whole, &b.whole);
-        let up = rise.max(0.0);
+        let up = more(rise, 0.0);
         ((up * up + plan.distance_squared(&a.whole, &b.whole)).sqrt(), plan.seen)
     } else {
         (distance(&a.whole, &b.whole), [Seen::turned(a, b), Seen::turned(b, a)])
@@ -67,11 +68,11 @@ impl Seen {
     /// than beside.
     fn side(&self, rise: f32) -> Option<Side> {
         let gaps = self.gaps();
-        let apart = gaps.x.max(gaps.y);
-        if rise > apart.max(-TRACE_START) {
+        let apart = more(gaps.x, gaps.y);
+        if rise > more(apart, -TRACE_START) {
             return None;
         }
-        let share = |i: usize| self.at[i].abs() / self.reach[i].max(1e-6);
+        let share = |i: usize| self.at[i].abs() / more(self.reach[i], 1e-6);
         let along_x = if apart > 0.0 { gaps.x >= gaps.y } else { share(0) >= share(1) };
         let axis = usize::from(!along_x);
         let side = match (along_x, self.at[axis] >= 0.0) {
@@ -105,7 +106,7 @@ impl Plan {
 
     /// Square of the distance of the two footprints.
     fn distance_squared(&self, a: &Solid, b: &Solid) -> f32 {
-        let [first, second] = self.seen.map(|s| s.gaps().sup(&Vector2::zeros()));
+        let [first, second] = self.seen.map(|s| s.gaps().map(|gap| more(gap, 0.0)));
         let cosine = self.turn[(0, 0)].abs();
         if !(1e-4..=0.999_999).contains(&cosine) {
             return first.norm_squared();
@@ -115,14 +116,14 @@ impl Plan {
         }
         // Turned rectangles are apart where a corner of one is nearest to the other.
         let back = self.turn.transpose();
-        corner_distance(&self.seen[0], &self.turn, b, a).min(corner_distance(&self.seen[1], &back, a, b))
+        less(corner_distance(&self.seen[0], &self.turn, b, a), corner_distance(&self.seen[1], &back, a, b))
     }
 }
 
 /// Square of the least distance of a footprint's corners from the one it is seen from.
 fn corner_distance(seen: &Seen, turn: &Matrix2<f32>, corners_of: &Solid, from: &Solid) -> f32 {
     let (x, y) = (turn.column(0) * corners_of.half.x, turn.column(1) * corners_of.half.y);
-    let outside = |p: Vector2<f32>| (p.abs() - from.half.xy()).sup(&Vector2::zeros()).norm_squared();
+    let outside = |p: Vector2<f32>| (p.abs() - from.half.xy()).map(|gap| more(gap, 0.0)).norm_squared();
     let squared = [x + y, x - y, -x + y, -x - y].map(|c| outside(seen.at + c));
-    squared.into_iter().fold(f32::INFINITY, f32::min)
+    squared.into_iter().fold(f32::INFINITY, less)
 }

@@ -7,13 +7,13 @@ use nalgebra::Vector3;
 
 use crate::body::{Body, Posture};
 use crate::near::{self, Side};
+use crate::region::Region;
 use crate::solid::{Solid, gap, sweep_upright};
 use crate::threshold::{
     BOX_GAP, HANG_GAP, HOOK_REACH, NEAR_REACH, RIM_MARGIN, SEAT_RANGE, SUPPORT_GAP, SUPPORT_NORMAL, SUPPORT_SINK,
     SUPPORT_TIE, TRACE_START, UNDER_CORE, UNDER_REACH,
 };
-use crate::tree::Region;
-use crate::walls::Around;
+use crate::walls::Among;
 
 /// What one body is to another. Fields that do not apply are infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,14 +56,14 @@ impl Pair {
     }
 
     fn says_something(self) -> bool {
-        let least = self.gap.min(self.distance).min(self.rest).min(self.over);
-        least.is_finite() || self.inside || self.hooked || self.seated
+        let known = [self.gap, self.distance, self.rest, self.over].iter().any(|f| f.is_finite());
+        known || self.inside || self.hooked || self.seated
     }
 }
 
 /// Measures two bodies, each from its own point of view; `None` where there is nothing to
-/// say from either. The walls are those around one of the two.
-pub(crate) fn measure((i, a): (usize, &Body), (j, b): (usize, &Body), walls: &Around<'_>) -> Option<(Pair, Pair)> {
+/// say from either. The walls are those that can be between the two.
+pub(crate) fn measure((i, a): (usize, &Body), (j, b): (usize, &Body), walls: &Among<'_>) -> Option<(Pair, Pair)> {
     if a.traits.fixed && b.traits.fixed {
         return None;
     }
@@ -173,12 +173,14 @@ fn is_over_middle(a: &Body, b: &Body) -> bool {
     own.x <= b.whole.half.x && own.y <= b.whole.half.y && (b.whole.centre.z..=b.region.high.z).contains(&a.base())
 }
 
-/// Calls `found` with every contact that a trace down from a part finds within `limit`.
+/// Calls `found` with every contact that a trace down from a part finds within `limit` with
+/// one whose middle is lower.
 pub(crate) fn contacts(a: &Body, b: &Body, limit: f32, mut found: impl FnMut(Contact)) {
     for (p, s) in a.solids.iter().enumerate() {
         let mut core = None;
         for (q, t) in b.solids.iter().enumerate() {
-            if plans_apart(s, t) || s.low.z - t.high.z > limit || t.low.z > s.high.z {
+            let is_below = t.centre.z < s.centre.z && s.low.z - t.high.z <= limit;
+            if !is_below || plans_apart(s, t) {
                 continue;
             }
             let core = core.get_or_insert_with(|| s.core());
@@ -199,8 +201,7 @@ fn below(part: &Solid, core: &Solid, other: &Solid, limit: f32) -> Option<(f32, 
     let raise = (TRACE_START - (full - thin)).max(0.0);
     let start = core.moved(Vector3::z() * raise);
     let strike = sweep_upright(&start, other, -1.0, limit + raise + full)?;
-    let falls = strike.way >= 0.0 && other.centre.z < part.centre.z;
-    falls.then_some((strike.way - raise - (full - thin), strike.normal))
+    (strike.way >= 0.0).then_some((strike.way - raise - (full - thin), strike.normal))
 }
 
 /// How far another body is above the middle of this one, by a trace of the middle of its

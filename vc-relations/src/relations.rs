@@ -160,7 +160,7 @@ impl Relations {
     }
 
     /// Who may face a body, where it was and is.
-    fn watchers(&self, index: usize, before: Option<crate::tree::Region>) -> Vec<u32> {
+    fn watchers(&self, index: usize, before: Option<crate::region::Region>) -> Vec<u32> {
         let now = self.world.bodies[index].as_ref();
         let mut watchers = Vec::new();
         if now.is_some_and(|b| !b.traits.lookable) {

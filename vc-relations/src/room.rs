@@ -4,13 +4,9 @@ use nalgebra::Vector3;
 use vc_graph::{Kind, NodeId, Relation, SceneGraph};
 
 use crate::body::Body;
-use crate::threshold::ROOM_MARGIN;
-use crate::tree::{Region, Tree};
-
-/// How high above its floor a room goes if its box does not say, metres.
-const STOREY: f32 = 3.0;
-/// How far beside a door's leaf the rooms on both its sides are looked for, metres.
-const BESIDE_DOOR: f32 = 0.2;
+use crate::region::Region;
+use crate::threshold::{BESIDE_DOOR, DOOR_SQUARE, ROOM_MARGIN, STOREY};
+use crate::tree::Tree;
 
 /// Rooms as boxes over their floors.
 #[derive(Debug, Clone, Default)]
@@ -61,12 +57,25 @@ impl Rooms {
         best.filter(|(depth, _)| *depth >= -ROOM_MARGIN).map(|(_, room)| room)
     }
 
-    /// The rooms on the two sides of a door, smaller number first.
+    /// The rooms on the two sides of a door, smaller number first; only one if the other side
+    /// is outside. The box around a leaf that stands open is about as thick as wide and does
+    /// not say which way the door leads: the way on which there are two rooms.
     pub(crate) fn beside(&self, door: &Body) -> Vec<NodeId> {
+        let half = &door.whole.half;
+        let thin = usize::from(half.x > half.y);
+        let rooms = self.along(door, thin);
+        if rooms.len() < 2 && half[thin] >= DOOR_SQUARE * half[1 - thin] {
+            let other = self.along(door, 1 - thin);
+            return if other.len() == 2 { other } else { rooms };
+        }
+        rooms
+    }
+
+    /// The rooms at the two ends of an axis of a door.
+    fn along(&self, door: &Body, axis: usize) -> Vec<NodeId> {
         let whole = &door.whole;
-        let thin = if whole.half.x <= whole.half.y { 0 } else { 1 };
-        let across: Vector3<f32> = whole.axes.column(thin).into();
-        let way = across * (whole.half[thin] + BESIDE_DOOR);
+        let across: Vector3<f32> = whole.axes.column(axis).into();
+        let way = across * (whole.half[axis] + BESIDE_DOOR);
         let mut rooms: Vec<NodeId> = [way, -way].iter().filter_map(|w| self.at(&(whole.centre + w))).collect();
         rooms.sort_unstable();
         rooms.dedup();

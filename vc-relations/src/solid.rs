@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use crate::region::{Region, less, more};
 use crate::threshold::{BALL_SPOT, TRACE_SHRINK, UPRIGHT};
-use crate::tree::Region;
 
 /// How a piece is rounded within its box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -85,7 +85,7 @@ impl Solid {
     /// The point of its box nearest to a point.
     pub(crate) fn nearest(&self, point: &Vector3<f32>) -> Vector3<f32> {
         let own = self.axes.tr_mul(&(point - self.centre));
-        self.centre + self.axes * own.sup(&-self.half).inf(&self.half)
+        self.centre + self.axes * own.zip_map(&self.half, |at, half| less(more(at, -half), half))
     }
 
     /// Whether a way from a point goes through its box: the times at which it enters and
@@ -97,8 +97,8 @@ impl Solid {
             let (at, way, half) = (at[axis], way[axis], self.half[axis]);
             if way.abs() > 1e-9 {
                 let (one, other) = ((-half - at) / way, (half - at) / way);
-                enters = enters.max(one.min(other));
-                leaves = leaves.min(one.max(other));
+                enters = more(enters, less(one, other));
+                leaves = less(leaves, more(one, other));
             } else if at.abs() > half {
                 return false;
             }
@@ -202,11 +202,12 @@ fn level_gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
     };
     let mut most = f32::NEG_INFINITY;
     let mut visit = |axis: Vector3<f32>| {
-        most = most.max((way.x * axis.x + way.y * axis.y).abs() - reach(a, &axis) - reach(b, &axis));
+        most = more(most, (way.x * axis.x + way.y * axis.y).abs() - reach(a, &axis) - reach(b, &axis));
         most <= enough
     };
     let faces = |s: &Solid, i: usize| s.axes.column(i).into();
-    let near = visit(faces(a, 0)) && visit(faces(a, 1)) && visit(faces(b, 0)) && visit(faces(b, 1));
+    let near =
+        visit(faces(a, 0)) && visit(faces(a, 1)) && (a.axes == b.axes || (visit(faces(b, 0)) && visit(faces(b, 1))));
     if near && (a.round != Round::No || b.round != Round::No) {
         round_axes(a, b, visit);
     }
@@ -219,11 +220,11 @@ pub(crate) fn gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
     let way = b.centre - a.centre;
     if a.is_prism() && b.is_prism() {
         let rise = way.z.abs() - a.half.z - b.half.z;
-        return if rise > enough { rise } else { rise.max(level_gap(a, b, enough)) };
+        return if rise > enough { rise } else { more(rise, level_gap(a, b, enough)) };
     }
     let mut most = f32::NEG_INFINITY;
     each_axis(a, b, |axis| {
-        most = most.max(way.dot(&axis).abs() - a.reach(&axis) - b.reach(&axis));
+        most = more(most, way.dot(&axis).abs() - a.reach(&axis) - b.reach(&axis));
         most <= enough
     });
     most
@@ -256,7 +257,7 @@ pub(crate) fn sweep(a: &Solid, b: &Solid, along: &Vector3<f32>, limit: f32) -> O
         }
         let (distance, speed, axis) = if speed < 0.0 { (-distance, -speed, -axis) } else { (distance, speed, axis) };
         let enters = (distance - reach) / speed;
-        leaves = leaves.min((distance + reach) / speed);
+        leaves = less(leaves, (distance + reach) / speed);
         if enters > strike.way {
             strike = Strike { way: enters, normal: -axis };
         }

@@ -199,12 +199,13 @@ impl<'w> Supports<'w> {
     }
 
     fn put(&self, index: usize, supports: impl Iterator<Item = Support>, out: &mut Vec<Candidate>) {
-        let base = |i: usize| self.world.bodies[i].as_ref().map_or(f32::NEG_INFINITY, Body::base);
-        let candidate = |support: Support| {
-            let other = self.world.index(support.by)?;
-            Some(Candidate { support, index: other, soft: base(other) >= base(index) })
-        };
+        let candidate = |support: Support| Some(self.candidate(index, self.world.index(support.by)?, support));
         out.extend(supports.filter_map(candidate));
+    }
+
+    fn candidate(&self, index: usize, other: usize, support: Support) -> Candidate {
+        let base = |i: usize| self.world.bodies[i].as_ref().map_or(f32::NEG_INFINITY, Body::base);
+        Candidate { support, index: other, soft: base(other) >= base(index) }
     }
 
     fn traced(&self, index: usize, out: &mut Vec<Candidate>) {
@@ -213,25 +214,33 @@ impl<'w> Supports<'w> {
         if best.is_infinite() {
             return self.hung(index, out);
         }
-        let tied = || pairs.iter().filter(|p| p.rest.abs() <= best + SUPPORT_TIE);
-        let is_covered = |p: &&Pair| tied().any(|q| self.covers(q, p));
         let start = out.len();
-        self.put(index, tied().filter(|p| !is_covered(p)).map(|p| self.support(p, Ground::Trace, p.rest)), out);
+        let tied = pairs.iter().filter(|p| p.rest.abs() <= best + SUPPORT_TIE);
+        out.extend(tied.map(|p| self.found(index, p, Ground::Trace, p.rest)));
+        if out.len() > start + 1 {
+            let uncovered = self.uncovered(&out[start..]);
+            out.truncate(start);
+            out.extend(uncovered);
+        }
         let share = 1.0 / (out.len() - start) as f32;
         out[start..].iter_mut().for_each(|c| c.support.share = share);
     }
 
-    /// Whether one support lies between and is rested on: the cup is on the saucer, however
-    /// thin that is, and not on the table.
-    fn covers(&self, between: &Pair, deeper: &Pair) -> bool {
-        let rests = |p: &Pair, q: &Pair| self.world.pair(p.other as usize, q.other as usize).map(|r| r.rest);
-        between.other != deeper.other
-            && between.rest < deeper.rest
-            && rests(between, deeper).is_some_and(f32::is_finite)
+    fn uncovered(&self, tied: &[Candidate]) -> Vec<Candidate> {
+        let is_covered = |c: &&Candidate| tied.iter().any(|other| self.covers(other, c));
+        tied.iter().filter(|c| !is_covered(c)).copied().collect()
     }
 
-    fn support(&self, pair: &Pair, ground: Ground, gap: f32) -> Support {
-        Support { by: self.world.ids[pair.other as usize], ground, share: 1.0, gap }
+    /// Whether one support lies between and is rested on: the cup is on the saucer, however
+    /// thin that is, and not on the table.
+    fn covers(&self, between: &Candidate, deeper: &Candidate) -> bool {
+        between.support.gap < deeper.support.gap
+            && self.world.pair(between.index, deeper.index).is_some_and(|p| p.rest.is_finite())
+    }
+
+    fn found(&self, index: usize, pair: &Pair, ground: Ground, gap: f32) -> Candidate {
+        let other = pair.other as usize;
+        self.candidate(index, other, Support { by: self.world.ids[other], ground, share: 1.0, gap })
     }
 
     /// What rests on nothing hangs: on a hook, else in its container, else on the wall or
@@ -247,7 +256,7 @@ impl<'w> Supports<'w> {
         let Some((rank, pair)) = ranked.min_by(order) else { return };
         let ground = [Ground::Hook, Ground::Container, Ground::Hanging][usize::from(rank.min(2))];
         let gap = if pair.gap.is_finite() { pair.gap } else { 0.0 };
-        self.put(index, std::iter::once(self.support(pair, ground, gap)), out);
+        out.push(self.found(index, pair, ground, gap));
     }
 
     /// How good another body is to hang on; `None` if one cannot.

@@ -64,6 +64,11 @@ pub const UNDER_CORE: f32 = 0.5;
 /// also the length of the thesis's sideways traces here.
 pub const NEAR_REACH: f32 = 1.0;
 
+/// How much farther pairs are looked for than they are measured, metres: more than the rounding
+/// of any coordinate up to [`WORLD_REACH`], so that which pairs are measured never depends on
+/// which of the two was asked first.
+pub const REACH_SLACK: f32 = 0.01;
+
 /// A thing whose box overlaps another's is beside it only if the centres are apart by at
 /// least this share of the sum of the half sizes: a tucked chair has the table in front, a
 /// rug has no side towards the table on it.
@@ -95,6 +100,45 @@ pub const HOLLOW_VOLUME: f32 = 2e-5;
 /// Least height of a compartment that is stated by an asset, metres.
 pub const HOLLOW_LEAST: f32 = 0.02;
 
+/// A compartment has a roof if a part goes at least so far above it, metres: more than its own
+/// walls stand out by rounding.
+pub const ROOF_LEAST: f32 = 0.005;
+
+/// Planes along an axis of the grid in which hollows are looked for, at most: shelves have
+/// fewer faces, and the third power of it is how many cells there are.
+pub const GRID_PLANES: usize = 28;
+
+/// Cells along an axis of that grid at least, for what is not made of boxes: a bowl's wall is
+/// about an eighth of its width.
+pub const GRID_EVENLY: usize = 8;
+
+/// Planes of that grid that are closer are one, metres: half the thinnest board.
+pub const GRID_THINNEST: f32 = 0.002;
+
+/// A part fills a cell of that grid if it reaches in by more than this share of the cell's
+/// size: what only shares a face with it does not.
+pub const GRID_FILL: f32 = 0.02;
+
+/// Into how many discs and rings a turned shape, and into how many boxes an extruded outline,
+/// is cut at most: a bowl's hollow keeps its depth to a sixth.
+pub const SLICES: usize = 6;
+
+/// Slices thinner than this share of the shape's height are not made: rounding of a profile.
+pub const THIN_SLICE: f32 = 0.01;
+
+/// How many boxes stand around a ring: they are within 8% of its radius.
+pub const STAVES: usize = 8;
+
+/// A ring whose hole is a smaller share of its radius is a disc: profiles start a little off
+/// the axis.
+pub const AXIS_HOLE: f32 = 0.02;
+
+/// Columns along each side over a mesh: as many as cells of the grid.
+pub const COLUMNS: usize = 8;
+
+/// A mesh that fills a larger share of its box is that box.
+pub const FULL_MESH: f32 = 0.9;
+
 /// An agent whose box's own upward axis is more than 60 degrees from upright lies.
 pub const LYING_TILT: f32 = 0.5;
 
@@ -111,6 +155,17 @@ pub const FACING_REACH: f32 = 5.0;
 /// A thing in a doorway or wall is in the nearest room at most so far away, metres: the
 /// thickness of an outer wall.
 pub const ROOM_MARGIN: f32 = 0.4;
+
+/// How high above its floor a room goes if its box does not say, metres: a storey.
+pub const STOREY: f32 = 3.0;
+
+/// How far beside a door's leaf the rooms on both its sides are looked for, metres: out of the
+/// wall it is in, and not past a corridor.
+pub const BESIDE_DOOR: f32 = 0.2;
+
+/// A door's box that is thicker than this share of its width is that of a leaf which stands
+/// open; a frame with its leaf shut has less than half.
+pub const DOOR_SQUARE: f32 = 0.7;
 
 /// VirtualHome: centre to box at most so far is CLOSE, metres.
 pub const VH_CLOSE: f32 = 1.5;

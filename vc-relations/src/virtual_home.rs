@@ -17,8 +17,9 @@
 use nalgebra::Point3;
 use vc_graph::{Aabb, Edge, Kind, Node, NodeId, Relation, SceneGraph};
 
+use crate::region::Region;
 use crate::threshold::{VH_CAST, VH_CLOSE, VH_FAR, VH_FOOTPRINT, VH_ROUNDING};
-use crate::tree::{Region, Tree};
+use crate::tree::Tree;
 
 struct Item<'g> {
     id: NodeId,

@@ -1,13 +1,9 @@
 //! The building between things.
 
-use std::cell::OnceCell;
-
-use nalgebra::Vector3;
-
 use crate::body::Body;
+use crate::region::Region;
 use crate::solid::Solid;
-use crate::threshold::NEAR_REACH;
-use crate::tree::{Region, Tree};
+use crate::tree::Tree;
 
 /// Pieces of walls, floors and ceilings.
 #[derive(Debug, Clone, Default)]
@@ -24,49 +20,49 @@ impl Walls {
         Self { pieces, tree }
     }
 
-    /// Whether part of the building is between bodies that are not in one room.
+    /// Whether part of the building is between the middles of bodies that are not in one room.
     pub(crate) fn between(&self, a: &Body, b: &Body) -> bool {
-        let Some((from, way, region)) = way(a, b) else { return false };
-        let mut met = false;
-        self.tree.each(&region, |wall| met = met || self.pieces[wall].is_crossed(&from, &way));
-        met
-    }
-
-    pub(crate) fn around(&self, body: &Body) -> Around<'_> {
-        // What is near has its middle within about twice the reach.
-        let region = body.region.grown(2.0 * NEAR_REACH, 2.0 * NEAR_REACH);
-        Around { walls: self, region, near: OnceCell::new() }
+        let mut among = Among::new(self);
+        among.gather(a, std::iter::once(b));
+        among.between(a, b)
     }
 }
 
-/// The walls around one body, looked up when first asked for: for many questions about it.
-pub(crate) struct Around<'w> {
+/// The pieces that can be between one body and some others.
+#[derive(Debug)]
+pub(crate) struct Among<'w> {
     walls: &'w Walls,
-    region: Region,
-    near: OnceCell<Vec<u32>>,
+    near: Vec<u32>,
 }
 
-impl Around<'_> {
-    /// As [`Walls::between`], where one of the two is this body.
-    pub(crate) fn between(&self, a: &Body, b: &Body) -> bool {
-        let Some((from, way, region)) = way(a, b) else { return false };
-        if !self.region.contains(&region) {
-            return self.walls.between(a, b);
+impl<'w> Among<'w> {
+    pub(crate) fn new(walls: &'w Walls) -> Self {
+        Self { walls, near: Vec::new() }
+    }
+
+    /// Finds them.
+    pub(crate) fn gather<'b>(&mut self, a: &Body, others: impl Iterator<Item = &'b Body>) {
+        let middle = |b: &Body| Region { low: b.whole.centre, high: b.whole.centre };
+        let apart = others.filter(|b| are_apart(a, b) && !b.traits.structure);
+        let ways = apart.map(middle).reduce(|all, b| all.joined(&b));
+        self.near.clear();
+        if let Some(ways) = ways {
+            self.walls.tree.each(&ways.joined(&middle(a)), |wall| self.near.push(wall as u32));
         }
-        let pieces = &self.walls.pieces;
-        let near = self.near.get_or_init(|| {
-            let mut near = Vec::new();
-            self.walls.tree.each(&self.region, |wall| near.push(wall as u32));
-            near
-        });
-        let hits = |wall: &Solid| wall.meets(&region, 0.0) && wall.is_crossed(&from, &way);
-        near.iter().any(|&wall| hits(&pieces[wall as usize]))
+    }
+
+    /// Whether one is between the middles of the two, if they are not in one room.
+    pub(crate) fn between(&self, a: &Body, b: &Body) -> bool {
+        if self.near.is_empty() || !are_apart(a, b) {
+            return false;
+        }
+        let (from, to) = (a.whole.centre, b.whole.centre);
+        let (way, region) = (to - from, Region::around(&from, &to));
+        let crosses = |wall: &Solid| wall.meets(&region, 0.0) && wall.is_crossed(&from, &way);
+        self.near.iter().any(|&wall| crosses(&self.walls.pieces[wall as usize]))
     }
 }
 
-/// The straight way between two bodies that are not in one room, and the region it is in.
-fn way(a: &Body, b: &Body) -> Option<(Vector3<f32>, Vector3<f32>, Region)> {
-    let (from, to) = (a.whole.centre, b.whole.centre);
-    let apart = a.room.is_none() || a.room != b.room;
-    apart.then(|| (from, to - from, Region { low: from.inf(&to), high: from.sup(&to) }))
+fn are_apart(a: &Body, b: &Body) -> bool {
+    a.room.is_none() || a.room != b.room
 }

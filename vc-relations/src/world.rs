@@ -9,10 +9,13 @@ use crate::body::Body;
 use crate::evidence::Evidence;
 use crate::form::Form;
 use crate::pair::{self, Pair};
+use crate::region::Region;
 use crate::room::Rooms;
-use crate::threshold::{NEAR_REACH, UNDER_REACH};
-use crate::tree::{Region, Tree};
-use crate::walls::Walls;
+use crate::sweep::Meetings;
+use crate::targets::Targets;
+use crate::threshold::{NEAR_REACH, REACH_SLACK, UNDER_REACH};
+use crate::tree::Tree;
+use crate::walls::{Among, Walls};
 
 /// Bodies are numbered in the order of their nodes' numbers.
 #[derive(Debug, Clone, Default)]
@@ -23,6 +26,7 @@ pub(crate) struct World {
     pub(crate) pairs: Vec<Vec<Pair>>,
     pub(crate) rooms: Rooms,
     pub(crate) tree: Tree,
+    pub(crate) targets: Targets,
     pub(crate) walls: Walls,
     forms: Forms,
 }
@@ -80,6 +84,7 @@ impl World {
         }
         self.walls = Walls::new(self.bodies.iter().flatten());
         self.tree = Tree::new(&self.bodies.iter().map(region).collect::<Vec<_>>());
+        self.targets = Targets::new(&self.bodies);
         self.measure_all();
     }
 
@@ -116,16 +121,16 @@ impl World {
         let mut pairs = std::mem::take(&mut self.pairs);
         pairs.iter_mut().for_each(Vec::clear);
         pairs.resize_with(self.bodies.len(), || Vec::with_capacity(16));
-        let mut met = Vec::new();
+        let zones: Vec<Region> = self.bodies.iter().map(|b| zone(b, 0.5)).collect();
+        let meetings = Meetings::new(&zones);
+        let mut walls = Among::new(&self.walls);
         for (i, a) in self.bodies.iter().enumerate() {
             let Some(a) = a else { continue };
-            met.clear();
-            self.tree.each_from(i + 1, &zone(a), |j| met.push(j as u32));
+            let others =
+                || meetings.of(i).iter().filter_map(|&j| Some((j as usize, self.bodies[j as usize].as_ref()?)));
+            walls.gather(a, others().map(|(_, b)| b));
             // In this order every list comes out sorted.
-            met.sort_unstable();
-            let walls = self.walls.around(a);
-            for j in met.iter().map(|&j| j as usize) {
-                let Some(b) = &self.bodies[j] else { continue };
+            for (j, b) in others() {
                 if let Some((ab, ba)) = pair::measure((i, a), (j, b), &walls) {
                     pairs[i].push(ab);
                     pairs[j].push(ba);
@@ -136,8 +141,8 @@ impl World {
     }
 
     /// Reads one node again and measures its pairs. Returns what it had to do with before
-    /// and has now; `None` if the scene has to be built anew: a part of the building or a
-    /// node of which nothing was known.
+    /// and has now; `None` if the scene has to be built anew: a part of the building, a
+    /// node of which nothing was known, or one that could not be looked at.
     pub(crate) fn update(&mut self, graph: &SceneGraph, id: NodeId, evidence: &Evidence) -> Option<Vec<u32>> {
         let index = self.index(id)?;
         let node = graph.node(id);
@@ -147,6 +152,7 @@ impl World {
         if is_room || is_building(&body) || is_building(&self.bodies[index]) {
             return None;
         }
+        self.targets.set(index, &body)?;
         let mut met: Vec<u32> = self.pairs[index].iter().map(|p| p.other).collect();
         for &other in &met {
             self.pairs[other as usize].retain(|p| p.other as usize != index);
@@ -163,10 +169,13 @@ impl World {
     /// The pairs of one body; the other ends are put into their lists.
     fn measure_one(&mut self, index: usize) -> Vec<Pair> {
         let Some(a) = &self.bodies[index] else { return Vec::new() };
+        let mut met = Vec::new();
+        self.tree.each(&zone(&self.bodies[index], 1.0), |j| met.push(j));
+        let others = || met.iter().filter(|&&j| j != index).filter_map(|&j| Some((j, self.bodies[j].as_ref()?)));
+        let mut walls = Among::new(&self.walls);
+        walls.gather(a, others().map(|(_, b)| b));
         let (mut own, mut theirs) = (Vec::new(), Vec::new());
-        let walls = self.walls.around(a);
-        self.tree.each(&zone(a), |j| {
-            let Some(b) = self.bodies[j].as_ref().filter(|_| j != index) else { return };
+        for (j, b) in others() {
             // In the order of a full build, so that the figures are the same to the last bit.
             let (first, second) = if index < j { ((index, a), (j, b)) } else { ((j, b), (index, a)) };
             if let Some((p, q)) = pair::measure(first, second, &walls) {
@@ -174,7 +183,7 @@ impl World {
                 own.push(ab);
                 theirs.push((j, ba));
             }
-        });
+        }
         own.sort_unstable_by_key(|p| p.other);
         for (j, pair) in theirs {
             let list = &mut self.pairs[j];
@@ -240,7 +249,7 @@ fn region(body: &Option<Body>) -> Region {
     body.as_ref().map_or(Region::EMPTY, |b| b.region)
 }
 
-/// Where something has to be for a body to have to do with it.
-fn zone(body: &Body) -> Region {
-    body.region.grown(NEAR_REACH, UNDER_REACH)
+/// Where something has to be for a body to have to do with it, or a share of the way there.
+fn zone(body: &Option<Body>, share: f32) -> Region {
+    region(body).grown(share * (NEAR_REACH + REACH_SLACK), share * (UNDER_REACH + REACH_SLACK))
 }

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use vc_graph::{Edge, NodeId, Pose, SceneGraph, Seed};
+use vc_graph::{Bounds, Draft, Edge, NodeId, Pose, SceneBuilder, SceneGraph, Seed};
 use vc_relations::{Evidence, Relations, Rule};
 
 fn by_node(edges: &[Edge]) -> BTreeMap<NodeId, Vec<Edge>> {
@@ -72,6 +72,28 @@ proptest! {
                 prop_assert!(same || met.contains(&node.id()), "{} changed unsaid", node.label());
             }
             before = after;
+        }
+    }
+}
+
+/// At the very edge of reach, rounding must not make it matter which of two was asked first.
+#[test]
+fn exactly_in_reach_is_the_same_after_an_update() {
+    for step in 0..200 {
+        let mut scene = SceneBuilder::new("edge");
+        let size = Vector3::new(0.3, 0.3, 0.3);
+        let mut put = |x: f32| {
+            let draft = Draft::new("box").bounds(Bounds::standing(size)).at(Pose::translation(x, 0.7, 0.0));
+            scene.add(draft).unwrap()
+        };
+        let x = 0.013 * step as f32;
+        let (a, b) = (put(x), put(x + 1.3));
+        let graph = scene.build();
+        let fresh = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
+        for id in [a, b] {
+            let mut updated = fresh.clone();
+            updated.update(&graph, &[id]).unwrap();
+            assert_eq!(updated.edges(), fresh.edges(), "at {x}");
         }
     }
 }

@@ -1,0 +1,96 @@
+//! Every two boxes that meet, found for a whole scene at once.
+
+use crate::lanes::{Group, LANES, Probe, grouped};
+use crate::region::{Region, sorted};
+
+/// For each box of a scene the later ones that it meets, by number.
+#[derive(Debug)]
+pub(crate) struct Meetings {
+    /// Where in the list those of each box end.
+    ends: Vec<u32>,
+    others: Vec<u32>,
+}
+
+impl Meetings {
+    /// Compares each box with those that begin before it ends along the axis on which the
+    /// scene is longest: sort and sweep (Baraff 1992). Of boxes spread over a plane that are
+    /// about the square root of all.
+    pub(crate) fn new(boxes: &[Region]) -> Self {
+        let row = Row::new(boxes);
+        let mut pairs = Vec::with_capacity(16 * boxes.len());
+        for (place, &one) in row.order.iter().enumerate() {
+            row.after(place, &boxes[one as usize], |other| pairs.push((one.min(other), one.max(other))));
+        }
+        Self::by_first(&pairs, boxes.len())
+    }
+
+    fn by_first(pairs: &[(u32, u32)], count: usize) -> Self {
+        let mut ends = vec![0; count];
+        pairs.iter().for_each(|p| ends[p.0 as usize] += 1);
+        let mut sum = 0;
+        for end in &mut ends {
+            // Until the lists are filled this is where each starts.
+            sum += std::mem::replace(end, sum);
+        }
+        let mut others = vec![0; pairs.len()];
+        for &(one, other) in pairs {
+            let end = &mut ends[one as usize];
+            others[*end as usize] = other;
+            *end += 1;
+        }
+        let mut meetings = Self { ends, others };
+        for one in 0..count {
+            let range = meetings.range(one);
+            meetings.others[range].sort_unstable();
+        }
+        meetings
+    }
+
+    fn range(&self, one: usize) -> std::ops::Range<usize> {
+        let start = one.checked_sub(1).map_or(0, |before| self.ends[before]);
+        start as usize..self.ends[one] as usize
+    }
+
+    /// The boxes after one that meet it, sorted.
+    pub(crate) fn of(&self, one: usize) -> &[u32] {
+        &self.others[self.range(one)]
+    }
+}
+
+/// Boxes in the order in which they begin along an axis.
+struct Row {
+    axis: usize,
+    /// Their numbers.
+    order: Vec<u32>,
+    /// Where they begin.
+    starts: Vec<f32>,
+    groups: Vec<Group>,
+}
+
+impl Row {
+    fn new(boxes: &[Region]) -> Self {
+        let there = || (0..).zip(boxes).filter(|(_, b)| b.low.x <= b.high.x);
+        let whole = there().fold(Region::EMPTY, |all, (_, b)| all.joined(b));
+        let axis = (whole.high - whole.low).imax();
+        let order = sorted(there().map(|(item, b)| (b.low[axis], item)));
+        let starts = order.iter().map(|&item| boxes[item as usize].low[axis]).collect();
+        let groups = grouped(order.iter().map(|&item| boxes[item as usize]));
+        Self { axis, order, starts, groups }
+    }
+
+    /// Calls `found` with every box after a place that meets the one there.
+    fn after(&self, place: usize, region: &Region, mut found: impl FnMut(u32)) {
+        let probe = Probe::new(region);
+        let own = place / LANES;
+        for lane in self.groups[own].meeting(&probe).after(place % LANES) {
+            found(self.order[own * LANES + lane]);
+        }
+        for group in own + 1..self.groups.len() {
+            let start = group * LANES;
+            if self.starts[start] > region.high[self.axis] {
+                break;
+            }
+            self.groups[group].meeting(&probe).for_each(|lane| found(self.order[start + lane]));
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! What can be looked at.
+
+use crate::body::Body;
+use crate::region::Region;
+use crate::tree::Tree;
+
+/// The bodies of a scene that can be looked at, few of all.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Targets {
+    /// Their numbers, sorted.
+    items: Vec<u32>,
+    tree: Tree,
+}
+
+impl Targets {
+    pub(crate) fn new(bodies: &[Option<Body>]) -> Self {
+        let (items, regions): (Vec<u32>, Vec<Region>) =
+            (0..).zip(bodies).filter_map(|(item, body)| Some((item, region(body)?))).unzip();
+        Self { items, tree: Tree::new(&regions) }
+    }
+
+    /// A body has moved, come or gone. `None` if it was no target before and is one now.
+    pub(crate) fn set(&mut self, item: usize, body: &Option<Body>) -> Option<()> {
+        match (self.items.binary_search(&(item as u32)), region(body)) {
+            (Ok(place), now) => self.tree.set(place, now.unwrap_or(Region::EMPTY)),
+            (Err(_), Some(_)) => return None,
+            (Err(_), None) => {}
+        }
+        Some(())
+    }
+
+    /// Calls `found` with every target that meets a region, in no useful order.
+    pub(crate) fn each(&self, region: &Region, mut found: impl FnMut(usize)) {
+        self.tree.each(region, |place| found(self.items[place] as usize));
+    }
+}
+
+/// Where a body is, if it can be looked at.
+fn region(body: &Option<Body>) -> Option<Region> {
+    body.as_ref().filter(|b| b.traits.lookable).map(|b| b.region)
+}
