@@ -82,8 +82,13 @@ pub fn pose(at: [f32; 3], yaw: f32, pitch: f32) -> Pose {
     Pose::from_parts(Vector3::from(at).into(), turn)
 }
 
-/// A room of 6 by 5 metres with a cabinet, whose drawer is open, and many shapes.
+/// A room of 6 by 5 metres with a cabinet, whose drawer is open, and sixty shapes.
 pub fn furnished() -> SceneGraph {
+    crowded(60)
+}
+
+/// The same with any number of shapes.
+pub fn crowded(count: usize) -> SceneGraph {
     let mut stage = Stage::new();
     let flat = |half: [f32; 3], at: [f32; 3]| part("slab", block(half), at, 1);
     let shell = vec![
@@ -108,7 +113,7 @@ pub fn furnished() -> SceneGraph {
     ]);
     let made = stage.put("dresser", cabinet, pose([2.0, 1.0, 0.0], 3.0, 0.0));
     let mut rng = Seed(5).stream();
-    for index in 0..60 {
+    for index in 0..count {
         let size = rng.between(0.04, 0.25);
         let shape = match index % 7 {
             0 => Shape::Sphere { radius: size },
