@@ -59,6 +59,9 @@ impl Guide {
         let [colour, normal, at] = traced.guides();
         let to = [0, 1, 2].map(|i: usize| at[i] - eye[i]);
         let over = 1.0 / (OFF * dot(to, to).sqrt()).max(1e-4);
+        // Where surfaces meet in a pixel their mean normal is short.
+        let length = dot(normal, normal).sqrt();
+        let normal = if length > 1e-3 { normal.map(|v| v / length) } else { [0.0; 3] };
         Self { colour: colour.map(|v| v.max(0.02)), normal, at, over }
     }
 
@@ -75,7 +78,8 @@ impl Guide {
         let turned = turned.max(0.0);
         let turned = turned * turned * turned * turned;
         let turned = turned * turned * turned * turned;
-        turned / (1.0 + off * off)
+        let like = turned / (1.0 + off * off);
+        if like.is_finite() { like } else { 0.0 }
     }
 }
 
@@ -147,7 +151,7 @@ impl Plane<'_> {
                 spread += weight * weight * other.variance;
                 total += weight;
             }
-            if total <= 0.0 {
+            if total < 1e-9 {
                 return *own;
             }
             Soft { light: light.map(|v| v / total), variance: spread / (total * total) }

@@ -193,7 +193,7 @@ impl Walk {
         if self.surfaces > 0 && bright > self.most {
             brought = brought.map(|v| v * self.most / bright);
         }
-        if bright.is_finite() {
+        if bright.is_finite() && brought.iter().all(|v| v.is_finite()) {
             let sum = &mut self.found.light[usize::from(!sharp)];
             *sum = [0, 1, 2].map(|i: usize| sum[i] + brought[i]);
         }

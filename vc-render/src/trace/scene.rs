@@ -99,6 +99,10 @@ impl Tracer {
         let [n0, n1, n2] = face.normals;
         let bent = [0, 1, 2].map(|i: usize| n0[i] * (1.0 - u - v) + n1[i] * u + n2[i] * v);
         let normal = if face.flat { n0 } else { bent };
+        let flat = crate::label::unit(across.map(|v| v * out));
+        let normal = affine::normal(&instance.inverse, normal);
+        // Normals that cancel each other say nothing.
+        let length = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
         Met {
             t: hit.t,
             at: [0, 1, 2].map(|i: usize| ray.from[i] + hit.t * ray.along[i]),
@@ -107,8 +111,8 @@ impl Tracer {
             face,
             triangle,
             area: 0.5 * (across[0] * across[0] + across[1] * across[1] + across[2] * across[2]).sqrt(),
-            flat: crate::label::unit(across.map(|v| v * out)),
-            normal: crate::label::unit(affine::normal(&instance.inverse, normal)),
+            flat,
+            normal: if length > 1e-20 { crate::label::unit(normal) } else { flat },
         }
     }
 }
