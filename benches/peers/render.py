@@ -129,7 +129,7 @@ def open3d(scene):
     times = []
     for width, height in SIZES:
         rays = caster.create_rays_pinhole(
-            fov_deg=float(np.degrees(scene.camera[1]) * width / height if width == height else fov_across(scene, width, height)),
+            fov_deg=float(fov_across(scene, width, height)),
             center=target, eye=eye, up=up, width_px=width, height_px=height)
         times.append(median(lambda: caster.cast_rays(rays, nthreads=1), 15))
     show("Open3D", "depth and ids, rays made before", times)
@@ -266,16 +266,18 @@ def suns(scene):
 # --- equal quality
 
 
-def eye_curve(image):
-    """Brightness as an eye has it, whatever the exposure."""
-    return np.sqrt(np.clip(image / (2 * np.median(image[image > 0])), 0, 1))
+def eye_curve(image, middle):
+    """Brightness as an eye has it that is used to a mean light."""
+    return np.sqrt(np.clip(image / (2 * middle), 0, 1))
 
 
 def report(name, picture, quality):
-    truth = eye_curve(picture(quality, 1000)[0])
+    truth = picture(quality, 1000)[0]
+    middle = np.median(truth[truth > 0])
+    truth = eye_curve(truth, middle)
     for samples in (4, 16):
         image, seconds = picture(samples, 1)
-        error = float(np.sqrt(np.mean((eye_curve(image) - truth) ** 2)))
+        error = float(np.sqrt(np.mean((eye_curve(image, middle) - truth) ** 2)))
         print(f"{name:28} {samples:4} paths: {seconds:7.2f} s CPU, error {error:.4f}, "
               f"for an error of 0.02 {seconds * (error / 0.02) ** 2:8.1f} s", flush=True)
 
