@@ -92,7 +92,8 @@ fn main() -> Result<(), Complaint> {
 fn stage(object: &Object) -> Result<(SceneGraph, NodeId), Complaint> {
     let mut library = material::library();
     let asset = library.add(object.asset.clone()).map_err(Complaint::new)?;
-    let slab = Shape::Box { half: Vector3::new(60.0, 60.0, 0.05) };
+    let wide = 10.0 * object.size().norm();
+    let slab = Shape::Box { half: Vector3::new(wide, wide, 0.05) };
     let part =
         Part { name: "slab".into(), shape: slab, material: material::WHITE.0, pose: Pose::identity(), joint: None };
     let floor =

@@ -18,7 +18,7 @@ pub(crate) struct Walk {
     pub(crate) rooms: usize,
 }
 
-/// The way through the rooms, each time to the nearest that has not been seen; doors on it are opened.
+/// The way through the rooms; doors on it are opened.
 pub(crate) fn through(scene: &mut SceneGraph) -> Result<Walk, Complaint> {
     let world = World::build(scene, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
     let floor = Floor::of(&world, FloorPlan { radius: 0.3, ..FloorPlan::default() });
@@ -26,20 +26,39 @@ pub(crate) fn through(scene: &mut SceneGraph) -> Result<Walk, Complaint> {
         let around = scene.node(*room)?.aabb()?.centre();
         floor.nearest(Point2::new(around.x, around.y), 1.5)
     };
-    let mut left: Vec<Point2<f32>> = scene.rooms().iter().filter_map(middle).collect();
-    let rooms = left.len();
-    let mut points = vec![left.pop().ok_or_else(|| Complaint::new("no room has free floor"))?];
-    let mut doors = Vec::new();
-    while let Some(route) = nearest(&floor, points[points.len() - 1], &mut left) {
-        points.extend_from_slice(&route.points[1..]);
-        doors.extend(route.doors);
-    }
+    let middles: Vec<Point2<f32>> = scene.rooms().iter().filter_map(middle).collect();
+    // From wherever most rooms can be reached.
+    let tours = (0..middles.len()).map(|first| Tour::from(&floor, &middles, first));
+    let Tour { points, doors, rooms } = tours
+        .reduce(|a, b| if b.rooms > a.rooms { b } else { a })
+        .ok_or_else(|| Complaint::new("no room has free floor"))?;
     let mut edit = scene.edit();
     for door in doors {
         edit.enter_state(door, State::Open).map_err(Complaint::new)?;
     }
     edit.commit();
-    Ok(Walk { points: rounded(&points), rooms: rooms - left.len() })
+    Ok(Walk { points: rounded(&points), rooms })
+}
+
+/// Rooms one after the other.
+struct Tour {
+    points: Vec<Point2<f32>>,
+    doors: Vec<NodeId>,
+    rooms: usize,
+}
+
+impl Tour {
+    /// Each time to the nearest room that has not been seen, while one can be reached.
+    fn from(floor: &Floor, middles: &[Point2<f32>], first: usize) -> Self {
+        let mut left = middles.to_vec();
+        let mut tour = Self { points: vec![left.swap_remove(first)], doors: Vec::new(), rooms: 1 };
+        while let Some(route) = nearest(floor, tour.points[tour.points.len() - 1], &mut left) {
+            tour.points.extend_from_slice(&route.points[1..]);
+            tour.doors.extend(route.doors);
+            tour.rooms += 1;
+        }
+        tour
+    }
 }
 
 /// The shortest of the ways to the places that are left, which it takes from them.
