@@ -51,8 +51,9 @@ fn balls_in_even_light_are_as_bright_as_their_material_says() {
                 "share {share}, roughness {roughness}: {dull}, not in {wanted:?}"
             );
             let metal = ball(Material { metallic: 1.0, ..plain });
-            // Between facets some light is lost to the metal.
-            let wanted = 0.95 * share..share + 0.12 * (1.0 - share);
+            // Between facets light meets the metal twice and more often.
+            let least = if roughness < 0.4 { 0.95 * share } else { 0.9 * share * share };
+            let wanted = least..share + 0.12 * (1.0 - share);
             assert!(
                 (wanted.start - 0.01..wanted.end + 0.02).contains(&metal),
                 "metal of {share}, roughness {roughness}: {metal}, not in {wanted:?}"

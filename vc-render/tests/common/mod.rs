@@ -89,7 +89,17 @@ pub fn furnished() -> SceneGraph {
 
 /// The same with any number of shapes.
 pub fn crowded(count: usize) -> SceneGraph {
+    filled(Stage::new(), count)
+}
+
+/// The same with sixty shapes and a lamp, which is off.
+pub fn lamplit() -> SceneGraph {
     let mut stage = Stage::new();
+    stage.one("ceiling_lamp", Shape::Sphere { radius: 0.12 }, Pose::translation(0.4, -0.3, 2.2), 3);
+    filled(stage, 60)
+}
+
+fn filled(mut stage: Stage, count: usize) -> SceneGraph {
     let flat = |half: [f32; 3], at: [f32; 3]| part("slab", block(half), at, 1);
     let shell = vec![
         flat([3.0, 2.5, 0.1], [0.0, 0.0, -0.1]),
