@@ -2,12 +2,15 @@
 //!
 //! `cargo run --release --example render -- --seed 42 --room livingroom --out out/render`
 //! writes one sheet. `--daylight evening` or `night` is another time; at night the lamps
-//! are on. `--time` says what each modality costs.
+//! are on. `--time` says what each modality costs. `--reference` adds a picture by paths of light,
+//! `--files` depth and flow as OpenEXR and NPY, boxes and masks as COCO, and the scene with the camera and the
+//! lights as glTF.
 
 #[path = "../support/mod.rs"]
 #[expect(dead_code, reason = "this example reads no scenes")]
 mod support;
 
+mod files;
 mod sheet;
 mod time;
 mod viewpoint;
@@ -42,8 +45,17 @@ struct Options {
     #[arg(long, value_enum, default_value_t = Hour::Day)]
     daylight: Hour,
     /// Also make the reference picture, with so many paths for each pixel.
-    #[arg(long, num_args = 0..=1, default_missing_value = "64")]
+    #[arg(long, num_args = 0..=1, default_missing_value = "48")]
     reference: Option<u32>,
+    /// Do not smooth the reference picture.
+    #[arg(long)]
+    raw: bool,
+    /// Chooses among reference pictures that differ in their noise.
+    #[arg(long, default_value_t = 0)]
+    noise: u32,
+    /// Also write what other programs read.
+    #[arg(long)]
+    files: bool,
     /// Say what each modality costs.
     #[arg(long)]
     time: bool,
@@ -91,9 +103,23 @@ fn main() -> Result<(), Complaint> {
     let name = format!("{}_{}", options.room, options.seed);
     write(&options.out.join(format!("{name}.png")), &picture::rgb(&frame))?;
     write(&options.out.join(format!("{name}_sheet.png")), &sheet)?;
+    if options.files {
+        files::all(&options.out.join(&name), (&scene, &snapshot), &camera, &lighting, &frame)?;
+    }
     let Some(samples) = options.reference else { return Ok(()) };
-    let how = Exposure { samples, ..Exposure::default() };
-    let photograph = renderer.photograph(&lighting, &camera, &how, |_| true).map_err(Complaint::new)?;
+    let how = Exposure { samples, denoise: !options.raw, seed: options.noise, ..Exposure::default() };
+    let progress = indicatif::ProgressBar::new(u64::from(samples));
+    let start = cpu_time::ProcessTime::now();
+    let photograph = renderer.photograph(&lighting, &camera, &how, |round| {
+        progress.set_position(u64::from(round));
+        true
+    });
+    progress.finish_and_clear();
+    let photograph = photograph.map_err(Complaint::new)?;
+    say!("{samples} paths for each pixel: {:.2} s CPU", start.elapsed().as_secs_f64());
+    if options.files {
+        files::light(&options.out.join(format!("{name}_reference")), &photograph)?;
+    }
     write(&options.out.join(format!("{name}_reference.png")), &photograph.picture())
 }
 

@@ -320,3 +320,32 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_staged_scene_has_its_cameras_and_lights() {
+    use nalgebra::{Point3, Vector3};
+    use vc_procgen::gltf::{LightPlace, Stage, StageCamera, StageLight, staged_scene};
+    let camera = |near| StageCamera {
+        name: "door".into(),
+        pose: vc_graph::Pose::translation(1.0, 2.0, 1.6),
+        vertical_fov: 1.0,
+        aspect: 1.5,
+        near,
+    };
+    let light = |place| StageLight { name: "light".into(), colour: [1.0, 0.9, 0.8], place };
+    let stage = Stage {
+        cameras: vec![camera(0.01), camera(f32::NAN)],
+        lights: vec![
+            light(LightPlace::From { towards: Vector3::new(0.3, 0.2, 0.9), lux: 60_000.0 }),
+            light(LightPlace::At { point: Point3::new(1.0, 1.0, 2.4), candela: 80.0 }),
+            light(LightPlace::From { towards: Vector3::zeros(), lux: 1.0 }),
+        ],
+    };
+    let graph = vc_graph::SceneBuilder::new("flat").build();
+    let file = staged_scene(&graph, &stage).unwrap();
+    let text = String::from_utf8_lossy(&file);
+    assert_eq!(text.matches("\"perspective\":{").count(), 1, "what is not finite is left out");
+    assert_eq!(text.matches("\"intensity\":").count(), 2);
+    assert!(text.contains("\"extensionsUsed\":[\"KHR_lights_punctual\"]"));
+    assert!(text.contains("{\"KHR_lights_punctual\":{\"light\":0}}"), "the first light is named as well");
+}

@@ -28,8 +28,10 @@ object! { Document {
     asset: Head,
     extensions_used: Vec<String>,
     extensions_required: Vec<String>,
+    extensions: Option<DocumentExtensions>,
     scene: Option<usize>,
     scenes: Vec<Scene>,
+    cameras: Vec<Camera>,
     nodes: Vec<Node>,
     meshes: Vec<Mesh>,
     materials: Vec<Material>,
@@ -50,8 +52,42 @@ object! { Node {
     translation: Option<[f32; 3]>,
     rotation: Option<[f32; 4]>,
     scale: Option<[f32; 3]>,
+    camera: Option<usize>,
+    extensions: Option<NodeExtensions>,
     extras: Option<Value>,
 }}
+
+object! { Camera {
+    name: String,
+    #[serde(rename = "type")] kind: String,
+    perspective: Perspective,
+}}
+
+object! { Perspective {
+    yfov: f32,
+    aspect_ratio: Option<f32>,
+    znear: f32,
+}}
+
+object! { DocumentExtensions {
+    #[serde(rename = "KHR_lights_punctual")] lights: Lights,
+}}
+
+object! { Lights { lights: Vec<super::stage::Light>, } }
+
+/// Extensions of a node.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct NodeExtensions {
+    #[serde(rename = "KHR_lights_punctual", default)]
+    pub(super) light: LightOf,
+}
+
+/// Which light a node carries; number zero is written as well.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct LightOf {
+    #[serde(default)]
+    pub(super) light: usize,
+}
 
 object! { Mesh { name: String, primitives: Vec<Primitive>, } }
 

@@ -9,6 +9,7 @@ use vc_graph::{Asset, AssetId, AssetLibrary, Node, SceneGraph};
 use super::GltfError;
 use super::document as json;
 use super::note::{JointNote, NodeNote, SurfaceNote, written};
+use super::stage::Stage;
 use super::write::{Link, Writer};
 
 /// Largest distance between curves and the triangles written for them, metres.
@@ -73,6 +74,14 @@ fn written_asset(asset: &Asset, library: &AssetLibrary, class: Option<String>) -
 /// # Errors
 /// [`GltfError::NoSuchAsset`], [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].
 pub fn scene(graph: &SceneGraph) -> Result<Vec<u8>, GltfError> {
+    staged_scene(graph, &Stage::default())
+}
+
+/// The same with cameras and lights (`KHR_lights_punctual`). What is not finite among them is left out.
+///
+/// # Errors
+/// As [`scene`].
+pub fn staged_scene(graph: &SceneGraph, stage: &Stage) -> Result<Vec<u8>, GltfError> {
     let library = graph.assets();
     let mut writer = Writer::new(library, TOLERANCE);
     let mut shared: BTreeMap<AssetId, Vec<Link>> = BTreeMap::new();
@@ -85,6 +94,7 @@ pub fn scene(graph: &SceneGraph) -> Result<Vec<u8>, GltfError> {
         }
         children.extend(placed(&mut writer, node, &shared[&id]));
     }
+    children.extend(super::stage::write(&mut writer, stage));
     let root = json::Node { name: graph.name().to_owned(), rotation: Some(UPRIGHT), children, ..json::Node::default() };
     let root = writer.node(root);
     writer.finish(graph.name(), vec![root])

@@ -71,8 +71,10 @@ mod glb;
 mod import;
 mod note;
 mod paint;
+mod stage;
 mod write;
 
 pub use error::GltfError;
-pub use export::{TOLERANCE, asset, asset_of_class, scene};
+pub use export::{TOLERANCE, asset, asset_of_class, scene, staged_scene};
 pub use import::{Imported, Options, Size, read};
+pub use stage::{LightPlace, Stage, StageCamera, StageLight};

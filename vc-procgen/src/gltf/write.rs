@@ -135,6 +135,9 @@ impl<'a> Writer<'a> {
         self.document.scene = Some(0);
         self.document.scenes = vec![json::Scene { name: name.into(), nodes: roots }];
         self.document.extensions_used = paint::extensions(&self.document.materials);
+        if self.document.extensions.is_some() {
+            self.document.extensions_used.push(super::stage::LIGHTS.to_owned());
+        }
         let mut numbers = [None; 3];
         let mut all = Vec::new();
         for (i, bytes) in self.bytes.iter().enumerate().filter(|(_, bytes)| !bytes.is_empty()) {

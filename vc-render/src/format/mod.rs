@@ -1,7 +1,9 @@
-//! Files that other programs read: numpy's arrays and COCO's labels.
+//! Files that other programs read: numpy's arrays, OpenEXR's floats and COCO's labels.
 
 mod coco;
+mod exr;
 mod npy;
 
 pub use coco::coco;
+pub use exr::exr;
 pub use npy::{Number, npy};

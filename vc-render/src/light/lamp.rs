@@ -9,7 +9,7 @@ use crate::renderer::Renderer;
 use crate::scene::{Body, Snapshot};
 
 /// Lumens of one unit of light.
-const LUMENS: f32 = 5000.0;
+pub(super) const LUMENS: f32 = 5000.0;
 /// What glows and is no lamp, against what its material says.
 const FAINT: f32 = 0.004;
 

@@ -7,8 +7,10 @@ mod lighting;
 mod room;
 mod shadow;
 mod sky;
+mod source;
 
 pub use lighting::Lighting;
 pub(crate) use lighting::{brightness, dot};
 pub(crate) use room::{falls, sheen};
 pub use sky::Daylight;
+pub use source::Source;

@@ -45,9 +45,10 @@ struct Seen {
 
 impl Grid {
     fn over(low: [f32; 3], high: [f32; 3]) -> Self {
-        // Points keep away from walls.
-        let low = low.map(|v| v + 0.12);
-        let size = [0, 1, 2].map(|i: usize| (high[i] - 0.12 - low[i]).max(0.05));
+        // Points keep away from walls; the floor goes on below half of them.
+        const OFF: [f32; 3] = [0.3, 0.3, 0.12];
+        let low = [0, 1, 2].map(|i: usize| low[i] + OFF[i]);
+        let size = [0, 1, 2].map(|i: usize| (high[i] - OFF[i] - low[i]).max(0.05));
         let counts = [0, 1, 2].map(|i: usize| ((size[i] / STEP[i]).ceil() as usize + 1).clamp(2, 64));
         let over = [0, 1, 2].map(|i: usize| (counts[i] - 1) as f32 / size[i]);
         Self { low, over, counts, points: vec![[[0.0; 4]; 3]; counts.iter().product()] }
@@ -140,6 +141,7 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
     let count = snapshot.rooms.len() + 1;
     let mut all = vec![([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]); count];
     let mut floors = vec![false; count];
+    let mut ceilings = vec![f32::INFINITY; count];
     for body in &snapshot.bodies {
         let room = usize::from(body.room).min(count - 1);
         let floor = snapshot.class(body.class).is_some_and(|c| &**c == "floor");
@@ -162,9 +164,15 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
             }
         }
         from[2] = from[2].min(if floor { high[2] } else { low[2].max(from[2].min(high[2])) });
+        // Over the ceiling is no room.
+        let ceiling = snapshot.class(body.class).is_some_and(|c| &**c == "ceiling");
+        if ceiling {
+            ceilings[room] = ceilings[room].min(low[2]);
+        }
         to[2] = to[2].max(high[2]);
     }
-    for (low, high) in &mut all {
+    for ((low, high), ceiling) in all.iter_mut().zip(ceilings) {
+        high[2] = high[2].min(ceiling);
         if low.iter().chain(high.iter()).any(|v| !v.is_finite()) {
             (*low, *high) = ([0.0; 3], [1.0; 3]);
         }

@@ -1,16 +1,21 @@
 //! Smoothing along surfaces: an edge-avoiding wavelet (Dammertz and others 2010), that looks at
 //! how noisy each pixel is (Schied and others 2017). Light is smoothed without the colour
-//! of the surfaces, so that textures stay.
+//! of the surfaces, so that textures stay, and light with sharp shadows apart from all other.
 
 use rayon::prelude::*;
 
-use super::path::Traced;
+use super::film::Traced;
 use crate::light::{brightness, dot};
 
 /// Passes; each reaches twice as far as the one before.
-const PASSES: u32 = 5;
+const PASSES: u32 = 6;
 /// Weights of neighbours along an axis.
 const KERNEL: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
+/// Standard deviations by which light may differ in the first pass, of sharp light and of the other.
+/// It may differ more in later ones: what has been smoothed together errs together.
+const UNLIKE: [f32; 2] = [2.0, 4.0];
+/// How far a point may be off a surface, in shares of its distance from the eye.
+const OFF: f32 = 0.004;
 
 /// A pixel while it is smoothed.
 #[derive(Clone, Copy)]
@@ -25,107 +30,146 @@ struct Soft {
 struct Guide {
     colour: [f32; 3],
     normal: [f32; 3],
-    inverse: f32,
+    at: [f32; 3],
+    /// One over how far others may be off this surface.
+    over: f32,
 }
 
-pub(super) fn denoised(traced: &[Traced], width: usize) -> Vec<[f32; 3]> {
-    let guides: Vec<Guide> = traced.iter().map(Guide::of).collect();
-    let mut soft: Vec<Soft> = traced.iter().zip(&guides).map(|(t, g)| Soft::of(t, g)).collect();
-    dim_specks(&mut soft, width);
-    spread_variance(&mut soft, width);
-    for pass in 0..PASSES {
-        soft = smoothed(&soft, &guides, width, 1 << pass);
-    }
-    soft.iter().zip(&guides).map(|(s, g)| [0, 1, 2].map(|i: usize| s.light[i] * g.colour[i])).collect()
+/// A picture's pixels and how they lie.
+struct Plane<'a> {
+    guides: &'a [Guide],
+    width: usize,
+}
+
+pub(super) fn denoised(traced: &[Traced], width: usize, eye: [f32; 3]) -> Vec<[f32; 3]> {
+    let guides: Vec<Guide> = traced.iter().map(|t| Guide::of(t, eye)).collect();
+    let plane = Plane { guides: &guides, width };
+    let [sharp, soft] = [0, 1].map(|kind: usize| {
+        let mut soft: Vec<Soft> = traced.iter().zip(&guides).map(|(t, g)| Soft::of(t, g, kind)).collect();
+        plane.dim_specks(&mut soft);
+        plane.spread_variance(&mut soft);
+        (0..PASSES).fold(soft, |soft, pass| plane.smoothed(&soft, 1 << pass, UNLIKE[kind] * (1 + pass) as f32))
+    });
+    let both = sharp.iter().zip(&soft).zip(&guides);
+    both.map(|((a, b), g)| [0, 1, 2].map(|i: usize| (a.light[i] + b.light[i]) * g.colour[i])).collect()
 }
 
 impl Guide {
-    fn of(traced: &Traced) -> Self {
-        let over = 1.0 / traced.count.max(1.0);
-        Self {
-            colour: traced.sum.colour.map(|v| (v * over).max(0.02)),
-            normal: traced.sum.normal.map(|v| v * over),
-            inverse: traced.sum.inverse * over,
+    fn of(traced: &Traced, eye: [f32; 3]) -> Self {
+        let [colour, normal, at] = traced.guides();
+        let to = [0, 1, 2].map(|i: usize| at[i] - eye[i]);
+        let over = 1.0 / (OFF * dot(to, to).sqrt()).max(1e-4);
+        // Where surfaces meet in a pixel their mean normal is short.
+        let length = dot(normal, normal).sqrt();
+        let normal = if length > 1e-3 { normal.map(|v| v / length) } else { [0.0; 3] };
+        Self { colour: colour.map(|v| v.max(0.02)), normal, at, over }
+    }
+
+    /// How much a neighbour is of the same surface, 0 to 1.
+    #[inline(always)]
+    fn like(&self, other: &Self) -> f32 {
+        let turned = dot(self.normal, other.normal);
+        if turned == 0.0 && self.normal == other.normal {
+            // Both are sky.
+            return 1.0;
         }
+        let to = [0, 1, 2].map(|i: usize| other.at[i] - self.at[i]);
+        let off = dot(self.normal, to) * self.over;
+        let turned = turned.max(0.0);
+        let turned = turned * turned * turned * turned;
+        let turned = turned * turned * turned * turned;
+        let like = turned / (1.0 + off * off);
+        if like.is_finite() { like } else { 0.0 }
     }
 }
 
 impl Soft {
-    fn of(traced: &Traced, guide: &Guide) -> Self {
-        let light = traced.light();
-        let (count, bright) = (traced.count.max(1.0), brightness(light));
-        let spread = (traced.squares / count - bright * bright).max(0.0) / count;
-        // With few paths the spread found is not to be trusted.
-        let spread = spread + bright * bright / (count * count);
+    fn of(traced: &Traced, guide: &Guide, kind: usize) -> Self {
+        let (light, variance) = traced.light_of(kind);
         let colour = brightness(guide.colour);
-        Self { light: [0, 1, 2].map(|i: usize| light[i] / guide.colour[i]), variance: spread / (colour * colour) }
+        Self { light: [0, 1, 2].map(|i: usize| light[i] / guide.colour[i]), variance: variance / (colour * colour) }
     }
 }
 
-/// A pixel brighter than all its neighbours is as bright as the brightest of them.
-fn dim_specks(soft: &mut [Soft], width: usize) {
-    let bright: Vec<f32> = soft.iter().map(|s| brightness(s.light)).collect();
-    let (columns, rows) = (width as i32, (soft.len() / width.max(1)) as i32);
-    soft.par_iter_mut().enumerate().for_each(|(index, pixel)| {
-        let (x, y) = (index as i32 % columns, index as i32 / columns);
-        let around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (x + dx, y + dy))).filter(|p| *p != (x, y));
-        let inside = around.filter(|(x, y)| (0..columns).contains(x) && (0..rows).contains(y));
-        let most = inside.map(|(x, y)| bright[(y * columns + x) as usize]).fold(0.0, f32::max);
-        if bright[index] > most && most > 0.0 {
-            let share = most / bright[index];
-            pixel.light = pixel.light.map(|v| v * share);
-            pixel.variance *= share * share;
-        }
-    });
-}
+impl Plane<'_> {
+    /// Neighbours of a pixel up to so many steps away that are in the picture, and their offsets.
+    #[inline(always)]
+    fn around(&self, index: usize, reach: i32, step: i32) -> impl Iterator<Item = (i32, i32, usize)> + use<> {
+        let (width, height) = (self.width as i32, (self.guides.len() / self.width.max(1)) as i32);
+        let (x, y) = (index as i32 % width, index as i32 / width);
+        let offsets = (-reach..=reach).flat_map(move |dy| (-reach..=reach).map(move |dx| (dx, dy)));
+        offsets.filter_map(move |(dx, dy)| {
+            let (tx, ty) = (x + dx * step, y + dy * step);
+            let inside = tx >= 0 && ty >= 0 && tx < width && ty < height;
+            inside.then_some((dx, dy, (ty * width + tx) as usize))
+        })
+    }
 
-/// Each pixel is as noisy as those around it: where paths are few, one may have found no
-/// light at all and seem free of noise.
-fn spread_variance(soft: &mut [Soft], width: usize) {
-    let own: Vec<f32> = soft.iter().map(|s| s.variance).collect();
-    let (columns, rows) = (width as i32, (soft.len() / width.max(1)) as i32);
-    soft.par_iter_mut().enumerate().for_each(|(index, pixel)| {
-        let (x, y) = (index as i32 % columns, index as i32 / columns);
-        let around = (-3..=3).flat_map(|dy| (-3..=3).map(move |dx| (x + dx, y + dy)));
-        let inside = around.filter(|(x, y)| (0..columns).contains(x) && (0..rows).contains(y));
-        let (sum, count) = inside.fold((0.0, 0.0), |(s, n), (x, y)| (s + own[(y * columns + x) as usize], n + 1.0));
-        pixel.variance = sum / count;
-    });
-}
+    /// A pixel more than twice as bright as all its neighbours is as bright as the brightest of them.
+    fn dim_specks(&self, soft: &mut [Soft]) {
+        let bright: Vec<f32> = soft.iter().map(|s| brightness(s.light)).collect();
+        soft.par_iter_mut().enumerate().for_each(|(index, pixel)| {
+            let others = self.around(index, 1, 1).filter(|(dx, dy, _)| (*dx, *dy) != (0, 0));
+            let most = others.map(|(.., there)| bright[there]).fold(0.0, f32::max);
+            if bright[index] > 2.0 * most && most > 0.0 {
+                let share = most / bright[index];
+                pixel.light = pixel.light.map(|v| v * share);
+                pixel.variance *= share * share;
+            }
+        });
+    }
 
-fn smoothed(soft: &[Soft], guides: &[Guide], width: usize, step: i32) -> Vec<Soft> {
-    let height = soft.len() / width.max(1);
-    let pixel = |index: usize| {
-        let (x, y) = ((index % width) as i32, (index / width) as i32);
-        let (own, guide) = (&soft[index], &guides[index]);
-        let noise = 4.0 * own.variance.sqrt() + 1e-4;
-        let (mut light, mut variance, mut total) = ([0.0; 3], 0.0, 0.0);
-        for (dy, wy) in (-2..=2).zip(KERNEL) {
-            for (dx, wx) in (-2..=2).zip(KERNEL) {
-                let (tx, ty) = (x + dx * step, y + dy * step);
-                if tx < 0 || ty < 0 || tx >= width as i32 || ty >= height as i32 {
-                    continue;
-                }
-                let there = ty as usize * width + tx as usize;
-                let (other, edge) = (&soft[there], &guides[there]);
-                let turned = dot(guide.normal, edge.normal).max(0.0);
-                let turned = if guide.inverse == 0.0 && edge.inverse == 0.0 { 1.0 } else { turned };
-                let turned = turned * turned * turned * turned;
-                let turned = turned * turned * turned * turned;
-                let apart = (guide.inverse - edge.inverse).abs() / guide.inverse.max(1e-4);
-                let unlike = (brightness(own.light) - brightness(other.light)).abs() / noise;
-                let weight = wx * wy * turned
-                    / (1.0 + (apart * 12.0 / step as f32 * 4.0) * (apart * 12.0))
-                    / (1.0 + unlike * unlike);
-                light.iter_mut().zip(other.light).for_each(|(sum, value)| *sum += weight * value);
-                variance += weight * weight * other.variance;
+    /// Each pixel is as noisy as those around it: where paths are few, one may have found no
+    /// light at all and seem free of noise.
+    fn spread_variance(&self, soft: &mut [Soft]) {
+        let own: Vec<f32> = soft.iter().map(|s| s.variance).collect();
+        soft.par_iter_mut().enumerate().for_each(|(index, pixel)| {
+            let (mut sum, mut total) = (0.0, 1e-9);
+            for (.., there) in self.around(index, 3, 1) {
+                let weight = self.guides[index].like(&self.guides[there]) + 1e-4;
+                sum += weight * own[there];
                 total += weight;
             }
+            pixel.variance = sum / total;
+        });
+    }
+
+    fn smoothed(&self, soft: &[Soft], step: i32, unlike: f32) -> Vec<Soft> {
+        // Light is compared where it is a little smoothed already.
+        let blurred: Vec<[f32; 2]> = (0..soft.len()).into_par_iter().map(|i| self.blurred(soft, i)).collect();
+        let pixel = |index: usize| {
+            let (own, guide) = (&soft[index], &self.guides[index]);
+            let [bright, variance] = blurred[index];
+            let over = 1.0 / (unlike * variance.sqrt() + 1e-5);
+            let (mut light, mut spread, mut total) = ([0.0; 3], 0.0, 0.0);
+            for (dx, dy, there) in self.around(index, 2, step) {
+                let other = &soft[there];
+                let apart = (bright - blurred[there][0]).abs() * over;
+                let kernel = KERNEL[(dx + 2) as usize] * KERNEL[(dy + 2) as usize];
+                let weight = kernel * guide.like(&self.guides[there]) / (1.0 + apart + 0.5 * apart * apart);
+                light.iter_mut().zip(other.light).for_each(|(sum, value)| *sum += weight * value);
+                spread += weight * weight * other.variance;
+                total += weight;
+            }
+            if total < 1e-9 {
+                return *own;
+            }
+            Soft { light: light.map(|v| v / total), variance: spread / (total * total) }
+        };
+        (0..soft.len()).into_par_iter().map(pixel).collect()
+    }
+
+    /// Brightness and variance, over the pixel and its eight neighbours.
+    #[inline(always)]
+    fn blurred(&self, soft: &[Soft], index: usize) -> [f32; 2] {
+        let (mut sum, mut total) = ([0.0; 2], 0.0);
+        for (dx, dy, there) in self.around(index, 1, 1) {
+            let weight =
+                (2 - dx.abs()) as f32 * (2 - dy.abs()) as f32 * self.guides[index].like(&self.guides[there]) + 1e-6;
+            sum[0] += weight * brightness(soft[there].light);
+            sum[1] += weight * soft[there].variance;
+            total += weight;
         }
-        if total <= 0.0 {
-            return *own;
-        }
-        Soft { light: light.map(|v| v / total), variance: variance / (total * total) }
-    };
-    (0..soft.len()).into_par_iter().map(pixel).collect()
+        sum.map(|v| v / total)
+    }
 }

@@ -1,36 +1,78 @@
-//! Everything that glows, to be looked for directly.
+//! What gives light, to be looked for on purpose: lamps, and panes through which the sky shines.
 
+use super::sampler::lattice;
 use crate::affine;
-use crate::light::{Lighting, brightness};
+use crate::light::{Lighting, brightness, dot};
 use crate::renderer::Renderer;
+use crate::trace::Met;
 
-/// Glowing triangles, by how much light they give.
-pub(super) struct Lights {
-    triangles: Vec<Glowing>,
-    /// Sums of light up to and with each triangle.
-    sums: Vec<f32>,
-    /// Panes, through which the sky shines, by room.
-    panes: Vec<Panes>,
-}
-
-/// The panes of a room.
-#[derive(Default, Clone)]
-struct Panes {
-    triangles: Vec<[[f32; 3]; 3]>,
-    areas: Vec<f32>,
-}
-
-struct Glowing {
-    corner: [f32; 3],
-    edges: [[f32; 3]; 2],
-    normal: [f32; 3],
-    light: [f32; 3],
-}
-
+/// How much a lamp in another room than the point that is lit counts.
+const ELSEWHERE: f32 = 0.05;
+/// Of the two sides of a pane the one that looks about this way is the one that is picked.
+const SIDE: [f32; 3] = [0.53, 0.81, 0.25];
 /// Area of triangles of panes that are looked through on purpose, square metres.
 const SMALL: f32 = 0.05;
 
-/// A point of a light.
+/// Lamps and panes of a scene.
+pub(super) struct Lights {
+    lamps: Vec<Lamp>,
+    /// In the order of rooms.
+    panes: Vec<Pane>,
+    /// Those of each room, in the list of all.
+    by_room: Vec<std::ops::Range<usize>>,
+    glowing: Vec<Glowing>,
+    /// By body, its lamp; beyond the list, none.
+    by_body: Vec<u32>,
+    /// By instance, whether its clear parts are all small, so that they bend light.
+    bends: Vec<bool>,
+}
+
+/// Everything that glows of a body.
+struct Lamp {
+    room: u16,
+    middle: [f32; 3],
+    /// Square of about half its size.
+    square: f32,
+    power: f32,
+    /// Its triangles, in the list of all.
+    triangles: std::ops::Range<usize>,
+}
+
+/// A triangle that glows.
+struct Glowing {
+    triangle: Triangle,
+    light: [f32; 3],
+    /// Power of it and of those of its lamp before it.
+    sum: f32,
+}
+
+/// A triangle of a pane.
+pub(super) struct Pane {
+    room: u16,
+    triangle: Triangle,
+}
+
+#[derive(Clone, Copy)]
+struct Triangle {
+    corner: [f32; 3],
+    edges: [[f32; 3]; 2],
+    middle: [f32; 3],
+    normal: [f32; 3],
+    area: f32,
+}
+
+/// A point that is lit: where it is, which way it faces, and its room. The camera's has no normal.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    pub(super) at: [f32; 3],
+    pub(super) normal: [f32; 3],
+    pub(super) room: u16,
+    /// Sums of weights of all lamps and panes from here.
+    pub(super) lamps: f32,
+    pub(super) panes: f32,
+}
+
+/// A point of a lamp.
 pub(super) struct Lit {
     pub(super) at: [f32; 3],
     pub(super) normal: [f32; 3],
@@ -39,99 +81,214 @@ pub(super) struct Lit {
     pub(super) density: f32,
 }
 
+impl Triangle {
+    fn new([a, b, c]: [[f32; 3]; 3]) -> Self {
+        let edge = |p: [f32; 3]| [0, 1, 2].map(|i: usize| p[i] - a[i]);
+        let (u, v) = (edge(b), edge(c));
+        let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+        let middle = [0, 1, 2].map(|i: usize| (a[i] + b[i] + c[i]) / 3.0);
+        Self {
+            corner: a,
+            edges: [u, v],
+            middle,
+            normal: crate::label::unit(cross),
+            area: 0.5 * dot(cross, cross).sqrt(),
+        }
+    }
+
+    /// A point of it, evenly.
+    fn point(&self, [a, b]: [f32; 2]) -> [f32; 3] {
+        let root = a.sqrt();
+        let (u, v) = (1.0 - root, b * root);
+        [0, 1, 2].map(|i: usize| self.corner[i] + u * self.edges[0][i] + v * self.edges[1][i])
+    }
+}
+
 impl Lights {
     pub(super) fn of(renderer: &Renderer, lighting: &Lighting) -> Self {
-        let mut lights = Self { triangles: Vec::new(), sums: Vec::new(), panes: Vec::new() };
         let snapshot = &lighting.tracer.snapshot;
-        lights.panes.resize(snapshot.rooms.len() + 1, Panes::default());
-        for instance in &snapshot.instances {
-            let mesh = &*instance.link.levels[0];
-            let world = instance.world.narrow();
-            for cluster in &mesh.clusters[mesh.opaque..] {
-                for triangle in cluster.triangles.clone() {
-                    let room = snapshot.bodies[instance.body as usize].room;
-                    lights.push_pane(room, mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p)));
+        let by_body = vec![u32::MAX; snapshot.bodies.len()];
+        let bends = vec![true; snapshot.instances.len()];
+        let mut lights =
+            Self { lamps: Vec::new(), panes: Vec::new(), by_room: Vec::new(), glowing: Vec::new(), by_body, bends };
+        for (index, body) in snapshot.bodies.iter().enumerate() {
+            let first = lights.glowing.len();
+            for number in body.instances.start as usize..body.instances.end as usize {
+                let instance = &snapshot.instances[number];
+                let mesh = &*instance.link.levels[0];
+                let world = instance.world.narrow();
+                for (place, cluster) in mesh.clusters.iter().enumerate() {
+                    for triangle in cluster.triangles.clone() {
+                        let corners = mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p));
+                        let surface = &renderer.store.surfaces[usize::from(mesh.faces[triangle as usize].surface)];
+                        if place >= mesh.opaque {
+                            lights.bends[number] &= !lights.pane(body.room, Triangle::new(corners));
+                        } else if body.lit {
+                            lights.glow(first, Triangle::new(corners), lighting.glow(surface, index as u32));
+                        }
+                    }
                 }
             }
-            if !snapshot.bodies[instance.body as usize].lit {
-                continue;
-            }
-            for cluster in &mesh.clusters {
-                for triangle in cluster.triangles.clone() {
-                    let face = &mesh.faces[triangle as usize];
-                    let surface = &renderer.store.surfaces[usize::from(face.surface)];
-                    let light = lighting.glow(surface, instance.body);
-                    lights.push(mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p)), light);
-                }
-            }
+            lights.lamp(index, body.room, first);
         }
+        lights.panes.sort_by_key(|p| p.room);
+        let start = |room: u16| lights.panes.partition_point(|p| p.room < room);
+        lights.by_room = (0..snapshot.rooms.len() as u16).map(|room| start(room)..start(room + 1)).collect();
         lights
     }
 
-    fn push(&mut self, [a, b, c]: [[f32; 3]; 3], light: [f32; 3]) {
-        let edge = |p: [f32; 3]| [0, 1, 2].map(|i: usize| p[i] - a[i]);
-        let (u, v) = (edge(b), edge(c));
-        let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-        let area = 0.5 * (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
-        let power = area * brightness(light);
+    /// Panes that are looked through from a room: its own, or all if it has none.
+    fn panes_of(&self, room: u16) -> &[Pane] {
+        let own = self.by_room.get(usize::from(room)).filter(|r| !r.is_empty());
+        own.and_then(|r| self.panes.get(r.clone())).unwrap_or(&self.panes)
+    }
+
+    /// Adds a triangle of a pane unless it is small; small ones are left to chance.
+    fn pane(&mut self, room: u16, triangle: Triangle) -> bool {
+        if is_window(triangle.area, triangle.normal) {
+            self.panes.push(Pane { room, triangle });
+        }
+        triangle.area >= SMALL
+    }
+
+    /// Whether clear parts of an instance bend light.
+    pub(super) fn bend(&self, instance: u32) -> bool {
+        self.bends.get(instance as usize).copied().unwrap_or(false)
+    }
+
+    fn glow(&mut self, first: usize, triangle: Triangle, light: [f32; 3]) {
+        let power = triangle.area * brightness(light);
         if power > 0.0 {
-            self.sums.push(self.total() + power);
-            self.triangles.push(Glowing { corner: a, edges: [u, v], normal: crate::label::unit(cross), light });
+            let before = self.glowing.get(first..).and_then(|g| g.last()).map_or(0.0, |g| g.sum);
+            self.glowing.push(Glowing { triangle, light, sum: before + power });
         }
     }
 
-    /// Small panes are left to chance.
-    fn push_pane(&mut self, room: u16, [a, b, c]: [[f32; 3]; 3]) {
-        let edge = |p: [f32; 3]| [0, 1, 2].map(|i: usize| p[i] - a[i]);
-        let (u, v) = (edge(b), edge(c));
-        let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-        let area = 0.5 * (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
-        if area >= SMALL {
-            let last = self.panes.len() - 1;
-            let panes = &mut self.panes[usize::from(room).min(last)];
-            panes.areas.push(panes.areas.last().copied().unwrap_or(0.0) + area);
-            panes.triangles.push([a, u, v]);
+    /// Makes a lamp of the triangles added last.
+    fn lamp(&mut self, body: usize, room: u16, first: usize) {
+        let all = &self.glowing[first..];
+        let Some(power) = all.last().map(|g| g.sum) else { return };
+        let corners = all.iter().map(|g| g.triangle.middle);
+        let around = crate::mesh::Bounds::around(corners);
+        self.by_body[body] = self.lamps.len() as u32;
+        self.lamps.push(Lamp {
+            room,
+            middle: around.centre,
+            square: dot(around.half, around.half).max(1e-4),
+            power,
+            triangles: first..self.glowing.len(),
+        });
+    }
+
+    /// A place that is lit.
+    pub(super) fn place(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> Place {
+        let mut place = Place { at, normal, room, lamps: 0.0, panes: 0.0 };
+        place.lamps = self.lamps.iter().map(|l| l.weight(&place)).sum();
+        place.panes = self.panes_of(room).iter().map(|p| p.weight(&place)).sum();
+        place
+    }
+
+    /// A point of a lamp, chosen by about how much light it brings to a place.
+    pub(super) fn lit(&self, from: &Place, which: f32, square: [f32; 2]) -> Option<Lit> {
+        let mut left = which * from.lamps;
+        let mut best = None;
+        for lamp in &self.lamps {
+            let weight = lamp.weight(from);
+            if weight > 0.0 {
+                best = Some((lamp, weight, (left / weight).clamp(0.0, 1.0)));
+                if left < weight {
+                    break;
+                }
+            }
+            left -= weight;
         }
+        let (lamp, weight, rest) = best?;
+        let all = &self.glowing[lamp.triangles.clone()];
+        let index = all.partition_point(|g| g.sum <= rest * lamp.power).min(all.len() - 1);
+        let Glowing { triangle, light, .. } = &all[index];
+        let density = weight / from.lamps * brightness(*light) / lamp.power;
+        Some(Lit { at: triangle.point(square), normal: triangle.normal, light: *light, density })
     }
 
-    fn panes_of(&self, room: u16) -> &Panes {
-        &self.panes[usize::from(room).min(self.panes.len() - 1)]
-    }
-
-    /// A point of a pane of a room.
-    pub(super) fn pane(&self, room: u16, which: f32, [a, b]: [f32; 2]) -> Option<[f32; 3]> {
-        let Panes { triangles, areas } = self.panes_of(room);
-        let index = areas.partition_point(|s| *s <= which * areas.last().copied().unwrap_or(0.0));
-        let [corner, u, v] = triangles.get(index.min(triangles.len().checked_sub(1)?))?;
-        let root = a.sqrt();
-        Some([0, 1, 2].map(|i: usize| corner[i] + (1.0 - root) * u[i] + b * root * v[i]))
-    }
-
-    /// The chance for each unit of solid angle that from a room a way through a triangle of a
-    /// pane is picked, given the pane's room, the triangle's area, its distance and the cosine to it.
-    pub(super) fn through(&self, [from, pane]: [u16; 2], area: f32, distance: f32, cosine: f32) -> f32 {
-        match self.panes_of(from).areas.last() {
-            Some(all) if area >= SMALL && from == pane => distance * distance / (cosine.max(1e-4) * all),
+    /// The chance for each square metre that from a place a point of a body with this light is picked.
+    pub(super) fn density(&self, from: &Place, body: u32, light: [f32; 3]) -> f32 {
+        match self.lamps.get(self.by_body[body as usize] as usize) {
+            Some(lamp) if from.lamps > 0.0 => lamp.weight(from) / from.lamps * brightness(light) / lamp.power,
             _ => 0.0,
         }
     }
 
-    fn total(&self) -> f32 {
-        self.sums.last().copied().unwrap_or(0.0)
+    /// A point of a pane, chosen by about how large it is seen from a place.
+    pub(super) fn window(&self, from: &Place, which: f32, square: [f32; 2]) -> Option<[f32; 3]> {
+        let mut left = which * from.panes;
+        let mut best = None;
+        for pane in self.panes_of(from.room) {
+            let weight = pane.weight(from);
+            if weight > 0.0 {
+                best = Some(pane);
+                if left < weight {
+                    break;
+                }
+            }
+            left -= weight;
+        }
+        best.map(|pane| pane.triangle.point(square))
     }
 
-    /// The chance for each square metre that a point of this light is picked.
-    pub(super) fn density(&self, light: [f32; 3]) -> f32 {
-        if self.triangles.is_empty() { 0.0 } else { brightness(light) / self.total() }
+    /// The triangle of a pane that was met, if it is looked through on purpose.
+    pub(super) fn window_of(&self, met: &Met<'_>, room: u16) -> Option<Pane> {
+        is_window(met.area, met.flat).then(|| Pane { room, triangle: Triangle::new(met.corners()) })
     }
 
-    /// A point, by how much light it gives.
-    pub(super) fn pick(&self, which: f32, [a, b]: [f32; 2]) -> Option<Lit> {
-        let index = self.sums.partition_point(|s| *s <= which * self.total());
-        let one = self.triangles.get(index.min(self.triangles.len().checked_sub(1)?))?;
-        let root = a.sqrt();
-        let (u, v) = (1.0 - root, b * root);
-        let at = [0, 1, 2].map(|i: usize| one.corner[i] + u * one.edges[0][i] + v * one.edges[1][i]);
-        Some(Lit { at, normal: one.normal, light: one.light, density: self.density(one.light) })
+    /// The chance for each unit of solid angle that from a place a way through a pane is picked,
+    /// given its distance and the cosine to it.
+    pub(super) fn through(&self, from: &Place, pane: &Pane, distance: f32, cosine: f32) -> f32 {
+        // From a room with panes of its own no others are picked.
+        let others = pane.room != from.room && self.panes_of(from.room).len() != self.panes.len();
+        if from.panes <= 0.0 || others {
+            return 0.0;
+        }
+        pane.weight(from) / from.panes * distance * distance / (cosine.max(1e-4) * pane.triangle.area)
     }
+
+    /// Sums of the areas of panes as seen from far away, and the last of them.
+    pub(super) fn across(&self, towards: [f32; 3]) -> (Vec<f32>, f32) {
+        let mut sum = 0.0;
+        let area = |p: &Pane| {
+            sum += p.triangle.area * dot(p.triangle.normal, towards).abs();
+            sum
+        };
+        let sums: Vec<f32> = self.panes.iter().map(area).collect();
+        (sums, sum)
+    }
+
+    /// A point of the pane at which those sums reach a number, the index-th of its points.
+    pub(super) fn pane_point(&self, sums: &[f32], at: f32, index: u32) -> Option<[f32; 3]> {
+        let pane = self.panes.get(sums.partition_point(|s| *s <= at).min(sums.len().checked_sub(1)?))?;
+        Some(pane.triangle.point(lattice(index)))
+    }
+}
+
+impl Lamp {
+    fn weight(&self, from: &Place) -> f32 {
+        let to = [0, 1, 2].map(|i: usize| self.middle[i] - from.at[i]);
+        let near = if self.room == from.room { 1.0 } else { ELSEWHERE };
+        self.power / (dot(to, to) + self.square) * near
+    }
+}
+
+impl Pane {
+    fn weight(&self, from: &Place) -> f32 {
+        let to = [0, 1, 2].map(|i: usize| self.triangle.middle[i] - from.at[i]);
+        let square = dot(to, to);
+        let over = 1.0 / square.sqrt().max(1e-6);
+        // The pane may reach higher over the surface than its middle.
+        let rise = (dot(to, from.normal) * over + 0.3).max(0.0);
+        let turned = dot(to, self.triangle.normal).abs() * over + 0.05;
+        self.triangle.area * rise * turned / (square + self.triangle.area)
+    }
+}
+
+fn is_window(area: f32, normal: [f32; 3]) -> bool {
+    area >= SMALL && dot(normal, SIDE) > 0.0
 }

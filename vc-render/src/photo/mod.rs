@@ -1,16 +1,21 @@
 //! The reference picture: paths of light, followed backwards from the eye.
 //!
-//! At every point light from the sun and from lamps is looked for directly, and what a path
-//! meets by chance counts with the balance of both ways (multiple importance sampling,
-//! Veach 1997). Surfaces are Lambert's under microfacets (GGX, sampled as they are seen,
-//! Heitz 2018); panes let light through straight. What noise is left is smoothed along
+//! At every point light from the sun, from lamps and through panes is looked for directly
+//! ([`direct`]), and what a path meets by chance counts with the balance of both ways (multiple
+//! importance sampling, Veach 1997). Surfaces are Lambert's under microfacets ([`scatter`]); what
+//! the eye sees through glass is refracted ([`glass`]). What noise is left is smoothed along
 //! surfaces ([`denoise`]).
 
+mod albedo;
 mod denoise;
+mod direct;
+mod film;
+mod glass;
 mod lights;
 mod path;
 mod sampler;
 mod scatter;
+mod spots;
 
 use rayon::prelude::*;
 
@@ -20,8 +25,10 @@ use crate::light::Lighting;
 use crate::picture::Picture;
 use crate::renderer::Renderer;
 use crate::shade::{encoded, film};
+use film::Traced;
 use lights::Lights;
-use path::{Paths, Traced};
+use path::Paths;
+use spots::Spots;
 
 /// How a reference picture is made.
 ///
@@ -30,12 +37,15 @@ use path::{Paths, Traced};
 /// let quick = Exposure { samples: 4, ..Exposure::default() };
 /// assert!(quick.denoise);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Exposure {
     /// Paths for each pixel.
     pub samples: u32,
-    /// Surfaces a path meets at most.
+    /// Surfaces that throw light at most, from its source to the eye; panes and mirrors do not count.
     pub bounces: u32,
+    /// Brightest light that a path may bring by way of a second surface, against middle grey:
+    /// brighter is cut off, as it would only be specks. Infinite for no loss at all.
+    pub brightest: f32,
     /// Chooses among pictures that differ in their noise.
     pub seed: u32,
     /// Whether noise is smoothed at the end.
@@ -44,7 +54,7 @@ pub struct Exposure {
 
 impl Default for Exposure {
     fn default() -> Self {
-        Self { samples: 64, bounces: 7, seed: 0, denoise: true }
+        Self { samples: 64, bounces: 12, brightest: 20.0, seed: 0, denoise: true }
     }
 }
 
@@ -87,7 +97,17 @@ impl Renderer {
         camera.check()?;
         let (width, height) = (camera.width as usize, camera.height as usize);
         let lights = Lights::of(self, lighting);
-        let paths = Paths { renderer: self, lighting, camera, lights: &lights, how };
+        let spots = Spots::of(self, lighting, &lights);
+        let exposure = lighting.exposure(camera.eye().into());
+        let paths = Paths {
+            renderer: self,
+            lighting,
+            camera,
+            lights: &lights,
+            spots: &spots,
+            how,
+            most: how.brightest / exposure,
+        };
         let mut traced = vec![Traced::default(); width * height];
         for round in 0..how.samples.max(1) {
             traced.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
@@ -97,9 +117,10 @@ impl Renderer {
                 break;
             }
         }
-        let light =
-            if how.denoise { denoise::denoised(&traced, width) } else { traced.iter().map(Traced::light).collect() };
-        let exposure = lighting.exposure(camera.eye().into());
+        let light = match how.denoise {
+            true => denoise::denoised(&traced, width, camera.eye().into()),
+            false => traced.iter().map(Traced::light).collect(),
+        };
         Ok(Photograph { width, height, light, exposure })
     }
 }

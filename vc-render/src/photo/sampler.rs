@@ -1,7 +1,7 @@
-//! Numbers that fill squares evenly, another order of them for each pixel.
+//! Numbers that fill squares evenly, in another order for each pixel and purpose.
 
-/// Points for one path: a lattice after the plastic number (Roberts 2018), shifted by a hash
-/// of the pixel and of what the point is for.
+/// Points for one path: Sobol's sequence in two dimensions, shuffled and scrambled by a hash of
+/// the pixel and of what the point is for (Burley 2020), so that no two purposes go together.
 pub(super) struct Sampler {
     pixel: u32,
     round: u32,
@@ -16,11 +16,11 @@ impl Sampler {
     /// A point of the unit square.
     pub(super) fn pair(&mut self) -> [f32; 2] {
         self.used += 1;
-        let shift = mixed(self.pixel ^ mixed(self.used));
-        // Whole numbers wrap around as fractions do.
-        let x = self.round.wrapping_mul(3_242_174_889).wrapping_add(shift);
-        let y = self.round.wrapping_mul(2_447_445_414).wrapping_add(mixed(shift));
-        [x, y].map(|v| (v >> 8) as f32 / (1 << 24) as f32)
+        let seed = mixed(self.pixel ^ mixed(self.used));
+        let index = scrambled(self.round, seed);
+        let [x, y] = sobol(index);
+        // The topmost bits as a number below one.
+        [scrambled(x, mixed(seed ^ 1)), scrambled(y, mixed(seed ^ 2))].map(|v| (v >> 8) as f32 / (1 << 24) as f32)
     }
 
     pub(super) fn one(&mut self) -> f32 {
@@ -28,9 +28,68 @@ impl Sampler {
     }
 }
 
+/// The first two dimensions of Sobol's sequence; the second is the first of Pascal's
+/// triangle, by halves.
+fn sobol(index: u32) -> [u32; 2] {
+    let masks = [(1, 0x5555_5555), (2, 0x3333_3333), (4, 0x0f0f_0f0f), (8, 0x00ff_00ff), (16, 0x0000_ffff)];
+    let pascal = masks.into_iter().fold(index, |v, (shift, mask)| v ^ ((v >> shift) & mask));
+    [index.reverse_bits(), pascal.reverse_bits()]
+}
+
+/// Owen's scrambling of a number's bits, each by a hash of those above it (Laine and Karras 2011,
+/// with Vegdahl's constants).
+fn scrambled(value: u32, seed: u32) -> u32 {
+    let mut v = value.reverse_bits();
+    v ^= v.wrapping_mul(0x3d20_adea);
+    v = v.wrapping_add(seed);
+    v = v.wrapping_mul((seed >> 16) | 1);
+    v ^= v.wrapping_mul(0x0552_6c56);
+    v ^= v.wrapping_mul(0x53a2_2864);
+    v.reverse_bits()
+}
+
+/// Points that fill the unit square: a lattice after the plastic number (Roberts 2018).
+pub(super) fn lattice(index: u32) -> [f32; 2] {
+    // Whole numbers wrap around as fractions do.
+    [3_242_174_889_u32, 2_447_445_414].map(|step| (index.wrapping_mul(step) >> 8) as f32 / (1 << 24) as f32)
+}
+
 /// A hash of 32 bits (Wellons's lowbias32).
 fn mixed(value: u32) -> u32 {
     let v = (value ^ (value >> 16)).wrapping_mul(0x7feb_352d);
     let v = (v ^ (v >> 15)).wrapping_mul(0x846c_a68b);
     v ^ (v >> 16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_box_of_a_power_of_two_holds_as_many_points() {
+        for pixel in 0..20 {
+            for (across, down) in [(1, 64), (2, 32), (4, 16), (8, 8), (16, 4), (64, 1)] {
+                let mut counts = vec![0; across * down];
+                for round in 0..64 {
+                    let [a, b] = Sampler::new((pixel, 3), round, 7).pair();
+                    counts[(a * across as f32) as usize * down + (b * down as f32) as usize] += 1;
+                }
+                assert!(counts.iter().all(|c| *c == 1), "{across} x {down}: {counts:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn purposes_do_not_go_together() {
+        // The product of two purposes has the mean that chance gives it, in every pixel.
+        for pixel in 0..50 {
+            let product = |round| {
+                let mut sampler = Sampler::new((pixel, 1), round, 0);
+                let first = sampler.pair();
+                first[0] * sampler.pair()[0]
+            };
+            let mean = (0..1024).map(product).sum::<f32>() / 1024.0;
+            assert!((mean - 0.25).abs() < 0.02, "{mean}");
+        }
+    }
 }

@@ -1,82 +1,149 @@
 //! How a surface throws light: a matt base under a gloss of microfacets.
+//!
+//! What the gloss does not throw back reaches the base, both ways (Ashikhmin and Shirley 2000), and
+//! what would be lost between facets is given back (Turquin 2019): a white surface throws
+//! back all light at any roughness. The roughest surfaces have no gloss at all.
 
 use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
+use super::albedo::{self, Shares};
+use super::sampler::lattice;
 use crate::label::unit;
-use crate::light::dot;
+use crate::light::{brightness, dot};
+
+/// Reflectance of glass, lacquer and the like, head on.
+const HEAD_ON: f32 = 0.04;
+
+/// What a surface looks like where light meets it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Finish {
+    pub(super) colour: [f32; 3],
+    pub(super) metallic: f32,
+    pub(super) roughness: f32,
+}
 
 /// A point of a surface, in its own frame: the normal is up.
 pub(super) struct Scatter {
-    pub(super) colour: [f32; 3],
-    pub(super) metallic: f32,
-    alpha: f32,
+    /// Of the matt base, divided by pi and what reaches it from all sides.
+    base: [f32; 3],
+    /// Reflectance of the gloss head on and at the edge, what facets lose given back.
+    head_on: [f32; 3],
+    edge: [f32; 3],
+    gloss: Gloss,
+    roughness: f32,
+    /// How much there is of a coat on the base.
+    coat: f32,
     /// Axes of the frame in the world.
     axes: [[f32; 3]; 3],
     /// To where the path came from, in the frame.
     back: [f32; 3],
     /// Share of paths that go by the gloss.
-    gloss: f32,
+    by_gloss: f32,
 }
 
 impl Scatter {
     /// `back` leads to where the path came from, unit length.
-    pub(super) fn new(colour: [f32; 3], metallic: f32, roughness: f32, normal: [f32; 3], back: [f32; 3]) -> Self {
+    pub(super) fn new(finish: &Finish, normal: [f32; 3], back: [f32; 3]) -> Self {
+        let Finish { colour, metallic, roughness } = *finish;
         let axes = frame(normal);
         let mut own = axes.map(|axis| dot(axis, back));
         own[2] = own[2].max(1e-3);
-        let fresnel = 0.04 + 0.96 * (1.0 - own[2]).max(0.0).raised(5);
-        let gloss = (metallic + (1.0 - metallic) * (0.15 + fresnel)).clamp(0.1, 1.0);
-        let alpha = (roughness * roughness).max(2e-3);
-        Self { colour, metallic, alpha, axes, back: unit(own), gloss }
-    }
-
-    pub(super) fn inwards(&self, world: [f32; 3]) -> [f32; 3] {
-        self.axes.map(|axis| dot(axis, world))
+        let back = unit(own);
+        let coat = ((1.0 - roughness) * 10.0).clamp(0.0, 1.0);
+        let here = albedo::shares(back[2], roughness);
+        let passes = 1.0 - reflected(coat, here);
+        let mean = 1.0 - reflected(coat, albedo::mean_shares(roughness));
+        let all = (here[0] + here[1]).max(0.05);
+        let head_on = colour.map(|c| HEAD_ON * coat * (1.0 - metallic) + c * metallic);
+        let at_edge = coat * (1.0 - metallic) + metallic;
+        // Light that bounces between facets comes out coloured.
+        let given_back = head_on.map(|h| 1.0 + h * metallic * (1.0 / all - 1.0));
+        let base = colour.map(|c| c * (1.0 - metallic));
+        let shine = [0, 1, 2].map(|i: usize| given_back[i] * (head_on[i] * here[0] + at_edge * here[1]));
+        let (matt, shine) = (brightness(base) * passes, brightness(shine));
+        let by_gloss = match () {
+            () if shine <= 0.0 => 0.0,
+            () if matt <= 0.0 => 1.0,
+            () => (shine / (shine + matt)).clamp(0.1, 0.9),
+        };
+        Self {
+            base: base.map(|c| c * passes / (PI * mean.max(1e-3))),
+            head_on: [0, 1, 2].map(|i: usize| head_on[i] * given_back[i]),
+            edge: given_back.map(|g| g * at_edge),
+            gloss: Gloss::new(roughness),
+            roughness,
+            coat,
+            axes,
+            back,
+            by_gloss,
+        }
     }
 
     /// What share of light from a direction of the world is thrown back, times the cosine, by
     /// colour; and the chance for each unit of solid angle that [`Self::sample`] goes there.
     pub(super) fn evaluate(&self, towards: [f32; 3]) -> ([f32; 3], f32) {
-        let to = self.inwards(towards);
+        let to = self.axes.map(|axis| dot(axis, towards));
         if to[2] <= 1e-4 {
             return ([0.0; 3], 0.0);
         }
         let half = unit([0, 1, 2].map(|i: usize| to[i] + self.back[i]));
-        let square = self.alpha * self.alpha;
-        let bottom = half[2] * half[2] * (square - 1.0) + 1.0;
-        let spread = square / (PI * bottom * bottom);
-        let (seen, lit) = (self.masking(self.back[2]), self.masking(to[2]));
-        let lobe = spread * seen * lit / (4.0 * self.back[2]);
+        let reaches = 1.0 - reflected(self.coat, albedo::shares(to[2], self.roughness));
+        let seen = self.gloss.spread(half[2]) * self.gloss.masking(self.back[2]) / (4.0 * self.back[2]);
+        let lobe = seen * self.gloss.masking(to[2]);
         let edge = (1.0 - dot(half, to).clamp(0.0, 1.0)).raised(5);
         let value = [0, 1, 2].map(|i: usize| {
-            let head_on = 0.04 + (self.colour[i] - 0.04) * self.metallic;
-            let fresnel = head_on + (1.0 - head_on) * edge;
-            let dull = 0.04 + 0.96 * edge;
-            self.colour[i] * (1.0 - self.metallic) * (1.0 - dull) * to[2] / PI + fresnel * lobe
+            self.base[i] * reaches * to[2] + lobe * (self.head_on[i] * (1.0 - edge) + self.edge[i] * edge)
         });
-        let by_gloss = spread * seen / (4.0 * self.back[2]);
-        (value, self.gloss * by_gloss + (1.0 - self.gloss) * to[2] / PI)
+        (value, self.by_gloss * seen + (1.0 - self.by_gloss) * to[2] / PI)
+    }
+
+    /// A direction of the world to go on to.
+    pub(super) fn sample(&self, choice: f32, square: [f32; 2]) -> [f32; 3] {
+        let own = if choice < self.by_gloss { self.gloss.bounced(self.back, square) } else { cosine(square) };
+        [0, 1, 2].map(|i: usize| own[0] * self.axes[0][i] + own[1] * self.axes[1][i] + own[2] * self.axes[2][i])
+    }
+}
+
+/// What a coat throws back, given the shares of a gloss.
+fn reflected(coat: f32, [head_on, edge]: Shares) -> f32 {
+    coat * (HEAD_ON * head_on + edge)
+}
+
+/// Facets by Trowbridge and Reitz (GGX).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Gloss {
+    alpha: f32,
+}
+
+impl Gloss {
+    pub(super) fn new(roughness: f32) -> Self {
+        Self { alpha: (roughness * roughness).max(2e-3) }
+    }
+
+    /// How many facets look so far from up.
+    fn spread(self, cosine: f32) -> f32 {
+        let square = self.alpha * self.alpha;
+        let bottom = cosine * cosine * (square - 1.0) + 1.0;
+        square / (PI * bottom * bottom)
     }
 
     /// Smith's masking of one direction.
-    fn masking(&self, cosine: f32) -> f32 {
+    fn masking(self, cosine: f32) -> f32 {
         let square = self.alpha * self.alpha;
         2.0 * cosine / (cosine + (square + (1.0 - square) * cosine * cosine).sqrt())
     }
 
-    /// A direction of the world to go on to.
-    pub(super) fn sample(&self, choice: f32, [a, b]: [f32; 2]) -> [f32; 3] {
-        let own = if choice < self.gloss { self.facet([a, b]) } else { cosine([a, b]) };
-        [0, 1, 2].map(|i: usize| own[0] * self.axes[0][i] + own[1] * self.axes[1][i] + own[2] * self.axes[2][i])
-    }
-
     /// Off a facet, of those that are seen from where the path came (Heitz 2018).
-    fn facet(&self, [a, b]: [f32; 2]) -> [f32; 3] {
-        let [x, y, z] = self.back;
+    fn bounced(self, back: [f32; 3], [a, b]: [f32; 2]) -> [f32; 3] {
+        let [x, y, z] = back;
         let stretched = unit([self.alpha * x, self.alpha * y, z]);
-        let [t1, t2, _] = frame(stretched);
+        // One axis is level, the other leans as the direction does.
+        let level = stretched[0] * stretched[0] + stretched[1] * stretched[1];
+        let t1 = if level > 1e-12 { unit([-stretched[1], stretched[0], 0.0]) } else { [1.0, 0.0, 0.0] };
+        let [sx, sy, sz] = stretched;
+        let t2 = [sy * t1[2] - sz * t1[1], sz * t1[0] - sx * t1[2], sx * t1[1] - sy * t1[0]];
         let (s, c) = (2.0 * PI * b).sine_cosine();
         let r = a.sqrt();
         let p = r * c;
@@ -85,8 +152,25 @@ impl Scatter {
         let up = (1.0 - p * p - q * q).max(0.0).sqrt();
         let bent = [0, 1, 2].map(|i: usize| p * t1[i] + q * t2[i] + up * stretched[i]);
         let half = unit([self.alpha * bent[0], self.alpha * bent[1], bent[2].max(1e-6)]);
-        let twice = 2.0 * dot(self.back, half);
-        [0, 1, 2].map(|i: usize| twice * half[i] - self.back[i])
+        let twice = 2.0 * dot(back, half);
+        [0, 1, 2].map(|i: usize| twice * half[i] - back[i])
+    }
+
+    /// What share of light from all sides it throws to where the cosine is this, if facets
+    /// reflect everything: head on, and what Schlick's edge adds.
+    pub(super) fn shares(self, cosine: f32, directions: usize) -> Shares {
+        let back = [(1.0 - cosine * cosine).max(0.0).sqrt(), 0.0, cosine];
+        let mut sums = [0.0; 2];
+        for index in 0..directions {
+            let to = self.bounced(back, lattice(index as u32));
+            if to[2] > 0.0 {
+                let half = unit([0, 1, 2].map(|i: usize| to[i] + back[i]));
+                let edge = (1.0 - dot(half, to).clamp(0.0, 1.0)).raised(5);
+                let lit = self.masking(to[2]) / directions as f32;
+                sums = [sums[0] + lit * (1.0 - edge), sums[1] + lit * edge];
+            }
+        }
+        sums
     }
 }
 
@@ -103,4 +187,67 @@ pub(super) fn frame(n: [f32; 3]) -> [[f32; 3]; 3] {
     let a = -1.0 / (sign + n[2]);
     let b = n[0] * n[1] * a;
     [[1.0 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]], [b, sign + n[1] * n[1] * a, -n[1]], n]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Share of light from all sides thrown back towards a cosine, by [`Scatter::evaluate`] over
+    /// an even grid of directions, and by following samples.
+    fn thrown(finish: &Finish, cosine: f32) -> [f32; 2] {
+        let back = [(1.0 - cosine * cosine).sqrt(), 0.0, cosine];
+        let scatter = Scatter::new(finish, [0.0, 0.0, 1.0], back);
+        let (rows, columns) = (600, 600);
+        let mut even = 0.0_f64;
+        for i in 0..rows * columns {
+            let z = ((i / columns) as f32 + 0.5) / rows as f32;
+            let (s, c) = (2.0 * PI * ((i % columns) as f32 + 0.5) / columns as f32).sine_cosine();
+            let level = (1.0 - z * z).sqrt();
+            even += f64::from(scatter.evaluate([level * c, level * s, z]).0[0]);
+        }
+        let count = 20_000;
+        let mut followed = 0.0_f64;
+        for i in 0..count {
+            let towards = scatter.sample((i as f32 * 0.618_034).fract(), lattice(i));
+            let (value, chance) = scatter.evaluate(towards);
+            if chance > 0.0 {
+                followed += f64::from(value[0] / chance);
+            }
+        }
+        [(even * f64::from(2.0 * PI) / f64::from(rows * columns)) as f32, (followed / f64::from(count)) as f32]
+    }
+
+    #[test]
+    fn a_white_surface_throws_back_everything_and_none_throws_back_more() {
+        for metallic in [0.0, 1.0] {
+            for roughness in [0.3, 0.5, 0.7, 0.95, 1.0] {
+                for cosine in [0.15, 0.4, 0.7, 1.0] {
+                    let finish = Finish { colour: [1.0; 3], metallic, roughness };
+                    let [even, followed] = thrown(&finish, cosine);
+                    let place = format!("metallic {metallic}, roughness {roughness}, cosine {cosine}");
+                    assert!((even - 1.0).abs() < 0.02, "{place}: {even}");
+                    assert!((followed - 1.0).abs() < 0.03, "{place}: {followed}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_matt_surface_is_lamberts() {
+        let finish = Finish { colour: [0.5; 3], metallic: 0.0, roughness: 1.0 };
+        for towards in [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [-0.8, 0.0, 0.6]] {
+            let (value, _) = Scatter::new(&finish, [0.0, 0.0, 1.0], [0.6, 0.0, 0.8]).evaluate(towards);
+            assert!((value[0] - 0.5 / PI * towards[2]).abs() < 1e-5);
+        }
+    }
+
+    #[test]
+    fn light_goes_the_same_way_back() {
+        let finish = Finish { colour: [0.6, 0.3, 0.2], metallic: 0.0, roughness: 0.4 };
+        let (a, b) = ([0.6, 0.0, 0.8], unit([-0.3, 0.5, 0.4]));
+        let there = Scatter::new(&finish, [0.0, 0.0, 1.0], a).evaluate(b).0[0] / b[2];
+        let back = Scatter::new(&finish, [0.0, 0.0, 1.0], b).evaluate(a).0[0] / a[2];
+        assert!((there - back).abs() < 1e-5 * there, "{there} and {back}");
+    }
 }

@@ -55,9 +55,11 @@ pub(crate) struct Hit {
     pub(crate) number: u32,
     /// Weights of the second and the third corner.
     pub(crate) weights: [f32; 2],
+    /// From the first corner to the others.
+    pub(crate) edges: [[f32; 3]; 2],
 }
 
-/// Most nodes that wait to be visited.
+/// Most nodes that wait to be visited; [`Bvh::build`](super::build) makes no deeper trees.
 const STACK: usize = 128;
 
 impl Bvh {
@@ -108,18 +110,20 @@ impl Bvh {
             }
             let node = &self.nodes[child as usize];
             let enters = node.enters(ray.from, over, end);
+            let mut met = bits(enters.map(|enter| enter <= end));
             let first = height;
-            for (child, enter) in node.children.into_iter().zip(enters) {
-                if enter <= end && height < STACK {
-                    // Nearest on top.
-                    let mut at = height;
-                    while at > first && stack[at - 1].1 < enter {
-                        stack[at] = stack[at - 1];
-                        at -= 1;
-                    }
-                    stack[at] = (child, enter);
-                    height += 1;
+            while met != 0 {
+                let lane = met.trailing_zeros() as usize;
+                met &= met - 1;
+                let enter = enters[lane];
+                let mut at = height & (STACK - 1);
+                // Nearest on top; any is as good as another where any will do.
+                while !ANY && at > first && stack[at - 1].1 < enter {
+                    stack[at] = stack[at - 1];
+                    at -= 1;
                 }
+                stack[at] = (node.children[lane], enter);
+                height += 1;
             }
         }
         best
@@ -170,10 +174,20 @@ impl Leaf {
             u[i] = a;
             v[i] = b;
         }
+        if bits(t.map(|t| t < f32::INFINITY)) == 0 {
+            return None;
+        }
         let mut best = 0;
         for i in 1..WIDE {
             best = if t[i] < t[best] { i } else { best };
         }
-        (t[best] < f32::INFINITY).then(|| Hit { t: t[best], number: self.numbers[best], weights: [u[best], v[best]] })
+        let edges = self.edges.map(|edge| edge.map(|axis| axis[best]));
+        Some(Hit { t: t[best], number: self.numbers[best], weights: [u[best], v[best]], edges })
     }
+}
+
+/// A bit for each lane.
+#[inline(always)]
+fn bits(lanes: [bool; WIDE]) -> u32 {
+    (0..WIDE).fold(0, |all, lane| all | u32::from(lanes[lane]) << lane)
 }

@@ -13,8 +13,16 @@ pub(crate) struct Tracer {
     pub(crate) snapshot: Snapshot,
     solid: Bvh,
     clear: Bvh,
-    /// Instance and triangle by number, of the solid and of the clear ones.
-    origins: [Vec<(u32, u32)>; 2],
+    /// By number, of the solid and of the clear ones.
+    origins: [Vec<Origin>; 2],
+}
+
+/// Whose a triangle is.
+#[derive(Debug, Clone, Copy)]
+struct Origin {
+    instance: u32,
+    /// Its triangle in the mesh.
+    triangle: u32,
 }
 
 /// What a ray has met.
@@ -23,7 +31,11 @@ pub(crate) struct Met<'a> {
     pub(crate) t: f32,
     pub(crate) at: [f32; 3],
     pub(crate) instance: &'a Instance,
+    /// Which of the snapshot's instances that is.
+    pub(crate) index: u32,
     pub(crate) face: &'a Face,
+    /// Index of the triangle in the mesh.
+    triangle: u32,
     /// Area of the triangle, square metres.
     pub(crate) area: f32,
     /// Normal of the triangle, unit length, outwards.
@@ -43,7 +55,7 @@ impl Tracer {
                 let kind = usize::from(number >= mesh.opaque);
                 for triangle in cluster.triangles.clone() {
                     corners[kind].push(mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p)));
-                    origins[kind].push((index as u32, triangle));
+                    origins[kind].push(Origin { instance: index as u32, triangle });
                 }
             }
         }
@@ -77,34 +89,41 @@ impl Tracer {
     }
 
     fn met(&self, ray: &Ray, hit: &Hit, kind: usize) -> Met<'_> {
-        let (index, triangle) = self.origins[kind][hit.number as usize];
+        let Origin { instance: index, triangle } = self.origins[kind][hit.number as usize];
         let instance = &self.snapshot.instances[index as usize];
-        let mesh = &*instance.link.levels[0];
-        let face = &mesh.faces[triangle as usize];
-        let corners = mesh.triangle(mesh.cluster_of(triangle as usize), triangle as usize);
+        let face = &instance.link.levels[0].faces[triangle as usize];
+        let [b, c] = hit.edges;
+        let across = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+        let out = if instance.mirrored { -1.0 } else { 1.0 };
         let [u, v] = hit.weights;
-        let world = instance.world.narrow();
-        let placed = corners.map(|p| affine::point(&world, p));
-        let edge = |k: usize| [0, 1, 2].map(|i: usize| corners[k][i] - corners[0][i]);
-        let (b, c) = (edge(1), edge(2));
-        let own = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
-        let flat = crate::label::unit(affine::normal(&instance.inverse, own));
         let [n0, n1, n2] = face.normals;
         let bent = [0, 1, 2].map(|i: usize| n0[i] * (1.0 - u - v) + n1[i] * u + n2[i] * v);
-        let normal = if face.flat { face.normals[0] } else { bent };
+        let normal = if face.flat { n0 } else { bent };
+        let flat = crate::label::unit(across.map(|v| v * out));
+        let normal = affine::normal(&instance.inverse, normal);
+        // Normals that cancel each other say nothing.
+        let length = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
         Met {
             t: hit.t,
             at: [0, 1, 2].map(|i: usize| ray.from[i] + hit.t * ray.along[i]),
             instance,
+            index,
             face,
-            area: area(placed),
+            triangle,
+            area: 0.5 * (across[0] * across[0] + across[1] * across[1] + across[2] * across[2]).sqrt(),
             flat,
-            normal: crate::label::unit(affine::normal(&instance.inverse, normal)),
+            normal: if length > 1e-20 { crate::label::unit(normal) } else { flat },
         }
     }
 }
 
 impl Met<'_> {
+    /// The triangle in the world.
+    pub(crate) fn corners(&self) -> [[f32; 3]; 3] {
+        let (world, mesh, at) = (self.instance.world.narrow(), &*self.instance.link.levels[0], self.triangle as usize);
+        mesh.triangle(mesh.cluster_of(at), at).map(|p| affine::point(&world, p))
+    }
+
     /// The surface close up; `footprint` is the width seen there, metres.
     pub(crate) fn look(&self, surface: &Surface, footprint: f32) -> Look {
         if surface.pattern == Pattern::Plain {
@@ -119,11 +138,4 @@ impl Met<'_> {
         let axes = if built { Affine::IDENTITY.narrow() } else { self.instance.world.narrow() };
         look(surface, (local, facing, self.face.grain), &axes, self.normal, footprint)
     }
-}
-
-fn area([a, b, c]: [[f32; 3]; 3]) -> f32 {
-    let edge = |p: [f32; 3]| [0, 1, 2].map(|i: usize| p[i] - a[i]);
-    let (u, v) = (edge(b), edge(c));
-    let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    0.5 * (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt()
 }

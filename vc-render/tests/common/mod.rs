@@ -82,9 +82,24 @@ pub fn pose(at: [f32; 3], yaw: f32, pitch: f32) -> Pose {
     Pose::from_parts(Vector3::from(at).into(), turn)
 }
 
-/// A room of 6 by 5 metres with a cabinet, whose drawer is open, and many shapes.
+/// A room of 6 by 5 metres with a cabinet, whose drawer is open, and sixty shapes.
 pub fn furnished() -> SceneGraph {
+    crowded(60)
+}
+
+/// The same with any number of shapes.
+pub fn crowded(count: usize) -> SceneGraph {
+    filled(Stage::new(), count)
+}
+
+/// The same with sixty shapes and a lamp, which is off.
+pub fn lamplit() -> SceneGraph {
     let mut stage = Stage::new();
+    stage.one("ceiling_lamp", Shape::Sphere { radius: 0.12 }, Pose::translation(0.4, -0.3, 2.2), 3);
+    filled(stage, 60)
+}
+
+fn filled(mut stage: Stage, count: usize) -> SceneGraph {
     let flat = |half: [f32; 3], at: [f32; 3]| part("slab", block(half), at, 1);
     let shell = vec![
         flat([3.0, 2.5, 0.1], [0.0, 0.0, -0.1]),
@@ -108,7 +123,7 @@ pub fn furnished() -> SceneGraph {
     ]);
     let made = stage.put("dresser", cabinet, pose([2.0, 1.0, 0.0], 3.0, 0.0));
     let mut rng = Seed(5).stream();
-    for index in 0..60 {
+    for index in 0..count {
         let size = rng.between(0.04, 0.25);
         let shape = match index % 7 {
             0 => Shape::Sphere { radius: size },

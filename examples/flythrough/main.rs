@@ -1,0 +1,103 @@
+//! A walk through a generated home as a camera sees it, with the optical flow beside it.
+//!
+//! `cargo run --release --example flythrough -- --seed 42 --out out/flythrough` plans the shortest way from
+//! room to room, opens the doors on it, and writes an animated PNG: colours and flow, and with
+//! `--labels` instances and depth below. `--exr` also writes depth and flow of every picture.
+
+#[path = "../support/mod.rs"]
+#[expect(dead_code, reason = "this example reads no files")]
+mod support;
+
+mod path;
+
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+use support::{Complaint, say};
+use virtualcity::graph::Seed;
+use virtualcity::procgen::Apartment;
+use virtualcity::render::picture::{self, Picture};
+use virtualcity::render::{Camera, Daylight, Frame, Modality, Renderer, Shot, format};
+
+/// A walk through a home.
+#[derive(Parser)]
+struct Options {
+    /// The home's seed.
+    #[arg(long, default_value_t = 42)]
+    seed: u64,
+    /// The folder to write to; it is made if need be.
+    #[arg(long, default_value = "out/flythrough")]
+    out: PathBuf,
+    /// Pictures at most.
+    #[arg(long, default_value_t = 240, value_parser = clap::value_parser!(u32).range(2..=5000))]
+    pictures: u32,
+    /// Pixels across.
+    #[arg(long, default_value_t = 320, value_parser = clap::value_parser!(u32).range(16..=2048))]
+    width: u32,
+    /// Pixels down.
+    #[arg(long, default_value_t = 240, value_parser = clap::value_parser!(u32).range(16..=2048))]
+    height: u32,
+    /// Pictures a second.
+    #[arg(long, default_value_t = 12)]
+    rate: u16,
+    /// Metres a second.
+    #[arg(long, default_value_t = 1.2)]
+    speed: f32,
+    /// Shows instances and depth as well.
+    #[arg(long)]
+    labels: bool,
+    /// Writes depth and flow as OpenEXR, a file for each picture.
+    #[arg(long)]
+    exr: bool,
+}
+
+fn main() -> Result<(), Complaint> {
+    let options = Options::parse();
+    std::fs::create_dir_all(&options.out).map_err(Complaint::new)?;
+    let mut scene = Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene();
+    let walk = path::through(&mut scene)?;
+    let step = options.speed.clamp(0.01, 100.0) / f32::from(options.rate.max(1));
+    let camera = Camera::with_fov(options.width, options.height, 1.2);
+    let cameras = walk.cameras(camera, step, options.pictures as usize + 1);
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;
+    let lighting = renderer.light(&snapshot, &Daylight::noon());
+    let mut frame = Frame::new();
+    let mut pictures = Vec::new();
+    for pair in cameras.windows(2) {
+        let mut wanted = Modality::Rgb | Modality::FlowForward;
+        if options.labels || options.exr {
+            wanted |= Modality::Instance | Modality::Depth;
+        }
+        let shot = Shot::new(&snapshot, &pair[0], wanted).lit(&lighting).after(&snapshot, &pair[1]);
+        renderer.render(&shot, &mut frame).map_err(Complaint::new)?;
+        if options.exr {
+            write(&options.out.join(format!("{:04}.exr", pictures.len())), &exr(&frame)?)?;
+        }
+        pictures.push(shown(&frame, options.labels));
+    }
+    let path = options.out.join(format!("flythrough_{}.png", options.seed));
+    write(&path, &picture::apng(&pictures, options.rate).map_err(Complaint::new)?)?;
+    say!("{:.1} m through {} rooms, {} pictures: {}", walk.length(), walk.rooms, pictures.len(), path.display());
+    Ok(())
+}
+
+fn shown(frame: &Frame, labels: bool) -> Picture {
+    let mut all = vec![picture::rgb(frame), picture::flow(frame, 20.0)];
+    if labels {
+        all.extend([picture::instances(frame), picture::depth(frame, 8.0)]);
+    }
+    Picture::sheet(&all, 2, 2)
+}
+
+/// Depth and flow of a picture.
+fn exr(frame: &Frame) -> Result<Vec<u8>, Complaint> {
+    let axis = |i: usize| frame.flow_forward.iter().map(|f| f[i]).collect::<Vec<f32>>();
+    let (u, v) = (axis(0), axis(1));
+    let channels = [("Z", frame.depth.as_slice()), ("forward.u", &u), ("forward.v", &v)];
+    format::exr(frame.width, frame.height, &channels).map_err(Complaint::new)
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
+    std::fs::write(path, bytes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))
+}

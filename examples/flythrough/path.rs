@@ -1,0 +1,117 @@
+//! Where to go.
+
+use nalgebra::{Point2, Point3};
+use virtualcity::graph::{NodeId, SceneGraph, State};
+use virtualcity::physics::{Floor, FloorPlan, Route, Settings, Shapes, World};
+use virtualcity::render::Camera;
+
+use crate::support::Complaint;
+
+/// Height of the eye, metres.
+const EYE: f32 = 1.5;
+/// How far ahead one looks, metres.
+const AHEAD: f32 = 1.4;
+
+/// A way over the floor.
+pub(crate) struct Walk {
+    points: Vec<Point2<f32>>,
+    pub(crate) rooms: usize,
+}
+
+/// The way through the rooms; doors on it are opened.
+pub(crate) fn through(scene: &mut SceneGraph) -> Result<Walk, Complaint> {
+    let world = World::build(scene, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
+    let floor = Floor::of(&world, FloorPlan { radius: 0.3, ..FloorPlan::default() });
+    let middle = |room: &NodeId| {
+        let around = scene.node(*room)?.aabb()?.centre();
+        floor.nearest(Point2::new(around.x, around.y), 1.5)
+    };
+    let middles: Vec<Point2<f32>> = scene.rooms().iter().filter_map(middle).collect();
+    // From wherever most rooms can be reached.
+    let tours = (0..middles.len()).map(|first| Tour::from(&floor, &middles, first));
+    let Tour { points, doors, rooms } = tours
+        .reduce(|a, b| if b.rooms > a.rooms { b } else { a })
+        .ok_or_else(|| Complaint::new("no room has free floor"))?;
+    let mut edit = scene.edit();
+    for door in doors {
+        edit.enter_state(door, State::Open).map_err(Complaint::new)?;
+    }
+    edit.commit();
+    Ok(Walk { points: rounded(&points), rooms })
+}
+
+/// Rooms one after the other.
+struct Tour {
+    points: Vec<Point2<f32>>,
+    doors: Vec<NodeId>,
+    rooms: usize,
+}
+
+impl Tour {
+    /// Each time to the nearest room that has not been seen, while one can be reached.
+    fn from(floor: &Floor, middles: &[Point2<f32>], first: usize) -> Self {
+        let mut left = middles.to_vec();
+        let mut tour = Self { points: vec![left.swap_remove(first)], doors: Vec::new(), rooms: 1 };
+        while let Some(route) = nearest(floor, tour.points[tour.points.len() - 1], &mut left) {
+            tour.points.extend_from_slice(&route.points[1..]);
+            tour.doors.extend(route.doors);
+            tour.rooms += 1;
+        }
+        tour
+    }
+}
+
+/// The shortest of the ways to the places that are left, which it takes from them.
+fn nearest(floor: &Floor, from: Point2<f32>, left: &mut Vec<Point2<f32>>) -> Option<Route> {
+    let ways = left.iter().enumerate().filter_map(|(i, to)| floor.route(from, *to).map(|r| (i, r)));
+    let (index, route) = ways.min_by(|a, b| a.1.length.total_cmp(&b.1.length))?;
+    left.swap_remove(index);
+    Some(route)
+}
+
+/// Corners cut off, three times over (Chaikin 1974).
+fn rounded(points: &[Point2<f32>]) -> Vec<Point2<f32>> {
+    let mut points = points.to_vec();
+    for _ in 0..3 {
+        let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return points };
+        let cut = |pair: &[Point2<f32>]| {
+            [0.25, 0.75].map(|share| nalgebra::Point2::from(pair[0].coords.lerp(&pair[1].coords, share)))
+        };
+        points = [first].into_iter().chain(points.windows(2).flat_map(cut)).chain([last]).collect();
+    }
+    points
+}
+
+impl Walk {
+    /// Metres.
+    pub(crate) fn length(&self) -> f32 {
+        self.points.windows(2).map(|p| (p[1] - p[0]).norm()).sum()
+    }
+
+    /// Where one is after so many metres.
+    fn at(&self, mut gone: f32) -> Point2<f32> {
+        for pair in self.points.windows(2) {
+            let length = (pair[1] - pair[0]).norm();
+            if gone < length {
+                return pair[0] + (pair[1] - pair[0]) * (gone / length);
+            }
+            gone -= length;
+        }
+        self.points[self.points.len() - 1]
+    }
+
+    /// Cameras along it, a step apart, at most so many; a longer walk has longer steps.
+    pub(crate) fn cameras(&self, camera: Camera, step: f32, most: usize) -> Vec<Camera> {
+        let length = (self.length() - AHEAD).max(step);
+        let count = ((length / step) as usize + 1).clamp(2, most);
+        let view = |i: usize| {
+            let gone = length * i as f32 / (count - 1) as f32;
+            let place = |p: Point2<f32>, z: f32| Point3::new(p.x, p.y, z);
+            // One looks to the mean of what is ahead, so that the eye turns smoothly.
+            let ahead =
+                (1..=8).map(|k| self.at(gone + AHEAD * k as f32 / 8.0).coords).sum::<nalgebra::Vector2<f32>>() / 8.0;
+            camera.looking(place(self.at(gone), EYE), place(ahead.into(), EYE - 0.12))
+        };
+        (0..count).map(view).collect()
+    }
+}

@@ -1,0 +1,142 @@
+//! An object from all sides, as an animated PNG.
+//!
+//! `cargo run --release --example turntable -- --class armchair --out out/turntable` turns the
+//! camera once around an armchair from the catalogue; `--index 3` is another one, `--open` opens doors and
+//! drawers on the way round and shuts them again. `--labels` shows depth, normals, and what moves beside it.
+
+#[path = "support/mod.rs"]
+#[expect(dead_code, reason = "this example reads no files")]
+mod support;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::Parser;
+use nalgebra::{Point3, Vector3};
+use support::{Complaint, say};
+use virtualcity::graph::asset::{Joint, Part, Shape};
+use virtualcity::graph::portable::Portable;
+use virtualcity::graph::{Asset, Draft, NodeId, Pose, SceneBuilder, SceneGraph, Seed};
+use virtualcity::procgen::material;
+use virtualcity::procgen::object::{Object, generator};
+use virtualcity::render::picture::{self, Picture};
+use virtualcity::render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
+
+/// An object from all sides.
+#[derive(Parser)]
+struct Options {
+    /// Class of the object.
+    #[arg(long, default_value = "armchair")]
+    class: String,
+    /// Which object of its class.
+    #[arg(long, default_value_t = 0)]
+    index: usize,
+    /// What objects are made from.
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+    /// The folder to write to; it is made if need be.
+    #[arg(long, default_value = "out/turntable")]
+    out: PathBuf,
+    /// Pictures in a turn.
+    #[arg(long, default_value_t = 48, value_parser = clap::value_parser!(u32).range(1..=720))]
+    pictures: u32,
+    /// Pixels along a side.
+    #[arg(long, default_value_t = 320, value_parser = clap::value_parser!(u32).range(16..=2048))]
+    side: u32,
+    /// Pictures a second.
+    #[arg(long, default_value_t = 16)]
+    rate: u16,
+    /// Opens doors and drawers on the way.
+    #[arg(long)]
+    open: bool,
+    /// Shows labels beside the colours.
+    #[arg(long)]
+    labels: bool,
+}
+
+fn main() -> Result<(), Complaint> {
+    let options = Options::parse();
+    let made =
+        generator(&options.class).ok_or_else(|| Complaint::new(format!("no generator makes `{}`", options.class)))?;
+    let object = made.instance(Seed(options.seed), options.index).object;
+    let (scene, node) = stage(&object)?;
+    let mut renderer = Renderer::new();
+    let mut snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;
+    let lighting = renderer.light(&snapshot, &Daylight::clear(0.9, 0.6));
+    let cameras = around(&object, &options);
+    let mut pictures = Vec::new();
+    let mut frame = Frame::new();
+    for (index, camera) in cameras.iter().enumerate() {
+        let next = &cameras[(index + 1) % cameras.len()];
+        let mut then = snapshot.clone();
+        if options.open {
+            let share = swing((index + 1) as f32 / cameras.len() as f32);
+            then.articulate(node, |j| Some(farthest(j) * share)).map_err(Complaint::new)?;
+        }
+        let wanted = Modality::Rgb | Modality::Depth | Modality::Normal | Modality::FlowForward;
+        renderer
+            .render(&Shot::new(&snapshot, camera, wanted).lit(&lighting).after(&then, next), &mut frame)
+            .map_err(Complaint::new)?;
+        pictures.push(shown(&frame, &options, &object));
+        snapshot = then;
+    }
+    let path = options.out.join(format!("{}_{}.png", options.class, options.index));
+    let bytes = picture::apng(&pictures, options.rate).map_err(Complaint::new)?;
+    std::fs::create_dir_all(&options.out).map_err(Complaint::new)?;
+    std::fs::write(&path, bytes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))?;
+    say!("{} parts, {} pictures: {}", object.asset.parts.len(), pictures.len(), path.display());
+    Ok(())
+}
+
+/// The object on a floor that is wider than the picture.
+fn stage(object: &Object) -> Result<(SceneGraph, NodeId), Complaint> {
+    let mut library = material::library();
+    let asset = library.add(object.asset.clone()).map_err(Complaint::new)?;
+    let wide = 10.0 * object.size().norm();
+    let slab = Shape::Box { half: Vector3::new(wide, wide, 0.05) };
+    let part =
+        Part { name: "slab".into(), shape: slab, material: material::WHITE.0, pose: Pose::identity(), joint: None };
+    let floor =
+        library.add(Asset { name: "floor".into(), parts: vec![part], ..Asset::default() }).map_err(Complaint::new)?;
+    let mut scene = SceneBuilder::new("turntable");
+    let room = scene.add(Draft::new("livingroom")).map_err(Complaint::new)?;
+    let low = object.asset.extent().map_or(0.0, |(low, _)| low.z);
+    let draft =
+        |class: &str, asset, z| Draft { asset: Some(asset), ..Draft::new(class).at(Pose::translation(0.0, 0.0, z)) };
+    let node = scene.add_in(room, draft(object.class, asset, -low)).map_err(Complaint::new)?;
+    scene.add_in(room, draft("floor", floor, -0.0501)).map_err(Complaint::new)?;
+    scene.assets(Arc::new(library));
+    Ok((scene.build(), node))
+}
+
+/// Cameras on a circle that is wide enough to see all of it.
+fn around(object: &Object, options: &Options) -> Vec<Camera> {
+    let (low, high) = object.asset.extent().unwrap_or_default();
+    let (size, middle) = (high - low, nalgebra::center(&low, &high));
+    let target = Point3::new(middle.x, middle.y, 0.5 * size.z);
+    let camera = Camera::with_fov(options.side, options.side, 0.6);
+    // As far as a ball around it fits in, drawers drawn as well.
+    let radius = 0.5 * size.norm() * if options.open { 1.3 } else { 1.05 };
+    camera.around(target, radius / 0.3_f32.sine(), 0.4, options.pictures as usize)
+}
+
+/// From shut to open and back, gently.
+fn swing(turn: f32) -> f32 {
+    0.5 - 0.5 * (std::f32::consts::TAU * turn).cosine()
+}
+
+/// The limit farther from zero.
+fn farthest(joint: &Joint) -> f32 {
+    let (low, high) = joint.limits;
+    if high >= -low { high } else { low }
+}
+
+fn shown(frame: &Frame, options: &Options, object: &Object) -> Picture {
+    let rgb = picture::rgb(frame);
+    if !options.labels {
+        return rgb;
+    }
+    let far = 4.0 * object.size().norm();
+    let labels = [rgb, picture::depth(frame, far), picture::normals(frame), picture::flow(frame, 12.0)];
+    Picture::sheet(&labels, 2, 2)
+}

@@ -1,0 +1,138 @@
+//! Cameras and lights of a scene that is written.
+
+use nalgebra::{Point3, UnitQuaternion, Vector3};
+use serde::{Deserialize, Serialize};
+use vc_graph::Pose;
+
+use super::document as json;
+use super::write::Writer;
+
+/// The extension that lights are written with.
+pub(super) const LIGHTS: &str = "KHR_lights_punctual";
+
+/// Who looks at a scene, and what lights it besides what glows.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Stage {
+    /// Cameras, named.
+    pub cameras: Vec<StageCamera>,
+    /// Lights.
+    pub lights: Vec<StageLight>,
+}
+
+/// A pinhole camera.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StageCamera {
+    /// Its name.
+    pub name: String,
+    /// Its optical frame in the world: x to the right, y down, z forward.
+    pub pose: Pose,
+    /// Vertical field of view, radians.
+    pub vertical_fov: f32,
+    /// Width over height.
+    pub aspect: f32,
+    /// What is nearer is not seen, metres.
+    pub near: f32,
+}
+
+/// A light without extent.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StageLight {
+    /// Its name.
+    pub name: String,
+    /// Linear RGB.
+    pub colour: [f32; 3],
+    /// Where it is.
+    pub place: LightPlace,
+}
+
+/// Where a light is, and how strong.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LightPlace {
+    /// Everywhere from one direction: the sun.
+    From {
+        /// Direction to it.
+        towards: Vector3<f32>,
+        /// Light on a surface that faces it, lux.
+        lux: f32,
+    },
+    /// From a point to all sides.
+    At {
+        /// The point, metres.
+        point: Point3<f32>,
+        /// Intensity, candela.
+        candela: f32,
+    },
+}
+
+/// A light as the extension has it.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Light {
+    name: String,
+    #[serde(rename = "type")]
+    kind: String,
+    color: [f32; 3],
+    intensity: f32,
+}
+
+/// Adds a stage's nodes and returns their numbers.
+pub(super) fn write(writer: &mut Writer<'_>, stage: &Stage) -> Vec<usize> {
+    let cameras = stage.cameras.iter().filter(|c| c.is_sound());
+    let mut nodes: Vec<usize> = cameras.map(|camera| camera.write(writer)).collect();
+    nodes.extend(stage.lights.iter().filter_map(|light| light.write(writer)));
+    nodes
+}
+
+impl StageCamera {
+    fn is_sound(&self) -> bool {
+        let positive = |v: f32| v.is_finite() && v > 0.0;
+        let pose = self.pose.translation.vector.iter().chain(self.pose.rotation.coords.iter()).all(|v| v.is_finite());
+        pose && [self.vertical_fov, self.aspect, self.near].into_iter().all(positive) && self.vertical_fov < 3.14
+    }
+
+    fn write(&self, writer: &mut Writer<'_>) -> usize {
+        let perspective =
+            json::Perspective { yfov: self.vertical_fov, aspect_ratio: Some(self.aspect), znear: self.near };
+        writer.document.cameras.push(json::Camera { name: self.name.clone(), kind: "perspective".into(), perspective });
+        // glTF's cameras have y up and look along -z.
+        let turned =
+            self.pose.rotation * UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(0.0, 1.0, 0.0, 0.0));
+        writer.node(json::Node {
+            name: self.name.clone(),
+            camera: Some(writer.document.cameras.len() - 1),
+            translation: Some(self.pose.translation.vector.into()),
+            rotation: Some(turned.coords.into()),
+            ..json::Node::default()
+        })
+    }
+}
+
+impl StageLight {
+    /// None for a light that is nowhere or has no strength.
+    fn write(&self, writer: &mut Writer<'_>) -> Option<usize> {
+        let (kind, intensity, at, turned) = match self.place {
+            LightPlace::From { towards, lux } => {
+                // It shines along the node's -z.
+                let up = towards.try_normalize(1e-9)?;
+                let turn = UnitQuaternion::rotation_between(&Vector3::z(), &up)
+                    .unwrap_or_else(|| UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(0.0, 1.0, 0.0, 0.0)));
+                ("directional", lux, None, Some(turn.coords.into()))
+            }
+            LightPlace::At { point, candela } => ("point", candela, Some(point.coords), None),
+        };
+        let finite = at.iter().flatten().chain(&self.colour).all(|v| v.is_finite()) && intensity.is_finite();
+        if !finite || intensity < 0.0 {
+            return None;
+        }
+        let color = self.colour.map(|c| c.clamp(0.0, 1.0));
+        let lights = &mut writer.document.extensions.get_or_insert_default().lights.lights;
+        lights.push(Light { name: self.name.clone(), kind: kind.into(), color, intensity });
+        let light = lights.len() - 1;
+        Some(writer.node(json::Node {
+            name: self.name.clone(),
+            translation: at.map(Into::into),
+            rotation: turned,
+            extensions: Some(json::NodeExtensions { light: json::LightOf { light } }),
+            ..json::Node::default()
+        }))
+    }
+}

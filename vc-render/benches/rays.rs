@@ -1,0 +1,76 @@
+//! Rays a second of one core, through about 150,000 triangles of 300 objects in a room.
+//!
+//! `cargo bench -p vc-render --bench rays`. Primary rays go through the pixels of sixteen views in
+//! order; bounces leave what those met, by the cosine, in any direction; shadow rays go to points of the
+//! ceiling. The throughput is in rays of one thread.
+
+#![allow(missing_docs, clippy::unwrap_used, reason = "a bench")]
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use nalgebra::{Point3, Vector3};
+use vc_graph::Seed;
+use vc_render::{Camera, RayCaster, Renderer};
+
+type Ray = (Point3<f32>, Vector3<f32>);
+
+fn primary() -> Vec<Ray> {
+    let view = |i: usize| {
+        let (x, y) = (i % 4, i / 4);
+        let eye = Point3::new(-2.4 + 1.6 * x as f32, -2.0 + 1.3 * y as f32, 1.6);
+        let target = eye + Vector3::new(1.5 - x as f32, 1.5 - y as f32, -0.3);
+        let camera = Camera::with_fov(160, 120, 1.05).looking(eye, target);
+        let through = move |p: usize| {
+            let (across, down) = ((p % 160) as f32 + 0.5, (p / 160) as f32 + 0.5);
+            (eye, (camera.unproject(across, down, 1.0) - eye).normalize())
+        };
+        (0..160 * 120).map(through)
+    };
+    (0..16).flat_map(view).collect()
+}
+
+/// From what rays met, by the cosine.
+fn bounced(caster: &RayCaster, rays: &[Ray]) -> Vec<Ray> {
+    let mut chance = Seed(3).stream();
+    let mut bounce = |(from, along): &Ray| {
+        let hit = caster.first(from, along, 100.0)?;
+        let normal = if hit.normal.dot(along) < 0.0 { hit.normal } else { -hit.normal };
+        let mut number = || chance.between(-1.0, 1.0);
+        let ball = loop {
+            let v = Vector3::new(number(), number(), number());
+            if (1e-3..1.0).contains(&v.norm()) {
+                break v.normalize();
+            }
+        };
+        Some((hit.point + normal * 1e-3, (normal + ball).try_normalize(1e-3).unwrap_or(normal)))
+    };
+    rays.iter().filter_map(&mut bounce).collect()
+}
+
+fn rays(c: &mut Criterion) {
+    let scene = common::crowded(300);
+    let snapshot = Renderer::new().snapshot(&scene).unwrap();
+    let caster = RayCaster::new(&snapshot);
+    let first = primary();
+    let bounces = bounced(&caster, &first);
+    let name = format!("rays_{}_triangles", snapshot.triangles());
+    let mut group = c.benchmark_group(name);
+    let count = |rays: &[Ray]| rays.iter().filter(|(from, along)| caster.first(from, along, 100.0).is_some()).count();
+    group.throughput(Throughput::Elements(first.len() as u64));
+    group.bench_function("primary", |b| b.iter(|| count(&first)));
+    group.throughput(Throughput::Elements(bounces.len() as u64));
+    group.bench_function("bounces", |b| b.iter(|| count(&bounces)));
+    let up = |from: &Point3<f32>| Point3::new(0.3, 0.2, 2.55) + Vector3::new(from.x, from.y, 0.0) * 0.1;
+    let seen = || bounces.iter().filter(|(from, _)| caster.sees(from, &up(from))).count();
+    group.bench_function("shadows", |b| b.iter(seen));
+    group.finish();
+    let mut group = c.benchmark_group("tree");
+    group.sample_size(10).throughput(Throughput::Elements(snapshot.triangles() as u64));
+    group.bench_function("build", |b| b.iter(|| RayCaster::new(&snapshot)));
+    group.finish();
+}
+
+criterion_group!(benches, rays);
+criterion_main!(benches);

@@ -1,0 +1,136 @@
+//! Light that is looked for on purpose: from the sun, from lamps, from the sky through panes, and
+//! from places that the sun shines on.
+
+use super::lights::Place;
+use super::path::{Paths, Walk, off};
+use super::sampler::Sampler;
+use super::scatter::{Scatter, frame};
+use super::spots::Way;
+use crate::label::unit;
+use crate::light::{brightness, dot};
+use crate::trace::{Met, Ray};
+
+/// Half the sun's width, radians: a little wider than it is, as haze makes it.
+const SUN: f32 = 0.008;
+
+/// A surface at which a path looks for light.
+pub(super) struct Point<'a> {
+    pub(super) met: &'a Met<'a>,
+    pub(super) place: Place,
+    pub(super) scatter: &'a Scatter,
+}
+
+impl Paths<'_> {
+    /// Light at a point: of all kinds where the eye sees it, of one by chance further on.
+    pub(super) fn direct(&self, walk: &mut Walk, point: &Point<'_>, sampler: &mut Sampler) {
+        let kinds = self.kinds(point);
+        let all: f32 = kinds.iter().sum();
+        if walk.surfaces == 0 {
+            return (0..4).filter(|k| kinds[*k] > 0.0).for_each(|k| self.of_kind(walk, point, (k, 1.0), sampler));
+        }
+        let mut left = sampler.one() * all;
+        for (kind, weight) in kinds.into_iter().enumerate().filter(|(_, weight)| *weight > 0.0) {
+            if left < weight {
+                return self.of_kind(walk, point, (kind, all / weight), sampler);
+            }
+            left -= weight;
+        }
+    }
+
+    /// About how much light of each kind comes to a point: of the sun, of lamps, of the sky, of places
+    /// in the sun; zero for what there is none of.
+    fn kinds(&self, point: &Point<'_>) -> [f32; 4] {
+        let daylight = &self.lighting.daylight;
+        let sun = brightness(daylight.sun.into());
+        let sky = brightness((daylight.horizon + daylight.zenith).into()) * 0.5 * point.place.panes;
+        let kinds = [0.02 * sun, point.place.lamps, sky, self.spots.power() * 0.02];
+        let least = 0.1 * kinds.iter().sum::<f32>();
+        kinds.map(|k| if k > 0.0 { k.max(least) } else { 0.0 })
+    }
+
+    fn of_kind(&self, walk: &mut Walk, point: &Point<'_>, (kind, counts): (usize, f32), sampler: &mut Sampler) {
+        let (which, square) = (sampler.one(), sampler.pair());
+        let light = match kind {
+            0 => self.sunlight(walk, point, square),
+            1 => self.lamplight(point, which, square),
+            2 => self.skylight(point, which, square),
+            _ => self.spotlight(point, which),
+        };
+        // Of the sun and lamps there may be sharp shadows.
+        walk.gain(light.map(|v| v * counts), walk.surfaces == 0 && kind < 2);
+    }
+
+    fn sunlight(&self, walk: &Walk, point: &Point<'_>, [a, b]: [f32; 2]) -> [f32; 3] {
+        use vc_graph::portable::Portable;
+        let daylight = &self.lighting.daylight;
+        let [u, v, middle] = frame(daylight.towards_sun.into());
+        let (s, c) = (std::f32::consts::TAU * a).sine_cosine();
+        let (x, y) = (SUN * b.sqrt() * c, SUN * b.sqrt() * s);
+        let towards = unit([0, 1, 2].map(|i: usize| middle[i] + x * u[i] + y * v[i]));
+        let way = self.reaches(point, towards, 1e4);
+        let (value, _) = point.scatter.evaluate(towards);
+        // Of a surface met by chance that may also have been picked as a place in the sun.
+        let met = point.met;
+        let facing = -dot(met.flat, walk.ray.along).min(-1e-4);
+        let density = self.spots.density(&walk.last, point.place.room, way.crossed, dot(met.flat, towards));
+        let weight = walk.weight(density * (met.t + walk.gone) * (met.t + walk.gone) / facing);
+        [0, 1, 2].map(|i: usize| value[i] * daylight.sun[i] * way.share[i] * weight)
+    }
+
+    fn lamplight(&self, point: &Point<'_>, which: f32, square: [f32; 2]) -> [f32; 3] {
+        let Some(lit) = self.lights.lit(&point.place, which, square) else { return [0.0; 3] };
+        let to = [0, 1, 2].map(|i: usize| lit.at[i] - point.met.at[i]);
+        let square = dot(to, to).max(1e-6);
+        let towards = unit(to);
+        let facing = -dot(lit.normal, towards);
+        if facing <= 1e-4 {
+            return [0.0; 3];
+        }
+        let share = self.reaches(point, towards, square.sqrt() * 0.999 - 2e-3).share;
+        let (value, chance) = point.scatter.evaluate(towards);
+        let weight = 1.0 / (lit.density * square / facing + chance);
+        [0, 1, 2].map(|i: usize| value[i] * lit.light[i] * share[i] * weight)
+    }
+
+    /// Light that the sun throws on something else and that throws on to the point.
+    fn spotlight(&self, point: &Point<'_>, which: f32) -> [f32; 3] {
+        let Some(spot) = self.spots.pick(point.place.room, which) else { return [0.0; 3] };
+        let to = [0, 1, 2].map(|i: usize| spot.at[i] - point.met.at[i]);
+        let square = dot(to, to).max(1e-6);
+        let towards = unit(to);
+        let facing = -dot(spot.flat, towards);
+        if facing <= 1e-3 {
+            return [0.0; 3];
+        }
+        let (value, chance) = point.scatter.evaluate(towards);
+        let share = self.reaches(point, towards, square.sqrt() * 0.999 - 2e-3).share;
+        let sun: [f32; 3] = self.lighting.daylight.towards_sun.into();
+        let thrown = Scatter::new(&spot.finish, spot.normal, towards.map(|v| -v)).evaluate(sun).0;
+        let own = spot.density(self.spots, &point.place, sun) * square / facing;
+        let weight = 1.0 / (own + chance);
+        [0, 1, 2].map(|i: usize| value[i] * thrown[i] * spot.light[i] * share[i] * weight)
+    }
+
+    /// Light of the sky through a pane.
+    fn skylight(&self, point: &Point<'_>, which: f32, square: [f32; 2]) -> [f32; 3] {
+        let Some(pane) = self.lights.window(&point.place, which, square) else { return [0.0; 3] };
+        let towards = unit([0, 1, 2].map(|i: usize| pane[i] - point.met.at[i]));
+        let (value, chance) = point.scatter.evaluate(towards);
+        let way = self.reaches(point, towards, 1e4);
+        if way.chance <= 0.0 {
+            return [0.0; 3];
+        }
+        let sky = self.lighting.daylight.radiance(towards);
+        let weight = 1.0 / (way.chance + chance);
+        [0, 1, 2].map(|i: usize| value[i] * sky[i] * way.share[i] * weight)
+    }
+
+    /// The way of light to a point from a direction: none passes solid things.
+    fn reaches(&self, point: &Point<'_>, towards: [f32; 3], end: f32) -> Way {
+        let ray = Ray { from: off(point.met, towards), along: towards, end };
+        if dot(point.met.flat, towards) <= 0.0 || self.lighting.tracer.blocked(&ray) {
+            return Way { share: [0.0; 3], chance: 0.0, crossed: 0 };
+        }
+        Way::through(self.renderer, self.lighting, self.lights, ray, Some(&point.place))
+    }
+}

@@ -1,0 +1,51 @@
+//! What all paths of a picture have found so far.
+
+use super::path::Sample;
+use crate::light::brightness;
+
+/// What all paths of a pixel found.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Traced {
+    sum: Sample,
+    /// Sums of squares of brightness, of both kinds of light.
+    squares: [f32; 2],
+    count: f32,
+}
+
+impl Traced {
+    pub(super) fn add(&mut self, one: &Sample) {
+        let add = |sum: &mut [f32; 3], more: [f32; 3]| (0..3).for_each(|i| sum[i] += more[i]);
+        for (kind, light) in one.light.into_iter().enumerate() {
+            add(&mut self.sum.light[kind], light);
+            self.squares[kind] += brightness(light) * brightness(light);
+        }
+        add(&mut self.sum.colour, one.colour);
+        add(&mut self.sum.normal, one.normal);
+        add(&mut self.sum.at, one.at);
+        self.count += 1.0;
+    }
+
+    fn mean(&self, sum: [f32; 3]) -> [f32; 3] {
+        sum.map(|v| v / self.count.max(1.0))
+    }
+
+    /// Mean light.
+    pub(super) fn light(&self) -> [f32; 3] {
+        let [sharp, soft] = [0, 1].map(|kind: usize| self.mean(self.sum.light[kind]));
+        [0, 1, 2].map(|i: usize| sharp[i] + soft[i])
+    }
+
+    /// Mean light of one kind, and the variance of the mean's brightness.
+    pub(super) fn light_of(&self, kind: usize) -> ([f32; 3], f32) {
+        let light = self.mean(self.sum.light[kind]);
+        let (count, bright) = (self.count.max(1.0), brightness(light));
+        let spread = (self.squares[kind] / count - bright * bright).max(0.0) / count;
+        // With few paths the spread found is not to be trusted.
+        (light, spread + bright * bright / (count * count))
+    }
+
+    /// Mean reflectance, normal and place of the first surface.
+    pub(super) fn guides(&self) -> [[f32; 3]; 3] {
+        [self.sum.colour, self.sum.normal, self.sum.at].map(|sum| self.mean(sum))
+    }
+}

@@ -1,0 +1,87 @@
+//! Glass: what the eye sees through it is refracted; what lights surfaces goes straight through,
+//! so that there are shadows of glass but no caustics. Panes are too thin to bend anything.
+
+use super::path::{Paths, Walk, off};
+use crate::label::unit;
+use crate::light::dot;
+use crate::renderer::Renderer;
+use crate::trace::Met;
+
+/// Refractive index.
+const INDEX: f32 = 1.5;
+
+/// What share of light glass reflects where it enters (Fresnel), both polarisations alike.
+pub(super) fn reflected(cosine: f32) -> f32 {
+    fresnel(cosine, INDEX).0
+}
+
+/// The share reflected and the cosine beyond, where light meets what is so many times denser.
+fn fresnel(cosine: f32, denser: f32) -> (f32, f32) {
+    let square = 1.0 - (1.0 - cosine * cosine) / (denser * denser);
+    if square <= 0.0 {
+        return (1.0, 0.0);
+    }
+    let beyond = square.sqrt();
+    let across = (cosine - denser * beyond) / (cosine + denser * beyond);
+    let along = (denser * cosine - beyond) / (denser * cosine + beyond);
+    (0.5 * (across * across + along * along), beyond)
+}
+
+pub(super) fn mirrored(along: [f32; 3], normal: [f32; 3]) -> [f32; 3] {
+    let twice = 2.0 * dot(along, normal);
+    unit([0, 1, 2].map(|i: usize| along[i] - twice * normal[i]))
+}
+
+/// What one side of a clear thing leaves of light, by colour.
+pub(super) fn tint(renderer: &Renderer, met: &Met<'_>) -> [f32; 3] {
+    let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
+    surface.colour.map(|c| (c * surface.transmission).sqrt())
+}
+
+impl Paths<'_> {
+    /// Through glass or off it.
+    pub(super) fn glass(&self, walk: &mut Walk, met: &Met<'_>, choice: f32) {
+        let bends = walk.surfaces == 0 && self.lights.bend(met.index);
+        let normal = if bends { met.normal } else { met.flat };
+        let entering = dot(walk.ray.along, normal) < 0.0;
+        let normal = if entering { normal } else { normal.map(|v| -v) };
+        let cosine = -dot(walk.ray.along, normal);
+        let (share, beyond) = fresnel(cosine, if bends && !entering { 1.0 / INDEX } else { INDEX });
+        if choice < share {
+            walk.ray.along = mirrored(walk.ray.along, normal);
+            walk.chance = f32::INFINITY;
+        } else {
+            let tint = tint(self.renderer, met);
+            walk.share = [0, 1, 2].map(|i: usize| walk.share[i] * tint[i]);
+            if bends {
+                let over = if entering { 1.0 / INDEX } else { INDEX };
+                let slide = over * cosine - beyond;
+                walk.ray.along = unit([0, 1, 2].map(|i: usize| over * walk.ray.along[i] + slide * normal[i]));
+            } else {
+                walk.gone += met.t;
+                let cosine = dot(walk.ray.along, met.flat).abs();
+                if let Some(pane) = self.lights.window_of(met, self.room(met)) {
+                    walk.through += self.lights.through(&walk.last, &pane, walk.gone, cosine);
+                }
+            }
+        }
+        walk.ray.from = off(met, walk.ray.along);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fresnel_is_as_books_have_it() {
+        assert!((reflected(1.0) - 0.04).abs() < 1e-6);
+        // Brewster's angle: half of what is left is polarised across.
+        let brewster = 1.0 / (1.0 + INDEX * INDEX).sqrt();
+        let across = (INDEX * INDEX - 1.0) / (INDEX * INDEX + 1.0);
+        assert!((reflected(brewster) - 0.5 * across * across).abs() < 1e-6);
+        assert!(reflected(0.0) > 0.999);
+        // From within, beyond the critical angle, everything.
+        assert_eq!(fresnel(0.7, 1.0 / INDEX).0, 1.0);
+    }
+}

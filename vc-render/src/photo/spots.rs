@@ -1,0 +1,168 @@
+//! Places that the sun shines on through panes: small and bright, and most of the light of a
+//! room by day. Paths that meet one by chance are few, so light from there is looked for on purpose.
+
+use rayon::prelude::*;
+
+use super::glass;
+use super::lights::{Lights, Place};
+use super::scatter::Finish;
+use crate::light::{Lighting, brightness, dot};
+use crate::renderer::Renderer;
+use crate::trace::{Met, Ray};
+
+/// Rays sent from panes.
+const RAYS: u32 = 1 << 16;
+/// Share of the choice of places in the room of the point that is lit, if there are any.
+const OWN: f32 = 0.8;
+
+/// Places in the sun.
+#[derive(Default)]
+pub(super) struct Spots {
+    all: Vec<Spot>,
+    /// Those of each room, in the list of all.
+    rooms: Vec<std::ops::Range<usize>>,
+    /// Light of the sun that comes through panes, times their area.
+    power: f32,
+    /// Chance for each square metre across the light that a place behind one pane is picked.
+    scale: f32,
+}
+
+/// A place in the sun.
+pub(super) struct Spot {
+    pub(super) at: [f32; 3],
+    pub(super) flat: [f32; 3],
+    pub(super) normal: [f32; 3],
+    pub(super) finish: Finish,
+    /// Light of the sun that comes here, if it came head on.
+    pub(super) light: [f32; 3],
+    room: u16,
+    /// Triangles of panes on the way to the sun.
+    crossed: u32,
+}
+
+impl Spots {
+    pub(super) fn of(renderer: &Renderer, lighting: &Lighting, lights: &Lights) -> Self {
+        let towards: [f32; 3] = lighting.daylight.towards_sun.into();
+        if lighting.daylight.sun.norm_squared() == 0.0 {
+            return Self::default();
+        }
+        let (panes, across) = lights.across(towards);
+        let spot = |index: u32| {
+            let from = lights.pane_point(&panes, (index as f32 + 0.5) / RAYS as f32 * across, index)?;
+            Spot::found(renderer, lighting, lights, from)
+        };
+        let found = if across > 0.0 { RAYS } else { 0 };
+        let mut all: Vec<Spot> = (0..found).into_par_iter().filter_map(spot).collect();
+        // Stable: as they were sent within a room.
+        all.sort_by_key(|s| s.room);
+        let start = |room: u16| all.partition_point(|s| s.room < room);
+        let count = lighting.tracer.snapshot.rooms.len() as u16;
+        let rooms = (0..count).map(|room| start(room)..start(room + 1)).collect();
+        let scale = RAYS as f32 / (across * all.len().max(1) as f32);
+        let power = all.iter().map(|s| brightness(s.light)).sum::<f32>() * across / RAYS as f32;
+        Self { all, rooms, power, scale }
+    }
+
+    /// Light of the sun that comes through panes, times their area; zero if there is none.
+    pub(super) fn power(&self) -> f32 {
+        self.power
+    }
+
+    fn of_room(&self, room: u16) -> &[Spot] {
+        self.rooms.get(usize::from(room)).and_then(|r| self.all.get(r.clone())).unwrap_or_default()
+    }
+
+    /// A place, for a point in a room.
+    pub(super) fn pick(&self, room: u16, which: f32) -> Option<&Spot> {
+        let own = self.of_room(room);
+        let (from, share) = match () {
+            () if own.is_empty() => (self.all.as_slice(), which),
+            () if which < OWN => (own, which / OWN),
+            () => (self.all.as_slice(), (which - OWN) / (1.0 - OWN)),
+        };
+        from.get(((share * from.len() as f32) as usize).min(from.len().checked_sub(1)?))
+    }
+
+    /// The chance for each square metre that from a point a place in the sun is picked, given its
+    /// room, the panes crossed on its way to the sun and the cosine of that.
+    pub(super) fn density(&self, from: &Place, room: u16, crossed: u32, cosine: f32) -> f32 {
+        let own = self.of_room(from.room).len();
+        let share = match () {
+            () if own == 0 => 1.0,
+            () if room == from.room => OWN * self.all.len() as f32 / own as f32 + 1.0 - OWN,
+            () => 1.0 - OWN,
+        };
+        self.scale * share * crossed as f32 * cosine.max(0.0)
+    }
+}
+
+impl Spot {
+    pub(super) fn density(&self, spots: &Spots, from: &Place, towards: [f32; 3]) -> f32 {
+        spots.density(from, self.room, self.crossed, dot(self.flat, towards))
+    }
+
+    /// What the sun shines on behind a point of a pane; none if it does not shine on that.
+    fn found(renderer: &Renderer, lighting: &Lighting, lights: &Lights, from: [f32; 3]) -> Option<Self> {
+        let towards: [f32; 3] = lighting.daylight.towards_sun.into();
+        let met = lighting.tracer.first(&Ray { from, along: towards.map(|v| -v), end: 1e4 })?;
+        let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
+        let ray = Ray { from: super::path::off(&met, towards), along: towards, end: 1e4 };
+        if dot(met.flat, towards) <= 1e-3 || surface.is_mirror() || lighting.tracer.blocked(&ray) {
+            return None;
+        }
+        let way = Way::through(renderer, lighting, lights, ray, None);
+        let look = met.look(surface, 0.002);
+        Some(Self {
+            at: met.at,
+            flat: met.flat,
+            normal: look.normal,
+            finish: Finish { colour: look.colour, metallic: surface.metallic, roughness: look.roughness },
+            light: [0, 1, 2].map(|i: usize| way.share[i] * lighting.daylight.sun[i]),
+            room: room(lighting, &met),
+            crossed: way.crossed,
+        })
+        .filter(|s| s.crossed > 0)
+    }
+}
+
+/// A way through panes.
+pub(super) struct Way {
+    /// What share of light passes, by colour.
+    pub(super) share: [f32; 3],
+    /// The chance for each unit of solid angle that it would be picked as a way through a pane.
+    pub(super) chance: f32,
+    /// Large triangles of panes crossed.
+    pub(super) crossed: u32,
+}
+
+impl Way {
+    /// The way of a ray, from a place if it may be picked from there.
+    pub(super) fn through(
+        renderer: &Renderer,
+        lighting: &Lighting,
+        lights: &Lights,
+        mut ray: Ray,
+        from: Option<&Place>,
+    ) -> Self {
+        let (mut way, mut gone) = (Self { share: [1.0; 3], chance: 0.0, crossed: 0 }, 0.0);
+        for _ in 0..16 {
+            let Some(glass) = lighting.tracer.first_clear(&ray) else { break };
+            gone += glass.t;
+            let cosine = dot(ray.along, glass.flat).abs().min(1.0);
+            if let Some(pane) = lights.window_of(&glass, room(lighting, &glass)) {
+                way.crossed += 1;
+                way.chance += from.map_or(0.0, |from| lights.through(from, &pane, gone, cosine));
+            }
+            let tint = glass::tint(renderer, &glass);
+            let passes = 1.0 - glass::reflected(cosine);
+            way.share = [0, 1, 2].map(|i: usize| way.share[i] * passes * tint[i]);
+            ray.from = super::path::off(&glass, ray.along);
+            ray.end -= glass.t;
+        }
+        way
+    }
+}
+
+pub(super) fn room(lighting: &Lighting, met: &Met<'_>) -> u16 {
+    lighting.tracer.snapshot.bodies[met.instance.body as usize].room
+}

@@ -1,0 +1,157 @@
+//! Odd input gives an error or a right picture, never a panic.
+
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::{Stage, block, furnished, material, pose};
+use nalgebra::{Point3, Vector3};
+use vc_graph::asset::{Material, Shape};
+use vc_graph::{Draft, Pose, SceneBuilder};
+use vc_render::{
+    Camera, Daylight, Exposure, Frame, Modalities, Modality, NOTHING, RayCaster, RenderError, Renderer, Shot, Snapshot,
+};
+
+fn everything() -> Modalities {
+    Modality::ALL.iter().fold(Modalities::SIX, |all, one| all | *one)
+}
+
+/// Renders everything there is.
+fn rendered(renderer: &Renderer, snapshot: &Snapshot, camera: &Camera) -> Frame {
+    let lighting = renderer.light(snapshot, &Daylight::noon());
+    let mut frame = Frame::new();
+    let shot = Shot::new(snapshot, camera, everything()).lit(&lighting);
+    renderer.render(&shot.after(snapshot, camera).before(snapshot, camera), &mut frame).unwrap();
+    let how = Exposure { samples: 1, ..Exposure::default() };
+    let small = Camera { width: camera.width.min(16), height: camera.height.min(12), ..*camera };
+    let photograph = renderer.photograph(&lighting, &small, &how, |_| true).unwrap();
+    assert!(photograph.light.iter().flatten().all(|v| v.is_finite() && *v >= 0.0));
+    frame
+}
+
+#[test]
+fn cameras_that_cannot_be_are_refused_by_the_reference_as_well() {
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&furnished()).unwrap();
+    let lighting = renderer.light(&snapshot, &Daylight::noon());
+    let good = Camera::with_fov(16, 12, 1.0);
+    let of = |camera: &Camera| renderer.photograph(&lighting, camera, &Exposure::default(), |_| false);
+    assert!(of(&good).is_ok());
+    assert!(matches!(of(&Camera { width: 0, ..good }), Err(RenderError::BadSize { .. })));
+    assert!(matches!(of(&Camera { height: 1 << 20, ..good }), Err(RenderError::BadSize { .. })));
+    for value in [f32::NAN, f32::INFINITY, 1e30] {
+        let pose = Pose::translation(value, 0.0, 0.0);
+        assert!(matches!(of(&Camera { pose, ..good }), Err(RenderError::BadCamera(_))), "{value}");
+        assert!(matches!(of(&Camera { focal: (value, 10.0), ..good }), Err(RenderError::BadCamera(_))), "{value}");
+    }
+}
+
+#[test]
+fn cameras_inside_things_and_upon_them_see_something_right() {
+    let mut stage = Stage::new();
+    stage.one("wall", block([2.0, 2.0, 2.0]), Pose::identity(), 1);
+    stage.one("ball", Shape::Sphere { radius: 0.5 }, pose([0.2, 0.0, 0.0], 0.4, 0.2), 0);
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let places = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.9999, 1.9999, 0.0], [0.7, 0.0, 0.0], [2.0, 2.0, 2.0]];
+    for (at, near) in places.into_iter().flat_map(|p| [(p, 1e-5), (p, 0.5), (p, 5e5)]) {
+        let eye = Point3::from(at);
+        let camera = Camera { near, ..Camera::with_fov(40, 30, 1.4) }.looking(eye, eye + Vector3::new(1.0, 0.3, 0.1));
+        let frame = rendered(&renderer, &snapshot, &camera);
+        assert!(frame.depth.iter().all(|d| *d >= near * 0.999), "nothing is nearer than the near plane");
+    }
+}
+
+#[test]
+fn triangles_across_the_eye_are_cut_at_the_near_plane() {
+    // A floor that goes on behind the camera fills the lower half of the picture.
+    let mut stage = Stage::new();
+    stage.one("floor", block([500.0, 500.0, 0.1]), Pose::translation(0.0, 0.0, -0.1), 0);
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let camera = Camera::with_fov(40, 30, 1.0).looking(Point3::new(0.0, 0.0, 1.5), Point3::new(1.0, 0.0, 1.5));
+    let frame = rendered(&renderer, &snapshot, &camera);
+    for (index, node) in frame.instance.iter().enumerate() {
+        let below = index / 40 >= 15;
+        assert_eq!(*node != NOTHING, below && frame.depth[index].is_finite(), "pixel {index}");
+        if index / 40 >= 16 {
+            assert!(*node != NOTHING);
+        }
+    }
+}
+
+#[test]
+fn meshes_without_triangles_or_area_are_not_seen() {
+    let mut stage = Stage::new();
+    stage.one("ball", Shape::Mesh { vertices: Vec::new(), triangles: Vec::new() }, Pose::identity(), 0);
+    let point = Point3::new(0.1, 0.2, 0.3);
+    let flat = Shape::Mesh { vertices: vec![point; 3], triangles: vec![[0, 1, 2], [0, 0, 0]] };
+    stage.one("ball", flat, Pose::identity(), 0);
+    let needle = vec![Point3::origin(), Point3::new(1.0, 0.0, 0.0), Point3::new(2.0, 0.0, 0.0)];
+    stage.one("ball", Shape::Mesh { vertices: needle, triangles: vec![[0, 1, 2]] }, Pose::identity(), 2);
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let camera = Camera::with_fov(32, 24, 1.0).looking(Point3::new(-2.0, 0.1, 0.2), Point3::origin());
+    let frame = rendered(&renderer, &snapshot, &camera);
+    assert!(frame.instance.iter().all(|n| *n == NOTHING) && frame.boxes.is_empty());
+    let caster = RayCaster::new(&snapshot);
+    assert!(caster.first(&Point3::new(-2.0, 0.0, 0.0), &Vector3::x(), 10.0).is_none());
+}
+
+#[test]
+fn rays_that_cannot_be_meet_nothing() {
+    let mut renderer = Renderer::new();
+    let caster = RayCaster::new(&renderer.snapshot(&furnished()).unwrap());
+    let (eye, along) = (Point3::new(0.0, 0.0, 1.0), Vector3::x());
+    assert!(caster.first(&eye, &along, 100.0).is_some());
+    for value in [f32::NAN, f32::INFINITY] {
+        assert!(caster.first(&Point3::new(value, 0.0, 0.0), &along, 100.0).is_none());
+        assert!(caster.first(&eye, &Vector3::new(value, 0.0, 0.0), 100.0).is_none());
+    }
+    assert!(caster.first(&eye, &Vector3::zeros(), 100.0).is_none());
+    assert!(caster.first(&eye, &along, f32::NAN).is_none() && caster.first(&eye, &along, -1.0).is_none());
+    assert!(caster.sees(&eye, &eye));
+}
+
+#[test]
+fn glass_with_glass_in_it_ends() {
+    // Balls of glass, one in the other, and a mirror around: paths go on and on.
+    let mut stage = Stage::new();
+    let hall = Material { metallic: 1.0, roughness: 0.01, ..material("mirror", [1.0; 3]) };
+    let mirror = stage.library.add_material(hall).unwrap();
+    for i in 1..8 {
+        stage.one("ball", Shape::Sphere { radius: 0.1 * i as f32 }, Pose::identity(), 2);
+    }
+    for (x, y) in [(3.0, 0.0), (-3.0, 0.0), (0.0, 3.0), (0.0, -3.0)] {
+        let half = if x == 0.0 { [3.0, 0.1, 3.0] } else { [0.1, 3.0, 3.0] };
+        stage.one("mirror", block(half), pose([x, y, 0.0], 0.0, 0.0), mirror);
+    }
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let camera = Camera::with_fov(16, 12, 1.0).looking(Point3::new(-2.0, 0.3, 0.2), Point3::origin());
+    rendered(&renderer, &snapshot, &camera);
+}
+
+#[test]
+#[ignore = "takes some gigabytes; run with --release -- --ignored"]
+fn a_million_objects_are_seen() {
+    let mut stage = Stage::new();
+    let asset = stage.asset(vec![common::part("box", block([0.02; 3]), [0.0; 3], 0)]);
+    let mut scene = SceneBuilder::new("many");
+    let room = scene.add(Draft::new("living_room")).unwrap();
+    for i in 0..1_000_000_u32 {
+        let at = |k: u32| (i / 100_u32.pow(k) % 100) as f32 * 0.1;
+        let draft = Draft { asset: Some(asset), ..Draft::new("box").at(Pose::translation(at(0), at(1), at(2))) };
+        scene.add_in(room, draft).unwrap();
+    }
+    scene.assets(std::sync::Arc::new(stage.library));
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&scene.build()).unwrap();
+    let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(-3.0, 5.0, 5.0), Point3::new(5.0, 5.0, 5.0));
+    let mut frame = Frame::new();
+    renderer.render(&Shot::new(&snapshot, &camera, Modality::Instance | Modality::Depth), &mut frame).unwrap();
+    let middle = 24 * 64 + 32;
+    let ray = camera.unproject(32.5, 24.5, 1.0) - camera.eye();
+    let hit = RayCaster::new(&snapshot).first(&camera.eye(), &ray, 100.0).unwrap();
+    assert_eq!(hit.node, frame.instance[middle]);
+}
