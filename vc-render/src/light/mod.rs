@@ -2,13 +2,15 @@
 //!
 //! Radiance is in units of an overcast sky's, about 5000 candela per square metre.
 
+mod ambient;
 mod lamp;
 mod lighting;
 mod room;
 mod shadow;
 mod sky;
 
+pub(crate) use ambient::Ambient;
+pub(crate) use lamp::Lamp;
 pub use lighting::Lighting;
 pub(crate) use lighting::{brightness, dot};
-pub(crate) use room::{falls, sheen};
 pub use sky::Daylight;
