@@ -1,5 +1,7 @@
 //! Light from all sides at a point.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
 /// Light that falls on surfaces which face along the axes, after Valve's ambient cube
 /// (McTaggart 2004): what faces a wall with a window gets nothing of the window's light.
 #[derive(Debug, Clone, Copy, PartialEq)]

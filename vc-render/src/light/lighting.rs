@@ -120,7 +120,7 @@ impl Lighting {
         let [x, y] = [0, 1].map(|i: usize| self.rooms[index].1[i] - self.rooms[index].0[i]);
         // Mean radiance of a grey room: thrown back, and straight from the lamps.
         let mean = self.grids[index].mean() + 0.25 * own / (x * y * 4.0).max(1.0);
-        0.95 / mean.max(1e-4)
+        0.8 / mean.max(1e-4)
     }
 }
 

@@ -162,7 +162,7 @@ impl ShadowMap {
     /// Radius of a shadow's edge, texels, where what throws it is at a depth.
     #[inline(always)]
     fn edge(&self, z: f32, blocker: f32) -> f32 {
-        (self.source * (z - blocker) / blocker * self.focal / z).max(1.0).min(WIDEST)
+        (self.source * (z - blocker) / blocker * self.focal / z).clamp(1.0, WIDEST)
     }
 
     #[inline(always)]

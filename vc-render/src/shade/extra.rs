@@ -1,5 +1,7 @@
 //! What few pixels need: mirrors and panes.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
 use super::light::Lamps;
 use super::planes::Planes;
 use super::surfel::Known;
@@ -90,7 +92,7 @@ impl Extra<'_> {
         let bend = bent(map, frustum.near, instances, visible);
         let mut shared = None;
         for x in pixels {
-            let normal = bend.map_or_else(|bend| unit(bend.at(x as f32 + 0.5, y as f32 + 0.5)), |flat| flat);
+            let normal = bend.unwrap_or_else(|bend| unit(bend.at(x as f32 + 0.5, y as f32 + 0.5)));
             let (at, towards) = self.place((x, y), inverse[x]);
             let facing = dot(towards, normal).abs().clamp(0.0, 1.0);
             let edge = 1.0 - facing;

@@ -5,6 +5,8 @@
 //! same light; for the others it is found as well. So smooth walls cost little, and edges of
 //! shadows and things lose nothing.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
 use super::planes::{LIGHT, Planes, ROWS};
 
 /// How far inverse depth may be from its neighbours' mean, as a share.
@@ -46,8 +48,11 @@ impl Planes {
             let own = three(k);
             self.mean(Three { own, before: own - step, after: own + step });
         }
-        let others = |k: &usize| !alike[*k];
-        spots.extend((0..inner).filter(others).map(|k| spot(row, step + 2 * step * k)));
+        for (k, alike) in alike[..inner].iter().enumerate() {
+            if !alike {
+                spots.push(spot(row, step + 2 * step * k));
+            }
+        }
         // The last one may have a neighbour on one side only.
         let x = step + 2 * step * inner;
         if x < self.width {
@@ -68,15 +73,43 @@ impl Planes {
         let three = |x: usize| Three { own: row * width + x, before: above * width + x, after: below * width + x };
         let count = width.div_ceil(step);
         let mut alike = std::mem::take(&mut self.alike);
-        for (k, alike) in alike[..count].iter_mut().enumerate() {
-            *alike = self.agree(three(step * k));
+        if step == 1 {
+            self.rows_agree([row, above, below].map(|r: usize| r * width), &mut alike[..width]);
+        } else {
+            for (k, alike) in alike[..count].iter_mut().enumerate() {
+                *alike = self.agree(three(step * k));
+            }
         }
-        spots.extend((0..count).filter(|k| !alike[*k]).map(|k| spot(row, step * k)));
+        for (k, alike) in alike[..count].iter().enumerate() {
+            if !alike {
+                spots.push(spot(row, step * k));
+            }
+        }
         self.alike = alike;
         for plane in &mut self.light {
             mean(plane, (row * width, above * width, below * width), width);
         }
         self.drift.copy_within(above * width..(above + 1) * width, row * width);
+    }
+
+    /// [`Self::agree`] for all pixels of a row and those of two others, which begin there.
+    #[inline(always)]
+    fn rows_agree(&self, [own, before, after]: [usize; 3], alike: &mut [bool]) {
+        let width = alike.len();
+        let slack = if before == after { LONE } else { FLAT };
+        let (l0, l1, l2) =
+            (rows(&self.look, own, width), rows(&self.look, before, width), rows(&self.look, after, width));
+        let depth = &self.inverse;
+        let (v0, v1, v2) = (rows(depth, own, width), rows(depth, before, width), rows(depth, after, width));
+        let (green, sheen) = (&self.light[1], &self.light[LIGHT - 2]);
+        let (g1, g2) = (rows(green, before, width), rows(green, after, width));
+        let (s1, s2) = (rows(sheen, before, width), rows(sheen, after, width));
+        for x in 0..width {
+            let same = (l1[x] == l0[x]) & (l2[x] == l0[x]);
+            let flat = (2.0 * v0[x] - v1[x] - v2[x]).abs() <= slack * v0[x];
+            let (a, b) = (0.2 * g1[x] + s1[x], 0.2 * g2[x] + s2[x]);
+            alike[x] = same & flat & ((a - b).abs() <= ALIKE * (a + b) * 0.5);
+        }
     }
 
     #[inline(always)]
@@ -98,6 +131,12 @@ impl Planes {
         }
         self.drift[own] = self.drift[before];
     }
+}
+
+/// A row of a plane, from where it begins on.
+#[inline(always)]
+fn rows<T>(plane: &[T], at: usize, width: usize) -> &[T] {
+    &plane[at..at + width]
 }
 
 /// Writes the mean of two rows of a plane into a third.

@@ -1,5 +1,7 @@
 //! Light at pixels, many at a time.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
 use super::Openness;
 use super::planes::{LIGHT, Planes, gloss, packed};
 use super::surfel::{Known, Look, NOTHING, Writer};
@@ -96,9 +98,11 @@ impl<'a> Lamps<'a> {
             batch.load(self, planes, known, (start, spots));
             batch.around(self);
             batch.sun(self.lighting);
-            let room = |lamp: &&Lamp| batch.rooms[..batch.count].contains(&lamp.room);
-            let lamps: Vec<&Lamp> = self.lighting.lamps.iter().filter(room).collect();
-            lamps.into_iter().for_each(|lamp| batch.lamp(lamp));
+            for lamp in &self.lighting.lamps {
+                if batch.rooms[..batch.count].contains(&lamp.room) {
+                    batch.lamp(lamp);
+                }
+            }
             batch.store(planes, &known.looks);
         }
     }
@@ -137,7 +141,7 @@ impl Batch {
             let facing = self.back[0][i] * self.normal[0][i]
                 + self.back[1][i] * self.normal[1][i]
                 + self.back[2][i] * self.normal[2][i];
-            self.facing[i] = facing.max(0.02).min(1.0);
+            self.facing[i] = facing.clamp(0.02, 1.0);
         }
     }
 
@@ -178,7 +182,11 @@ impl Batch {
             self.power[i] = 1.0;
         }
         let sun = lighting.daylight.sun.into();
-        self.shadow(sun, |at, normal| map.lit(at, normal));
+        self.shadow(
+            sun,
+            #[inline(always)]
+            |at, normal| map.lit(at, normal),
+        );
     }
 
     #[inline(always)]
@@ -200,7 +208,11 @@ impl Batch {
                 self.to[k][i] = to[k];
             }
         }
-        self.shadow(lamp.flux, |at, normal| lamp.seen(at, normal));
+        self.shadow(
+            lamp.flux,
+            #[inline(always)]
+            |at, normal| lamp.seen(at, normal),
+        );
     }
 
     /// Takes away what is in the shadow, and adds the rest.
@@ -228,11 +240,12 @@ impl Batch {
         let over = 1.0 / std::f32::consts::PI;
         let bright = brightness(flux);
         for i in 0..BATCH {
-            let half = [0, 1, 2].map(|k: usize| self.to[k][i] + self.back[k][i]);
-            let scale = 1.0 / (dot(half, half) + 1e-12).sqrt();
-            let n = [self.normal[0][i], self.normal[1][i], self.normal[2][i]];
-            let nh = (dot(half, n) * scale).max(0.0).min(1.0);
-            let vh = (dot(half, [self.back[0][i], self.back[1][i], self.back[2][i]]) * scale).max(0.0).min(1.0);
+            let (x, y, z) =
+                (self.to[0][i] + self.back[0][i], self.to[1][i] + self.back[1][i], self.to[2][i] + self.back[2][i]);
+            let scale = 1.0 / (x * x + y * y + z * z + 1e-12).sqrt();
+            let nh = (x * self.normal[0][i] + y * self.normal[1][i] + z * self.normal[2][i]) * scale;
+            let vh = (x * self.back[0][i] + y * self.back[1][i] + z * self.back[2][i]) * scale;
+            let (nh, vh) = (nh.clamp(0.0, 1.0), vh.clamp(0.0, 1.0));
             let nl = self.cosine[i].max(0.0);
             let alpha = self.roughness[i] * self.roughness[i];
             let square = alpha * alpha;

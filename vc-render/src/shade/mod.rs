@@ -108,7 +108,10 @@ impl Rows<'_> {
         let end = self.layers.front.rows.end;
         while self.start < strip.rows.end {
             let last = (end - 1 - self.start).min(ROWS as i32) as usize;
-            (1..=last).for_each(|row| self.write(row));
+            // A loop, not a closure, which would be compiled for the least of processors.
+            for row in 1..=last {
+                self.write(row);
+            }
             self.rest(last);
             self.finish(last, strip);
             self.scratch.planes.turn();
@@ -207,7 +210,7 @@ impl Planes {
             let out = &mut out[..width];
             for x in 0..width {
                 let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
-                let more = (1.0 + DRIFT * (a * u + b * v + c * w)).max(0.15).min(3.0);
+                let more = (1.0 + DRIFT * (a * u + b * v + c * w)).clamp(0.15, 3.0);
                 let (_, metallic) = gloss(shiny[x]);
                 let dull = colour[x] * (1.0 - metallic) * std::f32::consts::FRAC_1_PI;
                 let tint = 1.0 + metallic * (colour[x] - 1.0);

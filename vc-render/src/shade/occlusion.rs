@@ -3,6 +3,8 @@
 //! By comparison with the plane that is seen at a pixel (after Bavoil and Sainz 2009), which
 //! needs no more than depth: inverse depth is linear over a plane's image.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
 use std::sync::LazyLock;
 
 use rayon::prelude::*;
@@ -36,7 +38,7 @@ pub(crate) struct Openness {
 static SPIRALS: LazyLock<Vec<[[[f32; LANES]; 2]; TAPS]>> = LazyLock::new(|| {
     use vc_graph::portable::Portable;
     let tap = |turn: usize, k: usize| {
-        let (s, c) = (2.399_963_2 * k as f32 + 0.392_699_1 * turn as f32).sine_cosine();
+        let (s, c) = (2.399_963_2 * k as f32 + std::f32::consts::FRAC_PI_8 * turn as f32).sine_cosine();
         let far = ((k as f32 + 0.3 + (turn * 7 % 16) as f32 / 22.0) / TAPS as f32).sqrt().min(1.0);
         [far * c, far * s]
     };

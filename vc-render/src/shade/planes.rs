@@ -32,7 +32,7 @@ pub(crate) struct Planes {
 /// Roughness and metal in a byte each.
 #[inline(always)]
 pub(super) fn gloss_of(roughness: f32, metallic: f32) -> u32 {
-    whole(roughness.max(0.05).min(1.0) * 255.0) | whole(metallic * 255.0) << 8
+    whole(roughness.clamp(0.05, 1.0) * 255.0) | whole(metallic * 255.0) << 8
 }
 
 /// Roughness and metal from what [`gloss_of`] has put together.
@@ -45,7 +45,7 @@ pub(super) fn gloss(v: u32) -> (f32, f32) {
 /// Three numbers between -1 and 1 in ten bits each.
 #[inline(always)]
 pub(super) fn packed(v: [f32; 3]) -> u32 {
-    let part = |x: f32| whole(x.max(-1.0).min(1.0) * 511.0) & 1023;
+    let part = |x: f32| whole(x.clamp(-1.0, 1.0) * 511.0) & 1023;
     part(v[0]) | part(v[1]) << 10 | part(v[2]) << 20
 }
 

@@ -262,7 +262,9 @@ impl Known {
         let Some(texture) = &paint.texture else {
             gloss.fill(gloss_of(paint.roughness, paint.metallic));
             lean.fill(0);
-            [red, green, blue].into_iter().zip(paint.colour).for_each(|(out, colour)| out.fill(colour));
+            for (out, colour) in [red, green, blue].into_iter().zip(paint.colour) {
+                out.fill(colour);
+            }
             return;
         };
         let inverse = &planes.inverse[at.clone()];
@@ -272,7 +274,9 @@ impl Known {
             let level = texture.places(span, &inverse[part.clone()], (x + from as f32, y), focal);
             texture.tile.span(level, span);
             for ((out, tint), colour) in [&mut *red, green, blue].into_iter().zip(&span.tint).zip(paint.colour) {
-                out[part.clone()].iter_mut().zip(tint).for_each(|(out, tint)| *out = (colour * tint).min(1.0));
+                for (out, tint) in out[part.clone()].iter_mut().zip(tint) {
+                    *out = (colour * tint).min(1.0);
+                }
             }
             for (out, roughness) in gloss[part.clone()].iter_mut().zip(&span.roughness) {
                 *out = gloss_of(paint.roughness * roughness, paint.metallic);

@@ -152,7 +152,7 @@ fn between(texels: &[Texel], bits: u32, x: u32, y: u32) -> (u64, u64) {
     let (x1, y1) = ((x0 + 1) & mask, (y0 + 1) & mask);
     // Weights sum to 256, so that sums stay within the sixteen bits each byte has.
     let (fx, fy) = (u64::from(x & 255), u64::from(y & 255));
-    let both = fx * fy >> 8;
+    let both = (fx * fy) >> 8;
     let texel = |x: u32, y: u32| texels[(y << bits | x) as usize];
     let (a, b, c, d) = (texel(x0, y0), texel(x1, y0), texel(x0, y1), texel(x1, y1));
     let (wa, wb, wc) = (256 + both - fx - fy, fx - both, fy - both);
