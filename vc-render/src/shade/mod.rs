@@ -210,7 +210,8 @@ impl Planes {
             let out = &mut out[..width];
             for x in 0..width {
                 let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
-                let more = (1.0 + DRIFT * (a * u + b * v + c * w)).clamp(0.15, 3.0);
+                // Half as much as it would be: textures are flat, and lie.
+                let more = (1.0 + 0.5 * DRIFT * (a * u + b * v + c * w)).clamp(0.4, 1.8);
                 let (_, metallic) = gloss(shiny[x]);
                 let dull = colour[x] * (1.0 - metallic) * std::f32::consts::FRAC_1_PI;
                 let tint = 1.0 + metallic * (colour[x] - 1.0);
