@@ -6,10 +6,11 @@ use vc_graph::{NodeId, SceneGraph};
 
 use crate::frame::{Band, Frame, Memory, Strip};
 use crate::label::{self, Other};
+use crate::light::Lighting;
 use crate::modality::Modality;
 use crate::raster::{Drawing, Frustum, Layers};
 use crate::scene::{Snapshot, Store};
-use crate::shade;
+use crate::shade::{self, Shading};
 use crate::view::{Shot, View};
 use crate::{RenderError, simd};
 
@@ -107,7 +108,7 @@ impl Renderer {
             label::amodal(camera, snapshot, self.detail, frame);
         }
         if let (true, Some(lighting)) = (wanted.has(Modality::Rgb), shot.lighting) {
-            shade::finish(self, lighting, shot.view, frame);
+            self.colours(lighting, shot.view, frame);
         }
         Ok(())
     }
@@ -129,11 +130,18 @@ impl Renderer {
         if let [band] = bands {
             return self.band(shot, strip, band, other);
         }
-        let middle = bands.len() / 2;
-        let rows = strip.rows.len() * middle / bands.len();
-        let (upper, lower) = strip.split(rows as i32);
-        let (first, last) = bands.split_at_mut(middle);
+        let [(upper, first), (lower, last)] = halves(strip, bands);
         rayon::join(|| self.bands(shot, upper, first, other), || self.bands(shot, lower, last, other));
+    }
+
+    /// Colours of what has been drawn.
+    fn colours(&self, lighting: &Lighting, view: View<'_>, frame: &mut Frame) {
+        let (strip, memory) = Strip::of(frame);
+        let Memory { bands, open, .. } = memory;
+        shade::occlusion(view.camera, bands, open);
+        let exposure = lighting.exposure(view.camera.eye().into());
+        shade_bands(&Shading { renderer: self, lighting, view, open, exposure }, strip, bands);
+        shade::smooth(frame);
     }
 
     fn band(&self, shot: &Shot<'_>, mut strip: Strip<'_>, band: &mut Band, other: &[Other; 2]) {
@@ -143,10 +151,8 @@ impl Renderer {
         let rgb = wanted.has(Modality::Rgb);
         let last = if rgb { (strip.rows.end + 1).min(camera.height as i32) } else { strip.rows.end };
         let rows = strip.rows.start..last;
+        band.rows = strip.rows.clone();
         self.draw(shot.view, rows, &mut band.layers, rgb);
-        if rgb {
-            shade::shade(self, shot.view, band, &mut strip);
-        }
         simd::widest(
             #[inline(always)]
             || label::depths(camera, &band.layers, &mut strip),
@@ -166,10 +172,7 @@ impl Renderer {
         let frustum = Frustum::new(camera, &rows);
         let drawing = Drawing { instances: &snapshot.instances, frustum, detail: self.detail };
         let all = 0..snapshot.instances.len() as u32;
-        simd::widest(
-            #[inline(always)]
-            || layers.draw(&drawing, all, (camera.width as usize, rows), apart),
-        );
+        layers.draw(&drawing, all, (camera.width as usize, rows), apart);
     }
 
     /// Depth at the moments after and before.
@@ -207,6 +210,23 @@ fn flow(shot: &Shot<'_>, strip: &mut Strip<'_>, band: &mut Band, other: &[Other;
             label::hidden(shot.view, then, seen, (motion, &other[1]), (width, strip.occluded_backward));
         }
     }
+}
+
+fn shade_bands(shading: &Shading<'_>, mut strip: Strip<'_>, bands: &mut [Band]) {
+    if let [band] = bands {
+        return shading.band(band, &mut strip);
+    }
+    let [(upper, first), (lower, last)] = halves(strip, bands);
+    rayon::join(|| shade_bands(shading, upper, first), || shade_bands(shading, lower, last));
+}
+
+/// The upper and the lower half of some bands, at a row from which light may be found.
+fn halves<'a, 'b>(strip: Strip<'a>, bands: &'b mut [Band]) -> [(Strip<'a>, &'b mut [Band]); 2] {
+    let middle = bands.len() / 2;
+    let rows = strip.rows.len() * middle / bands.len() / shade::ALIGNED * shade::ALIGNED;
+    let (upper, lower) = strip.split(rows as i32);
+    let (first, last) = bands.split_at_mut(middle);
+    [(upper, first), (lower, last)]
 }
 
 /// Bands for an image: one on one thread, and none lower than 32 rows.

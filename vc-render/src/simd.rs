@@ -17,3 +17,12 @@ pub(crate) fn widest<R>(work: impl FnOnce() -> R) -> R {
     }
     pulp::Arch::new().dispatch(Work(work))
 }
+
+/// Added to a number of less than 2^22, leaves the nearest whole number in the low bits.
+const ROUNDER: f32 = 12_582_912.0;
+
+/// The nearest whole number of one of less than 2^22, negative ones as two's complement.
+#[inline(always)]
+pub(crate) fn whole(v: f32) -> u32 {
+    (v + ROUNDER).to_bits().wrapping_sub(ROUNDER.to_bits())
+}

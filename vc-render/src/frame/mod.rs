@@ -14,7 +14,7 @@ use vc_graph::NodeId;
 use crate::label::{Other, Run};
 use crate::modality::{Modalities, Modality};
 use crate::raster::Layers;
-use crate::shade::{Around, Surfel};
+use crate::shade::Openness;
 
 /// Node of a pixel where nothing is seen, in [`Frame::instance`].
 pub const NOTHING: NodeId = NodeId(u32::MAX);
@@ -63,12 +63,6 @@ pub struct Frame {
     pub boxes: Vec<BoxLabel>,
     pub(crate) visible_masks: Masks,
     pub(crate) whole_masks: Masks,
-    /// Surfaces before there is light.
-    pub(crate) surfels: Vec<Surfel>,
-    /// Linear colours before the picture is finished.
-    pub(crate) light: Vec<[f32; 3]>,
-    /// How much of a pixel's right and lower neighbour is mixed in.
-    pub(crate) edges: Vec<[i8; 2]>,
     pub(crate) memory: Memory,
 }
 
@@ -79,13 +73,15 @@ pub(crate) struct Memory {
     pub(crate) other: [Other; 2],
     pub(crate) alone: Layers,
     pub(crate) tally: Vec<crate::label::Tally>,
-    pub(crate) open: Vec<f32>,
-    pub(crate) around: Vec<Around>,
+    pub(crate) open: Openness,
+    /// Changes to pixels at edges.
+    pub(crate) changes: Vec<(u32, [f32; 3])>,
 }
 
 /// What the rendering of a band of rows needs.
 #[derive(Default)]
 pub(crate) struct Band {
+    pub(crate) rows: std::ops::Range<i32>,
     pub(crate) layers: Layers,
     pub(crate) runs: Vec<Run>,
     pub(crate) motion: crate::label::Motions,
@@ -121,9 +117,6 @@ impl Frame {
         let pixels = width * height;
         let count = |of: Modality| if wanted.has(of) { pixels } else { 0 };
         self.rgb.resize(count(Modality::Rgb), [0; 3]);
-        self.surfels.resize(count(Modality::Rgb), Surfel::NOTHING);
-        self.light.resize(count(Modality::Rgb), [0.0; 3]);
-        self.edges.resize(count(Modality::Rgb), [0; 2]);
         self.depth.resize(count(Modality::Depth), 0.0);
         self.distance.resize(count(Modality::Distance), 0.0);
         self.instance.resize(count(Modality::Instance), NOTHING);

@@ -5,7 +5,6 @@ use std::ops::Range;
 use vc_graph::NodeId;
 
 use super::Frame;
-use crate::shade::Surfel;
 
 macro_rules! strips {
     ($($name:ident: $of:ty),* $(,)?) => {
@@ -38,8 +37,7 @@ macro_rules! strips {
 }
 
 strips! {
-    surfels: Surfel,
-    edges: [i8; 2],
+    rgb: [u8; 3],
     depth: f32,
     distance: f32,
     instance: NodeId,

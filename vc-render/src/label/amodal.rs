@@ -27,10 +27,7 @@ pub(crate) fn amodal(camera: &Camera, snapshot: &Snapshot, detail: f32, frame: &
         let layers = &mut memory.alone;
         layers.front.erase(within.x..within.x + within.width, within.y..within.y + within.height);
         layers.visible.clear();
-        crate::simd::widest(
-            #[inline(always)]
-            || layers.add(&drawing, body.instances.clone(), false),
-        );
+        layers.add(&drawing, body.instances.clone(), false);
         let index = whole_masks.iter().len();
         whole_masks.push(label.node, within);
         let area = copy(layers, within, |y, from, to| whole_masks.set(index, y, from, to));

@@ -61,14 +61,29 @@ pub(crate) fn flows(
     }
 }
 
+/// Pixels that are followed at once.
+const PART: usize = 64;
+
 #[inline(always)]
 fn follow(map: &Narrow, (x, y): (f32, f32), inverse: &[f32], out: &mut [[f32; 2]]) {
-    for ((i, out), v) in (0_u32..).zip(out).zip(inverse) {
-        let x = x + i as f32;
-        let row = |r: usize| map[r][0] * x + map[r][1] * y + map[r][2] + map[r][3] * v;
-        let over = 1.0 / row(2);
-        let seen = [row(0) * over - x, row(1) * over - y];
-        *out = if over > 0.0 { seen } else { [f32::NAN; 2] };
+    let [right, down, over] = map;
+    let start = [right, down, over].map(|row| row[1] * y + row[2]);
+    let (mut vs, mut xs, mut ys) = ([0.0_f32; PART], [0.0_f32; PART], [0.0_f32; PART]);
+    for (part, (out, inverse)) in (0_u32..).zip(out.chunks_mut(PART).zip(inverse.chunks(PART))) {
+        let count = out.len().min(PART);
+        vs[..count].copy_from_slice(&inverse[..count]);
+        let x = x + (part * PART as u32) as f32;
+        // Whole blocks: what is past the end is not looked at.
+        for i in 0..count.next_multiple_of(8).min(PART) {
+            let x = x + i as f32;
+            let over = 1.0 / (over[0] * x + start[2] + over[3] * vs[i]);
+            let (a, b) = (right[0] * x + start[0] + right[3] * vs[i], down[0] * x + start[1] + down[3] * vs[i]);
+            xs[i] = if over > 0.0 { a * over - x } else { f32::NAN };
+            ys[i] = if over > 0.0 { b * over - y } else { f32::NAN };
+        }
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = [xs[i], ys[i]];
+        }
     }
 }
 

@@ -12,4 +12,4 @@ pub(crate) use boxes::{Tally, boxes};
 pub(crate) use depth::depths;
 pub(crate) use flow::{Motions, Other, flows, hidden};
 pub(crate) use ids::{Run, ids, runs};
-pub(crate) use normal::{bent, normals, unit};
+pub(crate) use normal::{Bent, bent, normals, unit};

@@ -126,7 +126,7 @@ impl Lamp {
         let others = |i: &u32| snapshot.instances[*i as usize].body != index;
         let others: Vec<u32> = (0..snapshot.instances.len() as u32).filter(others).collect();
         let radius = (glow.area / (4.0 * std::f32::consts::PI)).sqrt();
-        let shadows = Cube::new(renderer, snapshot, &others, glow.middle);
+        let shadows = Cube::new(renderer, snapshot, &others, glow.middle, radius);
         Self { body: index, room: body.room, at: glow.middle, radius, flux, axis: glow.axis, shadows }
     }
 
@@ -149,7 +149,7 @@ impl Lamp {
 
     /// The share of the lamp that is seen from a point, 0 to 1.
     #[inline(always)]
-    pub(crate) fn seen(&self, at: [f32; 3]) -> f32 {
-        self.shadows.lit([0, 1, 2].map(|i: usize| at[i] - self.at[i]), at)
+    pub(crate) fn seen(&self, at: [f32; 3], normal: [f32; 3]) -> f32 {
+        self.shadows.lit([0, 1, 2].map(|i: usize| at[i] - self.at[i]), at, normal)
     }
 }

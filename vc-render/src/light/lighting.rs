@@ -2,8 +2,9 @@
 
 use nalgebra::Point3;
 
+use super::ambient::Ambient;
 use super::lamp::{Lamp, lamps};
-use super::room::{self, Grid, Harmonics, falls};
+use super::room::{self, Grid};
 use super::shadow::ShadowMap;
 use super::{Daylight, room::rooms};
 use crate::renderer::Renderer;
@@ -67,25 +68,24 @@ impl Lighting {
     /// Light from all sides that falls on a surface, from the grid of its room.
     #[inline(always)]
     pub(crate) fn around(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> [f32; 3] {
-        falls(&self.harmonics(at, normal, room), normal)
+        self.sides(at, normal, room).falls(normal)
     }
 
     /// Light from all sides at a surface.
     #[inline(always)]
-    pub(crate) fn harmonics(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> Harmonics {
+    pub(crate) fn sides(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> Ambient {
         let index = usize::from(room).min(self.grids.len() - 1);
         self.grids[index].at([0, 1, 2].map(|i: usize| at[i] + 0.12 * normal[i]))
     }
 
     /// Light that falls straight from the sun and the room's lamps on a surface, with shadows.
     pub(crate) fn direct(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> [f32; 3] {
-        let off = |by: f32| [0, 1, 2].map(|i: usize| at[i] + by * normal[i]);
         let mut sum = [0.0; 3];
         if let Some(map) = &self.sun {
             let towards: [f32; 3] = self.daylight.towards_sun.into();
             let facing = dot(towards, normal);
             if facing > 0.0 {
-                let share = facing * map.lit(off(0.02));
+                let share = facing * map.lit(at, normal);
                 sum = [0, 1, 2].map(|i: usize| sum[i] + share * self.daylight.sun[i]);
             }
         }
@@ -93,7 +93,7 @@ impl Lighting {
             let (to, light) = lamp.falls(at);
             let facing = dot(to, normal);
             if facing > 0.0 {
-                let share = facing * light * lamp.seen(off(0.02));
+                let share = facing * light * lamp.seen(at, normal);
                 sum = [0, 1, 2].map(|i: usize| sum[i] + share * lamp.flux[i]);
             }
         }
@@ -120,7 +120,7 @@ impl Lighting {
         let [x, y] = [0, 1].map(|i: usize| self.rooms[index].1[i] - self.rooms[index].0[i]);
         // Mean radiance of a grey room: thrown back, and straight from the lamps.
         let mean = self.grids[index].mean() + 0.25 * own / (x * y * 4.0).max(1.0);
-        0.95 / mean.max(1e-4)
+        0.8 / mean.max(1e-4)
     }
 }
 

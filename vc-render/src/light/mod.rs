@@ -2,6 +2,7 @@
 //!
 //! Radiance is in units of an overcast sky's, about 5000 candela per square metre.
 
+mod ambient;
 mod lamp;
 mod lighting;
 mod room;
@@ -9,8 +10,9 @@ mod shadow;
 mod sky;
 mod source;
 
+pub(crate) use ambient::Ambient;
+pub(crate) use lamp::Lamp;
 pub use lighting::Lighting;
 pub(crate) use lighting::{brightness, dot};
-pub(crate) use room::{falls, sheen};
 pub use sky::Daylight;
 pub use source::Source;

@@ -1,13 +1,12 @@
 //! What rooms throw back: light from all sides, on a grid in every room.
 //!
-//! Each point of the grid keeps incoming light as spherical harmonics of the first order
-//! (Ramamoorthi and Hanrahan 2001), and every room has its own grid, so that no light
-//! leaks through walls. Light that comes straight from the sun and the room's own
+//! Each point of the grid keeps the light on surfaces that face along the axes, and every
+//! room has its own grid, so that no light leaks through walls. Light that comes straight from the sun and the room's own
 //! lamps is left out: it is shaded with its shadows.
 
 use rayon::prelude::*;
 
-use super::Lighting;
+use super::{Ambient, Lighting};
 use crate::affine;
 use crate::renderer::Renderer;
 use crate::scene::Snapshot;
@@ -19,8 +18,6 @@ const STEP: [f32; 3] = [0.5, 0.5, 0.6];
 const RAYS: usize = 256;
 /// How often light is thrown on.
 const BOUNCES: usize = 4;
-/// Coefficients by colour: even, and along X, Y and Z.
-pub(crate) type Harmonics = [[f32; 4]; 3];
 
 /// The grid of a room.
 #[derive(Debug, Clone)]
@@ -28,7 +25,7 @@ pub(crate) struct Grid {
     low: [f32; 3],
     over: [f32; 3],
     counts: [usize; 3],
-    points: Vec<Harmonics>,
+    points: Vec<Ambient>,
 }
 
 /// Where light is thrown back, which way that faces, its reflectance and room.
@@ -51,7 +48,7 @@ impl Grid {
         let size = [0, 1, 2].map(|i: usize| (high[i] - OFF[i] - low[i]).max(0.05));
         let counts = [0, 1, 2].map(|i: usize| ((size[i] / STEP[i]).ceil() as usize + 1).clamp(2, 64));
         let over = [0, 1, 2].map(|i: usize| (counts[i] - 1) as f32 / size[i]);
-        Self { low, over, counts, points: vec![[[0.0; 4]; 3]; counts.iter().product()] }
+        Self { low, over, counts, points: vec![Ambient::default(); counts.iter().product()] }
     }
 
     fn place(&self, index: usize) -> [f32; 3] {
@@ -62,7 +59,7 @@ impl Grid {
 
     /// Incoming light at a point.
     #[inline(always)]
-    pub(crate) fn at(&self, p: [f32; 3]) -> Harmonics {
+    pub(crate) fn at(&self, p: [f32; 3]) -> Ambient {
         let mut cell = [0_usize; 3];
         let mut share = [0.0_f32; 3];
         for i in 0..3 {
@@ -72,35 +69,15 @@ impl Grid {
             share[i] = x - cell[i] as f32;
         }
         let [nx, ny, _] = self.counts;
-        let mut sum = [[0.0_f32; 4]; 3];
+        let mut sum = Ambient::default();
         for corner in 0..8 {
             let bit = |axis: usize| corner >> axis & 1;
             let part = |axis: usize| if bit(axis) == 1 { share[axis] } else { 1.0 - share[axis] };
-            let weight = part(0) * part(1) * part(2);
-            let point = &self.points[((cell[2] + bit(2)) * ny + cell[1] + bit(1)) * nx + cell[0] + bit(0)];
-            for c in 0..3 {
-                for k in 0..4 {
-                    sum[c][k] += weight * point[c][k];
-                }
-            }
+            let point = ((cell[2] + bit(2)) * ny + cell[1] + bit(1)) * nx + cell[0] + bit(0);
+            sum.mix(&self.points[point], part(0) * part(1) * part(2));
         }
         sum
     }
-}
-
-/// Light that falls on a surface of this normal.
-#[inline(always)]
-pub(crate) fn falls(light: &Harmonics, n: [f32; 3]) -> [f32; 3] {
-    // Pi for the even part, two thirds of pi for the other.
-    light
-        .map(|h| (std::f32::consts::PI * h[0] + 2.094_395 * (h[1] * n[0] + h[2] * n[1] + h[3] * n[2])).max(0.05 * h[0]))
-}
-
-/// Light that comes from about a direction.
-#[inline(always)]
-pub(crate) fn sheen(light: &Harmonics, towards: [f32; 3]) -> [f32; 3] {
-    let [x, y, z] = towards;
-    light.map(|h| (h[0] + 0.9 * (h[1] * x + h[2] * y + h[3] * z)).max(0.1 * h[0]))
 }
 
 /// Directions spread evenly over the sphere (Fibonacci's lattice).
@@ -126,9 +103,9 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
     let seen: Vec<Option<Vec<Seen>>> = places.par_iter().map(look).collect();
     for _ in 0..BOUNCES {
         let gather = |seen: &Option<Vec<Seen>>| seen.as_ref().map(|seen| gathered(&grids, seen));
-        let next: Vec<Option<Harmonics>> = seen.par_iter().map(gather).collect();
+        let next: Vec<Option<Ambient>> = seen.par_iter().map(gather).collect();
         for ((g, i), light) in places.iter().zip(next) {
-            grids[*g].points[*i] = light.unwrap_or([[f32::NAN; 4]; 3]);
+            grids[*g].points[*i] = light.unwrap_or(Ambient::UNKNOWN);
         }
         grids.iter_mut().for_each(Grid::mend);
     }
@@ -229,20 +206,16 @@ impl Lighting {
 }
 
 /// The light from what is seen, given the light in rooms so far.
-fn gathered(grids: &[Grid], seen: &[Seen]) -> Harmonics {
-    let mut light = [[0.0; 4]; 3];
+fn gathered(grids: &[Grid], seen: &[Seen]) -> Ambient {
+    let mut light = Ambient::default();
+    let each = 4.0 * std::f32::consts::PI / RAYS as f32;
     for one in seen {
         let mut radiance = one.direct;
         if let Some((at, normal, colour, room)) = &one.place {
-            let falling = falls(&grids[usize::from(*room).min(grids.len() - 1)].at(*at), *normal);
+            let falling = grids[usize::from(*room).min(grids.len() - 1)].at(*at).falls(*normal);
             radiance = [0, 1, 2].map(|i: usize| radiance[i] + colour[i] * falling[i] / std::f32::consts::PI);
         }
-        let [x, y, z] = one.towards;
-        for (channel, value) in light.iter_mut().zip(radiance) {
-            for (k, base) in [1.0, 3.0 * x, 3.0 * y, 3.0 * z].into_iter().enumerate() {
-                channel[k] += value * base / RAYS as f32;
-            }
-        }
+        light.add(one.towards, radiance.map(|v| v * each));
     }
     light
 }
@@ -256,25 +229,25 @@ impl Grid {
             let known = |x: usize, y: usize, z: usize| {
                 // What lies beyond has no number.
                 let p = (x < nx && y < ny && z < nz).then(|| &before[(z * ny + y) * nx + x])?;
-                (!p[0][0].is_nan()).then_some(p)
+                p.is_known().then_some(p)
             };
-            for (index, point) in self.points.iter_mut().enumerate().filter(|(_, p)| p[0][0].is_nan()) {
+            for (index, point) in self.points.iter_mut().enumerate().filter(|(_, p)| !p.is_known()) {
                 let (x, y, z) = (index % nx, index / nx % ny, index / (nx * ny));
                 let down = |v: usize| v.wrapping_sub(1);
                 let around =
                     [(down(x), y, z), (x + 1, y, z), (x, down(y), z), (x, y + 1, z), (x, y, down(z)), (x, y, z + 1)];
-                let found: Vec<&Harmonics> = around.into_iter().filter_map(|(x, y, z)| known(x, y, z)).collect();
+                let found: Vec<&Ambient> = around.into_iter().filter_map(|(x, y, z)| known(x, y, z)).collect();
                 if !found.is_empty() {
-                    let mean = |c: usize, k: usize| found.iter().map(|f| f[c][k]).sum::<f32>() / found.len() as f32;
-                    *point = [0, 1, 2].map(|c: usize| [0, 1, 2, 3].map(|k: usize| mean(c, k)));
+                    *point = Ambient::default();
+                    found.iter().for_each(|f| point.mix(f, 1.0 / found.len() as f32));
                 }
             }
-            if !before.iter().any(|p| p[0][0].is_nan()) {
+            if before.iter().all(Ambient::is_known) {
                 return;
             }
         }
         // A room without any free point is dark.
-        self.points.iter_mut().filter(|p| p[0][0].is_nan()).for_each(|p| *p = [[0.0; 4]; 3]);
+        self.points.iter_mut().filter(|p| !p.is_known()).for_each(|p| *p = Ambient::default());
     }
 
     /// Takes the mean with neighbours along each axis in turn: rays are few, and what they
@@ -287,16 +260,17 @@ impl Grid {
                 let cell = index / stride % self.counts[axis];
                 let low = if cell > 0 { index - stride } else { index };
                 let high = if cell + 1 < self.counts[axis] { index + stride } else { index };
-                let mean =
-                    |c: usize, k: usize| 0.25 * (before[low][c][k] + before[high][c][k]) + 0.5 * before[index][c][k];
-                *point = [0, 1, 2].map(|c: usize| [0, 1, 2, 3].map(|k: usize| mean(c, k)));
+                *point = Ambient::default();
+                for (index, share) in [(low, 0.25), (high, 0.25), (index, 0.5)] {
+                    point.mix(&before[index], share);
+                }
             }
         }
     }
 
     /// Mean light from all sides.
     pub(super) fn mean(&self) -> f32 {
-        let sum: f32 = self.points.iter().map(|p| super::brightness([p[0][0], p[1][0], p[2][0]])).sum();
+        let sum: f32 = self.points.iter().map(Ambient::mean).sum();
         sum / self.points.len().max(1) as f32
     }
 }

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use pulp::{Simd, WithSimd};
+
 use super::clip::Polygon;
 use super::cull::{Frustum, looks_away};
 use super::fill;
@@ -35,6 +37,24 @@ pub(crate) struct Layers {
     points: Option<Box<Points>>,
 }
 
+/// Drawing, in the version for a processor.
+struct Pass<'a, 'b, I> {
+    layers: &'a mut Layers,
+    drawing: &'a Drawing<'b>,
+    which: I,
+    /// Whether to draw what is clear, and if so whether to keep what is behind.
+    apart: Option<bool>,
+}
+
+impl<I: Iterator<Item = u32>> WithSimd for Pass<'_, '_, I> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        self.layers.pass(simd, self.drawing, self.which, self.apart);
+    }
+}
+
 /// An instance in view.
 struct Placed {
     nearest: f32,
@@ -43,9 +63,13 @@ struct Placed {
 }
 
 impl Layers {
+    /// The nearest triangles that are not clear.
+    pub(crate) fn solid(&self) -> &Target {
+        if self.clear { &self.behind } else { &self.front }
+    }
+
     /// Draws instances into some rows of the image. With `apart`, what is behind clear
     /// things is kept too.
-    #[inline(always)]
     pub(crate) fn draw(
         &mut self,
         drawing: &Drawing<'_>,
@@ -59,7 +83,6 @@ impl Layers {
     }
 
     /// As [`Self::draw`], without what is clear.
-    #[inline(always)]
     pub(crate) fn draw_solid(
         &mut self,
         drawing: &Drawing<'_>,
@@ -68,31 +91,32 @@ impl Layers {
     ) {
         self.front.reset(width, rows);
         self.visible.clear();
-        self.sort(drawing, which);
-        for placed in &std::mem::take(&mut self.order) {
-            self.instance(drawing, placed, false);
-        }
+        pulp::Arch::new().dispatch(Pass { layers: self, drawing, which, apart: None });
     }
 
     /// As [`Self::draw`], into what there is.
-    #[inline(always)]
     pub(crate) fn add(&mut self, drawing: &Drawing<'_>, which: impl Iterator<Item = u32>, apart: bool) {
+        pulp::Arch::new().dispatch(Pass { layers: self, drawing, which, apart: Some(apart) });
+    }
+
+    #[inline(always)]
+    fn pass<S: Simd>(&mut self, simd: S, drawing: &Drawing<'_>, which: impl Iterator<Item = u32>, apart: Option<bool>) {
         self.sort(drawing, which);
         let order = std::mem::take(&mut self.order);
         for placed in &order {
-            self.instance(drawing, placed, false);
+            self.instance(simd, drawing, placed, false);
         }
         let glazed = |p: &Placed| {
             let mesh = &*drawing.instances[p.instance as usize].link.levels[usize::from(p.level)];
             mesh.opaque < mesh.clusters.len()
         };
-        self.clear = order.iter().any(glazed);
-        if self.clear && apart {
+        self.clear = apart.is_some() && order.iter().any(glazed);
+        if self.clear && apart == Some(true) {
             self.behind.clone_from(&self.front);
         }
         if self.clear {
             for placed in order.iter().filter(|p| glazed(p)) {
-                self.instance(drawing, placed, true);
+                self.instance(simd, drawing, placed, true);
             }
         }
         self.order = order;
@@ -114,7 +138,7 @@ impl Layers {
     }
 
     #[inline(always)]
-    fn instance(&mut self, drawing: &Drawing<'_>, placed: &Placed, clear: bool) {
+    fn instance<S: Simd>(&mut self, simd: S, drawing: &Drawing<'_>, placed: &Placed, clear: bool) {
         let instance = &drawing.instances[placed.instance as usize];
         let mesh = &*instance.link.levels[usize::from(placed.level)];
         let map = drawing.frustum.map.after(&instance.world);
@@ -138,7 +162,7 @@ impl Layers {
                 mirrored: instance.mirrored,
             };
             let name = |triangle: u32| Visible::new(placed.instance, placed.level, triangle);
-            self.cluster(&run, name);
+            self.cluster(simd, &run, name);
         }
     }
 
@@ -151,7 +175,7 @@ impl Layers {
     }
 
     #[inline(always)]
-    fn cluster(&mut self, run: &Run<'_>, name: impl Fn(u32) -> Visible) {
+    fn cluster<S: Simd>(&mut self, simd: S, run: &Run<'_>, name: impl Fn(u32) -> Visible) {
         let points = self.points.get_or_insert_with(|| Box::new(Points::new()));
         let vertices = run.cluster.vertices.start as usize..run.cluster.vertices.end as usize;
         let axes = [0, 1, 2].map(|axis: usize| &run.mesh.axes[axis][vertices.clone()]);
@@ -164,9 +188,11 @@ impl Layers {
             let number = self.visible.len() as u32;
             let any = stray && [a, b, c].iter().any(|&v| points.stray[usize::from(v)] != 0);
             let drawn = if any {
-                run.clipped([a, b, c]).triangles().fold(false, |d, t| fill::triangle(&mut self.front, &t, number) | d)
+                run.clipped([a, b, c])
+                    .triangles()
+                    .fold(false, |d, t| fill::triangle(simd, &mut self.front, &t, number) | d)
             } else {
-                fill::triangle(&mut self.front, &[points.corner(a), points.corner(b), points.corner(c)], number)
+                fill::triangle(simd, &mut self.front, &[points.corner(a), points.corner(b), points.corner(c)], number)
             };
             if drawn {
                 self.visible.push(name(index));

@@ -16,4 +16,4 @@ mod target;
 
 pub(crate) use cull::Frustum;
 pub(crate) use draw::{Drawing, Layers};
-pub(crate) use target::{NONE, Visible, refill};
+pub(crate) use target::{NONE, Target, Visible, refill};

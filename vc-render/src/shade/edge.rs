@@ -3,78 +3,90 @@
 //! The nearer triangle of two neighbouring pixels tells how far it reaches between their
 //! centres (after Persson's geometry buffer anti-aliasing, 2011).
 
+use super::planes::Planes;
+use super::surfel::{Known, Writer};
+use super::tone::{decoded, encoded};
 use crate::affine;
-use crate::frame::Strip;
-use crate::raster::{Frustum, Layers, Visible};
-use crate::scene::Instance;
-use crate::shade::Scratch;
-use crate::view::View;
+use crate::raster::{NONE, Target, Visible};
 
-/// Writes for each pixel how much of its right and its lower neighbour belongs into it
-/// (positive), or of it into the neighbour (negative); 127 is all.
-pub(super) fn edges(view: View<'_>, layers: &Layers, scratch: &mut Scratch, strip: &mut Strip<'_>) {
-    let solid = if layers.clear { &layers.behind } else { &layers.front };
-    let frustum = Frustum::new(view.camera, &strip.rows);
-    let instances = &view.snapshot.instances;
-    let mut find = Find { frustum: &frustum, instances, layers, scratch };
-    let last = view.camera.height as i32 - 1;
-    for y in strip.rows.clone() {
-        let out = strip.row(y);
-        let (here, inverse) = (solid.triangle_row(y), solid.inverse_row(y));
-        let below = (y < last).then(|| (solid.triangle_row(y + 1), solid.inverse_row(y + 1)));
-        for (x, edge) in strip.edges[out].iter_mut().enumerate() {
-            *edge = [0; 2];
-            let own = (here[x], inverse[x]);
-            if x + 1 < here.len() && here[x + 1] != here[x] {
-                edge[0] = find.between(own, (here[x + 1], inverse[x + 1]), ([x as f32 + 0.5, y as f32 + 0.5], 0));
-            }
-            if let Some((triangles, depths)) = below.filter(|(t, _)| t[x] != here[x]) {
-                edge[1] = find.between(own, (triangles[x], depths[x]), ([x as f32 + 0.5, y as f32 + 0.5], 1));
-            }
-        }
-    }
+/// An edge between two pixels of a picture.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Edge {
+    /// The pixel into which it reaches, and the one from which.
+    into: u32,
+    from: u32,
+    /// How much of the pixel is the other's.
+    share: f32,
 }
 
-struct Find<'a> {
-    frustum: &'a Frustum,
-    instances: &'a [Instance],
-    layers: &'a Layers,
-    scratch: &'a mut Scratch,
+/// Finds edges in rows of an image.
+pub(super) struct Find<'a> {
+    pub(super) writer: &'a Writer<'a>,
+    pub(super) solid: &'a Target,
 }
-
-/// A pixel's triangle and inverse depth.
-type Seen = (u32, f32);
 
 impl Find<'_> {
-    /// How the edge between two pixels cuts them; the second is after the first along an axis.
-    fn between(&mut self, first: Seen, second: Seen, (at, axis): ([f32; 2], usize)) -> i8 {
-        let [a, b] = [first.0, second.0].map(|t| self.layers.visible.get(t as usize).copied());
-        if let (Some(a), Some(b)) = (a, b)
-            && self.smooth(a, b)
-        {
-            return 0;
+    /// Finds edges between pixels of a row and with the next, if that is in the planes.
+    #[inline(always)]
+    pub(super) fn row(
+        &self,
+        (planes, first): (&Planes, usize),
+        (y, below): (i32, bool),
+        known: &mut Known,
+        edges: &mut Vec<Edge>,
+    ) {
+        let width = planes.width;
+        let (here, inverse) = (self.solid.triangle_row(y), self.solid.inverse_row(y));
+        let start = y as u32 * width as u32;
+        for x in 0..width - 1 {
+            if here[x] != here[x + 1]
+                && !(planes.look[first + x] == planes.look[first + x + 1] && self.writer.smooth([here[x], here[x + 1]]))
+            {
+                let share = self.between((here[x], inverse[x]), (here[x + 1], inverse[x + 1]), (x, y, 0), known);
+                push(edges, start + x as u32, 1, share);
+            }
         }
-        let forward = first.1 >= second.1;
-        let Some(nearer) = (if forward { a } else { b }) else { return 0 };
-        let mut from = at;
-        from[axis] += if forward { 0.0 } else { 1.0 };
-        let reach = self.reach(nearer, from, axis, if forward { 1.0 } else { -1.0 });
-        // Positive: the owner of the nearer triangle ends within its own pixel.
-        let share = reach.map_or(0.0, |r| 0.5 - r) * if forward { 1.0 } else { -1.0 };
-        (share * 127.0) as i8
+        if below {
+            let (next, deeper) = (self.solid.triangle_row(y + 1), self.solid.inverse_row(y + 1));
+            for x in 0..width {
+                if here[x] != next[x]
+                    && !(planes.look[first + x] == planes.look[first + width + x]
+                        && self.writer.smooth([here[x], next[x]]))
+                {
+                    let share = self.between((here[x], inverse[x]), (next[x], deeper[x]), (x, y, 1), known);
+                    push(edges, start + x as u32, width as u32, share);
+                }
+            }
+        }
     }
 
-    /// Whether two triangles are of one surface without a crease.
-    fn smooth(&self, a: Visible, b: Visible) -> bool {
-        let [face, other] = [a, b].map(|v| &v.mesh(self.instances).faces[v.index()]);
-        let dot = (0..3).map(|i| face.normals[0][i] * other.normals[0][i]).sum::<f32>();
-        a.instance == b.instance && face.part == other.part && dot > 0.8
+    /// How the edge between two pixels, the second after the first along an axis, cuts them:
+    /// positive is how much of the first is the second's.
+    fn between(
+        &self,
+        first: (u32, f32),
+        second: (u32, f32),
+        (x, y, axis): (usize, i32, usize),
+        known: &mut Known,
+    ) -> f32 {
+        let forward = first.1 >= second.1;
+        let nearer = if forward { first.0 } else { second.0 };
+        if nearer == NONE {
+            return 0.0;
+        }
+        let mut from = [x as f32 + 0.5, y as f32 + 0.5];
+        from[axis] += if forward { 0.0 } else { 1.0 };
+        let step = if forward { 1.0 } else { -1.0 };
+        let reach = self.reach(self.writer.visible[nearer as usize], from, (axis, step), known);
+        // The owner of the nearer triangle ends within its own pixel.
+        reach.map_or(0.0, |r| 0.5 - r) * step
     }
 
     /// How far a triangle reaches from a point in it along an axis, up to one pixel.
-    fn reach(&mut self, visible: Visible, from: [f32; 2], axis: usize, step: f32) -> Option<f32> {
-        let mesh = visible.mesh(self.instances);
-        let map = self.scratch.maps(visible.instance, self.instances, self.frustum)[0];
+    fn reach(&self, visible: Visible, from: [f32; 2], (axis, step): (usize, f32), known: &mut Known) -> Option<f32> {
+        let instances = &self.writer.view.snapshot.instances;
+        let mesh = visible.mesh(instances);
+        let map = known.maps(visible.instance, instances, &self.writer.frustum)[0];
         let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index()).map(|p| affine::point(&map, p));
         let mut best: Option<f32> = None;
         let area = homogeneous(corners[0], corners[1], corners[2]);
@@ -96,4 +108,30 @@ impl Find<'_> {
 
 fn homogeneous(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f32 {
     a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+}
+
+/// An edge between a pixel and the one so many after it.
+#[inline(always)]
+fn push(edges: &mut Vec<Edge>, pixel: u32, step: u32, share: f32) {
+    let (into, from) = if share > 0.0 { (pixel, pixel + step) } else { (pixel + step, pixel) };
+    if share.abs() > 0.01 {
+        edges.push(Edge { into, from, share: share.abs() });
+    }
+}
+
+/// Mixes into pixels what is their neighbours'. `changes` is memory to work in.
+pub(super) fn smooth<'a>(
+    edges: impl Iterator<Item = &'a [Edge]>,
+    rgb: &mut [[u8; 3]],
+    changes: &mut Vec<(u32, [f32; 3])>,
+) {
+    changes.clear();
+    for edge in edges.flatten() {
+        let [own, other] = [edge.into, edge.from].map(|at| decoded(rgb[at as usize]));
+        changes.push((edge.into, [0, 1, 2].map(|i: usize| edge.share * (other[i] - own[i]))));
+    }
+    for (at, change) in changes {
+        let own = decoded(rgb[*at as usize]);
+        rgb[*at as usize] = encoded([0, 1, 2].map(|i: usize| (own[i] + change[i]).max(0.0)));
+    }
 }

@@ -41,7 +41,7 @@ pub(crate) fn look(
 
 /// The axes a texture lies along, across and with the grain.
 #[inline(always)]
-fn plane(facing: [f32; 3], grain: u8) -> (usize, usize) {
+pub(super) fn plane(facing: [f32; 3], grain: u8) -> (usize, usize) {
     let [x, y, z] = facing.map(f32::abs);
     let through = if x >= y && x >= z {
         0

@@ -1,45 +1,222 @@
 //! Fast colours: a picture from the buffer of visible triangles.
 //!
-//! First every pixel's surface is written down ([`surfel`]), with what is clear in front
-//! of it; then, at half the resolution, the light from all sides and how much of it nearby
-//! things keep away ([`around`]); then direct light ([`light`]), mirrors and glass; at
-//! last edges are smoothed ([`edge`]) and light becomes colours ([`tone`]).
+//! At half the resolution is found how much light nearby things keep away ([`occlusion`]).
+//! Then, strip by strip of a few rows that stay in the processor's cache: every pixel's
+//! surface is written down ([`surfel`]); light is found ([`light`]) where it cannot be
+//! taken from neighbours ([`lattice`]); mirrors and panes are added ([`extra`]), and light
+//! becomes colours ([`tone`]). At last edges are smoothed ([`edge`]).
 
-mod around;
 mod edge;
+mod extra;
+mod lattice;
 mod light;
 mod look;
+mod occlusion;
+mod planes;
 mod surfel;
 mod tone;
 
-pub(crate) use around::Around;
 pub(crate) use look::{Look, look};
-pub(crate) use surfel::{Scratch, Surfel};
+pub(crate) use occlusion::Openness;
 pub(crate) use tone::{encoded, film};
 
+use self::edge::{Edge, Find};
+use self::extra::Extra;
+use self::lattice::{Spots, neighbours, spot};
+use self::light::{Batch, DRIFT, Lamps};
+use self::planes::{Planes, ROWS, gloss, unpacked};
+use self::surfel::{Known, Writer};
+use crate::camera::Camera;
 use crate::frame::{Band, Frame, Strip};
 use crate::light::Lighting;
+use crate::raster::Layers;
 use crate::renderer::Renderer;
 use crate::view::View;
 
-/// Writes down the surfaces of a band, and where its edges are.
-pub(crate) fn shade(renderer: &Renderer, view: View<'_>, band: &mut Band, strip: &mut Strip<'_>) {
-    crate::simd::widest(
-        #[inline(always)]
-        || surfel::surfels(renderer, view, &band.layers, &mut band.shading, strip),
-    );
-    edge::edges(view, &band.layers, &mut band.shading, strip);
+/// Bands begin at rows that are multiples of this, so that light is found at the same pixels
+/// however many there are.
+pub(crate) const ALIGNED: usize = 8;
+
+/// What shading a band needs, and the edges found in it.
+#[derive(Default)]
+pub(crate) struct Scratch {
+    known: Known,
+    planes: Planes,
+    batch: Box<Batch>,
+    spots: Spots,
+    linear: [Vec<f32>; 3],
+    edges: Vec<Edge>,
 }
 
-/// Light on surfaces, and colours.
-pub(crate) fn finish(renderer: &Renderer, lighting: &Lighting, view: View<'_>, frame: &mut Frame) {
-    around::occlusion(view, frame);
-    around::around(lighting, view, frame);
-    light::light(renderer, lighting, view, frame);
-    for band in &frame.memory.bands {
-        let extra = light::Extra { renderer, lighting, view, surfels: &frame.surfels };
-        band.shading.mirrors.iter().for_each(|pixel| extra.mirror(*pixel, &mut frame.light));
-        band.shading.panes.iter().for_each(|pane| extra.pane(pane, &mut frame.light));
+/// What all bands are shaded with.
+pub(crate) struct Shading<'a> {
+    pub(crate) renderer: &'a Renderer,
+    pub(crate) lighting: &'a Lighting,
+    pub(crate) view: View<'a>,
+    pub(crate) open: &'a Openness,
+    pub(crate) exposure: f32,
+}
+
+/// Finds how open points are, for what has been drawn.
+pub(crate) fn occlusion(camera: &Camera, bands: &[Band], open: &mut Openness) {
+    open.find(camera, bands);
+}
+
+/// Smooths edges.
+pub(crate) fn smooth(frame: &mut Frame) {
+    let Frame { memory, rgb, .. } = frame;
+    let edges = memory.bands.iter().map(|b| b.shading.edges.as_slice());
+    edge::smooth(edges, rgb, &mut memory.changes);
+}
+
+impl Shading<'_> {
+    /// Writes the colours of a band.
+    pub(crate) fn band(&self, band: &mut Band, strip: &mut Strip<'_>) {
+        let Band { layers, shading, .. } = band;
+        let View { snapshot, camera } = self.view;
+        shading.known.reset(snapshot.instances.len(), layers.visible.len());
+        shading.planes.prepare(camera.width as usize);
+        shading.linear.iter_mut().for_each(|l| l.resize(camera.width as usize, 0.0));
+        shading.edges.clear();
+        let writer = Writer::new(self.renderer, self.lighting, self.view, layers, &strip.rows);
+        let lamps = Lamps::new(&writer, self.open, layers.solid());
+        let mut rows =
+            Rows { shading: self, layers, writer: &writer, lamps, scratch: shading, start: strip.rows.start };
+        crate::simd::widest(
+            #[inline(always)]
+            || rows.band(strip),
+        );
     }
-    tone::colours(frame, lighting.exposure(view.camera.eye().into()));
+}
+
+/// A band on its way to colours, strip by strip.
+struct Rows<'a> {
+    shading: &'a Shading<'a>,
+    layers: &'a Layers,
+    writer: &'a Writer<'a>,
+    lamps: Lamps<'a>,
+    scratch: &'a mut Scratch,
+    /// First row of the strip.
+    start: i32,
+}
+
+impl Rows<'_> {
+    #[inline(always)]
+    fn band(&mut self, strip: &mut Strip<'_>) {
+        self.write(0);
+        self.line(0);
+        let end = self.layers.front.rows.end;
+        while self.start < strip.rows.end {
+            let last = (end - 1 - self.start).min(ROWS as i32) as usize;
+            // A loop, not a closure, which would be compiled for the least of processors.
+            for row in 1..=last {
+                self.write(row);
+            }
+            self.rest(last);
+            self.finish(last, strip);
+            self.scratch.planes.turn();
+            self.start += ROWS as i32;
+        }
+    }
+
+    /// Writes down what is seen in a row of the strip.
+    #[inline(always)]
+    fn write(&mut self, row: usize) {
+        let Scratch { known, planes, .. } = &mut *self.scratch;
+        let first = row * planes.width;
+        self.writer.row(self.layers.solid(), self.start + row as i32, known, (planes, first));
+    }
+
+    /// Light in a row by itself.
+    #[inline(always)]
+    fn line(&mut self, row: usize) {
+        let width = self.scratch.planes.width;
+        self.scratch.spots.extend((0..width).step_by(ROWS).map(|x| spot(row, x)));
+        self.light();
+        for step in [2, 1] {
+            let Scratch { planes, spots, .. } = &mut *self.scratch;
+            planes.along(row, step, spots);
+            self.light();
+        }
+    }
+
+    /// Light in the rows after the first, so many.
+    #[inline(always)]
+    fn rest(&mut self, last: usize) {
+        if last == ROWS {
+            self.line(ROWS);
+        }
+        if last >= 2 {
+            let Scratch { planes, spots, .. } = &mut *self.scratch;
+            planes.between(2, neighbours(2, 2, last), 2, spots);
+            self.light();
+            let Scratch { planes, spots, .. } = &mut *self.scratch;
+            planes.along(2, 1, spots);
+            self.light();
+        }
+        for row in (1..=last).filter(|row| row % 2 == 1) {
+            let Scratch { planes, spots, .. } = &mut *self.scratch;
+            planes.between(row, neighbours(row, 1, last), 1, spots);
+        }
+        self.light();
+    }
+
+    /// Finds the light at pixels that wait for it.
+    #[inline(always)]
+    fn light(&mut self) {
+        let Scratch { planes, spots, batch, known, .. } = &mut *self.scratch;
+        self.lamps.light(planes, known, self.start, spots, batch);
+        batch.sky(&self.lamps, planes, self.start, spots);
+        spots.clear();
+    }
+
+    /// From light to colours, and edges.
+    #[inline(always)]
+    fn finish(&mut self, last: usize, strip: &mut Strip<'_>) {
+        let shading = self.shading;
+        let extra = Extra { renderer: shading.renderer, view: shading.view, lamps: &self.lamps };
+        let Scratch { planes, linear, known, edges, .. } = &mut *self.scratch;
+        let find = Find { writer: self.writer, solid: self.layers.solid() };
+        let mirrors = known.looks.iter().any(|l| l.mirror);
+        for (row, y) in (self.start..strip.rows.end).take(ROWS).enumerate() {
+            let first = row * planes.width;
+            planes.thrown(first, linear);
+            let [r, g, b] = linear;
+            let mut line = [r.as_mut_slice(), g.as_mut_slice(), b.as_mut_slice()];
+            if mirrors {
+                extra.mirrors(known, (planes, first), y, &mut line);
+            }
+            if self.layers.clear {
+                extra.panes(self.layers, &self.writer.frustum, y, &mut line);
+            }
+            let out = strip.row(y);
+            tone::colours(line.map(|l| &*l), shading.exposure, &mut strip.rgb[out]);
+            find.row((planes, first), (y, row < last), known, edges);
+        }
+    }
+}
+
+impl Planes {
+    /// Light that surfaces of a row throw to the eye.
+    #[inline(always)]
+    fn thrown(&self, first: usize, out: &mut [Vec<f32>; 3]) {
+        let width = self.width;
+        let (lean, drift) = (&self.lean[first..first + width], &self.drift[first..first + width]);
+        let shiny = &self.gloss[first..first + width];
+        for (c, out) in out.iter_mut().enumerate() {
+            let colour = &self.colour[c][first..first + width];
+            let falls = &self.light[c][first..first + width];
+            let sheen = &self.light[c + 3][first..first + width];
+            let out = &mut out[..width];
+            for x in 0..width {
+                let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
+                // Half as much as it would be: textures are flat, and lie.
+                let more = (1.0 + 0.5 * DRIFT * (a * u + b * v + c * w)).clamp(0.4, 1.8);
+                let (_, metallic) = gloss(shiny[x]);
+                let dull = colour[x] * (1.0 - metallic) * std::f32::consts::FRAC_1_PI;
+                let tint = 1.0 + metallic * (colour[x] - 1.0);
+                out[x] = dull * falls[x] * more + tint * sheen[x];
+            }
+        }
+    }
 }

@@ -1,219 +1,317 @@
 //! What is seen at every pixel, before there is light.
 
+use super::planes::{Planes, gloss_of, packed};
 use crate::affine::{self, Affine, Narrow};
-use crate::frame::Strip;
-use crate::label::bent;
-use crate::raster::{Frustum, Layers, NONE, Visible, refill};
+use crate::label::{Bent, bent, unit};
+use crate::light::Lighting;
+use crate::raster::{Frustum, Layers, NONE, Target, Visible, refill};
 use crate::renderer::Renderer;
-use crate::scene::Instance;
-use crate::shade::look;
-use crate::surface::{Pattern, Role, Surface};
+use crate::scene::{Instance, NO_ROOM};
+use crate::surface::{Pattern, Role, SPAN, Span, Tile};
 use crate::view::View;
 
-/// The surface at a pixel.
+/// What all pixels of an instance's surface have in common.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Surfel {
-    /// One over depth; zero where there is nothing.
-    pub(crate) inverse: f32,
-    normal: [i16; 3],
-    colour: [u16; 3],
-    roughness: u8,
-    metallic: u8,
-    pub(crate) surface: u16,
-    pub(crate) body: u32,
+pub(crate) struct Look {
+    pub(super) surface: u16,
+    pub(super) room: u16,
+    pub(super) mirror: bool,
+    /// Light it gives.
+    pub(super) glow: [f32; 3],
+    /// The next look of the same instance.
+    next: u32,
+    /// By how its texture lies, its paint.
+    paints: [u32; 9],
 }
 
-/// Something clear in front of a pixel.
+/// Look and paint of pixels where nothing is seen.
+pub(super) const NOTHING: u32 = 0;
+
+/// What pixels are coloured with.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Pane {
-    pub(crate) pixel: u32,
-    pub(crate) surface: u16,
-    pub(crate) body: u32,
-    pub(crate) inverse: f32,
-    pub(crate) normal: [f32; 3],
+struct Paint {
+    look: u32,
+    colour: [f32; 3],
+    roughness: f32,
+    metallic: f32,
+    texture: Option<Texture>,
 }
 
-/// What shading a band needs.
+/// How a texture lies on a surface.
+#[derive(Debug, Clone, Copy)]
+struct Texture {
+    tile: &'static Tile,
+    /// From (x, y, 1) times depth to places in the tile.
+    places: [[f32; 4]; 2],
+    /// Along what directions of the world it leans.
+    axes: [[f32; 3]; 2],
+}
+
+/// What is known of instances and triangles of a band.
 #[derive(Default)]
-pub(crate) struct Scratch {
+pub(crate) struct Known {
     /// By instance, the position of its maps in the list below.
-    known: Vec<u32>,
+    maps: Vec<u32>,
     /// From a mesh to the image, and from (x, y, 1) times depth to the mesh.
-    maps: Vec<[Narrow; 2]>,
-    pub(crate) panes: Vec<Pane>,
-    pub(crate) mirrors: Vec<u32>,
+    pairs: Vec<[Narrow; 2]>,
+    /// By visible triangle, the position of its paint in the list below.
+    triangles: Vec<u32>,
+    paints: Vec<Paint>,
+    /// By visible triangle, the position of its normals in the list below.
+    bent: Vec<u32>,
+    bends: Vec<Result<[f32; 3], Bent>>,
+    /// By instance, the first of its looks.
+    heads: Vec<u32>,
+    pub(super) looks: Vec<Look>,
+    span: Span,
 }
 
-impl Surfel {
-    pub(crate) const NOTHING: Self =
-        Self { inverse: 0.0, normal: [0; 3], colour: [0; 3], roughness: 0, metallic: 0, surface: 0, body: 0 };
-
-    #[inline(always)]
-    pub(crate) fn normal(&self) -> [f32; 3] {
-        self.normal.map(|v| f32::from(v) * (1.0 / 32767.0))
-    }
-
-    #[inline(always)]
-    pub(crate) fn colour(&self) -> [f32; 3] {
-        self.colour.map(|v| f32::from(v) * (1.0 / 65535.0))
-    }
-
-    #[inline(always)]
-    pub(crate) fn roughness(&self) -> f32 {
-        f32::from(self.roughness) * (1.0 / 255.0)
-    }
-
-    #[inline(always)]
-    pub(crate) fn metallic(&self) -> f32 {
-        f32::from(self.metallic) * (1.0 / 255.0)
-    }
-}
-
-#[inline(always)]
-fn packed(look: &look::Look, inverse: f32, metallic: f32, surface: u16, body: u32) -> Surfel {
-    Surfel {
-        inverse,
-        normal: look.normal.map(|v| (v * 32767.0) as i16),
-        colour: look.colour.map(|v| (v.min(1.0) * 65535.0) as u16),
-        roughness: (look.roughness * 255.0) as u8,
-        metallic: (metallic * 255.0) as u8,
-        surface,
-        body,
-    }
-}
-
-impl Scratch {
-    /// An instance's maps to the image and back, made when they are first asked for.
-    #[inline(always)]
-    pub(super) fn maps(&mut self, index: u32, instances: &[Instance], frustum: &Frustum) -> &[Narrow; 2] {
-        let known = &mut self.known[index as usize];
-        if *known == NONE {
-            *known = self.maps.len() as u32;
-            let map = frustum.map.after(&instances[index as usize].world);
-            self.maps.push([map.narrow(), map.inverse().unwrap_or(Affine::IDENTITY).narrow()]);
-        }
-        &self.maps[*known as usize]
-    }
-}
-
-/// Writes down the surfaces of a band: the solid ones, and apart what is clear.
-#[inline(always)]
-pub(crate) fn surfels(
-    renderer: &Renderer,
-    view: View<'_>,
-    layers: &Layers,
-    scratch: &mut Scratch,
-    strip: &mut Strip<'_>,
-) {
-    let frustum = Frustum::new(view.camera, &strip.rows);
-    let world = frustum.map.inverse().unwrap_or(Affine::IDENTITY).narrow();
-    refill(&mut scratch.known, NONE, view.snapshot.instances.len());
-    scratch.maps.clear();
-    scratch.panes.clear();
-    scratch.mirrors.clear();
-    let solid = if layers.clear { &layers.behind } else { &layers.front };
-    for y in strip.rows.clone() {
-        let row = strip.row(y);
-        // Panes and mirrors are finished when the whole frame is there.
-        let first = y as usize * strip.width;
-        let out = &mut strip.surfels[row.clone()];
-        let inverse = solid.inverse_row(y);
-        let mut column = 0;
-        for same in solid.triangle_row(y).chunk_by(|a, b| a == b) {
-            let columns = column..column + same.len();
-            column = columns.end;
-            let Some(&visible) = layers.visible.get(same[0] as usize) else {
-                out[columns].fill(Surfel::NOTHING);
-                continue;
-            };
-            let place = Place { renderer, view, frustum: &frustum, world: &world, y, first: first as u32 };
-            place.run(visible, scratch, &inverse[columns.clone()], (columns.start, &mut out[columns]));
-        }
-        if layers.clear {
-            panes(view, &frustum, layers, (y, first), scratch);
-        }
-    }
-}
-
-/// A row of a band that is written down.
-struct Place<'a> {
-    renderer: &'a Renderer,
-    view: View<'a>,
-    frustum: &'a Frustum,
-    world: &'a Narrow,
-    y: i32,
-    first: u32,
+/// A view whose surfaces are written down.
+pub(super) struct Writer<'a> {
+    pub(super) renderer: &'a Renderer,
+    pub(super) lighting: &'a Lighting,
+    pub(super) view: View<'a>,
+    pub(super) visible: &'a [Visible],
+    pub(super) frustum: Frustum,
+    /// From (x, y, 1) times depth to the world.
+    pub(super) world: Narrow,
 }
 
 const UNMOVED: Narrow = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
 
-impl Place<'_> {
+impl Known {
+    pub(super) fn reset(&mut self, instances: usize, visible: usize) {
+        refill(&mut self.maps, NONE, instances);
+        refill(&mut self.heads, NONE, instances);
+        refill(&mut self.triangles, NONE, visible);
+        refill(&mut self.bent, NONE, visible);
+        self.pairs.clear();
+        self.bends.clear();
+        self.looks.clear();
+        self.paints.clear();
+        let look = Look { surface: 0, room: NO_ROOM, mirror: false, glow: [0.0; 3], next: NONE, paints: [NONE; 9] };
+        self.looks.push(look);
+        let colour = [0.0; 3];
+        self.paints.push(Paint { look: NOTHING, colour, roughness: 1.0, metallic: 0.0, texture: None });
+    }
+
+    /// An instance's maps to the image and back, made when they are first asked for.
+    pub(super) fn maps(&mut self, index: u32, instances: &[Instance], frustum: &Frustum) -> &[Narrow; 2] {
+        let known = &mut self.maps[index as usize];
+        if *known == NONE {
+            *known = self.pairs.len() as u32;
+            let map = frustum.map.after(&instances[index as usize].world);
+            self.pairs.push([map.narrow(), map.inverse().unwrap_or(Affine::IDENTITY).narrow()]);
+        }
+        &self.pairs[*known as usize]
+    }
+}
+
+impl<'a> Writer<'a> {
+    pub(super) fn new(
+        renderer: &'a Renderer,
+        lighting: &'a Lighting,
+        view: View<'a>,
+        layers: &'a Layers,
+        rows: &std::ops::Range<i32>,
+    ) -> Self {
+        let frustum = Frustum::new(view.camera, rows);
+        let world = frustum.map.inverse().unwrap_or(Affine::IDENTITY).narrow();
+        Self { renderer, lighting, view, visible: &layers.visible, frustum, world }
+    }
+
+    /// Writes down a row of the image, from a place in the planes on.
     #[inline(always)]
-    fn run(&self, visible: Visible, scratch: &mut Scratch, inverse: &[f32], (column, out): (usize, &mut [Surfel])) {
+    pub(super) fn row(&self, solid: &Target, y: i32, known: &mut Known, (planes, first): (&mut Planes, usize)) {
+        let (inverse, triangles) = (solid.inverse_row(y), solid.triangle_row(y));
+        planes.inverse[first..first + inverse.len()].copy_from_slice(inverse);
+        let (mut from, mut column, mut paint) = (0, 0, NOTHING);
+        for same in triangles.chunk_by(|a, b| a == b) {
+            let next = self.paint(same[0], known);
+            if next != paint && column > 0 {
+                known.write(paint, (planes, first), from..column, (y, self.frustum.focal));
+                from = column;
+            }
+            paint = next;
+            column += same.len();
+        }
+        known.write(paint, (planes, first), from..column, (y, self.frustum.focal));
+    }
+
+    /// The paint of a triangle.
+    #[inline(always)]
+    fn paint(&self, triangle: u32, known: &mut Known) -> u32 {
+        match known.triangles.get(triangle as usize) {
+            None => NOTHING,
+            Some(&NONE) => self.mixed(triangle, known),
+            Some(paint) => *paint,
+        }
+    }
+
+    /// The paint of a triangle that is seen for the first time.
+    #[inline(never)]
+    fn mixed(&self, triangle: u32, known: &mut Known) -> u32 {
+        let visible = self.visible[triangle as usize];
         let instances = &self.view.snapshot.instances;
         let instance = &instances[visible.instance as usize];
         let face = &visible.mesh(instances).faces[visible.index()];
-        let surface: &Surface = &self.renderer.store.surfaces[usize::from(face.surface)];
-        let bend =
-            bent(|| scratch.maps(visible.instance, instances, self.frustum)[0], self.frustum.near, instances, visible);
-        let (x, y) = (column as f32 + 0.5, self.y as f32 + 0.5);
-        let normal = |i: usize| match &bend {
-            Ok(flat) => *flat,
-            Err(bend) => crate::label::unit(bend.at(x + i as f32, y)),
-        };
-        if surface.is_mirror() {
-            let first = self.first + column as u32;
-            scratch.mirrors.extend((0..out.len() as u32).map(|i| first + i));
+        let surface = &self.renderer.store.surfaces[usize::from(face.surface)];
+        let look = self.look(visible.instance, face.surface, known);
+        let built = matches!(surface.role, Role::Built | Role::Floor);
+        let plain = surface.pattern == Pattern::Plain;
+        let facing = if built { affine::normal(&instance.inverse, face.normals[0]) } else { face.normals[0] };
+        let (u, v) = if plain { (0, 0) } else { super::look::plane(facing, face.grain) };
+        let way = 3 * u + v;
+        if known.looks[look as usize].paints[way] == NONE {
+            let texture = (!plain).then(|| {
+                let (back, axes) = if built {
+                    (self.world, UNMOVED)
+                } else {
+                    (known.maps(visible.instance, instances, &self.frustum)[1], instance.world.narrow())
+                };
+                let column = |c: usize| [axes[0][c], axes[1][c], axes[2][c]];
+                Texture { tile: Tile::of(surface.pattern), places: [back[u], back[v]], axes: [column(u), column(v)] }
+            });
+            let (colour, roughness, metallic) = (surface.colour, surface.roughness, surface.metallic);
+            known.looks[look as usize].paints[way] = known.paints.len() as u32;
+            known.paints.push(Paint { look, colour, roughness, metallic, texture });
         }
-        if surface.pattern == Pattern::Plain {
-            let same = packed(&plain(surface, normal(0)), 0.0, surface.metallic, face.surface, instance.body);
-            for (i, (out, inverse)) in out.iter_mut().zip(inverse).enumerate() {
-                *out = Surfel { inverse: *inverse, ..same };
-                if bend.is_err() {
-                    out.normal = normal(i).map(|v| (v * 32767.0) as i16);
-                }
+        let paint = known.looks[look as usize].paints[way];
+        known.triangles[triangle as usize] = paint;
+        paint
+    }
+
+    /// The normal at a place in the image, of the triangle that is seen there.
+    #[inline(always)]
+    pub(super) fn normal(&self, triangle: u32, (x, y): (f32, f32), known: &mut Known) -> [f32; 3] {
+        if triangle == NONE {
+            return [0.0, 0.0, 1.0];
+        }
+        if known.bent[triangle as usize] == NONE {
+            self.bend(triangle, known);
+        }
+        match &known.bends[known.bent[triangle as usize] as usize] {
+            Ok(flat) => *flat,
+            Err(bend) => unit(bend.at(x, y)),
+        }
+    }
+
+    #[inline(never)]
+    fn bend(&self, triangle: u32, known: &mut Known) {
+        let (visible, instances) = (self.visible[triangle as usize], &self.view.snapshot.instances);
+        let map = || known.maps(visible.instance, instances, &self.frustum)[0];
+        let found = bent(map, self.frustum.near, instances, visible);
+        known.bent[triangle as usize] = known.bends.len() as u32;
+        known.bends.push(found);
+    }
+
+    /// Whether two triangles of one look meet without a crease.
+    #[inline(always)]
+    pub(super) fn smooth(&self, triangles: [u32; 2]) -> bool {
+        if triangles.contains(&NONE) {
+            return true;
+        }
+        let instances = &self.view.snapshot.instances;
+        let normal = |triangle: u32| {
+            let visible = self.visible[triangle as usize];
+            &visible.mesh(instances).faces[visible.index()].normals[0]
+        };
+        let (a, b) = (normal(triangles[0]), normal(triangles[1]));
+        a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > 0.8
+    }
+
+    /// The number of what pixels of an instance's surface have in common.
+    fn look(&self, instance: u32, surface: u16, known: &mut Known) -> u32 {
+        let mut at = known.heads[instance as usize];
+        while at != NONE && known.looks[at as usize].surface != surface {
+            at = known.looks[at as usize].next;
+        }
+        if at != NONE {
+            return at;
+        }
+        let index = self.view.snapshot.instances[instance as usize].body;
+        let body = &self.view.snapshot.bodies[index as usize];
+        let of = &self.renderer.store.surfaces[usize::from(surface)];
+        let glow = if body.lit { self.lighting.glow(of, index) } else { [0.0; 3] };
+        let next = known.heads[instance as usize];
+        known.heads[instance as usize] = known.looks.len() as u32;
+        let (room, mirror) = (body.room, of.is_mirror());
+        known.looks.push(Look { surface, room, mirror, glow, next, paints: [NONE; 9] });
+        known.looks.len() as u32 - 1
+    }
+}
+
+impl Known {
+    /// Writes pixels of a row of the image that have one paint.
+    #[inline(always)]
+    fn write(
+        &mut self,
+        paint: u32,
+        (planes, first): (&mut Planes, usize),
+        columns: std::ops::Range<usize>,
+        (y, focal): (i32, f32),
+    ) {
+        let Self { paints, span, .. } = self;
+        let paint = &paints[paint as usize];
+        let at = first + columns.start..first + columns.end;
+        let (x, y) = (columns.start as f32 + 0.5, y as f32 + 0.5);
+        let [red, green, blue] = &mut planes.colour;
+        let (red, green, blue) = (&mut red[at.clone()], &mut green[at.clone()], &mut blue[at.clone()]);
+        planes.look[at.clone()].fill(paint.look);
+        let (gloss, lean) = (&mut planes.gloss[at.clone()], &mut planes.lean[at.clone()]);
+        let Some(texture) = &paint.texture else {
+            gloss.fill(gloss_of(paint.roughness, paint.metallic));
+            lean.fill(0);
+            for (out, colour) in [red, green, blue].into_iter().zip(paint.colour) {
+                out.fill(colour);
             }
             return;
-        }
-        let built = matches!(surface.role, Role::Built | Role::Floor);
-        let (back, axes) = if built {
-            (*self.world, UNMOVED)
-        } else {
-            (scratch.maps(visible.instance, instances, self.frustum)[1], instance.world.narrow())
         };
-        for (i, (out, inverse)) in out.iter_mut().zip(inverse).enumerate() {
-            let depth = 1.0 / inverse;
-            let local = affine::point(&back, [(x + i as f32) * depth, y * depth, depth]);
-            let n = normal(i);
-            let facing = if built { n } else { face.normals[0] };
-            let close = look::look(surface, (local, facing, face.grain), &axes, n, depth / self.frustum.focal);
-            *out = packed(&close, *inverse, surface.metallic, face.surface, instance.body);
+        let inverse = &planes.inverse[at.clone()];
+        for from in (0..at.len()).step_by(SPAN) {
+            let part = from..(from + SPAN).min(at.len());
+            span.count = part.len();
+            let level = texture.places(span, &inverse[part.clone()], (x + from as f32, y), focal);
+            texture.tile.span(level, span);
+            for ((out, tint), colour) in [&mut *red, green, blue].into_iter().zip(&span.tint).zip(paint.colour) {
+                for (out, tint) in out[part.clone()].iter_mut().zip(tint) {
+                    *out = (colour * tint).min(1.0);
+                }
+            }
+            for (out, roughness) in gloss[part.clone()].iter_mut().zip(&span.roughness) {
+                *out = gloss_of(paint.roughness * roughness, paint.metallic);
+            }
+            if texture.tile.leans(level) {
+                texture.lean(span, &mut lean[part]);
+            } else {
+                lean[part].fill(0);
+            }
         }
     }
 }
 
-fn plain(surface: &Surface, normal: [f32; 3]) -> look::Look {
-    look::Look { colour: surface.colour, roughness: surface.roughness, normal }
-}
+impl Texture {
+    /// Finds where some pixels of a row are in the tile, and the level to use for them.
+    #[inline(always)]
+    fn places(&self, span: &mut Span, inverse: &[f32], (x, y): (f32, f32), focal: f32) -> usize {
+        let [us, vs] = &self.places;
+        let (u0, v0) = (us[1] * y + us[2], vs[1] * y + vs[2]);
+        for (i, inverse) in inverse.iter().enumerate().take(SPAN) {
+            let depth = 1.0 / inverse;
+            let x = x + i as f32;
+            span.u[i] = (us[0] * x + u0) * depth + us[3];
+            span.v[i] = (vs[0] * x + v0) * depth + vs[3];
+        }
+        self.tile.level(1.0 / (inverse[inverse.len() / 2] * focal))
+    }
 
-/// Notes what is clear in front of a row's pixels.
-fn panes(view: View<'_>, frustum: &Frustum, layers: &Layers, (y, first): (i32, usize), scratch: &mut Scratch) {
-    let instances = &view.snapshot.instances;
-    let (front, behind) = (layers.front.triangle_row(y), layers.behind.triangle_row(y));
-    let inverse = layers.front.inverse_row(y);
-    for x in (0..front.len()).filter(|&x| front[x] != behind[x]) {
-        let visible = layers.visible[front[x] as usize];
-        let normal =
-            match bent(|| scratch.maps(visible.instance, instances, frustum)[0], frustum.near, instances, visible) {
-                Ok(flat) => flat,
-                Err(bend) => crate::label::unit(bend.at(x as f32 + 0.5, y as f32 + 0.5)),
-            };
-        scratch.panes.push(Pane {
-            pixel: (first + x) as u32,
-            surface: visible.mesh(instances).faces[visible.index()].surface,
-            body: instances[visible.instance as usize].body,
-            inverse: inverse[x],
-            normal,
-        });
+    /// Writes down how the normals of some pixels lean.
+    #[inline(always)]
+    fn lean(&self, span: &Span, out: &mut [u32]) {
+        let [across, along] = &self.axes;
+        let [us, vs] = &span.lean;
+        for ((out, u), v) in out.iter_mut().zip(us).zip(vs) {
+            *out = packed([across[0] * u + along[0] * v, across[1] * u + along[1] * v, across[2] * u + along[2] * v]);
+        }
     }
 }

@@ -2,14 +2,12 @@
 
 use std::sync::LazyLock;
 
-use rayon::prelude::*;
-
-use crate::frame::Frame;
+use crate::simd::whole;
 
 /// Steps of the table from linear to sRGB.
 const STEPS: usize = 4096;
 
-static TABLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
+static TABLE: LazyLock<Box<[u8; STEPS]>> = LazyLock::new(|| {
     use vc_graph::portable::Portable;
     let encode = |i: usize| {
         let v = i as f32 / (STEPS - 1) as f32;
@@ -17,7 +15,17 @@ static TABLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
         let v = if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.power(1.0 / 2.4) - 0.055 };
         (v * 255.0 + 0.5) as u8
     };
-    (0..STEPS).map(encode).collect()
+    Box::new(std::array::from_fn(encode))
+});
+
+/// From sRGB back to linear.
+static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
+    use vc_graph::portable::Portable;
+    let decode = |i: usize| {
+        let v = i as f32 / 255.0;
+        if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).power(2.4) }
+    };
+    (0..256).map(decode).collect()
 });
 
 /// A film's response, after Narkowicz's fit of ACES (2015), linear on a screen.
@@ -30,52 +38,30 @@ pub(crate) fn film(x: f32) -> f32 {
 /// A linear colour in sRGB.
 #[inline(always)]
 pub(crate) fn encoded(colour: [f32; 3]) -> [u8; 3] {
-    let table = &TABLE;
+    let table: &[u8; STEPS] = &TABLE;
     colour.map(|v| table[((v * (STEPS - 1) as f32) as usize).min(STEPS - 1)])
 }
 
-/// Light to colours, edges smoothed.
-pub(super) fn colours(frame: &mut Frame, exposure: f32) {
-    let Frame { light, edges, rgb, width, height, .. } = frame;
-    light.par_iter_mut().with_min_len(1 << 14).for_each(|c| *c = c.map(|v| film(v * exposure)));
-    let (light, edges, width, height) = (&*light, &*edges, *width, *height);
-    rgb.par_chunks_mut(width).with_min_len(16).enumerate().for_each(|(y, row)| {
-        for (x, out) in row.iter_mut().enumerate() {
-            *out = encoded(smoothed(light, edges, (x, y), (width, height)));
-        }
-    });
+/// A colour in sRGB as linear.
+#[inline(always)]
+pub(super) fn decoded(colour: [u8; 3]) -> [f32; 3] {
+    let table = &*LINEAR;
+    colour.map(|v| table[usize::from(v)])
 }
 
-/// A pixel's colour with what belongs to its neighbours' surfaces.
+/// Colours on a screen for the light of a row's pixels.
 #[inline(always)]
-fn smoothed(
-    light: &[[f32; 3]],
-    edges: &[[i8; 2]],
-    (x, y): (usize, usize),
-    (width, height): (usize, usize),
-) -> [f32; 3] {
-    let at = y * width + x;
-    let own = light[at];
-    let share = |e: i8| f32::from(e.max(0)) * (1.0 / 127.0);
-    let mut mixed = own;
-    let mut add = |there: usize, weight: f32| {
-        if weight > 0.0 {
-            for i in 0..3 {
-                mixed[i] += weight * (light[there][i] - own[i]);
+pub(super) fn colours(light: [&[f32]; 3], exposure: f32, out: &mut [[u8; 3]]) {
+    let table: &[u8; STEPS] = &TABLE;
+    let mut steps = [[0_u32; 64]; 3];
+    for (part, out) in out.chunks_mut(64).enumerate() {
+        for (steps, light) in steps.iter_mut().zip(light) {
+            for (step, light) in steps.iter_mut().zip(&light[part * 64..]) {
+                *step = whole(film(light * exposure) * (STEPS - 1) as f32);
             }
         }
-    };
-    if x + 1 < width {
-        add(at + 1, share(edges[at][0]));
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = [0, 1, 2].map(|c: usize| table[steps[c][i] as usize % STEPS]);
+        }
     }
-    if y + 1 < height {
-        add(at + width, share(edges[at][1]));
-    }
-    if x > 0 {
-        add(at - 1, share(-edges[at - 1][0]));
-    }
-    if y > 0 {
-        add(at - width, share(-edges[at - width][1]));
-    }
-    mixed.map(|v| v.clamp(0.0, 1.0))
 }

@@ -7,7 +7,7 @@ mod tile;
 use vc_graph::asset::{Material, Part};
 
 pub(crate) use pattern::Pattern;
-pub(crate) use tile::Tile;
+pub(crate) use tile::{SPAN, Span, Tile};
 
 /// A material as light meets it.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,0 +1,78 @@
+//! Light from all sides at a point.
+
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
+/// Light that falls on surfaces which face along the axes, after Valve's ambient cube
+/// (McTaggart 2004): what faces a wall with a window gets nothing of the window's light.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Ambient(pub(super) [f32; SIDES]);
+
+/// Four numbers each (colours, and one that keeps them aligned) for +X, +Y, +Z, -X, -Y and -Z.
+pub(super) const SIDES: usize = 24;
+
+impl Default for Ambient {
+    fn default() -> Self {
+        Self([0.0; SIDES])
+    }
+}
+
+impl Ambient {
+    /// Inside of things, where nothing is known.
+    pub(super) const UNKNOWN: Self = Self([f32::NAN; SIDES]);
+
+    pub(super) fn is_known(&self) -> bool {
+        !self.0[0].is_nan()
+    }
+
+    /// Adds light from a direction, so much on a surface that faces it.
+    pub(super) fn add(&mut self, towards: [f32; 3], light: [f32; 3]) {
+        for axis in 0..3 {
+            let side = axis + if towards[axis] < 0.0 { 3 } else { 0 };
+            for (sum, light) in self.0[4 * side..].iter_mut().zip(light) {
+                *sum += towards[axis].abs() * light;
+            }
+        }
+    }
+
+    /// Adds a share of another.
+    #[inline(always)]
+    pub(super) fn mix(&mut self, other: &Self, share: f32) {
+        for (sum, value) in self.0.iter_mut().zip(&other.0) {
+            *sum += share * value;
+        }
+    }
+
+    /// Light that falls on a surface of this normal.
+    #[inline(always)]
+    pub(crate) fn falls(&self, normal: [f32; 3]) -> [f32; 3] {
+        let mut sum = [0.0_f32; 4];
+        for axis in 0..3 {
+            let n = normal[axis];
+            let side = 4 * (axis + if n < 0.0 { 3 } else { 0 });
+            for (sum, value) in sum.iter_mut().zip(&self.0[side..side + 4]) {
+                *sum += n * n * value;
+            }
+        }
+        [sum[0], sum[1], sum[2]]
+    }
+
+    /// Radiance from about a direction.
+    #[inline(always)]
+    pub(crate) fn sheen(&self, towards: [f32; 3]) -> [f32; 3] {
+        self.falls(towards).map(|v| v * (1.0 / std::f32::consts::PI))
+    }
+
+    /// By how much more light falls on what faces along the axes than on what faces
+    /// the other way.
+    #[inline(always)]
+    pub(crate) fn lean(&self) -> [f32; 3] {
+        let side = |s: usize| super::brightness([self.0[4 * s], self.0[4 * s + 1], self.0[4 * s + 2]]);
+        [0, 1, 2].map(|axis: usize| 0.5 * (side(axis) - side(axis + 3)))
+    }
+
+    /// Mean radiance.
+    pub(super) fn mean(&self) -> f32 {
+        let side = |s: &[f32]| super::brightness([s[0], s[1], s[2]]);
+        self.0.chunks(4).map(side).sum::<f32>() / (6.0 * std::f32::consts::PI)
+    }
+}

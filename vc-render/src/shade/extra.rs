@@ -1,0 +1,127 @@
+//! What few pixels need: mirrors and panes.
+
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
+use super::light::Lamps;
+use super::planes::Planes;
+use super::surfel::Known;
+use crate::label::{bent, unit};
+use crate::light::{Lighting, dot};
+use crate::raster::{Frustum, Layers, NONE};
+use crate::renderer::Renderer;
+use crate::trace::{Met, Ray};
+use crate::view::View;
+
+/// Pixels of a pane that share the light around them.
+const SHARED: usize = 8;
+
+pub(super) struct Extra<'a> {
+    pub(super) renderer: &'a Renderer,
+    pub(super) view: View<'a>,
+    pub(super) lamps: &'a Lamps<'a>,
+}
+
+/// Linear colours of a row.
+pub(super) type Row<'a> = [&'a mut [f32]; 3];
+
+impl Extra<'_> {
+    fn place(&self, (x, y): (usize, i32), inverse: f32) -> ([f32; 3], [f32; 3]) {
+        let eye: [f32; 3] = self.view.camera.eye().into();
+        let towards = self.lamps.ray(x as f32, y as f32);
+        ([0, 1, 2].map(|i: usize| eye[i] + towards[i] / inverse), unit(towards))
+    }
+
+    /// What is seen in mirrors, in a row of the image that begins at a place in the planes.
+    pub(super) fn mirrors(&self, known: &mut Known, (planes, first): (&Planes, usize), y: i32, row: &mut Row<'_>) {
+        for x in 0..planes.width {
+            if known.looks[planes.look[first + x] as usize].mirror {
+                let (at, towards) = self.place((x, y), planes.inverse[first + x]);
+                let triangle = self.lamps.solid.triangle_row(y)[x];
+                let normal = self.lamps.writer.normal(triangle, (x as f32 + 0.5, y as f32 + 0.5), known);
+                let seen = self.reflected(at, towards, normal);
+                (0..3).for_each(|i| row[i][x] = seen[i] * planes.colour[i][first + x]);
+            }
+        }
+    }
+
+    fn reflected(&self, at: [f32; 3], towards: [f32; 3], normal: [f32; 3]) -> [f32; 3] {
+        let twice = 2.0 * dot(towards, normal);
+        let along = [0, 1, 2].map(|i: usize| towards[i] - twice * normal[i]);
+        let from = [0, 1, 2].map(|i: usize| at[i] + 1e-3 * normal[i]);
+        let lighting = self.lamps.lighting;
+        match lighting.tracer.first(&Ray { from, along, end: 1e4 }) {
+            Some(met) => lighting.thrown(self.renderer, &met, 0.004),
+            None => lighting.daylight.radiance(along),
+        }
+    }
+
+    /// What panes let through, and what they reflect, in a row of the image.
+    pub(super) fn panes(&self, layers: &Layers, frustum: &Frustum, y: i32, row: &mut Row<'_>) {
+        let (front, behind) = (layers.front.triangle_row(y), layers.behind.triangle_row(y));
+        let inverse = layers.front.inverse_row(y);
+        let mut column = 0;
+        for same in front.chunk_by(|a, b| a == b) {
+            let (from, to) = (column, column + same.len());
+            column = to;
+            if same[0] == NONE || behind[from..to].iter().all(|b| *b == same[0]) {
+                continue;
+            }
+            for first in (from..to).step_by(SHARED) {
+                let last = (first + SHARED).min(to);
+                let pixels = (first..last).filter(|&x| behind[x] != same[0]);
+                self.pane(layers, frustum, (same[0], y), (inverse, pixels), row);
+            }
+        }
+    }
+
+    fn pane(
+        &self,
+        layers: &Layers,
+        frustum: &Frustum,
+        (triangle, y): (u32, i32),
+        (inverse, pixels): (&[f32], impl Iterator<Item = usize>),
+        row: &mut Row<'_>,
+    ) {
+        let visible = layers.visible[triangle as usize];
+        let instances = &self.view.snapshot.instances;
+        let instance = &instances[visible.instance as usize];
+        let surface =
+            &self.renderer.store.surfaces[usize::from(visible.mesh(instances).faces[visible.index()].surface)];
+        let room = self.view.snapshot.bodies[instance.body as usize].room;
+        let map = || frustum.map.after(&instance.world).narrow();
+        let bend = bent(map, frustum.near, instances, visible);
+        let mut shared = None;
+        for x in pixels {
+            let normal = bend.unwrap_or_else(|bend| unit(bend.at(x as f32 + 0.5, y as f32 + 0.5)));
+            let (at, towards) = self.place((x, y), inverse[x]);
+            let facing = dot(towards, normal).abs().clamp(0.0, 1.0);
+            let edge = 1.0 - facing;
+            let fresnel = 0.06 + 0.94 * edge * edge * edge * edge * edge;
+            let (around, own) = *shared.get_or_insert_with(|| {
+                let twice = 2.0 * dot(towards, normal);
+                let along = unit([0, 1, 2].map(|i: usize| towards[i] - twice * normal[i]));
+                let sides = self.lamps.lighting.sides(at, normal, room);
+                (sides.sheen(along), sides.falls(normal))
+            });
+            let through = surface.transmission * (1.0 - fresnel);
+            for i in 0..3 {
+                let body = (1.0 - surface.transmission) * surface.colour[i] * own[i] / std::f32::consts::PI;
+                row[i][x] = row[i][x] * surface.colour[i] * through + around[i] * fresnel + body * (1.0 - fresnel);
+            }
+        }
+    }
+}
+
+impl Lighting {
+    /// Light that a surface throws back towards any side, its sheen left out.
+    pub(crate) fn thrown(&self, renderer: &Renderer, met: &Met<'_>, footprint: f32) -> [f32; 3] {
+        let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
+        let room = self.tracer.snapshot.bodies[met.instance.body as usize].room;
+        let look = met.look(surface, footprint);
+        let falling = self.around(met.at, look.normal, room);
+        let direct = self.direct(met.at, look.normal, room);
+        let glow = self.glow(surface, met.instance.body);
+        let over = 1.0 / std::f32::consts::PI;
+        [0, 1, 2].map(|i: usize| glow[i] + look.colour[i] * over * (falling[i] + direct[i]))
+    }
+}
