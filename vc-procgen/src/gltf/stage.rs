@@ -86,7 +86,8 @@ impl StageCamera {
     fn is_sound(&self) -> bool {
         let positive = |v: f32| v.is_finite() && v > 0.0;
         let pose = self.pose.translation.vector.iter().chain(self.pose.rotation.coords.iter()).all(|v| v.is_finite());
-        pose && [self.vertical_fov, self.aspect, self.near].into_iter().all(positive) && self.vertical_fov < std::f32::consts::PI
+        pose && [self.vertical_fov, self.aspect, self.near].into_iter().all(positive)
+            && self.vertical_fov < std::f32::consts::PI
     }
 
     fn write(&self, writer: &mut Writer<'_>) -> usize {
