@@ -3,7 +3,8 @@
 //!
 //! A [`Task`] is a goal with a title and a limit of steps. [`Task::obstacles`] says
 //! why a goal cannot make sense in a scene before anybody tries, an [`Outcome`]
-//! says how an attempt ended, and [`household`] is a list of everyday tasks.
+//! says how an attempt ended, and [`household`] is a list of everyday tasks. A
+//! [`World`] is where they are done, symbolic or with bodies.
 //!
 //! ```
 //! use vc_graph::{Draft, SceneBuilder};
@@ -25,7 +26,9 @@
 mod household;
 mod obstacle;
 mod task;
+mod world;
 
 pub use household::household;
 pub use obstacle::Obstacle;
 pub use task::{Outcome, Task, TaskError};
+pub use world::{World, WorldError};

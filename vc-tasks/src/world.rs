@@ -1,0 +1,84 @@
+//! What tasks need of a place where things can be done.
+
+use vc_graph::{Action, ChangeSet, History, NodeId, Refusal, SceneGraph, Simulator};
+
+/// A place where agents act: the symbolic [`Simulator`], or an environment with
+/// bodies.
+///
+/// It is object-safe: policies, runners and the makers of initial environments take
+/// `&mut dyn World`.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator};
+/// use vc_tasks::World;
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let apple = scene.add_in(kitchen, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let graph = scene.build();
+///
+/// let mut simulator = Simulator::new(graph.clone());
+/// let world: &mut dyn World = &mut simulator;
+/// world.step(me, &format!("walk apple.{}", apple.0).parse()?)?;
+/// world.reset(&graph)?;
+/// assert_eq!(world.graph(), &graph);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub trait World {
+    /// The scene as it is.
+    fn graph(&self) -> &SceneGraph;
+
+    /// What has been done since the last reset.
+    fn history(&self) -> &History;
+
+    /// Lets an agent act.
+    ///
+    /// # Errors
+    /// [`WorldError::Refused`] with every reason why it cannot; then nothing has
+    /// changed. [`WorldError::Failed`] if the world went wrong in doing it.
+    fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError>;
+
+    /// Puts a scene in force and forgets what was done.
+    ///
+    /// A world with bodies lets them come to rest, so that [`World::graph`] may
+    /// differ afterwards from what was asked.
+    ///
+    /// # Errors
+    /// [`WorldError::Failed`] if it cannot; then nothing has changed.
+    fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError>;
+}
+
+/// Why a world did not do what it was asked.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum WorldError {
+    /// The transition rule forbids the action, for these reasons.
+    #[error("refused: {}", listed(.0))]
+    Refused(Vec<Refusal>),
+    /// The world could not do what the rule allows; the text says what happened.
+    #[error("{0}")]
+    Failed(String),
+}
+
+fn listed(refusals: &[Refusal]) -> String {
+    refusals.iter().map(Refusal::to_string).collect::<Vec<_>>().join("; ")
+}
+
+impl World for Simulator {
+    fn graph(&self) -> &SceneGraph {
+        Simulator::graph(self)
+    }
+
+    fn history(&self) -> &History {
+        Simulator::history(self)
+    }
+
+    fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
+        Simulator::step(self, agent, action).map_err(WorldError::Refused)
+    }
+
+    fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError> {
+        *self = Simulator::new(graph.clone());
+        Ok(())
+    }
+}
