@@ -383,7 +383,10 @@ impl Shape {
     /// [`AssetLibrary::add`] asks of a part's shape.
     pub fn measures_are_positive(&self) -> bool {
         let positive = |v: f32| v.is_finite() && v > 0.0;
-        let finite = |p: &Point3<f32>| p.iter().all(|v| v.is_finite());
+        // All of them, without a branch for each.
+        let finite = |points: &[Point3<f32>]| {
+            points.iter().fold(true, |all, p| all & p.x.is_finite() & p.y.is_finite() & p.z.is_finite())
+        };
         match self {
             Self::Box { half } => half.iter().copied().all(positive),
             Self::RoundedBox { half, radius } => half.iter().all(|&h| positive(h) && h >= *radius) && positive(*radius),
@@ -394,7 +397,7 @@ impl Shape {
                 positive(*radius) && (positive(*half_height) || *half_height == 0.0)
             }
             Self::Sphere { radius } => positive(*radius),
-            Self::Hull { points } => points.len() >= 4 && points.iter().all(finite),
+            Self::Hull { points } => points.len() >= 4 && finite(points),
             Self::Lathe { profile } => {
                 profile.len() >= 2 && profile.iter().all(|(r, z)| r.is_finite() && *r >= 0.0 && z.is_finite())
             }
@@ -402,7 +405,7 @@ impl Shape {
                 let plane = outline.iter().all(|(x, y)| x.is_finite() && y.is_finite());
                 outline.len() >= 3 && plane && positive(*height)
             }
-            Self::Mesh { vertices, .. } => vertices.iter().all(finite),
+            Self::Mesh { vertices, .. } => finite(vertices),
         }
     }
 
@@ -463,6 +466,13 @@ impl Shape {
 }
 
 fn corners(points: impl Iterator<Item = Point3<f32>>) -> (Point3<f32>, Point3<f32>) {
-    let empty = (Point3::from([f32::INFINITY; 3]), Point3::from([f32::NEG_INFINITY; 3]));
-    points.fold(empty, |(low, high), p| (low.inf(&p), high.sup(&p)))
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    for p in points {
+        // Plain comparisons: an operation each, where `min` also asks for NaN.
+        for k in 0..3 {
+            low[k] = if p[k] < low[k] { p[k] } else { low[k] };
+            high[k] = if p[k] > high[k] { p[k] } else { high[k] };
+        }
+    }
+    (low.into(), high.into())
 }

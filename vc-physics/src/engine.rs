@@ -1,5 +1,7 @@
 //! The physics engine's sets, in one piece that can be cloned and serialised.
 
+use std::sync::OnceLock;
+
 use nalgebra::Vector3;
 use rapier3d::dynamics::{
     CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet, RigidBody, RigidBodyBuilder,
@@ -39,6 +41,12 @@ pub(crate) struct Engine {
     softs: SoftBodySet,
     parameters: IntegrationParameters,
     gravity: f32,
+    /// Whether there has been a step. Until then the engine's own tree is empty, so that the
+    /// first step makes it of all bodies at once.
+    started: bool,
+    /// The tree for questions before the first step, made when there is one.
+    #[serde(skip)]
+    early: OnceLock<BroadPhaseBvh>,
     #[serde(skip)]
     scratch: Scratch,
 }
@@ -69,6 +77,8 @@ impl Engine {
             softs: SoftBodySet::new(),
             parameters: parameters(dt),
             gravity,
+            started: false,
+            early: OnceLock::new(),
             scratch: Scratch::default(),
         }
     }
@@ -80,6 +90,7 @@ impl Engine {
     /// One step; gives the bodies that became non-finite and were stopped.
     pub(crate) fn step(&mut self) -> &[RigidBodyHandle] {
         self.look_ahead();
+        (self.started, self.early) = (true, OnceLock::new());
         self.scratch.pipeline.step(
             convert::vector(Vector3::new(0.0, 0.0, -self.gravity)),
             &self.parameters,
@@ -149,15 +160,29 @@ impl Engine {
 
     /// Questions about shapes in space, as of now.
     pub(crate) fn queries<'a>(&'a self, filter: QueryFilter<'a>) -> QueryPipeline<'a> {
-        self.broad.as_query_pipeline(self.narrow.query_dispatcher(), &self.bodies, &self.colliders, filter)
+        self.tree().as_query_pipeline(self.narrow.query_dispatcher(), &self.bodies, &self.colliders, filter)
     }
 
     /// The same, for the vehicle controller, which pushes bodies.
     pub(crate) fn queries_mut<'a>(&'a mut self, filter: QueryFilter<'a>) -> rapier3d::pipeline::QueryPipelineMut<'a> {
-        self.broad.as_query_pipeline_mut(self.narrow.query_dispatcher(), &mut self.bodies, &mut self.colliders, filter)
+        self.tree();
+        let tree = self.early.get().unwrap_or(&self.broad);
+        tree.as_query_pipeline_mut(self.narrow.query_dispatcher(), &mut self.bodies, &mut self.colliders, filter)
+    }
+
+    fn tree(&self) -> &BroadPhaseBvh {
+        let of_all = || {
+            let mut tree = BroadPhaseBvh::new();
+            for (handle, collider) in self.colliders.iter() {
+                tree.set_aabb(&self.parameters, handle, collider.compute_aabb());
+            }
+            tree
+        };
+        if self.started { &self.broad } else { self.early.get_or_init(of_all) }
     }
 
     pub(crate) fn add_collider(&mut self, collider: Collider, to: RigidBodyHandle) -> ColliderHandle {
+        self.early.take();
         let handle = self.colliders.insert_with_parent(collider, to, &mut self.bodies);
         // Otherwise a body has no mass before its first step.
         if let Some(body) = self.bodies.get_mut(to) {
@@ -185,13 +210,17 @@ impl Engine {
             let Some(collider) = self.colliders.get_mut(handle) else { continue };
             let local = collider.position_wrt_parent().copied().unwrap_or_default();
             collider.set_position(*rigid.position() * local);
-            let aabb = collider.compute_aabb();
-            self.broad.set_aabb(&self.parameters, handle, aabb);
+            if self.started {
+                let aabb = collider.compute_aabb();
+                self.broad.set_aabb(&self.parameters, handle, aabb);
+            }
         }
+        self.early.take();
     }
 
     /// Takes a body out, its colliders and joints with it.
     pub(crate) fn remove(&mut self, body: RigidBodyHandle) {
+        self.early.take();
         self.bodies.remove(
             body,
             &mut self.islands,

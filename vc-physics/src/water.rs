@@ -17,10 +17,12 @@ use crate::{PhysicsError, Role, convert};
 const DENSITY: f32 = 1000.0;
 /// Drag coefficient of a body about as wide as it is long.
 const DRAG: f32 = 1.0;
-/// How fast waves carry away what a body bobs and rolls, per second.
-const WAVES: f32 = 1.5;
-/// From which speed on a floating body may not fall asleep, metres a second.
-const RESTLESS: f32 = 0.005;
+/// How fast waves carry away what a body bobs and rolls, per second, where it displaces its own
+/// mass: a block loses a third of its swing from one bob to the next.
+const WAVES: f32 = 3.0;
+/// From which speed on a floating body may not fall asleep, metres a second: a millimetre or
+/// two from where it floats.
+const RESTLESS: f32 = 0.01;
 /// Share of the displaced water that moves with a body: that of a sphere.
 const ADDED: f32 = 0.5;
 
@@ -79,6 +81,7 @@ impl World {
         let basin = (thing.state.role == Role::Fixed).then(|| self.basin(thing, level)).flatten();
         self.fills.insert(id, level);
         self.waters.retain(|w| w.container != Some(id));
+        self.engine.bodies.iter_mut().for_each(|(_, body)| let_go(body));
         if let Some(aabb) = basin.filter(|_| level > 0.0) {
             self.waters.push(Water::new(&aabb, Some(id))?);
             self.wake_in(&aabb);
@@ -136,18 +139,25 @@ impl World {
         let (dt, gravity) = (self.engine.dt(), self.settings.gravity);
         let awake: Vec<_> = self.engine.awake_bodies().collect();
         for handle in awake {
-            let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic()) else { continue };
+            let Some(body) = self.engine.bodies.get_mut(handle).filter(|b| b.is_dynamic()) else { continue };
+            let_go(body);
             let (id, link) = crate::group::marked(body.user_data);
-            let centre = convert::point3(body.center_of_mass());
+            let (centre, pose) = (convert::point3(body.center_of_mass()), convert::isometry(body.position()));
             let Some(water) = self.waters.iter().find(|w| w.holds(&centre)) else { continue };
             let Ok(thing) = self.thing(id) else { continue };
             let Some(link) = thing.form.links.get(link) else { continue };
-            let below = submerged(link.mesh(), &convert::isometry(body.position()), water.level());
+            let below = submerged(link.mesh(), &pose, water.level());
             if let (Some(below), Some(body)) = (below, self.engine.bodies.get_mut(handle)) {
                 float(body, &below, dt, gravity);
             }
         }
     }
+}
+
+/// Takes the water's push of the last step from a body.
+fn let_go(body: &mut RigidBody) {
+    body.reset_forces(false);
+    body.reset_torques(false);
 }
 
 /// The part of a body below the surface.
@@ -212,16 +222,21 @@ fn float(body: &mut RigidBody, below: &Submerged, dt: f32, gravity: f32) {
     }
     let (mass, displaced) = (body.mass(), DENSITY * below.volume);
     let slower = mass / (mass + ADDED * displaced);
-    let weight = mass * gravity * dt;
+    let weight = mass * gravity;
     // Gravity itself is added by the engine: what counts is the difference.
-    let lift = displaced * gravity * dt - weight;
-    let impulse = Vector3::z() * (lift * slower + weight);
-    body.apply_impulse_at_point(convert::vector(impulse), convert::point(below.centre), false);
+    let lift = displaced * gravity - weight;
     let velocity = body.linvel();
     let area = nalgebra::ComplexField::cbrt(below.volume).powi(2);
     let drag = 0.5 * DENSITY * DRAG * area * velocity.length() * dt / (mass + ADDED * displaced);
-    let slow = 1.0 / (1.0 + drag + WAVES * below.share * dt);
-    let spin = 1.0 / (1.0 + (WAVES + body.angvel().length()) * below.share * dt);
+    // Waves go with the water a body moves, not with how much of the body is below: what is
+    // light and floats high would bob for minutes.
+    let waves = WAVES * displaced / (mass + ADDED * displaced) * dt;
+    let slow = 1.0 / (1.0 + drag + waves);
+    let spin = 1.0 / (1.0 + waves + body.angvel().length() * below.share * dt);
     body.set_linvel(velocity * slow, false);
     body.set_angvel(body.angvel() * spin, false);
+    // A force, as gravity is one, which the engine adds in parts through the step: an impulse at
+    // its start would leave what floats still with a speed, and never let it sleep.
+    let force = Vector3::z() * (lift * slower + weight);
+    body.add_force_at_point(convert::vector(force), convert::point(below.centre), false);
 }

@@ -131,7 +131,7 @@ fn damaged_snapshots_are_refused() {
     }
     let mut newer = bytes.clone();
     newer[8] = 99;
-    assert_eq!(restore(&newer), Some(SnapshotError::Version { found: 99, expected: 2 }));
+    assert_eq!(restore(&newer), Some(SnapshotError::Version { found: 99, expected: 3 }));
     let other = Scene::default().graph();
     assert!(matches!(World::restore(&bytes, &other, &shapes), Err(SnapshotError::OtherScene(_))));
 }

@@ -155,6 +155,7 @@ fn depth_of_a_floating_block() {
         highest = highest.max(world.pose(ball).unwrap().translation.z);
     }
     assert!(world.is_asleep(rock), "what has sunk comes to rest");
+    assert!(world.is_asleep(wood) && world.is_asleep(ball), "so does what floats, within twenty seconds");
     // 0.6 of 0.2 m is below: the middle is 0.02 m below the surface.
     let middle = world.pose(wood).unwrap().translation.z;
     assert!((middle - 0.98).abs() < 0.003, "{middle}");

@@ -56,7 +56,6 @@ impl World {
             }
         });
         world.add_agents(graph);
-        world.refresh_all();
         Ok(world)
     }
 
@@ -159,12 +158,6 @@ impl World {
             self.engine.add_collider(collider.user_data(group::mark(thing.id, 0)).build(), body);
         }
         body
-    }
-
-    /// Lets queries see all bodies where they are.
-    fn refresh_all(&mut self) {
-        let bodies: Vec<_> = self.engine.bodies.iter().map(|(handle, _)| handle).collect();
-        bodies.into_iter().for_each(|b| self.engine.refresh(b));
     }
 
     /// Nodes of the graph that got no body: they had no pose, or neither asset nor

@@ -1,6 +1,8 @@
 //! Whether one can still walk through a room and reach what is in it, asked before a
 //! piece is put down.
 
+use std::cell::RefCell;
+
 use super::Area;
 use crate::bits::Bits;
 use crate::plan::{OpeningKind, Plan, Rect};
@@ -17,15 +19,24 @@ type Span = ((i32, i32), (i32, i32));
 pub(super) struct Walk {
     west: i32,
     south: i32,
-    /// Where the middle of a person may be.
-    free: Bits,
+    floor: Floor,
     /// The room and its doorways: from here one reaches for things.
     within: Bits,
     doorways: Vec<Rect>,
-    /// Where one gets to, if every doorway is among it.
-    standing: Option<Bits>,
     /// What one wants to reach.
     wanted: Vec<Wanted>,
+    /// What the floor would be with a thing that was asked about: most are put down
+    /// next.
+    asked: RefCell<Option<(Span, Floor)>>,
+}
+
+/// Where one walks.
+#[derive(Debug, Clone)]
+struct Floor {
+    /// Where the middle of a person may be.
+    free: Bits,
+    /// Where one gets to, if every doorway is among it.
+    standing: Option<Bits>,
 }
 
 /// Something to reach, and a cell one reached it from when last looked.
@@ -43,11 +54,11 @@ impl Walk {
         let mut walk = Self {
             west: hull.x0,
             south: hull.y0,
-            free: blank.clone(),
+            floor: Floor { free: blank.clone(), standing: None },
             within: blank,
             doorways,
-            standing: None,
             wanted: Vec::new(),
+            asked: RefCell::default(),
         };
         let mut floor = walk.within.clone();
         for rect in net.iter().chain(&walk.doorways) {
@@ -63,9 +74,9 @@ impl Walk {
             let (x, y) = walk.cells(&board);
             floor.fill(x, y, false);
         }
-        walk.free = floor.inverted().dilated(BODY).inverted();
+        walk.floor.free = floor.inverted().dilated(BODY).inverted();
         let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.touches(room));
-        walk.standing = walk.flooded(&walk.free);
+        walk.floor.standing = walk.flooded(&walk.floor.free);
         windows.for_each(|o| walk.want(Area::of(&o.across(o.at - 1, o.at + 1))));
         walk
     }
@@ -77,12 +88,10 @@ impl Walk {
     /// Notes a thing that was put down.
     pub(super) fn put(&mut self, area: &Area, heights: (f32, f32), wanted: bool) {
         if is_in_the_way(heights) {
-            let (x, y) = self.cells(&outward(area));
-            let mut free = self.free.clone();
-            free.clear_within(x, y, BODY);
-            if free != self.free {
-                self.standing = self.standing_on(&free, &[(x, y)]);
-                self.free = free;
+            let span = self.cells(&outward(area));
+            let asked = self.asked.take().filter(|(asked, _)| *asked == span).map(|(_, floor)| floor);
+            if let Some(floor) = asked.or_else(|| self.without(&[span])) {
+                self.floor = floor;
                 self.look_again();
             }
         }
@@ -92,18 +101,18 @@ impl Walk {
     }
 
     fn want(&mut self, area: Area) {
-        let from = self.standing.as_ref().and_then(|standing| self.reached(&area, standing));
+        let from = self.floor.standing.as_ref().and_then(|standing| self.reached(&area, standing));
         self.wanted.push(Wanted { area, from });
     }
 
     /// Finds other cells to reach from where one gets no longer to the old ones.
     fn look_again(&mut self) {
-        let Some(standing) = self.standing.take() else { return };
+        let Some(standing) = self.floor.standing.take() else { return };
         let mut wanted = std::mem::take(&mut self.wanted);
         for w in wanted.iter_mut().filter(|w| !w.from.is_some_and(|(x, y)| standing.get(x, y))) {
             w.from = self.reached(&w.area, &standing);
         }
-        (self.wanted, self.standing) = (wanted, Some(standing));
+        (self.wanted, self.floor.standing) = (wanted, Some(standing));
     }
 
     /// A cell from which one reaches something.
@@ -117,21 +126,35 @@ impl Walk {
     ///
     /// Costs some microseconds.
     pub(super) fn stays_open(&self, things: &[Area]) -> bool {
-        let mut free = self.free.clone();
         let taken: Vec<Span> = things.iter().map(|area| self.cells(&outward(area))).collect();
-        taken.iter().for_each(|&(x, y)| free.clear_within(x, y, BODY));
-        // What stands where nobody could stand before changes no way.
-        let flooded = if free == self.free { None } else { Some(self.standing_on(&free, &taken)) };
-        let Some(standing) = flooded.as_ref().unwrap_or(&self.standing) else { return false };
+        let next = self.without(&taken);
+        let Some(standing) = &next.as_ref().unwrap_or(&self.floor).standing else { return false };
         let still = |w: &Wanted| w.from.is_some_and(|(x, y)| standing.get(x, y));
         let reached = |area: &Area| self.reached(area, standing).is_some();
-        self.wanted.iter().all(|w| still(w) || reached(&w.area)) && things.iter().map(core).all(|area| reached(&area))
+        let open = self.wanted.iter().all(|w| still(w) || reached(&w.area))
+            && things.iter().map(core).all(|area| reached(&area));
+        if let ([span], Some(floor)) = (&taken[..], next) {
+            self.asked.replace(Some((*span, floor)));
+        }
+        open
+    }
+
+    /// The floor after rectangles were taken from it; `None` where nobody could stand
+    /// there before.
+    fn without(&self, taken: &[Span]) -> Option<Floor> {
+        let mut free = self.floor.free.clone();
+        taken.iter().for_each(|&(x, y)| free.clear_within(x, y, BODY));
+        if free == self.floor.free {
+            return None;
+        }
+        let standing = self.standing_on(&free, taken);
+        Some(Floor { free, standing })
     }
 
     /// Where one gets to on what is left of the free floor after rectangles were taken
     /// from it; `None` if a doorway is cut off.
     fn standing_on(&self, free: &Bits, taken: &[Span]) -> Option<Bits> {
-        let standing = self.standing.as_ref()?;
+        let standing = self.floor.standing.as_ref()?;
         if !taken.iter().all(|&(x, y)| free.is_whole_around(x, y, BODY + 1)) {
             return self.flooded(free);
         }

@@ -1,6 +1,8 @@
 //! How things come to rest: what was built about as it lies is turned until it lies as
 //! it would fall, its middle of mass above what touches the ground.
 
+use std::sync::LazyLock;
+
 use nalgebra::{Isometry3, Point3, Quaternion, UnitQuaternion, Vector2, Vector3};
 use vc_graph::asset::{Joint, JointKind, Part, Shape};
 use vc_graph::portable::Portable;
@@ -75,6 +77,22 @@ fn turn_joint(joint: &mut Option<Joint>, turned: &Pose) {
     }
 }
 
+/// The way along which points reach least far, and how far that is.
+fn least_reach(points: &[Vector2<f32>]) -> (Vector2<f32>, f32) {
+    static TURNS: LazyLock<[(f32, f32); WAYS]> = LazyLock::new(|| std::array::from_fn(|i| circle::part(i, WAYS)));
+    let (sines, cosines) = (TURNS.map(|t| t.0), TURNS.map(|t| t.1));
+    let mut reach = [f32::NEG_INFINITY; WAYS];
+    for p in points {
+        // All ways at once, in vectors.
+        for i in 0..WAYS {
+            let along = p.x * cosines[i] + p.y * sines[i];
+            reach[i] = if along > reach[i] { along } else { reach[i] };
+        }
+    }
+    let least = (0..WAYS).min_by(|&a, &b| reach[a].total_cmp(&reach[b])).unwrap_or(0);
+    (Vector2::new(cosines[least], sines[least]), reach[least])
+}
+
 /// An asset as what can touch the ground, and its middle of mass.
 struct Body {
     corners: Vec<Point3<f32>>,
@@ -115,12 +133,7 @@ impl Body {
         let low = self.corners.iter().map(|p| p.z).fold(f32::INFINITY, f32::min);
         let aside = |p: &Point3<f32>| p.xy() - self.middle.xy();
         let feet: Vec<Vector2<f32>> = self.corners.iter().filter(|p| p.z <= low + self.slack).map(aside).collect();
-        let ways = (0..WAYS).map(|i| {
-            let (s, c) = circle::part(i, WAYS);
-            Vector2::new(c, s)
-        });
-        let reach = |way: Vector2<f32>| feet.iter().map(|p| p.dot(&way)).fold(f32::NEG_INFINITY, f32::max);
-        let (way, edge) = ways.map(|way| (way, reach(way))).min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let (way, edge) = least_reach(&feet);
         if edge >= 0.0 {
             return None;
         }

@@ -118,16 +118,26 @@ impl Around {
         if self.straight { (middle - self.half, middle + self.half) } else { part.extent() }
     }
 
+    /// Another box in this one's frame: which axes are parallel to one of its own, where
+    /// its middle is, how far it reaches from there.
+    fn sight(&self, other: &Self) -> ([bool; 3], Vector3<f32>, Vector3<f32>) {
+        if self.straight && other.straight {
+            let way = other.pose.translation.vector + other.centre.coords - self.pose.translation.vector;
+            return ([true; 3], way - self.centre.coords, other.half);
+        }
+        let turn = self.axes.tr_mul(&other.axes);
+        let middle = self.pose.inverse_transform_point(&(other.pose * other.centre)) - self.centre;
+        let upright = [0, 1, 2].map(|k| turn.row(k).iter().any(|v| v.abs() > 0.9999));
+        (upright, middle, turn.abs() * other.half)
+    }
+
     /// A side of this box, as axis and whether it is the higher one, that lies in a
     /// plane with the same side of another box and overlaps it.
     fn flush(&self, other: &Self, same: f32) -> Option<(usize, bool)> {
-        let turn = self.axes.tr_mul(&other.axes);
-        let middle = self.pose.inverse_transform_point(&(other.pose * other.centre)) - self.centre;
-        let reach = turn.abs() * other.half;
+        let (upright, middle, reach) = self.sight(other);
         (0..3).find_map(|k| {
-            let upright = turn.row(k).iter().any(|v| v.abs() > 0.9999);
             let beside = |m: usize| m != k && middle[m].abs() > self.half[m] + reach[m] - same;
-            if !upright || (0..3).any(beside) {
+            if !upright[k] || (0..3).any(beside) {
                 return None;
             }
             let side = |sign: f32| (middle[k] * sign + reach[k] - self.half[k]).abs() <= same;
