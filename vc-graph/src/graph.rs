@@ -11,7 +11,7 @@ use crate::grid::Grid;
 use crate::met::Met;
 use crate::node::{Kind, Link, Node};
 use crate::store::Store;
-use crate::vocabulary::folded;
+use crate::vocabulary::key;
 use crate::{Edge, Edit, Label, NodeId, Relation};
 
 /// How near is near: within reach of an agent's step and arm, metres.
@@ -137,7 +137,7 @@ impl SceneGraph {
                 .flatten()
                 .copied()
                 .collect(),
-            None => self.by_class.get(folded(class).collect::<String>().as_str()).cloned().unwrap_or_default(),
+            None => self.by_class.get(key(class).as_str()).cloned().unwrap_or_default(),
         };
         found.sort_unstable();
         found

@@ -6,7 +6,7 @@ use nalgebra::{Point3, Vector3};
 
 use crate::class::{Class, ClassTable, Slot, SlotKind};
 use crate::geometry::{Aabb, Bounds, Pose};
-use crate::vocabulary::{Word, folded};
+use crate::vocabulary::{Word, key};
 use crate::{AssetId, Label, NodeId, Place, Property, PropertySet, Relation, State, StateSet};
 
 /// What part a node plays in a scene.
@@ -296,7 +296,7 @@ impl Draft {
             (None, None) => "prop".into(),
         };
         Spec {
-            class: class.map_or_else(|| folded(&self.class).collect::<String>().into(), |c| c.name.clone()),
+            class: class.map_or_else(|| key(&self.class).into(), |c| c.name.clone()),
             kind: kind_of(class, &category),
             category,
             spelling: match class {

@@ -56,6 +56,16 @@ pub(crate) fn folded(text: &str) -> impl Iterator<Item = char> + '_ {
     text.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase)
 }
 
+/// The folded spelling as a key of a table.
+pub(crate) fn key(text: &str) -> String {
+    if !text.is_ascii() {
+        return folded(text).collect();
+    }
+    let mut key = String::with_capacity(text.len());
+    key.extend(text.bytes().filter(u8::is_ascii_alphanumeric).map(|b| char::from(b.to_ascii_lowercase())));
+    key
+}
+
 /// Whether two spellings are the same word up to case and separators.
 pub(crate) fn same_word(a: &str, b: &str) -> bool {
     folded(a).eq(folded(b))

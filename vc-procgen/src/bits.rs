@@ -1,17 +1,22 @@
 //! A grid of bits, a row a run of words: what the reachability check computes with.
 
+use std::ops::Range;
+
+use smallvec::SmallVec;
+
 /// Bits in rows.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Bits {
     words: usize,
     width: usize,
+    height: usize,
     rows: Vec<u64>,
 }
 
 impl Bits {
     pub(crate) fn new(width: usize, height: usize) -> Self {
         let words = width.div_ceil(64).max(1);
-        Self { words, width, rows: vec![0; words * height] }
+        Self { words, width, height, rows: vec![0; words * height] }
     }
 
     /// A grid of the same size with no bit set.
@@ -21,7 +26,7 @@ impl Bits {
 
     #[inline]
     pub(crate) fn height(&self) -> usize {
-        self.rows.len() / self.words
+        self.height
     }
 
     #[inline]
@@ -36,15 +41,36 @@ impl Bits {
 
     /// Sets or clears a rectangle, cut to the grid.
     pub(crate) fn fill(&mut self, x: (i32, i32), y: (i32, i32), value: bool) {
-        let cut = |v: i32, most: usize| v.clamp(0, most as i32) as usize;
-        let (x0, x1) = (cut(x.0, self.width), cut(x.1, self.width));
-        for row in cut(y.0, self.height())..cut(y.1, self.height()) {
-            for word in x0 / 64..x1.div_ceil(64) {
-                let mask = span(x0.max(word * 64) - word * 64, x1.min(word * 64 + 64).max(word * 64) - word * 64);
+        let Some((words, rows)) = self.cut(x, y) else { return };
+        for (word, mask) in words {
+            for row in rows.clone() {
                 let bits = &mut self.rows[row * self.words + word];
                 *bits = if value { *bits | mask } else { *bits & !mask };
             }
         }
+    }
+
+    /// A rectangle, cut to the grid: its words with what of them belongs to it, and its
+    /// rows; `None` if nothing is left.
+    #[inline]
+    fn cut(
+        &self,
+        x: (i32, i32),
+        y: (i32, i32),
+    ) -> Option<(impl Iterator<Item = (usize, u64)> + Clone + use<>, Range<usize>)> {
+        let cut = |v: i32, most: usize| v.clamp(0, most as i32) as usize;
+        let (x0, x1) = (cut(x.0, self.width), cut(x.1, self.width));
+        let rows = cut(y.0, self.height)..cut(y.1, self.height);
+        if x0 >= x1 || rows.is_empty() {
+            return None;
+        }
+        let (first, last) = (x0 / 64, (x1 - 1) / 64);
+        let words = (first..=last).map(move |word| {
+            let low = if word == first { u64::MAX << (x0 % 64) } else { u64::MAX };
+            let high = if word == last { u64::MAX >> (63 - (x1 - 1) % 64) } else { u64::MAX };
+            (word, low & high)
+        });
+        Some((words, rows))
     }
 
     /// Whether any bit of a rectangle is set.
@@ -144,10 +170,30 @@ impl Bits {
     /// then whoever walked through the rectangle can walk around it.
     pub(crate) fn is_whole_around(&self, x: (i32, i32), y: (i32, i32), far: usize) -> bool {
         let far = far as i32;
-        let near = self.window((x.0 - far, x.1 + far), (y.0 - far, y.1 + far));
+        let window = ((x.0 - far, x.1 + far), (y.0 - far, y.1 + far));
+        if let Some(near) = self.small_window(window.0, window.1) {
+            return is_whole(&near);
+        }
+        let near = self.window(window.0, window.1);
         let all = ((0, near.width as i32), (0, near.height() as i32));
         let Some((x, y)) = near.first(all.0, all.1) else { return true };
         near.flood(x, y) == near
+    }
+
+    /// A rectangle, cut to the grid, as a word for each row, if it is that small.
+    fn small_window(&self, x: (i32, i32), y: (i32, i32)) -> Option<SmallVec<[u64; SMALL]>> {
+        let cut = |v: i32, most: usize| v.clamp(0, most as i32) as usize;
+        let (x0, x1) = (cut(x.0, self.width), cut(x.1, self.width));
+        let (y0, y1) = (cut(y.0, self.height), cut(y.1, self.height));
+        if x1.saturating_sub(x0) > 64 {
+            return None;
+        }
+        let (word, shift, mask) = (x0 / 64, x0 % 64, span(0, x1.saturating_sub(x0)));
+        let rows = self.rows.chunks_exact(self.words).take(y1).skip(y0).map(|row| {
+            let over = if shift > 0 { row.get(word + 1).map_or(0, |w| w << (64 - shift)) } else { 0 };
+            (row.get(word).map_or(0, |w| w >> shift) | over) & mask
+        });
+        Some(rows.collect())
     }
 
     /// A rectangle, cut to the grid, as a grid of its own.
@@ -207,11 +253,9 @@ impl Bits {
 
     /// The first set bit of a rectangle.
     pub(crate) fn first(&self, x: (i32, i32), y: (i32, i32)) -> Option<(usize, usize)> {
-        let cut = |v: i32, most: usize| v.clamp(0, most as i32) as usize;
-        let (x0, x1) = (cut(x.0, self.width), cut(x.1, self.width));
-        (cut(y.0, self.height())..cut(y.1, self.height())).find_map(|row| {
-            (x0 / 64..x1.div_ceil(64)).find_map(|word| {
-                let mask = span(x0.max(word * 64) - word * 64, x1.min(word * 64 + 64).max(word * 64) - word * 64);
+        let (words, mut rows) = self.cut(x, y)?;
+        rows.find_map(|row| {
+            words.clone().find_map(|(word, mask)| {
                 let bits = self.rows[row * self.words + word] & mask;
                 (bits != 0).then(|| (word * 64 + bits.trailing_zeros() as usize, row))
             })
@@ -227,6 +271,36 @@ impl Bits {
         }
         out
     }
+}
+
+/// Rows of a window that stay off the heap.
+const SMALL: usize = 96;
+
+/// Whether the bits of a grid, a word a row, hang together.
+fn is_whole(rows: &[u64]) -> bool {
+    let Some(first) = rows.iter().position(|row| *row != 0) else { return true };
+    let mut seen: SmallVec<[u64; SMALL]> = SmallVec::from_elem(0, rows.len());
+    seen[first] = filled(rows[first] & rows[first].wrapping_neg(), rows[first]);
+    // Down and up again until nothing is new.
+    loop {
+        let before = seen.clone();
+        for y in 1..rows.len() {
+            seen[y] = filled(seen[y] | (seen[y - 1] & rows[y]), rows[y]);
+        }
+        for y in (1..rows.len()).rev() {
+            seen[y - 1] = filled(seen[y - 1] | (seen[y] & rows[y - 1]), rows[y - 1]);
+        }
+        if seen == before {
+            return seen[..] == *rows;
+        }
+    }
+}
+
+/// Bits of a row grown to both ends of the runs of `open` that they lie in.
+fn filled(seeds: u64, open: u64) -> u64 {
+    let (up, _) = run_up(seeds, open, false);
+    let (down, _) = run_up(up.reverse_bits(), open.reverse_bits(), false);
+    down.reverse_bits()
 }
 
 /// How many columns away a disc in the middle of a bit still meets one so many rows
@@ -252,4 +326,19 @@ fn span(from: usize, to: usize) -> u64 {
         return 0;
     }
     (u64::MAX >> (64 - (to - from))) << from
+}
+
+/// The largest whole number not above another. Without the call that rounding costs on
+/// processors that are not asked for more than x86-64 has had from the start.
+#[inline]
+pub(crate) fn floor(v: f32) -> i32 {
+    let whole = v as i32;
+    whole - i32::from(whole as f32 > v)
+}
+
+/// The smallest whole number not below another.
+#[inline]
+pub(crate) fn ceiling(v: f32) -> i32 {
+    let whole = v as i32;
+    whole + i32::from((whole as f32) < v)
 }

@@ -2,7 +2,7 @@
 //! door on.
 
 use crate::apartment::Apartment;
-use crate::bits::Bits;
+use crate::bits::{Bits, ceiling, floor};
 use crate::furnish::{Area, Item, Rest};
 use crate::plan::{CELLS, OpeningKind, Plan, Rect, RoomKind};
 
@@ -118,7 +118,7 @@ pub(crate) fn is_in_the_way((low, high): (f32, f32)) -> bool {
 
 /// The cells that an area touches.
 pub(crate) fn outward(area: &Area) -> Rect {
-    let low = |v: f32| (v * CELLS + 0.02).floor() as i32;
-    let high = |v: f32| (v * CELLS - 0.02).ceil() as i32;
+    let low = |v: f32| floor(v * CELLS + 0.02);
+    let high = |v: f32| ceiling(v * CELLS - 0.02);
     Rect { x0: low(area.x0), y0: low(area.y0), x1: high(area.x1), y1: high(area.y1) }
 }

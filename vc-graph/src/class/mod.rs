@@ -245,7 +245,7 @@ impl ClassTable {
 
     /// The class of a name up to case and separators; nothing is guessed.
     pub(crate) fn exact(&self, name: &str) -> Option<&Class> {
-        let key: String = crate::vocabulary::folded(name).collect();
+        let key = crate::vocabulary::key(name);
         self.by_name.get(&key).map(|&i| &self.classes[i])
     }
 

@@ -1,6 +1,6 @@
 //! Forgiving names: which class a spelling might mean, best guess first.
 
-use crate::vocabulary::folded;
+use crate::vocabulary::key;
 
 /// Words that engines and artists put around a name.
 const NOISE: &[&str] = &["sm", "bp", "pre", "mod", "fur", "pro", "dec", "ele", "app", "lam", "prefab", "mesh", "ingir"];
@@ -12,7 +12,7 @@ const LONGEST: usize = 12;
 /// noise and numbers, then its parts, longer before shorter and later before
 /// earlier (in English the last word says what a thing is).
 pub(super) fn candidates(name: &str) -> impl Iterator<Item = String> {
-    let whole: String = folded(name).collect();
+    let whole = key(name);
     std::iter::once(whole).chain(std::iter::once_with(|| parts(name)).flatten())
 }
 
@@ -25,7 +25,7 @@ fn parts(name: &str) -> Vec<String> {
 /// The name without an engine's prefixes and numbers: `SM_3D_Printer_02` as
 /// `3dprinter`.
 fn unnumbered(name: &str) -> String {
-    let pieces = name.split(|c: char| !c.is_alphanumeric()).map(|piece| folded(piece).collect::<String>());
+    let pieces = name.split(|c: char| !c.is_alphanumeric()).map(key);
     pieces.filter(|p| !NOISE.contains(&p.as_str()) && !p.chars().all(|c| c.is_ascii_digit())).collect()
 }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::{Category, Class, ClassTable, Kept, Range, Slot, SlotKind};
-use crate::vocabulary::{Set, Word, clip, folded};
+use crate::vocabulary::{Set, Word, clip, key};
 use crate::{Property, Relation, State};
 
 const COLUMNS: [&str; 10] =
@@ -137,7 +137,7 @@ pub(super) fn parse(mut table: ClassTable, texts: &[(&str, &str)]) -> Result<Cla
 fn add(table: &mut ClassTable, class: Class, origin: &Origin<'_>) -> Result<(), ClassError> {
     let names = std::iter::once((0, &class.name)).chain(class.aliases.iter().map(|a| (2, a)));
     for (column, name) in names {
-        let key: String = folded(name).collect();
+        let key = key(name);
         match table.by_name.get(&key) {
             Some(&other) if other != class.index => {
                 return Err(origin.error(column, ClassProblem::Taken(name.to_string())));
@@ -255,18 +255,18 @@ fn resolve(table: &mut ClassTable, first_new: usize, origins: &[Origin<'_>]) -> 
 }
 
 fn find(by_name: &HashMap<String, usize>, names: &[Arc<str>], name: &str) -> Result<Arc<str>, ClassProblem> {
-    let key: String = folded(name).collect();
+    let key = key(name);
     by_name.get(&key).map(|&i| names[i].clone()).ok_or_else(|| ClassProblem::NoSuchClass(clip(name)))
 }
 
 fn kinds(table: &ClassTable, first_new: usize, origins: &[Origin<'_>]) -> Result<Vec<Vec<usize>>, ClassError> {
     let mut kinds: Vec<Vec<usize>> = (0..table.classes.len()).map(|i| vec![i]).collect();
+    let parents_of = |c: &Class| c.parents.iter().filter_map(|p| table.by_name.get(&key(p)).copied()).collect();
+    let parents: Vec<Vec<usize>> = table.classes.iter().map(parents_of).collect();
     for class in &table.classes {
-        let mut open = class.parents.clone();
+        let mut open = parents[class.index].clone();
         let mut seen: Vec<usize> = Vec::new();
-        while let Some(parent) = open.pop() {
-            let key: String = folded(&parent).collect();
-            let Some(&index) = table.by_name.get(&key) else { continue };
+        while let Some(index) = open.pop() {
             if index == class.index {
                 let origin = &origins[index.saturating_sub(first_new)];
                 return Err(origin.error(1, ClassProblem::Circle(class.name.to_string())));
@@ -278,7 +278,7 @@ fn kinds(table: &ClassTable, first_new: usize, origins: &[Origin<'_>]) -> Result
             if !seen.contains(&index) {
                 seen.push(index);
                 kinds[index].push(class.index);
-                open.extend(table.classes[index].parents.iter().cloned());
+                open.extend(&parents[index]);
             }
         }
     }

@@ -21,7 +21,7 @@ use super::serial::{BoundsFile, PoseFile};
 use super::{FormatError, Problem, Source};
 use crate::class::Slot;
 use crate::node::{Kind, Node, Spec};
-use crate::vocabulary::folded;
+use crate::vocabulary::key;
 use crate::{
     Asset, AssetId, AssetLibrary, ClassTable, Edge, EditError, NodeId, PropertySet, Relation, SceneBuilder, SceneGraph,
     Set, StateSet, Word, asset::Material,
@@ -222,7 +222,7 @@ impl NodeFile {
             return Err(".scale");
         }
         let spelled: Arc<str> = self.class.into();
-        let unknown = || Arc::from(folded(&spelled).collect::<String>());
+        let unknown = || Arc::from(key(&spelled));
         let spec = Spec {
             class: classes.exact(&spelled).map_or_else(unknown, |c| c.name.clone()),
             spelling: self.spelling.map_or(spelled, Into::into),

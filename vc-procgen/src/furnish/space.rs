@@ -3,6 +3,7 @@
 
 use super::area::{Area, Facing};
 use super::walk::Walk;
+use crate::bits::{ceiling, floor};
 use crate::plan::{Edge, OpeningKind, Plan, Rect, Room, RoomKind, metres};
 
 /// Distance of furniture from walls: room for the skirting, metres.
@@ -112,8 +113,8 @@ impl Space {
 
     /// Whether a rectangle lies on the room's floor.
     pub(super) fn is_floor(&self, area: &Area) -> bool {
-        let out = |v: f32| (v * 20.0 - 1e-3).ceil() as i32;
-        let low = |v: f32| (v * 20.0 + 1e-3).floor() as i32;
+        let out = |v: f32| ceiling(v * 20.0 - 1e-3);
+        let low = |v: f32| floor(v * 20.0 + 1e-3);
         let rect = Rect { x0: low(area.x0), y0: low(area.y0), x1: out(area.x1), y1: out(area.y1) };
         self.net.iter().any(|n| rect.shared(*n) == rect) || crate::plan::covers(&self.net, rect)
     }

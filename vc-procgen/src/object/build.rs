@@ -238,8 +238,17 @@ impl<'a> Build<'a> {
         if !shape.measures_are_positive() {
             return;
         }
-        let part = Part { name: name.into(), shape, material: mat.0, pose: self.frame * pose, joint: self.joint };
+        let name = self.shared(name);
+        let part = Part { name, shape, material: mat.0, pose: self.frame * pose, joint: self.joint };
         self.asset.parts.push(part);
+    }
+
+    /// The name of one of the last parts again, if it is the same: many are one of a
+    /// row.
+    fn shared(&self, name: &str) -> Arc<str> {
+        const LAST: usize = 6;
+        let last = self.asset.parts.iter().rev().take(LAST).find(|part| *part.name == *name);
+        last.map_or_else(|| name.into(), |part| part.name.clone())
     }
 
     // --- places to keep things

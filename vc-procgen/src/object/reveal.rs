@@ -59,7 +59,8 @@ fn meet(a: &Corners, b: &Corners, same: f32) -> bool {
 /// told apart by a word each.
 struct Cells {
     low: Point3<f32>,
-    size: Vector3<f32>,
+    /// Cells a metre.
+    density: Vector3<f32>,
     hair: f32,
 }
 
@@ -67,13 +68,13 @@ impl Cells {
     const COUNT: usize = 21;
 
     fn of((low, high): Corners, hair: f32) -> Self {
-        let size = (high - low).map(|length| (length / Self::COUNT as f32).max(f32::MIN_POSITIVE));
-        Self { low, size, hair }
+        let density = (high - low).map(|length| Self::COUNT as f32 / length.max(f32::MIN_POSITIVE));
+        Self { low, density, hair }
     }
 
     /// The cells of a part, a hair around it included: a bit for each along X, Y and Z.
     fn of_part(&self, (low, high): &Corners) -> u64 {
-        let cell = |v: f32, k: usize| (((v - self.low[k]) / self.size[k]) as usize).min(Self::COUNT - 1);
+        let cell = |v: f32, k: usize| (((v - self.low[k]) * self.density[k]) as usize).min(Self::COUNT - 1);
         (0..3).fold(0, |bits, k| {
             let (from, to) = (cell(low[k] - self.hair, k), cell(high[k] + self.hair, k));
             bits | ((2 << (to - from)) - 1) << (from + k * Self::COUNT)

@@ -22,11 +22,14 @@ pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Arrange
     (0..300).find_map(|_| attempt(programme, rng))
 }
 
-/// Which room owns each square.
+/// No room.
+const FREE: u8 = u8::MAX;
+
+/// Which room owns each square, by its number.
 struct Grid {
     width: usize,
     depth: usize,
-    owner: Vec<Option<usize>>,
+    owner: Vec<u8>,
 }
 
 /// A rectangle of squares, its far corner excluded.
@@ -56,7 +59,7 @@ fn attempt(programme: &Programme, rng: &mut Stream) -> Option<Arrangement> {
     let total: usize = (0..programme.wishes.len()).map(squares).sum::<usize>() + 20 * programme.wishes.len();
     let depth = ((total as f32).sqrt() * rng.between(0.8, 1.1)) as usize;
     let width = total.div_ceil(depth.max(1));
-    let mut grid = Grid { width, depth, owner: vec![None; width * depth] };
+    let mut grid = Grid { width, depth, owner: vec![FREE; width * depth] };
     let mut order: Vec<usize> = (1..programme.wishes.len()).collect();
     rng.shuffle(&mut order);
     // Rooms with windows first, bathrooms of a bedroom after it.
@@ -71,7 +74,7 @@ fn attempt(programme: &Programme, rng: &mut Stream) -> Option<Arrangement> {
         let least = ((wish.kind.least_side() + 2 + SQUARE - 1) / SQUARE).max(4) as usize;
         let by = wish.of.and_then(|b| patches[b]);
         let patch = (0..12).find_map(|_| grid.grow(squares(index), least, wish.kind, by, rng))?;
-        patch.squares().for_each(|(x, y)| grid.owner[y * width + x] = Some(index));
+        patch.squares().for_each(|(x, y)| grid.owner[y * width + x] = index as u8);
         patches[index] = Some(patch);
     }
     grid.is_sound(&patches, programme)?;
@@ -90,7 +93,26 @@ impl Grid {
     fn is_free(&self, patch: Patch) -> bool {
         patch.x1 <= self.width
             && patch.y1 <= self.depth
-            && patch.squares().all(|(x, y)| self.owner[y * self.width + x].is_none())
+            && (patch.y0..patch.y1).all(|y| self.row(y)[patch.x0..patch.x1].iter().all(|&o| o == FREE))
+    }
+
+    fn row(&self, y: usize) -> &[u8] {
+        &self.owner[y * self.width..(y + 1) * self.width]
+    }
+
+    /// Whether one walks through with ease from each square to the north-east.
+    fn passages(&self) -> Vec<bool> {
+        // How many rows and columns are free from a square on.
+        let (mut passages, mut rows) = (vec![false; self.width * self.depth], vec![0; self.width]);
+        for y in (0..self.depth).rev() {
+            let mut columns = 0;
+            for (x, &owner) in self.row(y).iter().enumerate().rev() {
+                rows[x] = if owner == FREE { rows[x] + 1 } else { 0 };
+                columns = if rows[x] >= PASSAGE { columns + 1 } else { 0 };
+                passages[y * self.width + x] = columns >= PASSAGE;
+            }
+        }
+        passages
     }
 
     /// A rectangle grown from a seed side by side: from a windowed outer wall for
@@ -131,10 +153,8 @@ impl Grid {
     /// Whether what is left is one piece, nowhere a sliver, and every room touches
     /// it (a bathroom of a bedroom touches that).
     fn is_sound(&self, patches: &[Option<Patch>], programme: &Programme) -> Option<()> {
-        let block = |x: usize, y: usize| {
-            self.is_free(Patch { x0: x, y0: y, x1: x + PASSAGE, y1: y + PASSAGE }).then_some((x, y))
-        };
-        let start = (0..self.width * self.depth).find_map(|i| block(i % self.width, i / self.width))?;
+        let passages = self.passages();
+        let start = passages.iter().position(|p| *p).map(|i| (i % self.width, i / self.width))?;
         let mut seen = vec![false; self.width * self.depth];
         let mut covered = vec![false; self.width * self.depth];
         let mut open = vec![start];
@@ -144,16 +164,16 @@ impl Grid {
             patch.squares().for_each(|(x, y)| covered[y * self.width + x] = true);
             let steps = [(x + 1, y), (x.wrapping_sub(1), y), (x, y + 1), (x, y.wrapping_sub(1))];
             for (x, y) in steps.into_iter().filter(|&(x, y)| x < self.width && y < self.depth) {
-                if !seen[y * self.width + x] && block(x, y).is_some() {
+                if !seen[y * self.width + x] && passages[y * self.width + x] {
                     seen[y * self.width + x] = true;
                     open.push((x, y));
                 }
             }
         }
-        let whole = self.owner.iter().zip(&covered).all(|(owner, covered)| owner.is_some() || *covered);
+        let whole = self.owner.iter().zip(&covered).all(|(owner, covered)| *owner != FREE || *covered);
         let reached = patches.iter().enumerate().all(|(index, patch)| {
             let Some(patch) = patch else { return true };
-            let owner = programme.wishes[index].of;
+            let owner = programme.wishes[index].of.map_or(FREE, |room| room as u8);
             self.touch(*patch, owner) > PASSAGE
         });
         (whole && reached).then_some(())
@@ -161,7 +181,7 @@ impl Grid {
 
     /// Longest stretch of a patch's sides that lies against a room, or against what
     /// is left.
-    fn touch(&self, patch: Patch, other: Option<usize>) -> usize {
+    fn touch(&self, patch: Patch, other: u8) -> usize {
         let at = |x: usize, y: usize| x < self.width && y < self.depth && self.owner[y * self.width + x] == other;
         let longest = |cells: &mut dyn Iterator<Item = bool>| {
             let mut run = 0;
@@ -182,7 +202,7 @@ impl Grid {
 
     /// What is left, as few rectangles as a greedy sweep finds.
     fn rest(&self) -> Vec<Rect> {
-        let mut taken: Vec<bool> = self.owner.iter().map(Option::is_some).collect();
+        let mut taken: Vec<bool> = self.owner.iter().map(|o| *o != FREE).collect();
         let mut rects = Vec::new();
         for y in 0..self.depth {
             for x in 0..self.width {

@@ -142,7 +142,7 @@ impl Room {
 
     /// Short side of the roundest rectangle that lies inside it, cells.
     pub(crate) fn widest(&self) -> i32 {
-        self.net().iter().map(Rect::short).max().unwrap_or(0)
+        self.few().iter().map(Rect::short).max().unwrap_or(0)
     }
 
     /// Its area between the middles of its walls, square metres.
@@ -158,8 +158,13 @@ impl Room {
     /// Its net rectangles: what is inside the walls. They cover the net area and may
     /// overlap where two gross rectangles meet.
     pub fn net(&self) -> Vec<Rect> {
+        self.few().to_vec()
+    }
+
+    /// Its net rectangles.
+    fn few(&self) -> rect::Few {
         // What is no wider than its walls leaves nothing.
-        let mut net: Vec<Rect> = self.rects.iter().map(|r| r.grown(-1)).filter(|r| !r.is_empty()).collect();
+        let mut net: rect::Few = self.rects.iter().map(|r| r.grown(-1)).filter(|r| !r.is_empty()).collect();
         for (i, a) in self.rects.iter().enumerate() {
             for b in &self.rects[i + 1..] {
                 // The seam between two rectangles is no wall.
@@ -171,12 +176,12 @@ impl Room {
 
     /// Its net area in square metres.
     pub fn area(&self) -> f32 {
-        rect::union_area(&self.net())
+        rect::union_area(&self.few())
     }
 
     /// Whether a net point (in cells) is in the room.
     pub fn contains(&self, x: f32, y: f32) -> bool {
-        self.net().iter().any(|r| r.holds(x, y))
+        self.few().iter().any(|r| r.holds(x, y))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Rectangles on the plan's grid.
 
 use serde::Serialize;
+use smallvec::SmallVec;
 
 use super::{Room, metres};
 
@@ -107,16 +108,19 @@ impl Rect {
     }
 }
 
+/// A few rectangles: as many as most rooms have stay off the heap.
+pub(super) type Few = SmallVec<[Rect; 16]>;
+
 /// Area covered by any of several rectangles, square metres.
 pub(super) fn union_area(rects: &[Rect]) -> f32 {
     if let [one] = rects {
         return if one.is_empty() { 0.0 } else { one.area() };
     }
-    let mut xs: Vec<i32> = rects.iter().flat_map(|r| [r.x0, r.x1]).collect();
+    let mut xs: SmallVec<[i32; 32]> = rects.iter().flat_map(|r| [r.x0, r.x1]).collect();
     xs.sort_unstable();
     xs.dedup();
     let strips = xs.windows(2).map(|x| {
-        let mut spans: Vec<(i32, i32)> =
+        let mut spans: SmallVec<[(i32, i32); 16]> =
             rects.iter().filter(|r| r.x0 <= x[0] && r.x1 >= x[1]).map(|r| (r.y0, r.y1)).collect();
         spans.sort_unstable();
         let (mut covered, mut end) = (0, i32::MIN);
@@ -156,5 +160,5 @@ pub(super) fn turn(rooms: &mut [Room], facades: &mut [bool; 4], way: usize) {
 /// Whether rectangles together cover one.
 pub(crate) fn covers(by: &[Rect], what: Rect) -> bool {
     let shared = by.iter().map(|r| r.shared(what)).filter(|r| !r.is_empty());
-    shared.clone().any(|r| r == what) || union_area(&shared.collect::<Vec<_>>()) >= what.area() - 1e-4
+    shared.clone().any(|r| r == what) || union_area(&shared.collect::<Few>()) >= what.area() - 1e-4
 }

@@ -70,12 +70,13 @@ pub(super) fn lay_out(programme: &Programme, scheme: Scheme, rng: &mut Stream) -
     let mut best: Option<(usize, Arrangement)> = None;
     let mut scale = 1.0;
     let mut latest = 0;
+    let mut rooms = Vec::new();
     for candidate in 0..TRIES {
         if best.is_some() && candidate - latest > PATIENCE {
             break;
         }
-        let Some(layout) = (Draft { programme, scheme, scale }).attempt(rng) else { continue };
-        let area: f32 = layout.rooms.iter().map(Room::area).sum();
+        let Some(facades) = (Draft { programme, scheme, scale }).attempt(&mut rooms, rng) else { continue };
+        let area: f32 = rooms.iter().map(Room::area).sum();
         let off = programme.wished_area.map_or(0.0, |wished| {
             scale *= (wished / area).power(0.6);
             (area / wished - 1.0).abs()
@@ -83,10 +84,10 @@ pub(super) fn lay_out(programme: &Programme, scheme: Scheme, rng: &mut Stream) -
         if off > 0.045 {
             continue;
         }
-        let missed = Topology::of(&layout.rooms).differences(programme.topology, bedrooms, baths, kitchen);
+        let missed = Topology::of(&rooms).differences(programme.topology, bedrooms, baths, kitchen);
         let cost = missed + if off > 0.02 { 10 } else { 0 };
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-            best = Some((cost, layout));
+            best = Some((cost, Arrangement { rooms: rooms.clone(), facades }));
             latest = candidate;
         }
         if cost == 0 {
@@ -103,7 +104,8 @@ struct Draft<'a> {
 }
 
 impl Draft<'_> {
-    fn attempt(&self, rng: &mut Stream) -> Option<Arrangement> {
+    /// Draws a candidate into `rooms`, whatever was there before.
+    fn attempt(&self, rooms: &mut Vec<Room>, rng: &mut Stream) -> Option<[bool; 4]> {
         let shallow = self.scheme == Scheme::Bar;
         let hall = match self.scheme {
             Scheme::CentralHall => rng.count(32, 44),
@@ -117,8 +119,9 @@ impl Draft<'_> {
         let mut frame = Frame { south, hall, north, from: 0, to: 0, length: 0, reach: 0 };
         self.measure(&mut souths, &mut norths, &mut frame, shallow, rng)?;
         let taker = self.fit_hall(&souths, &norths, &mut frame, rng)?;
-        let layout = self.build(&souths, &norths, &frame, taker, shallow, rng);
-        self.is_sound(&layout.rooms).then_some(layout)
+        self.build(&souths, &norths, &frame, taker, rooms);
+        let facades = [rng.chance(0.3), rng.chance(0.4), true, !shallow];
+        self.is_sound(rooms).then_some(facades)
     }
 
     fn wish(&self, index: usize) -> Wish {
@@ -386,19 +389,12 @@ impl Draft<'_> {
         (self.scheme != Scheme::OpenPlan || frame.to < length).then_some(taker.filter(|_| frame.from > 0))
     }
 
-    fn build(
-        &self,
-        souths: &[Cell],
-        norths: &[Cell],
-        frame: &Frame,
-        taker: Option<bool>,
-        shallow: bool,
-        rng: &mut Stream,
-    ) -> Arrangement {
-        let mut rooms: Vec<Room> =
-            self.programme.wishes.iter().map(|w| Room { kind: w.kind, rects: Vec::new(), of: w.of }).collect();
+    /// Writes down where every room is.
+    fn build(&self, souths: &[Cell], norths: &[Cell], frame: &Frame, taker: Option<bool>, rooms: &mut Vec<Room>) {
+        self.empty(rooms);
         let (hall_low, hall_high) = (frame.south, frame.south + frame.hall);
-        let mut hall = vec![Rect { x0: frame.from, x1: frame.to, y0: hall_low, y1: hall_high }];
+        let last = rooms.len() - 1;
+        rooms[last].rects.push(Rect { x0: frame.from, x1: frame.to, y0: hall_low, y1: hall_high });
         for (north, band) in [(false, souths), (true, norths)] {
             // v counts from the hall outwards.
             let depth = if north { frame.north } else { frame.south };
@@ -408,10 +404,10 @@ impl Draft<'_> {
             };
             for (at, cell) in band.iter().enumerate() {
                 let Some(main) = cell.wish else {
-                    hall.push(rect(cell.x, cell.x + cell.width, 0, depth));
+                    rooms[last].rects.push(rect(cell.x, cell.x + cell.width, 0, depth));
                     continue;
                 };
-                cell.carve(main, depth, &mut rooms, &rect);
+                cell.carve(main, depth, rooms, &rect);
                 if at == 0 && taker == Some(north) {
                     rooms[main].rects.push(Rect { x0: 0, x1: frame.from, y0: hall_low, y1: hall_high });
                 }
@@ -424,9 +420,16 @@ impl Draft<'_> {
             let top = hall_high + frame.north;
             rooms[0].rects.push(Rect { x0: frame.reach, x1: frame.length, y0: hall_high, y1: top });
         }
-        rooms.push(Room { kind: RoomKind::Hall, rects: hall, of: None });
-        let facades = [rng.chance(0.3), rng.chance(0.4), true, !shallow];
-        Arrangement { rooms, facades }
+    }
+
+    /// The programme's rooms and the hall, still without a place.
+    fn empty(&self, rooms: &mut Vec<Room>) {
+        if rooms.is_empty() {
+            let wishes = self.programme.wishes.iter();
+            rooms.extend(wishes.map(|w| Room { kind: w.kind, rects: Vec::new(), of: w.of }));
+            rooms.push(Room { kind: RoomKind::Hall, rects: Vec::new(), of: None });
+        }
+        rooms.iter_mut().for_each(|room| room.rects.clear());
     }
 
     /// Whether every room is as large and as wide as it must be.

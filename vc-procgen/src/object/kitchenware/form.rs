@@ -1,6 +1,7 @@
 //! Shapes that boxes and lathes do not give: oval and bent things, hollow ware.
 
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::LazyLock;
 
 use nalgebra::Vector3;
 use vc_graph::portable::Portable;
@@ -35,15 +36,22 @@ pub(in crate::object) fn oval(centre: P, half: (f32, f32)) -> Vec<P> {
 /// A rectangle with rounded corners; `round` is 0 for sharp ones and 1 for half circles.
 pub(in crate::object) fn rounded(half: (f32, f32), round: f32) -> Vec<(f32, f32)> {
     let r = half.0.min(half.1) * round.clamp(0.02, 0.999);
-    let corner = |q: usize| {
-        let (sx, sy) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][q];
-        (0..6).map(move |k| {
-            let (s, c) = (FRAC_PI_2 * (q as f32 + k as f32 / 5.0)).sine_cosine();
-            (sx * (half.0 - r) + r * c, sy * (half.1 - r) + r * s)
-        })
+    let point = |i: usize| {
+        let (sx, sy) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][i / CORNER];
+        let (s, c) = CORNERS[i];
+        (sx * (half.0 - r) + r * c, sy * (half.1 - r) + r * s)
     };
-    (0..4).flat_map(corner).collect()
+    (0..CORNERS.len()).map(point).collect()
 }
+
+/// Points of a rounded corner.
+const CORNER: usize = 6;
+
+/// Sine and cosine of the points of four rounded corners.
+static CORNERS: LazyLock<[(f32, f32); 4 * CORNER]> = LazyLock::new(|| {
+    let part = |i: usize| (i / CORNER) as f32 + (i % CORNER) as f32 / (CORNER - 1) as f32;
+    std::array::from_fn(|i| (FRAC_PI_2 * part(i)).sine_cosine())
+});
 
 /// A level rectangle with rounded corners at a height.
 pub(in crate::object) fn level(z: f32, half: (f32, f32), round: f32) -> Vec<P> {
@@ -155,14 +163,19 @@ pub(in crate::object) fn boulder(
     mat: Mat,
 ) {
     let phases = [b.vary(0.0, TAU), b.vary(0.0, TAU), b.vary(0.0, TAU)];
+    // What is the same in all rows.
+    let around = |k: usize| {
+        let angle = TAU * k as f32 / sides as f32;
+        (angle, (3.0 * angle + phases[1]).cosine(), (phases[2] + 2.0 * angle).cosine(), circle::part(k, sides))
+    };
+    let around: Vec<_> = (0..sides).map(around).collect();
     let ring = |i: usize| {
         let (rise, level) = (PI * (i as f32 / rows as f32 - 0.5)).sine_cosine();
         let point = |k: usize| {
-            let angle = TAU * k as f32 / sides as f32;
-            let wave = (2.0 * angle + phases[0] + 3.0 * rise).cosine() + (3.0 * angle + phases[1]).cosine();
+            let (angle, ripple, lean, (s, c)) = around[k];
+            let wave = (2.0 * angle + phases[0] + 3.0 * rise).cosine() + ripple;
             let size = (1.0 + bump * 0.5 * wave) / (1.0 + bump);
-            let tilt = bump * 0.4 * (phases[2] + 2.0 * angle).cosine() * level;
-            let (s, c) = angle.sine_cosine();
+            let tilt = bump * 0.4 * lean * level;
             [
                 centre[0] + half[0] * level * size * c,
                 centre[1] + half[1] * level * size * s,

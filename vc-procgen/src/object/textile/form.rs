@@ -1,7 +1,7 @@
 //! Forms that boxes and lathes do not make: lofts, bent tubes, leaves, draped
 //! sheets and cushions, gathered into one mesh per material.
 
-use nalgebra::{Isometry3, Point3, Vector3};
+use nalgebra::{Isometry3, Vector3};
 use vc_graph::portable::Portable;
 
 use super::super::build::{Axis, Build, P};
@@ -131,21 +131,22 @@ impl Shell {
         }
     }
 
-    /// Adds one closed piece, turned inside out if its volume says so.
-    fn piece(&mut self, vertices: Vec<P>, mut triangles: Vec<[u32; 3]>) {
-        let at = |v: u32| Vector3::from(vertices[v as usize]);
-        let origin = vertices.first().map_or(Vector3::zeros(), |&v| Vector3::from(v));
+    /// Begins a closed piece of so many points and triangles; returns the number of its
+    /// first point and triangle, for [`Shell::close`].
+    fn open(&mut self, points: usize, triangles: usize) -> (u32, usize) {
+        self.vertices.reserve(points);
+        self.triangles.reserve(triangles);
+        (self.vertices.len() as u32, self.triangles.len())
+    }
+
+    /// Ends a piece: turns it inside out if its volume says so.
+    fn close(&mut self, (first, start): (u32, usize)) {
+        let at = |v: u32| Vector3::from(self.vertices[v as usize]);
+        let origin = self.vertices.get(first as usize).map_or(Vector3::zeros(), |&v| Vector3::from(v));
         let volume = |t: &[u32; 3]| (at(t[0]) - origin).dot(&(at(t[1]) - origin).cross(&(at(t[2]) - origin)));
-        if triangles.iter().map(volume).sum::<f32>() < 0.0 {
-            triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        if self.triangles[start..].iter().map(volume).sum::<f32>() < 0.0 {
+            self.triangles[start..].iter_mut().for_each(|t| t.swap(1, 2));
         }
-        if self.vertices.is_empty() {
-            (self.vertices, self.triangles) = (vertices, triangles);
-            return;
-        }
-        let first = self.vertices.len() as u32;
-        self.vertices.extend(vertices);
-        self.triangles.extend(triangles.into_iter().map(|t| t.map(|v| first + v)));
     }
 
     /// A box between two corners.
@@ -155,32 +156,70 @@ impl Shell {
             [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
         let corner = |i: usize| [0, 1, 2].map(|k| if i >> k & 1 == 1 { high[k] } else { low[k] });
         let corners: [P; 8] = std::array::from_fn(corner);
-        let halves = FACES.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
-        self.piece(corners.to_vec(), halves.collect());
+        let piece = self.open(corners.len(), 2 * FACES.len());
+        self.vertices.extend(corners);
+        for [a, b, c, d] in FACES.map(|face| face.map(|v| piece.0 + v)) {
+            self.triangles.extend([[a, b, c], [a, c, d]]);
+        }
+        self.close(piece);
     }
 
     /// A skin over rings of equally many points, closed at both ends.
     pub(in crate::object) fn loft(&mut self, rings: &[Vec<P>]) {
-        let Some(n) = rings.first().map(Vec::len).filter(|&n| n > 2 && rings.len() > 1) else { return };
-        let mut vertices = Vec::with_capacity(rings.len() * n + 2);
-        rings.iter().for_each(|ring| vertices.extend_from_slice(ring));
-        let mut triangles = skin(n, rings.len(), rings.len() - 1);
-        for (ring, start) in [(0, 0), (rings.len() - 1, (rings.len() - 1) * n)] {
-            let centre = vertices.len() as u32;
-            let middle = rings[ring].iter().fold(Vector3::zeros(), |s, &p| s + Vector3::from(p)) / n as f32;
-            vertices.push(middle.into());
-            triangles.extend((0..n).map(|j| {
-                let (p, q) = ((start + j) as u32, (start + (j + 1) % n) as u32);
-                if ring == 0 { [centre, q, p] } else { [centre, p, q] }
-            }));
+        if let Some(n) = rings.first().map(Vec::len) {
+            self.rings(&rings.concat(), n);
         }
-        self.piece(vertices, triangles);
+    }
+
+    /// A skin over rings of `n` points, one after the other, closed at both ends.
+    fn rings(&mut self, points: &[P], n: usize) {
+        if n < 3 || points.len() < 2 * n {
+            return;
+        }
+        let (count, last) = (points.len() / n, points.len() - n);
+        let middle = |ring: &[P]| P::from(ring.iter().fold(Vector3::zeros(), |s, &p| s + Vector3::from(p)) / n as f32);
+        let centres = [middle(&points[..n]), middle(&points[last..])];
+        let piece = self.open(points.len() + 2, 2 * n * count);
+        self.vertices.extend_from_slice(points);
+        self.vertices.extend(centres);
+        self.skin(piece.0, n, (count, count - 1));
+        let [south, north] = [0, 1].map(|k| piece.0 + (points.len() + k) as u32);
+        let edges =
+            |start: usize| (0..n).map(move |j| (piece.0 + (start + j) as u32, piece.0 + (start + (j + 1) % n) as u32));
+        self.triangles.extend(edges(0).map(|(p, q)| [south, q, p]));
+        self.triangles.extend(edges(last).map(|(p, q)| [north, p, q]));
+        self.close(piece);
+    }
+
+    /// Triangles between `pairs` neighbouring rings of `n` points, of `count` rings from the
+    /// point `first` on.
+    fn skin(&mut self, first: u32, n: usize, (count, pairs): (usize, usize)) {
+        for i in 0..pairs {
+            let [here, next] = [i, (i + 1) % count].map(|ring| first + (ring * n) as u32);
+            for j in 0..n as u32 {
+                let k = if j + 1 == n as u32 { 0 } else { j + 1 };
+                let [a, b, c, d] = [here + j, here + k, next + k, next + j];
+                self.triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
     }
 
     /// A skin over rings of which the last is joined to the first.
     pub(in crate::object) fn torus(&mut self, rings: &[Vec<P>]) {
-        let Some(n) = rings.first().map(Vec::len).filter(|&n| n > 2 && rings.len() > 2) else { return };
-        self.piece(rings.concat(), skin(n, rings.len(), rings.len()));
+        if let Some(n) = rings.first().map(Vec::len) {
+            self.chain(&rings.concat(), n);
+        }
+    }
+
+    /// A skin over rings of `n` points, one after the other, the last joined to the first.
+    fn chain(&mut self, points: &[P], n: usize) {
+        if n > 2 && points.len() > 2 * n {
+            let count = points.len() / n;
+            let piece = self.open(points.len(), 2 * n * count);
+            self.vertices.extend_from_slice(points);
+            self.skin(piece.0, n, (count, count));
+            self.close(piece);
+        }
     }
 
     /// A round tube along points, with ends cut straight.
@@ -190,20 +229,22 @@ impl Shell {
 
     /// A round tube whose radius changes from its start (0) to its end (1).
     pub(in crate::object) fn tapered(&mut self, points: &[P], radius: impl Fn(f32) -> f32) {
-        self.loft(&sections(points, false, radius));
+        let (points, sides) = sections(points, false, radius);
+        self.rings(&points, sides);
     }
 
     /// A round tube that closes on itself; the points do not repeat the first.
     pub(in crate::object) fn hoop(&mut self, points: &[P], radius: f32) {
-        self.torus(&sections(points, true, |_| radius));
+        let (points, sides) = sections(points, true, |_| radius);
+        self.chain(&points, sides);
     }
 
     /// A leaf or strip along a spine: `width` is half its width from stem to tip,
     /// `lift` how much its edges bend up.
     pub(in crate::object) fn leaf(&mut self, spine: &[P], width: impl Fn(f32) -> f32, lift: f32) {
         let last = spine.len().saturating_sub(1).max(1);
-        let rings: Vec<Vec<P>> = (0..spine.len())
-            .map(|i| {
+        let points: Vec<P> = (0..spine.len())
+            .flat_map(|i| {
                 let (back, ahead) = (spine[i.saturating_sub(1)], spine[(i + 1).min(last)]);
                 let way = Vector3::from(ahead) - Vector3::from(back);
                 let side = way.cross(&Vector3::z()).try_normalize(1e-6).unwrap_or_else(Vector3::y);
@@ -212,10 +253,10 @@ impl Shell {
                 let thick = (half * 0.06).max(2e-4);
                 let p = Vector3::from(spine[i]);
                 let edge = up * (half * lift);
-                [p + side * half + edge, p + up * thick, p - side * half + edge, p - up * thick].map(P::from).to_vec()
+                [p + side * half + edge, p + up * thick, p - side * half + edge, p - up * thick].map(P::from)
             })
             .collect();
-        self.loft(&rings);
+        self.rings(&points, 4);
     }
 
     /// A sheet of (top, bottom) points over the unit square, closed around its edge.
@@ -238,7 +279,11 @@ impl Shell {
         (0..nu).for_each(|i| wall(index(i + 1, nv), index(i, nv)));
         (0..nv).for_each(|j| wall(index(nu, j), index(nu, j + 1)));
         (0..nv).for_each(|j| wall(index(0, j + 1), index(0, j)));
-        self.piece([top, bottom].concat(), triangles);
+        let piece = self.open(2 * top.len(), triangles.len());
+        self.vertices.extend(top);
+        self.vertices.extend(bottom);
+        self.triangles.extend(triangles.iter().map(|t| t.map(|v| piece.0 + v)));
+        self.close(piece);
     }
 
     /// A cushion: bulging in the middle, thin at its edges, which are drawn in by
@@ -273,20 +318,9 @@ fn ease(t: f32) -> f32 {
     t * (1.5 - 0.5 * t * t)
 }
 
-/// Triangles between `pairs` neighbouring rings of `n` points, of `count` rings.
-fn skin(n: usize, count: usize, pairs: usize) -> Vec<[u32; 3]> {
-    let quad = |i: usize, j: usize| {
-        let (next, k) = ((i + 1) % count * n, (j + 1) % n);
-        let [a, b, c, d] = [i * n + j, i * n + k, next + k, next + j].map(|v| v as u32);
-        [[a, b, c], [a, c, d]]
-    };
-    let mut triangles = Vec::with_capacity(2 * n * (pairs + 1));
-    (0..pairs).for_each(|i| (0..n).for_each(|j| triangles.extend(quad(i, j))));
-    triangles
-}
-
-/// Rings of a tube along points, without twist.
-fn sections(points: &[P], closed: bool, radius: impl Fn(f32) -> f32) -> Vec<Vec<P>> {
+/// Rings of a tube along points, without twist, one after the other; and how many points
+/// each has.
+fn sections(points: &[P], closed: bool, radius: impl Fn(f32) -> f32) -> (Vec<P>, usize) {
     let count = points.len();
     let at = |i: usize| Vector3::from(points[i]);
     let last = count.saturating_sub(1);
@@ -298,23 +332,22 @@ fn sections(points: &[P], closed: bool, radius: impl Fn(f32) -> f32) -> Vec<Vec<
     };
     let sides = if radius(0.5) < 0.008 { 6 } else { 8 };
     let mut normal: Vector3<f32> = Vector3::zeros();
-    (0..count)
-        .map(|i| {
-            let (back, ahead) = neighbours(i);
-            let way = (at(ahead) - at(back)).try_normalize(1e-9).unwrap_or_else(Vector3::z);
-            let kept = normal - way * normal.dot(&way);
-            let start = if way.z.abs() < 0.7 { Vector3::z() } else { Vector3::x() };
-            let fresh = || (start - way * start.dot(&way)).normalize();
-            normal = kept.try_normalize(1e-3).unwrap_or_else(fresh);
-            let other = way.cross(&normal);
-            let r = radius(i as f32 / last.max(1) as f32);
-            let corner = |k: usize| {
-                let (s, c) = circle::part(k, sides);
-                P::from(Point3::from(at(i) + (normal * c + other * s) * r))
-            };
-            (0..sides).map(corner).collect()
-        })
-        .collect()
+    let mut rings = Vec::with_capacity(count * sides);
+    for i in 0..count {
+        let (back, ahead) = neighbours(i);
+        let way = (at(ahead) - at(back)).try_normalize(1e-9).unwrap_or_else(Vector3::z);
+        let kept = normal - way * normal.dot(&way);
+        let start = if way.z.abs() < 0.7 { Vector3::z() } else { Vector3::x() };
+        let fresh = || (start - way * start.dot(&way)).normalize();
+        normal = kept.try_normalize(1e-3).unwrap_or_else(fresh);
+        let other = way.cross(&normal);
+        let r = radius(i as f32 / last.max(1) as f32);
+        rings.extend((0..sides).map(|k| {
+            let (s, c) = circle::part(k, sides);
+            P::from(at(i) + (normal * c + other * s) * r)
+        }));
+    }
+    (rings, sides)
 }
 
 /// One loft as one part.
