@@ -245,6 +245,49 @@ impl Bits {
         }
     }
 
+    /// The bits from which a square of set bits, so long a side, reaches up and to the
+    /// right.
+    pub(crate) fn squares(&self, side: usize) -> Self {
+        let mut out = self.clone();
+        for row in out.rows.chunks_mut(self.words) {
+            for _ in 1..side {
+                for i in 0..row.len() {
+                    let next = row.get(i + 1).copied().unwrap_or(0);
+                    row[i] &= row[i] >> 1 | next << 63;
+                }
+            }
+        }
+        for at in 0..out.rows.len() {
+            let above = |k: usize| out.rows.get(at + k * self.words).copied().unwrap_or(0);
+            out.rows[at] = (1..side).fold(out.rows[at], |bits, k| bits & above(k));
+        }
+        out
+    }
+
+    /// The squares that reach up and to the right from every set bit: what
+    /// [`Bits::squares`] were found in.
+    pub(crate) fn covered(&self, side: usize) -> Self {
+        let mut out = self.clone();
+        for row in out.rows.chunks_mut(self.words) {
+            for _ in 1..side {
+                for i in (0..row.len()).rev() {
+                    let before = if i > 0 { row[i - 1] } else { 0 };
+                    row[i] |= row[i] << 1 | before >> 63;
+                }
+            }
+        }
+        for at in (0..out.rows.len()).rev() {
+            let below = |k: usize| at.checked_sub(k * self.words).map_or(0, |at| out.rows[at]);
+            out.rows[at] = (1..side).fold(out.rows[at], |bits, k| bits | below(k));
+        }
+        out
+    }
+
+    /// Whether all its bits are among those of another grid of the same size.
+    pub(crate) fn is_within(&self, other: &Self) -> bool {
+        self.rows.iter().zip(&other.rows).all(|(a, b)| a & !b == 0)
+    }
+
     /// The bits that two grids of one size share.
     pub(crate) fn and(&self, other: &Self) -> Self {
         let rows = self.rows.iter().zip(&other.rows).map(|(a, b)| a & b).collect();

@@ -28,19 +28,21 @@ pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Arrange
     rooms.push(Room { kind: RoomKind::Hall, rects: Vec::new(), of: None });
     let hall = 2.5 + 0.05 * programme.area();
     let areas: Vec<f32> = programme.wishes.iter().map(|w| w.area).chain([hall]).collect();
-    let mut site = Site { rooms: &rooms, areas, open: programme.open_kitchen, shape: rng.between(0.75, 1.6) };
+    let all = areas.iter().copied().map(gross).collect();
+    let mut site = Site { rooms: &rooms, gross: all, open: programme.open_kitchen, shape: rng.between(0.75, 1.6) };
     let mut cuts = Cuts::straight(rooms.len(), rng);
     site.anneal(&mut cuts, rng)?;
     if let Some(wished) = programme.wished_area {
         // Walls take more or less than was allowed for.
-        let net: f32 = site.place(&cuts).iter().map(|r| r.grown(-1).area()).sum();
-        site.areas.iter_mut().for_each(|a| *a *= wished / net);
+        let net: f32 = site.place(&cuts, &mut Sheet::default()).iter().map(|r| r.grown(-1).area()).sum();
+        site.gross = areas.iter().map(|area| gross(area * (wished / net))).collect();
     }
-    let rects = site.place(&cuts);
-    if site.cost(&rects) > 0.0 {
+    let mut sheet = Sheet::default();
+    let rects = site.place(&cuts, &mut sheet);
+    if site.cost(rects) > 0.0 {
         return None;
     }
-    rooms.iter_mut().zip(rects).for_each(|(room, rect)| room.rects.push(rect));
+    rooms.iter_mut().zip(rects).for_each(|(room, rect)| room.rects.push(*rect));
     Some(Arrangement { rooms, facades: FACADES })
 }
 
@@ -87,8 +89,9 @@ impl Cuts {
     /// Changes one thing: swaps two rooms, turns a cut, or moves a cut past a room.
     fn change(&mut self, rng: &mut Stream) {
         let pick = |rng: &mut Stream, rooms: bool, tokens: &[Token]| {
-            let all: Vec<usize> = (0..tokens.len()).filter(|&i| tokens[i].is_room() == rooms).collect();
-            all[rng.below(all.len())]
+            let all = (0..tokens.len()).filter(|&i| tokens[i].is_room() == rooms);
+            let chosen = rng.below(all.clone().count());
+            all.clone().nth(chosen).unwrap_or(0)
         };
         match rng.below(3) {
             0 => {
@@ -124,8 +127,8 @@ impl Cuts {
 /// What the rooms need.
 struct Site<'a> {
     rooms: &'a [Room],
-    /// Net areas, square metres.
-    areas: Vec<f32>,
+    /// Areas with half the walls around, square cells.
+    gross: Vec<f32>,
     /// Whether the kitchen opens to the living room.
     open: bool,
     /// Width of the whole by its depth.
@@ -135,34 +138,32 @@ struct Site<'a> {
 impl Site<'_> {
     /// Changes cuts until nothing is wrong.
     fn anneal(&self, cuts: &mut Cuts, rng: &mut Stream) -> Option<()> {
-        let mut cost = self.cost(&self.place(cuts));
+        let mut sheet = Sheet::default();
+        let mut cost = self.cost(self.place(cuts, &mut sheet));
+        let mut other = cuts.clone();
         for step in 0..STEPS {
             if cost == 0.0 {
                 return Some(());
             }
-            let heat = HEAT.0 * (HEAT.1 / HEAT.0).power(step as f32 / STEPS as f32);
-            let mut other = cuts.clone();
+            other.0.clone_from(&cuts.0);
             other.change(rng);
-            let new = self.cost(&self.place(&other));
-            if new <= cost || rng.chance(((cost - new) / heat).exponential()) {
-                (*cuts, cost) = (other, new);
+            let new = self.cost(self.place(&other, &mut sheet));
+            let heat = || HEAT.0 * (HEAT.1 / HEAT.0).power(step as f32 / STEPS as f32);
+            if new <= cost || rng.chance(((cost - new) / heat()).exponential()) {
+                std::mem::swap(cuts, &mut other);
+                cost = new;
             }
         }
         None
     }
 
-    /// Area with half the walls around, square cells.
-    fn gross(&self, room: usize) -> f32 {
-        (self.areas[room].sqrt() + 0.1).raised(2) * 400.0
-    }
-
     /// The rooms' rectangles: every cut divides by area.
-    fn place(&self, cuts: &Cuts) -> Vec<Rect> {
-        // Where each part begins, and its area.
-        let mut parts: Vec<(usize, f32)> = Vec::with_capacity(cuts.0.len());
+    fn place<'s>(&self, cuts: &Cuts, sheet: &'s mut Sheet) -> &'s [Rect] {
+        let Sheet { parts, rects, open } = sheet;
+        parts.clear();
         for (at, token) in cuts.0.iter().enumerate() {
             parts.push(match *token {
-                Token::Room(room) => (at, self.gross(room)),
+                Token::Room(room) => (at, self.gross[room]),
                 _ => {
                     let second = parts[at - 1];
                     let first = parts[second.0 - 1];
@@ -173,8 +174,9 @@ impl Site<'_> {
         let last = cuts.0.len() - 1;
         let depth = (parts[last].1 / self.shape).sqrt();
         let hull = Rect::sized(0, 0, (parts[last].1 / depth).round() as i32, depth.round() as i32);
-        let mut rects = vec![Rect::default(); self.rooms.len()];
-        let mut open = vec![(last, hull)];
+        rects.resize(self.rooms.len(), Rect::default());
+        open.clear();
+        open.push((last, hull));
         while let Some((at, rect)) = open.pop() {
             let token = cuts.0[at];
             if let Token::Room(room) = token {
@@ -226,6 +228,21 @@ impl Site<'_> {
         let lit = own.kind.is_bedroom() || matches!(own.kind, RoomKind::Living | RoomKind::Kitchen | RoomKind::Study);
         way + if lit { missing(outer(&rects[room], hull, FACADES), WINDOW) } else { 0.0 }
     }
+}
+
+/// What placing rooms is written on, used again and again.
+#[derive(Default)]
+struct Sheet {
+    /// Where each part of the cuts begins, and its area.
+    parts: Vec<(usize, f32)>,
+    rects: Vec<Rect>,
+    /// Parts that are still to be cut.
+    open: Vec<(usize, Rect)>,
+}
+
+/// A net area in square metres with half the walls around, square cells.
+fn gross(area: f32) -> f32 {
+    (area.sqrt() + 0.1).raised(2) * 400.0
 }
 
 /// How much of a length is missing, 0 to 1.

@@ -8,6 +8,7 @@ use vc_graph::Stream;
 
 use super::programme::Programme;
 use super::{Arrangement, Rect, Room, RoomKind};
+use crate::bits::Bits;
 
 /// Side of a grid square, cells.
 const SQUARE: i32 = 6;
@@ -100,19 +101,13 @@ impl Grid {
         &self.owner[y * self.width..(y + 1) * self.width]
     }
 
-    /// Whether one walks through with ease from each square to the north-east.
-    fn passages(&self) -> Vec<bool> {
-        // How many rows and columns are free from a square on.
-        let (mut passages, mut rows) = (vec![false; self.width * self.depth], vec![0; self.width]);
-        for y in (0..self.depth).rev() {
-            let mut columns = 0;
-            for (x, &owner) in self.row(y).iter().enumerate().rev() {
-                rows[x] = if owner == FREE { rows[x] + 1 } else { 0 };
-                columns = if rows[x] >= PASSAGE { columns + 1 } else { 0 };
-                passages[y * self.width + x] = columns >= PASSAGE;
-            }
+    /// The squares that belong to no room.
+    fn free(&self) -> Bits {
+        let mut free = Bits::new(self.width, self.depth);
+        for y in 0..self.depth {
+            self.row(y).iter().enumerate().filter(|(_, o)| **o == FREE).for_each(|(x, _)| free.set(x, y));
         }
-        passages
+        free
     }
 
     /// A rectangle grown from a seed side by side: from a windowed outer wall for
@@ -153,30 +148,18 @@ impl Grid {
     /// Whether what is left is one piece, nowhere a sliver, and every room touches
     /// it (a bathroom of a bedroom touches that).
     fn is_sound(&self, patches: &[Option<Patch>], programme: &Programme) -> Option<()> {
-        let passages = self.passages();
-        let start = passages.iter().position(|p| *p).map(|i| (i % self.width, i / self.width))?;
-        let mut seen = vec![false; self.width * self.depth];
-        let mut covered = vec![false; self.width * self.depth];
-        let mut open = vec![start];
-        seen[start.1 * self.width + start.0] = true;
-        while let Some((x, y)) = open.pop() {
-            let patch = Patch { x0: x, y0: y, x1: x + PASSAGE, y1: y + PASSAGE };
-            patch.squares().for_each(|(x, y)| covered[y * self.width + x] = true);
-            let steps = [(x + 1, y), (x.wrapping_sub(1), y), (x, y + 1), (x, y.wrapping_sub(1))];
-            for (x, y) in steps.into_iter().filter(|&(x, y)| x < self.width && y < self.depth) {
-                if !seen[y * self.width + x] && passages[y * self.width + x] {
-                    seen[y * self.width + x] = true;
-                    open.push((x, y));
-                }
-            }
-        }
-        let whole = self.owner.iter().zip(&covered).all(|(owner, covered)| *owner != FREE || *covered);
         let reached = patches.iter().enumerate().all(|(index, patch)| {
             let Some(patch) = patch else { return true };
             let owner = programme.wishes[index].of.map_or(FREE, |room| room as u8);
             self.touch(*patch, owner) > PASSAGE
         });
-        (whole && reached).then_some(())
+        if !reached {
+            return None;
+        }
+        let free = self.free();
+        let passages = free.squares(PASSAGE);
+        let (x, y) = passages.first((0, self.width as i32), (0, self.depth as i32))?;
+        free.is_within(&passages.flood(x, y).covered(PASSAGE)).then_some(())
     }
 
     /// Longest stretch of a patch's sides that lies against a room, or against what

@@ -196,7 +196,9 @@ impl Programme {
             (Scheme::Irregular, 0.35),
         ];
         let first = rng.weighted(weights.iter().map(|w| w.1)).unwrap_or(0);
-        let mut order = vec![weights[first].0; 4];
+        // Growing rooms draws hundreds of candidates of its own each time.
+        let times = if weights[first].0 == Scheme::Irregular { 1 } else { 4 };
+        let mut order = vec![weights[first].0; times];
         let rest =
             [Scheme::OpenPlan, Scheme::Corridor, Scheme::LPlan, Scheme::CentralHall, Scheme::Bar, Scheme::Irregular];
         order.extend(rest.into_iter().flat_map(|s| [s; 2]));
