@@ -1,7 +1,9 @@
 //! Vehicles: cars, lorries, two-wheelers and boats.
 
 mod boat;
+mod bus;
 mod car;
+mod chassis;
 mod cycle;
 mod small;
 mod truck;
@@ -24,11 +26,11 @@ pub(super) const GENERATORS: &[Generator] = &[
     outdoor("police_car", 10, car::car),
     outdoor("van", 15, car::car),
     outdoor("ambulance", 8, car::car),
-    outdoor("camper_van", 10, truck::camper_van),
+    outdoor("camper_van", 10, bus::camper_van),
     outdoor("truck", 15, truck::truck),
     outdoor("garbage_truck", 8, truck::garbage_truck),
     outdoor("fire_truck", 8, truck::fire_truck),
-    outdoor("bus", 10, truck::bus),
+    outdoor("bus", 10, bus::bus),
     outdoor("motorcycle", 15, cycle::motorcycle),
     outdoor("scooter", 10, cycle::scooter),
     outdoor("quad_bike", 8, small::quad_bike),
