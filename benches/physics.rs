@@ -52,7 +52,6 @@ fn worlds(c: &mut Criterion<Cpu>) {
         let mut settled = fresh.clone();
         let report = settled.settle(300);
         eprintln!("{objects} objects: settled in {} steps, at rest {}", report.steps, report.at_rest);
-        eprintln!("{:?} bodies and pieces, {:.2} MiB a world", settled.size(), memory(&settled));
         group.bench_function(at("step, all asleep", objects), |b| b.iter(|| settled.step()));
         group.bench_function(at("clone", objects), |b| b.iter_with_large_drop(|| settled.clone()));
         group.bench_function(at("save", objects), |b| b.iter_with_large_drop(|| settled.save().unwrap()));
@@ -115,15 +114,34 @@ fn moved(graph: &SceneGraph, settled: &World, count: usize) -> SceneGraph {
     other
 }
 
-/// Memory of a world, MiB: what the process grows by for each of many clones.
-fn memory(world: &World) -> f64 {
+/// Says what a world at rest takes. Comes before all benches and keeps its clones to the
+/// end: what is taken from memory that was freed before is not seen.
+fn memory(_: &mut Criterion<Cpu>) {
+    let mut kept = Vec::new();
+    for objects in SIZES {
+        let Some(graph) = scene::read(objects) else { continue };
+        let mut world = World::build(&graph, &Shapes::new(), scene::settings()).unwrap();
+        world.settle(300);
+        eprintln!(
+            "{objects} objects: {:?} bodies and pieces, {:.2} MiB a world",
+            world.size(),
+            growth(&world, &mut kept)
+        );
+    }
+}
+
+/// What the process grows by for each of many clones, MiB.
+fn growth(world: &World, kept: &mut Vec<World>) -> f64 {
+    const CLONES: usize = 40;
     let resident = || {
         let text = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
         text.split(' ').nth(1).and_then(|n| n.parse::<f64>().ok()).unwrap_or(f64::NAN) * 4096.0 / 1048576.0
     };
+    // The first few take what building and settling left.
+    kept.extend((0..CLONES).map(|_| world.clone()));
     let before = resident();
-    let copies: Vec<World> = (0..40).map(|_| world.clone()).collect();
-    (resident() - before) / copies.len() as f64
+    kept.extend((0..CLONES).map(|_| world.clone()));
+    (resident() - before) / CLONES as f64
 }
 
 /// Ways in generated apartments.
@@ -205,5 +223,5 @@ fn cpu() -> Criterion<Cpu> {
     Criterion::default().with_measurement(Cpu)
 }
 
-criterion_group! { name = benches; config = cpu(); targets = worlds, apartments }
+criterion_group! { name = benches; config = cpu(); targets = memory, worlds, apartments }
 criterion_main!(benches);
