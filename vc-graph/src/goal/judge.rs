@@ -33,6 +33,13 @@ impl Goal {
         self.judge(trace.course())
     }
 
+    /// Whether the goal holds on what had happened by the end of a step.
+    pub fn holds_by(&self, trace: &Trace, step: usize) -> bool {
+        let course = trace.course();
+        let stretch = Stretch::up_to(step.min(course.last()));
+        Judge { course, bound: Vec::new() }.holds(self, stretch)
+    }
+
     /// The conjuncts that do not hold.
     pub fn unmet(&self, now: &Situation<'_>) -> Vec<&Goal> {
         self.conjuncts().iter().filter(|part| !part.holds(now)).collect()
@@ -40,6 +47,14 @@ impl Goal {
 
     fn judge(&self, course: Course<'_>) -> bool {
         Judge { course, bound: Vec::new() }.holds(self, Stretch::all(&course))
+    }
+}
+
+impl Quantified {
+    /// Whether the body holds of a thing.
+    pub fn holds_of(&self, thing: NodeId, now: &Situation<'_>) -> bool {
+        let course = Course::of(now);
+        Judge { course, bound: Vec::new() }.holds_of(self, thing, Stretch::all(&course))
     }
 }
 

@@ -178,6 +178,9 @@ impl Reader {
     }
 }
 
+/// Makes a goal of the two parts around a word.
+type Join = fn(Box<Goal>, Box<Goal>) -> Goal;
+
 /// Connectives, loosest first.
 impl Reader {
     fn goal(&mut self) -> Result<Goal, GoalError> {
@@ -185,14 +188,14 @@ impl Reader {
     }
 
     fn in_time(&mut self) -> Result<Goal, GoalError> {
-        let words: [(_, fn(_, _) -> Goal); 2] = [(&["until"][..], Goal::Until), (&["before"], Goal::Before)];
+        let words: [(&[&str], Join); 2] = [(&["until"], Goal::Until), (&["before"], Goal::Before)];
         self.infix(&words, |r| r.infix(&[(&["=>", "imply", "implies"], Goal::Imply)], Self::either))
     }
 
     /// Two parts at most: what `a => b => c` means is better said with brackets.
     fn infix(
         &mut self,
-        words: &[(&[&str], fn(Box<Goal>, Box<Goal>) -> Goal)],
+        words: &[(&[&str], Join)],
         part: impl Fn(&mut Self) -> Result<Goal, GoalError>,
     ) -> Result<Goal, GoalError> {
         let first = part(self)?;

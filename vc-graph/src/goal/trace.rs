@@ -139,7 +139,12 @@ pub(super) struct Stretch {
 impl Stretch {
     /// All of a course.
     pub(super) fn all(course: &Course<'_>) -> Self {
-        Self::between(0, 0, course.last())
+        Self::up_to(course.last())
+    }
+
+    /// All of a course up to a step.
+    pub(super) fn up_to(step: usize) -> Self {
+        Self::between(0, 0, step)
     }
 
     fn between(since: usize, from: usize, end: usize) -> Self {
