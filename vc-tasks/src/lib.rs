@@ -6,6 +6,10 @@
 //! says how an attempt ended, and [`household`] is a list of everyday tasks. A
 //! [`World`] is where they are done, symbolic or with bodies.
 //!
+//! [`compile`] makes a goal a flat program over the atoms that matter, kept up to
+//! date while a scene changes; [`score`] says how much of it holds, [`explain`] and
+//! [`first_held`] what is missing and since when the rest has held.
+//!
 //! ```
 //! use vc_graph::{Draft, SceneBuilder};
 //! use vc_tasks::Task;
@@ -23,11 +27,15 @@
 //! This is the first slice of the crate: the further goal languages, benchmark
 //! tasks and initial environments of `ARCHITECTURE.md` are not here yet.
 
+pub mod compile;
+mod explain;
 mod household;
 mod obstacle;
+pub mod score;
 mod task;
 mod world;
 
+pub use explain::{Bindings, Part, Unmet, explain, first_held};
 pub use household::household;
 pub use obstacle::Obstacle;
 pub use task::{Outcome, Task, TaskError};

@@ -1,0 +1,79 @@
+//! Ground atoms and sets of them.
+
+use std::fmt;
+
+use vc_graph::goal::{Literal, Predicate, Term};
+use vc_graph::{NodeId, Word};
+
+/// A predicate of given things: what is true or false in a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Atom {
+    /// What is said.
+    pub predicate: Predicate,
+    /// Of what; places that are not used, and those that may be anything, are `None`.
+    pub things: [Option<NodeId>; 2],
+}
+
+impl Atom {
+    /// Predicate and things as one number, the same for equal atoms.
+    pub(super) fn key(&self) -> u64 {
+        let predicate = match self.predicate {
+            Predicate::State(state) => state.index(),
+            Predicate::Relation(relation) => 256 + relation.index(),
+            Predicate::Did(verb) => 512 + verb.index(),
+            Predicate::Holds => 768,
+            _ => 769,
+        } as u64;
+        let [a, b] = self.things.map(|id| u64::from(id.map_or(u32::MAX, |id| id.0)));
+        mix(mix((predicate << 32) | a) ^ b)
+    }
+}
+
+/// Spreads the bits of a number (the finaliser of `SplitMix64`; Steele, Lea and Flood,
+/// OOPSLA 2014).
+pub(super) fn mix(x: u64) -> u64 {
+    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ (x >> 31)
+}
+
+impl fmt::Display for Atom {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let term = |id: &Option<NodeId>| id.map_or(Term::Anything, |id| Term::Node(None, id));
+        let terms = self.things.iter().take(self.predicate.arity()).map(term).collect();
+        write!(f, "{}", Literal { predicate: self.predicate, terms })
+    }
+}
+
+/// A set of atoms, by their positions in a [`Program`](super::Program).
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
+pub struct Bits {
+    words: Vec<u64>,
+}
+
+impl Bits {
+    /// None of so many.
+    pub fn none(number: usize) -> Self {
+        Self { words: vec![0; number.div_ceil(64)] }
+    }
+
+    /// Whether an atom is in the set.
+    #[inline]
+    pub fn has(&self, atom: usize) -> bool {
+        self.words.get(atom / 64).is_some_and(|word| (word >> (atom % 64)) & 1 != 0)
+    }
+
+    /// Puts an atom in or takes it out; one that is beyond the set is left alone.
+    #[inline]
+    pub fn set(&mut self, atom: usize, value: bool) {
+        if let Some(word) = self.words.get_mut(atom / 64) {
+            let bit = 1 << (atom % 64);
+            *word = if value { *word | bit } else { *word & !bit };
+        }
+    }
+
+    /// Number of atoms in the set.
+    pub fn count(&self) -> usize {
+        self.words.iter().map(|word| word.count_ones() as usize).sum()
+    }
+}

@@ -1,0 +1,168 @@
+//! Gates: what a goal is made of once its things are known.
+
+use super::atom::mix;
+
+/// An atom, a gate or a constant, as it is or negated, in one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) struct Ref(u32);
+
+impl Ref {
+    pub(crate) const TRUE: Self = Self(u32::MAX - 1);
+    pub(crate) const FALSE: Self = Self(u32::MAX);
+
+    pub(crate) fn atom(index: usize) -> Self {
+        Self((index as u32) << 2)
+    }
+
+    pub(crate) fn gate(index: usize) -> Self {
+        Self(((index as u32) << 2) | 2)
+    }
+
+    #[inline]
+    pub(crate) fn index(self) -> usize {
+        (self.0 >> 2) as usize
+    }
+
+    #[inline]
+    pub(crate) fn is_negated(self) -> bool {
+        self.0 & 1 != 0
+    }
+
+    #[inline]
+    pub(crate) fn is_atom(self) -> bool {
+        self.0 & 2 == 0
+    }
+
+    #[inline]
+    pub(crate) fn is_constant(self) -> bool {
+        self.0 | 1 == u32::MAX
+    }
+
+    pub(crate) fn constant(value: bool) -> Self {
+        if value { Self::TRUE } else { Self::FALSE }
+    }
+
+    pub(crate) fn negated_if(self, negate: bool) -> Self {
+        Self(self.0 ^ u32::from(negate))
+    }
+
+    /// What it stands for, not negated.
+    pub(crate) fn plain(self) -> Self {
+        Self(self.0 & !1)
+    }
+}
+
+impl std::ops::Not for Ref {
+    type Output = Self;
+
+    fn not(self) -> Self {
+        self.negated_if(true)
+    }
+}
+
+/// When a gate is true. Every other connective comes to one of these with negated
+/// inputs or a negated output: "at most k" is not "at least k + 1".
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Kind {
+    /// All inputs are true.
+    All,
+    /// Some input is.
+    Any,
+    /// So many are.
+    AtLeast(u32),
+    /// Just so many are.
+    Exactly(u32),
+    /// The inputs are a table, row by row, and enough pairs can be formed in it.
+    Pairs(Table),
+}
+
+/// A table of pairs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct Table {
+    pub(crate) rows: u32,
+    pub(crate) columns: u32,
+    /// How many pairs it takes.
+    pub(crate) need: u32,
+    pub(crate) pairing: vc_graph::goal::Pairing,
+}
+
+/// A gate and where its inputs are. Inputs come before the gates they go into.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Gate {
+    pub(crate) kind: Kind,
+    pub(crate) start: u32,
+    pub(crate) end: u32,
+}
+
+impl Gate {
+    #[inline]
+    pub(crate) fn inputs(self) -> std::ops::Range<usize> {
+        self.start as usize..self.end as usize
+    }
+}
+
+impl Kind {
+    pub(super) fn key(self, inputs: &[Ref]) -> u64 {
+        let own = match self {
+            Self::All => 1,
+            Self::Any => 2,
+            Self::AtLeast(k) => 3 | (u64::from(k) << 8),
+            Self::Exactly(k) => 4 | (u64::from(k) << 8),
+            Self::Pairs(t) => 5 | (u64::from(t.need) << 8) ^ (u64::from(t.columns) << 40),
+        };
+        inputs.iter().fold(own, |key, input| mix(key ^ u64::from(input.0)))
+    }
+}
+
+impl Table {
+    /// Whether enough pairs can be formed, given which cells are true.
+    pub(crate) fn is_met(self, mut cell: impl FnMut(usize) -> bool) -> bool {
+        self.number(&mut cell) >= self.need as usize
+    }
+
+    /// How many pairs can be formed.
+    pub(crate) fn number(self, cell: &mut impl FnMut(usize) -> bool) -> usize {
+        let (rows, columns) = (self.rows as usize, self.columns as usize);
+        if rows <= 64 && columns <= 64 {
+            let mut masks = [0_u64; 64];
+            for (row, mask) in masks[..rows].iter_mut().enumerate() {
+                *mask = (0..columns).filter(|c| cell(row * columns + c)).fold(0, |mask, c| mask | 1 << c);
+            }
+            return match self.pairing {
+                vc_graph::goal::Pairing::Matching => small_matching(&masks[..rows]),
+                vc_graph::goal::Pairing::Marginal => marginal(&masks[..rows]),
+            };
+        }
+        let row = |r: usize| (0..columns).filter(|c| cell(r * columns + c)).collect();
+        let table: Vec<Vec<usize>> = (0..rows).map(row).collect();
+        self.pairing.number(&table, columns)
+    }
+}
+
+fn marginal(rows: &[u64]) -> usize {
+    let seconds = rows.iter().fold(0, |all, row| all | row).count_ones() as usize;
+    rows.iter().filter(|&&row| row != 0).count().min(seconds)
+}
+
+/// The largest matching of at most 64 rows and columns, by augmenting paths
+/// (Kuhn 1955); no memory is taken.
+fn small_matching(rows: &[u64]) -> usize {
+    let mut partner = [u8::MAX; 64];
+    (0..rows.len()).filter(|&row| augment(row, rows, &mut partner, &mut 0)).count()
+}
+
+/// Each call sees one more column, so there are at most 64 within one another.
+fn augment(row: usize, rows: &[u64], partner: &mut [u8; 64], seen: &mut u64) -> bool {
+    loop {
+        let open = rows[row] & !*seen;
+        if open == 0 {
+            return false;
+        }
+        let column = open.trailing_zeros() as usize;
+        *seen |= 1 << column;
+        if partner[column] == u8::MAX || augment(partner[column].into(), rows, partner, seen) {
+            partner[column] = row as u8;
+            return true;
+        }
+    }
+}

@@ -1,0 +1,390 @@
+//! From a goal and the things there are to atoms and gates.
+
+use std::cell::Cell;
+
+use vc_graph::goal::{Comparison, Goal, Literal, Pairs, Predicate, Quantified, Situation, Term, Variable};
+use vc_graph::{NodeId, SceneGraph};
+
+use super::gate::{Gate, Kind, Ref, Table};
+use super::table::Numbers;
+use super::{Atom, CompileError, Program};
+
+/// The things a goal can be about.
+pub trait Things {
+    /// Adds the things of a class and of its kinds, in a fixed order and each once;
+    /// all things, if there is no class.
+    fn each(&self, class: Option<&str>, things: &mut Vec<NodeId>);
+
+    /// Who `me` is.
+    fn agent(&self) -> NodeId;
+}
+
+impl Things for Situation<'_> {
+    fn each(&self, class: Option<&str>, things: &mut Vec<NodeId>) {
+        each_of(self.graph, class, things);
+    }
+
+    fn agent(&self) -> NodeId {
+        self.agent
+    }
+}
+
+fn each_of(graph: &SceneGraph, class: Option<&str>, things: &mut Vec<NodeId>) {
+    match class {
+        Some(class) => things.extend(graph.of_class(class)),
+        None => things.extend(graph.nodes().map(vc_graph::Node::id)),
+    }
+}
+
+/// Most atoms, gates and inputs of a program.
+const LARGEST: usize = 1 << 24;
+
+/// A compiler: it keeps its memory from one goal to the next.
+#[derive(Debug, Default)]
+pub struct Compiler {
+    atoms: Numbers,
+    gates: Numbers,
+    stack: Vec<Ref>,
+    pool: Vec<NodeId>,
+}
+
+impl Compiler {
+    /// A compiler that has compiled nothing yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Compiles a goal for the things there are. Costs a look at each choice of
+    /// things for the variables around each literal.
+    ///
+    /// # Errors
+    /// [`CompileError`]: the goal is about time, or there are too many choices.
+    pub fn compile(&mut self, goal: &Goal, things: &impl Things) -> Result<Program, CompileError> {
+        self.atoms.clear();
+        self.gates.clear();
+        self.stack.clear();
+        self.pool.clear();
+        let mut ground =
+            Ground { memory: self, things, program: Program::default(), bound: Vec::new(), ranges: Vec::new() };
+        for part in goal.conjuncts() {
+            let head = ground.goal(part)?;
+            ground.program.heads.push(head);
+        }
+        let mut program = ground.finish()?;
+        program.settle();
+        Ok(program)
+    }
+}
+
+/// A choice for a literal's place: a stretch of the pool, or anything.
+type Choices = std::ops::Range<usize>;
+
+/// A variable and what it stands for.
+struct Bound<'g> {
+    variable: &'g str,
+    thing: NodeId,
+    /// Whether what stands in its scope asks for it.
+    used: Cell<bool>,
+}
+
+struct Ground<'a, 'g, T> {
+    memory: &'a mut Compiler,
+    things: &'a T,
+    program: Program,
+    bound: Vec<Bound<'g>>,
+    /// Classes that have been looked up, and where in the pool their things are.
+    ranges: Vec<(Option<&'g str>, Choices)>,
+}
+
+impl<'g, T: Things> Ground<'_, 'g, T> {
+    fn goal(&mut self, goal: &'g Goal) -> Result<Ref, CompileError> {
+        match goal {
+            Goal::Literal(literal) => self.literal(literal, Comparison::AtLeast, 1),
+            Goal::Count { literal, comparison, number } => self.literal(literal, *comparison, *number),
+            Goal::Same(a, b) => {
+                let same = self.meant(a).is_some_and(|a| self.meant(b) == Some(a));
+                Ok(Ref::constant(same))
+            }
+            Goal::And(parts) => self.list(parts, |g, start| g.all(start)),
+            Goal::Or(parts) => self.list(parts, |g, start| g.count(start, Comparison::AtLeast, 1)),
+            Goal::Not(part) => self.goal(part).map(|r| !r),
+            Goal::Imply(a, b) => {
+                let start = self.memory.stack.len();
+                let inputs = [!self.goal(a)?, self.goal(b)?];
+                self.memory.stack.extend(inputs);
+                self.count(start, Comparison::AtLeast, 1)
+            }
+            Goal::ForAll(q) => self.quantified(q, |g, start| g.all(start)),
+            Goal::Exists(q) => self.quantified(q, |g, start| g.count(start, Comparison::AtLeast, 1)),
+            Goal::ForN { comparison, number, of } => {
+                self.quantified(of, |g, start| g.count(start, *comparison, *number))
+            }
+            Goal::ForPairs(pairs) => self.pairs(pairs),
+            _ => Err(CompileError::Temporal(goal.to_string())),
+        }
+    }
+
+    fn list(
+        &mut self,
+        parts: &'g [Goal],
+        gate: impl FnOnce(&mut Self, usize) -> Result<Ref, CompileError>,
+    ) -> Result<Ref, CompileError> {
+        let start = self.memory.stack.len();
+        for part in parts {
+            let input = self.goal(part)?;
+            self.memory.stack.push(input);
+        }
+        gate(self, start)
+    }
+
+    fn quantified(
+        &mut self,
+        q: &'g Quantified,
+        gate: impl FnOnce(&mut Self, usize) -> Result<Ref, CompileError>,
+    ) -> Result<Ref, CompileError> {
+        let start = self.memory.stack.len();
+        let mut every = None;
+        for at in self.range(q.class.as_deref()) {
+            let input = match every {
+                Some(input) => input,
+                None => {
+                    let (input, used) = self.with(&q.variable, self.memory.pool[at], |g| g.goal(&q.body));
+                    let input = input?;
+                    // A body that does not ask for its variable is the same for all.
+                    every = (!used).then_some(input);
+                    input
+                }
+            };
+            self.memory.stack.push(input);
+        }
+        gate(self, start)
+    }
+
+    /// What comes out with a variable bound, and whether it was asked for.
+    fn with<R>(&mut self, variable: &'g str, thing: NodeId, ground: impl FnOnce(&mut Self) -> R) -> (R, bool) {
+        self.bound.push(Bound { variable, thing, used: Cell::new(false) });
+        let result = ground(self);
+        let used = self.bound.pop().is_some_and(|b| b.used.get());
+        (result, used)
+    }
+
+    /// Where the things of a class are in the pool.
+    fn range(&mut self, class: Option<&'g str>) -> Choices {
+        if let Some((_, range)) = self.ranges.iter().find(|(known, _)| *known == class) {
+            return range.clone();
+        }
+        let start = self.memory.pool.len();
+        self.things.each(class, &mut self.memory.pool);
+        let range = start..self.memory.pool.len();
+        self.ranges.push((class, range.clone()));
+        range
+    }
+
+    /// The thing a term stands for, if it is one thing.
+    fn meant(&self, term: &Term) -> Option<NodeId> {
+        match term {
+            Term::Variable(name) => {
+                let bound = self.bound.iter().rev().find(|b| b.variable == name)?;
+                bound.used.set(true);
+                Some(bound.thing)
+            }
+            Term::Node(_, id) => Some(*id),
+            Term::Me => Some(self.things.agent()),
+            Term::Class(_) | Term::Anything => None,
+        }
+    }
+}
+
+/// Literals.
+impl<'g, T: Things> Ground<'_, 'g, T> {
+    fn literal(&mut self, literal: &'g Literal, comparison: Comparison, number: u32) -> Result<Ref, CompileError> {
+        let predicate = literal.predicate;
+        let open = |t: &Term| {
+            matches!((t, predicate), (Term::Class(_), _))
+                || (*t == Term::Anything && !matches!(predicate, Predicate::Did(_)))
+        };
+        if (comparison, number) == (Comparison::AtLeast, 1) && !literal.terms.iter().any(open) {
+            return self.single(literal);
+        }
+        let start = self.memory.stack.len();
+        let counted = literal.counted().unwrap_or(0);
+        let wild = |t: &Term| *t == Term::Anything && matches!(predicate, Predicate::Did(_));
+        let first = literal.terms.get(counted);
+        let other = literal.terms.get(1 - counted.min(1)).filter(|_| literal.terms.len() > 1);
+        let firsts = self.choices(first, first.is_none_or(wild));
+        let others = self.choices(other, other.is_none_or(wild));
+        for a in firsts {
+            let inner = self.memory.stack.len();
+            for b in others.clone() {
+                let things = [self.chosen(a), self.chosen(b)];
+                let things = if counted == 0 { things } else { [things[1], things[0]] };
+                let input = self.atom(predicate, things)?;
+                self.memory.stack.push(input);
+            }
+            let input = self.count(inner, Comparison::AtLeast, 1)?;
+            self.memory.stack.push(input);
+        }
+        self.count(start, comparison, number)
+    }
+
+    /// A literal whose terms all stand for one thing, or for none in particular.
+    fn single(&mut self, literal: &Literal) -> Result<Ref, CompileError> {
+        let mut things = [None; 2];
+        for (thing, term) in things.iter_mut().zip(&literal.terms) {
+            *thing = self.meant(term);
+            if thing.is_none() && *term != Term::Anything {
+                return Ok(Ref::FALSE);
+            }
+        }
+        self.atom(literal.predicate, things)
+    }
+
+    /// What may stand in a place, as a stretch of the pool; [`Ground::ANYTHING`] for
+    /// nothing in particular.
+    fn choices(&mut self, term: Option<&'g Term>, anything: bool) -> Choices {
+        match term {
+            _ if anything => Self::ANYTHING,
+            None => Self::ANYTHING,
+            Some(Term::Class(class)) => self.range(Some(class)),
+            Some(Term::Anything) => self.range(None),
+            Some(term) => {
+                let start = self.memory.pool.len();
+                self.memory.pool.extend(self.meant(term));
+                start..self.memory.pool.len()
+            }
+        }
+    }
+
+    const ANYTHING: Choices = usize::MAX - 1..usize::MAX;
+
+    fn chosen(&self, at: usize) -> Option<NodeId> {
+        self.memory.pool.get(at).copied()
+    }
+
+    fn atom(&mut self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Result<Ref, CompileError> {
+        let atom = Atom { predicate, things };
+        let atoms = &mut self.program.atoms;
+        let next = atoms.len();
+        let number = self.memory.atoms.number(atom.key(), next, |n| atoms[n] == atom, |n| atoms[n].key());
+        if number == next {
+            atoms.push(atom);
+            self.check_size()?;
+        }
+        Ok(Ref::atom(number))
+    }
+}
+
+/// Gates.
+impl<'g, T: Things> Ground<'_, 'g, T> {
+    fn check_size(&self) -> Result<(), CompileError> {
+        let size = self.program.atoms.len().max(self.program.inputs.len()).max(self.memory.pool.len());
+        if size > LARGEST { Err(CompileError::TooLarge(LARGEST)) } else { Ok(()) }
+    }
+
+    fn all(&mut self, start: usize) -> Result<Ref, CompileError> {
+        let number = self.memory.stack.len() - start;
+        self.count(start, Comparison::AtLeast, number as u32)
+    }
+
+    /// A gate over the inputs on the stack from `start` on, which it takes off.
+    fn count(&mut self, start: usize, comparison: Comparison, number: u32) -> Result<Ref, CompileError> {
+        let stack = &mut self.memory.stack;
+        let sure = stack[start..].iter().filter(|&&r| r == Ref::TRUE).count() as u32;
+        let mut kept = start;
+        for at in start..stack.len() {
+            if !stack[at].is_constant() {
+                stack[kept] = stack[at];
+                kept += 1;
+            }
+        }
+        stack.truncate(kept);
+        let open = (kept - start) as u32;
+        let at_least = |g: &mut Self, k: u32| match k.saturating_sub(sure) {
+            0 => Ok(Ref::TRUE),
+            k if k > open => Ok(Ref::FALSE),
+            1 if open == 1 => Ok(g.memory.stack[start]),
+            k if k == open => g.gate(start, Kind::All),
+            1 => g.gate(start, Kind::Any),
+            k => g.gate(start, Kind::AtLeast(k)),
+        };
+        let result = match comparison {
+            Comparison::AtLeast => at_least(self, number),
+            Comparison::AtMost => at_least(self, number.saturating_add(1)).map(|r| !r),
+            Comparison::Exactly if number < sure || number - sure > open => Ok(Ref::FALSE),
+            Comparison::Exactly if number == sure => at_least(self, number.saturating_add(1)).map(|r| !r),
+            Comparison::Exactly if number - sure == open => at_least(self, number),
+            Comparison::Exactly => self.gate(start, Kind::Exactly(number - sure)),
+        };
+        self.memory.stack.truncate(start);
+        result
+    }
+
+    /// The gate with the inputs on the stack from `start` on; one that is there
+    /// already serves again.
+    fn gate(&mut self, start: usize, kind: Kind) -> Result<Ref, CompileError> {
+        let inputs = &self.memory.stack[start..];
+        let Program { gates, inputs: all, .. } = &mut self.program;
+        let next = gates.len();
+        let of = |n: usize| &all[Gate::inputs(gates[n])];
+        let same = |n: usize| gates[n].kind == kind && of(n) == inputs;
+        let number =
+            self.memory.gates.number(kind.key(inputs), next, same, |n| gates[n].kind.key(&all[Gate::inputs(gates[n])]));
+        if number == next {
+            let from = all.len() as u32;
+            all.extend_from_slice(inputs);
+            gates.push(Gate { kind, start: from, end: all.len() as u32 });
+            self.check_size()?;
+        }
+        Ok(Ref::gate(number))
+    }
+
+    fn pairs(&mut self, pairs: &'g Pairs) -> Result<Ref, CompileError> {
+        let start = self.memory.stack.len();
+        let range = |g: &mut Self, v: &'g Variable| g.range(v.class.as_deref());
+        let (rows, columns) = (range(self, &pairs.first), range(self, &pairs.second));
+        for row in rows.clone() {
+            for column in columns.clone() {
+                let (a, b) = (self.memory.pool[row], self.memory.pool[column]);
+                let input = match a == b {
+                    true => Ref::FALSE,
+                    false => {
+                        let second = &pairs.second.name;
+                        self.with(&pairs.first.name, a, |g| g.with(second, b, |g| g.goal(&pairs.body)).0).0?
+                    }
+                };
+                self.memory.stack.push(input);
+            }
+        }
+        let table = Table { rows: rows.len() as u32, columns: columns.len() as u32, need: 0, pairing: pairs.pairing };
+        let result = self.enough(start, table, pairs.number);
+        self.memory.stack.truncate(start);
+        result
+    }
+
+    fn enough(&mut self, start: usize, table: Table, number: Option<(Comparison, u32)>) -> Result<Ref, CompileError> {
+        let most = table.rows.min(table.columns);
+        let at_least = |g: &mut Self, need: u32| match need {
+            0 => Ok(Ref::TRUE),
+            need if need > most => Ok(Ref::FALSE),
+            need => g.gate(start, Kind::Pairs(Table { need, ..table })),
+        };
+        match number {
+            None => at_least(self, most),
+            Some((Comparison::AtLeast, number)) => at_least(self, number),
+            Some((Comparison::AtMost, number)) => at_least(self, number.saturating_add(1)).map(|r| !r),
+            Some((Comparison::Exactly, number)) => {
+                let both = [at_least(self, number)?, !at_least(self, number.saturating_add(1))?];
+                self.memory.stack.truncate(start);
+                self.memory.stack.extend(both);
+                self.all(start)
+            }
+        }
+    }
+
+    fn finish(mut self) -> Result<Program, CompileError> {
+        let start = self.memory.stack.len();
+        self.memory.stack.extend_from_slice(&self.program.heads);
+        self.program.root = self.all(start)?;
+        Ok(self.program)
+    }
+}

@@ -1,0 +1,56 @@
+//! A set of numbered things: equal ones get the same number.
+
+/// Open addressing with linear probing; the things themselves are kept elsewhere.
+#[derive(Debug, Default)]
+pub(super) struct Numbers {
+    /// Number plus one; 0 is free. As many as a power of two, at most half full.
+    slots: Vec<u32>,
+    used: usize,
+}
+
+impl Numbers {
+    /// Forgets everything and keeps the memory.
+    pub(super) fn clear(&mut self) {
+        self.slots.fill(0);
+        self.used = 0;
+    }
+
+    /// The number of a thing with this key: one that `equal` recognises, or `next`.
+    /// `key_of` gives the key of a number already given.
+    pub(super) fn number(
+        &mut self,
+        key: u64,
+        next: usize,
+        equal: impl Fn(usize) -> bool,
+        key_of: impl Fn(usize) -> u64,
+    ) -> usize {
+        if 2 * (self.used + 1) > self.slots.len() {
+            self.grow(key_of);
+        }
+        let mask = self.slots.len() - 1;
+        let mut at = key as usize & mask;
+        loop {
+            match self.slots[at] {
+                0 => {
+                    self.slots[at] = next as u32 + 1;
+                    self.used += 1;
+                    return next;
+                }
+                number if equal(number as usize - 1) => return number as usize - 1,
+                _ => at = (at + 1) & mask,
+            }
+        }
+    }
+
+    fn grow(&mut self, key_of: impl Fn(usize) -> u64) {
+        let size = (2 * self.slots.len()).max(32);
+        let old = std::mem::replace(&mut self.slots, vec![0; size]);
+        for number in old.into_iter().filter(|&n| n != 0) {
+            let mut at = key_of(number as usize - 1) as usize & (size - 1);
+            while self.slots[at] != 0 {
+                at = (at + 1) & (size - 1);
+            }
+            self.slots[at] = number;
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Truth for one who has not seen everything.
+
+use super::{Bits, Gate, Kind, Program, Ref};
+
+/// Whether a goal holds, as far as is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// It holds, whatever is unknown.
+    True,
+    /// It does not, whatever is unknown.
+    False,
+    /// What is known does not say.
+    Unknown,
+}
+
+impl Verdict {
+    /// A truth that is known.
+    pub fn of(value: bool) -> Self {
+        if value { Self::True } else { Self::False }
+    }
+
+    fn negated_if(self, negate: bool) -> Self {
+        match self {
+            Self::True if negate => Self::False,
+            Self::False if negate => Self::True,
+            other => other,
+        }
+    }
+}
+
+/// The atoms known to be true and those known to be false.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Known {
+    known: Bits,
+    value: Bits,
+}
+
+impl Known {
+    /// Nothing is known about a program's atoms.
+    pub fn nothing(program: &Program) -> Self {
+        Self { known: program.bits(), value: program.bits() }
+    }
+
+    /// An atom, by its position, becomes known.
+    pub fn learn(&mut self, atom: usize, value: bool) {
+        self.known.set(atom, true);
+        self.value.set(atom, value);
+    }
+
+    /// What is known of an atom.
+    pub fn get(&self, atom: usize) -> Verdict {
+        if self.known.has(atom) { Verdict::of(self.value.has(atom)) } else { Verdict::Unknown }
+    }
+}
+
+impl Program {
+    /// Whether the goal holds, as far as is known: Kleene's strong logic, with counts
+    /// and pairs by the least and the most that there can be. What it says is so for
+    /// every way the unknown can turn out; it may say unknown where that does not
+    /// matter, as for `Open(x) | !Open(x)`.
+    pub fn verdict(&self, known: &Known) -> Verdict {
+        self.seen(known, self.root())
+    }
+
+    fn seen(&self, known: &Known, of: Ref) -> Verdict {
+        let verdict = if of.is_atom() {
+            known.get(of.index())
+        } else if of.is_constant() {
+            Verdict::True
+        } else {
+            self.gate_seen(known, self.gates()[of.index()])
+        };
+        verdict.negated_if(of.is_negated())
+    }
+
+    fn gate_seen(&self, known: &Known, gate: Gate) -> Verdict {
+        let inputs = self.inputs(gate);
+        if let Kind::Pairs(table) = gate.kind {
+            let most = table.is_met(|cell| self.seen(known, inputs[cell]) != Verdict::False);
+            let least = most && table.is_met(|cell| self.seen(known, inputs[cell]) == Verdict::True);
+            return if most == least { Verdict::of(least) } else { Verdict::Unknown };
+        }
+        let (mut least, mut most) = (0, 0);
+        for &input in inputs {
+            let verdict = self.seen(known, input);
+            least += usize::from(verdict == Verdict::True);
+            most += usize::from(verdict != Verdict::False);
+        }
+        let (low, high) = match gate.kind {
+            Kind::All => (inputs.len(), inputs.len()),
+            Kind::Any => (1, inputs.len()),
+            Kind::AtLeast(k) => (k as usize, inputs.len()),
+            Kind::Exactly(k) => (k as usize, k as usize),
+            Kind::Pairs(_) => (0, 0),
+        };
+        if low <= least && most <= high {
+            Verdict::True
+        } else if most < low || least > high {
+            Verdict::False
+        } else {
+            Verdict::Unknown
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! A verdict kept up to date while the scene changes.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::sync::Arc;
+
+use vc_graph::goal::Situation;
+use vc_graph::{Change, ChangeSet, NodeId};
+
+use super::scene::{Wake, changed, moves, wake};
+use super::{Bits, Gate, Kind, Program, Ref};
+
+/// The scene has gained or lost things, over which the goal's variables may range.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("{0} came or went; compile the goal for the things there are now")]
+pub struct Stale(pub NodeId);
+
+/// A goal's verdict, kept while atoms change: a changed atom wakes only the gates it
+/// goes into, and these only those whose truth depends on them.
+#[derive(Debug, Clone)]
+pub struct Tracker {
+    program: Arc<Program>,
+    watch: Arc<Watch>,
+    bits: Bits,
+    gates: Bits,
+    /// For each gate how many of its inputs are true.
+    counts: Vec<u32>,
+    queue: BinaryHeap<Reverse<u32>>,
+    /// How many events have been looked at.
+    events: usize,
+}
+
+/// Who listens to whom.
+#[derive(Debug)]
+struct Watch {
+    /// For each atom, then for each gate, where its watchers begin.
+    starts: Vec<u32>,
+    /// Gates, and whether they read their input negated: two times the gate, plus one.
+    watchers: Vec<u32>,
+    /// Things and the atoms that change with them, sorted.
+    things: Vec<(NodeId, u32)>,
+    /// Atoms that places and poses of other things can change.
+    places: Vec<u32>,
+    /// Atoms about what has been done.
+    events: Vec<u32>,
+}
+
+impl Watch {
+    fn new(program: &Program) -> Self {
+        let atoms = program.atoms().len();
+        let place = |r: Ref| if r.is_atom() { r.index() } else { atoms + r.index() };
+        let uses = || {
+            let gates = program.gates().iter().enumerate();
+            gates.flat_map(|(g, &gate)| program.inputs(gate).iter().filter(|r| !r.is_constant()).map(move |&r| (g, r)))
+        };
+        let mut starts = vec![0; atoms + program.gates().len() + 1];
+        uses().for_each(|(_, r)| starts[place(r) + 1] += 1);
+        (1..starts.len()).for_each(|i| starts[i] += starts[i - 1]);
+        let mut next = starts.clone();
+        let mut watchers = vec![0; starts[starts.len() - 1] as usize];
+        for (gate, r) in uses() {
+            watchers[next[place(r)] as usize] = 2 * gate as u32 + u32::from(r.is_negated());
+            next[place(r)] += 1;
+        }
+        let mut watch = Self { starts, watchers, things: Vec::new(), places: Vec::new(), events: Vec::new() };
+        watch.listen(program);
+        watch
+    }
+
+    fn listen(&mut self, program: &Program) {
+        for (index, atom) in (0..).zip(program.atoms()) {
+            match wake(atom) {
+                Wake::Things => self.things.extend(atom.things.iter().flatten().map(|&id| (id, index))),
+                Wake::Places => self.places.push(index),
+                Wake::Events => self.events.push(index),
+            }
+        }
+        self.things.sort_unstable();
+    }
+
+    fn of(&self, place: usize) -> std::ops::Range<usize> {
+        self.starts[place] as usize..self.starts[place + 1] as usize
+    }
+
+    fn atoms_of(&self, id: NodeId) -> impl Iterator<Item = u32> {
+        let start = self.things.partition_point(|&(thing, _)| thing < id);
+        self.things[start..].iter().take_while(move |(thing, _)| *thing == id).map(|&(_, atom)| atom)
+    }
+}
+
+impl Tracker {
+    /// Starts with these atoms true. Costs a look at every gate.
+    pub fn new(program: Arc<Program>, bits: Bits) -> Self {
+        let watch = Arc::new(Watch::new(&program));
+        let (gates, counts) = (Bits::none(program.gates().len()), vec![0; program.gates().len()]);
+        let mut tracker = Self { program, watch, bits, gates, counts, queue: BinaryHeap::new(), events: 0 };
+        tracker.count_all();
+        tracker
+    }
+
+    /// Starts in a situation.
+    pub fn in_situation(program: Arc<Program>, now: &Situation<'_>) -> Self {
+        let bits = program.read(now);
+        Self { events: now.events.len(), ..Self::new(program, bits) }
+    }
+
+    fn count_all(&mut self) {
+        let program = self.program.clone();
+        for (index, &gate) in program.gates().iter().enumerate() {
+            self.counts[index] = program.inputs(gate).iter().filter(|&&r| self.value(r)).count() as u32;
+            let value = self.gate_value(index, gate);
+            self.gates.set(index, value);
+        }
+    }
+
+    /// The program it tracks.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+
+    /// The atoms that are true.
+    pub fn bits(&self) -> &Bits {
+        &self.bits
+    }
+
+    /// Whether the goal holds now. Costs nothing.
+    pub fn holds(&self) -> bool {
+        self.value(self.program.root())
+    }
+
+    /// Whether a conjunct, counted from zero, holds now.
+    pub fn head_holds(&self, head: usize) -> bool {
+        self.program.head(head).is_some_and(|r| self.value(r))
+    }
+
+    #[inline]
+    fn value(&self, r: Ref) -> bool {
+        let value = if r.is_atom() { self.bits.has(r.index()) } else { r.is_constant() || self.gates.has(r.index()) };
+        value != r.is_negated()
+    }
+
+    fn gate_value(&self, index: usize, gate: Gate) -> bool {
+        let count = self.counts[index];
+        match gate.kind {
+            Kind::All => count == gate.end - gate.start,
+            Kind::Any => count > 0,
+            Kind::AtLeast(k) => count >= k,
+            Kind::Exactly(k) => count == k,
+            Kind::Pairs(table) => {
+                let inputs = self.program.inputs(gate);
+                count >= table.need && table.is_met(|cell| self.value(inputs[cell]))
+            }
+        }
+    }
+
+    /// Makes an atom true or false and says whether the goal holds then.
+    pub fn set(&mut self, atom: usize, value: bool) -> bool {
+        if atom < self.program.atoms().len() && self.bits.has(atom) != value {
+            self.bits.set(atom, value);
+            self.wake(atom, value);
+            self.run();
+        }
+        self.holds()
+    }
+
+    /// Tells the watchers of an atom, or of a gate after the atoms, its new truth.
+    fn wake(&mut self, place: usize, value: bool) {
+        for at in self.watch.of(place) {
+            let watcher = self.watch.watchers[at];
+            let (gate, negated) = (watcher / 2, watcher % 2 != 0);
+            let count = &mut self.counts[gate as usize];
+            *count = if value != negated { *count + 1 } else { *count - 1 };
+            self.queue.push(Reverse(gate));
+        }
+    }
+
+    /// Gates in the order of their numbers: the inputs of each are settled before it.
+    fn run(&mut self) {
+        while let Some(Reverse(gate)) = self.queue.pop() {
+            while self.queue.peek() == Some(&Reverse(gate)) {
+                self.queue.pop();
+            }
+            let index = gate as usize;
+            let value = self.gate_value(index, self.program.gates()[index]);
+            if self.gates.has(index) != value {
+                self.gates.set(index, value);
+                self.wake(self.program.atoms().len() + index, value);
+            }
+        }
+    }
+
+    /// Takes over what an edit or action changed; `now` is the situation after it.
+    /// Costs a look at the scene for each atom about a thing that changed; after
+    /// something moved also for those about `Inside` and `Near`.
+    ///
+    /// # Errors
+    /// [`Stale`] if nodes came or went; then nothing has changed here.
+    pub fn apply(&mut self, now: &Situation<'_>, changes: &ChangeSet) -> Result<bool, Stale> {
+        for change in changes.changes() {
+            if let Change::Add(node) | Change::Remove(node) = change {
+                return Err(Stale(node.id()));
+            }
+        }
+        let watch = self.watch.clone();
+        for id in changes.changes().iter().flat_map(changed).flatten() {
+            watch.atoms_of(id).for_each(|atom| self.look(now, atom));
+        }
+        if changes.changes().iter().any(moves) {
+            watch.places.iter().for_each(|&atom| self.look(now, atom));
+        }
+        if now.events.len() != self.events {
+            self.events = now.events.len();
+            watch.events.iter().for_each(|&atom| self.look(now, atom));
+        }
+        Ok(self.holds())
+    }
+
+    fn look(&mut self, now: &Situation<'_>, atom: u32) {
+        let index = atom as usize;
+        let at = self.program.atoms()[index];
+        self.set(index, now.holds(at.predicate, at.things));
+    }
+}

@@ -1,0 +1,71 @@
+//! Scores that count conditions.
+
+use vc_graph::Goal;
+use vc_graph::goal::{Comparison, Situation, Trace};
+
+use crate::compile::{Bits, Program};
+
+/// How many of a goal's conditions are met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct Conditions {
+    /// Conditions met.
+    pub met: u32,
+    /// Conditions there are.
+    pub conditions: u32,
+}
+
+impl Conditions {
+    /// The share, 0 to 1; 1 if there are none.
+    pub fn rate(self) -> f64 {
+        if self.conditions == 0 { 1.0 } else { f64::from(self.met) / f64::from(self.conditions) }
+    }
+}
+
+impl Program {
+    /// ALFRED's goal-condition rate: of the goal's conjuncts, those that hold.
+    /// (ALFRED's own conditions are the conjuncts of its templates.)
+    pub fn conditions(&self, bits: &Bits) -> Conditions {
+        let met = (0..self.heads()).filter(|&head| self.head_holds(bits, head)).count();
+        Conditions { met: met as u32, conditions: self.heads() as u32 }
+    }
+}
+
+/// PARTNR's percent complete: of the goal's propositions, those satisfied on what
+/// happened and not undone where they must last. Propositions are the conjuncts;
+/// "at least n" is n of them, of which as many are satisfied as things were found.
+/// What need not last is written `eventually`, what comes after something else
+/// `before` or `then`.
+pub fn percent_complete(goal: &Goal, trace: &Trace) -> Conditions {
+    let last = trace.situation(trace.steps());
+    let mut sum = Conditions { met: 0, conditions: 0 };
+    for part in goal.conjuncts() {
+        let (met, conditions) = match counted(part).zip(last) {
+            Some(((one, number), now)) => (found(&one, number, &now), number),
+            None => (u32::from(part.holds_on(trace)), 1),
+        };
+        sum = Conditions { met: sum.met + met, conditions: sum.conditions + conditions };
+    }
+    sum
+}
+
+/// A goal of the form "at least n", as a goal for any number.
+fn counted(goal: &Goal) -> Option<(impl Fn(u32) -> Goal, u32)> {
+    let number = match goal {
+        Goal::Count { comparison: Comparison::AtLeast, number, .. } => *number,
+        Goal::ForN { comparison: Comparison::AtLeast, number, of } if !of.body.is_temporal() => *number,
+        _ => return None,
+    };
+    let with = move |wanted: u32| {
+        let mut goal = goal.clone();
+        if let Goal::Count { number, .. } | Goal::ForN { number, .. } = &mut goal {
+            *number = wanted;
+        }
+        goal
+    };
+    Some((with, number))
+}
+
+/// The most things up to `number` that are found.
+fn found(goal: &impl Fn(u32) -> Goal, number: u32, now: &Situation<'_>) -> u32 {
+    (1..=number).take_while(|&n| goal(n).holds(now)).last().unwrap_or(0)
+}

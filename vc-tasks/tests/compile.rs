@@ -1,0 +1,146 @@
+//! Compiled goals against the plain reading of them.
+#![allow(clippy::unwrap_used)]
+
+mod common;
+#[path = "../../vc-graph/tests/shared/mod.rs"]
+mod shared;
+
+use std::sync::Arc;
+
+use common::{Room, flips, timeless};
+use proptest::prelude::*;
+use shared::cases;
+use shared::edits::{apply, plans};
+use shared::goals::goal;
+use shared::scenes::{scene, steps};
+use vc_graph::goal::Situation;
+use vc_graph::{Change, Goal, History};
+use vc_tasks::compile::{CompileError, Known, Program, Tracker, Verdict};
+
+fn agree(program: &Program, goal: &Goal, now: &Situation<'_>) -> Result<(), TestCaseError> {
+    let bits = program.read(now);
+    prop_assert_eq!(program.holds(&bits), goal.holds(now), "{}", goal);
+    for (head, part) in goal.conjuncts().iter().enumerate() {
+        prop_assert_eq!(program.head_holds(&bits, head), part.holds(now), "{} of {}", part, goal);
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(cases(2000))]
+
+    #[test]
+    fn a_program_holds_when_its_goal_does(goal in timeless(3), flips in flips(30)) {
+        let room = Room::new(&flips);
+        let program = Program::new(&goal, &room.now()).unwrap();
+        agree(&program, &goal, &room.now())?;
+    }
+
+    #[test]
+    fn a_tracker_says_what_a_new_look_would_say(goal in timeless(3), first in flips(20), then in flips(20)) {
+        let mut room = Room::new(&first);
+        let program = Arc::new(Program::new(&goal, &room.now()).unwrap());
+        let mut tracker = Tracker::in_situation(program.clone(), &room.now());
+        for flip in then {
+            let changes = room.flip(flip);
+            let holds = tracker.apply(&room.now(), &changes).unwrap();
+            prop_assert_eq!(holds, goal.holds(&room.now()), "{}", goal);
+            prop_assert_eq!(tracker.bits(), &program.read(&room.now()));
+            for (head, part) in goal.conjuncts().iter().enumerate() {
+                prop_assert_eq!(tracker.head_holds(head), part.holds(&room.now()), "{} of {}", part, goal);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_unknown_does_not_matter_to_a_verdict(
+        goal in timeless(2), flips in flips(30), mask in any::<u64>(), others in prop::collection::vec(any::<u64>(), 8)
+    ) {
+        let room = Room::new(&flips);
+        let program = Program::new(&goal, &room.now()).unwrap();
+        let bits = program.read(&room.now());
+        let mut known = Known::nothing(&program);
+        let hidden = |atom: usize| mask >> (atom % 64) & 1 != 0;
+        (0..program.atoms().len()).filter(|&a| !hidden(a)).for_each(|a| known.learn(a, bits.has(a)));
+        let verdict = program.verdict(&known);
+        if mask == 0 {
+            prop_assert_eq!(verdict, Verdict::of(program.holds(&bits)));
+        }
+        for other in others {
+            let mut completed = bits.clone();
+            let unknown = (0..program.atoms().len()).filter(|&a| hidden(a));
+            unknown.for_each(|a| completed.set(a, other >> (a % 64) & 1 != 0));
+            if verdict != Verdict::Unknown {
+                prop_assert_eq!(Verdict::of(program.holds(&completed)), verdict, "{}", goal);
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(400))]
+
+    #[test]
+    fn in_scenes_of_all_kinds(goal in goal(0, 2), steps in steps(12), posed: bool, plans in plans(8)) {
+        let mut graph = scene(&steps, posed);
+        let (agent, history) = (graph.agents()[0], History::default());
+        let program = match Program::new(&goal, &Situation::new(&graph, agent, &history)) {
+            Ok(program) => Arc::new(program),
+            Err(error) => {
+                prop_assert!(goal.is_temporal() && matches!(error, CompileError::Temporal(_)), "{}: {}", goal, error);
+                return Ok(());
+            }
+        };
+        agree(&program, &goal, &Situation::new(&graph, agent, &history))?;
+        let mut tracker = Tracker::in_situation(program, &Situation::new(&graph, agent, &history));
+        for plan in plans {
+            let changes = apply(&mut graph, plan);
+            let now = Situation::new(&graph, agent, &history);
+            let stale = changes.changes().iter().any(|c| matches!(c, Change::Add(_) | Change::Remove(_)));
+            match tracker.apply(&now, &changes) {
+                Ok(holds) => prop_assert_eq!(holds, goal.holds(&now), "{} after {:?}", goal, changes),
+                Err(_) => {
+                    prop_assert!(stale);
+                    tracker = Tracker::in_situation(Arc::new(Program::new(&goal, &now).unwrap()), &now);
+                }
+            }
+        }
+    }
+}
+
+fn program(text: &str, room: &Room) -> Program {
+    Program::new(&text.parse().unwrap(), &room.now()).unwrap()
+}
+
+#[test]
+fn equal_parts_are_one() {
+    let room = Room::new(&[]);
+    let part = "exists ?p: plate. Covered(?c, ?p)";
+    let one = program(&format!("forall ?c: cup. {part}"), &room);
+    let two = program(&format!("(forall ?c: cup. {part}) & (forall ?c: cup. ({part}) | Dusty(?c))"), &room);
+    assert_eq!(one.atoms().len(), 9);
+    assert_eq!((one.size().0, two.size().0), (4, 9), "three gates are shared");
+}
+
+#[test]
+fn a_goal_that_is_true_in_many_ways_stays_small() {
+    let room = Room::new(&[]);
+    let text = "forall ?c: cup. exists ?p: plate. exists ?q: plate. (Covered(?c, ?p) | Draped(?c, ?q)) & (Dusty(?p) | Stained(?q))";
+    let (gates, inputs) = program(text, &room).size();
+    assert!(gates < 100 && inputs < 200, "{gates} {inputs}");
+}
+
+#[test]
+fn what_cannot_be_compiled_says_why() {
+    let room = Room::new(&[]);
+    let error = Program::new(&"Dusty(cup) & eventually Dusty(plate)".parse().unwrap(), &room.now()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "`eventually Dusty(plate)` is about several steps; judge it on a trace (`Goal::holds_on`)"
+    );
+    let wide: Goal =
+        "forall ?a. forall ?b. forall ?c. forall ?d. forall ?e. forall ?f. forall ?g. forall ?h. Covered(?a, ?h)"
+            .parse()
+            .unwrap();
+    assert!(Program::new(&wide, &room.now()).is_ok_and(|p| p.size().0 > 0));
+}
