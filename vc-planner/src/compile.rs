@@ -22,6 +22,8 @@ pub enum Manners {
 pub(crate) struct Lack {
     pub(crate) subjects: Vec<NodeId>,
     pub(crate) number: usize,
+    /// What they are needed for.
+    pub(crate) ways: Vec<Way>,
 }
 
 /// What became of the demands.
@@ -185,7 +187,7 @@ impl Compiler<'_> {
             if missing.is_empty() {
                 return Err(Unreachable::Conflicting(demand.part.to_string()));
             }
-            self.out.lacks.push(Lack { subjects: missing, number: short - known.len() });
+            self.out.lacks.push(Lack { subjects: missing, number: short - known.len(), ways: ways.clone() });
         }
         for &id in &known {
             match self.items.iter_mut().find(|(item, _)| *item == id) {
@@ -390,7 +392,7 @@ impl Compiler<'_> {
         }
         let known: Vec<NodeId> = fit.iter().copied().filter(|id| (self.known)(*id)).collect();
         if known.is_empty() {
-            self.out.lacks.push(Lack { subjects: fit, number: 1 });
+            self.out.lacks.push(Lack { subjects: fit, number: 1, ways: Vec::new() });
             return Ok(());
         }
         let simple: Vec<NodeId> = known.into_iter().filter(|&id| self.is_simple(&action(id))).collect();

@@ -14,8 +14,6 @@ pub(crate) struct Demand<'g> {
     pub(crate) number: usize,
     /// The part of the goal it comes from.
     pub(crate) part: &'g Goal,
-    /// Its classes, for the belief: how many of what are looked for.
-    pub(crate) open: bool,
 }
 
 impl Demand<'_> {
@@ -171,7 +169,6 @@ impl<'a, 'g> Reader<'a, 'g> {
                     counted: 0,
                     number: 1,
                     part,
-                    open: false,
                 });
             }
         }
@@ -181,12 +178,11 @@ impl<'a, 'g> Reader<'a, 'g> {
         let terms = &literal.terms;
         let things = [0, 1].map(|i| terms.get(i).map_or_else(Vec::new, |t| self.candidates(t)));
         let counted = literal.counted().unwrap_or(0).min(1);
-        let open = matches!(terms.get(counted), Some(Term::Class(_) | Term::Anything));
         if terms.iter().any(|t| matches!(t, Term::Anything)) && !matches!(literal.predicate, Predicate::Did(_)) {
             self.found.rest = true;
             return;
         }
-        self.found.all.push(Demand { predicate: literal.predicate, things, counted, number, part, open });
+        self.found.all.push(Demand { predicate: literal.predicate, things, counted, number, part });
     }
 
     fn candidates(&self, term: &Term) -> Vec<NodeId> {

@@ -74,7 +74,7 @@ const ALTERNATIVES: usize = 24;
 /// taken back, so that each can be carried out as it is.
 #[derive(Debug, Clone, Default)]
 pub struct Planner {
-    search: Search,
+    pub(crate) search: Search,
     /// How much it searches.
     pub effort: Effort,
     /// How it leaves the home.

@@ -81,6 +81,9 @@ pub enum Unreachable {
     /// What has been done cannot be undone.
     #[error("`{0}` has been done and cannot be undone")]
     Irrevocable(String),
+    /// A language model gave no answer that could be used.
+    #[error("no usable answer: {0}")]
+    NoAnswer(String),
     /// Every place has been searched.
     #[error("everything has been searched {0} times and something is still missing")]
     Searched(usize),
