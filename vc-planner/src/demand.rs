@@ -1,6 +1,6 @@
 //! A goal taken apart into demands on things.
 
-use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Quantified, Situation, Term};
+use vc_graph::goal::{Comparison, Goal, Literal, Pairs, Predicate, Quantified, Situation, Term, Variable};
 use vc_graph::{NodeId, State};
 
 /// So many things of a list are to satisfy a predicate.
@@ -109,6 +109,18 @@ impl<'a, 'g> Reader<'a, 'g> {
                 self.part(&parts[chosen]);
             }
             Goal::Not(part) => self.not(part),
+            Goal::Imply(condition, part) => match self.choice.pick(2) {
+                0 => self.part(part),
+                _ => self.not(condition),
+            },
+            // What is to hold at some step may as well hold at the last.
+            Goal::Eventually(part) | Goal::AtEnd(part) => self.part(part),
+            Goal::Until(_, part) | Goal::Before(part, _) | Goal::Within(_, part) => {
+                self.found.rest = true;
+                self.part(part);
+            }
+            Goal::ForN { comparison, number, of } => self.so_many(*comparison, *number as usize, of),
+            Goal::ForPairs(pairs) => self.pairs(pairs),
             Goal::ForAll(q) => {
                 for id in self.range(q) {
                     self.with(q, id);
@@ -123,6 +135,37 @@ impl<'a, 'g> Reader<'a, 'g> {
                 self.found.rest |= range.is_empty();
             }
             _ => self.found.rest = true,
+        }
+    }
+
+    /// So many of a class, those first of which the part holds already.
+    fn so_many(&mut self, comparison: Comparison, number: usize, q: &'g Quantified) {
+        self.found.rest |= comparison != Comparison::AtLeast;
+        if comparison == Comparison::AtMost {
+            return;
+        }
+        let range = self.range(q);
+        self.found.rest |= range.len() < number;
+        let chosen = if range.len() > number { self.choice.pick(range.len()) } else { 0 };
+        for &id in range.iter().cycle().skip(chosen).take(number.min(range.len())) {
+            self.with(q, id);
+        }
+    }
+
+    /// Things of two classes, one with one in order.
+    fn pairs(&mut self, pairs: &'g Pairs) {
+        self.found.rest = true;
+        let all = |v: &Variable| match &v.class {
+            Some(class) => self.now.graph.of_class(class),
+            None => Vec::new(),
+        };
+        let (first, second) = (all(&pairs.first), all(&pairs.second));
+        let number = pairs.number.map_or(usize::MAX, |(_, n)| n as usize);
+        for (a, b) in first.into_iter().zip(second).take(number) {
+            self.bound.push((&pairs.first.name, a));
+            self.bound.push((&pairs.second.name, b));
+            self.part(&pairs.body);
+            self.bound.truncate(self.bound.len() - 2);
         }
     }
 
