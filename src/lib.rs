@@ -11,6 +11,7 @@
 //! | `physics` | `vc-physics` | bodies, agents, navigation, vehicles, water (feature `physics`, on by default) |
 //! | `render` | `vc-render` | what cameras see: six modalities (feature `render`, on by default) |
 //! | `procgen` | `vc-procgen` | objects and apartments from a seed (feature `procgen`, on by default) |
+//! | `initial` | here | environments for tasks in generated homes (feature `procgen`) |
 //!
 //! An agent that sees only its room brings the milk:
 //!
@@ -38,6 +39,9 @@
 //! action) and batches. Until then
 //! [`Simulator`](graph::Simulator) is the environment: symbolic, with poses that
 //! follow actions only roughly. Bodies are in `physics`, and not tied to its actions.
+
+#[cfg(feature = "procgen")]
+pub mod initial;
 
 pub use vc_graph as graph;
 #[cfg(feature = "physics")]
