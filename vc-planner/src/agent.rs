@@ -11,6 +11,7 @@ use crate::look::{Look, best_look};
 use crate::packed::Way;
 use crate::plan::{Horizon, Planner, Sketch, plan_in_belief};
 use crate::search::Effort;
+use crate::team::next_trip;
 use crate::want::{Unreachable, Want};
 use crate::{Belief, Learned, Plan, Prior};
 
@@ -88,6 +89,9 @@ pub struct Agent {
     next: VecDeque<Action>,
     /// Decisions since it last learned something.
     idle: usize,
+    /// What others have promised to bring where, and what it promises itself.
+    counted_on: Vec<(NodeId, Place)>,
+    promises: Vec<(NodeId, Place)>,
 }
 
 impl Agent {
@@ -128,6 +132,8 @@ impl Agent {
             pursued: None,
             next: VecDeque::new(),
             idle: 0,
+            counted_on: Vec::new(),
+            promises: Vec::new(),
         }
     }
 
@@ -180,8 +186,48 @@ impl Agent {
         learned
     }
 
+    /// Takes in what another sees and tells.
+    pub fn hear(&mut self, told: &Observation) -> Learned {
+        self.belief.hear(told)
+    }
+
+    /// What others have promised to bring where: that counts as done.
+    pub(crate) fn count_on(&mut self, promised: Vec<(NodeId, Place)>) {
+        self.counted_on = promised;
+        self.next.clear();
+    }
+
+    /// What it will bring where on its next trip.
+    pub(crate) fn promises(&self) -> &[(NodeId, Place)] {
+        &self.promises
+    }
+
+    /// The sampled state, with what others have promised done.
+    fn imagined(&self) -> SceneGraph {
+        let mut graph = self.belief.graph().clone();
+        let mut edit = graph.edit();
+        for (item, place) in &self.counted_on {
+            // What cannot be imagined is not counted on.
+            let _ = edit.place(*item, *place);
+        }
+        edit.commit();
+        graph
+    }
+
     /// What it would do now.
     pub fn decide(&mut self) -> Decision {
+        let decision = self.think();
+        self.promises = match &decision {
+            Decision::Act(_, plan) => {
+                let held: Vec<NodeId> = self.belief.graph().held(self.id).collect();
+                next_trip(&held, &plan.actions)
+            }
+            _ => Vec::new(),
+        };
+        decision
+    }
+
+    fn think(&mut self) -> Decision {
         let patience = if self.mind == Mind::Faithful { PATIENCE } else { 1 };
         if self.belief.widened() > patience && self.is_missing_something() {
             return Decision::GiveUp(Unreachable::Searched(self.belief.widened()));
@@ -240,7 +286,13 @@ impl Agent {
             return self.start(sketch.actions);
         }
         let hands = self.belief.graph().held(self.id).count();
-        let known = sketch.actions.first().copied().filter(|a| hands == 2 || self.is_at_hand(a));
+        // What is still to be filled is neither closed nor switched on.
+        let early = |a: &Action| {
+            let ending = matches!(a.verb, Verb::Close | Verb::SwitchOn | Verb::SwitchOff);
+            ending && a.object.is_some_and(|id| doors_lacking(&sketch).any(|d| d == id))
+        };
+        let known = sketch.actions.first().copied();
+        let known = known.filter(|a| !early(a) && (hands == 2 || self.is_at_hand(a)));
         if let Some(action) = known {
             return self.act(action, sketch.actions);
         }
@@ -257,7 +309,9 @@ impl Agent {
     fn best_sketch(&mut self) -> Result<Sketch, Unreachable> {
         let (mut best, mut reason) = (None::<(usize, Sketch)>, None);
         let mut choice = Choice::default();
-        let now = Situation { graph: self.belief.graph(), agent: self.id, events: self.history.events() };
+        let imagined = (!self.counted_on.is_empty()).then(|| self.imagined());
+        let graph = imagined.as_ref().unwrap_or(self.belief.graph());
+        let now = Situation { graph, agent: self.id, events: self.history.events() };
         for _ in 0..ALTERNATIVES {
             match self.planner.sketch(&self.goal, &now, self.belief.known(), &mut choice) {
                 Ok(sketch) => {
@@ -285,6 +339,8 @@ impl Agent {
     /// Begins a plan whose rest is kept for the next decisions.
     fn start(&mut self, actions: Vec<Action>) -> Decision {
         match actions.first() {
+            // What is left is what others have promised.
+            None if !self.counted_on.is_empty() => Decision::Done,
             None => self.decide_by_regression(),
             Some(&first) => {
                 let decision = self.act(first, actions.clone());
@@ -370,15 +426,22 @@ impl Agent {
     }
 }
 
-/// Containers that what is lacking will be put into: they are opened anyway.
+/// Containers that things will be put into: they are opened anyway.
 fn doors_needed(sketch: &Sketch) -> Vec<NodeId> {
-    let problem = &sketch.compiled.problem;
-    let door = |way: &Way| match way {
-        Way::Put { door: Some(d), .. } => problem.doors.get(*d as usize).map(|d| d.node),
+    let known = sketch.compiled.problem.needs.iter().flat_map(|n| &n.ways);
+    doors_lacking(sketch).chain(known.filter_map(|way| door(sketch, way))).collect()
+}
+
+/// Containers that what is lacking will be put into.
+fn doors_lacking(sketch: &Sketch) -> impl Iterator<Item = NodeId> {
+    sketch.compiled.lacks.iter().flat_map(|l| &l.ways).filter_map(|way| door(sketch, way))
+}
+
+fn door(sketch: &Sketch, way: &Way) -> Option<NodeId> {
+    match way {
+        Way::Put { door: Some(d), .. } => sketch.compiled.problem.doors.get(*d as usize).map(|d| d.node),
         _ => None,
-    };
-    let lacking = sketch.compiled.lacks.iter().flat_map(|l| &l.ways);
-    lacking.chain(problem.needs.iter().flat_map(|n| &n.ways)).filter_map(door).collect()
+    }
 }
 
 /// The things the literals of a goal can be about.

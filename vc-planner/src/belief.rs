@@ -236,6 +236,30 @@ impl Belief {
         learned
     }
 
+    /// Takes in what another agent sees and tells: all but who sees it.
+    pub fn hear(&mut self, told: &Observation) -> Learned {
+        let mut learned = Learned::default();
+        for node in told.nodes().filter(|n| n.id() != self.agent) {
+            let id = node.id();
+            if self.known.insert(id) && node.kind() != Kind::Room {
+                learned.found.push(id);
+                self.learn_place(node);
+            }
+            self.take_over_node(told, node);
+        }
+        self.look_at_places(told);
+        self.missing.retain(|(id, _)| !told.sees(*id));
+        self.resample(&mut learned);
+        // What was told may be newer than what was seen last.
+        self.last = None;
+        learned
+    }
+
+    /// Whether there is nothing it would have to guess: it moved in long ago.
+    pub fn knows_all(&self) -> bool {
+        self.places.is_empty()
+    }
+
     /// Brings the sampled state in line with what is seen.
     fn take_over(&mut self, seen: &Observation, learned: &mut Learned) {
         let last = self.last.take();

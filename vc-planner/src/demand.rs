@@ -220,7 +220,9 @@ impl<'a, 'g> Reader<'a, 'g> {
     fn demand(&mut self, part: &'g Goal, literal: &'g Literal, number: usize) {
         let terms = &literal.terms;
         let things = [0, 1].map(|i| terms.get(i).map_or_else(Vec::new, |t| self.candidates(t)));
-        let counted = literal.counted().unwrap_or(0).min(1);
+        // Of what is held, not of who holds it, there may be several.
+        let held = literal.predicate == Predicate::Holds;
+        let counted = if held { 1 } else { literal.counted().unwrap_or(0).min(1) };
         if terms.iter().any(|t| matches!(t, Term::Anything)) && !matches!(literal.predicate, Predicate::Did(_)) {
             self.found.rest = true;
             return;

@@ -18,6 +18,7 @@ mod record;
 mod regression;
 mod search;
 mod subgoal;
+mod team;
 mod tour;
 mod want;
 mod weigh;
@@ -34,4 +35,5 @@ pub use policy::{Brief, Newcomer, Policy, Random, Reaction, Resident, Scripted, 
 pub use prior::{Habit, Prior};
 pub use record::{Fault, Header, RecordError, Trajectory};
 pub use search::Effort;
+pub use team::{Team, TeamEpisode, Watcher};
 pub use want::{Subgoal, Unreachable, Want};

@@ -288,6 +288,7 @@ impl Problem {
                 }
                 s.hands[1] = s.down[slot as usize];
                 s.down[slot as usize] = 0;
+                s.down.sort_unstable_by(|a, b| b.cmp(a));
                 s.sort_hands();
                 Some(walk + ACTION)
             }
@@ -403,12 +404,23 @@ impl Problem {
                 }
             }
             if !s.free_hand() {
-                ops.push(Op::PutDown { hand, spot: None });
-                let surface = |i: &u8| self.spots[*i as usize].surface;
-                ops.extend(
-                    (0..self.spots.len() as u8).filter(surface).map(|spot| Op::PutDown { hand, spot: Some(spot) }),
-                );
+                self.put_down_ops(s, pending, hand, ops);
             }
+        }
+    }
+
+    /// With both hands full: what is of no use is put down anywhere; what is, only where
+    /// one stands and only if there is something to open.
+    fn put_down_ops(&self, s: &State, pending: u32, hand: u8, ops: &mut Vec<Op>) {
+        let useless = self.kind(s.hands[hand as usize]) & (pending | self.keeps) == 0;
+        if useless {
+            let surface = |i: &u8| self.spots[*i as usize].surface;
+            ops.extend((0..self.spots.len() as u8).filter(surface).map(|spot| Op::PutDown { hand, spot: Some(spot) }));
+        }
+        let shut = |d: &u8| s.open & bit(*d) == 0;
+        let wanted = |d: &u8| self.doors[*d as usize].want == Some(true) || self.leads_somewhere(s, *d, pending);
+        if useless || (0..self.doors.len() as u8).filter(shut).any(|d| wanted(&d)) {
+            ops.push(Op::PutDown { hand, spot: None });
         }
     }
 

@@ -126,6 +126,26 @@ impl Planner {
         best.ok_or_else(|| reason.unwrap_or_else(|| Unreachable::NoPlan(goal.to_string())))
     }
 
+    /// A plan for what of a goal can be packed, by the first of its alternatives and
+    /// without carrying it out: microseconds, for those who plan often. It is not
+    /// checked against the transition rule; [`Planner::plan`] is.
+    ///
+    /// # Errors
+    /// [`Unreachable`] says which part of the goal cannot be brought about.
+    pub fn outline(
+        &mut self,
+        graph: &SceneGraph,
+        agent: NodeId,
+        goal: &Goal,
+        events: &[Event],
+    ) -> Result<Vec<Action>, Unreachable> {
+        let now = Situation { graph, agent, events };
+        let demands = Reader::read(goal, &now, &mut Choice::default());
+        let compiled = compile(&demands, &now, &|_| true, self.manners)?;
+        let (ops, _) = self.solve(&compiled, goal)?;
+        Ok(Tour::write(&compiled.problem, compiled.start, &ops))
+    }
+
     /// One choice of alternatives: packed, carried out, and what is left regressed.
     fn attempt(
         &mut self,

@@ -191,6 +191,12 @@ impl Newcomer {
         Self { prior: Some(prior), ..self }
     }
 
+    /// What it is called in tables.
+    #[must_use]
+    pub fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
+    }
+
     /// How it leaves the home.
     #[must_use]
     pub fn mannered(self, manners: Manners) -> Self {
