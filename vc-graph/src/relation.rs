@@ -49,13 +49,31 @@ vocabulary! {
         TakenOff = "taken_off",
         /// Held thing `from` was taken out of `to`: where `put back` returns it.
         TakenOut = "taken_out",
+        /// `from` and `to` stand side by side, by their size. Symmetric.
+        Beside = "beside",
+        /// Substance `to` lies or sticks on `from`.
+        Covered = "covered",
+        /// `from` is full of substance `to`, as a cloth is of water.
+        Saturated = "saturated",
+        /// There is some of substance `to` in `from`.
+        Contains = "contains",
+        /// `from` is filled with substance `to`.
+        FilledWith = "filled_with",
+        /// Substance `to` comes out of `from`, as water does out of a tap.
+        SourceOf = "source_of",
+        /// `from` is fastened to `to`.
+        Attached = "attached",
+        /// Cloth `from` hangs over `to`.
+        Draped = "draped",
+        /// Cloth `from` lies spread over `to`.
+        Overlaid = "overlaid",
     }
 }
 
 impl Relation {
     /// Whether the relation holds both ways whenever it holds one way.
     pub fn is_symmetric(self) -> bool {
-        matches!(self, Self::Near | Self::Touching)
+        matches!(self, Self::Near | Self::Touching | Self::Beside)
     }
 
     /// The relations that say what a thing rests on, in or with.

@@ -52,6 +52,17 @@ vocabulary! {
         Filled = "filled",
         /// It holds nothing to pour.
         Empty = "empty",
+        /// It is frozen hard.
+        Frozen = "frozen",
+        /// It burns.
+        OnFire = "on_fire",
+        /// Dust lies on it.
+        Dusty = "dusty",
+        /// It has a stain.
+        Stained = "stained",
+        /// It is not there yet: something done will bring it forth, as baking brings
+        /// forth a cake.
+        Future = "future",
     }
 }
 
@@ -66,6 +77,7 @@ const EXCLUSIVE: &[&[State]] = &[
     &[State::PluggedIn, State::PluggedOut],
     &[State::Sitting, State::Lying],
     &[State::Hot, State::Cold],
+    &[State::Hot, State::Frozen],
     &[State::Cooked, State::Raw],
     &[State::Folded, State::Unfolded],
     &[State::Wet, State::Dry],
@@ -81,8 +93,8 @@ impl State {
     /// assert!(State::Broken.opposites().is_empty());
     /// ```
     pub fn opposites(self) -> StateSet {
-        let group = EXCLUSIVE.iter().find(|group| group.contains(&self));
-        group.map_or(StateSet::EMPTY, |g| StateSet::of(g).without(self))
+        let groups = EXCLUSIVE.iter().filter(|group| group.contains(&self));
+        groups.fold(StateSet::EMPTY, |set, group| set.union(StateSet::of(group))).without(self)
     }
 }
 

@@ -49,6 +49,21 @@ fn the_same_goal_in_many_spellings() {
         ("forall x: cup. Clean(x)", "forall ?x: cup. Clean(?x)"),
         ("Open(cup.12), == 2", "Open(cup.12), = 2"),
         ("(((Open(a))))", "Open(a)"),
+        ("Filled(cup, water)", "FilledWith(cup, water)"),
+        ("Filled(cup)", "Filled(cup)"),
+        ("Open(a) imply Open(b)", "Open(a) => Open(b)"),
+        ("Open(a) | Open(b) => Open(c)", "Open(a) | Open(b) => Open(c)"),
+        ("exists x: cup. me = x", "exists ?x: cup. me = ?x"),
+        ("exists ?x. exists ?y. (Open(?x) & !(?x = ?y))", "exists ?x. exists ?y. Open(?x) & ?x != ?y"),
+        ("EXACTLY 2 x: cup. Clean(x)", "exactly 2 ?x: cup. Clean(?x)"),
+        ("at least 2 pairs ?p: plate, ?c: chair. Near(?p, ?c)", "at least 2 pairs ?p: plate, ?c: chair. Near(?p, ?c)"),
+        ("marginal pairs ?p: plate, ?c. Near(?p, ?c)", "marginal pairs ?p: plate, ?c. Near(?p, ?c)"),
+        ("within 5 Open(a)", "within 5 steps Open(a)"),
+        ("at the end Open(a)", "at end Open(a)"),
+        ("always !Broken(cup) & eventually Open(a)", "always !Broken(cup) & eventually Open(a)"),
+        ("did open(a) before did grab(b) & Open(c)", "did open(a) before did grab(b) & Open(c)"),
+        ("forall ?\"x\": \"apple.n.01\". On(\"x\", ?x)", "forall ?x: \"apple.n.01\". On(\"x\", ?x)"),
+        ("On(\"apple.n.01\".12, \"me\")", "On(\"apple.n.01\".12, \"me\")"),
     ] {
         assert_eq!(parse(text).to_string(), plain, "{text}");
     }
@@ -92,6 +107,10 @@ fn errors_say_where_and_what() {
         ("On(a, b, c)", "goal, character 1: `On` takes 2 things, 3 are given"),
         ("Clean(?p)", "goal, character 7: no forall or exists binds the variable `?p`"),
         ("forall ?p plate. Clean(?p)", "goal, character 11: expected `.` after the variable, found `plate`"),
+        ("On(\"apple, table)", "goal, character 18: expected a closing `\"`, found the end"),
+        ("cup = me", "goal, character 1: expected a variable, a node such as `cup.12` or `me`, found `cup`"),
+        ("at once Open(x)", "goal, character 4: expected `end`, `least` or `most`, found `once`"),
+        ("pairs ?x: cup. Open(?x)", "goal, character 14: expected `,` and the other variable, found `.`"),
         ("Öffne(tür) @", "goal, character 12: expected a name, a number or one of `( ) , : . ! & |`, found `@`"),
     ] {
         assert_eq!(fail(text).to_string(), shown);

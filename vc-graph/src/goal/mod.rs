@@ -5,38 +5,81 @@
 //! let goal: Goal = "On(apple, kitchentable), 3 & Closed(fridge)".parse()?;
 //! assert_eq!(goal.to_string(), "On(apple, kitchentable), 3 & Closed(fridge)");
 //! let goal: Goal = "forall ?p: plate. (Inside(?p, dishwasher) | Clean(?p))".parse()?;
+//! let goal: Goal = "pairs ?p: plate, ?c: chair. Near(?p, ?c)".parse()?;
+//! let goal: Goal = "Holds(cup) until On(cup, table) & always !Broken(cup)".parse()?;
 //! # Ok::<(), vc_graph::goal::GoalError>(())
 //! ```
 //!
 //! A literal is a predicate of things. A thing is a class in any usual spelling
-//! (`coffee_table`: some node of it), a node (`cup.12` or `#12`), `me` (the agent),
-//! a variable (`?x`) or `_` (anything).
+//! (`coffee_table`: some node of it or of its kinds), a node (`cup.12` or `#12`),
+//! `me` (the agent), a variable (`?x`) or `_` (anything). A class whose name is no
+//! plain word stands in quotes: `"apple.n.01"`, `"apple.n.01".12`, `?"a b"`.
 //!
 //! | predicate | holds when |
 //! |---|---|
-//! | `Open` `Closed` `SwitchedOn` `On(x)` `Clean` `Dirty` `Cooked` ... | the thing is in that state |
+//! | `Open` `Closed` `SwitchedOn` `On(x)` `Clean` `Dirty` `Cooked` ... | the thing is in that [state](crate::State) |
 //! | `On(x, y)` | x rests on y; also sits, lies or is worn on it |
 //! | `Inside(x, y)`, `In` | x is inside y, directly or on or in something inside it, or in room y |
+//! | `Covered(x, y)` `Filled(x, y)` `Attached(x, y)` ... | x stands in that [relation](crate::Relation) to y |
 //! | `Near(x)`, `Walk(x)` | the agent is near x, or in room x |
 //! | `Holds(x)`, `Grab(x)`, `HoldsRight`, `HoldsLeft` | the agent holds x |
 //! | `Sit(x)` `Lie(x)` `Wear(x)` `Facing(x)` | the agent sits or lies on, wears, faces x |
 //! | `Eat(x)` `Drink(x)` `Watch(x)` `did verb(x, y)` | the agent has done it |
+//! | `Real(x)` | x is there: not in the state `future` |
+//! | `?x = ?y`, `?x != ?y` | they are the same thing, or not; variables, nodes and `me` |
 //!
 //! `, 3` after a literal asks for at least three different things in its first
-//! open place (`, = 3` and `, <= 3` for exactly and at most). `!`, `&`, `|` (or
-//! `not`, `and`, `or`) bind in that order; `then` binds loosest and orders what is
-//! done. `forall` and `exists` reach as far as they can.
+//! open place (`, = 3` and `, <= 3` for exactly and at most).
+//!
+//! | form | holds when |
+//! |---|---|
+//! | `!a`, `a & b`, `a \| b`, `a => b` | as `not`, `and`, `or`, `imply`, which may be written instead |
+//! | `forall ?x: c. a`, `exists ?x: c. a` | it does for every, for some thing of class c; `: c` may be left out |
+//! | `exactly 2 ?x: c. a`, `at least`, `at most` | it does for so many things |
+//! | `pairs ?x: c, ?y: d. a` | things can be paired off, one x with one y, until one of the classes is used up |
+//! | `at least 2 pairs ?x: c, ?y: d. a` | so many pairs of different things can be formed at once |
+//! | `marginal pairs ...` | as many x have a y, and as many y an x ([`Pairing::Marginal`]) |
+//! | `eventually a`, `always a` | it does at some step, at all steps from here to the end |
+//! | `within 5 steps a` | it does at some step, at most five from here |
+//! | `at end a` | it does at the end, read as if it stood alone |
+//! | `a until b` | b does at some step, and a at all steps before |
+//! | `a before b` | a does at some step, and b at no step up to it |
+//! | `a then b` | the steps can be cut into stretches, on each of which one part does |
+//!
+//! `!` and the words before a single part bind tightest; then `&`, `|`, `=>`,
+//! `until` and `before`, `then`. Quantifiers reach as far as they can.
+//!
+//! # Time
+//!
+//! A [`Trace`] is what happened: a state for each step, and what was done in it.
+//! [`Goal::holds_on`] reads a goal on it as linear temporal logic on finite traces
+//! does (De Giacomo and Vardi, IJCAI 2013), with one convention, so that a goal
+//! without temporal words is about the end: a part that no temporal word governs is
+//! judged by the last state and by all that was done; a part that one governs is
+//! judged at single steps, by the state after that step and by what was done in it.
+//! Temporal words within temporal words look from their step to the end.
+//! `then` cuts what is left of the trace into stretches, each as short as can be and
+//! the last one up to the end; each part is read as a goal on its stretch.
+//!
+//! [`Goal::holds`] judges one [`Situation`], which knows one state: earlier steps
+//! are those of its events, and their states are taken to be as now.
 
 mod evaluate;
+mod judge;
+mod literal;
+mod names;
+mod pairing;
+mod scan;
+mod score;
 mod text;
-
-use std::fmt;
-
-use crate::vocabulary::Word;
-use crate::{NodeId, Relation, State, Verb};
+mod trace;
+mod write;
 
 pub use evaluate::{Situation, Things};
+pub use literal::{Comparison, Literal, Predicate, Term};
+pub use pairing::{Pairing, Pairs, Variable, largest_matching};
 pub use text::{GoalError, GoalProblem};
+pub use trace::Trace;
 
 /// A goal.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -53,19 +96,46 @@ pub enum Goal {
         /// How many.
         number: u32,
     },
+    /// Both are the same thing: variables, nodes or the agent.
+    Same(Term, Term),
     /// All parts hold.
     And(Vec<Goal>),
     /// Some part holds.
     Or(Vec<Goal>),
     /// The part does not hold.
     Not(Box<Goal>),
+    /// The second holds if the first does.
+    Imply(Box<Goal>, Box<Goal>),
     /// The part holds for every thing of a class.
     ForAll(Quantified),
     /// The part holds for some thing of a class.
     Exists(Quantified),
-    /// The parts hold, and what is to be done in them was done in this order.
-    /// States are those of the end.
+    /// The part holds for so many things of a class.
+    ForN {
+        /// At least, exactly or at most.
+        comparison: Comparison,
+        /// How many.
+        number: u32,
+        /// The variable and the part.
+        of: Quantified,
+    },
+    /// Things of two classes can be paired off.
+    ForPairs(Pairs),
+    /// The steps can be cut so that each part holds on its stretch: what is to be
+    /// done in the parts was done in this order.
     Then(Vec<Goal>),
+    /// The part holds at some step.
+    Eventually(Box<Goal>),
+    /// The part holds at all steps.
+    Always(Box<Goal>),
+    /// The part holds at some step, at most so many from here.
+    Within(u32, Box<Goal>),
+    /// The part holds at the end, as a goal of its own.
+    AtEnd(Box<Goal>),
+    /// The second holds at some step and the first at all before it.
+    Until(Box<Goal>, Box<Goal>),
+    /// The first holds at some step, and up to that step the second does not.
+    Before(Box<Goal>, Box<Goal>),
 }
 
 /// A variable and the goal it stands in.
@@ -79,203 +149,62 @@ pub struct Quantified {
     pub body: Box<Goal>,
 }
 
-/// How a count compares.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Comparison {
-    /// At least so many.
-    AtLeast,
-    /// Exactly so many.
-    Exactly,
-    /// At most so many.
-    AtMost,
-}
-
-impl Comparison {
-    /// Whether a found number satisfies it.
-    pub fn admits(self, found: usize, number: u32) -> bool {
-        match self {
-            Self::AtLeast => found >= number as usize,
-            Self::Exactly => found == number as usize,
-            Self::AtMost => found <= number as usize,
-        }
-    }
-}
-
-/// A predicate of things.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Literal {
-    /// What is said.
-    pub predicate: Predicate,
-    /// Of what: as many as [`Predicate::arity`].
-    pub terms: Vec<Term>,
-}
-
-/// What a literal says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Predicate {
-    /// The thing is in a state.
-    State(State),
-    /// The first thing stands so to the second. `On`, `Inside` and `Near` are
-    /// read generously, see the [module](self).
-    Relation(Relation),
-    /// The first, an agent, holds the second in either hand.
-    Holds,
-    /// The agent has done it.
-    Did(Verb),
-}
-
-impl Predicate {
-    /// How many things it is about.
-    pub fn arity(self) -> usize {
-        match self {
-            Self::State(_) => 1,
-            Self::Relation(_) | Self::Holds => 2,
-            Self::Did(verb) => verb.arity(),
-        }
-    }
-}
-
-/// A thing a literal is about.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub enum Term {
-    /// Some node of a class.
-    Class(String),
-    /// One node; the class is for the reader.
-    Node(Option<String>, NodeId),
-    /// The variable of a quantifier.
-    Variable(String),
-    /// The agent.
-    Me,
-    /// Anything.
-    Anything,
-}
-
-impl fmt::Display for Term {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Class(class) => f.write_str(class),
-            Self::Node(Some(class), id) => write!(f, "{class}.{}", id.0),
-            Self::Node(None, id) => write!(f, "{id}"),
-            Self::Variable(name) => write!(f, "?{name}"),
-            Self::Me => f.write_str("me"),
-            Self::Anything => f.write_str("_"),
-        }
-    }
-}
-
-impl fmt::Display for Literal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.predicate {
-            Predicate::State(State::On) => f.write_str("SwitchedOn(")?,
-            Predicate::State(State::Off) => f.write_str("SwitchedOff(")?,
-            Predicate::State(state) => write!(f, "{}(", capitalised(state.as_str()))?,
-            Predicate::Relation(relation) => write!(f, "{}(", capitalised(relation.as_str()))?,
-            Predicate::Holds => write!(f, "Holds(")?,
-            Predicate::Did(verb) => write!(f, "did {verb}(")?,
-        }
-        for (i, term) in self.terms.iter().enumerate() {
-            write!(f, "{}{term}", if i == 0 { "" } else { ", " })?;
-        }
-        f.write_str(")")
-    }
-}
-
-/// `plugged_in` as `PluggedIn`.
-fn capitalised(word: &str) -> String {
-    word.split('_').map(|part| part[..1].to_uppercase() + &part[1..]).collect()
-}
-
-/// How tightly a goal binds, for brackets.
-fn rank(goal: &Goal) -> u8 {
-    match goal {
-        Goal::ForAll(_) | Goal::Exists(_) => 0,
-        Goal::Then(_) => 1,
-        Goal::Or(_) => 2,
-        Goal::And(_) => 3,
-        Goal::Not(_) => 4,
-        Goal::Literal(_) | Goal::Count { .. } => 5,
-    }
-}
-
-impl fmt::Display for Goal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Literal(literal) => write!(f, "{literal}"),
-            Self::Count { literal, comparison, number } => {
-                let sign = match comparison {
-                    Comparison::AtLeast => "",
-                    Comparison::Exactly => "= ",
-                    Comparison::AtMost => "<= ",
-                };
-                write!(f, "{literal}, {sign}{number}")
-            }
-            Self::And(parts) => join(f, parts, " & ", rank(self), "true"),
-            Self::Or(parts) => join(f, parts, " | ", rank(self), "false"),
-            Self::Then(parts) => join(f, parts, " then ", rank(self), "true"),
-            Self::Not(part) => {
-                f.write_str("!")?;
-                bracketed(f, part, rank(part) < rank(self))
-            }
-            Self::ForAll(q) => quantified(f, "forall", q),
-            Self::Exists(q) => quantified(f, "exists", q),
-        }
-    }
-}
-
-fn bracketed(f: &mut fmt::Formatter<'_>, goal: &Goal, brackets: bool) -> fmt::Result {
-    if brackets { write!(f, "({goal})") } else { write!(f, "{goal}") }
-}
-
-fn join(f: &mut fmt::Formatter<'_>, parts: &[Goal], sign: &str, rank_here: u8, none: &str) -> fmt::Result {
-    if parts.is_empty() {
-        return f.write_str(none);
-    }
-    for (i, part) in parts.iter().enumerate() {
-        if i > 0 {
-            f.write_str(sign)?;
-        }
-        // A list of one would vanish without its brackets.
-        bracketed(f, part, rank(part) <= rank_here)?;
-    }
-    Ok(())
-}
-
-fn quantified(f: &mut fmt::Formatter<'_>, word: &str, q: &Quantified) -> fmt::Result {
-    write!(f, "{word} ?{}", q.variable)?;
-    if let Some(class) = &q.class {
-        write!(f, ": {class}")?;
-    }
-    write!(f, ". {}", q.body)
-}
-
 impl Goal {
     /// A literal about given things.
     pub fn literal(predicate: Predicate, terms: Vec<Term>) -> Self {
         Self::Literal(Literal { predicate, terms })
     }
 
+    /// The goals directly within this one.
+    pub fn parts(&self) -> Vec<&Goal> {
+        match self {
+            Self::Literal(_) | Self::Count { .. } | Self::Same(..) => Vec::new(),
+            Self::And(parts) | Self::Or(parts) | Self::Then(parts) => parts.iter().collect(),
+            Self::Not(part) | Self::Eventually(part) | Self::Always(part) => vec![part],
+            Self::Within(_, part) | Self::AtEnd(part) => vec![part],
+            Self::Imply(a, b) | Self::Until(a, b) | Self::Before(a, b) => vec![a, b],
+            Self::ForAll(q) | Self::Exists(q) | Self::ForN { of: q, .. } => vec![&q.body],
+            Self::ForPairs(pairs) => vec![&pairs.body],
+        }
+    }
+
     /// How many parts are within parts; 1 for a literal.
     pub fn depth(&self) -> usize {
-        1 + match self {
-            Self::Literal(_) | Self::Count { .. } => 0,
-            Self::And(parts) | Self::Or(parts) | Self::Then(parts) => parts.iter().map(Self::depth).max().unwrap_or(0),
-            Self::Not(part) => part.depth(),
-            Self::ForAll(q) | Self::Exists(q) => q.body.depth(),
-        }
+        1 + self.parts().into_iter().map(Self::depth).max().unwrap_or(0)
     }
 
     /// The things the goal speaks of: the terms of its literals, and the classes its
     /// variables range over.
     pub fn terms(&self) -> Vec<Term> {
+        let mut terms: Vec<Term> = self.parts().into_iter().flat_map(Self::terms).collect();
         match self {
-            Self::Literal(literal) | Self::Count { literal, .. } => literal.terms.clone(),
-            Self::And(parts) | Self::Or(parts) | Self::Then(parts) => parts.iter().flat_map(Self::terms).collect(),
-            Self::Not(part) => part.terms(),
-            Self::ForAll(q) | Self::Exists(q) => {
-                let class = q.class.clone().map(Term::Class);
-                q.body.terms().into_iter().chain(class).collect()
+            Self::Literal(literal) | Self::Count { literal, .. } => terms.extend(literal.terms.iter().cloned()),
+            Self::Same(a, b) => terms.extend([a.clone(), b.clone()]),
+            Self::ForAll(q) | Self::Exists(q) | Self::ForN { of: q, .. } => {
+                terms.extend(q.class.clone().map(Term::Class));
             }
+            Self::ForPairs(pairs) => {
+                terms
+                    .extend([&pairs.first, &pairs.second].into_iter().filter_map(|v| v.class.clone().map(Term::Class)));
+            }
+            _ => {}
         }
+        terms
+    }
+
+    /// Whether it speaks of more than one step: some part is temporal.
+    pub fn is_temporal(&self) -> bool {
+        let here = matches!(
+            self,
+            Self::Then(_)
+                | Self::Eventually(_)
+                | Self::Always(_)
+                | Self::Within(..)
+                | Self::AtEnd(_)
+                | Self::Until(..)
+                | Self::Before(..)
+        );
+        here || self.parts().into_iter().any(Self::is_temporal)
     }
 
     /// The parts of a conjunction, or the goal itself.

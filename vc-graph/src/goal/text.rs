@@ -2,9 +2,12 @@
 
 use std::str::FromStr;
 
-use super::{Comparison, Goal, Literal, Predicate, Quantified, Term};
-use crate::vocabulary::{Word, clip, same_word};
-use crate::{NodeId, Relation, State, Verb};
+use super::names::{agent_is_meant, eai_predicate, native_predicate};
+use super::scan::{Token, is_plain, scan};
+use super::{Comparison, Goal, Literal, Pairing, Pairs, Predicate, Quantified, Term, Variable};
+use crate::vocabulary::Word;
+use crate::vocabulary::clip;
+use crate::{NodeId, Relation, Verb};
 
 /// Longest goal that is read, bytes.
 const LONGEST: usize = 64 * 1024;
@@ -107,52 +110,6 @@ fn read(text: &str, dialect: Dialect) -> Result<Goal, GoalError> {
     }
 }
 
-#[derive(Debug, Clone, PartialEq)]
-enum Token {
-    /// A name, number, `?variable`, `#12` or `cup.12`.
-    Name(String),
-    /// `(`, `)`, `,`, `:`, `.`, `!`, `&`, `|`, `=`, `<=`, `>=`.
-    Sign(&'static str),
-}
-
-const SIGNS: [&str; 15] = ["<=", ">=", "==", "&&", "||", "(", ")", ",", ":", ".", "!", "&", "|", "=", ";"];
-
-fn scan(text: &str) -> Result<Vec<(usize, Token)>, GoalError> {
-    let chars: Vec<char> = text.chars().collect();
-    let mut tokens = Vec::new();
-    let mut at = 0;
-    while at < chars.len() {
-        let start = at;
-        let sign = SIGNS.iter().find(|s| s.chars().enumerate().all(|(i, c)| chars.get(at + i) == Some(&c)));
-        if chars[at].is_whitespace() {
-            at += 1;
-        } else if let Some(sign) = sign {
-            at += sign.len();
-            tokens.push((start + 1, Token::Sign(sign)));
-        } else if is_name(chars[at]) || matches!(chars[at], '?' | '#' | '*') {
-            at += 1;
-            while at < chars.len() && (is_name(chars[at]) || number_follows(&chars, at)) {
-                at += 1;
-            }
-            tokens.push((start + 1, Token::Name(chars[start..at].iter().collect())));
-        } else {
-            let found = format!("`{}`", chars[at]);
-            let problem = GoalProblem::Expected { expected: "a name, a number or one of `( ) , : . ! & |`", found };
-            return Err(GoalError { at: start + 1, problem });
-        }
-    }
-    Ok(tokens)
-}
-
-fn is_name(c: char) -> bool {
-    c.is_alphanumeric() || c == '_' || c == '-'
-}
-
-/// Whether a dot at this place joins a class and a number, `cup.12`.
-fn number_follows(chars: &[char], at: usize) -> bool {
-    chars[at] == '.' && chars.get(at + 1).is_some_and(char::is_ascii_digit)
-}
-
 struct Reader {
     tokens: Vec<(usize, Token)>,
     next: usize,
@@ -162,9 +119,14 @@ struct Reader {
     depth: usize,
 }
 
+/// Tokens, errors.
 impl Reader {
     fn peek(&self) -> Option<&Token> {
-        self.tokens.get(self.next).map(|(_, token)| token)
+        self.ahead(0)
+    }
+
+    fn ahead(&self, by: usize) -> Option<&Token> {
+        self.tokens.get(self.next + by).map(|(_, token)| token)
     }
 
     fn at(&self) -> usize {
@@ -178,7 +140,7 @@ impl Reader {
     fn expected(&self, expected: &'static str) -> GoalError {
         let found = match self.peek() {
             None => "the end".to_owned(),
-            Some(Token::Name(name)) => format!("`{}`", clip(name)),
+            Some(Token::Name(name) | Token::Quoted(name, _) | Token::Variable(name)) => format!("`{}`", clip(name)),
             Some(Token::Sign(sign)) => format!("`{sign}`"),
         };
         self.error(GoalProblem::Expected { expected, found })
@@ -189,7 +151,7 @@ impl Reader {
         let found = match self.peek() {
             Some(Token::Sign(sign)) => any.contains(sign),
             Some(Token::Name(name)) => any.iter().any(|word| name.eq_ignore_ascii_case(word)),
-            None => false,
+            _ => false,
         };
         self.next += usize::from(found);
         found
@@ -210,10 +172,38 @@ impl Reader {
         }
     }
 
+    fn number(&mut self) -> Result<u32, GoalError> {
+        let not_a_number = self.expected("a number");
+        self.name("a number")?.parse().map_err(|_| not_a_number)
+    }
+}
+
+/// Connectives, loosest first.
+impl Reader {
     fn goal(&mut self) -> Result<Goal, GoalError> {
-        self.list(&["then"], Goal::Then, |r| {
-            r.list(&["|", "||", "or"], Goal::Or, |r| r.list(&["&", "&&", ";", "and"], Goal::And, Self::unary))
-        })
+        self.list(&["then"], Goal::Then, Self::in_time)
+    }
+
+    fn in_time(&mut self) -> Result<Goal, GoalError> {
+        let words: [(_, fn(_, _) -> Goal); 2] = [(&["until"][..], Goal::Until), (&["before"], Goal::Before)];
+        self.infix(&words, |r| r.infix(&[(&["=>", "imply", "implies"], Goal::Imply)], Self::either))
+    }
+
+    /// Two parts at most: what `a => b => c` means is better said with brackets.
+    fn infix(
+        &mut self,
+        words: &[(&[&str], fn(Box<Goal>, Box<Goal>) -> Goal)],
+        part: impl Fn(&mut Self) -> Result<Goal, GoalError>,
+    ) -> Result<Goal, GoalError> {
+        let first = part(self)?;
+        match words.iter().find(|(any, _)| self.take(any)) {
+            Some((_, build)) => Ok(build(Box::new(first), Box::new(part(self)?))),
+            None => Ok(first),
+        }
+    }
+
+    fn either(&mut self) -> Result<Goal, GoalError> {
+        self.list(&["|", "||", "or"], Goal::Or, |r| r.list(&["&", "&&", ";", "and"], Goal::And, Self::unary))
     }
 
     fn list(
@@ -249,52 +239,179 @@ impl Reader {
         goal
     }
 
+    fn part(&mut self) -> Result<Box<Goal>, GoalError> {
+        self.unary().map(Box::new)
+    }
+
     fn simple(&mut self) -> Result<Goal, GoalError> {
-        if self.take(&["!", "not"]) {
-            return Ok(Goal::Not(Box::new(self.unary()?)));
-        }
-        if self.take(&["forall"]) {
-            return self.quantified().map(Goal::ForAll);
-        }
-        if self.take(&["exists"]) {
-            return self.quantified().map(Goal::Exists);
+        if matches!(self.ahead(1), Some(Token::Sign("=" | "==" | "!="))) {
+            return self.same();
         }
         if self.take(&["("]) {
             let goal = self.goal()?;
             self.demand(")", "`)`")?;
             return Ok(goal);
         }
-        if self.take(&["true"]) {
-            return Ok(Goal::And(Vec::new()));
+        match self.keyword() {
+            Some("!" | "not") => self.part().map(Goal::Not),
+            Some("eventually") => self.part().map(Goal::Eventually),
+            Some("always") => self.part().map(Goal::Always),
+            Some("within") => self.within(),
+            Some("at") => self.at_end_or_count(),
+            Some("exactly") => self.for_n(Comparison::Exactly),
+            Some("forn") => self.eai_for_n(),
+            Some("forall") => self.quantified().map(Goal::ForAll),
+            Some("exists") => self.quantified().map(Goal::Exists),
+            Some("marginal") => self.marginal_pairs(None),
+            Some("pairs") => self.pairs(None, Pairing::Matching),
+            Some("true") => Ok(Goal::And(Vec::new())),
+            Some("false") => Ok(Goal::Or(Vec::new())),
+            _ => self.counted(),
         }
-        if self.take(&["false"]) {
-            return Ok(Goal::Or(Vec::new()));
+    }
+
+    /// A word that begins a part; none if it is followed by what makes it a
+    /// predicate.
+    fn keyword(&mut self) -> Option<&'static str> {
+        const WORDS: [&str; 13] = [
+            "!",
+            "not",
+            "forall",
+            "exists",
+            "true",
+            "false",
+            "eventually",
+            "always",
+            "within",
+            "at",
+            "exactly",
+            "marginal",
+            "pairs",
+        ];
+        let forn = (self.dialect == Dialect::Eai).then_some("forn");
+        WORDS.into_iter().chain(forn).find(|word| self.take(&[word]))
+    }
+
+    fn within(&mut self) -> Result<Goal, GoalError> {
+        let steps = self.number()?;
+        self.take(&["steps", "step"]);
+        Ok(Goal::Within(steps, self.part()?))
+    }
+
+    fn at_end_or_count(&mut self) -> Result<Goal, GoalError> {
+        if self.take(&["least"]) {
+            return self.for_n(Comparison::AtLeast);
         }
-        self.counted()
+        if self.take(&["most"]) {
+            return self.for_n(Comparison::AtMost);
+        }
+        self.take(&["the"]);
+        self.demand("end", "`end`, `least` or `most`")?;
+        self.part().map(Goal::AtEnd)
+    }
+}
+
+/// Variables.
+impl Reader {
+    /// What follows `exactly`.
+    fn for_n(&mut self, comparison: Comparison) -> Result<Goal, GoalError> {
+        let number = self.number()?;
+        if self.take(&["marginal"]) {
+            return self.marginal_pairs(Some((comparison, number)));
+        }
+        if self.take(&["pairs"]) {
+            return self.pairs(Some((comparison, number)), Pairing::Matching);
+        }
+        Ok(Goal::ForN { comparison, number, of: self.quantified()? })
+    }
+
+    /// `forn 2. x. (...)`.
+    fn eai_for_n(&mut self) -> Result<Goal, GoalError> {
+        let number = self.number()?;
+        self.demand(".", "`.` after the number")?;
+        Ok(Goal::ForN { comparison: Comparison::Exactly, number, of: self.quantified()? })
+    }
+
+    fn marginal_pairs(&mut self, number: Option<(Comparison, u32)>) -> Result<Goal, GoalError> {
+        self.demand("pairs", "`pairs`")?;
+        self.pairs(number, Pairing::Marginal)
+    }
+
+    fn pairs(&mut self, number: Option<(Comparison, u32)>, pairing: Pairing) -> Result<Goal, GoalError> {
+        let first = self.variable()?;
+        self.demand(",", "`,` and the other variable")?;
+        let second = self.variable()?;
+        let body = self.body(&[&first.name, &second.name])?;
+        Ok(Goal::ForPairs(Pairs { first, second, number, pairing, body }))
     }
 
     fn quantified(&mut self) -> Result<Quantified, GoalError> {
-        let not_a_variable = self.expected("a variable such as `?x`");
-        let name = self.name("a variable such as `?x`")?;
-        let variable = name.strip_prefix('?').unwrap_or(&name).to_owned();
-        if variable.is_empty() || !variable.chars().all(is_name) {
-            return Err(not_a_variable);
+        let Variable { name: variable, class } = self.variable()?;
+        let body = self.body(&[&variable])?;
+        Ok(Quantified { variable, class, body })
+    }
+
+    fn variable(&mut self) -> Result<Variable, GoalError> {
+        const VARIABLE: &str = "a variable such as `?x`";
+        let not_a_variable = self.expected(VARIABLE);
+        let name = if let Some(Token::Variable(name)) = self.peek() {
+            let name = name.clone();
+            self.next += 1;
+            name
+        } else {
+            let name = self.name(VARIABLE)?;
+            let bare = name.strip_prefix('?').unwrap_or(&name);
+            if !is_plain(bare) {
+                return Err(not_a_variable);
+            }
+            bare.to_owned()
+        };
+        let class = if self.take(&[":"]) { Some(self.class()?) } else { None };
+        Ok(Variable { name, class })
+    }
+
+    fn class(&mut self) -> Result<String, GoalError> {
+        if let Some(Token::Quoted(class, None)) = self.peek() {
+            let class = class.clone();
+            self.next += 1;
+            return Ok(class);
         }
-        let class = if self.take(&[":"]) { Some(self.name("a class")?) } else { None };
+        self.name("a class")
+    }
+
+    fn body(&mut self, variables: &[&str]) -> Result<Box<Goal>, GoalError> {
         self.demand(".", "`.` after the variable")?;
-        self.bound.push(variable.clone());
+        let outer = self.bound.len();
+        self.bound.extend(variables.iter().map(|&v| v.to_owned()));
         // EAI's quantifiers end with the bracket that follows them.
         let body = if self.dialect == Dialect::Eai { self.unary() } else { self.goal() };
-        self.bound.pop();
-        Ok(Quantified { variable, class, body: Box::new(body?) })
+        self.bound.truncate(outer);
+        body.map(Box::new)
+    }
+}
+
+/// Literals.
+impl Reader {
+    fn same(&mut self) -> Result<Goal, GoalError> {
+        let first = self.one_thing()?;
+        let differ = self.take(&["!="]) || !self.take(&["=", "=="]);
+        let same = Goal::Same(first, self.one_thing()?);
+        Ok(if differ { Goal::Not(Box::new(same)) } else { same })
+    }
+
+    fn one_thing(&mut self) -> Result<Term, GoalError> {
+        let several = self.expected("a variable, a node such as `cup.12` or `me`");
+        match self.word()? {
+            Term::Class(_) | Term::Anything => Err(several),
+            term => Ok(term),
+        }
     }
 
     fn counted(&mut self) -> Result<Goal, GoalError> {
         let literal = self.literal()?;
-        let rest = &self.tokens[self.next.min(self.tokens.len())..];
-        let counts = match rest {
-            [(_, Token::Sign(",")), (_, Token::Sign("=" | "==" | "<=" | ">=")), ..] => true,
-            [(_, Token::Sign(",")), (_, Token::Name(name)), ..] => name.chars().all(|c| c.is_ascii_digit()),
+        let counts = match (self.peek(), self.ahead(1)) {
+            (Some(Token::Sign(",")), Some(Token::Sign("=" | "==" | "<=" | ">="))) => true,
+            (Some(Token::Sign(",")), Some(Token::Name(name))) => name.chars().all(|c| c.is_ascii_digit()),
             _ => false,
         };
         if !counts {
@@ -307,11 +424,9 @@ impl Reader {
             _ => Comparison::AtLeast,
         };
         self.take(&["=", "==", "<=", ">="]);
-        let not_a_number = self.expected("a number");
-        let number = self.name("a number")?.parse().map_err(|_| not_a_number)?;
-        match (comparison, number) {
+        match (comparison, self.number()?) {
             (Comparison::AtLeast, 1) => Ok(Goal::Literal(literal)),
-            _ => Ok(Goal::Count { literal, comparison, number }),
+            (_, number) => Ok(Goal::Count { literal, comparison, number }),
         }
     }
 
@@ -346,27 +461,52 @@ impl Reader {
         }
     }
 
+    /// A term; `kitchen table` is written in two words as well.
     fn term(&mut self) -> Result<Term, GoalError> {
-        let unbound_at = self.at();
-        let mut name = self.name("a thing: a class, `cup.12`, `me`, `?x` or `_`")?;
-        // `kitchen table` is written in two words as well.
-        let plain = |word: &str| word.chars().all(is_name);
-        while let Some(Token::Name(more)) = self.peek().filter(|_| plain(&name)) {
-            if !plain(more) {
-                break;
-            }
-            name = format!("{name}_{more}");
-            self.next += 1;
+        let first = match self.peek() {
+            Some(Token::Name(name)) if is_plain(name) => name.clone(),
+            _ => return self.word(),
+        };
+        let more = |r: &Self, by| matches!(r.ahead(by), Some(Token::Name(name)) if is_plain(name));
+        if !more(self, 1) {
+            return self.word();
         }
+        self.next += 1;
+        let mut name = first;
+        while more(self, 0) {
+            name = format!("{name}_{}", self.name("a class")?);
+        }
+        Ok(self.named(&name))
+    }
+
+    /// A term of one word.
+    fn word(&mut self) -> Result<Term, GoalError> {
+        let unbound = |r: &Self, name: &str| r.error(GoalProblem::Unbound(name.to_owned()));
+        let term = match self.peek() {
+            Some(Token::Quoted(class, None)) => Term::Class(class.clone()),
+            Some(Token::Quoted(class, Some(id))) => Term::Node(Some(class.clone()), *id),
+            Some(Token::Variable(name)) if !self.bound.contains(name) => return Err(unbound(self, name)),
+            Some(Token::Variable(name)) => Term::Variable(name.clone()),
+            Some(Token::Name(name)) => match self.named(name) {
+                Term::Class(name) if name.starts_with('?') => {
+                    return Err(unbound(self, name.trim_start_matches('?')));
+                }
+                term => term,
+            },
+            _ => return Err(self.expected("a thing: a class, `cup.12`, `me`, `?x` or `_`")),
+        };
+        self.next += 1;
+        Ok(term)
+    }
+
+    /// What a name stands for.
+    fn named(&self, name: &str) -> Term {
         let variable = name.trim_start_matches('?');
         if self.bound.iter().any(|b| b == variable) {
-            return Ok(Term::Variable(variable.to_owned()));
-        }
-        if name.starts_with('?') {
-            return Err(GoalError { at: unbound_at, problem: GoalProblem::Unbound(variable.to_owned()) });
+            return Term::Variable(variable.to_owned());
         }
         let number = |digits: &str| digits.parse().ok().map(NodeId);
-        Ok(match name.as_str() {
+        match name {
             "_" | "*" => Term::Anything,
             "me" | "character" => Term::Me,
             other => match (other.strip_prefix('#').and_then(number), other.rsplit_once('.')) {
@@ -374,11 +514,11 @@ impl Reader {
                 (_, Some((class, _))) if self.dialect == Dialect::Eai && class == "character" => Term::Me,
                 (_, Some((class, digits))) => match number(digits) {
                     Some(id) => Term::Node(Some(class.to_owned()), id),
-                    None => Term::Class(name),
+                    None => Term::Class(name.to_owned()),
                 },
-                _ => Term::Class(name),
+                _ => Term::Class(name.to_owned()),
             },
-        })
+        }
     }
 
     fn predicate(&self, name: &str, did: bool, given: usize) -> Option<Predicate> {
@@ -390,69 +530,4 @@ impl Reader {
             Dialect::Native => native_predicate(name, given),
         }
     }
-}
-
-/// Predicates that may leave the agent out: `Near(table)`.
-fn agent_is_meant(predicate: Predicate) -> bool {
-    use Relation::{Facing, HoldsLeft, HoldsRight, LyingOn, Near, SittingOn};
-    match predicate {
-        Predicate::Holds => true,
-        Predicate::Relation(r) => [Near, Facing, HoldsLeft, HoldsRight, LyingOn, SittingOn].contains(&r),
-        _ => false,
-    }
-}
-
-/// Names of predicates besides those of states and relations.
-const NAMES: &[(&str, Predicate)] = &[
-    ("in", Predicate::Relation(Relation::Inside)),
-    ("room", Predicate::Relation(Relation::InRoom)),
-    ("close_to", Predicate::Relation(Relation::Near)),
-    ("next_to", Predicate::Relation(Relation::Near)),
-    ("walk", Predicate::Relation(Relation::Near)),
-    ("find", Predicate::Relation(Relation::Near)),
-    ("face", Predicate::Relation(Relation::Facing)),
-    ("sit", Predicate::Relation(Relation::SittingOn)),
-    ("lie", Predicate::Relation(Relation::LyingOn)),
-    ("wear", Predicate::Relation(Relation::WornBy)),
-    ("holds", Predicate::Holds),
-    ("held", Predicate::Holds),
-    ("grab", Predicate::Holds),
-    ("close", Predicate::State(State::Closed)),
-    ("switched_on", Predicate::State(State::On)),
-    ("switch_on", Predicate::State(State::On)),
-    ("turn_on", Predicate::State(State::On)),
-    ("switched_off", Predicate::State(State::Off)),
-    ("switch_off", Predicate::State(State::Off)),
-    ("turn_off", Predicate::State(State::Off)),
-    ("plug_in", Predicate::State(State::PluggedIn)),
-    ("plug_out", Predicate::State(State::PluggedOut)),
-    ("cook", Predicate::State(State::Cooked)),
-    ("cut", Predicate::State(State::Sliced)),
-    ("fold", Predicate::State(State::Folded)),
-    ("fill", Predicate::State(State::Filled)),
-];
-
-fn native_predicate(name: &str, given: usize) -> Option<Predicate> {
-    let state = State::parse(name).ok().map(Predicate::State);
-    let relation = Relation::parse(name).ok().map(Predicate::Relation);
-    let by_number = if given == 1 { state.or(relation) } else { relation.or(state) };
-    let named = || NAMES.iter().find(|(n, _)| same_word(n, name)).map(|(_, p)| *p);
-    by_number.or_else(named).or_else(|| Verb::parse(name).ok().map(Predicate::Did))
-}
-
-fn eai_predicate(name: &str, given: usize) -> Option<Predicate> {
-    let relation = match name {
-        "ONTOP" => Some(Relation::On),
-        "NEXT_TO" | "CLOSE" if given == 2 => Some(Relation::Near),
-        "INSIDE" => Some(Relation::Inside),
-        "FACING" => Some(Relation::Facing),
-        "BETWEEN" => Some(Relation::Between),
-        "HOLDS_RH" => Some(Relation::HoldsRight),
-        "HOLDS_LH" => Some(Relation::HoldsLeft),
-        _ => None,
-    };
-    let state = || State::parse(name).ok().filter(|_| given == 1).map(Predicate::State);
-    let done = || Verb::from_virtualhome(name).map(Predicate::Did);
-    // A verb such as OPEN is a state when it has one thing, as in their vocabulary.
-    relation.map(Predicate::Relation).or_else(state).or_else(done)
 }

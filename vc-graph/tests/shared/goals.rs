@@ -1,7 +1,7 @@
 //! Random goals in normal form.
 
 use proptest::prelude::*;
-use vc_graph::goal::{Comparison, Literal, Predicate, Quantified, Term};
+use vc_graph::goal::{Comparison, Literal, Pairing, Pairs, Predicate, Quantified, Term, Variable};
 use vc_graph::{Goal, NodeId, Relation, State, Verb, Word};
 
 pub(crate) fn words<W: Word>() -> impl Strategy<Value = W> + Clone {
@@ -13,24 +13,57 @@ fn predicate() -> impl Strategy<Value = Predicate> + Clone {
         words::<State>().prop_map(Predicate::State),
         words::<Relation>().prop_map(Predicate::Relation),
         Just(Predicate::Holds),
+        Just(Predicate::Real),
         words::<Verb>().prop_map(Predicate::Did),
     ]
 }
 
-/// A term; a variable only if one is bound, `?v0` being the outermost.
-fn term(bound: usize) -> BoxedStrategy<Term> {
-    let classes =
-        prop::sample::select(vec!["apple", "kitchen_table", "SM_Cup_03", "coffee-table", "x1", "then", "not"]);
-    let free = prop_oneof![
-        classes.clone().prop_map(|c| Term::Class(c.to_owned())),
-        (prop::option::of(classes), any::<u32>()).prop_map(|(c, id)| Term::Node(c.map(str::to_owned), NodeId(id))),
-        Just(Term::Me),
-        Just(Term::Anything),
+/// Names of classes, plain ones and such as must stand in quotes; `v0` is a
+/// variable as well.
+fn class() -> impl Strategy<Value = String> + Clone {
+    let classes = [
+        "apple",
+        "kitchen_table",
+        "SM_Cup_03",
+        "coffee-table",
+        "x1",
+        "then",
+        "not",
+        "apple.n.01",
+        "a \"big\" one",
+        "me",
+        "character",
+        "_",
+        "",
+        "v0",
+        "cup.3",
+        "\\",
     ];
+    prop_oneof![
+        3 => prop::sample::select(classes[..5].to_vec()),
+        1 => prop::sample::select(classes.to_vec()),
+    ]
+    .prop_map(str::to_owned)
+}
+
+/// The name of a variable by its depth; one needs quotes.
+fn variable(depth: usize) -> String {
+    if depth == 2 { "v.2 ?".to_owned() } else { format!("v{depth}") }
+}
+
+/// A term that is one thing.
+fn thing(bound: usize) -> BoxedStrategy<Term> {
+    let node = (prop::option::of(class()), any::<u32>()).prop_map(|(c, id)| Term::Node(c, NodeId(id)));
+    let free = prop_oneof![node, Just(Term::Me)];
     if bound == 0 {
         return free.boxed();
     }
-    prop_oneof![free, (0..bound).prop_map(|i| Term::Variable(format!("v{i}")))].boxed()
+    prop_oneof![free, (0..bound).prop_map(|i| Term::Variable(variable(i)))].boxed()
+}
+
+/// A term; a variable only if one is bound.
+fn term(bound: usize) -> BoxedStrategy<Term> {
+    prop_oneof![2 => class().prop_map(Term::Class), 3 => thing(bound), 1 => Just(Term::Anything)].boxed()
 }
 
 fn literal(bound: usize) -> impl Strategy<Value = Literal> {
@@ -52,27 +85,68 @@ pub(crate) fn goal(bound: usize, depth: u32) -> BoxedStrategy<Goal> {
         .prop_filter("is the plain literal", |g| {
             !matches!(g, Goal::Count { comparison: Comparison::AtLeast, number: 1, .. })
         });
-    let leaf = prop_oneof![3 => literal(bound).prop_map(Goal::Literal), 2 => count];
+    let same = (thing(bound), thing(bound)).prop_map(|(a, b)| Goal::Same(a, b));
+    let leaf = prop_oneof![6 => literal(bound).prop_map(Goal::Literal), 4 => count, 1 => same];
     if depth == 0 {
         return leaf.boxed();
     }
     let part = || goal(bound, depth - 1);
+    let boxed = || part().prop_map(Box::new);
     let several = || prop::collection::vec(part(), 2..4);
     let list = prop_oneof![1 => Just(Vec::new()), 4 => several()].boxed();
-    let class = prop::option::of(prop::sample::select(vec!["plate", "kitchen_table", "SM_Cup_03"]));
-    let quantified = (class, goal(bound + 1, depth - 1)).prop_map(move |(class, body)| Quantified {
-        variable: format!("v{bound}"),
-        class: class.map(str::to_owned),
-        body: Box::new(body),
-    });
     prop_oneof![
         2 => leaf,
         1 => list.clone().prop_map(Goal::And),
         1 => list.prop_map(Goal::Or),
-        1 => part().prop_map(|g| Goal::Not(Box::new(g))),
-        1 => quantified.clone().prop_map(Goal::ForAll),
-        1 => quantified.prop_map(Goal::Exists),
+        1 => boxed().prop_map(Goal::Not),
+        1 => (boxed(), boxed()).prop_map(|(a, b)| Goal::Imply(a, b)),
+        1 => quantified(bound, depth).prop_map(Goal::ForAll),
+        1 => quantified(bound, depth).prop_map(Goal::Exists),
+        1 => (comparison(), 0_u32..4, quantified(bound, depth))
+            .prop_map(|(comparison, number, of)| Goal::ForN { comparison, number, of }),
+        1 => pairs(bound, depth).prop_map(Goal::ForPairs),
         1 => several().prop_map(Goal::Then),
+        1 => temporal(bound, depth),
     ]
     .boxed()
+}
+
+fn ranged() -> impl Strategy<Value = Option<String>> {
+    prop::option::of(
+        prop_oneof![4 => prop::sample::select(vec!["plate", "kitchen_table", "SM_Cup_03"]).prop_map(str::to_owned), 1 => class()],
+    )
+}
+
+fn quantified(bound: usize, depth: u32) -> impl Strategy<Value = Quantified> {
+    (ranged(), goal(bound + 1, depth - 1)).prop_map(move |(class, body)| Quantified {
+        variable: variable(bound),
+        class,
+        body: Box::new(body),
+    })
+}
+
+fn pairs(bound: usize, depth: u32) -> impl Strategy<Value = Pairs> {
+    let pairing = prop::sample::select(vec![Pairing::Matching, Pairing::Marginal]);
+    let number = prop::option::of((comparison(), 0_u32..4));
+    (ranged(), ranged(), number, pairing, goal(bound + 2, depth - 1)).prop_map(move |(a, b, number, pairing, body)| {
+        Pairs {
+            first: Variable { name: variable(bound), class: a },
+            second: Variable { name: variable(bound + 1), class: b },
+            number,
+            pairing,
+            body: Box::new(body),
+        }
+    })
+}
+
+fn temporal(bound: usize, depth: u32) -> impl Strategy<Value = Goal> {
+    let part = || goal(bound, depth - 1).prop_map(Box::new);
+    prop_oneof![
+        part().prop_map(Goal::Eventually),
+        part().prop_map(Goal::Always),
+        (0_u32..9, part()).prop_map(|(steps, p)| Goal::Within(steps, p)),
+        part().prop_map(Goal::AtEnd),
+        (part(), part()).prop_map(|(a, b)| Goal::Until(a, b)),
+        (part(), part()).prop_map(|(a, b)| Goal::Before(a, b)),
+    ]
 }

@@ -1,0 +1,74 @@
+//! What predicates are called.
+
+use super::Predicate;
+use crate::vocabulary::{Word, same_word};
+use crate::{Relation, State, Verb};
+
+/// Predicates that may leave the agent out: `Near(table)`.
+pub(super) fn agent_is_meant(predicate: Predicate) -> bool {
+    use Relation::{Facing, HoldsLeft, HoldsRight, LyingOn, Near, SittingOn};
+    match predicate {
+        Predicate::Holds => true,
+        Predicate::Relation(r) => [Near, Facing, HoldsLeft, HoldsRight, LyingOn, SittingOn].contains(&r),
+        _ => false,
+    }
+}
+
+/// Names of predicates besides those of states and relations.
+const NAMES: &[(&str, Predicate)] = &[
+    ("in", Predicate::Relation(Relation::Inside)),
+    ("room", Predicate::Relation(Relation::InRoom)),
+    ("close_to", Predicate::Relation(Relation::Near)),
+    ("next_to", Predicate::Relation(Relation::Near)),
+    ("walk", Predicate::Relation(Relation::Near)),
+    ("find", Predicate::Relation(Relation::Near)),
+    ("face", Predicate::Relation(Relation::Facing)),
+    ("sit", Predicate::Relation(Relation::SittingOn)),
+    ("lie", Predicate::Relation(Relation::LyingOn)),
+    ("wear", Predicate::Relation(Relation::WornBy)),
+    ("holds", Predicate::Holds),
+    ("held", Predicate::Holds),
+    ("grab", Predicate::Holds),
+    ("close", Predicate::State(State::Closed)),
+    ("switched_on", Predicate::State(State::On)),
+    ("switch_on", Predicate::State(State::On)),
+    ("turn_on", Predicate::State(State::On)),
+    ("switched_off", Predicate::State(State::Off)),
+    ("switch_off", Predicate::State(State::Off)),
+    ("turn_off", Predicate::State(State::Off)),
+    ("plug_in", Predicate::State(State::PluggedIn)),
+    ("plug_out", Predicate::State(State::PluggedOut)),
+    ("cook", Predicate::State(State::Cooked)),
+    ("cut", Predicate::State(State::Sliced)),
+    ("fold", Predicate::State(State::Folded)),
+    ("fill", Predicate::State(State::Filled)),
+    ("real", Predicate::Real),
+];
+
+pub(super) fn native_predicate(name: &str, given: usize) -> Option<Predicate> {
+    let state = State::parse(name).ok().map(Predicate::State);
+    let relation = Relation::parse(name).ok().map(Predicate::Relation);
+    let by_number = if given == 1 { state.or(relation) } else { relation.or(state) };
+    if given == 2 && same_word(name, "filled") {
+        return Some(Predicate::Relation(Relation::FilledWith));
+    }
+    let named = || NAMES.iter().find(|(n, _)| same_word(n, name)).map(|(_, p)| *p);
+    by_number.or_else(named).or_else(|| Verb::parse(name).ok().map(Predicate::Did))
+}
+
+pub(super) fn eai_predicate(name: &str, given: usize) -> Option<Predicate> {
+    let relation = match name {
+        "ONTOP" => Some(Relation::On),
+        "NEXT_TO" | "CLOSE" if given == 2 => Some(Relation::Near),
+        "INSIDE" => Some(Relation::Inside),
+        "FACING" => Some(Relation::Facing),
+        "BETWEEN" => Some(Relation::Between),
+        "HOLDS_RH" => Some(Relation::HoldsRight),
+        "HOLDS_LH" => Some(Relation::HoldsLeft),
+        _ => None,
+    };
+    let state = || State::parse(name).ok().filter(|_| given == 1).map(Predicate::State);
+    let done = || Verb::from_virtualhome(name).map(Predicate::Did);
+    // A verb such as OPEN is a state when it has one thing, as in their vocabulary.
+    relation.map(Predicate::Relation).or_else(state).or_else(done)
+}

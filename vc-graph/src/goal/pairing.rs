@@ -1,0 +1,107 @@
+//! Pairs: things of two classes, one with one.
+
+use super::{Comparison, Goal};
+
+/// A variable and the class it ranges over.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Variable {
+    /// Its name, without `?`.
+    pub name: String,
+    /// The class; everything, if none.
+    pub class: Option<String>,
+}
+
+/// Things of two classes can be paired off: BDDL's `forpairs` and `fornpairs`.
+/// Nothing is paired with itself.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Pairs {
+    /// The first of a pair.
+    pub first: Variable,
+    /// The second.
+    pub second: Variable,
+    /// How many pairs; none for as many as there are things of the rarer class.
+    pub number: Option<(Comparison, u32)>,
+    /// What counts as that many pairs.
+    pub pairing: Pairing,
+    /// What holds of a pair.
+    pub body: Box<Goal>,
+}
+
+impl Pairs {
+    /// Whether so many pairs suffice, when the classes have `first` and `second`
+    /// things.
+    pub fn admits(&self, found: usize, first: usize, second: usize) -> bool {
+        match self.number {
+            Some((comparison, number)) => comparison.admits(found, number),
+            None => found >= first.min(second),
+        }
+    }
+}
+
+/// What counts as a number of pairs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Pairing {
+    /// The most pairs that can be formed at once, each thing in one of them.
+    #[default]
+    Matching,
+    /// How many first things have some second and how many second things some
+    /// first, whichever is less: the test of BDDL's Python package (3.6.0), which
+    /// is met where no pairing exists when things share partners.
+    Marginal,
+}
+
+impl Pairing {
+    /// The number of pairs in a table: `rows[i]` are the seconds, counted from
+    /// zero, that go with the first thing `i`. Costs edges times rows at most.
+    pub fn number(self, rows: &[Vec<usize>], seconds: usize) -> usize {
+        match self {
+            Self::Matching => largest_matching(rows, seconds),
+            Self::Marginal => {
+                let mut met = vec![false; seconds];
+                rows.iter().flatten().filter(|&&s| s < seconds).for_each(|&s| met[s] = true);
+                let firsts = rows.iter().filter(|row| !row.is_empty()).count();
+                firsts.min(met.into_iter().filter(|&m| m).count())
+            }
+        }
+    }
+}
+
+/// The most pairs that can be formed at once (a maximum bipartite matching by
+/// augmenting paths; Kuhn, Naval Research Logistics Quarterly 1955): each row and
+/// each column in at most one of them.
+///
+/// ```
+/// // Two bowls, both good for the first guest alone.
+/// assert_eq!(vc_graph::goal::largest_matching(&[vec![0], vec![0]], 2), 1);
+/// ```
+pub fn largest_matching(rows: &[Vec<usize>], columns: usize) -> usize {
+    let mut partner = vec![None; columns];
+    let mut seen = vec![usize::MAX; columns];
+    (0..rows.len()).filter(|&row| augment(row, row, rows, &mut partner, &mut seen)).count()
+}
+
+/// Finds a place for a row, moving others if need be. Columns seen in this round
+/// are not tried again; the depth is that of the rows moved.
+fn augment(row: usize, round: usize, rows: &[Vec<usize>], partner: &mut [Option<usize>], seen: &mut [usize]) -> bool {
+    // Without recursion: a path may be as long as there are rows.
+    let mut path = vec![(row, 0)];
+    while let Some(&mut (at, ref mut next)) = path.last_mut() {
+        let Some(&column) = rows[at].get(*next) else {
+            path.pop();
+            continue;
+        };
+        *next += 1;
+        if column >= seen.len() || seen[column] == round {
+            continue;
+        }
+        seen[column] = round;
+        match partner[column] {
+            Some(other) => path.push((other, 0)),
+            None => {
+                path.iter().for_each(|&(row, next)| partner[rows[row][next - 1]] = Some(row));
+                return true;
+            }
+        }
+    }
+    false
+}

@@ -1,0 +1,188 @@
+//! What happened: the states and events a goal is judged on.
+
+use super::Situation;
+use crate::{Event, NodeId, SceneGraph};
+
+/// What happened, step by step: the state before the first step, and for each step
+/// what was done and the state after it. Scenes share what did not change between
+/// them, so a long trace is small.
+///
+/// ```
+/// use vc_graph::goal::{Goal, Trace};
+/// use vc_graph::{Draft, Event, SceneBuilder, Simulator};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let mut world = Simulator::new(scene.build());
+/// let mut trace = Trace::new(world.graph().clone(), me);
+/// for line in ["walk fridge.2", "open fridge.2", "close fridge.2"] {
+///     let action = line.parse()?;
+///     world.step(me, &action).map_err(|refusals| refusals[0].clone())?;
+///     trace.push(world.graph().clone(), [Event { agent: me, action }]);
+/// }
+/// let holds = |text: &str| text.parse::<Goal>().map(|goal| goal.holds_on(&trace));
+/// assert!(!holds("Open(fridge)")?); // at the end it is closed
+/// assert!(holds("eventually Open(fridge)")?);
+/// assert!(holds("Closed(fridge) until did open(fridge)")?);
+/// assert!(holds("always (did open(fridge) => within 1 steps Closed(fridge))")?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Trace {
+    agent: NodeId,
+    graphs: Vec<SceneGraph>,
+    events: Vec<Event>,
+    /// For each step how many events there were by its end.
+    ends: Vec<usize>,
+}
+
+impl Trace {
+    /// A trace in which nothing has happened.
+    pub fn new(graph: SceneGraph, agent: NodeId) -> Self {
+        Self { agent, graphs: vec![graph], events: Vec::new(), ends: vec![0] }
+    }
+
+    /// Adds a step: what was done, and the state after it.
+    pub fn push(&mut self, graph: SceneGraph, events: impl IntoIterator<Item = Event>) {
+        self.graphs.push(graph);
+        self.events.extend(events);
+        self.ends.push(self.events.len());
+    }
+
+    /// Who `me` is.
+    pub fn agent(&self) -> NodeId {
+        self.agent
+    }
+
+    /// Number of steps that were done.
+    pub fn steps(&self) -> usize {
+        self.graphs.len() - 1
+    }
+
+    /// The state after a step; step 0 is the start.
+    pub fn graph(&self, step: usize) -> Option<&SceneGraph> {
+        self.graphs.get(step)
+    }
+
+    /// What was done in a step; nothing in step 0.
+    pub fn events(&self, step: usize) -> &[Event] {
+        let after = |step: usize| self.ends.get(step).copied();
+        let before = step.checked_sub(1).and_then(after).unwrap_or(0);
+        after(step).map_or(&[], |end| &self.events[before..end])
+    }
+
+    /// The situation after a step, by that step's state and all that was done up to
+    /// it.
+    pub fn situation(&self, step: usize) -> Option<Situation<'_>> {
+        let graph = self.graph(step)?;
+        Some(Situation { graph, agent: self.agent, events: &self.events[..*self.ends.get(step)?] })
+    }
+
+    pub(super) fn course(&self) -> Course<'_> {
+        Course { agent: self.agent, graphs: &self.graphs, events: &self.events, ends: Some(&self.ends) }
+    }
+}
+
+/// A trace, or a situation read as one.
+#[derive(Clone, Copy)]
+pub(super) struct Course<'a> {
+    agent: NodeId,
+    /// One for each step, or one for all.
+    graphs: &'a [SceneGraph],
+    events: &'a [Event],
+    /// For each step how many events there were by its end; none for one a step.
+    ends: Option<&'a [usize]>,
+}
+
+impl<'a> Course<'a> {
+    /// A situation as a course in which every state is the present one.
+    pub(super) fn of(now: &Situation<'a>) -> Self {
+        Self { agent: now.agent, graphs: std::slice::from_ref(now.graph), events: now.events, ends: None }
+    }
+
+    pub(super) fn agent(&self) -> NodeId {
+        self.agent
+    }
+
+    pub(super) fn last(&self) -> usize {
+        self.ends.map_or(self.events.len(), |ends| ends.len() - 1)
+    }
+
+    fn ended(&self, step: usize) -> usize {
+        self.ends.map_or(step, |ends| ends[step])
+    }
+
+    /// The state after a step, and what was done after step `since` up to it.
+    pub(super) fn situation(&self, since: usize, step: usize) -> Situation<'a> {
+        let graph = &self.graphs[step.min(self.graphs.len() - 1)];
+        let events = &self.events[self.ended(since)..self.ended(step)];
+        Situation { graph, agent: self.agent, events }
+    }
+}
+
+/// The part of a course on which a goal is judged.
+#[derive(Clone, Copy)]
+pub(super) struct Stretch {
+    /// What was done after this step counts.
+    since: usize,
+    /// Temporal words look from this step on.
+    from: usize,
+    /// States are those after this step.
+    now: usize,
+    /// The last step.
+    end: usize,
+    /// `since` and `from` of the whole stretch.
+    whole: (usize, usize),
+}
+
+impl Stretch {
+    /// All of a course.
+    pub(super) fn all(course: &Course<'_>) -> Self {
+        Self::between(0, 0, course.last())
+    }
+
+    fn between(since: usize, from: usize, end: usize) -> Self {
+        Self { since, from, now: end, end, whole: (since, from) }
+    }
+
+    pub(super) fn situation<'a>(&self, course: &Course<'a>) -> Situation<'a> {
+        course.situation(self.since, self.now)
+    }
+
+    /// A single step of it.
+    fn at(self, step: usize) -> Self {
+        Self { since: step.saturating_sub(1).max(self.whole.0), from: step, now: step, ..self }
+    }
+
+    /// The steps temporal words look at.
+    pub(super) fn moments(self) -> impl DoubleEndedIterator<Item = Self> {
+        (self.from..=self.end).map(move |step| self.at(step))
+    }
+
+    /// The first of them, so many after the first one included.
+    pub(super) fn moments_within(self, steps: u32) -> impl Iterator<Item = Self> {
+        self.moments().take((steps as usize).saturating_add(1))
+    }
+
+    /// Its end, as if what is judged stood alone.
+    pub(super) fn alone(self) -> Self {
+        Self { since: self.whole.0, from: self.whole.1, now: self.end, ..self }
+    }
+
+    /// The stretches that a part of a sequence can have: its start is where `from`
+    /// is, the shortest come first.
+    pub(super) fn starts(self) -> impl Iterator<Item = Self> {
+        (self.from..=self.end).map(move |end| Self::between(self.since, self.from, end))
+    }
+
+    /// The stretch from here to the end, as one of its own.
+    pub(super) fn rest(self) -> Self {
+        Self::between(self.since, self.from, self.end)
+    }
+
+    /// What is left after a stretch.
+    pub(super) fn after(self, first: Self) -> Self {
+        Self::between(first.end, first.end, self.end)
+    }
+}
