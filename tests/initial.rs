@@ -17,10 +17,13 @@ use virtualcity::initial::{AtHome, Catalogue, at_home};
 /// How many environments of each task are made where nobody says.
 const SEEDS: u64 = 1;
 
-/// Every task's environments, by task and seed.
-static MADE: LazyLock<Vec<(Activity, u64, Result<AtHome, String>)>> = LazyLock::new(all);
+/// One task's environment of a seed, or why there is none.
+type Made = (Activity, u64, Result<AtHome, String>);
 
-fn all() -> Vec<(Activity, u64, Result<AtHome, String>)> {
+/// Every task's environments, by task and seed.
+static MADE: LazyLock<Vec<Made>> = LazyLock::new(all);
+
+fn all() -> Vec<Made> {
     let seeds = std::env::var("VC_SEEDS").ok().and_then(|s| s.parse().ok()).unwrap_or(SEEDS);
     let jobs: Vec<(Activity, u64)> =
         Benchmark::v1().activities.into_iter().flat_map(|a| (0..seeds).map(move |seed| (a.clone(), seed))).collect();
