@@ -11,25 +11,24 @@
 //! | `physics` | `vc-physics` | bodies, agents, navigation, vehicles, water (feature `physics`, on by default) |
 //! | `render` | `vc-render` | what cameras see: six modalities (feature `render`, on by default) |
 //! | `procgen` | `vc-procgen` | objects and apartments from a seed (feature `procgen`, on by default) |
+//! | `initial` | here | environments for tasks in generated homes (feature `procgen`) |
 //!
 //! An agent that sees only its room brings the milk:
 //!
 //! ```
-//! use virtualcity::graph::{Draft, SceneBuilder, Scope, Simulator};
-//! use virtualcity::planner::{Agent, run_episode};
+//! use virtualcity::graph::{Draft, SceneBuilder, Simulator};
+//! use virtualcity::planner::{Newcomer, run_episode};
 //! use virtualcity::tasks::{Outcome, Task};
 //!
 //! let mut scene = SceneBuilder::new("flat");
 //! let kitchen = scene.add(Draft::new("kitchen"))?;
 //! let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
 //! scene.add_in(fridge, Draft::new("milk"))?;
-//! let me = scene.add_in(kitchen, Draft::new("character"))?;
-//! let graph = scene.build();
+//! scene.add_in(kitchen, Draft::new("character"))?;
 //!
 //! let task = Task::new("fetch the milk", "Holds(milk) & Closed(fridge)".parse()?);
-//! let mut agent = Agent::newcomer(&graph, me, task.goal.clone(), 7);
-//! let mut world = Simulator::new(graph);
-//! let episode = run_episode(&mut world, me, &mut agent, &task, Scope::Room, |_| {});
+//! let mut world = Simulator::new(scene.build());
+//! let episode = run_episode(&mut Newcomer::best(), &task, &mut world);
 //! assert_eq!(episode.outcome, Outcome::Won);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -40,6 +39,9 @@
 //! action) and batches. Until then
 //! [`Simulator`](graph::Simulator) is the environment: symbolic, with poses that
 //! follow actions only roughly. Bodies are in `physics`, and not tied to its actions.
+
+#[cfg(feature = "procgen")]
+pub mod initial;
 
 pub use vc_graph as graph;
 #[cfg(feature = "physics")]

@@ -1,0 +1,137 @@
+//! Initial environments in generated homes: things from the catalogue, and homes
+//! that suit an activity.
+
+use std::sync::{Arc, LazyLock};
+
+use vc_graph::class::Class;
+use vc_graph::{AssetLibrary, Draft, SceneGraph, Seed};
+use vc_procgen::object;
+use vc_procgen::{Apartment, Impossible, Specification, material};
+use vc_tasks::World;
+use vc_tasks::initial::{Generator, Initial, InitialError, Stock};
+use vc_tasks::library::Activity;
+
+/// Every object that `vc-procgen` can make, in any number.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Catalogue;
+
+impl Stock for Catalogue {
+    fn thing(&self, class: &Class, seed: Seed, _: &SceneGraph, assets: &mut AssetLibrary) -> Option<Draft> {
+        let object = object::generator(&class.name)?.instance(seed, 0).object;
+        let first = materials(assets)?;
+        let mut asset = object.asset;
+        asset.parts.iter_mut().chain(&mut asset.collision).for_each(|part| part.material += first);
+        let asset = assets.share(Arc::new(asset)).ok()?;
+        Some(Draft { asset: Some(asset), ..Draft::new(class.name.clone()).bounds(object.bounds) })
+    }
+}
+
+/// Where the catalogue's materials begin in a library; they are added to one that
+/// lacks them.
+fn materials(assets: &mut AssetLibrary) -> Option<u32> {
+    static OWN: LazyLock<AssetLibrary> = LazyLock::new(material::library);
+    let own = || (0..).map_while(|i| OWN.material(i));
+    let first = own().next()?;
+    let here = (0..).map_while(|i| assets.material(i)).position(|m| m == first);
+    match here {
+        Some(at) => Some(at as u32),
+        None => {
+            let places: Result<Vec<u32>, _> = own().map(|m| assets.add_material(m.clone())).collect();
+            places.ok()?.first().copied()
+        }
+    }
+}
+
+/// An initial environment in a home that was made for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AtHome {
+    /// The environment.
+    pub initial: Initial,
+    /// The seed of the home.
+    pub home: Seed,
+    /// The home as it was before anything was added to it.
+    pub bare: SceneGraph,
+    /// How many homes were tried, from one.
+    pub homes: usize,
+}
+
+/// Why no home was found for an activity.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoHome {
+    /// No home has the rooms.
+    #[error(transparent)]
+    Impossible(#[from] Impossible),
+    /// The last of so many homes could not be made ready.
+    #[error("none of {homes} homes suits, the last: {last}")]
+    Unsuitable {
+        /// How many homes were tried.
+        homes: usize,
+        /// What was wrong with the last.
+        last: InitialError,
+    },
+}
+
+/// Homes tried before an activity is given up.
+const HOMES: usize = 40;
+
+/// A home with the rooms an activity asks for, made ready for it; if one cannot be
+/// (it has no balcony door to open, or its milk is in the fridge already), the next.
+///
+/// Costs some milliseconds for each home, and a reset of the world for each try.
+///
+/// ```
+/// use virtualcity::graph::{SceneGraph, Seed, Simulator};
+/// use virtualcity::initial::at_home;
+/// use virtualcity::tasks::initial::Generator;
+/// use virtualcity::tasks::library::Benchmark;
+///
+/// let benchmark = Benchmark::v1();
+/// let activity = benchmark.get("setup_table-01").ok_or("no such task")?;
+/// let mut world = Simulator::new(SceneGraph::new("", virtualcity::graph::ClassTable::builtin()));
+/// let made = at_home(activity, Seed(7), &virtualcity::initial::generator(), &mut world)?;
+/// assert!(made.initial.credit < 1.0);
+/// assert_eq!(*world.graph(), made.initial.scene);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`NoHome`] says what was wrong with the last home.
+pub fn at_home(
+    activity: &Activity,
+    seed: Seed,
+    generator: &Generator<'_>,
+    world: &mut dyn World,
+) -> Result<AtHome, NoHome> {
+    let mut last = None;
+    for index in 0..HOMES {
+        let home = seed.child("home").nth(index as u64);
+        let bare = Apartment::generate(&wishes(activity, home), home)?.scene();
+        match generator.make(activity, &bare, seed, world) {
+            Ok(initial) => return Ok(AtHome { initial, home, bare, homes: index + 1 }),
+            Err(error) => last = Some(error),
+        }
+    }
+    let last = last.unwrap_or(InitialError::NoRoom(activity.places.join(", ")));
+    Err(NoHome::Unsuitable { homes: HOMES, last })
+}
+
+/// A generator that takes what is missing from the [`Catalogue`].
+pub fn generator() -> Generator<'static> {
+    Generator::new(&Catalogue)
+}
+
+/// What an activity's places ask of a home. Studios are left out: their one room is
+/// no kitchen and no bedroom.
+fn wishes(activity: &Activity, home: Seed) -> Specification {
+    let bedrooms = home.child("bedrooms").stream().count(1, 4);
+    let named = |room: &str| activity.places.iter().any(|p| p == room).then_some(true);
+    Specification {
+        bedrooms: Some(bedrooms),
+        study: named("home_office"),
+        laundry: named("laundry_room"),
+        storage: named("storage_room"),
+        balconies: named("balcony").map(|_| 1),
+        ..Specification::default()
+    }
+}

@@ -1,0 +1,175 @@
+//! Several agents with one goal, and one that helps another whose goal it infers.
+
+use vc_graph::goal::Situation;
+use vc_graph::{Action, Event, Goal, NodeId, Place, Relation, SceneGraph, Scope, Verb};
+use vc_tasks::{Outcome, Task, World};
+
+use crate::{Agent, Decision, Effort, Planner};
+
+/// Agents that share a goal and tell each other what they see and what they will do.
+///
+/// What one has promised (to bring this there) counts as done for the others: no thing
+/// is fetched twice, and the rest of the goal is what they see to. A promise is for one
+/// trip, two things at most.
+#[derive(Debug, Clone)]
+pub struct Team {
+    agents: Vec<Agent>,
+    ids: Vec<NodeId>,
+}
+
+/// How a team did.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TeamEpisode {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// How many rounds it took: in each every agent acts at most once.
+    pub rounds: usize,
+    /// How many actions were done by all.
+    pub actions: usize,
+    /// How much of the goal holds at the end, 0 to 1.
+    pub score: f64,
+}
+
+/// After so many rounds in which nobody does anything a team stops.
+const IDLE: usize = 2;
+
+impl Team {
+    /// Agents that know the plan of the home and no more.
+    pub fn newcomers(graph: &SceneGraph, ids: &[NodeId], goal: &Goal, seed: u64) -> Self {
+        let agents = ids.iter().map(|&id| Agent::newcomer(graph, id, goal.clone(), seed)).collect();
+        Self { agents, ids: ids.to_vec() }
+    }
+
+    /// Agents that know everything there is.
+    pub fn residents(graph: &SceneGraph, ids: &[NodeId], goal: &Goal) -> Self {
+        let agents = ids.iter().map(|&id| Agent::resident(graph, id, goal.clone())).collect();
+        Self { agents, ids: ids.to_vec() }
+    }
+
+    /// Lets the team pursue its goal until it holds, nobody knows what to do, or the
+    /// task's limit of steps is reached, in rounds.
+    pub fn run(&mut self, task: &Task, world: &mut dyn World) -> TeamEpisode {
+        let (mut rounds, mut actions, mut idle) = (0, 0, 0);
+        while rounds < task.step_limit && idle < IDLE && !self.holds(task, world) {
+            let done = self.round(world);
+            actions += done;
+            rounds += 1;
+            idle = if done == 0 { idle + 1 } else { 0 };
+        }
+        let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
+        let outcome = if self.holds(task, world) { Outcome::Won } else { lost };
+        let score =
+            self.ids.first().map_or(0.0, |&id| task.goal.score(&Situation::new(world.graph(), id, world.history())));
+        TeamEpisode { outcome, rounds, actions, score }
+    }
+
+    /// Whether the goal holds for the one of whom it speaks, the first agent.
+    fn holds(&self, task: &Task, world: &dyn World) -> bool {
+        self.ids.first().is_none_or(|&id| task.goal.holds(&Situation::new(world.graph(), id, world.history())))
+    }
+
+    /// Everybody looks, tells, and acts once; returns how many did something.
+    fn round(&mut self, world: &mut dyn World) -> usize {
+        let mut done = 0;
+        for index in 0..self.agents.len() {
+            self.look(world);
+            let promised: Vec<(NodeId, Place)> = (0..self.agents.len())
+                .filter(|&other| other != index)
+                .flat_map(|other| self.agents[other].promises().to_vec())
+                .collect();
+            let agent = &mut self.agents[index];
+            agent.count_on(promised);
+            let Decision::Act(action, _) = agent.decide() else { continue };
+            if world.step(self.ids[index], &action).is_ok() {
+                agent.did(&action);
+                done += 1;
+            } else {
+                agent.refused(&action);
+            }
+        }
+        done
+    }
+
+    fn look(&mut self, world: &dyn World) {
+        let scope = |agent: &Agent| if agent.belief().knows_all() { Scope::Whole } else { Scope::Room };
+        let seen: Vec<_> =
+            self.agents.iter().zip(&self.ids).map(|(a, &id)| world.graph().observe(id, scope(a))).collect();
+        for (index, agent) in self.agents.iter_mut().enumerate() {
+            for (other, seen) in seen.iter().enumerate() {
+                if other != index {
+                    agent.hear(seen);
+                }
+            }
+            agent.see(&seen[index]);
+        }
+    }
+}
+
+/// What an agent's plan brings where on its next trip: until its hands are empty.
+pub(crate) fn next_trip(held: &[NodeId], plan: &[Action]) -> Vec<(NodeId, Place)> {
+    let mut trip: Vec<(NodeId, Place)> = Vec::new();
+    let mut hands = held.len();
+    for action in plan {
+        match (action.verb, action.object, action.target) {
+            (Verb::Grab, ..) => hands += 1,
+            (verb @ (Verb::Place | Verb::PutIn), Some(item), Some(at)) => {
+                let relation = if verb == Verb::Place { Relation::On } else { Relation::Inside };
+                trip.push((item, Place { relation, at }));
+                hands = hands.saturating_sub(1);
+                if hands == 0 || trip.len() == 2 {
+                    break;
+                }
+            }
+            _ => {}
+        }
+    }
+    trip
+}
+
+/// Infers which of some goals somebody pursues, from what it is seen to do: an action
+/// that brings a goal nearer speaks for it (Ramirez and Geffner, AAAI 2010; inverse
+/// planning, Baker, Saxe and Tenenbaum 2009).
+#[derive(Debug, Clone)]
+pub struct Watcher {
+    goals: Vec<Goal>,
+    /// Logarithms of how well each explains what was seen.
+    weights: Vec<f64>,
+    planner: Planner,
+}
+
+/// How much an action that does not bring a goal nearer speaks against it.
+const AGAINST: f64 = 1.0;
+
+impl Watcher {
+    /// Somebody who thinks that the other pursues one of these, each as likely.
+    pub fn new(goals: Vec<Goal>) -> Self {
+        let weights = vec![0.0; goals.len()];
+        Self { goals, weights, planner: Planner { effort: Effort::QUICK, ..Planner::default() } }
+    }
+
+    /// Takes note of an action that another did: the scene before it and after it.
+    pub fn watch(&mut self, before: &SceneGraph, after: &SceneGraph, event: &Event) {
+        for (goal, weight) in self.goals.iter().zip(&mut self.weights) {
+            let mut left = |graph: &SceneGraph, events: &[Event]| {
+                self.planner
+                    .plan(&mut graph.clone(), event.agent, goal, events)
+                    .map_or(f64::INFINITY, |p| p.actions.len() as f64)
+            };
+            let (was, is) = (left(before, &[]), left(after, std::slice::from_ref(event)));
+            if is >= was {
+                *weight -= AGAINST;
+            }
+        }
+    }
+
+    /// The goals with how likely they are; they sum to one. Likeliest first, then in
+    /// the order given.
+    pub fn likely(&self) -> Vec<(&Goal, f64)> {
+        let most = self.weights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let raw: Vec<f64> = self.weights.iter().map(|w| (w - most).exp()).collect();
+        let sum: f64 = raw.iter().sum();
+        let mut all: Vec<(&Goal, f64)> = self.goals.iter().zip(raw.iter().map(|w| w / sum)).collect();
+        all.sort_by(|a, b| b.1.total_cmp(&a.1));
+        all
+    }
+}

@@ -1,0 +1,78 @@
+//! Two agents need far fewer rounds than one, and what somebody does tells its goal.
+
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
+
+use vc_graph::{Draft, Event, Goal, History, NodeId, SceneBuilder, SceneGraph, Seed, Simulator};
+use vc_planner::{Team, Watcher, plan};
+use vc_tasks::{Outcome, Task};
+
+/// A home with two people, and one of each of eight things anywhere.
+fn home(seed: u64) -> SceneGraph {
+    let mut stream = Seed(seed).child("team").stream();
+    let mut scene = SceneBuilder::new("home");
+    let rooms: Vec<NodeId> =
+        ["kitchen", "living_room", "bedroom"].iter().map(|r| scene.add(Draft::new(*r)).unwrap()).collect();
+    scene.add_in(rooms[0], Draft::new("kitchen_table")).unwrap();
+    scene.add_in(rooms[0], Draft::new("fridge")).unwrap();
+    let places = ["desk", "nightstand", "coffee_table", "dresser", "kitchen_counter", "sofa"];
+    let places: Vec<NodeId> =
+        places.iter().map(|p| scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new(*p)).unwrap()).collect();
+    for class in ["apple", "book", "mug", "plate", "milk", "cellphone", "fork", "bowl"] {
+        scene.add_on(*stream.pick(&places).unwrap(), Draft::new(class)).unwrap();
+    }
+    for room in [0, 2] {
+        scene.add_in(rooms[room], Draft::new("character")).unwrap();
+    }
+    scene.build()
+}
+
+const GOAL: &str = "On(apple, kitchen_table) & On(book, kitchen_table) & On(mug, kitchen_table) & On(plate, desk) & \
+                    Inside(milk, fridge) & On(cellphone, coffee_table) & On(fork, kitchen_table) & Inside(bowl, fridge)";
+
+fn rounds(known: bool, number: usize, seed: u64) -> usize {
+    let scene = home(seed);
+    let task = Task::new("together", GOAL.parse().unwrap());
+    let ids = &scene.agents()[..number];
+    let mut team = match known {
+        true => Team::residents(&scene, ids, &task.goal),
+        false => Team::newcomers(&scene, ids, &task.goal, seed),
+    };
+    let episode = team.run(&task, &mut Simulator::new(scene));
+    assert_eq!(episode.outcome, Outcome::Won, "{known} {number} {seed}: {episode:?}");
+    episode.rounds
+}
+
+#[test]
+fn two_need_at_most_two_thirds_of_the_rounds_of_one() {
+    for known in [true, false] {
+        let one: usize = (0..20).map(|seed| rounds(known, 1, seed)).sum();
+        let two: usize = (0..20).map(|seed| rounds(known, 2, seed)).sum();
+        println!("all known: {known}, one {one}, two {two}: {:.3}", two as f64 / one as f64);
+        assert!(two * 100 <= one * 65, "{known}: {two} of {one}");
+    }
+}
+
+#[test]
+fn what_somebody_does_tells_its_goal() {
+    let goals = [
+        "On(apple, kitchen_table) & On(plate, kitchen_table)",
+        "Inside(milk, fridge) & Inside(bowl, fridge)",
+        "Holds(book) & Holds(cellphone)",
+    ];
+    let goals: Vec<Goal> = goals.iter().map(|g| g.parse().unwrap()).collect();
+    for (index, goal) in goals.iter().enumerate() {
+        let scene = home(index as u64);
+        let me = scene.agents()[0];
+        let actions = plan(&mut scene.clone(), me, goal, &History::default()).unwrap().actions;
+        let mut watcher = Watcher::new(goals.clone());
+        let mut world = Simulator::new(scene);
+        for &action in &actions[..actions.len() * 2 / 3] {
+            let before = world.graph().clone();
+            world.step(me, &action).unwrap();
+            watcher.watch(&before, world.graph(), &Event { agent: me, action });
+        }
+        let likely = watcher.likely();
+        assert_eq!(likely[0].0, goal, "{likely:?}");
+        assert!((likely.iter().map(|(_, p)| p).sum::<f64>() - 1.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,207 @@
+//! Whether and how a thing fits into a place.
+
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use vc_graph::asset::{Hold, Surface};
+use vc_graph::class::Class;
+use vc_graph::portable::Portable;
+use vc_graph::{Aabb, AssetLibrary, Bounds, NodeId, Pose, Property, Relation, SceneGraph, Stream};
+
+use super::error::Why;
+use super::site::Site;
+use super::solid::{Solids, meet};
+use super::walk::Walk;
+
+/// Gap between things, and from a surface's edge, metres.
+const GAP: f32 = 0.004;
+/// Gap between furniture and the wall behind it, metres.
+const WALL_GAP: f32 = 0.025;
+/// Height at which things are let go above what they rest on, metres.
+const LIFT: f32 = 0.001;
+/// What stays free below the ceiling, metres.
+const HEADROOM: f32 = 0.05;
+/// Floor before a door that stays free, metres.
+const DOORWAY: f32 = 0.85;
+/// How often a place on a surface is drawn before it is given up.
+const TRIES: usize = 24;
+
+/// The scene as something that things are fitted into.
+pub(super) struct Fit<'a> {
+    pub(super) graph: &'a SceneGraph,
+    pub(super) assets: &'a AssetLibrary,
+    pub(super) solids: &'a Solids,
+    pub(super) walk: Option<&'a Walk>,
+}
+
+impl Fit<'_> {
+    /// A pose for a thing at a site; `None` where the scene, or the thing, has no
+    /// measures, so that nothing can be in the way.
+    pub(super) fn pose(
+        &self,
+        class: &Class,
+        bounds: Option<Bounds>,
+        site: &Site,
+        stream: &mut Stream,
+    ) -> Result<Option<Pose>, Why> {
+        let Some(carrier) = self.graph.node(site.at) else { return Err(Why::Absent) };
+        let (Some(bounds), Some(pose), Some(aabb)) = (bounds, carrier.pose(), carrier.aabb()) else { return Ok(None) };
+        let own = carrier.spec().asset.and_then(|id| self.assets.get(id));
+        let surface = own.zip(site.surface).and_then(|(asset, i)| asset.surfaces.get(i)).cloned();
+        let surface = surface.unwrap_or_else(|| plain_surface(&aabb, pose, site.relation));
+        let ways = Ways { class, bounds: &bounds, surface: &surface, carrier: carrier.spec().bounds };
+        let mut why = Why::TooSmall;
+        for _ in 0..TRIES {
+            let Some(local) = ways.draw(self.is_floor(site), stream) else { return Err(why) };
+            let world = pose * local;
+            match self.obstacle(&bounds.aabb(&world), site, &surface) {
+                None => return Ok(Some(world)),
+                Some(reason) => why = reason,
+            }
+        }
+        Err(why)
+    }
+
+    fn is_floor(&self, site: &Site) -> bool {
+        let floor = |id| self.graph.node(id).is_some_and(|n| &**n.class() == "floor");
+        site.relation == Relation::InRoom || floor(site.at)
+    }
+
+    /// Why a thing cannot be where its box would be.
+    fn obstacle(&self, aabb: &Aabb, site: &Site, surface: &Surface) -> Option<Why> {
+        let height = aabb.max.z - aabb.min.z;
+        let room = self.graph.room_of(site.at);
+        let ceiling = room.and_then(|r| self.graph.node(r)?.aabb()).map(|b| b.max.z - HEADROOM);
+        let low = surface.hold != Hold::Hook && surface.clearance.is_some_and(|c| height > c - GAP);
+        if low || ceiling.is_some_and(|c| aabb.max.z > c) {
+            return Some(Why::TooLow);
+        }
+        let mut besides = self.graph.support_chain(site.at);
+        besides.push(site.at);
+        if self.solids.hit(self.graph, self.assets, aabb, &besides).is_some() {
+            return Some(Why::Taken);
+        }
+        let doors = || self.graph.of_class("door").into_iter().filter_map(|id| self.graph.node(id)?.aabb());
+        if self.is_floor(site) && doors().any(|door| meet(&before(&door), aabb)) {
+            return Some(Why::Unreachable);
+        }
+        self.walk.filter(|walk| !walk.reaches(aabb, room)).map(|_| Why::Unreachable)
+    }
+}
+
+/// A door with the floor before and behind it.
+fn before(door: &Aabb) -> Aabb {
+    let grow = Vector3::new(DOORWAY, DOORWAY, 0.0);
+    Aabb { min: door.min - grow, max: door.max + grow }
+}
+
+/// The top or the inside of a box, in its owner's frame.
+fn plain_surface(aabb: &Aabb, pose: &Pose, relation: Relation) -> Surface {
+    let (centre, half) = (aabb.centre(), (aabb.max - aabb.min) / 2.0);
+    // A world box is as wide in a frame turned by quarters; else this is what is safe.
+    let side = half.x.min(half.y);
+    let level = if relation == Relation::On { aabb.max.z } else { aabb.min.z };
+    let point = pose.inverse_transform_point(&nalgebra::Point3::new(centre.x, centre.y, level));
+    let upright = pose.rotation.angle() < 1e-3;
+    Surface {
+        name: "box".into(),
+        hold: if relation == Relation::Inside { Hold::Inside } else { Hold::On },
+        centre: point,
+        half: if upright { (half.x, half.y) } else { (side, side) },
+        clearance: (relation == Relation::Inside).then_some(2.0 * half.z),
+        joint: None,
+    }
+}
+
+/// The ways a thing could lie on a surface.
+struct Ways<'a> {
+    class: &'a Class,
+    bounds: &'a Bounds,
+    surface: &'a Surface,
+    carrier: Option<Bounds>,
+}
+
+impl Ways<'_> {
+    /// One of them, in the surface's owner's frame; `None` if it is too large in any.
+    fn draw(&self, floor: bool, stream: &mut Stream) -> Option<Pose> {
+        match (self.surface.hold, floor && !self.class.affordances.contains(Property::Graspable)) {
+            (Hold::Hook, _) => self.hung(),
+            (_, true) => self.against_an_edge(stream),
+            _ => self.lying(stream),
+        }
+    }
+
+    fn lying(&self, stream: &mut Stream) -> Option<Pose> {
+        let quarter = stream.below(4) as f32 * std::f32::consts::FRAC_PI_2;
+        let free = self.surface.hold == Hold::On && stream.chance(0.5);
+        let turned = quarter + if free { stream.between(-0.25, 0.25) } else { 0.0 };
+        let other = quarter + std::f32::consts::FRAC_PI_2;
+        // What is too long one way may fit the other.
+        let (yaw, (rx, ry)) = [turned, quarter, other].into_iter().find_map(|yaw| Some((yaw, self.room(yaw)?)))?;
+        let (x, y) = (stream.between(-rx, rx), stream.between(-ry, ry));
+        Some(self.standing(x, y, yaw))
+    }
+
+    /// How far its middle may be from the surface's.
+    fn room(&self, yaw: f32) -> Option<(f32, f32)> {
+        let (hx, hy) = self.extent(yaw);
+        let (rx, ry) = (self.surface.half.0 - hx - GAP, self.surface.half.1 - hy - GAP);
+        (rx >= 0.0 && ry >= 0.0).then_some((rx, ry))
+    }
+
+    /// With its back to one of the surface's four edges: furniture against walls.
+    fn against_an_edge(&self, stream: &mut Stream) -> Option<Pose> {
+        let side = stream.below(4);
+        let yaw = side as f32 * std::f32::consts::FRAC_PI_2;
+        let (rx, ry) = self.room(yaw)?;
+        let (ex, ey) = ((rx - WALL_GAP).max(0.0), (ry - WALL_GAP).max(0.0));
+        let (x, y) = match side {
+            0 => (-ex, stream.between(-ry, ry)),
+            1 => (stream.between(-rx, rx), -ey),
+            2 => (ex, stream.between(-ry, ry)),
+            _ => (stream.between(-rx, rx), ey),
+        };
+        Some(self.standing(x, y, yaw))
+    }
+
+    /// Below a hook, the back off the wall; on a rod across it and within its wardrobe.
+    /// `None` if it would reach the ground.
+    fn hung(&self) -> Option<Pose> {
+        let (size, at) = (self.bounds.size(), self.surface.centre);
+        let rod = self.surface.name.starts_with("rod");
+        let yaw = if rod { std::f32::consts::FRAC_PI_2 } else { 0.0 };
+        let (hx, hy) = self.extent(yaw);
+        let within = |c: Bounds| hx + 0.03 < c.half.x && (at.y - c.offset.y).abs() + hy + 0.02 < c.half.y;
+        let fits = !rod || self.carrier.is_none_or(within);
+        let off_the_wall = self.carrier.map_or(0.0, |c| c.offset.x - c.half.x + hx + 0.002 - at.x);
+        let mut pose = self.standing(if rod { 0.0 } else { off_the_wall.max(0.0) }, 0.0, yaw);
+        pose.translation.z -= size.z + LIFT;
+        let drop = self.surface.clearance.unwrap_or(f32::INFINITY);
+        (fits && size.z <= drop).then_some(pose)
+    }
+
+    fn extent(&self, yaw: f32) -> (f32, f32) {
+        let (sin, cos) = (yaw.sine().abs(), yaw.cosine().abs());
+        let half = self.bounds.half;
+        (half.x * cos + half.y * sin, half.x * sin + half.y * cos)
+    }
+
+    /// Standing with its box's middle at a point, measured from the surface's middle.
+    fn standing(&self, x: f32, y: f32, yaw: f32) -> Pose {
+        let turn = turned(yaw);
+        let (centre, offset) = (self.surface.centre, turn * self.bounds.offset);
+        let base = self.bounds.offset.z - self.bounds.half.z;
+        let at = Vector3::new(centre.x + x - offset.x, centre.y + y - offset.y, centre.z + LIFT - base);
+        Isometry3::from_parts(Translation3::from(at), turn)
+    }
+}
+
+/// A turn about Z, the same on every machine.
+pub(super) fn turned(yaw: f32) -> UnitQuaternion<f32> {
+    let (sin, cos) = (yaw / 2.0).sine_cosine();
+    UnitQuaternion::new_normalize(Quaternion::new(cos, 0.0, 0.0, sin))
+}
+
+/// Whether an agent could put a thing there by the rule, whatever its pose.
+pub(super) fn refused(graph: &SceneGraph, agent: NodeId, id: NodeId, site: &Site) -> bool {
+    let floor = site.relation == Relation::InRoom || graph.node(site.at).is_some_and(|n| &**n.class() == "floor");
+    !floor && !vc_graph::Condition::Fits(id, site.at).holds(graph, agent)
+}

@@ -1,0 +1,201 @@
+//! Initial environments: a scene made ready for an activity.
+//!
+//! What is in the scene stays. What an [`Activity`] needs and the scene lacks comes
+//! from a [`Stock`] and is put, by chance, where people keep such things or where the
+//! activity says: on surfaces, in containers, on hooks and floors, wherever it has
+//! room in breadth and height beside what is there, can be reached, and does not meet
+//! the goal. States are set as the activity asks. Then the [`World`] is reset with
+//! the scene, and what comes back is compared with what was asked: the place and the
+//! states of all that was added, the start, and that the goal does not hold yet. If
+//! it differs, another try is made with other chances.
+//!
+//! The same scene, activity and seed give the same result. No object is scaled or
+//! taken away.
+//!
+//! ```
+//! use vc_graph::{Draft, SceneBuilder, Seed, Simulator};
+//! use vc_tasks::initial::{Generator, PlainStock};
+//! use vc_tasks::library::Benchmark;
+//!
+//! let mut scene = SceneBuilder::new("flat");
+//! let kitchen = scene.add(Draft::new("kitchen"))?;
+//! scene.add_in(kitchen, Draft::new("fridge"))?;
+//! scene.add_in(kitchen, Draft::new("dining_table"))?;
+//! let scene = scene.build();
+//!
+//! let benchmark = Benchmark::v1();
+//! let activity = benchmark.get("put_fridge-02").ok_or("no such task")?;
+//! let mut world = Simulator::new(scene.clone());
+//! let initial = Generator::new(&PlainStock).make(activity, &scene, Seed(1), &mut world)?;
+//! let added: Vec<String> = initial.added.iter().map(|a| initial.scene.label(a.id).to_string()).collect();
+//! assert_eq!(added, ["character.4", "apple.5", "bread.6", "wine.7"]);
+//! assert_eq!(initial.credit, 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod attempt;
+mod error;
+mod fit;
+mod site;
+mod solid;
+mod start;
+mod stock;
+mod walk;
+
+use vc_graph::goal::Situation;
+use vc_graph::{Edge, History, NodeId, Place, Relation, SceneGraph, Seed, State};
+
+use crate::library::Activity;
+use crate::{Task, World};
+use attempt::{Asked, Attempt, Ground};
+
+pub use error::{InitialError, Why};
+pub(crate) use start::needed_classes;
+pub use stock::{PlainStock, Stock};
+
+/// How often a scene is tried unless said otherwise.
+const TRIES: usize = 20;
+
+/// Makes initial environments.
+#[derive(Clone, Copy)]
+pub struct Generator<'a> {
+    stock: &'a dyn Stock,
+    tries: usize,
+    distractors: usize,
+}
+
+/// A scene that is ready for an activity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Initial {
+    /// The scene, as the world has it.
+    pub scene: SceneGraph,
+    /// Who is to do it.
+    pub agent: NodeId,
+    /// What is to be done.
+    pub task: Task,
+    /// What was added, in that order: the agent first, if the scene had none.
+    pub added: Vec<Added>,
+    /// How many tries it took, from one.
+    pub tries: usize,
+    /// How much of the goal holds at the start, 0 to below 1.
+    pub credit: f64,
+}
+
+/// A thing that was added to a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Added {
+    /// Its number.
+    pub id: NodeId,
+    /// What it was put on or in; `None` for what stands in the room.
+    pub place: Option<Place>,
+    /// Its room.
+    pub room: NodeId,
+    /// What for.
+    pub purpose: Purpose,
+}
+
+/// What a thing was added for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Purpose {
+    /// It acts.
+    Agent,
+    /// The activity needs it.
+    Need,
+    /// It is in the way, and no more.
+    Distractor,
+}
+
+impl<'a> Generator<'a> {
+    /// A generator that takes what is missing from a stock, makes up to 20 tries and
+    /// adds no distractors.
+    pub fn new(stock: &'a dyn Stock) -> Self {
+        Self { stock, tries: TRIES, distractors: 0 }
+    }
+
+    /// Sets after how many tries to give up; at least one is made.
+    #[must_use]
+    pub fn tries(self, tries: usize) -> Self {
+        Self { tries: tries.max(1), ..self }
+    }
+
+    /// Sets how many things are added that the activity has no use for.
+    #[must_use]
+    pub fn distractors(self, distractors: usize) -> Self {
+        Self { distractors, ..self }
+    }
+
+    /// Makes a scene ready for an activity, and puts it in force in a world.
+    ///
+    /// Costs some milliseconds for a home with poses, and the world's reset.
+    ///
+    /// # Errors
+    /// [`InitialError`] names the thing, the place and why. What chance has no part
+    /// in ends it at once, everything else after the last try.
+    pub fn make(
+        &self,
+        activity: &Activity,
+        scene: &SceneGraph,
+        seed: Seed,
+        world: &mut dyn World,
+    ) -> Result<Initial, InitialError> {
+        let ground = Ground::of(scene);
+        let own = seed.child(&activity.id);
+        let mut last = InitialError::StartUnmet(activity.start.to_string());
+        for attempt in 0..self.tries {
+            let made = Attempt::new(activity, self.stock, scene, &ground, own.nth(attempt as u64));
+            let asked = match made.run(self.distractors) {
+                Ok(asked) => asked,
+                Err(error) if error.is_chance() => {
+                    last = error;
+                    continue;
+                }
+                Err(error) => return Err(error),
+            };
+            let tries = attempt + 1;
+            let refused = world.reset(&asked.scene).err().map(|e| e.to_string());
+            match refused.or_else(|| difference(activity, &asked, world.graph())) {
+                None => return Ok(asked.confirmed(activity, world.graph().clone(), tries)),
+                Some(what) => last = InitialError::Unconfirmed { what, tries },
+            }
+        }
+        Err(last)
+    }
+}
+
+impl Asked {
+    fn confirmed(self, activity: &Activity, scene: SceneGraph, tries: usize) -> Initial {
+        let history = History::default();
+        let credit = activity.goal.score(&Situation::new(&scene, self.agent, &history));
+        Initial { scene, agent: self.agent, task: activity.task(), added: self.added, tries, credit }
+    }
+}
+
+/// The first thing that a world made otherwise than it was asked.
+fn difference(activity: &Activity, asked: &Asked, got: &SceneGraph) -> Option<String> {
+    let label = |id: NodeId| asked.scene.label(id);
+    let misplaced = asked.added.iter().find(|a| !is_there(a, got)).map(|a| match a.place {
+        Some(place) => format!("{} is not {} {}", label(a.id), place.relation, label(place.at)),
+        None => format!("{} is not in {}", label(a.id), label(a.room)),
+    });
+    let is = |id: NodeId, state: State| got.node(id).is_some_and(|n| n.is(state));
+    let other_state = || {
+        let found = asked.states.iter().find(|&&(id, state)| !is(id, state));
+        found.map(|&(id, state)| format!("{} is not {state}", label(id)))
+    };
+    let history = History::default();
+    let now = Situation::new(got, asked.agent, &history);
+    let unmet = || start::unmet(&now, &activity.start).map(|part| format!("`{part}` does not hold at the start"));
+    let met = || activity.goal.holds(&now).then(|| format!("the goal holds already: `{}`", activity.goal));
+    misplaced.or_else(other_state).or_else(unmet).or_else(met)
+}
+
+fn is_there(added: &Added, got: &SceneGraph) -> bool {
+    let placed = added.place.is_none_or(|place| match place.relation {
+        // Who sits or lies does so on what it was put on.
+        Relation::SittingOn | Relation::LyingOn | Relation::On | Relation::Inside => {
+            got.has(Edge::new(added.id, place.relation, place.at))
+        }
+        _ => true,
+    });
+    placed && got.room_of(added.id) == Some(added.room)
+}

@@ -1,0 +1,113 @@
+//! How the scene is to be at the start: states, and what the agent sits on or holds.
+
+use vc_graph::goal::{Goal, Literal, Predicate, Term};
+use vc_graph::{Edit, EditError, Node, NodeId, Place, Property, Relation, SceneGraph, State, StateSet};
+
+/// Makes the parts of a start true that can be made so: a state of all things of a
+/// class, or its contrary, and the agent's seat or burden. What else is asked is left
+/// to be found true or not.
+pub(super) fn bring_about(edit: &mut Edit<'_>, agent: NodeId, start: &Goal) -> Result<(), EditError> {
+    start.conjuncts().iter().try_for_each(|part| match part {
+        Goal::Literal(literal) => establish(edit, agent, literal),
+        Goal::Not(part) => match &**part {
+            Goal::Literal(Literal { predicate: Predicate::State(state), terms }) => {
+                let opposite = only(state.opposites());
+                things(edit.graph(), terms, *state).into_iter().try_for_each(|id| match opposite {
+                    Some(opposite) => enter(edit, id, opposite),
+                    None => edit.leave_state(id, *state),
+                })
+            }
+            _ => Ok(()),
+        },
+        _ => Ok(()),
+    })
+}
+
+fn only(states: StateSet) -> Option<State> {
+    states.iter().next().filter(|_| states.len() == 1)
+}
+
+fn establish(edit: &mut Edit<'_>, agent: NodeId, literal: &Literal) -> Result<(), EditError> {
+    match (literal.predicate, literal.terms.as_slice()) {
+        (Predicate::State(state), terms) => {
+            things(edit.graph(), terms, state).into_iter().try_for_each(|id| enter(edit, id, state))
+        }
+        (Predicate::Relation(relation @ (Relation::SittingOn | Relation::LyingOn)), [Term::Me, Term::Class(class)]) => {
+            let posture = if relation == Relation::SittingOn { State::Sitting } else { State::Lying };
+            let Some(at) = free_seat(edit.graph(), class, relation) else { return Ok(()) };
+            edit.place(agent, Place { relation, at })?;
+            edit.enter_state(agent, posture)
+        }
+        (Predicate::Holds, [Term::Me, Term::Class(class)]) => {
+            let found = edit.graph().of_class(class).into_iter().find(|&id| edit.graph().holder(id).is_none());
+            found.map_or(Ok(()), |id| edit.hold(agent, id))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The first seat of a class that nobody and nothing is on.
+pub(super) fn free_seat(graph: &SceneGraph, class: &str, relation: Relation) -> Option<NodeId> {
+    let needed = if relation == Relation::SittingOn { Property::Sittable } else { Property::Lieable };
+    let fits = |id: &NodeId| {
+        graph.node(*id).is_some_and(|n| n.affords(needed)) && graph.relating(relation, *id).next().is_none()
+    };
+    graph.of_class(class).into_iter().find(fits)
+}
+
+/// Puts a thing in a state; what is filled is filled with water, unless it has
+/// something in it already.
+pub(super) fn enter(edit: &mut Edit<'_>, id: NodeId, state: State) -> Result<(), EditError> {
+    let full = edit.graph().node(id).is_some_and(|n| n.contents().is_some());
+    match state {
+        State::Filled if !full => edit.fill(id, Some("water".into())),
+        State::Empty => edit.fill(id, None),
+        state => edit.enter_state(id, state),
+    }
+}
+
+/// The nodes that terms mean and that can be in a state.
+fn things(graph: &SceneGraph, terms: &[Term], state: State) -> Vec<NodeId> {
+    let all = match terms {
+        [Term::Class(class)] => graph.of_class(class),
+        [Term::Node(_, id)] => vec![*id],
+        _ => Vec::new(),
+    };
+    all.into_iter().filter(|&id| graph.node(id).is_some_and(|n| can_be(n, state))).collect()
+}
+
+/// Whether a thing can be in a state at all.
+fn can_be(node: &Node, state: State) -> bool {
+    let needed = match state {
+        State::Open | State::Closed => Property::Openable,
+        State::On | State::Off => Property::Switchable,
+        State::PluggedIn | State::PluggedOut => Property::Plug,
+        State::Folded | State::Unfolded => Property::Foldable,
+        State::Cooked | State::Raw => Property::Cookable,
+        State::Sliced => Property::Cuttable,
+        _ => return true,
+    };
+    node.affords(needed)
+}
+
+/// The classes a start names as seats and burdens, which it therefore needs.
+pub(crate) fn needed_classes(start: &Goal) -> Vec<String> {
+    let named = |part: &Goal| match part {
+        Goal::Literal(Literal { predicate: Predicate::Relation(_) | Predicate::Holds, terms }) => {
+            terms.iter().find_map(|t| if let Term::Class(class) = t { Some(class.clone()) } else { None })
+        }
+        _ => None,
+    };
+    start.conjuncts().iter().filter_map(named).collect()
+}
+
+/// The parts of a start that do not hold; a state of things there are none of does.
+pub(super) fn unmet(now: &vc_graph::goal::Situation<'_>, start: &Goal) -> Option<String> {
+    let vacuous = |part: &Goal| match part {
+        Goal::Literal(Literal { predicate: Predicate::State(state), terms }) => {
+            things(now.graph, terms, *state).is_empty()
+        }
+        _ => false,
+    };
+    start.conjuncts().iter().find(|part| !vacuous(part) && !part.holds(now)).map(Goal::to_string)
+}

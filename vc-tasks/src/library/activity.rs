@@ -1,0 +1,198 @@
+//! A task with all it takes.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use vc_graph::class::Category;
+use vc_graph::goal::{Comparison, Goal, Term};
+use vc_graph::{ClassTable, Relation, State, Verb};
+
+use super::Need;
+use crate::Task;
+
+/// What is to be done, what it takes, and how it begins.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Activity {
+    /// Its name for ever, `indoor-4`, `put_fridge-01`.
+    pub id: String,
+    /// What is to be done, in a few words.
+    pub title: String,
+    /// What is to hold at the end.
+    pub goal: Goal,
+    /// What makes the end natural: closed again, switched off again.
+    pub natural: Goal,
+    /// The things it needs, besides those the goal names.
+    pub needs: Vec<Need>,
+    /// How the scene is at the start: states of all things of a class, and what the
+    /// agent sits or lies on.
+    pub start: Goal,
+    /// Classes of rooms and regions it happens in.
+    pub places: Vec<String>,
+}
+
+/// Where a list of activities is wrong.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{file}: {message}")]
+pub struct ActivityError {
+    /// The name the list was given.
+    pub file: String,
+    /// What is wrong, with line and column.
+    pub message: String,
+}
+
+/// An activity as the lists write it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    number: usize,
+    title: String,
+    goal: Goal,
+    #[serde(default = "nothing")]
+    natural: Goal,
+    #[serde(default)]
+    needs: Vec<Need>,
+    #[serde(default = "nothing")]
+    start: Goal,
+    #[serde(default)]
+    places: Vec<String>,
+}
+
+/// The goal that always holds.
+pub(super) fn nothing() -> Goal {
+    Goal::And(Vec::new())
+}
+
+impl Activity {
+    /// Reads a list: JSON, an array of objects with `number`, `title`, `goal` and,
+    /// as needed, `natural`, `needs`, `start` and `places`. Ids are `list-number`.
+    ///
+    /// # Errors
+    /// [`ActivityError`] with line, column and what was expected.
+    pub fn read_list(list: &str, text: &str) -> Result<Vec<Self>, ActivityError> {
+        let fail = |e: serde_json::Error| ActivityError { file: list.to_owned(), message: e.to_string() };
+        let written: Vec<Written> = serde_json::from_str(text).map_err(fail)?;
+        Ok(written.into_iter().map(|w| w.named(list)).collect())
+    }
+
+    /// The task: goal and natural end in one.
+    pub fn task(&self) -> Task {
+        Task::new(&self.title, all_of(&[&self.goal, &self.natural]))
+    }
+
+    /// Everything that must be in the scene: what is written, and for what the goal,
+    /// the natural end and the start name besides, as many as they ask for.
+    ///
+    /// Negations and what holds for all need nothing, nor do states of the start.
+    pub fn all_needs(&self) -> Vec<Need> {
+        let mut named = BTreeMap::new();
+        [&self.goal, &self.natural].into_iter().for_each(|goal| named_things(goal, 1, &mut named));
+        crate::initial::needed_classes(&self.start).into_iter().for_each(|class| {
+            named.entry(class).or_insert(1);
+        });
+        let written = |class: &str| self.needs.iter().any(|n| n.class == class);
+        let more = named.into_iter().filter(|(class, _)| !written(class));
+        self.needs.iter().cloned().chain(more.map(|(class, number)| Need::of(class, number))).collect()
+    }
+
+    /// The places that a class table does not know as rooms: those yet to be built.
+    pub fn unknown_places<'a>(&'a self, classes: &'a ClassTable) -> impl Iterator<Item = &'a str> {
+        let known = |place: &str| classes.get(place).is_some_and(|c| c.category == Category::Room);
+        self.places.iter().map(String::as_str).filter(move |place| !known(place))
+    }
+
+    /// The verbs that its end asks for: each literal's own, and `grab` before what is
+    /// put somewhere. Plans have more: one walks to everything.
+    pub fn verbs(&self) -> Vec<Verb> {
+        let mut verbs = Vec::new();
+        [&self.goal, &self.natural].into_iter().for_each(|goal| asked_verbs(goal, &mut verbs));
+        verbs.sort_unstable();
+        verbs.dedup();
+        verbs
+    }
+}
+
+impl Written {
+    fn named(self, list: &str) -> Activity {
+        let Self { number, title, goal, natural, needs, start, places } = self;
+        Activity { id: format!("{list}-{number}"), title, goal, natural, needs, start, places }
+    }
+}
+
+/// One conjunction of goals; those of order stay parts of their own.
+fn all_of(goals: &[&Goal]) -> Goal {
+    let mut parts: Vec<Goal> = goals.iter().flat_map(|g| g.conjuncts().iter().cloned()).collect();
+    if parts.len() == 1 { parts.remove(0) } else { Goal::And(parts) }
+}
+
+/// The classes of which a goal needs things, with how many.
+fn named_things(goal: &Goal, number: usize, named: &mut BTreeMap<String, usize>) {
+    let mut name = |class: &str, number: usize| {
+        let most = named.entry(class.to_owned()).or_insert(0);
+        *most = number.max(*most);
+    };
+    match goal {
+        Goal::Literal(literal) => {
+            let counted = literal.counted();
+            for (position, term) in literal.terms.iter().enumerate() {
+                if let Term::Class(class) = term {
+                    name(class, if Some(position) == counted { number } else { 1 });
+                }
+            }
+        }
+        Goal::Count { literal, comparison: Comparison::AtLeast | Comparison::Exactly, number } if *number > 0 => {
+            named_things(&Goal::Literal(literal.clone()), *number as usize, named);
+        }
+        Goal::And(parts) | Goal::Then(parts) => parts.iter().for_each(|p| named_things(p, 1, named)),
+        // The first way will do.
+        Goal::Or(parts) => parts.iter().take(1).for_each(|p| named_things(p, 1, named)),
+        Goal::Exists(q) => {
+            q.class.iter().for_each(|class| name(class, 1));
+            named_things(&q.body, 1, named);
+        }
+        _ => {}
+    }
+}
+
+fn asked_verbs(goal: &Goal, verbs: &mut Vec<Verb>) {
+    use vc_graph::goal::Predicate as P;
+    match goal {
+        Goal::Literal(literal) | Goal::Count { literal, .. } => match literal.predicate {
+            P::Did(verb) => verbs.push(verb),
+            P::Holds => verbs.push(Verb::Grab),
+            P::State(state) => verbs.extend(verb_of_state(state)),
+            P::Relation(relation) => verbs.extend_from_slice(verbs_of_relation(relation)),
+        },
+        Goal::And(parts) | Goal::Or(parts) | Goal::Then(parts) => parts.iter().for_each(|p| asked_verbs(p, verbs)),
+        Goal::Exists(q) | Goal::ForAll(q) => asked_verbs(&q.body, verbs),
+        _ => {}
+    }
+}
+
+fn verb_of_state(state: State) -> Option<Verb> {
+    Some(match state {
+        State::Open => Verb::Open,
+        State::Closed => Verb::Close,
+        State::On => Verb::SwitchOn,
+        State::Off => Verb::SwitchOff,
+        State::Cooked => Verb::Cook,
+        State::Sliced => Verb::Cut,
+        State::Folded => Verb::Fold,
+        State::Unfolded => Verb::Unfold,
+        State::Filled => Verb::Fill,
+        State::Clean => Verb::Wash,
+        _ => return None,
+    })
+}
+
+fn verbs_of_relation(relation: Relation) -> &'static [Verb] {
+    match relation {
+        Relation::On => &[Verb::Grab, Verb::Place],
+        Relation::Inside => &[Verb::Grab, Verb::PutIn],
+        Relation::WornBy => &[Verb::Grab, Verb::Wear],
+        Relation::SittingOn => &[Verb::Sit],
+        Relation::LyingOn => &[Verb::Lie],
+        Relation::Near | Relation::InRoom => &[Verb::Walk],
+        Relation::Facing => &[Verb::TurnTo],
+        _ => &[],
+    }
+}

@@ -1,0 +1,148 @@
+//! The benchmark: few base tasks, many things they can be about.
+
+use serde::Deserialize;
+use vc_graph::{Digest, Goal};
+
+use super::activity::nothing;
+use super::{Activity, Need};
+
+const V1: &str = include_str!("../../data/library/benchmark.json");
+
+/// A fixed list of tasks under fixed ids.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Benchmark {
+    /// Its name and version, `virtualcity-145 v1`. What a version holds never
+    /// changes.
+    pub version: String,
+    /// The tasks; those of one base stand together.
+    pub activities: Vec<Activity>,
+}
+
+/// Where the text of a benchmark is wrong.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BenchmarkError {
+    /// The file is not what it should be.
+    #[error("benchmark: {0}")]
+    Form(String),
+    /// A base filled in with one of its variants is no task.
+    #[error("{id}: `{text}`: {why}")]
+    Variant {
+        /// The task.
+        id: String,
+        /// The text after the variant was filled in.
+        text: String,
+        /// What is wrong with it.
+        why: String,
+    },
+}
+
+/// A base task as the file writes it: `$1` to `$9` stand for a variant's words, and
+/// `each` and `each_need` are repeated for each of them, with `$` for the class and
+/// `#` for the number of `2 plate`.
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+struct Base {
+    base: String,
+    title: String,
+    goal: String,
+    each: String,
+    natural: String,
+    needs: Vec<String>,
+    each_need: String,
+    start: String,
+    places: Vec<String>,
+    variants: Vec<Vec<String>>,
+}
+
+impl Benchmark {
+    /// Version 1: 145 tasks from 20 bases, all in the home.
+    ///
+    /// ```
+    /// use vc_tasks::library::Benchmark;
+    /// let benchmark = Benchmark::v1();
+    /// assert_eq!(benchmark.activities.len(), 145);
+    /// let first = benchmark.get("put_fridge-01").ok_or("no such task")?;
+    /// assert_eq!(
+    ///     first.goal.to_string(),
+    ///     "Inside(milk, fridge) & Inside(bread, fridge) & Inside(meal, fridge) & Inside(jug, fridge)",
+    /// );
+    /// # Ok::<(), &str>(())
+    /// ```
+    pub fn v1() -> Self {
+        // A test reads the text and shows its errors.
+        let activities = Self::read(V1).unwrap_or_default();
+        Self { version: "virtualcity-145 v1".into(), activities }
+    }
+
+    /// Reads base tasks and makes all their variants.
+    ///
+    /// # Errors
+    /// [`BenchmarkError`] says which text is wrong, and how.
+    pub fn read(text: &str) -> Result<Vec<Activity>, BenchmarkError> {
+        let bases: Vec<Base> = serde_json::from_str(text).map_err(|e| BenchmarkError::Form(e.to_string()))?;
+        bases.iter().flat_map(|base| (0..base.variants.len()).map(move |i| base.variant(i))).collect()
+    }
+
+    /// The task of an id.
+    pub fn get(&self, id: &str) -> Option<&Activity> {
+        self.activities.iter().find(|a| a.id == id)
+    }
+
+    /// A number that changes when anything about the tasks does.
+    pub fn digest(&self) -> Digest {
+        const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
+        const PRIME: u64 = 0x0000_0100_0000_01b3;
+        let text = serde_json::to_string(&self.activities).unwrap_or_default();
+        Digest(text.bytes().fold(OFFSET, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME)))
+    }
+}
+
+impl Activity {
+    /// The base task it is a variant of, `put_fridge`; the list of one of the
+    /// thesis's tasks.
+    pub fn group(&self) -> &str {
+        self.id.rsplit_once('-').map_or(&self.id, |(group, _)| group)
+    }
+}
+
+impl Base {
+    fn variant(&self, index: usize) -> Result<Activity, BenchmarkError> {
+        let words = &self.variants[index];
+        let id = format!("{}-{:02}", self.base, index + 1);
+        let fill = |text: &String| {
+            (1..).zip(words).fold(text.clone(), |text, (number, word)| text.replace(&format!("${number}"), word))
+        };
+        let goal = |text: String| match text.trim() {
+            "" => Ok(nothing()),
+            text => text.parse::<Goal>().map_err(|e| wrong(&id, text, &e)),
+        };
+        let needs = self.needs.iter().map(fill).chain(words.iter().map(|word| numbered(&self.each_need, word)));
+        let need = |text: String| text.parse::<Need>().map_err(|e| wrong(&id, &text, &e));
+        Ok(Activity {
+            title: self.title.clone(),
+            goal: goal(self.goal_text(words, fill(&self.goal)))?,
+            natural: goal(fill(&self.natural))?,
+            needs: needs.filter(|text| !text.is_empty()).map(need).collect::<Result<_, _>>()?,
+            start: goal(fill(&self.start))?,
+            places: self.places.iter().map(fill).collect(),
+            id,
+        })
+    }
+
+    fn goal_text(&self, words: &[String], own: String) -> String {
+        let each = words.iter().map(|word| numbered(&self.each, word));
+        let parts: Vec<String> = each.chain(std::iter::once(own)).filter(|part| !part.is_empty()).collect();
+        parts.join(" & ")
+    }
+}
+
+/// A text about one word of a variant: `2 plate` fills `#` and `$`.
+fn numbered(text: &str, word: &str) -> String {
+    let (number, class) = word.split_once(' ').unwrap_or(("1", word));
+    text.replace('#', number).replace('$', class)
+}
+
+fn wrong(id: &str, text: &str, why: &dyn std::fmt::Display) -> BenchmarkError {
+    BenchmarkError::Variant { id: id.to_owned(), text: text.to_owned(), why: why.to_string() }
+}

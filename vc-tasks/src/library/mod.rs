@@ -1,0 +1,58 @@
+//! The task library: the thesis's hundred tasks, and the benchmark of 145.
+//!
+//! An [`Activity`] is a [`Task`](crate::Task) with what it takes: the things it needs
+//! and where they may be, how the scene must be at the start, what makes its end
+//! natural, and the places it happens in. [`thesis_tasks`] are the hundred of the
+//! thesis's appendix B, [`Benchmark::v1`] the 145 that are made from 20 bases.
+//! [`Activity::read_list`] reads your own.
+
+mod activity;
+mod benchmark;
+mod need;
+
+pub use activity::{Activity, ActivityError};
+pub use benchmark::{Benchmark, BenchmarkError};
+pub use need::{Need, NeedError, Spot};
+
+const INDOOR: &str = include_str!("../../data/library/indoor.json");
+const OUTDOOR: &str = include_str!("../../data/library/outdoor.json");
+
+/// The list of the thesis's appendix B that a task is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum List {
+    /// The first list: tasks in the home.
+    Indoor,
+    /// The second list: tasks out of doors, with some in the home among them.
+    Outdoor,
+}
+
+impl List {
+    /// The word in the ids of its tasks, `indoor-4`.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Indoor => "indoor",
+            Self::Outdoor => "outdoor",
+        }
+    }
+}
+
+/// The fifty tasks of one of the thesis's lists, in its order and in our words.
+///
+/// The thesis prints the heading of its first list as number 1, so that its numbers
+/// 2 to 51 are our 1 to 50.
+///
+/// ```
+/// use vc_tasks::library::{List, thesis_tasks};
+/// let tasks = thesis_tasks(List::Indoor);
+/// assert_eq!(tasks.len(), 50);
+/// assert_eq!(tasks[25].id, "indoor-26");
+/// assert_eq!(tasks[25].goal.to_string(), "Near(me, fridge) & Open(fridge)");
+/// ```
+pub fn thesis_tasks(list: List) -> Vec<Activity> {
+    let text = match list {
+        List::Indoor => INDOOR,
+        List::Outdoor => OUTDOOR,
+    };
+    // A test reads the lists and shows their errors.
+    Activity::read_list(list.as_str(), text).unwrap_or_default()
+}

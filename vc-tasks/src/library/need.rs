@@ -1,0 +1,142 @@
+//! Things that a task needs, and where they may be at its start.
+
+use std::fmt;
+use std::str::FromStr;
+
+use vc_graph::{Relation, State, Word};
+
+/// Things of one class that must be in the scene, written
+/// `2 plate [dirty] on dining_table | in kitchen_cabinet of kitchen`.
+///
+/// ```
+/// use vc_tasks::library::Need;
+/// let need: Need = "2 plate [dirty] on dining_table | in dishwasher of kitchen".parse()?;
+/// assert_eq!((need.number, &*need.class, need.spots.len()), (2, "plate", 2));
+/// assert_eq!(need.to_string(), "2 plate [dirty] on dining_table | in dishwasher of kitchen");
+/// # Ok::<(), vc_tasks::library::NeedError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Need {
+    /// Of which class.
+    pub class: String,
+    /// How many.
+    pub number: usize,
+    /// The states they are in.
+    pub states: Vec<State>,
+    /// Where they may be; where people keep them, if none is said.
+    pub spots: Vec<Spot>,
+}
+
+/// A kind of place where a thing may be.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Spot {
+    /// On or inside what class; `None` for anywhere in the room.
+    pub at: Option<(Relation, String)>,
+    /// In a room of which class; `None` for any.
+    pub room: Option<String>,
+}
+
+/// A text that is no [`Need`].
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{text}` is no need such as `2 plate [dirty] on dining_table of kitchen`: {why}")]
+pub struct NeedError {
+    /// The text.
+    pub text: String,
+    /// What is wrong with it.
+    pub why: String,
+}
+
+impl Need {
+    /// Things of a class, wherever people keep them.
+    pub fn of(class: impl Into<String>, number: usize) -> Self {
+        Self { class: class.into(), number, states: Vec::new(), spots: Vec::new() }
+    }
+}
+
+impl FromStr for Need {
+    type Err = NeedError;
+
+    fn from_str(text: &str) -> Result<Self, NeedError> {
+        read(text).map_err(|why| NeedError { text: text.to_owned(), why })
+    }
+}
+
+fn read(text: &str) -> Result<Need, String> {
+    let (head, states, tail) = match text.split_once('[') {
+        Some((head, rest)) => {
+            let (states, tail) = rest.split_once(']').ok_or("`[` without `]`")?;
+            (head, states, tail)
+        }
+        None => {
+            let words = [" on ", " in ", " of "].into_iter().filter_map(|word| text.find(word));
+            let (head, tail) = text.split_at(words.min().unwrap_or(text.len()));
+            (head, "", tail)
+        }
+    };
+    let words: Vec<&str> = head.split_whitespace().collect();
+    let (number, class) = match words.as_slice() {
+        [class] => (1, *class),
+        [number, class] => (number.parse().map_err(|_| format!("`{number}` is no number"))?, *class),
+        _ => return Err("expected a number and a class".into()),
+    };
+    let states: Result<Vec<State>, _> = states.split_whitespace().map(State::parse).collect();
+    let spots = tail.split('|').map(str::trim).filter(|spot| !spot.is_empty()).map(read_spot);
+    Ok(Need {
+        class: class.to_owned(),
+        number,
+        states: states.map_err(|e| e.to_string())?,
+        spots: spots.collect::<Result<_, _>>()?,
+    })
+}
+
+fn read_spot(text: &str) -> Result<Spot, String> {
+    let own = |class: &str| Some(class.to_owned());
+    match *text.split_whitespace().collect::<Vec<_>>() {
+        ["on", at] => Ok(Spot { at: Some((Relation::On, at.to_owned())), room: None }),
+        ["in", at] => Ok(Spot { at: Some((Relation::Inside, at.to_owned())), room: None }),
+        ["on", at, "of", room] => Ok(Spot { at: Some((Relation::On, at.to_owned())), room: own(room) }),
+        ["in", at, "of", room] => Ok(Spot { at: Some((Relation::Inside, at.to_owned())), room: own(room) }),
+        ["of", room] => Ok(Spot { at: None, room: own(room) }),
+        _ => Err(format!("`{text}` is no place such as `on desk`, `in fridge of kitchen` or `of kitchen`")),
+    }
+}
+
+impl fmt::Display for Spot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let at = self.at.as_ref().map(|(relation, class)| {
+            let word = if *relation == Relation::Inside { "in" } else { "on" };
+            format!("{word} {class}")
+        });
+        let room = self.room.as_ref().map(|room| format!("of {room}"));
+        let parts: Vec<String> = at.into_iter().chain(room).collect();
+        f.write_str(&parts.join(" "))
+    }
+}
+
+impl fmt::Display for Need {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.number != 1 {
+            write!(f, "{} ", self.number)?;
+        }
+        f.write_str(&self.class)?;
+        if !self.states.is_empty() {
+            let states: Vec<&str> = self.states.iter().map(|s| s.as_str()).collect();
+            write!(f, " [{}]", states.join(" "))?;
+        }
+        let spots: Vec<String> = self.spots.iter().map(Spot::to_string).collect();
+        if spots.is_empty() { Ok(()) } else { write!(f, " {}", spots.join(" | ")) }
+    }
+}
+
+impl serde::Serialize for Need {
+    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        s.collect_str(self)
+    }
+}
+
+impl<'de> serde::Deserialize<'de> for Need {
+    fn deserialize<D: serde::Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        let text = <std::borrow::Cow<'de, str>>::deserialize(d)?;
+        text.parse().map_err(serde::de::Error::custom)
+    }
+}
