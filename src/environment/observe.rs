@@ -1,0 +1,61 @@
+//! From bodies back to the graph: poses, relations, and only of what has moved.
+
+use vc_graph::{ChangeSet, EditError, NodeId, Pose, SceneGraph};
+use vc_physics::World;
+use vc_relations::{Evidence, Relations};
+
+use super::Impossible;
+
+/// Writes where bodies are into the graph, and gives the nodes that were elsewhere.
+pub(super) fn write_poses(graph: &mut SceneGraph, world: &World) -> Result<(Vec<NodeId>, ChangeSet), EditError> {
+    let elsewhere = |(id, pose): &(NodeId, Pose)| graph.node(*id).is_some_and(|n| n.pose() != Some(pose));
+    let moved: Vec<(NodeId, Pose)> = world.poses().into_iter().filter(elsewhere).collect();
+    let mut edit = graph.edit();
+    moved.iter().try_for_each(|(id, pose)| edit.set_pose(*id, Some(*pose)))?;
+    Ok((moved.into_iter().map(|(id, _)| id).collect(), edit.commit()))
+}
+
+/// What relations cannot see: where the parts of doors and drawers are.
+pub(super) fn evidence(world: &World) -> Evidence {
+    let mut evidence = Evidence::default();
+    for id in world.nodes() {
+        for (joint, part) in (0..).zip(world.moving_parts(id)) {
+            if part.position != 0.0 {
+                evidence.positions.insert((id, joint), part.position);
+            }
+        }
+    }
+    evidence
+}
+
+/// Looks again at what has moved or changed, and writes poses and relations into the
+/// graph. Returns all whose relations may be different, and what changed.
+pub(super) fn look_again(
+    graph: &mut SceneGraph,
+    world: &World,
+    relations: &mut Relations,
+    changed: &[NodeId],
+) -> Result<(Vec<NodeId>, ChangeSet), Impossible> {
+    let unreadable = |e: &dyn std::fmt::Display| Impossible::Unreadable(e.to_string());
+    let (mut moved, poses) = write_poses(graph, world).map_err(|e| unreadable(&e))?;
+    moved.extend_from_slice(changed);
+    let evidence = evidence(world);
+    moved.extend(turned(relations.evidence(), &evidence));
+    moved.sort_unstable();
+    moved.dedup();
+    relations.set_evidence(graph, evidence).map_err(|e| unreadable(&e))?;
+    let met = relations.update(graph, &moved).map_err(|e| unreadable(&e))?;
+    let edges = relations.write(graph, &met).map_err(|e| unreadable(&e))?;
+    Ok((met, poses.then(edges)))
+}
+
+/// Nodes whose moving parts are elsewhere.
+fn turned(before: &Evidence, now: &Evidence) -> Vec<NodeId> {
+    let differs = |a: &Evidence, b: &Evidence| {
+        let changed = a.positions.iter().filter(|(key, position)| b.positions.get(key) != Some(*position));
+        changed.map(|((id, _), _)| *id).collect::<Vec<_>>()
+    };
+    let mut turned = differs(before, now);
+    turned.extend(differs(now, before));
+    turned
+}
