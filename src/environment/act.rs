@@ -131,12 +131,12 @@ impl Environment {
     }
 }
 
-/// Who holds or wears something else now.
+/// What is somewhere else by the rule, or in another state.
 fn holder(change: &vc_graph::Change) -> Option<NodeId> {
     use vc_graph::Change::{Link, States, Unlink};
     match change {
         Link(e) | Unlink(e) if matches!(e.relation, Relation::HoldsRight | Relation::HoldsLeft) => Some(e.to),
-        Link(e) | Unlink(e) if e.relation == Relation::WornBy => Some(e.from),
+        Link(e) | Unlink(e) if Relation::places().contains(&e.relation) => Some(e.from),
         States { id, .. } => Some(*id),
         _ => None,
     }

@@ -5,7 +5,7 @@ use vc_graph::{Action, Edge, Effect, Kind, NodeId, Place, Pose, Property, Relati
 use vc_physics::{BodyPlan, Floor, Hand, Order, Posture, Shapes, Stand, World};
 
 use super::beat::Beat;
-use super::make::is_in;
+use super::make::room_at;
 use super::{ActionError, Impossible};
 
 /// How far ahead of the body a hand puts things down, metres.
@@ -56,6 +56,7 @@ impl Deed<'_> {
         match *effect {
             Effect::Enter(id, State::Open) => self.drive(id, 1.0),
             Effect::Enter(id, State::Closed) => self.drive(id, 0.0),
+            Effect::Approach(id) if self.before.near(self.agent, id) => self.face(id),
             Effect::GoTo(id) | Effect::Approach(id) => self.go_to(id),
             Effect::Face(id) => self.face(id),
             Effect::Hold(id) => self.hold(id),
@@ -141,8 +142,8 @@ impl Deed<'_> {
             return Err(vc_physics::AgentError::OutOfReach { agent: self.agent, id: body, distance, reach }.into());
         }
         self.floor.update(self.world);
-        let stand = self.stand_at(body)?.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?;
-        self.walk(stand);
+        let stand = self.stand_at(body, self.before.room_of(self.agent))?;
+        self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?);
         Ok(())
     }
 
@@ -153,21 +154,32 @@ impl Deed<'_> {
         body.ok_or_else(|| Impossible::NoBody(self.before.label(id)))
     }
 
-    /// A spot from which the agent reaches a thing: where it sees it too, if there is one.
-    fn stand_at(&self, id: NodeId) -> Result<Option<Stand>, Impossible> {
-        let seen = |feet: &Pose, deed: &Self| deed.floor.sees(deed.world, &deed.plan(), feet, id);
-        let found = self.stand_where(id, |feet| seen(feet, self))?;
-        if found.is_some() { Ok(found) } else { self.stand_where(id, |_| true) }
+    /// A spot in a room from which the agent reaches a thing: where it sees it too, if
+    /// there is one.
+    fn stand_at(&self, id: NodeId, room: Option<NodeId>) -> Result<Option<Stand>, Impossible> {
+        let sees = |feet: &Pose| self.floor.sees(self.world, &self.plan(), feet, id);
+        let found = self.stand_where(id, room, sees)?;
+        if found.is_some() { Ok(found) } else { self.stand_where(id, room, |_| true) }
     }
 
-    fn stand_where(&self, id: NodeId, admits: impl Fn(&Pose) -> bool) -> Result<Option<Stand>, Impossible> {
-        let room = self.before.room_of(id);
+    fn stand_where(
+        &self,
+        id: NodeId,
+        room: Option<NodeId>,
+        admits: impl Fn(&Pose) -> bool,
+    ) -> Result<Option<Stand>, Impossible> {
         let from = self.feet().translation.vector.xy().into();
-        let good = |feet: &Pose| {
-            let spot = Point2::from(feet.translation.vector.xy());
-            room.is_none_or(|r| is_in(self.before, r, &spot)) && self.is_unclaimed(&spot) && admits(feet)
-        };
+        let good = |feet: &Pose| self.is_good(feet, room) && admits(feet);
         Ok(self.floor.stand_where(self.world, &self.plan(), from, id, good)?)
+    }
+
+    /// Whether the agent may stand somewhere: in a room, where nobody else is, and free.
+    fn is_good(&self, feet: &Pose, room: Option<NodeId>) -> bool {
+        let spot = Point2::from(feet.translation.vector.xy());
+        let level = self.floor.plan().level;
+        room.is_none_or(|r| room_at(self.before, self.world, &spot, level) == Some(r))
+            && self.is_unclaimed(&spot)
+            && self.world.stands_free(self.agent, feet).unwrap_or(false)
     }
 
     /// Whether no other agent is at a spot.
@@ -201,7 +213,7 @@ impl Deed<'_> {
     fn stand_before(&self, id: NodeId) -> Result<Option<Stand>, Impossible> {
         for id in std::iter::once(id).chain(self.before.support_chain(id)) {
             if self.world.aabb(id).is_some() {
-                if let Some(stand) = self.stand_at(id)? {
+                if let Some(stand) = self.stand_at(id, self.before.room_of(id))? {
                     return Ok(Some(stand));
                 }
             } else if let Some(stand) = self.stand_beside(id) {
@@ -215,7 +227,7 @@ impl Deed<'_> {
     fn stand_in(&self, room: NodeId) -> Option<Stand> {
         let from: Point2<f32> = self.feet().translation.vector.xy().into();
         let aabb = self.before.node(room)?.aabb()?;
-        if is_in(self.before, room, &from) && self.before.room_of(self.agent) == Some(room) {
+        if self.before.room_of(self.agent) == Some(room) {
             let route = self.floor.route(from, from)?;
             return Some(Stand { feet: self.feet(), route });
         }
@@ -235,14 +247,13 @@ impl Deed<'_> {
         let middle = to.xy();
         let step = |i: i32| i as f32 * 0.15;
         let all = (-24..=24).flat_map(|i| (-24..=24).map(move |j| Point2::new(middle.x + step(i), middle.y + step(j))));
-        let good = |p: &Point2<f32>| {
-            let own = room.is_none_or(|r| is_in(self.before, r, p));
-            own && (p - middle).norm() <= within && self.floor.is_free(*p) && self.is_unclaimed(p)
-        };
-        let mut spots: Vec<Point2<f32>> = all.filter(good).collect();
+        let near = |p: &Point2<f32>| (p - middle).norm() <= within && self.floor.is_free(*p);
+        let mut spots: Vec<Point2<f32>> = all.filter(near).collect();
         let far = |p: &Point2<f32>| (p - middle).norm_squared();
         spots.sort_by(|a, b| far(a).total_cmp(&far(b)));
-        let (spot, route) = spots.into_iter().take(64).find_map(|p| Some((p, self.floor.route(from, p)?)))?;
+        let level = self.floor.plan().level;
+        let good = spots.into_iter().filter(|p| self.is_good(&Pose::translation(p.x, p.y, level), room));
+        let (spot, route) = good.take(64).find_map(|p| Some((p, self.floor.route(from, p)?)))?;
         let way = to.xy() - spot;
         let back = route.points.iter().rev().map(|p| spot - p).find(|w| w.norm() > 1e-3);
         let front = if way.norm() > 0.2 { Some(way) } else { back };
@@ -341,7 +352,7 @@ impl Deed<'_> {
     fn step_to(&mut self, at: NodeId, spot: &Pose) -> Done {
         self.floor.update(self.world);
         let target = Point3::from(spot.translation.vector);
-        let stand = self.nearest_stand(self.before.room_of(at), target, vc_graph::NEAR);
+        let stand = self.nearest_stand(self.before.room_of(self.agent), target, vc_graph::NEAR);
         let stand = stand.ok_or_else(|| Impossible::NoStand(self.before.label(at)))?;
         self.walk(stand);
         Ok(())
@@ -399,9 +410,10 @@ impl Deed<'_> {
         }
         self.floor.update(self.world);
         let sees = |feet: &Pose| self.floor.sees(self.world, &self.plan(), feet, id);
-        let found = match self.stand_where(id, |feet| clear(feet) && sees(feet))? {
+        let room = self.before.room_of(self.agent);
+        let found = match self.stand_where(id, room, |feet| clear(feet) && sees(feet))? {
             Some(stand) => Some(stand),
-            None => self.stand_where(id, clear)?,
+            None => self.stand_where(id, room, clear)?,
         };
         let stand = found.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?;
         self.walk(stand);

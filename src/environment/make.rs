@@ -3,16 +3,14 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::Point2;
+use nalgebra::{Point2, Point3};
 use vc_graph::{AssetId, Draft, History, Kind, NodeId, Pose, SceneBuilder, SceneGraph};
 use vc_physics::{BodyPlan, Floor, FloorPlan, Settings, Shapes, World};
 use vc_relations::{Relations, Rule};
 
-use super::{Environment, MakeError, Start, observe, scene};
+use super::{Environment, MakeError, Start, act, observe, scene};
 use crate::figure;
 
-/// Steps in which a new home comes to rest: what trembles longer is held still.
-pub(super) const SETTLING: u32 = 150;
 /// Free floor kept between agents, metres from middle to middle.
 const APART: f32 = 0.8;
 /// How far from the middle of its room an agent may stand, metres.
@@ -53,8 +51,7 @@ impl Environment {
         builder.assets(Arc::new(library));
         let shapes = Shapes::new();
         let mut world = World::build(builder.graph(), &shapes, Settings::default())?;
-        world.settle(SETTLING);
-        world.rest();
+        act::calm(&mut world);
         let floor = Floor::of(&world, FloorPlan::default());
         let places = standing_places(builder.graph(), &world, &floor, agents)?;
         for ((room, feet), person) in places.into_iter().zip(people) {
@@ -141,8 +138,16 @@ fn middle(graph: &SceneGraph, floor: &Floor, room: NodeId) -> Option<(NodeId, Po
     is_in(graph, room, &spot).then_some((room, spot))
 }
 
+/// The room of which the floor is below a point, or a rug on it.
+pub(super) fn room_at(graph: &SceneGraph, world: &World, point: &Point2<f32>, level: f32) -> Option<NodeId> {
+    let agents: Vec<NodeId> = world.agents().collect();
+    let at = |rise: f32| Point3::new(point.x, point.y, level + rise);
+    let (below, _) = world.ray(at(0.2), at(-0.3), &agents)?;
+    graph.room_of(below)
+}
+
 /// Whether a point of the floor is in a room's box.
-pub(super) fn is_in(graph: &SceneGraph, room: NodeId, point: &Point2<f32>) -> bool {
+fn is_in(graph: &SceneGraph, room: NodeId, point: &Point2<f32>) -> bool {
     let aabb = graph.node(room).and_then(vc_graph::Node::aabb);
     aabb.is_some_and(|b| (b.min.x..=b.max.x).contains(&point.x) && (b.min.y..=b.max.y).contains(&point.y))
 }
