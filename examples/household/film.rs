@@ -29,7 +29,7 @@ pub(crate) struct Film {
     room: Option<NodeId>,
     /// All modalities of the moment in which most was going on.
     pub(crate) modalities: Option<[Picture; 2]>,
-    /// The moment before, for flow.
+    /// The moment of the last picture, for flow.
     before: Option<Environment>,
     pub(crate) last: Option<Picture>,
 }
@@ -82,9 +82,6 @@ impl Film {
     /// A tick has passed: now and then a picture is made.
     pub(crate) fn tick(&mut self, home: &Environment) -> Result<(), Complaint> {
         self.ticks += 1;
-        if self.ticks % self.every == self.every - 1 {
-            self.before = Some(home.clone());
-        }
         if !self.ticks.is_multiple_of(self.every) {
             return Ok(());
         }
@@ -96,7 +93,9 @@ impl Film {
         if self.pictures.len() > MOST {
             self.thin();
         }
-        self.look(home, [eyes, corner])
+        self.look(home, [eyes, corner])?;
+        self.before = Some(home.clone());
+        Ok(())
     }
 
     /// Keeps every other picture.
@@ -169,7 +168,7 @@ fn six(frame: &Frame) -> Picture {
         picture::instances(frame),
         picture::classes(frame),
         picture::depth(frame, 8.0),
-        picture::flow(frame, 12.0),
+        picture::flow(frame, 20.0),
         picture::with_boxes(picture::masks(frame), frame, 60),
     ];
     Picture::sheet(&all, 3, 4)

@@ -2,7 +2,7 @@
 //! compared.
 
 use vc_graph::{Action, ChangeSet, Event, NodeId, Relation, SceneGraph, Verb, rule};
-use vc_physics::World;
+use vc_physics::{Role, World};
 
 use super::agree::Outcome;
 use super::beat::Beat;
@@ -69,7 +69,8 @@ impl Environment {
     pub(super) fn act(&mut self, agent: NodeId, action: &Action) -> Result<Done, ActionError> {
         let mut ruled = self.graph.clone();
         let changes = rule::step(&mut ruled, agent, action).map_err(ActionError::Refused)?;
-        let (world, floor) = (self.world.clone(), self.floor.clone());
+        // The floor follows the bodies whenever it is asked.
+        let world = self.world.clone();
         let mut deed = Deed {
             world: &mut self.world,
             floor: &mut self.floor,
@@ -85,7 +86,7 @@ impl Environment {
         let done = outcome.and_then(|()| self.finish(agent, action, ruled, changes));
         match &done {
             Ok(_) => self.history.push(Event { agent, action: *action }),
-            Err(_) => (self.world, self.floor) = (world, floor),
+            Err(_) => self.world = world,
         }
         if done.as_ref().is_err_and(|e| !matches!(e, ActionError::Impossible { .. })) {
             self.look_at_all();
@@ -154,7 +155,7 @@ fn dress(graph: &mut SceneGraph, world: &World, agent: NodeId) {
     edit.commit();
 }
 
-/// Lets what was disturbed come to rest; what only trembles or rolls slowly is held still.
+/// Lets what was disturbed come to rest; what only trembles or creeps is held where it is.
 pub(super) fn calm(world: &mut World) {
     world.step();
     for _ in 0..AGAIN {
@@ -163,14 +164,24 @@ pub(super) fn calm(world: &mut World) {
             world.step();
             left -= 1;
         }
-        let fast = |id: NodeId| !world.is_asleep(id) && world.velocity(id).is_some_and(|v| v.norm() > SLOW);
-        if world.awake() == 0 || !world.nodes().into_iter().any(fast) {
+        let fast = |id: &NodeId| world.velocity(*id).is_some_and(|v| v.norm() > SLOW);
+        if !restless(world).iter().any(fast) {
             break;
         }
+    }
+    for id in restless(world) {
+        // It is loose, so it can be held.
+        let _ = world.pin(id);
     }
     if world.awake() > 0 {
         world.rest();
     }
+}
+
+/// Loose things that are awake.
+fn restless(world: &World) -> Vec<NodeId> {
+    let loose = |id: &NodeId| world.role(*id) == Some(Role::Loose) && !world.is_asleep(*id);
+    if world.awake() == 0 { Vec::new() } else { world.nodes().into_iter().filter(loose).collect() }
 }
 
 impl From<Disagreement> for ActionError {

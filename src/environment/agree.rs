@@ -74,8 +74,10 @@ impl Outcome<'_> {
     fn place(&self, id: NodeId) -> Option<Difference> {
         let (rule, bodies) = (self.places(self.ruled, id), self.places(self.observed, id));
         let was = self.places(self.before, id);
-        // A thing that the rule puts somewhere may touch more than what it is put on.
-        let agrees = if rule == was { bodies == rule } else { rule.iter().all(|p| bodies.contains(p)) };
+        // A thing that the rule puts somewhere may rest on more than what it is put on, and
+        // no longer on what it is taken off.
+        let ended = was.iter().any(|p| !rule.contains(p) && bodies.contains(p));
+        let agrees = if rule == was { bodies == rule } else { !ended && rule.iter().all(|p| bodies.contains(p)) };
         (!agrees).then(|| self.difference(id, |s| s.describe(&rule), |s| s.describe(&bodies)))
     }
 

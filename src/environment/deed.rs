@@ -209,18 +209,18 @@ impl Deed<'_> {
         Ok(())
     }
 
-    /// Before a thing, or before what it is on or in if there is no way to itself.
+    /// Before a thing: within reach, else beside it, else the same for what it is on or in.
     fn stand_before(&self, id: NodeId) -> Result<Option<Stand>, Impossible> {
         for id in std::iter::once(id).chain(self.before.support_chain(id)) {
-            if self.world.aabb(id).is_some() {
-                if let Some(stand) = self.stand_at(id, self.before.room_of(id))? {
-                    return Ok(Some(stand));
-                }
-            } else if let Some(stand) = self.stand_beside(id) {
+            let reach = match self.world.aabb(id) {
+                Some(_) => self.stand_at(id, self.before.room_of(id))?,
+                None => None,
+            };
+            if let Some(stand) = reach.or_else(|| self.stand_beside(id)) {
                 return Ok(Some(stand));
             }
         }
-        Ok(self.stand_beside(id))
+        Ok(None)
     }
 
     /// As near as possible to the middle of a room.

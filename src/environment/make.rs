@@ -4,13 +4,17 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::{Point2, Point3};
-use vc_graph::{AssetId, Draft, History, Kind, NodeId, Pose, SceneBuilder, SceneGraph};
-use vc_physics::{BodyPlan, Floor, FloorPlan, Settings, Shapes, World};
+use vc_graph::{AssetId, Draft, History, Kind, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
+use vc_physics::{BodyPlan, Floor, FloorPlan, Order, Settings, Shapes, World};
 use vc_relations::{Relations, Rule};
 
 use super::{Environment, MakeError, Start, act, observe, scene};
 use crate::figure;
 
+/// How far down a thing is that has fallen, metres.
+const FALL: f32 = 0.1;
+/// Steps in which agents find the ground.
+const LANDING: u32 = 24;
 /// Free floor kept between agents, metres from middle to middle.
 const APART: f32 = 0.8;
 /// How far from the middle of its room an agent may stand, metres.
@@ -52,6 +56,7 @@ impl Environment {
         let shapes = Shapes::new();
         let mut world = World::build(builder.graph(), &shapes, Settings::default())?;
         act::calm(&mut world);
+        put_back(&mut world, &mut builder)?;
         let floor = Floor::of(&world, FloorPlan::default());
         let places = standing_places(builder.graph(), &world, &floor, agents)?;
         for ((room, feet), person) in places.into_iter().zip(people) {
@@ -59,6 +64,7 @@ impl Environment {
             let id = builder.add_in(room, draft)?;
             world.add_agent(id, BodyPlan::default(), feet)?;
         }
+        world.run(LANDING);
         if builder.graph().agents().is_empty() {
             return Err(MakeError::NoAgents);
         }
@@ -88,6 +94,34 @@ impl Environment {
             start,
         }
     }
+}
+
+/// Puts what has fallen back to a free spot where the scene has it; what finds none and has
+/// fallen out of the home is taken out of the scene.
+fn put_back(world: &mut World, builder: &mut SceneBuilder) -> Result<(), MakeError> {
+    let drop = |n: &vc_graph::Node| Some(n.position()?.z - world.pose(n.id())?.translation.z);
+    let things = builder.graph().nodes().filter(|n| n.kind() == Kind::Object);
+    let mut fallen: Vec<NodeId> = things.filter(|n| drop(n).is_some_and(|d| d > FALL)).map(|n| n.id()).collect();
+    fallen.extend(world.outside());
+    fallen.sort_unstable();
+    fallen.dedup();
+    for &id in &fallen {
+        let place = builder.graph().place(id);
+        let at = |p: Place| world.free_spot_at(id, p.at, p.relation == Relation::Inside, Order::Middle);
+        if let Some(spot) = place.map(at).transpose()?.flatten() {
+            world.place(id, spot)?;
+        }
+    }
+    if !fallen.is_empty() {
+        act::calm(world);
+    }
+    for id in world.outside() {
+        world.remove(id)?;
+        let mut edit = builder.edit();
+        edit.remove(id)?;
+        edit.commit();
+    }
+    Ok(())
 }
 
 /// Rooms and feet for the agents that are still missing: in the middles of rooms that can

@@ -92,7 +92,7 @@ impl Environment {
         &self.relations
     }
 
-    /// The walkable floor.
+    /// The walkable floor, as it was when somebody last went somewhere.
     pub fn floor(&self) -> &Floor {
         &self.floor
     }

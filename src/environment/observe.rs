@@ -84,7 +84,7 @@ fn keep_places(before: &SceneGraph, graph: &mut SceneGraph, nodes: &[NodeId]) ->
 }
 
 /// Nodes whose moving parts are elsewhere.
-fn turned(before: &Evidence, now: &Evidence) -> Vec<NodeId> {
+pub(super) fn turned(before: &Evidence, now: &Evidence) -> Vec<NodeId> {
     let differs = |a: &Evidence, b: &Evidence| {
         let changed = a.positions.iter().filter(|(key, position)| b.positions.get(key) != Some(*position));
         changed.map(|((id, _), _)| *id).collect::<Vec<_>>()

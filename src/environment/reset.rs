@@ -92,7 +92,9 @@ impl Environment {
         let mut plan = Plan::of(&self.start.graph, &wanted);
         plan.lend_poses(&mut wanted)?;
         let (mut world, _) = self.start.world.reset(&wanted, &self.start.shapes)?;
+        undress(&mut world, &wanted)?;
         plan.settle_places(&mut world, &mut wanted)?;
+        seat(&mut world, &wanted);
         act::calm(&mut world);
         let relations = self.observed(&mut wanted, &world, new_shapes)?;
         let mut floor = self.start.floor.clone();
@@ -116,15 +118,42 @@ impl Environment {
             && graph.nodes().map(vc_graph::Node::id).eq(self.start.graph.nodes().map(vc_graph::Node::id));
         let differs = |n: &&vc_graph::Node| self.start.graph.node(n.id()) != Some(*n);
         changed.extend(graph.nodes().filter(differs).map(vc_graph::Node::id));
-        if same && !anew {
-            relations.update(graph, &changed)?;
+        let evidence = observe::evidence(world);
+        changed.extend(observe::turned(relations.evidence(), &evidence));
+        changed.sort_unstable();
+        changed.dedup();
+        let met = if same && !anew {
+            relations.set_evidence(graph, evidence)?;
+            relations.update(graph, &changed)?
         } else {
             relations.rebuild(graph)?;
-        }
-        relations.set_evidence(graph, observe::evidence(world))?;
-        let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
-        relations.write(graph, &all)?;
+            relations.set_evidence(graph, evidence)?;
+            graph.nodes().map(vc_graph::Node::id).collect()
+        };
+        relations.write(graph, &met)?;
         Ok(relations)
+    }
+}
+
+/// What is worn has no body.
+fn undress(world: &mut World, graph: &SceneGraph) -> Result<(), ResetError> {
+    for agent in graph.agents() {
+        for id in graph.relating(Relation::WornBy, *agent).filter(|id| world.pose(*id).is_some()).collect::<Vec<_>>() {
+            world.remove(id)?;
+        }
+    }
+    Ok(())
+}
+
+/// Who sits or lies by the graph does so, if the place is free and near.
+fn seat(world: &mut World, graph: &SceneGraph) {
+    for &agent in graph.agents() {
+        let on = |relation| graph.related(agent, relation).next();
+        if let Some(seat) = on(Relation::SittingOn) {
+            drop(world.sit(agent, seat));
+        } else if let Some(bed) = on(Relation::LyingOn) {
+            drop(world.lie(agent, bed));
+        }
     }
 }
 
