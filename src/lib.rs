@@ -33,12 +33,57 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # What is not here yet
+//! The same in a generated home with bodies: [`Environment`], whose five endpoints make a
+//! home, reset it, observe it, render it and let agents act. It is a [`tasks::World`] as
+//! the symbolic simulator is.
 //!
-//! The environment with its five endpoints (make, reset, render, observation, set
-//! action) and batches. Until then
-//! [`Simulator`](graph::Simulator) is the environment: symbolic, with poses that
-//! follow actions only roughly. Bodies are in `physics`, and not tied to its actions.
+//! ```no_run
+//! use virtualcity::render::{Modality, picture};
+//! use virtualcity::{Environment, Viewpoint};
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let me = home.agents()[0];
+//! let fridge = home.graph().of_class("fridge")[0];
+//! home.set_action(me, format!("walk fridge.{}", fridge.0).parse()?)?;
+//! let frame = home.render(Viewpoint::Agent(me), Modality::Rgb, 640, 480)?;
+//! std::fs::write("fridge.png", picture::png(&picture::rgb(&frame))?)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | here | what |
+//! |---|---|
+//! | [`Environment`] | make, reset, observation, render, set action; save and restore |
+//! | [`Batch`] | many of them, on all cores |
+//! | [`check_environment`] | the contract they keep, as a test |
+//! | [`Viewpoint`] | where a camera is |
+//!
+//! # What is not here
+//!
+//! Nobody gets into vehicles yet. Cloth, liquids and flames are states, not bodies: what is
+//! poured is seen by the vessel's level alone. What is worn has no body.
+
+#[cfg(feature = "environment")]
+mod batch;
+#[cfg(feature = "environment")]
+mod check;
+#[cfg(feature = "environment")]
+mod environment;
+#[cfg(feature = "environment")]
+mod figure;
+#[cfg(all(feature = "environment", feature = "render"))]
+mod sight;
+
+#[cfg(feature = "environment")]
+pub use batch::Batch;
+#[cfg(feature = "environment")]
+pub use check::{Breach, Tally, check_environment, legal_action, random_action, run};
+#[cfg(feature = "environment")]
+pub use environment::{
+    ActionError, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError, ResetError, ResetReport,
+    SaveError, Unplaced, Why,
+};
+#[cfg(all(feature = "environment", feature = "render"))]
+pub use sight::Viewpoint;
 
 #[cfg(feature = "procgen")]
 pub mod initial;

@@ -145,6 +145,13 @@ impl ChangeSet {
         self.changes.is_empty()
     }
 
+    /// Adds changes that were made after these.
+    #[must_use]
+    pub fn then(mut self, later: Self) -> Self {
+        self.changes.extend(later.changes);
+        self
+    }
+
     /// The changes that undo this set.
     #[must_use]
     pub fn inverse(&self) -> Self {

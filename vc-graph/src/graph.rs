@@ -278,9 +278,10 @@ impl SceneGraph {
     }
 
     /// Whether an agent is near a thing: it holds or wears it or rests on it; the
-    /// graph says so, directly or through one thing near both (VirtualHome's
-    /// rule); the thing rests on or in something near; or, where poses are known
-    /// and the room is the same, its box is within [`NEAR`] metres.
+    /// graph says so, directly or through one thing near both (VirtualHome's rule;
+    /// where poses are known, in the same room); the thing rests on or in something
+    /// near; or, where poses are known and the room is the same, its box is within
+    /// [`NEAR`] metres.
     pub fn near(&self, agent: NodeId, id: NodeId) -> bool {
         let (Some(body), Some(node)) = (self.node(agent), self.node(id)) else { return false };
         if node.affords(crate::Property::BodyPart) || body.has(Relation::Near, id) {
@@ -289,11 +290,18 @@ impl SceneGraph {
         if node.kind() == Kind::Room {
             return self.room_of(agent) == Some(id);
         }
-        if body.out(Relation::Near).any(|n| node.has(Relation::Near, n)) {
+        if body.out(Relation::Near).any(|n| node.has(Relation::Near, n)) && !self.is_next_door(body, node) {
             return true;
         }
         let at_hand = |p: Place| p.at == agent || body.has(Relation::Near, p.at);
         self.climb(id, &mut { at_hand }).is_some() || self.rests_at(agent, id) || self.within_reach(body, node)
+    }
+
+    /// Whether a thing is in another room, as far as poses and rooms are known: what both are
+    /// near is the door between, or the wall.
+    fn is_next_door(&self, agent: &Node, node: &Node) -> bool {
+        let rooms = (self.room_of(agent.id), self.room_of(node.id));
+        agent.pose.is_some() && node.pose.is_some() && rooms.0.is_some() && rooms.1.is_some() && rooms.0 != rooms.1
     }
 
     fn within_reach(&self, agent: &Node, node: &Node) -> bool {

@@ -59,7 +59,8 @@ impl World {
             world.put_all_open(id, if open { 1.0 } else { 0.0 })?;
         }
         for (&id, agent) in &self.agents {
-            if let Some(pose) = graph.node(id).and_then(Node::pose).filter(|p| !same(p, &agent.written))
+            let stays = |p: &Pose| same(p, &agent.written) || same(p, &agent.feet);
+            if let Some(pose) = graph.node(id).and_then(Node::pose).filter(|p| !stays(p))
                 && world.teleport(id, *pose).is_err()
             {
                 return Err(PhysicsError::NotFinite("the pose", id));

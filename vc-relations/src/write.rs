@@ -75,7 +75,9 @@ fn rests(edge: &Edge) -> bool {
 
 fn put(edit: &mut vc_graph::Edit<'_>, id: NodeId, edges: &[Edge]) -> Result<(), EditError> {
     let place = |e: &Edge| Place { relation: e.relation, at: e.to };
-    let places: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).collect();
+    // Of a thing that keeps its place the graph may say that it rests on this one.
+    let carried = |p: &Place| edit.graph().rests_at(p.at, id);
+    let places: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).filter(|p| !carried(p)).collect();
     if !places.is_empty() {
         edit.place_as_seen(id, &places, None)?;
     }

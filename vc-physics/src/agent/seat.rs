@@ -131,6 +131,15 @@ impl World {
         ground.is_some() && self.ray(from, to, &past).is_none() && self.fits(body, spot)
     }
 
+    /// Whether an agent would stand free with its feet at a pose: its body overlaps
+    /// nothing a little above the floor.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`].
+    pub fn stands_free(&self, agent: NodeId, feet: &Pose) -> Result<bool, AgentError> {
+        Ok(self.fits(self.agent(agent)?, feet))
+    }
+
     /// Whether an agent's capsule is free at a spot, a little above the floor.
     pub(crate) fn fits(&self, body: &Agent, spot: &Pose) -> bool {
         let plan = &body.plan;

@@ -70,6 +70,11 @@ impl World {
         self.moving_parts(id).iter().map(|p| p.open).reduce(f32::max)
     }
 
+    /// Whether a motor drives a part of a node.
+    pub fn is_driven(&self, id: NodeId) -> bool {
+        self.driven.iter().any(|(d, _)| *d == id)
+    }
+
     /// The state a node's moving parts show, as the graph has it: open, closed, or
     /// none where nothing moves.
     pub fn open_state(&self, id: NodeId) -> Option<vc_graph::State> {

@@ -9,7 +9,7 @@ use crate::Role;
 use crate::shapes::{Footprint, Link, levels};
 use crate::world::{Thing, World};
 
-/// Up to which motion a body counts as where it was, metres.
+/// Up to which motion a door counts as shut, metres.
 const SAME: f32 = 0.005;
 /// How far below the floor's level a floor may be and still be it, metres.
 const BELOW: f32 = 0.1;
@@ -64,8 +64,7 @@ impl Cover {
         self.id == thing.id
             && self.role == Some(thing.state.role)
             && self.locked == thing.state.moving.iter().any(|m| m.locked)
-            && self.poses.len() == now.len()
-            && self.poses.iter().zip(&now).all(|(a, b)| near(a, b))
+            && self.poses == now
     }
 }
 
@@ -143,7 +142,8 @@ pub(crate) fn covers(world: &World, plan: &FloorPlan) -> Vec<Cover> {
     world.things.iter().map(|t| Cover::of(world, t, plan)).collect()
 }
 
-/// Brings covers up to date; gives whether any changed.
+/// Brings covers up to date; gives whether any outline changed. They depend on where
+/// bodies are and not on how they came there.
 pub(crate) fn update(covers: &mut Vec<Cover>, world: &World, plan: &FloorPlan) -> bool {
     if covers.len() != world.things.len() || covers.iter().zip(&world.things).any(|(c, t)| c.id != t.id) {
         *covers = self::covers(world, plan);
@@ -152,8 +152,9 @@ pub(crate) fn update(covers: &mut Vec<Cover>, world: &World, plan: &FloorPlan) -
     let mut changed = false;
     for (cover, thing) in covers.iter_mut().zip(&world.things) {
         if !cover.is_current(world, thing) {
-            *cover = Cover::of(world, thing, plan);
-            changed = true;
+            let new = Cover::of(world, thing, plan);
+            changed |= new.outlines != cover.outlines || new.gate != cover.gate;
+            *cover = new;
         }
     }
     changed

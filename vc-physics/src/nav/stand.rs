@@ -38,6 +38,22 @@ impl Floor {
         from: Point2<f32>,
         id: NodeId,
     ) -> Result<Option<Stand>, PhysicsError> {
+        self.stand_where(world, plan, from, id, |feet| self.sees(world, plan, feet, id))
+    }
+
+    /// As [`Self::stand`], at a spot that a condition admits, which is asked last; whether
+    /// the thing can be seen from there is up to it.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    pub fn stand_where(
+        &self,
+        world: &World,
+        plan: &BodyPlan,
+        from: Point2<f32>,
+        id: NodeId,
+        mut admits: impl FnMut(&Pose) -> bool,
+    ) -> Result<Option<Stand>, PhysicsError> {
         let aabb = world.aabb(id).ok_or(PhysicsError::NoBody(id))?;
         let (low, high) = (aabb.min.xy().coords.add_scalar(-plan.reach), aabb.max.xy().coords.add_scalar(plan.reach));
         let mut spots: Vec<(f32, Point2<f32>)> = raster(low.into(), high.into())
@@ -51,7 +67,7 @@ impl Floor {
             if best.as_ref().is_some_and(|(route, _)| straight >= route.length) {
                 break;
             }
-            if !self.serves(world, plan, spot, id)? {
+            if !self.reaches(world, plan, spot, id)? || !admits(&self.feet(spot, &aabb.centre())) {
                 continue;
             }
             if let Some(route) = self.route(from, spot)
@@ -69,12 +85,16 @@ impl Floor {
         Pose::from_parts(nalgebra::Translation3::new(spot.x, spot.y, self.plan.level), turn)
     }
 
-    /// Whether a body that stands at a spot reaches a thing and sees it.
-    fn serves(&self, world: &World, plan: &BodyPlan, spot: Point2<f32>, id: NodeId) -> Result<bool, PhysicsError> {
-        let at = |height: f32| Point3::new(spot.x, spot.y, self.plan.level + height);
-        let arm = world.arm(plan, at(0.0), id)?;
+    fn reaches(&self, world: &World, plan: &BodyPlan, spot: Point2<f32>, id: NodeId) -> Result<bool, PhysicsError> {
+        let arm = world.arm(plan, Point3::new(spot.x, spot.y, self.plan.level), id)?;
+        Ok(world.distance_to(id, arm)? <= plan.reach - SLACK)
+    }
+
+    /// Whether a body that stands somewhere sees a thing: as
+    /// [`World::can_see`], from there. Agents are not in the way.
+    pub fn sees(&self, world: &World, plan: &BodyPlan, feet: &Pose, id: NodeId) -> bool {
         let agents: Vec<NodeId> = world.agents().collect();
-        Ok(world.distance_to(id, arm)? <= plan.reach - SLACK && world.sees(at(plan.eye()), id, &agents)?)
+        world.sees(feet * Point3::new(0.0, 0.0, plan.eye()), id, &agents).unwrap_or(false)
     }
 }
 

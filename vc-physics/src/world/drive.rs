@@ -126,6 +126,19 @@ impl World {
         Ok(())
     }
 
+    /// Holds a loose thing where it is, as if it hung there, until it is taken or pushed:
+    /// for what will not come to rest.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NotFree`].
+    pub fn pin(&mut self, id: NodeId) -> Result<(), PhysicsError> {
+        match self.thing(id)?.state.role {
+            Role::Loose => self.set_role(id, Role::Hung),
+            Role::Hung => Ok(()),
+            _ => Err(PhysicsError::NotFree(id)),
+        }
+    }
+
     /// The body of a thing that moves; what hangs is taken down.
     fn loosen(&mut self, id: NodeId) -> Result<RigidBodyHandle, PhysicsError> {
         let thing = self.thing(id)?;

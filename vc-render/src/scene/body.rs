@@ -49,9 +49,13 @@ impl Instance {
     /// Puts it where its body's pose and its joint say; false if it has no extent
     /// there in some direction.
     pub(crate) fn put(&mut self, pose: &Pose, scale: &Vector3<f32>) -> bool {
-        let base = Affine::placed(pose, scale);
-        let own = self.link.joint.map_or(Affine::IDENTITY, |joint| Affine::of(&joint.motion(self.joint)));
-        self.world = base.after(&own);
+        let own = self.link.joint.map_or_else(Pose::identity, |joint| joint.motion(self.joint));
+        self.arrange(pose, scale, &own)
+    }
+
+    /// Puts it where its body's pose and its own motion say.
+    pub(crate) fn arrange(&mut self, pose: &Pose, scale: &Vector3<f32>, own: &Pose) -> bool {
+        self.world = Affine::placed(pose, scale).after(&Affine::of(own));
         self.mirrored = self.world.determinant() < 0.0;
         let inverse = self.world.inverse();
         self.inverse = inverse.unwrap_or(Affine::IDENTITY).narrow();

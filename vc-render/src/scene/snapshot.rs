@@ -108,6 +108,27 @@ impl Snapshot {
         Ok(())
     }
 
+    /// Puts the links of a body where a chain of joints has them, as a person's limbs:
+    /// `place` gives for each joint how far what hangs on it has moved from where the
+    /// asset has it, in the asset's frame.
+    ///
+    /// # Errors
+    /// [`RenderError::NoBody`], [`RenderError::BadPose`].
+    pub fn arrange(&mut self, node: NodeId, mut place: impl FnMut(&Joint) -> Option<Pose>) -> Result<(), RenderError> {
+        let index = self.body(node)?;
+        let body = &mut self.bodies[index];
+        let instances = &mut self.instances[body.instances.start as usize..body.instances.end as usize];
+        for instance in &mut *instances {
+            let Some(moved) = instance.link.joint.and_then(|j| place(&j)) else { continue };
+            if !Affine::of(&moved).is_finite() {
+                return Err(RenderError::BadPose(node));
+            }
+            instance.arrange(&body.pose, &body.scale, &moved);
+        }
+        body.bounds = body.measured(instances);
+        Ok(())
+    }
+
     /// Switches what glows of a body.
     ///
     /// # Errors

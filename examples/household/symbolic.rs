@@ -1,61 +1,26 @@
-//! An agent pursues a household goal, seeing only the room it stands in.
-//!
-//! `cargo run --release --example household` does the main job: the bundled
-//! apartment, three apples to the kitchen table, and the fridge closed at the end.
-//! `--scene FILE --goal TEXT` takes any scene and goal, `--list` shows what can be
-//! asked of a scene.
-
-mod support;
+//! The symbolic run: the transition rule alone, in the bundled apartment or any scene.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use clap::Parser;
-use support::{Complaint, say};
 use vc_graph::format::read_scene;
 use vc_graph::goal::Situation;
 use vc_graph::{Action, ClassTable, Goal, Kind, NodeId, SceneGraph, Simulator, Verb, Word};
 use vc_planner::{Episode, Newcomer, Policy, Resident, Run, Step};
 use vc_tasks::{Outcome, Task};
 
+use crate::Options;
+use crate::support::{self, Complaint, say};
+
 /// The hand-made apartment that comes with the project.
-const APARTMENT: &str = include_str!("data/apartment.json");
+const APARTMENT: &str = include_str!("../data/apartment.json");
 
-/// An agent pursues a household goal, seeing only the room it stands in.
-#[derive(Parser)]
-struct Options {
-    /// A scene: the thesis's JSON, VirtualHome's environment graph or our own; .gz is unpacked.
-    #[arg(long)]
-    scene: Option<PathBuf>,
-    /// The goal, such as "Inside(plate, dishwasher), 2 & Closed(dishwasher)".
-    #[arg(long, default_value = "On(apple, kitchentable), 3 & Closed(fridge)")]
-    goal: String,
-    /// Classes of your own, in the format of `ClassTable::parse`.
-    #[arg(long)]
-    classes: Option<PathBuf>,
-    /// Show what can be asked of the scene, and stop.
-    #[arg(long)]
-    list: bool,
-    /// What the agent guesses by.
-    #[arg(long, default_value_t = 0)]
-    seed: u64,
-    /// Let the agent know everything from the start.
-    #[arg(long, conflicts_with = "faithful")]
-    full_knowledge: bool,
-    /// Plan as the thesis's agent does: guess uniformly, one subgoal after the other.
-    #[arg(long)]
-    faithful: bool,
-    /// After how many actions to stop.
-    #[arg(long, default_value_t = 500)]
-    steps: usize,
-    /// Where to write the trajectory, as JSON Lines.
-    #[arg(long, default_value = "out/household.jsonl")]
-    out: PathBuf,
-}
+/// What the goal is unless one is given.
+const GOAL: &str = "On(apple, kitchentable), 3 & Closed(fridge)";
 
-fn main() -> Result<(), Complaint> {
-    let options = Options::parse();
+/// Runs the agent in the symbolic simulator.
+pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     let classes = classes(options.classes.as_deref())?;
     let text = options.scene.as_deref().map_or_else(|| Ok(APARTMENT.to_owned()), support::read)?;
     let scene = read_scene(&text, &classes).map_err(Complaint::new)?;
@@ -66,13 +31,13 @@ fn main() -> Result<(), Complaint> {
         list(&scene, me);
         return Ok(());
     }
-    let goal: Goal = options.goal.parse().map_err(Complaint::new)?;
+    let goal: Goal = options.goal.as_deref().unwrap_or(GOAL).parse().map_err(Complaint::new)?;
     let task = Task { title: "household".into(), goal, step_limit: options.steps };
     let obstacles: Vec<String> = task.obstacles(&scene).iter().map(ToString::to_string).collect();
     if !obstacles.is_empty() {
         return Err(Complaint::new(format!("this goal makes no sense here:\n  {}", obstacles.join("\n  "))));
     }
-    run(&options, &scene, me, &task)
+    run(options, &scene, me, &task)
 }
 
 fn classes(own: Option<&Path>) -> Result<Arc<ClassTable>, Complaint> {
@@ -94,7 +59,7 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
         _ => &mut best,
     };
     let mut world = Simulator::new(scene.clone());
-    let mut record = Record::create(&options.out, scene, task, options.seed)?;
+    let mut record = Record::create(&options.out.with_extension("jsonl"), scene, task, options.seed)?;
     let mut failed = None;
     let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
     let episode = run.episode(policy, task, &mut world, &mut |step| {
@@ -106,7 +71,7 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     }
     record.line(&episode.summary())?;
     verdict(scene, me, task, &world, &episode)?;
-    say!("trajectory written to {}", options.out.display());
+    say!("trajectory written to {}", options.out.with_extension("jsonl").display());
     Ok(())
 }
 
@@ -125,7 +90,7 @@ fn show(step: &Step) {
 }
 
 /// The first few of a list, and how many more there are.
-fn summary(items: &[String]) -> String {
+pub(crate) fn summary(items: &[String]) -> String {
     const SHOWN: usize = 8;
     match items.len() {
         0 => "nothing new".into(),

@@ -1,0 +1,68 @@
+//! An agent with a body pursues a household goal in a generated home, seeing only the room
+//! it stands in.
+//!
+//! `cargo run --release --example household -- --seed 42 --out out/household` writes a folder:
+//! `index.html` shows the film (from its eyes and from a corner of the room), the six
+//! modalities, the home from above with the way it went; `trajectory.jsonl` has every step.
+//! `--scene FILE` takes a scene file with poses, `--task TITLE` a task of the library,
+//! `--goal TEXT` any goal. `--symbolic` does it without bodies: by default the bundled
+//! apartment, three apples to the kitchen table, and the fridge closed at the end.
+//! `--list` shows what can be asked of a scene.
+
+mod film;
+mod page;
+mod physical;
+#[path = "../support/mod.rs"]
+mod support;
+mod symbolic;
+
+use std::path::PathBuf;
+
+use clap::Parser;
+use support::Complaint;
+
+/// An agent pursues a household goal, seeing only the room it stands in.
+#[derive(Parser)]
+pub(crate) struct Options {
+    /// The home's seed; what the agent guesses by.
+    #[arg(long, default_value_t = 42)]
+    seed: u64,
+    /// A scene: the thesis's JSON, VirtualHome's environment graph or our own.
+    #[arg(long)]
+    scene: Option<PathBuf>,
+    /// A task of the library, by the beginning of its title.
+    #[arg(long)]
+    task: Option<String>,
+    /// The goal, such as "Inside(plate, dishwasher), 2 & Closed(dishwasher)".
+    #[arg(long)]
+    goal: Option<String>,
+    /// How many agents are in the home; the first one acts.
+    #[arg(long, default_value_t = 2)]
+    agents: usize,
+    /// The folder to write to (the file, without its ending, of a symbolic run).
+    #[arg(long, default_value = "out/household")]
+    out: PathBuf,
+    /// After how many actions to stop.
+    #[arg(long, default_value_t = 500)]
+    steps: usize,
+    /// Let the agent know everything from the start.
+    #[arg(long)]
+    full_knowledge: bool,
+    /// Without bodies: the transition rule alone.
+    #[arg(long)]
+    symbolic: bool,
+    /// Show what can be asked of the scene, and stop.
+    #[arg(long)]
+    list: bool,
+    /// Classes of your own for a symbolic run, in the format of `ClassTable::parse`.
+    #[arg(long)]
+    classes: Option<PathBuf>,
+    /// Pixels across of each picture; it is three quarters as high.
+    #[arg(long, default_value_t = 320, value_parser = clap::value_parser!(u32).range(64..=1280))]
+    width: u32,
+}
+
+fn main() -> Result<(), Complaint> {
+    let options = Options::parse();
+    if options.symbolic || options.list { symbolic::main(&options) } else { physical::main(&options) }
+}

@@ -1,0 +1,64 @@
+//! Many environments, stepped on all cores.
+
+use rayon::prelude::*;
+use vc_graph::{Action, ChangeSet, NodeId, Observation};
+
+use crate::environment::{ActionError, Environment, MakeError};
+
+/// Environments that are stepped side by side. Each runs in one thread at a time, so that
+/// outcomes do not depend on how many threads there are, nor on which is done first.
+///
+/// ```no_run
+/// use virtualcity::Batch;
+/// let mut batch = Batch::make((0..16).map(|seed| format!("apartment/{seed}")), 1)?;
+/// let everybody: Vec<_> = batch.environments().iter().map(|e| e.agents()[0]).collect();
+/// let dance = "dance".parse()?;
+/// let actions: Vec<_> = everybody.iter().map(|agent| vec![(*agent, dance)]).collect();
+/// let outcomes = batch.set_actions(&actions);
+/// assert!(outcomes.iter().flatten().all(Result::is_ok));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Batch {
+    environments: Vec<Environment>,
+}
+
+impl Batch {
+    /// Environments by name, each as [`Environment::make`] makes it.
+    ///
+    /// # Errors
+    /// [`MakeError`] of the first that cannot be made.
+    pub fn make(names: impl IntoIterator<Item = String>, agents: usize) -> Result<Self, MakeError> {
+        let names: Vec<String> = names.into_iter().collect();
+        let made: Vec<_> = names.par_iter().map(|name| Environment::make(name, agents)).collect();
+        Ok(Self { environments: made.into_iter().collect::<Result<_, _>>()? })
+    }
+
+    /// A batch of environments that are there: clones of one share what is constant.
+    pub fn of(environments: Vec<Environment>) -> Self {
+        Self { environments }
+    }
+
+    /// The environments.
+    pub fn environments(&self) -> &[Environment] {
+        &self.environments
+    }
+
+    /// The environments, to do with them what one likes.
+    pub fn environments_mut(&mut self) -> &mut [Environment] {
+        &mut self.environments
+    }
+
+    /// A list of actions for each environment: `Environment::set_actions`, in all at once.
+    /// Environments for which there is no list do nothing.
+    pub fn set_actions(&mut self, actions: &[Vec<(NodeId, Action)>]) -> Vec<Vec<Result<ChangeSet, ActionError>>> {
+        let pairs = self.environments.par_iter_mut().zip(actions);
+        pairs.map(|(environment, actions)| environment.set_actions(actions)).collect()
+    }
+
+    /// What an agent of each environment sees of its room: `Environment::room_observation`.
+    pub fn room_observations(&self, agents: &[NodeId]) -> Vec<Observation> {
+        let pairs = self.environments.par_iter().zip(agents);
+        pairs.map(|(environment, agent)| environment.room_observation(*agent)).collect()
+    }
+}

@@ -1,0 +1,244 @@
+//! The contract every environment keeps, as a test that anybody can run.
+
+use vc_graph::{Action, Kind, NodeId, SceneGraph, Seed, Stream, Verb, Word, rule};
+
+use crate::environment::{ActionError, Environment, MakeError};
+
+/// Something an environment does that it should not.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Breach {
+    /// Two environments made alike are not.
+    #[error("made twice alike, the environments differ before anything was done")]
+    MadeDifferently,
+    /// The same actions lead elsewhere.
+    #[error("after {actions} equal actions two equal environments differ")]
+    RunDifferently {
+        /// After how many.
+        actions: usize,
+    },
+    /// To observe changed something.
+    #[error("an observation changed the environment, after {actions} actions")]
+    ImpureObservation {
+        /// After how many.
+        actions: usize,
+    },
+    /// A refused action changed something.
+    #[error("`{action}` was not done ({error}) and changed the environment")]
+    RefusedAndChanged {
+        /// Which action.
+        action: String,
+        /// Why it was not done.
+        error: String,
+    },
+    /// The rule refuses an action that the environment did.
+    #[error("`{0}` was done although the transition rule refuses it")]
+    DoneThoughRefused(String),
+    /// The order of a list of actions mattered.
+    #[error("the order in which agents' actions are listed matters")]
+    OrderMatters,
+    /// A saved environment does not go on as the original does.
+    #[error("a restored environment differs after {actions} more actions")]
+    RestoredDiffers {
+        /// After how many.
+        actions: usize,
+    },
+    /// It could not be saved or restored.
+    #[error("it cannot be saved and restored: {0}")]
+    NotSaved(String),
+    /// The graph broke an invariant.
+    #[error("after `{action}`: {violation}")]
+    Invariant {
+        /// After which action.
+        action: String,
+        /// What is wrong with the graph.
+        violation: String,
+    },
+    /// A number is not finite, or something is out of the world.
+    #[error("after `{action}`: {what}")]
+    Lost {
+        /// After which action.
+        action: String,
+        /// What is lost.
+        what: String,
+    },
+    /// A reset to its own beginning leads elsewhere.
+    #[error("a reset to the scene as it was made does not lead back to it")]
+    ResetDiffers,
+}
+
+/// What a run of random actions came to.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Tally {
+    /// Actions that were done.
+    pub done: usize,
+    /// Actions that the rule refused.
+    pub refused: usize,
+    /// What the bodies could not do, in words.
+    pub impossible: Vec<String>,
+    /// Where bodies and rule disagreed, in words.
+    pub disagreements: Vec<String>,
+    /// What was wrong.
+    pub breaches: Vec<Breach>,
+}
+
+/// Checks the contract of an environment, as Gymnasium's checker does: the same seed gives
+/// the same bytes, to observe changes nothing, an action that is not done changes nothing,
+/// the order of a list of actions does not matter, what is saved and restored goes on as
+/// what was not, a reset leads back to the beginning. Returns every breach; none from a
+/// sound environment.
+///
+/// `make` makes the environment, twice alike; `actions` random ones are tried.
+///
+/// # Errors
+/// [`MakeError`] if it cannot be made.
+///
+/// ```no_run
+/// use virtualcity::{Environment, check_environment};
+/// use virtualcity::graph::Seed;
+/// let breaches = check_environment(&|| Environment::make("apartment/42", 2), 40, Seed(1))?;
+/// assert!(breaches.is_empty(), "{breaches:?}");
+/// # Ok::<(), virtualcity::MakeError>(())
+/// ```
+pub fn check_environment(
+    make: &dyn Fn() -> Result<Environment, MakeError>,
+    actions: usize,
+    seed: Seed,
+) -> Result<Vec<Breach>, MakeError> {
+    let (mut one, mut other) = (make()?, make()?);
+    if one.digest() != other.digest() {
+        return Ok(vec![Breach::MadeDifferently]);
+    }
+    let mut breaches = Vec::new();
+    check_order(&one, seed, &mut breaches);
+    let first = run(&mut one, actions / 2, seed.child("first"));
+    let again = run(&mut other, actions / 2, seed.child("first"));
+    if one.digest() != other.digest() || first != again {
+        breaches.push(Breach::RunDifferently { actions: actions / 2 });
+    }
+    breaches.extend(first.breaches);
+    check_saving(&mut one, actions - actions / 2, seed.child("second"), &mut breaches);
+    check_reset(&mut one, &mut breaches);
+    Ok(breaches)
+}
+
+/// Lets random agents do random actions, half of them legal, and looks after each whether
+/// the environment is sound.
+pub fn run(environment: &mut Environment, actions: usize, seed: Seed) -> Tally {
+    let mut stream = seed.stream();
+    let mut tally = Tally::default();
+    for _ in 0..actions {
+        let Some(&agent) = stream.pick(environment.agents()) else { break };
+        let action = random_action(environment.graph(), agent, &mut stream);
+        try_action(environment, agent, action, &mut tally);
+    }
+    tally
+}
+
+fn try_action(environment: &mut Environment, agent: NodeId, action: Action, tally: &mut Tally) {
+    let before = environment.digest();
+    let text = action.describe(environment.graph()).to_string();
+    let refused = !rule::refusals(environment.graph(), agent, &action).is_empty();
+    let outcome = environment.set_action(agent, action);
+    let after = environment.digest();
+    match &outcome {
+        Ok(_) if refused => tally.breaches.push(Breach::DoneThoughRefused(text.clone())),
+        Ok(_) => tally.done += 1,
+        Err(ActionError::Disagreement(why)) => tally.disagreements.push(why.to_string()),
+        Err(ActionError::Refused(_)) => tally.refused += 1,
+        Err(other) => tally.impossible.push(other.to_string()),
+    }
+    if let Err(error) = outcome
+        && before != after
+    {
+        tally.breaches.push(Breach::RefusedAndChanged { action: text.clone(), error: error.to_string() });
+    }
+    let _ = (environment.observation(agent, 3.0), environment.room_observation(agent));
+    if environment.digest() != after {
+        tally.breaches.push(Breach::ImpureObservation { actions: environment.history().events().len() });
+    }
+    tally.breaches.extend(unsound(environment, &text));
+}
+
+/// What is wrong with an environment after an action.
+fn unsound(environment: &Environment, action: &str) -> Vec<Breach> {
+    let (graph, world) = (environment.graph(), environment.world());
+    let known = environment.start().validate();
+    let violations = graph.validate().into_iter().filter(|v| !known.contains(v));
+    let broken = violations.map(|v| Breach::Invariant { action: action.to_owned(), violation: v.to_string() });
+    let lost = |what: String| Breach::Lost { action: action.to_owned(), what };
+    let wild = |n: &vc_graph::Node| n.pose().is_some_and(|p| !p.translation.vector.iter().all(|v| v.is_finite()));
+    let not_finite =
+        graph.nodes().filter(|n| wild(n)).map(|n| lost(format!("the pose of {} is not finite", n.label())));
+    let outside = world.outside().into_iter().map(|id| lost(format!("{} is outside the home", graph.label(id))));
+    let stopped = world.stopped().iter().map(|id| lost(format!("{} became non-finite", graph.label(*id))));
+    broken.chain(not_finite).chain(outside).chain(stopped).collect()
+}
+
+fn check_order(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach>) {
+    let mut stream = seed.child("order").stream();
+    let act = |agent: &NodeId| (*agent, legal_action(environment.graph(), *agent, &mut stream));
+    let mut actions: Vec<(NodeId, Action)> = environment.agents().iter().map(act).collect();
+    let (mut one, mut other) = (environment.clone(), environment.clone());
+    one.set_actions(&actions);
+    actions.reverse();
+    other.set_actions(&actions);
+    if one.digest() != other.digest() {
+        breaches.push(Breach::OrderMatters);
+    }
+}
+
+fn check_saving(environment: &mut Environment, actions: usize, seed: Seed, breaches: &mut Vec<Breach>) {
+    let restored = environment.save().and_then(|bytes| environment.restore(&bytes));
+    let mut restored = match restored {
+        Ok(restored) => restored,
+        Err(error) => return breaches.push(Breach::NotSaved(error.to_string())),
+    };
+    let own = run(environment, actions, seed);
+    let theirs = run(&mut restored, actions, seed);
+    if environment.digest() != restored.digest() || own != theirs {
+        breaches.push(Breach::RestoredDiffers { actions });
+    }
+    breaches.extend(own.breaches);
+}
+
+fn check_reset(environment: &mut Environment, breaches: &mut Vec<Breach>) {
+    let start = environment.start().clone();
+    let report = environment.reset(&start);
+    if report.is_err() || environment.graph() != &start {
+        breaches.push(Breach::ResetDiffers);
+    }
+}
+
+/// A random action: legal as often as not.
+pub fn random_action(graph: &SceneGraph, agent: NodeId, stream: &mut Stream) -> Action {
+    if stream.chance(0.5) { legal_action(graph, agent, stream) } else { any_action(graph, agent, stream) }
+}
+
+/// A random action that the rule allows; a dance where none is found.
+pub fn legal_action(graph: &SceneGraph, agent: NodeId, stream: &mut Stream) -> Action {
+    let tries = (0..60).map(|_| any_action(graph, agent, stream));
+    let legal = |action: &Action| rule::refusals(graph, agent, action).is_empty();
+    tries.into_iter().find(legal).unwrap_or(Action::zero(Verb::Dance))
+}
+
+/// Any verb with any things, more often with what is near or in hand.
+fn any_action(graph: &SceneGraph, agent: NodeId, stream: &mut Stream) -> Action {
+    let verb = stream.pick(Verb::ALL).copied().unwrap_or(Verb::Dance);
+    let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
+    let body = graph.node(agent).and_then(vc_graph::Node::position);
+    let near: Vec<NodeId> = body.map(|at| graph.within(at, 2.0)).unwrap_or_default();
+    let held: Vec<NodeId> = graph.held(agent).collect();
+    let of_the_home = |id: &NodeId| graph.node(*id).is_some_and(|n| n.kind() != Kind::Room);
+    let near: Vec<NodeId> = near.into_iter().filter(of_the_home).collect();
+    let mut thing = || {
+        let list = match stream.below(4) {
+            0 if !held.is_empty() => &held,
+            1 | 2 if !near.is_empty() => &near,
+            _ => &all,
+        };
+        stream.pick(list).copied().unwrap_or(agent)
+    };
+    let things: Vec<NodeId> = (0..verb.arity()).map(|_| thing()).collect();
+    Action::with(verb, &things).unwrap_or(Action::zero(Verb::Dance))
+}

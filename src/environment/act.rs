@@ -1,0 +1,199 @@
+//! Actions: the rule is asked, bodies move, the scene is observed again, both are
+//! compared.
+
+use vc_graph::{Action, ChangeSet, Event, NodeId, Relation, SceneGraph, Verb, rule};
+use vc_physics::{Role, World};
+
+use super::agree::Outcome;
+use super::beat::Beat;
+use super::deed::Deed;
+use super::{ActionError, Disagreement, Environment, Impossible, observe};
+
+/// Steps in which what an action has disturbed comes to rest.
+const CALM: u32 = 120;
+/// How often that is tried while something still moves fast.
+const AGAIN: u32 = 4;
+/// What is slower is held still then, metres a second.
+const SLOW: f32 = 0.05;
+
+/// What came of an action.
+pub(super) struct Done {
+    pub(super) changes: ChangeSet,
+    pub(super) beats: Vec<Beat>,
+}
+
+impl Environment {
+    /// Lets an agent act, at once.
+    ///
+    /// 1. `rule::step` on a copy of the graph: what the transition rule says, or why not.
+    /// 2. Bodies do each of its effects: `Floor::stand` and a walk, `World::grab`,
+    ///    `World::free_spot_at` and `World::put`, `World::drive`, `World::sit` ...
+    /// 3. `World::settle`: what was disturbed comes to rest.
+    /// 4. `Relations::update` and `Relations::write`: what has moved is observed again.
+    /// 5. What is observed is held against what the rule says.
+    ///
+    /// # Errors
+    /// [`ActionError`]; then nothing has changed.
+    pub fn set_action(&mut self, agent: NodeId, action: Action) -> Result<ChangeSet, ActionError> {
+        self.act(agent, &action).map(|done| done.changes)
+    }
+
+    /// Lets several agents act, at once. They act in the order of their numbers, whatever
+    /// the order of the list; the outcomes come in the order of the list. Who is to do two
+    /// things does neither.
+    pub fn set_actions(&mut self, actions: &[(NodeId, Action)]) -> Vec<Result<ChangeSet, ActionError>> {
+        let done = self.in_order(actions, |home, agent, action| home.act(agent, action));
+        done.into_iter().map(|d| d.map(|d| d.changes)).collect()
+    }
+
+    /// Does something for each action, in the order of the agents' numbers.
+    pub(super) fn in_order<T>(
+        &mut self,
+        actions: &[(NodeId, Action)],
+        mut act: impl FnMut(&mut Self, NodeId, &Action) -> Result<T, ActionError>,
+    ) -> Vec<Result<T, ActionError>> {
+        let mut order: Vec<usize> = (0..actions.len()).collect();
+        order.sort_by_key(|&i| actions[i].0);
+        let twice = |agent| actions.iter().filter(|(a, _)| *a == agent).count() > 1;
+        let mut all: Vec<(usize, Result<T, ActionError>)> = Vec::with_capacity(actions.len());
+        for index in order {
+            let (agent, action) = actions[index];
+            let outcome =
+                if twice(agent) { Err(ActionError::Twice(self.graph.label(agent))) } else { act(self, agent, &action) };
+            all.push((index, outcome));
+        }
+        all.sort_by_key(|(index, _)| *index);
+        all.into_iter().map(|(_, outcome)| outcome).collect()
+    }
+
+    pub(super) fn act(&mut self, agent: NodeId, action: &Action) -> Result<Done, ActionError> {
+        let mut ruled = self.graph.clone();
+        let changes = rule::step(&mut ruled, agent, action).map_err(ActionError::Refused)?;
+        // The floor follows the bodies whenever it is asked.
+        let world = self.world.clone();
+        let mut deed = Deed {
+            world: &mut self.world,
+            floor: &mut self.floor,
+            shapes: &self.start.shapes,
+            before: &self.graph,
+            after: &ruled,
+            agent,
+            run: action.verb == Verb::Run,
+            beats: Vec::new(),
+        };
+        let outcome = deed.all(action);
+        let beats = std::mem::take(&mut deed.beats);
+        let done = outcome.and_then(|()| self.finish(agent, action, ruled, changes));
+        match &done {
+            Ok(_) => self.history.push(Event { agent, action: *action }),
+            Err(_) => self.world = world,
+        }
+        if done.as_ref().is_err_and(|e| !matches!(e, ActionError::Impossible { .. })) {
+            self.look_at_all();
+        }
+        done.map(|changes| Done { changes, beats })
+    }
+
+    /// Lets bodies come to rest, observes, compares, and keeps what is observed.
+    fn finish(
+        &mut self,
+        agent: NodeId,
+        action: &Action,
+        ruled: SceneGraph,
+        changes: ChangeSet,
+    ) -> Result<ChangeSet, ActionError> {
+        calm(&mut self.world);
+        let mut observed = ruled.clone();
+        dress(&mut observed, &self.world, agent);
+        let changed: Vec<NodeId> = changes.changes().iter().filter_map(holder).chain([agent]).collect();
+        let looked = observe::look_again(&mut observed, &self.world, &mut self.relations, &changed);
+        let action_text = action.describe(&self.graph).to_string();
+        let (met, seen) = looked.map_err(|why| {
+            self.look_at_all();
+            ActionError::Impossible { action: action_text.clone(), why }
+        })?;
+        let outcome = Outcome { before: &self.graph, ruled: &ruled, observed: &observed, world: &self.world };
+        let differences = outcome.differences(agent, action, &changes, &met);
+        if !differences.is_empty() {
+            return Err(Disagreement { action: action_text, differences }.into());
+        }
+        self.graph = observed;
+        Ok(changes.then(seen))
+    }
+
+    /// Reads all relations anew from the graph and the bodies as they are.
+    pub(super) fn look_at_all(&mut self) {
+        let mut relations = self.start.relations.clone();
+        let read = relations.rebuild(&self.graph);
+        // All of it was read before, so it can be read again.
+        if read.and_then(|()| relations.set_evidence(&self.graph, observe::evidence(&self.world))).is_ok() {
+            self.relations = relations;
+        }
+    }
+}
+
+/// What is somewhere else by the rule, or in another state.
+fn holder(change: &vc_graph::Change) -> Option<NodeId> {
+    use vc_graph::Change::{Link, States, Unlink};
+    match change {
+        Link(e) | Unlink(e) if matches!(e.relation, Relation::HoldsRight | Relation::HoldsLeft) => Some(e.to),
+        Link(e) | Unlink(e) if Relation::places().contains(&e.relation) => Some(e.from),
+        States { id, .. } => Some(*id),
+        _ => None,
+    }
+}
+
+/// What is worn has no body; it is where its wearer is.
+fn dress(graph: &mut SceneGraph, world: &World, agent: NodeId) {
+    let Some(feet) = world.pose(agent) else { return };
+    let worn: Vec<NodeId> = graph.relating(Relation::WornBy, agent).collect();
+    let mut edit = graph.edit();
+    for id in worn {
+        // The feet's pose is finite, the node is there.
+        let _ = edit.set_pose(id, Some(feet * vc_graph::Pose::translation(0.0, 0.0, 0.9)));
+    }
+    edit.commit();
+}
+
+/// Lets what was disturbed come to rest; what only trembles or creeps is held where it is.
+pub(super) fn calm(world: &mut World) {
+    world.step();
+    for _ in 0..AGAIN {
+        let mut left = CALM;
+        while left > 0 && world.awake() > 0 {
+            world.step();
+            left -= 1;
+        }
+        let fast = |id: &NodeId| world.velocity(*id).is_some_and(|v| v.norm() > SLOW);
+        if !restless(world).iter().any(fast) {
+            break;
+        }
+    }
+    for id in restless(world) {
+        // It is loose, so it can be held.
+        let _ = world.pin(id);
+    }
+    if world.awake() > 0 {
+        world.rest();
+    }
+}
+
+/// Loose things that are awake.
+fn restless(world: &World) -> Vec<NodeId> {
+    let loose = |id: &NodeId| world.role(*id) == Some(Role::Loose) && !world.is_asleep(*id);
+    if world.awake() == 0 { Vec::new() } else { world.nodes().into_iter().filter(loose).collect() }
+}
+
+impl From<Disagreement> for ActionError {
+    fn from(disagreement: Disagreement) -> Self {
+        Self::Disagreement(Box::new(disagreement))
+    }
+}
+
+impl Impossible {
+    /// Whether another body or a piece of the home is in the way, rather than the deed
+    /// being beyond bodies.
+    pub fn is_in_the_way(&self) -> bool {
+        matches!(self, Self::NoStand(_) | Self::NoSpot { .. } | Self::Stuck { .. })
+    }
+}

@@ -1,0 +1,144 @@
+//! Whether what the bodies did is what the transition rule says.
+
+use std::fmt;
+
+use vc_graph::{Action, Change, ChangeSet, Effect, Kind, Label, NodeId, Place, Relation, SceneGraph, State, rule};
+use vc_physics::World;
+
+/// The bodies did an action, and what came out is not what the transition rule says.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{action}: the bodies and the rule disagree: {}", listed(.differences))]
+pub struct Disagreement {
+    /// What was done.
+    pub action: String,
+    /// Where they disagree.
+    pub differences: Vec<Difference>,
+}
+
+/// One thing about which the rule and the bodies say different things.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Difference {
+    /// About what.
+    pub thing: Label,
+    /// What the transition rule says.
+    pub rule: String,
+    /// What the bodies show.
+    pub bodies: String,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is {} by the rule and {} by the bodies", self.thing, self.rule, self.bodies)
+    }
+}
+
+fn listed(differences: &[Difference]) -> String {
+    differences.iter().map(Difference::to_string).collect::<Vec<_>>().join("; ")
+}
+
+/// The graph the rule makes, the graph as observed after, and the bodies.
+pub(super) struct Outcome<'a> {
+    pub(super) before: &'a SceneGraph,
+    pub(super) ruled: &'a SceneGraph,
+    pub(super) observed: &'a SceneGraph,
+    pub(super) world: &'a World,
+}
+
+impl Outcome<'_> {
+    /// Everything about which they disagree, among nodes that may have changed.
+    pub(super) fn differences(
+        &self,
+        agent: NodeId,
+        action: &Action,
+        changes: &ChangeSet,
+        met: &[NodeId],
+    ) -> Vec<Difference> {
+        let mut nodes: Vec<NodeId> = changes.changes().iter().flat_map(touched).chain(met.iter().copied()).collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        let effects = rule::effects(action);
+        let let_go = |id: NodeId| effects.contains(&Effect::LetGo(id)) || self.lost_origin(&effects, id);
+        let kept = nodes.iter().filter(|id| !let_go(**id));
+        let mut found: Vec<Difference> = kept.filter_map(|&id| self.place(id)).collect();
+        found.extend(nodes.iter().filter_map(|&id| self.room(id)));
+        found.extend(nodes.iter().filter_map(|&id| self.open(id)));
+        found.extend(effects.iter().filter_map(|effect| self.nearness(agent, effect)));
+        found
+    }
+
+    /// Put back where it was taken from, which is nowhere in particular.
+    fn lost_origin(&self, effects: &[Effect<NodeId>], id: NodeId) -> bool {
+        effects.contains(&Effect::PutWhereItWas(id)) && self.ruled.places(id).next().is_none()
+    }
+
+    fn place(&self, id: NodeId) -> Option<Difference> {
+        let (rule, bodies) = (self.places(self.ruled, id), self.places(self.observed, id));
+        let was = self.places(self.before, id);
+        // A thing that the rule puts somewhere may rest on more than what it is put on, and
+        // no longer on what it is taken off.
+        let ended = was.iter().any(|p| !rule.contains(p) && bodies.contains(p));
+        let agrees = if rule == was { bodies == rule } else { !ended && rule.iter().all(|p| bodies.contains(p)) };
+        (!agrees).then(|| self.difference(id, |s| s.describe(&rule), |s| s.describe(&bodies)))
+    }
+
+    /// Where a thing is; what only stands on the building is nowhere in particular.
+    fn places(&self, graph: &SceneGraph, id: NodeId) -> Vec<Place> {
+        let mut places: Vec<Place> = graph.places(id).filter(|p| !is_ground(graph, id, p)).collect();
+        places.sort_unstable();
+        places
+    }
+
+    fn room(&self, id: NodeId) -> Option<Difference> {
+        let (rule, bodies) = (self.ruled.room_of(id), self.observed.room_of(id));
+        let name =
+            |room: Option<NodeId>| room.map_or("in no room".to_owned(), |r| format!("in {}", self.ruled.label(r)));
+        (rule != bodies).then(|| self.difference(id, |_| name(rule), |_| name(bodies)))
+    }
+
+    fn open(&self, id: NodeId) -> Option<Difference> {
+        let shown = self.world.open_state(id)?;
+        let node = self.ruled.node(id)?;
+        let said = [State::Open, State::Closed].into_iter().find(|s| node.is(*s))?;
+        (said != shown).then(|| self.difference(id, |_| said.to_string(), |_| shown.to_string()))
+    }
+
+    fn nearness(&self, agent: NodeId, effect: &Effect<NodeId>) -> Option<Difference> {
+        let (Effect::GoTo(id) | Effect::Approach(id)) = *effect else { return None };
+        let label = self.ruled.label(id);
+        let far = || match self.observed.distance(agent, id) {
+            Some(metres) => format!("{metres:.2} m from {label}"),
+            None => format!("not near {label}"),
+        };
+        (!self.observed.near(agent, id)).then(|| self.difference(agent, |_| format!("near {label}"), |_| far()))
+    }
+
+    fn difference(&self, id: NodeId, rule: impl Fn(&Self) -> String, bodies: impl Fn(&Self) -> String) -> Difference {
+        Difference { thing: self.ruled.label(id), rule: rule(self), bodies: bodies(self) }
+    }
+
+    fn describe(&self, places: &[Place]) -> String {
+        let word = |p: &Place| match p.relation {
+            Relation::HoldsRight => format!("in the right hand of {}", self.ruled.label(p.at)),
+            Relation::HoldsLeft => format!("in the left hand of {}", self.ruled.label(p.at)),
+            relation => format!("{relation} {}", self.ruled.label(p.at)),
+        };
+        let words: Vec<String> = places.iter().map(word).collect();
+        if words.is_empty() { "on nothing in particular".into() } else { words.join(" and ") }
+    }
+}
+
+/// Whether a place says no more than that a thing stands on the floor: for agents always,
+/// for things where the rule has no word for it.
+fn is_ground(graph: &SceneGraph, id: NodeId, place: &Place) -> bool {
+    let agent = graph.node(id).is_some_and(|n| n.kind() == Kind::Agent);
+    agent && place.relation == Relation::On
+}
+
+fn touched(change: &Change) -> Vec<NodeId> {
+    match change {
+        Change::Add(node) | Change::Remove(node) => vec![node.id()],
+        Change::States { id, .. } | Change::Pose { id, .. } | Change::Contents { id, .. } => vec![*id],
+        Change::Link(edge) | Change::Unlink(edge) => vec![edge.from, edge.to],
+        _ => Vec::new(),
+    }
+}

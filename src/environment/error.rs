@@ -1,0 +1,194 @@
+//! Why something cannot be done.
+
+use vc_graph::format::FormatError;
+use vc_graph::{EditError, Label, Refusal};
+use vc_physics::{AgentError, PhysicsError, SnapshotError};
+use vc_relations::InputError;
+
+use super::Disagreement;
+
+/// Why there is no environment.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum MakeError {
+    /// The name is of no kind that is known.
+    #[error("`{0}` names no environment; write `apartment/42` or `scene:FILE`")]
+    UnknownName(String),
+    /// The seed is no number.
+    #[error("`{0}` is no seed: a seed is a whole number from 0 to 18446744073709551615")]
+    BadSeed(String),
+    /// The home could not be generated.
+    #[error(transparent)]
+    Generation(#[from] vc_procgen::Impossible),
+    /// The scene file could not be read.
+    #[error("{path}: {error}")]
+    File {
+        /// Which file.
+        path: String,
+        /// Why.
+        error: std::io::Error,
+    },
+    /// The scene file is no scene.
+    #[error("{path}: {error}")]
+    Format {
+        /// Which file.
+        path: String,
+        /// Why.
+        error: FormatError,
+    },
+    /// Bodies need poses.
+    #[error("scene {scene} has no poses: no body can be made of any of its {things} things")]
+    NoPoses {
+        /// Its name.
+        scene: String,
+        /// How many things it has.
+        things: usize,
+    },
+    /// There is no free floor for so many agents.
+    #[error("there is free floor for {found} agents, {asked} were asked for")]
+    NoRoom {
+        /// How many were asked for.
+        asked: usize,
+        /// How many there is floor for.
+        found: usize,
+    },
+    /// No agent is allowed to be missing.
+    #[error("an environment needs at least one agent")]
+    NoAgents,
+    /// The bodies cannot be made.
+    #[error(transparent)]
+    Physics(#[from] PhysicsError),
+    /// The scene's geometry cannot be read.
+    #[error(transparent)]
+    Relations(#[from] InputError),
+    /// The scene cannot be changed as need be.
+    #[error(transparent)]
+    Edit(#[from] EditError),
+    /// The agents' figure does not fit the scene's shapes.
+    #[error(transparent)]
+    Asset(#[from] vc_graph::asset::AssetError),
+}
+
+/// Why an environment was not reset; then it is as it was.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ResetError {
+    /// The graph's agents are not those of this environment.
+    #[error("the graph has agents {found:?}, this environment has {expected:?}")]
+    OtherAgents {
+        /// Of the environment.
+        expected: Vec<Label>,
+        /// Of the graph.
+        found: Vec<Label>,
+    },
+    /// The bodies cannot be made.
+    #[error(transparent)]
+    Physics(#[from] PhysicsError),
+    /// The scene's geometry cannot be read.
+    #[error(transparent)]
+    Relations(#[from] InputError),
+    /// The graph cannot be changed as need be.
+    #[error(transparent)]
+    Edit(#[from] EditError),
+    /// A shape that was made does not fit the scene's.
+    #[error(transparent)]
+    Asset(#[from] vc_graph::asset::AssetError),
+}
+
+/// Why an action was not done; then nothing has changed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ActionError {
+    /// The transition rule forbids it, for these reasons.
+    #[error("refused: {}", listed(.0))]
+    Refused(Vec<Refusal>),
+    /// The rule allows it, the bodies cannot do it.
+    #[error("{action}: {why}")]
+    Impossible {
+        /// What was to be done.
+        action: String,
+        /// Why not.
+        why: Impossible,
+    },
+    /// The bodies did it, and what came out is not what the rule says.
+    #[error(transparent)]
+    Disagreement(#[from] Box<Disagreement>),
+    /// An agent is to do several things at once.
+    #[error("{0} is to do several things at once")]
+    Twice(Label),
+}
+
+fn listed(refusals: &[Refusal]) -> String {
+    refusals.iter().map(Refusal::to_string).collect::<Vec<_>>().join("; ")
+}
+
+/// What bodies cannot do although the transition rule, which knows no shapes, allows it.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Impossible {
+    /// Nowhere to stand from where it could be reached, or no way there.
+    #[error("there is no spot on the floor, with a way to it, from which {0} can be reached")]
+    NoStand(Label),
+    /// No free spot.
+    #[error("there is no free spot for {thing} {where_} {at}")]
+    NoSpot {
+        /// What was to be put.
+        thing: Label,
+        /// On or in.
+        where_: &'static str,
+        /// What.
+        at: Label,
+    },
+    /// A door, lid or drawer does not open or close.
+    #[error("{thing} stays {open:.0}% open: something is in the way")]
+    Stuck {
+        /// Which.
+        thing: Label,
+        /// How far open it is, percent.
+        open: f32,
+    },
+    /// It has no body.
+    #[error("{0} has no body")]
+    NoBody(Label),
+    /// Bodies do not do this.
+    #[error("{0}")]
+    NotModelled(&'static str),
+    /// The body refuses.
+    #[error(transparent)]
+    Agent(#[from] AgentError),
+    /// The world refuses.
+    #[error(transparent)]
+    Physics(#[from] PhysicsError),
+    /// What came out cannot be read.
+    #[error("the outcome cannot be read: {0}")]
+    Unreadable(String),
+}
+
+/// Why bytes are no saved environment, or an environment could not be saved.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SaveError {
+    /// The bytes do not begin as saved environments do, or are cut off.
+    #[error("these bytes are not a saved environment")]
+    NotSaved,
+    /// They were saved by an environment that began otherwise.
+    #[error("the environment was saved from another start: {found} instead of {expected}")]
+    OtherStart {
+        /// Digest of this environment's start.
+        expected: vc_graph::Digest,
+        /// Of the saved one's.
+        found: vc_graph::Digest,
+    },
+    /// The scene in them cannot be read.
+    #[error(transparent)]
+    Format(#[from] FormatError),
+    /// The actions in them cannot be read.
+    #[error(transparent)]
+    Action(#[from] vc_graph::ActionError),
+    /// The bodies cannot be written or read.
+    #[error(transparent)]
+    World(#[from] SnapshotError),
+    /// The scene's geometry cannot be read.
+    #[error(transparent)]
+    Relations(#[from] InputError),
+}

@@ -1,0 +1,195 @@
+//! From a scene to an environment.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use nalgebra::{Point2, Point3};
+use vc_graph::{AssetId, Draft, History, Kind, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
+use vc_physics::{BodyPlan, Floor, FloorPlan, Order, Settings, Shapes, World};
+use vc_relations::{Relations, Rule};
+
+use super::{Environment, MakeError, Start, act, observe, scene};
+use crate::figure;
+
+/// How far down a thing is that has fallen, metres.
+const FALL: f32 = 0.1;
+/// Steps in which agents find the ground.
+const LANDING: u32 = 24;
+/// Free floor kept between agents, metres from middle to middle.
+const APART: f32 = 0.8;
+/// How far from the middle of its room an agent may stand, metres.
+const ASTRAY: f32 = 2.5;
+
+impl Environment {
+    /// An environment by name, with some agents at free spots from where the rooms can be
+    /// reached: `apartment/42` generates a home from a seed, `scene:FILE` reads a scene of
+    /// any format whose things have poses.
+    ///
+    /// `Apartment::from_seed(seed).scene()` or `vc_graph::format::read_scene`, then
+    /// [`Environment::of`].
+    ///
+    /// # Errors
+    /// [`MakeError`].
+    pub fn make(name: &str, agents: usize) -> Result<Self, MakeError> {
+        Self::of(scene::named(name)?, agents)
+    }
+
+    /// An environment of a scene of your own. Agents that the scene has are kept, others
+    /// are added until there are so many.
+    ///
+    /// `World::build`, `World::settle`, `Floor::of`, `World::add_agent`, then relations are
+    /// read (`Relations::new`) and written into the graph (`Relations::write`).
+    ///
+    /// # Errors
+    /// [`MakeError`].
+    pub fn of(graph: SceneGraph, agents: usize) -> Result<Self, MakeError> {
+        let graph = scene::shaped(&graph)?.unwrap_or(graph);
+        let posed = |n: &&vc_graph::Node| n.kind() == Kind::Object && n.pose().is_some();
+        if !graph.nodes().any(|n| posed(&n)) {
+            return Err(MakeError::NoPoses { scene: graph.name().to_owned(), things: graph.len() });
+        }
+        let mut library = graph.assets().as_ref().clone();
+        let missing = agents.saturating_sub(graph.agents().len());
+        let people: Vec<AssetId> = (0..missing).map(|i| figure::add_to(&mut library, i)).collect::<Result<_, _>>()?;
+        let mut builder = SceneBuilder::of(graph);
+        builder.assets(Arc::new(library));
+        let shapes = Shapes::new();
+        let mut world = World::build(builder.graph(), &shapes, Settings::default())?;
+        act::calm(&mut world);
+        put_back(&mut world, &mut builder)?;
+        let floor = Floor::of(&world, FloorPlan::default());
+        let places = standing_places(builder.graph(), &world, &floor, agents)?;
+        for ((room, feet), person) in places.into_iter().zip(people) {
+            let draft = Draft { asset: Some(person), ..Draft::new("character").at(feet).bounds(figure::bounds()) };
+            let id = builder.add_in(room, draft)?;
+            world.add_agent(id, BodyPlan::default(), feet)?;
+        }
+        world.run(LANDING);
+        if builder.graph().agents().is_empty() {
+            return Err(MakeError::NoAgents);
+        }
+        Self::begin(builder.build(), world, floor, shapes)
+    }
+
+    fn begin(mut graph: SceneGraph, world: World, floor: Floor, shapes: Shapes) -> Result<Self, MakeError> {
+        observe::write_poses(&mut graph, &world)?;
+        let relations = Relations::new(&graph, Rule::Repaired, observe::evidence(&world))?;
+        let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
+        relations.write(&mut graph, &all)?;
+        let start = Start { graph, world, relations, floor, shapes };
+        Ok(Self::at(Arc::new(start)))
+    }
+
+    /// The environment as it begins.
+    fn at(start: Arc<Start>) -> Self {
+        Self {
+            graph: start.graph.clone(),
+            world: start.world.clone(),
+            relations: start.relations.clone(),
+            floor: start.floor.clone(),
+            history: History::default(),
+            poses: BTreeMap::new(),
+            #[cfg(feature = "render")]
+            sight: Arc::default(),
+            start,
+        }
+    }
+}
+
+/// Puts what has fallen back to a free spot where the scene has it; what finds none and has
+/// fallen out of the home is taken out of the scene.
+fn put_back(world: &mut World, builder: &mut SceneBuilder) -> Result<(), MakeError> {
+    let drop = |n: &vc_graph::Node| Some(n.position()?.z - world.pose(n.id())?.translation.z);
+    let things = builder.graph().nodes().filter(|n| n.kind() == Kind::Object);
+    let mut fallen: Vec<NodeId> = things.filter(|n| drop(n).is_some_and(|d| d > FALL)).map(|n| n.id()).collect();
+    fallen.extend(world.outside());
+    fallen.sort_unstable();
+    fallen.dedup();
+    for &id in &fallen {
+        let place = builder.graph().place(id);
+        let at = |p: Place| world.free_spot_at(id, p.at, p.relation == Relation::Inside, Order::Middle);
+        if let Some(spot) = place.map(at).transpose()?.flatten() {
+            world.place(id, spot)?;
+        }
+    }
+    if !fallen.is_empty() {
+        act::calm(world);
+    }
+    for id in world.outside() {
+        world.remove(id)?;
+        let mut edit = builder.edit();
+        edit.remove(id)?;
+        edit.commit();
+    }
+    Ok(())
+}
+
+/// Rooms and feet for the agents that are still missing: in the middles of rooms that can
+/// be walked between, as many rooms as possible.
+fn standing_places(
+    graph: &SceneGraph,
+    world: &World,
+    floor: &Floor,
+    agents: usize,
+) -> Result<Vec<(NodeId, Pose)>, MakeError> {
+    let missing = agents.saturating_sub(graph.agents().len());
+    let there: Vec<Point2<f32>> = world.agents().filter_map(|a| Some(at(&world.pose(a)?))).collect();
+    let middles: Vec<(NodeId, Point2<f32>)> = graph.rooms().iter().filter_map(|&r| middle(graph, floor, r)).collect();
+    let reached = |from: &Point2<f32>| middles.iter().filter(|(_, to)| floor.route(*from, *to).is_some()).count();
+    let best = middles.iter().map(|(_, p)| (reached(p), *p)).reduce(|a, b| if b.0 > a.0 { b } else { a });
+    let mut taken = there;
+    let mut found = Vec::new();
+    if let Some((_, base)) = best.filter(|_| missing > 0) {
+        let within = |p: &Point2<f32>| floor.route(base, *p).is_some();
+        let rooms: Vec<(NodeId, Point2<f32>)> = middles.iter().copied().filter(|(_, p)| within(p)).collect();
+        for ring in 0..32 {
+            for (room, middle) in &rooms {
+                let free = |p: &Point2<f32>| taken.iter().all(|t| (t - p).norm() >= APART);
+                let spot =
+                    around(middle, ring).find(|p| floor.is_free(*p) && free(p) && is_in(graph, *room, p) && within(p));
+                if let Some(spot) = spot.filter(|_| found.len() < missing) {
+                    taken.push(spot);
+                    found.push((*room, Pose::translation(spot.x, spot.y, floor.plan().level)));
+                }
+            }
+        }
+    }
+    if found.len() < missing {
+        let found = graph.agents().len() + found.len();
+        return Err(MakeError::NoRoom { asked: agents, found });
+    }
+    Ok(found)
+}
+
+fn at(pose: &Pose) -> Point2<f32> {
+    pose.translation.vector.xy().into()
+}
+
+/// The free floor nearest to the middle of a room, in the room.
+fn middle(graph: &SceneGraph, floor: &Floor, room: NodeId) -> Option<(NodeId, Point2<f32>)> {
+    let centre = graph.node(room)?.aabb()?.centre().xy();
+    let spot = floor.nearest(centre, ASTRAY)?;
+    is_in(graph, room, &spot).then_some((room, spot))
+}
+
+/// The room of which the floor is below a point, or a rug on it.
+pub(super) fn room_at(graph: &SceneGraph, world: &World, point: &Point2<f32>, level: f32) -> Option<NodeId> {
+    let agents: Vec<NodeId> = world.agents().collect();
+    let at = |rise: f32| Point3::new(point.x, point.y, level + rise);
+    let (below, _) = world.ray(at(0.2), at(-0.3), &agents)?;
+    graph.room_of(below)
+}
+
+/// Whether a point of the floor is in a room's box.
+fn is_in(graph: &SceneGraph, room: NodeId, point: &Point2<f32>) -> bool {
+    let aabb = graph.node(room).and_then(vc_graph::Node::aabb);
+    aabb.is_some_and(|b| (b.min.x..=b.max.x).contains(&point.x) && (b.min.y..=b.max.y).contains(&point.y))
+}
+
+/// Points on a square ring around a point, so many half-metres away.
+fn around(middle: &Point2<f32>, ring: i32) -> impl Iterator<Item = Point2<f32>> + use<> {
+    let middle = *middle;
+    let all = (-ring..=ring).flat_map(move |x| (-ring..=ring).map(move |y| (x, y)));
+    let own = all.filter(move |(x, y)| x.abs().max(y.abs()) == ring);
+    own.map(move |(x, y)| middle + nalgebra::Vector2::new(x as f32, y as f32) * 0.5)
+}

@@ -1,0 +1,182 @@
+//! The environment: a home with bodies, in which agents act.
+
+mod act;
+mod agree;
+mod beat;
+mod deed;
+mod error;
+mod make;
+mod observe;
+mod reset;
+mod save;
+mod scene;
+mod time;
+
+use std::sync::Arc;
+
+use vc_graph::{Action, ChangeSet, Digest, History, NodeId, Observation, SceneGraph, Scope};
+use vc_physics::{Floor, Posture, Shapes, World};
+use vc_relations::Relations;
+
+pub use agree::{Difference, Disagreement};
+pub use error::{ActionError, Impossible, MakeError, ResetError, SaveError};
+pub use reset::{Elsewhere, ResetReport, Unplaced, Why};
+
+/// A home with bodies, in which agents act: the five endpoints.
+///
+/// It holds four things that are kept in step: a [`SceneGraph`] that says what is the
+/// case, a physics [`World`] that says where everything is, [`Relations`] that are read
+/// from where things are, and the walkable [`Floor`].
+///
+/// | endpoint | what it is made of |
+/// |---|---|
+/// | [`make`](Self::make) | `Apartment::from_seed`, `World::build`, `World::settle`, `Floor::of`, `World::add_agent`, `Relations::new`, `Relations::write` |
+/// | [`reset`](Self::reset) | `World::reset`, `World::free_spot_at`, `World::settle`, `Relations::update` |
+/// | [`observation`](Self::observation) | `SceneGraph::observe` |
+/// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::render` |
+/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::stand`, `World::grab`, `World::free_spot_at`, `World::put`, `World::drive` ..., then `Relations::update` |
+///
+/// `Clone` is the snapshot: what is constant is shared, and a clone goes on as the
+/// original does, bit for bit.
+///
+/// ```no_run
+/// use virtualcity::Environment;
+/// use virtualcity::graph::Verb;
+///
+/// let mut home = Environment::make("apartment/42", 1)?;
+/// let me = home.agents()[0];
+/// let seen = home.observation(me, 3.0);
+/// println!("{} things within three metres", seen.len());
+/// let fridge = home.graph().of_class("fridge")[0];
+/// home.set_action(me, format!("walk fridge.{}", fridge.0).parse()?)?;
+/// home.set_action(me, format!("open fridge.{}", fridge.0).parse()?)?;
+/// assert!(home.world().openness(fridge) > Some(0.9));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone)]
+pub struct Environment {
+    start: Arc<Start>,
+    graph: SceneGraph,
+    world: World,
+    relations: Relations,
+    floor: Floor,
+    history: History,
+    /// What bodies are shown to do while an action takes its time.
+    poses: std::collections::BTreeMap<NodeId, crate::figure::Doing>,
+    #[cfg(feature = "render")]
+    sight: Arc<crate::sight::Sight>,
+}
+
+/// How an environment began; its resets start from here.
+struct Start {
+    graph: SceneGraph,
+    world: World,
+    relations: Relations,
+    floor: Floor,
+    shapes: Shapes,
+}
+
+impl Environment {
+    /// The scene as it is.
+    pub fn graph(&self) -> &SceneGraph {
+        &self.graph
+    }
+
+    /// The bodies as they are.
+    pub fn world(&self) -> &World {
+        &self.world
+    }
+
+    /// The relations that the bodies' places make.
+    pub fn relations(&self) -> &Relations {
+        &self.relations
+    }
+
+    /// The walkable floor, as it was when somebody last went somewhere.
+    pub fn floor(&self) -> &Floor {
+        &self.floor
+    }
+
+    /// What has been done since the last reset.
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// The scene as it was made, at rest: what [`reset`](Self::reset) goes back to.
+    pub fn start(&self) -> &SceneGraph {
+        &self.start.graph
+    }
+
+    /// The agents, by number.
+    pub fn agents(&self) -> &[NodeId] {
+        self.graph.agents()
+    }
+
+    /// What an agent sees within a radius, metres: [`SceneGraph::observe`]. Changes nothing.
+    pub fn observation(&self, agent: NodeId, radius: f32) -> Observation {
+        self.graph.observe(agent, Scope::Radius(radius))
+    }
+
+    /// What an agent sees of its room, as the planner's belief uses it:
+    /// [`SceneGraph::observe`]. Changes nothing.
+    pub fn room_observation(&self, agent: NodeId) -> Observation {
+        self.graph.observe(agent, Scope::Room)
+    }
+
+    /// A number that says whether two environments are the same and will go on alike: of
+    /// the graph, the bodies and what has been done.
+    pub fn digest(&self) -> Digest {
+        let parts = [self.graph.digest().0, self.world.digest().0, self.history.events().len() as u64];
+        // FNV-1a over words, folded, as in vc-graph.
+        let mix = |sum: u64, word: u64| {
+            let mixed = (sum ^ word).wrapping_mul(0x0000_0100_0000_01b3);
+            mixed ^ (mixed >> 32)
+        };
+        Digest(parts.into_iter().fold(0xcbf2_9ce4_8422_2325, mix))
+    }
+
+    /// What an agent's body does: stands, sits, lies.
+    pub fn posture(&self, agent: NodeId) -> Option<Posture> {
+        self.world.posture(agent)
+    }
+
+    /// What a body is shown to do now.
+    pub(crate) fn doing(&self, agent: NodeId) -> crate::figure::Doing {
+        self.poses.get(&agent).copied().unwrap_or_default()
+    }
+
+    #[cfg(feature = "render")]
+    pub(crate) fn sight(&self) -> &crate::sight::Sight {
+        &self.sight
+    }
+}
+
+impl std::fmt::Debug for Environment {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (name, nodes, agents) = (self.graph.name(), self.graph.len(), self.agents().len());
+        write!(f, "Environment({name}, {nodes} nodes, {agents} agents, digest {})", self.digest())
+    }
+}
+
+/// Tasks are done and judged in an environment as in the symbolic simulator.
+impl vc_tasks::World for Environment {
+    fn graph(&self) -> &SceneGraph {
+        Environment::graph(self)
+    }
+
+    fn history(&self) -> &History {
+        Environment::history(self)
+    }
+
+    fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, vc_tasks::WorldError> {
+        self.set_action(agent, *action).map_err(|error| match error {
+            ActionError::Refused(reasons) => vc_tasks::WorldError::Refused(reasons),
+            other => vc_tasks::WorldError::Failed(other.to_string()),
+        })
+    }
+
+    fn reset(&mut self, graph: &SceneGraph) -> Result<(), vc_tasks::WorldError> {
+        let report = Environment::reset(self, graph);
+        report.map(drop).map_err(|error| vc_tasks::WorldError::Failed(error.to_string()))
+    }
+}

@@ -1,0 +1,95 @@
+//! From bodies back to the graph: poses, relations, and only of what has moved.
+
+use vc_graph::{ChangeSet, EditError, NodeId, Place, Pose, SceneGraph};
+use vc_physics::World;
+use vc_relations::{Evidence, Relations};
+
+use super::Impossible;
+
+/// What moves less has not moved: metres, and the imaginary part of its turn.
+const STILL: (f32, f32) = (0.005, 0.01);
+
+/// Writes where bodies are into the graph, and gives the nodes that were elsewhere.
+pub(super) fn write_poses(graph: &mut SceneGraph, world: &World) -> Result<(Vec<NodeId>, ChangeSet), EditError> {
+    let elsewhere = |(id, pose): &(NodeId, Pose)| graph.node(*id).is_some_and(|n| n.pose() != Some(pose));
+    let moved: Vec<(NodeId, Pose)> = world.poses().into_iter().filter(elsewhere).collect();
+    let mut edit = graph.edit();
+    moved.iter().try_for_each(|(id, pose)| edit.set_pose(*id, Some(*pose)))?;
+    Ok((moved.into_iter().map(|(id, _)| id).collect(), edit.commit()))
+}
+
+/// What relations cannot see: where the parts of doors and drawers are.
+pub(super) fn evidence(world: &World) -> Evidence {
+    let mut evidence = Evidence::default();
+    for id in world.nodes() {
+        for (joint, part) in (0..).zip(world.moving_parts(id)) {
+            if part.position != 0.0 {
+                evidence.positions.insert((id, joint), part.position);
+            }
+        }
+    }
+    evidence
+}
+
+/// Looks again at what has moved or changed, and writes poses and relations into the
+/// graph. Returns all whose relations may be different, and what changed.
+///
+/// What has not moved to speak of keeps its place: a thing at the rim of a shelf does not
+/// come off it because the shelf trembled.
+pub(super) fn look_again(
+    graph: &mut SceneGraph,
+    world: &World,
+    relations: &mut Relations,
+    changed: &[NodeId],
+) -> Result<(Vec<NodeId>, ChangeSet), Impossible> {
+    let unreadable = |e: &dyn std::fmt::Display| Impossible::Unreadable(e.to_string());
+    let before = graph.clone();
+    let (mut moved, poses) = write_poses(graph, world).map_err(|e| unreadable(&e))?;
+    let still: Vec<NodeId> = moved.iter().copied().filter(|id| is_still(&before, graph, *id)).collect();
+    moved.extend_from_slice(changed);
+    let evidence = evidence(world);
+    moved.extend(turned(relations.evidence(), &evidence));
+    moved.sort_unstable();
+    moved.dedup();
+    relations.set_evidence(graph, evidence).map_err(|e| unreadable(&e))?;
+    let met = relations.update(graph, &moved).map_err(|e| unreadable(&e))?;
+    let edges = relations.write(graph, &met).map_err(|e| unreadable(&e))?;
+    let stays = |id: &NodeId| !moved.contains(id) || (still.contains(id) && !changed.contains(id));
+    let kept: Vec<NodeId> = met.iter().copied().filter(stays).collect();
+    let kept = keep_places(&before, graph, &kept).map_err(|e| unreadable(&e))?;
+    Ok((met, poses.then(edges).then(kept)))
+}
+
+fn is_still(before: &SceneGraph, now: &SceneGraph, id: NodeId) -> bool {
+    let pose = |graph: &SceneGraph| graph.node(id).and_then(|n| n.pose().copied());
+    let (Some(a), Some(b)) = (pose(before), pose(now)) else { return false };
+    let turn = 1.0 - a.rotation.coords.dot(&b.rotation.coords).abs();
+    (a.translation.vector - b.translation.vector).norm() < STILL.0 && turn < STILL.1 * STILL.1
+}
+
+/// Puts things back to the places the graph had before, where these differ.
+fn keep_places(before: &SceneGraph, graph: &mut SceneGraph, nodes: &[NodeId]) -> Result<ChangeSet, EditError> {
+    let places = |graph: &SceneGraph, id: NodeId| graph.places(id).collect::<Vec<Place>>();
+    let differs = |id: &&NodeId| places(before, **id) != places(graph, **id);
+    let strayed: Vec<NodeId> = nodes.iter().filter(differs).copied().collect();
+    let mut edit = graph.edit();
+    for id in strayed {
+        // If it now carries what carried it, it is not where it was.
+        match edit.place_as_seen(id, &places(before, id), before.room_of(id)) {
+            Ok(()) | Err(EditError::SupportCycle { .. }) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(edit.commit())
+}
+
+/// Nodes whose moving parts are elsewhere.
+pub(super) fn turned(before: &Evidence, now: &Evidence) -> Vec<NodeId> {
+    let differs = |a: &Evidence, b: &Evidence| {
+        let changed = a.positions.iter().filter(|(key, position)| b.positions.get(key) != Some(*position));
+        changed.map(|((id, _), _)| *id).collect::<Vec<_>>()
+    };
+    let mut turned = differs(before, now);
+    turned.extend(differs(now, before));
+    turned
+}

@@ -1,0 +1,274 @@
+//! Putting a graph of the environment in force.
+
+use std::collections::BTreeMap;
+
+use nalgebra::Point3;
+use vc_graph::{History, Kind, Label, NodeId, Place, Pose, Relation, SceneGraph};
+use vc_physics::{Order, World};
+use vc_relations::Relations;
+
+use super::{Environment, MakeError, ResetError, act, observe, scene};
+
+/// How far below a thing its support may be, metres.
+const HOVER: f32 = 0.02;
+
+/// What a reset did.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ResetReport {
+    /// Things that were moved from where the environment began.
+    pub moved: Vec<NodeId>,
+    /// Things that the environment did not begin with.
+    pub added: Vec<NodeId>,
+    /// Things the environment began with that the graph does not have.
+    pub removed: Vec<NodeId>,
+    /// Things for which there was no place; they are not in the scene.
+    pub unplaced: Vec<Unplaced>,
+    /// Things that have come to rest elsewhere than the graph has them.
+    pub elsewhere: Vec<Elsewhere>,
+}
+
+/// A thing for which there was no place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unplaced {
+    /// Which.
+    pub thing: Label,
+    /// Why.
+    pub why: Why,
+}
+
+/// Why there was no place for a thing.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Why {
+    /// No spot on or in what it is to be at is free.
+    #[error("no spot {0} {1} is free and large enough")]
+    NoSpot(Relation, Label),
+    /// Neither the graph says where it is, nor does it have a pose.
+    #[error("it has neither a pose nor a place on or in anything")]
+    Nowhere,
+    /// What it is to be at is not in the scene.
+    #[error("{0} has no body")]
+    NoSupport(Label),
+    /// No body can be made of it.
+    #[error("it has no shape, and there is no generator for its class")]
+    NoShape,
+}
+
+/// A thing that has come to rest elsewhere than it was to be.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Elsewhere {
+    /// Which.
+    pub thing: Label,
+    /// Where it was to be.
+    pub wanted: Place,
+    /// Where it is.
+    pub now: Option<Place>,
+}
+
+impl Environment {
+    /// Puts a graph in force: the environment's own, or one in which things have been
+    /// moved, added and removed by hand or by a program. Agents are where the graph has
+    /// them, states are the graph's, what was done is forgotten.
+    ///
+    /// It starts from the bodies as they were made, at rest, and moves only what differs
+    /// (`World::reset`). What the graph says to be on or in something else than at the
+    /// start, and new things, keep their pose if it is free and something is right below;
+    /// otherwise they get the free spot nearest to it (`World::free_spot_at`), and if there
+    /// is none, they are left out and reported. Then all comes to rest (`World::settle`)
+    /// and is observed (`Relations::update`).
+    ///
+    /// # Errors
+    /// [`ResetError`]; then nothing has changed.
+    pub fn reset(&mut self, graph: &SceneGraph) -> Result<ResetReport, ResetError> {
+        let (started, agents) = (self.start.graph.agents(), graph.agents());
+        if started != agents {
+            let labels = |graph: &SceneGraph, ids: &[NodeId]| ids.iter().map(|a| graph.label(*a)).collect();
+            let (expected, found) = (labels(&self.start.graph, started), labels(graph, agents));
+            return Err(ResetError::OtherAgents { expected, found });
+        }
+        let shaped = scene::shaped(graph).map_err(of_shapes)?;
+        let new_shapes = shaped.is_some();
+        let mut wanted = shaped.unwrap_or_else(|| graph.clone());
+        let mut plan = Plan::of(&self.start.graph, &wanted);
+        plan.lend_poses(&mut wanted)?;
+        let (mut world, _) = self.start.world.reset(&wanted, &self.start.shapes)?;
+        undress(&mut world, &wanted)?;
+        plan.settle_places(&mut world, &mut wanted)?;
+        seat(&mut world, &wanted);
+        act::calm(&mut world);
+        let relations = self.observed(&mut wanted, &world, new_shapes)?;
+        let mut floor = self.start.floor.clone();
+        floor.update(&world);
+        let report = plan.report(graph, &wanted);
+        (self.graph, self.world, self.relations, self.floor) = (wanted, world, relations, floor);
+        self.history = History::default();
+        self.poses = BTreeMap::new();
+        #[cfg(feature = "render")]
+        if new_shapes || !report.added.is_empty() || !report.removed.is_empty() {
+            self.sight = std::sync::Arc::default();
+        }
+        Ok(report)
+    }
+
+    /// Reads the relations of a scene that differs from the start and writes them.
+    fn observed(&self, graph: &mut SceneGraph, world: &World, anew: bool) -> Result<Relations, ResetError> {
+        let mut relations = self.start.relations.clone();
+        let (mut changed, _) = observe::write_poses(graph, world)?;
+        let same = graph.len() == self.start.graph.len()
+            && graph.nodes().map(vc_graph::Node::id).eq(self.start.graph.nodes().map(vc_graph::Node::id));
+        let differs = |n: &&vc_graph::Node| self.start.graph.node(n.id()) != Some(*n);
+        changed.extend(graph.nodes().filter(differs).map(vc_graph::Node::id));
+        let evidence = observe::evidence(world);
+        changed.extend(observe::turned(relations.evidence(), &evidence));
+        changed.sort_unstable();
+        changed.dedup();
+        let met = if same && !anew {
+            relations.set_evidence(graph, evidence)?;
+            relations.update(graph, &changed)?
+        } else {
+            relations.rebuild(graph)?;
+            relations.set_evidence(graph, evidence)?;
+            graph.nodes().map(vc_graph::Node::id).collect()
+        };
+        relations.write(graph, &met)?;
+        Ok(relations)
+    }
+}
+
+/// What is worn has no body.
+fn undress(world: &mut World, graph: &SceneGraph) -> Result<(), ResetError> {
+    for agent in graph.agents() {
+        for id in graph.relating(Relation::WornBy, *agent).filter(|id| world.pose(*id).is_some()).collect::<Vec<_>>() {
+            world.remove(id)?;
+        }
+    }
+    Ok(())
+}
+
+/// Who sits or lies by the graph does so, if the place is free and near.
+fn seat(world: &mut World, graph: &SceneGraph) {
+    for &agent in graph.agents() {
+        let on = |relation| graph.related(agent, relation).next();
+        if let Some(seat) = on(Relation::SittingOn) {
+            drop(world.sit(agent, seat));
+        } else if let Some(bed) = on(Relation::LyingOn) {
+            drop(world.lie(agent, bed));
+        }
+    }
+}
+
+/// What a shape lacks that is made for a reset.
+fn of_shapes(error: MakeError) -> ResetError {
+    match error {
+        MakeError::Edit(e) => e.into(),
+        MakeError::Asset(e) => e.into(),
+        // Nothing else is done there.
+        _ => ResetError::Edit(vc_graph::EditError::NumbersExhausted),
+    }
+}
+
+/// What is to be placed, and what has become of it.
+struct Plan {
+    /// Things to be placed: what carries others first.
+    open: Vec<(NodeId, Option<Place>)>,
+    report: ResetReport,
+}
+
+impl Plan {
+    fn of(start: &SceneGraph, wanted: &SceneGraph) -> Self {
+        let mut report = ResetReport::default();
+        let mut open: Vec<(usize, NodeId, Option<Place>)> = Vec::new();
+        for node in wanted.nodes().filter(|n| n.kind() == Kind::Object) {
+            let id = node.id();
+            let place = wanted.place(id);
+            let Some(before) = start.node(id) else {
+                report.added.push(id);
+                open.push((wanted.support_chain(id).len(), id, place));
+                continue;
+            };
+            let replaced = start.place(id) != place;
+            if replaced || before.pose() != node.pose() {
+                report.moved.push(id);
+            }
+            let held = place.is_some_and(|p| !matches!(p.relation, Relation::On | Relation::Inside));
+            if (replaced && !held) || node.pose().is_none() {
+                open.push((wanted.support_chain(id).len(), id, place));
+            }
+        }
+        report.removed = start.nodes().map(vc_graph::Node::id).filter(|id| wanted.node(*id).is_none()).collect();
+        open.sort_by_key(|(depth, id, _)| (*depth, *id));
+        Self { open: open.into_iter().map(|(_, id, place)| (id, place)).collect(), report }
+    }
+
+    /// Things without a pose get one for the time being, far below, each its own.
+    fn lend_poses(&self, graph: &mut SceneGraph) -> Result<(), ResetError> {
+        let mut edit = graph.edit();
+        for (index, (id, _)) in self.open.iter().enumerate() {
+            if edit.graph().node(*id).is_some_and(|n| n.pose().is_none()) {
+                edit.set_pose(*id, Some(Pose::translation(5.0 * index as f32, 0.0, -200.0)))?;
+            }
+        }
+        edit.commit();
+        Ok(())
+    }
+
+    /// Puts what is to be placed where there is room, and takes out the rest.
+    fn settle_places(&mut self, world: &mut World, graph: &mut SceneGraph) -> Result<(), ResetError> {
+        for (id, place) in std::mem::take(&mut self.open) {
+            if let Err(why) = settle_place(world, graph, id, place)? {
+                self.report.unplaced.push(Unplaced { thing: graph.label(id), why });
+                if world.pose(id).is_some() {
+                    world.remove(id)?;
+                }
+                let mut edit = graph.edit();
+                edit.remove(id)?;
+                edit.commit();
+            }
+        }
+        Ok(())
+    }
+
+    fn report(mut self, wanted: &SceneGraph, now: &SceneGraph) -> ResetReport {
+        for node in now.nodes().filter(|n| n.kind() == Kind::Object) {
+            let Some(place) = wanted.place(node.id()) else { continue };
+            if !now.places(node.id()).any(|p| p == place) {
+                let now = now.place(node.id());
+                self.report.elsewhere.push(Elsewhere { thing: node.label(), wanted: place, now });
+            }
+        }
+        self.report
+    }
+}
+
+/// Puts one thing where there is room for it.
+fn settle_place(
+    world: &mut World,
+    graph: &SceneGraph,
+    id: NodeId,
+    place: Option<Place>,
+) -> Result<Result<(), Why>, ResetError> {
+    let Some(pose) = world.pose(id) else { return Ok(Err(Why::NoShape)) };
+    let posed = pose.translation.z > -100.0;
+    if posed && is_at_rest(world, id, &pose)? {
+        return Ok(Ok(()));
+    }
+    let Some(place) = place else {
+        return Ok(if posed { Ok(()) } else { Err(Why::Nowhere) });
+    };
+    if world.aabb(place.at).is_none() {
+        return Ok(Err(Why::NoSupport(graph.label(place.at))));
+    }
+    let order = if posed { Order::Near(Point3::from(pose.translation.vector)) } else { Order::Middle };
+    let inside = place.relation == Relation::Inside;
+    let Some(spot) = world.free_spot_at(id, place.at, inside, order)? else {
+        return Ok(Err(Why::NoSpot(place.relation, graph.label(place.at))));
+    };
+    world.place(id, spot)?;
+    Ok(Ok(()))
+}
+
+/// Whether a thing overlaps nothing at a pose and something is right below it.
+fn is_at_rest(world: &World, id: NodeId, pose: &Pose) -> Result<bool, ResetError> {
+    let below = Pose::translation(0.0, 0.0, -HOVER) * pose;
+    Ok(world.overlaps(id, pose)?.is_empty() && !world.overlaps(id, &below)?.is_empty())
+}

@@ -1,0 +1,83 @@
+//! An environment as bytes.
+
+use std::collections::BTreeMap;
+
+use vc_graph::format::native;
+use vc_graph::{Digest, Event, History, NodeId, SceneBuilder};
+use vc_physics::{Floor, World};
+
+use super::{Environment, SaveError, observe};
+
+/// What saved environments begin with.
+const MAGIC: &[u8; 8] = b"VCENV 1\n";
+
+impl Environment {
+    /// The environment as bytes, for [`restore`](Self::restore): the scene
+    /// (`format::native::write`), the bodies (`World::save`), what was done. For a copy in
+    /// memory `clone` is much cheaper.
+    ///
+    /// # Errors
+    /// [`SaveError::World`].
+    pub fn save(&self) -> Result<Vec<u8>, SaveError> {
+        let line = |e: &Event| format!("{} {}\n", e.agent.0, e.action);
+        let history: String = self.history.events().iter().map(line).collect();
+        let mut bytes = MAGIC.to_vec();
+        bytes.extend(self.start.graph.digest().0.to_le_bytes());
+        for part in [native::write(&self.graph).as_bytes(), &self.world.save()?, history.as_bytes()] {
+            bytes.extend((part.len() as u64).to_le_bytes());
+            bytes.extend(part);
+        }
+        Ok(bytes)
+    }
+
+    /// The environment that was saved; it goes on as the saved one does, bit for bit. This
+    /// one has to have been made in the same way, and is not changed.
+    ///
+    /// `format::native::read`, `World::restore`, `Relations::rebuild`, `Floor::of`.
+    ///
+    /// # Errors
+    /// [`SaveError`].
+    pub fn restore(&self, bytes: &[u8]) -> Result<Self, SaveError> {
+        let rest = bytes.strip_prefix(MAGIC.as_slice()).ok_or(SaveError::NotSaved)?;
+        let (digest, rest) = number(rest)?;
+        let (expected, found) = (self.start.graph.digest(), Digest(digest));
+        if expected != found {
+            return Err(SaveError::OtherStart { expected, found });
+        }
+        let (scene, rest) = part(rest)?;
+        let (world, rest) = part(rest)?;
+        let (history, _) = part(rest)?;
+        let text = |bytes| std::str::from_utf8(bytes).map_err(|_| SaveError::NotSaved);
+        let mut graph = native::read(text(scene)?, self.start.graph.classes())?;
+        let mut builder = SceneBuilder::of(graph);
+        if builder.graph().assets() == self.graph.assets() {
+            builder.assets(self.graph.assets().clone());
+        }
+        graph = builder.build();
+        let world = World::restore(world, &graph, &self.start.shapes)?;
+        let mut relations = self.start.relations.clone();
+        relations.rebuild(&graph)?;
+        relations.set_evidence(&graph, observe::evidence(&world))?;
+        let floor = Floor::of(&world, *self.floor.plan());
+        let mut copy = Self { graph, world, relations, floor, history: History::default(), ..self.clone() };
+        copy.poses = BTreeMap::new();
+        for line in text(history)?.lines() {
+            let (agent, action) = line.split_once(' ').ok_or(SaveError::NotSaved)?;
+            let agent = NodeId(agent.parse().map_err(|_| SaveError::NotSaved)?);
+            copy.history.push(Event { agent, action: action.parse()? });
+        }
+        Ok(copy)
+    }
+}
+
+fn number(bytes: &[u8]) -> Result<(u64, &[u8]), SaveError> {
+    let (head, rest) = bytes.split_first_chunk::<8>().ok_or(SaveError::NotSaved)?;
+    Ok((u64::from_le_bytes(*head), rest))
+}
+
+/// A length, and so many bytes.
+fn part(bytes: &[u8]) -> Result<(&[u8], &[u8]), SaveError> {
+    let (length, rest) = number(bytes)?;
+    let length = usize::try_from(length).map_err(|_| SaveError::NotSaved)?;
+    rest.split_at_checked(length).ok_or(SaveError::NotSaved)
+}

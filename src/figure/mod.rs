@@ -1,0 +1,25 @@
+//! A person's figure: an asset of fifteen bones, and the poses it takes.
+
+mod bone;
+mod pose;
+mod shape;
+
+use vc_graph::asset::AssetError;
+use vc_graph::{AssetId, AssetLibrary, Bounds};
+
+pub(crate) use bone::Bone;
+pub(crate) use pose::{Attitude, Doing, Skeleton};
+
+/// Height of the figure, metres: that of the physics' default body.
+pub(crate) const HEIGHT: f32 = 1.7;
+
+/// The box around a person who stands.
+pub(crate) fn bounds() -> Bounds {
+    Bounds::standing(nalgebra::Vector3::new(0.4, 0.5, HEIGHT))
+}
+
+/// Adds a person to a library; others of another number wear other clothes.
+pub(crate) fn add_to(library: &mut AssetLibrary, number: usize) -> Result<AssetId, AssetError> {
+    let asset = shape::person(library, number)?;
+    library.add(asset)
+}

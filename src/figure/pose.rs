@@ -1,0 +1,283 @@
+//! Poses: from what a body does to where its bones are.
+//!
+//! Limbs of two bones are bent by the law of cosines; everything else is a chain of turns.
+
+use nalgebra::{Point3, UnitQuaternion, Vector3};
+use vc_graph::portable::Portable;
+use vc_graph::{Pose, Verb};
+
+use super::bone::{ANKLE, ARM, Bone, LEG, Side};
+use super::shape::palm;
+
+/// Length of a step of two feet, metres.
+const STRIDE: f32 = 1.4;
+/// How far an arm is stretched at most, as a share of its length.
+const STRETCH: f32 = 0.985;
+/// How far one bends at the waist, radians.
+const BEND: f32 = 1.25;
+
+/// What a body is shown to do beside standing, sitting or lying.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Doing {
+    /// How far it has walked, metres.
+    pub(crate) walked: Option<f32>,
+    /// A gesture, and since when, seconds.
+    pub(crate) gesture: Option<(Verb, f32)>,
+    /// What the right hand reaches for, and how far it has got, 0 to 1.
+    pub(crate) reach: Option<(Point3<f32>, f32)>,
+}
+
+/// How a body is: in its own frame, whose origin is between the feet, or on the seat.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Attitude {
+    Standing,
+    /// With the floor so far below the seat, metres.
+    Sitting(f32),
+    Lying,
+}
+
+/// Where the bones are: how each has moved from where the asset has it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Skeleton {
+    bones: [Pose; Bone::ALL.len()],
+}
+
+impl Skeleton {
+    /// The pose of a body: its attitude, what it does, and where its hands are to be, all in
+    /// its own frame.
+    pub(crate) fn new(attitude: Attitude, doing: &Doing, hands: [Option<Point3<f32>>; 2]) -> Self {
+        let mut skeleton = Self { bones: [Pose::identity(); Bone::ALL.len()] };
+        match attitude {
+            Attitude::Standing => skeleton.stand(doing),
+            Attitude::Sitting(height) => skeleton.sit(height),
+            Attitude::Lying => skeleton.lie(),
+        }
+        for (side, hand) in Side::BOTH.into_iter().zip(hands) {
+            match hand {
+                Some(point) => skeleton.put_hand(side, point),
+                None => skeleton.swing_arm(side, doing),
+            }
+        }
+        skeleton
+    }
+
+    /// How a bone has moved.
+    pub(crate) fn motion(&self, bone: Bone) -> Pose {
+        self.bones[bone.index()]
+    }
+
+    /// Where the eyes are, looking along X: before the face, so that it is not seen.
+    pub(crate) fn eyes(&self) -> Pose {
+        let eyes = Bone::Head.anchor() + Vector3::new(0.14, 0.0, 0.13);
+        self.motion(Bone::Head) * Pose::translation(eyes.x, eyes.y, eyes.z)
+    }
+
+    /// Turns a bone at its anchor against what it hangs on; what hangs on it follows.
+    fn turn(&mut self, bone: Bone, turn: UnitQuaternion<f32>) {
+        let base = bone.parent().map_or_else(Pose::identity, |p| self.motion(p));
+        self.bones[bone.index()] = base * about(bone.anchor(), turn);
+        for child in Bone::ALL.into_iter().filter(|b| b.parent() == Some(bone)) {
+            self.turn(child, UnitQuaternion::identity());
+        }
+    }
+
+    /// Moves the pelvis, and everything with it.
+    fn carry(&mut self, pose: Pose) {
+        self.bones[Bone::Pelvis.index()] = pose;
+        for child in [Bone::Chest, Bone::Thigh(Side::Right), Bone::Thigh(Side::Left)] {
+            self.turn(child, UnitQuaternion::identity());
+        }
+    }
+
+    fn stand(&mut self, doing: &Doing) {
+        let reach = doing.reach.map_or((0.0, 0.0), |(point, share)| stoop(point, share));
+        let bob = doing.walked.map_or(0.0, |way| 0.018 * (1.0 - (2.0 * phase(way)).cosine()));
+        self.carry(Pose::translation(-0.25 * reach.1, 0.0, -bob - reach.1));
+        self.turn(Bone::Chest, pitch(reach.0 + if doing.walked.is_some() { 0.06 } else { 0.0 }));
+        self.turn(Bone::Head, pitch(-0.4 * reach.0));
+        for side in Side::BOTH {
+            self.put_foot(side, step(side, doing.walked));
+        }
+        self.dance(doing);
+    }
+
+    /// What a gesture does to the trunk.
+    fn dance(&mut self, doing: &Doing) {
+        if let Some((Verb::Dance | Verb::Exercise | Verb::Stretch, time)) = doing.gesture {
+            let roll = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.18 * (6.0 * time).sine());
+            self.turn(Bone::Chest, roll);
+        }
+    }
+
+    fn sit(&mut self, height: f32) {
+        let hip = Bone::Pelvis.anchor().z;
+        self.carry(Pose::translation(-0.1, 0.0, 0.09 - hip));
+        self.turn(Bone::Chest, pitch(-0.08));
+        for side in Side::BOTH {
+            let knee = LEG[0] - 0.1;
+            let floor = (ANKLE - height).max(0.09 - LEG[1]);
+            self.put_foot(side, Point3::new(knee + 0.03, 0.11 * side.sign(), floor));
+        }
+    }
+
+    fn lie(&mut self) {
+        let turn = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), -std::f32::consts::FRAC_PI_2);
+        self.carry(Pose::from_parts(nalgebra::Translation3::new(0.85, 0.0, 0.12), turn));
+    }
+
+    /// Bends a leg so that the ankle is at a point of the body's frame.
+    fn put_foot(&mut self, side: Side, ankle: Point3<f32>) {
+        let base = self.motion(Bone::Pelvis);
+        let way = base.inverse() * ankle - Bone::Thigh(side).anchor();
+        let (bend, turn) = two_bones(&way, LEG, -1.0);
+        self.turn(Bone::Thigh(side), turn);
+        self.turn(Bone::Shin(side), pitch(bend));
+        // The sole stays level.
+        let level = self.motion(Bone::Shin(side)).rotation.inverse();
+        let yaw = UnitQuaternion::identity();
+        self.turn(Bone::Foot(side), level * yaw);
+    }
+
+    /// Bends an arm so that the palm is at a point of the body's frame, or as near as it gets.
+    fn put_hand(&mut self, side: Side, point: Point3<f32>) {
+        let base = self.motion(Bone::Chest);
+        let way = base.inverse() * point - Bone::UpperArm(side).anchor();
+        let (bend, turn) = two_bones(&way, ARM, 1.0);
+        self.turn(Bone::UpperArm(side), turn);
+        self.turn(Bone::Forearm(side), pitch(bend));
+        self.turn(Bone::Hand(side), UnitQuaternion::identity());
+    }
+
+    fn swing_arm(&mut self, side: Side, doing: &Doing) {
+        if let (Side::Right, Some((point, share))) = (side, doing.reach) {
+            let rest = self.motion(Bone::Chest) * palm(side);
+            return self.put_hand(side, rest + (point - rest) * share);
+        }
+        if let Some(point) = doing.gesture.and_then(|g| gesture(side, g)) {
+            return self.put_hand(side, point);
+        }
+        let swing = doing.walked.map_or(0.0, |way| 0.42 * (phase(way)).sine() * side.sign());
+        self.turn(Bone::UpperArm(side), pitch(swing) * roll(0.08 * side.sign()));
+        self.turn(Bone::Forearm(side), pitch(-0.25 - 0.5 * (-swing).max(0.0)));
+    }
+}
+
+/// A turn at a point.
+fn about(anchor: Point3<f32>, turn: UnitQuaternion<f32>) -> Pose {
+    Pose::from_parts((anchor.coords - turn * anchor.coords).into(), turn)
+}
+
+/// A turn around Y: forwards from above, backwards from below.
+fn pitch(angle: f32) -> UnitQuaternion<f32> {
+    UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle)
+}
+
+fn roll(angle: f32) -> UnitQuaternion<f32> {
+    UnitQuaternion::from_axis_angle(&Vector3::x_axis(), angle)
+}
+
+fn phase(walked: f32) -> f32 {
+    std::f32::consts::TAU * walked / STRIDE
+}
+
+/// Where an ankle is in the course of a stride: back with the ground, forth through the air.
+fn step(side: Side, walked: Option<f32>) -> Point3<f32> {
+    let rest = Bone::Foot(side).anchor();
+    let Some(walked) = walked else { return rest };
+    let own = phase(walked) + if side == Side::Left { std::f32::consts::PI } else { 0.0 };
+    let (sine, cosine) = (own.sine(), own.cosine());
+    rest + Vector3::new(0.25 * STRIDE * sine, 0.0, 0.1 * cosine.max(0.0))
+}
+
+/// How far one bends, radians, and how far one squats, metres, to reach for a point.
+fn stoop(point: Point3<f32>, share: f32) -> (f32, f32) {
+    let length = (ARM[0] + ARM[1]) * STRETCH;
+    for i in 0..=20 {
+        let (bend, squat) = (BEND * (i as f32 / 10.0).min(1.0), 0.42 * (i as f32 / 10.0 - 1.0).max(0.0));
+        let shoulder = about(Bone::Chest.anchor(), pitch(bend)) * Bone::UpperArm(Side::Right).anchor();
+        let shoulder = shoulder - Vector3::new(0.25 * squat, 0.0, squat);
+        if (point - shoulder).norm() <= length {
+            return (bend * share, squat * share);
+        }
+    }
+    (BEND * share, 0.42 * share)
+}
+
+/// Bends a limb that hangs straight down so that its end is a way from its root: how far
+/// its joint is bent (elbows forwards, knees backwards), and how it is turned at its root.
+fn two_bones(way: &Vector3<f32>, [upper, lower]: [f32; 2], forwards: f32) -> (f32, UnitQuaternion<f32>) {
+    let far = way.norm().clamp((upper - lower).abs() + 0.02, (upper + lower) * STRETCH);
+    let cosine = ((upper * upper + lower * lower - far * far) / (2.0 * upper * lower)).clamp(-1.0, 1.0);
+    let bend = -forwards * (std::f32::consts::PI - cosine.arc_cosine());
+    let end = Vector3::new(0.0, 0.0, -upper) + pitch(bend) * Vector3::new(0.0, 0.0, -lower);
+    let turn = UnitQuaternion::rotation_between(&end, way).unwrap_or_else(UnitQuaternion::identity);
+    (bend, turn)
+}
+
+/// Where a hand is in a gesture.
+fn gesture(side: Side, (verb, time): (Verb, f32)) -> Option<Point3<f32>> {
+    let beat = (7.0 * time).sine();
+    let at = |x: f32, y: f32, z: f32| Some(Point3::new(x, y * side.sign(), z));
+    match (verb, side) {
+        (Verb::Wave | Verb::Greet, Side::Right) => at(0.2, 0.38 + 0.1 * beat, 1.72),
+        (Verb::PointAt, Side::Right) => at(0.62, 0.1, 1.38),
+        (Verb::Eat | Verb::Drink, Side::Right) => at(0.2, 0.05, 1.42 + 0.02 * beat),
+        (Verb::Dance, _) => at(0.3, 0.35, 1.25 + 0.15 * beat * side.sign()),
+        (Verb::Exercise, _) => at(0.1, 0.4 + 0.2 * beat, 1.5 + 0.25 * beat),
+        (Verb::Stretch, _) => at(0.0, 0.25, 1.95),
+        (Verb::Read | Verb::Type | Verb::Play, _) => at(0.36, 0.12, 1.1 + 0.01 * beat),
+        (Verb::Wipe | Verb::Wash | Verb::Rinse | Verb::Scrub | Verb::Cut, Side::Right) => at(0.45, 0.1 * beat, 1.0),
+        (Verb::SwitchOn | Verb::SwitchOff | Verb::Touch | Verb::Push | Verb::Squeeze, Side::Right) => {
+            at(0.5, 0.12, 1.2)
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn joined(skeleton: &Skeleton) -> bool {
+        Bone::ALL.into_iter().all(|bone| {
+            let Some(parent) = bone.parent() else { return true };
+            let own = skeleton.motion(bone) * bone.anchor();
+            (own - skeleton.motion(parent) * bone.anchor()).norm() < 1e-4
+        })
+    }
+
+    /// Limbs stay joined whatever the body does, and a hand is where it is to be.
+    #[test]
+    fn limbs_stay_joined_and_hands_arrive() {
+        let doings = [
+            Doing::default(),
+            Doing { walked: Some(0.4), ..Doing::default() },
+            Doing { gesture: Some((Verb::Dance, 0.3)), ..Doing::default() },
+            Doing { reach: Some((Point3::new(0.5, 0.0, 0.2), 1.0)), ..Doing::default() },
+        ];
+        for attitude in [Attitude::Standing, Attitude::Sitting(0.45), Attitude::Lying] {
+            for doing in &doings {
+                let hand = Point3::new(0.35, 0.2, 1.1);
+                let skeleton = Skeleton::new(attitude, doing, [None, Some(hand)]);
+                assert!(joined(&skeleton), "{attitude:?} {doing:?}");
+                if attitude == Attitude::Standing && doing.reach.is_none() && doing.gesture.is_none() {
+                    let own = skeleton.motion(Bone::Hand(Side::Left)) * palm(Side::Left);
+                    assert!((own - hand).norm() < 0.01, "{own:?} instead of {hand:?}");
+                }
+            }
+        }
+    }
+
+    /// Feet of one who stands or walks are on the floor or above it.
+    #[test]
+    fn feet_are_not_in_the_floor() {
+        for i in 0..40 {
+            let doing = Doing { walked: Some(i as f32 * 0.05), ..Doing::default() };
+            let skeleton = Skeleton::new(Attitude::Standing, &doing, [None, None]);
+            for side in Side::BOTH {
+                let ankle = skeleton.motion(Bone::Foot(side)) * Bone::Foot(side).anchor();
+                assert!(ankle.z > ANKLE - 0.02, "{ankle:?}");
+            }
+        }
+    }
+}

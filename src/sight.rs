@@ -1,0 +1,308 @@
+//! What cameras see of an environment.
+
+use std::sync::{Arc, Mutex, OnceLock};
+
+use nalgebra::{Point3, Vector3};
+use vc_graph::asset::Joint;
+use vc_graph::{Asset, Kind, NodeId, Pose, SceneGraph, State};
+use vc_physics::{Hand, Posture, World};
+use vc_render::{Camera, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
+
+use crate::Environment;
+use crate::figure::{Attitude, Bone, Skeleton};
+
+/// Vertical field of view of eyes and of cameras in rooms, radians.
+const FIELD: f32 = 1.15;
+/// Height above the floor at which a view from above cuts the home open, metres.
+const CUT: f32 = 2.1;
+/// Height of cameras in corners above the floor, and of what they look at, metres.
+const CORNER: (f32, f32) = (2.05, 0.8);
+
+/// Where a camera is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Viewpoint {
+    /// An agent's eyes.
+    Agent(NodeId),
+    /// Fixed in a room: of its corners the one from which most of it is seen.
+    Room(NodeId),
+    /// Above a room, its ceiling taken off.
+    Above(NodeId),
+    /// Above the whole home, ceilings taken off.
+    Overhead,
+    /// Anywhere; its width and height are those asked for.
+    Free(Camera),
+}
+
+/// Uploaded meshes and the light, made when first asked for and shared by clones.
+#[derive(Debug, Default)]
+pub(crate) struct Sight {
+    base: OnceLock<Result<Base, RenderError>>,
+    /// The light while these are on.
+    light: Mutex<Option<(Vec<NodeId>, Arc<Lighting>)>>,
+}
+
+#[derive(Debug)]
+struct Base {
+    renderer: Renderer,
+    snapshot: Snapshot,
+    poses: Vec<(NodeId, Pose)>,
+    lit: Vec<NodeId>,
+    /// Nodes with moving parts.
+    jointed: Vec<NodeId>,
+}
+
+impl Environment {
+    /// A picture of the environment as it is: `Renderer::render` of its
+    /// [`snapshot`](Self::snapshot). Changes nothing.
+    ///
+    /// Meshes are uploaded and light is made when a picture is first asked for; light is
+    /// made again when something was switched. Optical flow needs a second moment: see
+    /// [`render_until`](Self::render_until).
+    ///
+    /// # Errors
+    /// [`RenderError`]: a bad size, no such node, or flow, for which there is no second
+    /// moment.
+    pub fn render(
+        &self,
+        view: Viewpoint,
+        wanted: impl Into<Modalities>,
+        width: u32,
+        height: u32,
+    ) -> Result<Frame, RenderError> {
+        self.picture(None, view, wanted.into(), width, height)
+    }
+
+    /// As [`render`](Self::render), with the optical flow from this moment to a later one of
+    /// the same environment: of the camera, of bodies and of every limb.
+    ///
+    /// # Errors
+    /// As [`render`](Self::render); [`RenderError::OtherScene`] if things were added or
+    /// removed in between.
+    pub fn render_until(
+        &self,
+        later: &Self,
+        view: Viewpoint,
+        wanted: impl Into<Modalities>,
+        width: u32,
+        height: u32,
+    ) -> Result<Frame, RenderError> {
+        self.picture(Some(later), view, wanted.into(), width, height)
+    }
+
+    fn picture(
+        &self,
+        later: Option<&Self>,
+        view: Viewpoint,
+        wanted: Modalities,
+        width: u32,
+        height: u32,
+    ) -> Result<Frame, RenderError> {
+        let base = self.base()?;
+        let (snapshot, camera) = (self.snapshot()?, self.camera(view, width, height)?);
+        let then = later.map(|l| Ok::<_, RenderError>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
+        let lighting = if wanted.has(Modality::Rgb) { Some(self.lighting(&snapshot)?) } else { None };
+        let mut shot = Shot::new(&snapshot, &camera, wanted);
+        shot.lighting = lighting.as_deref();
+        if let Some((snapshot, camera)) = &then {
+            shot = shot.after(snapshot, camera);
+        }
+        let mut frame = Frame::new();
+        base.renderer.render(&shot, &mut frame)?;
+        Ok(frame)
+    }
+
+    /// The environment as it is for the renderer: `Renderer::snapshot_with` once, then
+    /// `Snapshot::place`, `articulate`, `arrange` and `switch` of what differs.
+    ///
+    /// # Errors
+    /// [`RenderError`] if something has no sound pose or no shape.
+    pub fn snapshot(&self) -> Result<Snapshot, RenderError> {
+        let base = self.base()?;
+        let mut snapshot = base.snapshot.clone();
+        for (id, was) in &base.poses {
+            let now = self.graph().node(*id).and_then(|n| n.pose());
+            if let Some(now) = now.filter(|now| *now != was) {
+                snapshot.place(*id, now)?;
+            }
+        }
+        let lit = lit(self.graph());
+        let switched = base.lit.iter().filter(|id| !lit.contains(id)).map(|id| (*id, false));
+        for (id, on) in switched.chain(lit.iter().filter(|id| !base.lit.contains(id)).map(|id| (*id, true))) {
+            snapshot.switch(id, on)?;
+        }
+        for id in &base.jointed {
+            let asset = asset_of(self.graph(), *id);
+            snapshot.articulate(*id, |joint| position(self.world(), *id, asset?, joint))?;
+        }
+        for &agent in self.agents() {
+            if let Some(skeleton) = self.skeleton(agent) {
+                snapshot.arrange(agent, |joint| Some(skeleton.motion(Bone::of(joint)?)))?;
+            }
+        }
+        Ok(snapshot)
+    }
+
+    /// The camera of a viewpoint, for pictures of a size in pixels.
+    ///
+    /// # Errors
+    /// [`RenderError::NoBody`] if there is no such agent or room.
+    pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, RenderError> {
+        let camera = Camera::with_fov(width, height, FIELD);
+        match view {
+            Viewpoint::Free(free) => Ok(Camera { width, height, ..free }),
+            Viewpoint::Agent(agent) => self.eyes(agent, camera).ok_or(RenderError::NoBody(agent)),
+            Viewpoint::Room(room) => self.corner(room, camera),
+            Viewpoint::Above(room) => {
+                let aabb = self.graph().node(room).and_then(|n| n.aabb()).ok_or(RenderError::NoBody(room))?;
+                Ok(above(camera, aabb.min, aabb.max))
+            }
+            Viewpoint::Overhead => {
+                let boxes = self.graph().rooms().iter().filter_map(|r| self.graph().node(*r)?.aabb());
+                let all = boxes.map(|b| (b.min, b.max)).reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)));
+                let (low, high) = all.unwrap_or((Point3::new(-5.0, -5.0, 0.0), Point3::new(5.0, 5.0, 2.5)));
+                Ok(above(camera, low, high))
+            }
+        }
+    }
+
+    /// The light as it is: `Renderer::light`.
+    fn lighting(&self, snapshot: &Snapshot) -> Result<Arc<Lighting>, RenderError> {
+        let base = self.base()?;
+        let lit = lit(self.graph());
+        // A thread that panicked left nothing half done here.
+        let mut light = self.sight().light.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some((_, lighting)) = light.as_ref().filter(|(known, _)| *known == lit) {
+            return Ok(lighting.clone());
+        }
+        let lighting = Arc::new(base.renderer.light(snapshot, &Daylight::noon()));
+        *light = Some((lit, lighting.clone()));
+        Ok(lighting)
+    }
+
+    fn base(&self) -> Result<&Base, RenderError> {
+        let base = self.sight().base.get_or_init(|| Base::of(self));
+        base.as_ref().map_err(Clone::clone)
+    }
+
+    fn eyes(&self, agent: NodeId, camera: Camera) -> Option<Camera> {
+        let pose = self.graph().node(agent)?.pose()?;
+        let mut camera = camera.mounted(&(pose * self.skeleton(agent)?.eyes()));
+        camera.near = 0.03;
+        Some(camera)
+    }
+
+    /// How an agent's figure is posed.
+    fn skeleton(&self, agent: NodeId) -> Option<Skeleton> {
+        let world = self.world();
+        let pose = world.pose(agent)?;
+        let attitude = match world.posture(agent)? {
+            Posture::Standing => Attitude::Standing,
+            Posture::Sitting(..) => Attitude::Sitting(pose.translation.z - self.floor().plan().level),
+            Posture::Lying(..) => Attitude::Lying,
+        };
+        let mut doing = self.doing(agent);
+        doing.reach = doing.reach.map(|(point, share)| (pose.inverse_transform_point(&point), share));
+        let hands = Hand::BOTH.map(|hand| grip(world, &pose, hand, world.held(agent, hand)?));
+        Some(Skeleton::new(attitude, &doing, hands))
+    }
+
+    /// Of the corners of a room the one from which most things in it are seen.
+    fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError> {
+        let bounds = self.graph().node(room).and_then(|n| n.aabb()).ok_or(RenderError::NoBody(room))?;
+        let (base, snapshot) = (self.base()?, self.snapshot()?);
+        let small = Camera::with_fov(64, (64 * camera.height / camera.width.max(1)).max(16), FIELD);
+        let mut frame = Frame::new();
+        let mut best: Option<(f32, Point3<f32>)> = None;
+        let (low, high, middle) = (bounds.min, bounds.max, bounds.centre());
+        let target = Point3::new(middle.x, middle.y, low.z + CORNER.1);
+        for (x, y) in [(0, 0), (0, 1), (1, 0), (1, 1), (0, 2), (1, 2), (2, 0), (2, 1)] {
+            let along = |i: i32, low: f32, high: f32| match i {
+                0 => low + 0.22,
+                1 => high - 0.22,
+                _ => (low + high) / 2.0,
+            };
+            let eye = Point3::new(along(x, low.x, high.x), along(y, low.y, high.y), low.z + CORNER.0);
+            let small = small.looking(eye, target);
+            base.renderer.render(&Shot::new(&snapshot, &small, Modality::Instance | Modality::Depth), &mut frame)?;
+            let score = self.shown(room, &frame);
+            if best.is_none_or(|b| score > b.0) {
+                best = Some((score, eye));
+            }
+        }
+        let eye = best.map_or(target, |(_, eye)| eye);
+        Ok(camera.looking(eye, target))
+    }
+
+    /// How many things of a room a picture shows, less what is in the way.
+    fn shown(&self, room: NodeId, frame: &Frame) -> f32 {
+        let mut seen: Vec<NodeId> = frame.instance.clone();
+        let pixels = seen.len().max(1) as f32;
+        let foreign = |id: &&NodeId| self.graph().room_of(**id) != Some(room);
+        let others = seen.iter().filter(foreign).count() as f32 / pixels;
+        let close = frame.depth.iter().filter(|d| **d < 0.7).count() as f32 / pixels;
+        seen.sort_unstable();
+        seen.dedup();
+        let own = seen.iter().filter(|id| !foreign(id)).count() as f32;
+        own - 60.0 * close - 20.0 * others
+    }
+}
+
+impl Base {
+    fn of(environment: &Environment) -> Result<Self, RenderError> {
+        let (graph, world) = (environment.graph(), environment.world());
+        let mut renderer = Renderer::new();
+        let snapshot = renderer.snapshot_with(graph, |id, joint| position(world, id, asset_of(graph, id)?, joint))?;
+        let body = |n: &&vc_graph::Node| n.kind() != Kind::Room;
+        let poses = graph.nodes().filter(body).filter_map(|n| Some((n.id(), *n.pose()?)));
+        let seen: Vec<NodeId> = snapshot.nodes().collect();
+        let poses = poses.filter(|(id, _)| seen.binary_search(id).is_ok()).collect();
+        let jointed = world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect();
+        Ok(Self { lit: lit(graph), renderer, snapshot, poses, jointed })
+    }
+}
+
+fn lit(graph: &SceneGraph) -> Vec<NodeId> {
+    graph.nodes().filter(|n| n.is(State::On) && n.pose().is_some()).map(vc_graph::Node::id).collect()
+}
+
+fn asset_of(graph: &SceneGraph, id: NodeId) -> Option<&Asset> {
+    graph.assets().get(graph.node(id)?.spec().asset?).map(Arc::as_ref)
+}
+
+/// Where a joint of a node is, by the bodies.
+fn position(world: &World, id: NodeId, asset: &Asset, joint: &Joint) -> Option<f32> {
+    let mut joints: Vec<&Joint> = Vec::new();
+    for own in asset.parts.iter().filter_map(|p| p.joint.as_ref()) {
+        if !joints.contains(&own) {
+            joints.push(own);
+        }
+    }
+    let index = joints.iter().position(|own| *own == joint)?;
+    world.moving_parts(id).get(index).map(|part| part.position)
+}
+
+/// Where the palm is on what a hand holds, in the body's frame: at its outer side.
+fn grip(world: &World, feet: &Pose, hand: Hand, held: NodeId) -> Option<Point3<f32>> {
+    let aabb = world.aabb(held)?;
+    let side = if hand == Hand::Right { -1.0 } else { 1.0 };
+    let centre = feet.inverse_transform_point(&aabb.centre());
+    // Half its width across, as it is turned.
+    let across = feet.rotation * Vector3::y();
+    let half = (aabb.max - aabb.min) / 2.0;
+    let reach = across.x.abs() * half.x + across.y.abs() * half.y;
+    Some(centre + Vector3::new(-0.01, side * (reach.min(0.3) + 0.02), 0.0))
+}
+
+/// Straight down on a box, cut open below the ceiling.
+fn above(camera: Camera, low: Point3<f32>, high: Point3<f32>) -> Camera {
+    let middle = nalgebra::center(&low, &high);
+    let at = Point3::new(middle.x, middle.y, low.z + CUT);
+    let aspect = camera.width as f32 / camera.height.max(1) as f32;
+    // North is to the right where the box is longer that way.
+    let span = ((high.x - low.x) + 0.6).max(((high.y - low.y) + 0.6) / aspect);
+    let mut camera = camera.overhead(at, span);
+    let up = camera.pose.translation.z - at.z;
+    camera.near = up.max(0.01);
+    camera
+}

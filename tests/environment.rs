@@ -1,0 +1,254 @@
+//! Environments: generated homes with bodies, in which agents act.
+
+#![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
+
+use virtualcity::graph::{Action, Draft, Kind, NodeId, Place, Relation, SceneGraph, Seed, State, Verb};
+use virtualcity::physics::Hand;
+use virtualcity::tasks::World as _;
+use virtualcity::{ActionError, Batch, Environment, MakeError, Why, check_environment, run};
+
+fn home(seed: u64, agents: usize) -> Environment {
+    Environment::make(&format!("apartment/{seed}"), agents).unwrap()
+}
+
+fn act(home: &mut Environment, agent: NodeId, verb: Verb, things: &[NodeId]) {
+    let action = Action::with(verb, things).unwrap();
+    let done = home.set_action(agent, action);
+    assert!(done.is_ok(), "{}: {}", action.describe(home.graph()), done.unwrap_err());
+}
+
+/// Random actions, legal and not, do no harm, and the bodies do what the rule says.
+#[test]
+fn random_actions_do_no_harm() {
+    for seed in [8, 42] {
+        let mut home = home(seed, 2);
+        let tally = run(&mut home, 80, Seed(seed));
+        assert!(tally.breaches.is_empty(), "{:?}", tally.breaches);
+        assert!(tally.done > 20, "{tally:?}");
+        assert!(tally.disagreements.len() * 20 <= tally.done, "{:?}", tally.disagreements);
+    }
+}
+
+/// As many as are asked of a release; `HOMES`, `ACTIONS` and `FROM` choose others.
+#[test]
+#[ignore = "takes long"]
+#[allow(clippy::print_stdout, reason = "it is a report")]
+fn many_random_actions() {
+    let number =
+        |name: &str, otherwise: u64| std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(otherwise);
+    let (from, homes, actions) = (number("FROM", 1), number("HOMES", 20), number("ACTIONS", 10_000));
+    let (mut done, mut breaches, mut disagreements, mut impossible) = (0, 0, 0, 0);
+    for seed in from..from + homes {
+        let mut home = home(seed, 2);
+        let tally = run(&mut home, actions as usize, Seed(seed));
+        println!("{}: {} done, {} refused", home.graph().name(), tally.done, tally.refused);
+        let show = |what: &str, all: &[String]| all.iter().take(12).for_each(|text| println!("  {what}: {text}"));
+        show("impossible", &tally.impossible);
+        show("disagreement", &tally.disagreements);
+        tally.breaches.iter().take(4).for_each(|breach| println!("  breach: {breach}"));
+        done += tally.done;
+        breaches += tally.breaches.len();
+        disagreements += tally.disagreements.len();
+        impossible += tally.impossible.len();
+    }
+    println!("{done} done, {impossible} impossible, {disagreements} disagreements, {breaches} breaches");
+    assert_eq!(breaches, 0);
+}
+
+/// The contract of Gymnasium's checker and more.
+#[test]
+fn the_contract_is_kept() {
+    let breaches = check_environment(&|| Environment::make("apartment/8", 2), 60, Seed(3)).unwrap();
+    assert!(breaches.is_empty(), "{breaches:?}");
+}
+
+#[test]
+fn names_that_are_none_are_refused() {
+    assert!(matches!(Environment::make("house/1", 1), Err(MakeError::UnknownName(_))));
+    assert!(matches!(Environment::make("apartment/one", 1), Err(MakeError::BadSeed(_))));
+    assert!(matches!(Environment::make("scene:no/such/file", 1), Err(MakeError::File { .. })));
+    assert!(matches!(Environment::make("apartment/8", 100_000), Err(MakeError::NoRoom { .. })));
+    assert!(matches!(Environment::make("apartment/8", 0), Err(MakeError::NoAgents)));
+}
+
+/// What is refused says why and changes nothing.
+#[test]
+fn refusals_change_nothing() {
+    let mut home = home(8, 1);
+    let (me, before) = (home.agents()[0], home.digest());
+    let far = home.graph().nodes().filter(|n| n.kind() == Kind::Object).map(|n| n.id());
+    let far = far.filter(|id| !home.graph().near(me, *id)).last().unwrap();
+    let refused = home.set_action(me, Action::one(Verb::Touch, far)).unwrap_err();
+    assert!(matches!(&refused, ActionError::Refused(why) if !why.is_empty()), "{refused}");
+    assert!(home.set_action(NodeId(u32::MAX), Action::zero(Verb::Dance)).is_err());
+    assert!(home.set_action(me, Action::one(Verb::Grab, NodeId(u32::MAX))).is_err());
+    let twice = home.set_actions(&[(me, Action::zero(Verb::Wave)), (me, Action::zero(Verb::Dance))]);
+    assert!(twice.iter().all(|o| matches!(o, Err(ActionError::Twice(_)))));
+    assert_eq!(home.digest(), before);
+}
+
+/// A thing inside something that opens, both in one home.
+fn kept_thing(home: &Environment) -> Option<(NodeId, NodeId)> {
+    let graph = home.graph();
+    let moves = |id: NodeId| !home.world().moving_parts(id).is_empty();
+    let small = |id: &NodeId| home.world().role(*id) == Some(virtualcity::physics::Role::Loose);
+    let inside = |at: NodeId| graph.relating(Relation::Inside, at).find(small).map(|id| (id, at));
+    graph.nodes().filter(|n| n.hides_contents() && moves(n.id())).find_map(|n| inside(n.id()))
+}
+
+/// Fetching a thing out of what is shut: the door really opens, the thing is in the hand,
+/// and then it stands on a table at rest.
+#[test]
+fn a_thing_is_fetched_and_put_on_a_table() {
+    let mut home = home(42, 1);
+    let me = home.agents()[0];
+    let (thing, cupboard) = kept_thing(&home).unwrap();
+    act(&mut home, me, Verb::Walk, &[cupboard]);
+    act(&mut home, me, Verb::Open, &[cupboard]);
+    assert!(home.world().openness(cupboard).unwrap() > 0.3);
+    act(&mut home, me, Verb::Grab, &[thing]);
+    assert_eq!(home.world().held(me, Hand::Right), Some(thing));
+    let (body, held) = (home.world().pose(me).unwrap(), home.world().aabb(thing).unwrap().centre());
+    let local = body.inverse_transform_point(&held);
+    assert!(local.x > 0.2 && local.x < 0.8 && local.z > 0.7, "{local:?}");
+    act(&mut home, me, Verb::Close, &[cupboard]);
+    assert_eq!(home.world().open_state(cupboard), Some(State::Closed));
+    let table = ["kitchen_table", "dining_table", "coffee_table", "desk"];
+    let table = table.iter().find_map(|c| home.graph().of_class(c).first().copied()).unwrap();
+    act(&mut home, me, Verb::Walk, &[table]);
+    act(&mut home, me, Verb::Place, &[thing, table]);
+    assert!(home.graph().places(thing).any(|p| p == Place { relation: Relation::On, at: table }));
+    assert!(home.world().supports(thing).contains(&table) && home.world().is_asleep(thing));
+    assert_eq!(home.history().events().len(), 6);
+    // Back to the beginning.
+    let start = home.start().clone();
+    home.reset(&start).unwrap();
+    assert_eq!(home.graph(), &start);
+    assert!(home.history().events().is_empty());
+}
+
+/// In time and at once lead to the same end, and nobody walks faster than people do.
+#[test]
+fn time_changes_nothing_but_what_is_seen() {
+    let (mut at_once, mut in_time) = (home(42, 2), home(42, 2));
+    let agents = at_once.agents().to_vec();
+    let (_, cupboard) = kept_thing(&at_once).unwrap();
+    let room = at_once.graph().room_of(cupboard).unwrap();
+    let both = [(agents[0], Action::one(Verb::Walk, cupboard)), (agents[1], Action::one(Verb::Walk, room))];
+    let open = [(agents[0], Action::one(Verb::Open, cupboard)), (agents[1], Action::zero(Verb::Wave))];
+    let mut ticks = 0;
+    for actions in [both, open] {
+        assert!(at_once.set_actions(&actions).iter().all(Result::is_ok));
+        let mut last = in_time.world().pose(agents[0]).unwrap().translation.vector;
+        let outcomes = in_time.set_actions_in_time(&actions, |now| {
+            let at = now.world().pose(agents[0]).unwrap().translation.vector;
+            assert!((at - last).norm() < 0.1, "a leap of {} m", (at - last).norm());
+            (last, ticks) = (at, ticks + 1);
+        });
+        assert!(outcomes.iter().all(Result::is_ok));
+        assert_eq!(at_once.digest(), in_time.digest());
+    }
+    assert!(ticks > 100, "{ticks}");
+}
+
+/// Things that are added and moved in the graph get places in the home; what has none is
+/// left out and reported.
+#[test]
+fn graphs_are_put_in_force() {
+    let mut home = home(42, 1);
+    let mut graph = home.start().clone();
+    let table = graph.of_class("table").into_iter().find(|t| home.world().aabb(*t).is_some()).unwrap();
+    let room = graph.room_of(table).unwrap();
+    let mut edit = graph.edit();
+    let apple = edit.add(Draft::new("apple")).unwrap();
+    edit.move_to_room(apple, room).unwrap();
+    edit.place(apple, Place { relation: Relation::On, at: table }).unwrap();
+    let lost = edit.add(Draft::new("apple")).unwrap();
+    edit.move_to_room(lost, room).unwrap();
+    edit.commit();
+    let report = home.reset(&graph).unwrap();
+    assert_eq!(report.added, [apple, lost]);
+    assert_eq!(report.unplaced.len(), 1);
+    assert_eq!((report.unplaced[0].thing.id, &report.unplaced[0].why), (lost, &Why::Nowhere));
+    assert!(home.graph().node(lost).is_none());
+    assert!(home.graph().places(apple).any(|p| p.at == table), "{:?}", home.graph().place(apple));
+    assert!(home.world().supports(apple).contains(&table));
+}
+
+/// The same bytes in any thread, in a batch or alone, whatever the order.
+#[test]
+fn threads_change_nothing() {
+    let actions = |home: &Environment| -> Vec<(NodeId, Action)> {
+        let cupboard = kept_thing(home).map(|(_, at)| at).unwrap_or(home.graph().rooms()[0]);
+        vec![(home.agents()[1], Action::zero(Verb::Dance)), (home.agents()[0], Action::one(Verb::Walk, cupboard))]
+    };
+    let names = || [8_u64, 42, 8].map(|s| format!("apartment/{s}"));
+    let mut batch = Batch::make(names(), 2).unwrap();
+    let all: Vec<_> = batch.environments().iter().map(&actions).collect();
+    assert!(batch.set_actions(&all).iter().flatten().all(Result::is_ok));
+    let handles = names().map(|name| {
+        std::thread::spawn(move || {
+            let mut home = Environment::make(&name, 2).unwrap();
+            let mut own = actions(&home);
+            own.reverse();
+            home.set_actions(&own);
+            home.digest()
+        })
+    });
+    let alone: Vec<_> = handles.into_iter().map(|h| h.join().unwrap()).collect();
+    let together: Vec<_> = batch.environments().iter().map(Environment::digest).collect();
+    assert_eq!(alone, together);
+    assert_eq!(alone[0], alone[2]);
+}
+
+/// The planner's human-like agent does a task in a home with bodies, through `World`.
+#[test]
+fn the_planner_works_with_bodies() {
+    use virtualcity::graph::Scope;
+    use virtualcity::planner::{Agent, Decision};
+    let mut home = home(42, 1);
+    let me = home.agents()[0];
+    let (thing, _) = kept_thing(&home).unwrap();
+    let goal = format!("Holds({})", home.graph().node(thing).unwrap().class()).parse().unwrap();
+    let mut agent = Agent::newcomer(home.graph(), me, goal, 7);
+    let world: &mut dyn virtualcity::tasks::World = &mut home;
+    for _ in 0..120 {
+        agent.see(&world.graph().observe(me, Scope::Room));
+        let Decision::Act(action, _) = agent.decide() else { break };
+        let words = action.describe(world.graph()).to_string();
+        let done = world.step(me, &action);
+        assert!(done.is_ok(), "{words}: {}", done.unwrap_err());
+        agent.did(&action);
+    }
+    let class = home.start().node(thing).unwrap().class().clone();
+    assert!(SceneGraph::held(home.graph(), me).any(|id| home.graph().node(id).unwrap().class() == &class));
+    let start = home.start().clone();
+    home.step(me, &Action::zero(Verb::Dance)).unwrap();
+    virtualcity::tasks::World::reset(&mut home, &start).unwrap();
+    assert_eq!(home.graph(), &start);
+}
+
+/// Agents are seen by others, by every label, and what they hold is where their hand is.
+#[cfg(feature = "render")]
+#[test]
+fn agents_are_seen() {
+    use virtualcity::Viewpoint;
+    use virtualcity::render::{Modalities, Modality};
+    let mut home = home(42, 2);
+    let (me, other) = (home.agents()[0], home.agents()[1]);
+    let room = home.graph().room_of(me).unwrap();
+    let frame = home.render(Viewpoint::Room(room), Modality::Instance | Modality::Boxes | Modality::Masks, 160, 120);
+    let frame = frame.unwrap();
+    let pixels = frame.instance.iter().filter(|id| **id == me).count();
+    assert!(pixels > 30, "{pixels} pixels of the agent are seen");
+    assert!(frame.boxes.iter().any(|b| b.node == me));
+    // One does not see one's own head.
+    let own = home.render(Viewpoint::Agent(me), Modality::Instance, 160, 120).unwrap();
+    assert!(own.instance.iter().filter(|id| **id == me).count() < own.instance.len() / 10);
+    let before = home.clone();
+    act(&mut home, other, Verb::Walk, &[room]);
+    let flow = before.render_until(&home, Viewpoint::Room(room), Modalities::SIX, 160, 120).unwrap();
+    assert_eq!(flow.flow_forward.len(), 160 * 120);
+    assert!(home.render(Viewpoint::Agent(me), Modality::FlowForward, 160, 120).is_err());
+    assert!(home.render(Viewpoint::Agent(NodeId(9999)), Modality::Depth, 16, 16).is_err());
+}
