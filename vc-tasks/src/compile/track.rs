@@ -167,7 +167,7 @@ impl Tracker {
     fn wake(&mut self, place: usize, value: bool) {
         for at in self.watch.of(place) {
             let watcher = self.watch.watchers[at];
-            let (gate, negated) = (watcher / 2, watcher % 2 != 0);
+            let (gate, negated) = (watcher >> 1, watcher & 1 != 0);
             let count = &mut self.counts[gate as usize];
             *count = if value != negated { *count + 1 } else { *count - 1 };
             self.queue.push(Reverse(gate));
