@@ -20,10 +20,15 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! This is the first slice of the crate: the further goal languages, benchmark
-//! tasks and initial environments of `ARCHITECTURE.md` are not here yet.
+//! [`format`] reads and writes tasks of others: BDDL, PDDL, Watch-And-Help, EAI,
+//! ALFRED, the thesis. [`lint`] says what is wrong with a task.
+//!
+//! Benchmark tasks and initial environments of `ARCHITECTURE.md` are not here yet.
 
+pub mod format;
+mod ground;
 mod household;
+pub mod lint;
 mod obstacle;
 mod task;
 mod world;
