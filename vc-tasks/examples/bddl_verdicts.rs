@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let marginal = Facts::of(&activity, Pairing::Marginal).map_err(located)?;
         let matching = Facts::of(&activity, Pairing::Matching).map_err(located)?;
         for state in 0..states {
-            let mut dice = Seed::new(seed).nth(number as u64).nth(state).stream();
+            let mut dice = Seed(seed).nth(number as u64).nth(state).stream();
             // From states where nearly nothing holds to some where nearly all does.
             let often = (state + 1) as f32 / (states + 1) as f32;
             let holds: Vec<bool> = marginal.names().iter().map(|_| dice.unit() < often).collect();

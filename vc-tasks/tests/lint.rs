@@ -81,7 +81,7 @@ fn a_scene_tells_what_there_is() {
     assert_eq!(kinds("On(apple, kitchen_table), 2"), []);
     assert_eq!(kinds("On(apple, kitchen_table), 3"), [Kind::Unsatisfiable]);
     assert_eq!(kinds("On(apple, kitchen_table)"), [Kind::TrueAtStart]);
-    assert_eq!(kinds("exactly 1 ?a: apple. Clean(?a) & forall ?a: apple. Clean(?a)"), [Kind::Unsatisfiable]);
+    assert_eq!(kinds("(exactly 1 ?a: apple. Clean(?a)) & forall ?a: apple. Clean(?a)"), [Kind::Unsatisfiable]);
 }
 
 #[test]
@@ -93,9 +93,9 @@ fn what_is_not_declared_is_said_with_its_place() {
     assert_eq!(
         lines,
         [
-            "line 3, column 8: not declared: object `c`",
-            "line 3, column 20: a fact repeated: (ontop a c)",
-            "line 3, column 20: not declared: object `c`",
+            "line 3, column 9: not declared: object `c`",
+            "line 3, column 21: a fact repeated: (ontop a c)",
+            "line 3, column 21: not declared: object `c`",
             "line 4, column 14: not declared: predicate `flies`",
             "line 4, column 25: not declared: class `dog`",
             "line 4, column 61: a stray word: junk",

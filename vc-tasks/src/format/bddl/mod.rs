@@ -238,8 +238,14 @@ impl<'t> Fact<'t> {
 impl fmt::Display for Activity {
     /// As BDDL, one object class, one fact and one part of the goal a line.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "(define (problem {})", self.name())?;
-        writeln!(f, "    (:domain {})\n\n    (:objects", self.domain())?;
+        f.write_str("(define")?;
+        // What is missing stays missing.
+        for (head, word) in [("problem", self.name()), (":domain", self.domain())] {
+            if !word.is_empty() {
+                write!(f, " ({head} {word})")?;
+            }
+        }
+        writeln!(f, "\n\n    (:objects")?;
         let objects: Vec<Object<'_>> = self.objects().collect();
         for of_class in objects.chunk_by(|a, b| a.class == b.class) {
             let names: Vec<&str> = of_class.iter().map(|o| o.name).collect();

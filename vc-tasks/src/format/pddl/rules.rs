@@ -324,7 +324,8 @@ impl Way {
             Effect::LieOn(t) => self.rest("lying_on", variable(t)),
             Effect::StandUp => {
                 self.add("upright", &[]);
-                ["sitting_on", "lying_on"].map(|how| self.delete(how, &["?k"]));
+                self.delete("sitting_on", &["?k"]);
+                self.delete("lying_on", &["?k"]);
                 self.delete(is(State::Asleep), &[HANDS]);
             }
             Effect::FillWithWater(t) => self.enter(variable(t), State::Filled),
