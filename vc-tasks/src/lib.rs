@@ -10,7 +10,11 @@
 //!
 //! [`compile`] makes a goal a flat program over the atoms that matter, kept up to
 //! date while a scene changes; [`score`] says how much of it holds, [`explain`] and
-//! [`first_held`] what is missing and since when the rest has held.
+//! [`first_held`] what is missing and since when the rest has held. [`report`] sums up
+//! many attempts.
+//!
+//! [`format`] reads and writes tasks of others: BDDL, PDDL, Watch-And-Help, EAI,
+//! ALFRED, the thesis. [`lint`] says what is wrong with a task.
 //!
 //! ```
 //! use vc_graph::{Draft, SceneBuilder};
@@ -28,12 +32,15 @@
 
 pub mod compile;
 mod explain;
+pub mod format;
+mod ground;
 mod household;
 pub mod initial;
 pub mod library;
+pub mod lint;
 mod obstacle;
-pub mod score;
 pub mod report;
+pub mod score;
 mod task;
 mod world;
 

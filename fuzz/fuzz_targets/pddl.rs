@@ -1,0 +1,15 @@
+//! Domains and problems that read are written and read back equal; plans are read.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use vc_tasks::format::pddl::{Domain, Problem, read_plan};
+
+fuzz_target!(|text: &str| {
+    if let Ok(domain) = text.parse::<Domain>() {
+        assert_eq!(domain.to_string().parse().as_ref(), Ok(&domain));
+    }
+    if let Ok(problem) = text.parse::<Problem>() {
+        assert_eq!(problem.to_string().parse().as_ref(), Ok(&problem));
+    }
+    let _ = read_plan(text);
+});

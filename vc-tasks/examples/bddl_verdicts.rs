@@ -1,0 +1,58 @@
+//! Random states of BEHAVIOR's activities with our verdicts, as JSON Lines, for
+//! `peers/bddl_verdicts.py` to compare.
+//!
+//! `cargo run --release -p vc-tasks --example bddl_verdicts -- FOLDER [STATES [SEED]]`
+//! prints for each activity under the folder so many lines (10): the file, the facts
+//! that hold of those the goal is about, and which parts of the goal are met,
+//! `marginal` as the reference implementation judges pairs and `matching` strictly.
+
+use std::error::Error;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use vc_graph::Seed;
+use vc_graph::goal::Pairing;
+use vc_tasks::format::bddl::{Activity, Facts};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let folder = arguments.next().ok_or("say where the activities are")?;
+    let states: u64 = arguments.next().map_or(Ok(10), |n| n.parse())?;
+    let seed: u64 = arguments.next().map_or(Ok(1), |n| n.parse())?;
+    let mut files = Vec::new();
+    collect(Path::new(&folder), &mut files)?;
+    files.sort();
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    for (number, file) in files.iter().enumerate() {
+        let located = |e: vc_tasks::format::ReadError| e.in_file(file);
+        let activity = Activity::read(&std::fs::read_to_string(file)?).map_err(located)?;
+        let marginal = Facts::of(&activity, Pairing::Marginal).map_err(located)?;
+        let matching = Facts::of(&activity, Pairing::Matching).map_err(located)?;
+        for state in 0..states {
+            let mut dice = Seed(seed).nth(number as u64).nth(state).stream();
+            // From states where nearly nothing holds to some where nearly all does.
+            let often = (state + 1) as f32 / (states + 1) as f32;
+            let holds: Vec<bool> = marginal.names().iter().map(|_| dice.unit() < often).collect();
+            let met = |facts: &Facts| facts.heads(|i| holds.get(i).copied().unwrap_or(false));
+            let facts: Vec<&String> =
+                marginal.names().iter().zip(&holds).filter(|(_, h)| **h).map(|(n, _)| n).collect();
+            let (marginal, matching) = (met(&marginal), met(&matching));
+            let line = serde_json::json!({ "file": file, "facts": facts, "marginal": marginal, "matching": matching });
+            writeln!(out, "{line}")?;
+        }
+    }
+    Ok(())
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in std::fs::read_dir(folder)? {
+        let entry = entry?.path();
+        let name = entry.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if entry.is_dir() {
+            collect(&entry, files)?;
+        } else if name.starts_with("problem") && name.ends_with(".bddl") {
+            files.push(entry);
+        }
+    }
+    Ok(())
+}

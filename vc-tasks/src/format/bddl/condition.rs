@@ -1,0 +1,170 @@
+//! Conditions, one level at a time.
+
+use crate::format::ReadError;
+use crate::format::sexpr::{Expr, Items};
+
+/// A predicate of one or two things.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Atom<'t> {
+    /// The predicate, `ontop`.
+    pub predicate: &'t str,
+    /// The first thing.
+    pub first: &'t str,
+    /// The second thing of those that take two.
+    pub second: Option<&'t str>,
+}
+
+/// A variable with the class it ranges over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Variable<'t> {
+    /// Its name, without `?`.
+    pub name: &'t str,
+    /// The class.
+    pub class: &'t str,
+}
+
+/// One level of a condition.
+#[derive(Clone)]
+#[non_exhaustive]
+pub enum Part<'t> {
+    /// All of these.
+    And(Items<'t>),
+    /// Some of these.
+    Or(Items<'t>),
+    /// Not this.
+    Not(Expr<'t>),
+    /// The second, if the first.
+    Imply(Expr<'t>, Expr<'t>),
+    /// The condition for every value.
+    ForAll(Variable<'t>, Expr<'t>),
+    /// The condition for some value.
+    Exists(Variable<'t>, Expr<'t>),
+    /// The condition for exactly so many values.
+    ForN(u32, Variable<'t>, Expr<'t>),
+    /// The condition for pairs of values: for so many, or as many as can be.
+    Pairs(Option<u32>, [Variable<'t>; 2], Expr<'t>),
+    /// A predicate of things or variables.
+    Atom(Atom<'t>),
+}
+
+/// The one thing a list says something of.
+pub(super) fn only(list: Expr<'_>) -> Result<Expr<'_>, ReadError> {
+    let mut items = list.items().skip(1);
+    let one = items.next().ok_or_else(|| list.error_at_end("a condition"))?;
+    items.next().map_or(Ok(one), |extra| Err(extra.error("`)`")))
+}
+
+impl<'t> Atom<'t> {
+    pub(super) fn of(at: Expr<'t>) -> Result<Self, ReadError> {
+        let mut items = at.items();
+        let predicate = items.next().and_then(Expr::word).ok_or_else(|| at.error("a predicate of things"))?;
+        if KEYWORDS.contains(&predicate) {
+            return Err(at.error("a predicate of things"));
+        }
+        let thing = |item: Expr<'t>| {
+            let word = item.word().ok_or_else(|| item.error("an object or a variable"))?;
+            Ok(word.trim_start_matches('?'))
+        };
+        let first = items.next().ok_or_else(|| at.error_at_end("an object or a variable"))?;
+        let (first, second) = (thing(first)?, items.next().map(thing).transpose()?);
+        items.next().map_or(Ok(Self { predicate, first, second }), |extra| Err(extra.error("`)`")))
+    }
+
+    /// The things it is about.
+    pub fn things(&self) -> impl Iterator<Item = &'t str> + use<'t> {
+        [Some(self.first), self.second].into_iter().flatten()
+    }
+}
+
+impl<'t> Variable<'t> {
+    /// `(?cup.n.01 - cup.n.01)`.
+    fn of(at: Expr<'t>) -> Result<Self, ReadError> {
+        let expected = "a variable and its class, `(?x - class)`";
+        let mut words = at.items().map(Expr::word);
+        match (words.next(), words.next(), words.next(), words.next()) {
+            (Some(Some(name)), Some(Some("-")), Some(Some(class)), None) => {
+                Ok(Self { name: name.trim_start_matches('?'), class })
+            }
+            _ => Err(at.error(expected)),
+        }
+    }
+}
+
+/// The words that make conditions of conditions.
+const KEYWORDS: [&str; 9] = ["and", "or", "not", "imply", "forall", "exists", "forn", "forpairs", "fornpairs"];
+
+impl<'t> Part<'t> {
+    /// Takes one level of a condition apart.
+    ///
+    /// # Errors
+    /// [`ReadError`] if it is none; never for what [`Activity::goal`] holds.
+    pub fn of(at: Expr<'t>) -> Result<Self, ReadError> {
+        let mut rest = at.items();
+        let Some(head) = rest.next().and_then(Expr::word) else {
+            return Err(at.error("a condition"));
+        };
+        if !KEYWORDS.contains(&head) {
+            return Atom::of(at).map(Self::Atom);
+        }
+        let all = rest.clone();
+        let mut next = |expected: &str| rest.next().ok_or_else(|| at.error_at_end(expected));
+        let part = match head {
+            "and" => return Ok(Self::And(all)),
+            "or" => return Ok(Self::Or(all)),
+            "not" => Self::Not(next("a condition")?),
+            "imply" => Self::Imply(next("a condition")?, next("a condition")?),
+            "forall" => Self::ForAll(Variable::of(next(VARIABLE)?)?, next("a condition")?),
+            "exists" => Self::Exists(Variable::of(next(VARIABLE)?)?, next("a condition")?),
+            "forn" => Self::ForN(number(next(NUMBER)?)?, Variable::of(next(VARIABLE)?)?, next("a condition")?),
+            counted => {
+                let number = if counted == "fornpairs" { Some(number(next(NUMBER)?)?) } else { None };
+                let variables = [Variable::of(next(VARIABLE)?)?, Variable::of(next(VARIABLE)?)?];
+                Self::Pairs(number, variables, next("a condition")?)
+            }
+        };
+        rest.next().map_or(Ok(part), |extra| Err(extra.error("`)`")))
+    }
+
+    /// The conditions it is made of.
+    pub fn conditions(&self) -> Vec<Expr<'t>> {
+        match self {
+            Self::And(parts) | Self::Or(parts) => parts.clone().collect(),
+            Self::Not(body) | Self::ForAll(_, body) | Self::Exists(_, body) => vec![*body],
+            Self::ForN(_, _, body) | Self::Pairs(_, _, body) => vec![*body],
+            Self::Imply(first, second) => vec![*first, *second],
+            Self::Atom(_) => Vec::new(),
+        }
+    }
+
+    /// The variables it binds.
+    pub fn variables(&self) -> &[Variable<'t>] {
+        match self {
+            Self::ForAll(variable, _) | Self::Exists(variable, _) | Self::ForN(_, variable, _) => {
+                std::slice::from_ref(variable)
+            }
+            Self::Pairs(_, variables, _) => variables,
+            _ => &[],
+        }
+    }
+}
+
+const VARIABLE: &str = "a variable and its class, `(?x - class)`";
+const NUMBER: &str = "a number in brackets, `(2)`";
+
+/// `(2)`.
+fn number(at: Expr<'_>) -> Result<u32, ReadError> {
+    let mut items = at.items();
+    let number = items.next().and_then(Expr::word).and_then(|w| w.parse().ok());
+    number.filter(|_| items.next().is_none()).ok_or_else(|| at.error(NUMBER))
+}
+
+/// Whether it is a condition all the way down. Nesting is bounded by the tree's.
+pub(super) fn check(condition: Expr<'_>) -> Result<(), ReadError> {
+    match Part::of(condition)? {
+        Part::And(mut parts) | Part::Or(mut parts) => parts.try_for_each(check),
+        Part::Imply(first, second) => check(first).and_then(|()| check(second)),
+        Part::Not(body) | Part::ForAll(_, body) | Part::Exists(_, body) => check(body),
+        Part::ForN(_, _, body) | Part::Pairs(_, _, body) => check(body),
+        Part::Atom(_) => Ok(()),
+    }
+}

@@ -1,0 +1,134 @@
+//! Where a text is wrong, and what cannot be written.
+
+use std::fmt;
+use std::path::Path;
+
+/// Where a text is wrong: the place, what was expected there and what was found.
+///
+/// ```
+/// use vc_tasks::format::bddl::Activity;
+/// let error = Activity::read("(define\n  (problem p)\n  (:goal (not))").unwrap_err();
+/// assert_eq!(
+///     error.in_file("p.bddl").to_string(),
+///     "p.bddl, line 1, column 1: BDDL: expected a `)` for this `(`, found the end",
+/// );
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ReadError {
+    /// The format that was read.
+    pub format: &'static str,
+    /// The file, where the caller has named it.
+    pub file: Option<String>,
+    /// Line, counted from one.
+    pub line: usize,
+    /// Character of the line, counted from one.
+    pub column: usize,
+    /// What should stand there.
+    pub expected: String,
+    /// What does.
+    pub found: String,
+}
+
+impl ReadError {
+    /// An error at a byte of a text.
+    pub(crate) fn at(
+        format: &'static str,
+        text: &str,
+        byte: usize,
+        expected: impl Into<String>,
+        found: impl Into<String>,
+    ) -> Self {
+        let (line, column) = line_and_column(text, byte);
+        Self { format, file: None, line, column, expected: expected.into(), found: found.into() }
+    }
+
+    /// The same error with the file it is in.
+    #[must_use]
+    pub fn in_file(mut self, file: impl AsRef<Path>) -> Self {
+        self.file = Some(file.as_ref().display().to_string());
+        self
+    }
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(file) = &self.file {
+            write!(f, "{file}, ")?;
+        }
+        let Self { format, line, column, expected, found, .. } = self;
+        write!(f, "line {line}, column {column}: {format}: expected {expected}, found {found}")
+    }
+}
+
+impl std::error::Error for ReadError {}
+
+/// Line and character of a byte, both counted from one.
+pub(crate) fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
+    let before = text.get(..byte).unwrap_or(text);
+    let line = 1 + before.matches('\n').count();
+    let start = before.rfind('\n').map_or(0, |i| i + 1);
+    (line, 1 + before[start..].chars().count())
+}
+
+/// Shortens hostile or huge text for a message.
+pub(crate) fn clip(text: &str) -> String {
+    const LIMIT: usize = 60;
+    match text.char_indices().nth(LIMIT) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// What a format has no word for.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{format} cannot say `{part}`: {why}")]
+pub struct Unwritable {
+    /// The format.
+    pub format: &'static str,
+    /// The part of the goal, in our own notation.
+    pub part: String,
+    /// Why not.
+    pub why: String,
+}
+
+impl Unwritable {
+    pub(crate) fn new(format: &'static str, part: impl fmt::Display, why: impl Into<String>) -> Self {
+        Self { format, part: clip(&part.to_string()), why: why.into() }
+    }
+}
+
+/// A JSON object, its entries in the order of the text.
+pub(crate) struct Entries(pub(crate) Vec<(String, serde_json::Value)>);
+
+impl<'de> serde::Deserialize<'de> for Entries {
+    fn deserialize<D: serde::Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        struct Reader;
+        impl<'de> serde::de::Visitor<'de> for Reader {
+            type Value = Entries;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a JSON object")
+            }
+
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, mut map: A) -> Result<Entries, A::Error> {
+                let mut entries = Vec::new();
+                while let Some(entry) = map.next_entry()? {
+                    entries.push(entry);
+                }
+                Ok(Entries(entries))
+            }
+        }
+        d.deserialize_map(Reader)
+    }
+}
+
+/// Reads JSON into a type.
+pub(crate) fn from_json<T: serde::de::DeserializeOwned>(format: &'static str, text: &str) -> Result<T, ReadError> {
+    serde_json::from_str(text).map_err(|error| {
+        let message = error.to_string();
+        let message = message.split(" at line ").next().unwrap_or(&message);
+        let (found, expected) = message.split_once(", expected ").unwrap_or((message, "JSON of this format"));
+        let (line, column) = (error.line().max(1), error.column().max(1));
+        ReadError { format, file: None, line, column, expected: expected.to_owned(), found: found.to_owned() }
+    })
+}

@@ -1,0 +1,408 @@
+//! The transition rule in PDDL.
+//!
+//! The rule's conditions and effects become the STRIPS fragment with types, which
+//! all planners take: conditions are conjunctions of facts, a condition that can be
+//! met in several ways makes several actions of a verb. Facts that no action
+//! changes (`affords_openable`, `fits`) are the scene's to tell. The agent is at a
+//! spot, and everything is by one: by the furniture it is on or in, by itself, or by
+//! `self` while it is held. Everything is within a cover: within a container that
+//! opens, or within `air`. So being near is `(by x s) (at s)`, and being accessible
+//! `(within x c) (lets_in c)`.
+//!
+//! What is said is never more than the rule allows, but less in these points: what
+//! carries something is not moved, one sits and lies down standing, a container
+//! inside another one that opens takes nothing, and a plan does not see a surface
+//! fill up.
+
+use std::collections::BTreeSet;
+
+use vc_graph::rule::{Condition, Effect, Role};
+use vc_graph::{Property, State, Verb};
+
+use super::{Atom, Change, Domain, Formula, Operator, Signature, Typed};
+
+/// A verb that is left out, and why.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct LeftOut {
+    /// The verb.
+    pub verb: Verb,
+    /// What of it PDDL cannot say.
+    pub why: String,
+}
+
+/// What a fact that no action changes is asked of a scene with.
+pub(super) type Lasting = (String, Condition<Role>);
+
+/// The domain of some verbs, with what it leaves out.
+///
+/// ```
+/// use vc_graph::{Verb, Word};
+/// use vc_tasks::format::pddl;
+/// let (domain, left_out) = pddl::domain(Verb::ALL);
+/// assert!(domain.operators.iter().any(|o| o.name == "put_in"));
+/// assert!(left_out.iter().any(|l| l.verb == Verb::Drive));
+/// assert_eq!(domain.to_string().parse::<pddl::Domain>()?, domain);
+/// # Ok::<(), vc_tasks::format::ReadError>(())
+/// ```
+pub fn domain(verbs: &[Verb]) -> (Domain, Vec<LeftOut>) {
+    let rules = Rules::of(verbs);
+    (rules.domain("virtualcity"), rules.left_out)
+}
+
+/// Operators, what they ask of a scene, and what is left out.
+pub(super) struct Rules {
+    pub(super) operators: Vec<Operator>,
+    pub(super) lasting: Vec<Lasting>,
+    pub(super) left_out: Vec<LeftOut>,
+}
+
+/// Where the agent starts.
+pub(super) const HERE: &str = "here";
+/// Where what is held is.
+pub(super) const HANDS: &str = "self";
+/// What nothing in particular is within, and rests on.
+pub(super) const AIR: &str = "air";
+
+impl Rules {
+    pub(super) fn of(verbs: &[Verb]) -> Self {
+        let mut rules = Self { operators: Vec::new(), lasting: Vec::new(), left_out: Vec::new() };
+        for &verb in verbs {
+            match ways(verb) {
+                Ok(ways) => {
+                    for (i, way) in ways.into_iter().enumerate() {
+                        for fact in &way.lasting {
+                            if rules.lasting.iter().all(|(known, _)| *known != fact.0) {
+                                rules.lasting.push(fact.clone());
+                            }
+                        }
+                        let name = if i == 0 { verb.to_string() } else { format!("{verb}-{}", i + 1) };
+                        rules.operators.push(way.operator(verb, name));
+                    }
+                }
+                Err(why) => rules.left_out.push(LeftOut { verb, why }),
+            }
+        }
+        rules.lasting.retain(|(name, _)| rules.operators.iter().any(|o| mentions(o, name)));
+        rules
+    }
+
+    /// The domain of the operators.
+    pub(super) fn domain(&self, name: &str) -> Domain {
+        let mut predicates = BTreeSet::new();
+        for operator in &self.operators {
+            atoms(operator).for_each(|atom| {
+                predicates.insert((atom.predicate.clone(), atom.arguments.iter().map(|a| kind(a)).collect::<Vec<_>>()));
+            });
+        }
+        let signature = |(name, kinds): (String, Vec<&'static str>)| {
+            let parameters = kinds.iter().zip(["?x", "?y"]).map(|(kind, name)| Typed::new(name, *kind));
+            Signature { name, parameters: parameters.collect() }
+        };
+        Domain {
+            name: name.to_owned(),
+            requirements: vec![":strips".to_owned(), ":typing".to_owned()],
+            types: vec![Typed::new("thing", "object"), Typed::new("hand", "object")],
+            constants: vec![
+                Typed::new(HERE, "thing"),
+                Typed::new(HANDS, "thing"),
+                Typed::new(AIR, "thing"),
+                Typed::new("right", "hand"),
+                Typed::new("left", "hand"),
+            ],
+            predicates: predicates.into_iter().map(signature).collect(),
+            operators: self.operators.clone(),
+        }
+    }
+}
+
+/// The type of a name: variables of hands begin with `?h`.
+pub(super) fn kind(name: &str) -> &'static str {
+    if name.starts_with("?h") || ["right", "left"].contains(&name) { "hand" } else { "thing" }
+}
+
+fn mentions(operator: &Operator, predicate: &str) -> bool {
+    atoms(operator).any(|a| a.predicate == predicate)
+}
+
+/// All atoms of an operator of the STRIPS fragment.
+pub(super) fn atoms(operator: &Operator) -> impl Iterator<Item = &Atom> {
+    let needs = match &operator.precondition {
+        Formula::And(parts) => parts.as_slice(),
+        other => std::slice::from_ref(other),
+    };
+    let needs = needs.iter().filter_map(|f| if let Formula::Atom(atom) = f { Some(atom) } else { None });
+    needs.chain(operator.effect.iter().filter_map(|c| match c {
+        Change::Add(atom) | Change::Delete(atom) => Some(atom),
+        _ => None,
+    }))
+}
+
+/// One way of doing something.
+#[derive(Clone, Default)]
+struct Way {
+    needs: Vec<Atom>,
+    does: Vec<Change>,
+    lasting: Vec<Lasting>,
+}
+
+/// All ways of doing something.
+fn ways(verb: Verb) -> Result<Vec<Way>, String> {
+    let rule = verb.rule();
+    let mut all = vec![Way::default()];
+    for need in rule.needs {
+        let choices = condition(*need, verb)?;
+        all = all.iter().flat_map(|way| choices.iter().map(|choice| way.with(choice))).collect();
+    }
+    for way in &mut all {
+        for does in rule.does {
+            way.effect(*does)?;
+        }
+        let things = [Role::X, Role::Y].into_iter().take(rule.arity).map(variable);
+        let did = Atom::new(format!("did_{verb}"), &things.collect::<Vec<_>>());
+        way.does.push(Change::Add(did));
+    }
+    Ok(all)
+}
+
+fn variable(role: Role) -> &'static str {
+    match role {
+        Role::X => "?x",
+        Role::Y => "?y",
+    }
+}
+
+/// The spot by which a thing is, and what it is within.
+fn spot(role: Role) -> (&'static str, &'static str) {
+    match role {
+        Role::X => ("?sx", "?cx"),
+        Role::Y => ("?sy", "?cy"),
+    }
+}
+
+fn lasting(name: impl Into<String>, condition: Condition<Role>, role: Role) -> Way {
+    let name = name.into();
+    let needs = vec![Atom::new(&*name, &[variable(role)])];
+    // It is asked of one thing, whichever role it has here.
+    Way { needs, lasting: vec![(name, condition)], ..Way::default() }
+}
+
+fn affords(property: Property, role: Role) -> Way {
+    lasting(format!("affords_{property}"), Condition::Affords(Role::X, property), role)
+}
+
+fn facts(needs: &[(&str, &[&str])]) -> Way {
+    let needs = needs.iter().map(|(predicate, things)| Atom::new(*predicate, things)).collect();
+    Way { needs, ..Way::default() }
+}
+
+/// How a state is called, and that a thing is not in it.
+pub(super) fn is(state: State) -> String {
+    format!("is_{state}")
+}
+
+pub(super) fn is_not(state: State) -> String {
+    format!("not_{state}")
+}
+
+/// The ways in which a condition is met.
+fn condition(needed: Condition<Role>, verb: Verb) -> Result<Vec<Way>, String> {
+    use Condition as C;
+    let x = Role::X;
+    Ok(vec![match needed {
+        C::Affords(t, property) => affords(property, t),
+        C::Reachable(t) => lasting("spot", C::Reachable(x), t),
+        C::Graspable(t) => lasting("graspable", C::Graspable(x), t),
+        C::Carries(t) => lasting("carries", C::Carries(x), t),
+        C::Encloses(t) => lasting("encloses", C::Encloses(x), t),
+        C::Potable(t) => lasting("potable", C::Potable(x), t),
+        C::Receives(t) => lasting("receives", C::Receives(x), t),
+        C::Cuttable(t) => lasting("cuttable", C::Cuttable(x), t),
+        C::Mobile(t) => lasting("mobile", C::Mobile(x), t),
+        C::Soft(t) => lasting("soft", C::Soft(x), t),
+        C::Typable(t) => lasting("typable", C::Typable(x), t),
+        C::Personal(t) => lasting("personal", C::Personal(x), t),
+        C::NotElsewhereHeld(t) => lasting("loose", C::NotElsewhereHeld(x), t),
+        C::SeatFree(t) => lasting("seat_free", C::SeatFree(x), t),
+        C::BedFree(t) => lasting("bed_free", C::BedFree(x), t),
+        // What lies on a plate may be taken off it: only the thing itself counts.
+        C::Edible(t) => affords(Property::Eatable, t),
+        C::Fits(a, b) => {
+            let needs = vec![Atom::new("fits", &[variable(a), variable(b)])];
+            Way { needs, lasting: vec![("fits".to_owned(), C::Fits(Role::X, Role::Y))], ..Way::default() }
+        }
+        C::In(t, state) => facts(&[(&is(state), &[variable(t)])]),
+        C::NotIn(t, state) => facts(&[(&is_not(state), &[variable(t)])]),
+        C::Near(t) => facts(&[("by", &[variable(t), spot(t).0]), ("at", &[spot(t).0])]),
+        C::Accessible(t) => facts(&[("within", &[variable(t), spot(t).1]), ("lets_in", &[spot(t).1])]),
+        C::FreeHand => facts(&[("free_hand", &["?h"])]),
+        C::Holding(t) => facts(&[("held", &[variable(t), "?h"])]),
+        C::HoldingSomething => facts(&[("held", &["?k", "?hk"])]),
+        C::HoldingKind(property) => {
+            let mut tool = lasting(format!("affords_{property}"), C::Affords(x, property), x);
+            tool.needs = vec![Atom::new("held", &["?k", "?hk"]), Atom::new(format!("affords_{property}"), &["?k"])];
+            tool
+        }
+        C::Upright | C::NotSitting | C::NotLying => facts(&[("upright", &[])]),
+        C::Worn(t) => facts(&[("worn", &[variable(t)])]),
+        C::FreeHandOrHolding(_) if verb == Verb::Grab => facts(&[("free_hand", &["?h"])]),
+        C::FreeHandOrHolding(t) => {
+            return Ok(vec![facts(&[("free_hand", &["?h"])]), facts(&[("held", &[variable(t), "?h"])])]);
+        }
+        C::AtRest => return Ok(vec![facts(&[("sitting_on", &["?k"])]), facts(&[("lying_on", &["?k"])])]),
+        C::Accepts(t) => {
+            let shut = lasting("closes_over", C::Affords(x, Property::Openable), t);
+            let plain = lasting("always_open", C::Accepts(x), t);
+            return Ok(vec![shut.with(&facts(&[("lets_in", &[variable(t)]), ("within", &[variable(t), AIR])])), plain]);
+        }
+        C::SafeToOpen(t) => {
+            let off = facts(&[(&is_not(State::On), &[variable(t)])]);
+            return Ok(vec![off, affords(Property::Cooler, t), affords(Property::Heater, t)]);
+        }
+        C::OnHeat(t) => return Ok(on_heat(variable(t))),
+        other => return Err(format!("the condition {other:?}")),
+    }])
+}
+
+/// On or in a heater, or on or in something that is.
+fn on_heat(x: &str) -> Vec<Way> {
+    let heater = |needs: Vec<Atom>| {
+        let mut way = lasting("affords_heater", Condition::Affords(Role::X, Property::Heater), Role::X);
+        way.needs = needs;
+        way.needs.push(Atom::new("affords_heater", &["?k"]));
+        way.needs.push(Atom::new(is(State::On), &["?k"]));
+        way
+    };
+    let direct = ["on", "in"].map(|how| heater(vec![Atom::new(how, &[x, "?k"])]));
+    let carried = ["on", "in"].map(|how| heater(vec![Atom::new(how, &[x, "?p"]), Atom::new("on", &["?p", "?k"])]));
+    direct.into_iter().chain(carried).collect()
+}
+
+impl Way {
+    fn with(&self, more: &Self) -> Self {
+        let mut both = self.clone();
+        more.needs.iter().for_each(|atom| both.need(atom.clone()));
+        both.lasting.extend(more.lasting.iter().cloned());
+        both
+    }
+
+    fn need(&mut self, atom: Atom) {
+        if !self.needs.contains(&atom) {
+            self.needs.push(atom);
+        }
+    }
+
+    fn needs(&self, predicate: &str) -> bool {
+        self.needs.iter().any(|a| a.predicate == predicate)
+    }
+
+    fn add(&mut self, predicate: impl Into<String>, things: &[&str]) {
+        self.does.push(Change::Add(Atom::new(predicate, things)));
+    }
+
+    fn delete(&mut self, predicate: impl Into<String>, things: &[&str]) {
+        self.does.push(Change::Delete(Atom::new(predicate, things)));
+    }
+
+    fn effect(&mut self, effect: Effect<Role>) -> Result<(), String> {
+        match effect {
+            Effect::Enter(t, state) => self.enter(variable(t), state),
+            Effect::EnterOwn(state) => self.add(is(state), &[HANDS]),
+            Effect::LeaveOwn(state) => self.delete(is(state), &[HANDS]),
+            Effect::GoTo(t) => {
+                self.need(Atom::new("at", &["?from"]));
+                self.need(Atom::new("leaves", &["?from"]));
+                self.delete("at", &["?from"]);
+                self.add("at", &[variable(t)]);
+            }
+            Effect::Hold(t) => self.hold(variable(t)),
+            Effect::PutOn(t, on) => self.put("on", variable(t), variable(on), spot(on).1),
+            Effect::PutInto(t, into) => {
+                let cover = if self.needs("closes_over") { variable(into) } else { spot(into).1 };
+                self.put("in", variable(t), variable(into), cover);
+            }
+            Effect::SitOn(t) => self.rest("sitting_on", variable(t)),
+            Effect::LieOn(t) => self.rest("lying_on", variable(t)),
+            Effect::StandUp => {
+                self.add("upright", &[]);
+                self.delete("sitting_on", &["?k"]);
+                self.delete("lying_on", &["?k"]);
+                self.delete(is(State::Asleep), &[HANDS]);
+            }
+            Effect::FillWithWater(t) => self.enter(variable(t), State::Filled),
+            Effect::PutOnBody(t) => {
+                self.delete("held", &[variable(t), "?h"]);
+                self.add("free_hand", &["?h"]);
+                self.add("worn", &[variable(t)]);
+            }
+            other => return Err(format!("the effect {other:?}")),
+        }
+        Ok(())
+    }
+
+    fn enter(&mut self, thing: &str, state: State) {
+        for opposite in state.opposites().iter() {
+            self.delete(is(opposite), &[thing]);
+            self.add(is_not(opposite), &[thing]);
+        }
+        self.add(is(state), &[thing]);
+        self.delete(is_not(state), &[thing]);
+        match state {
+            State::Open => self.add("lets_in", &[thing]),
+            State::Closed => self.delete("lets_in", &[thing]),
+            _ => {}
+        }
+    }
+
+    /// Into the hand, from what it rests on, or from the body.
+    fn hold(&mut self, x: &str) {
+        self.add("held", &[x, "?h"]);
+        self.delete("free_hand", &["?h"]);
+        if self.needs("worn") {
+            return self.delete("worn", &[x]);
+        }
+        self.need(Atom::new("free", &[x]));
+        self.need(Atom::new("rests", &[x, "?r"]));
+        for (predicate, was) in [("rests", "?r"), ("on", "?r"), ("in", "?r"), ("by", "?sx"), ("within", "?cx")] {
+            self.delete(predicate, &[x, was]);
+        }
+        self.add("by", &[x, HANDS]);
+        self.add("within", &[x, AIR]);
+    }
+
+    /// Out of the hand, on or into something.
+    fn put(&mut self, how: &str, x: &str, y: &str, cover: &str) {
+        self.need(Atom::new("free", &[x]));
+        self.delete("held", &[x, "?h"]);
+        self.add("free_hand", &["?h"]);
+        self.delete("by", &[x, HANDS]);
+        self.delete("within", &[x, AIR]);
+        self.delete("free", &[y]);
+        for (predicate, now) in [("rests", y), (how, y), ("by", "?sy"), ("within", cover)] {
+            self.add(predicate, &[x, now]);
+        }
+    }
+
+    fn rest(&mut self, how: &str, x: &str) {
+        self.delete("upright", &[]);
+        self.add(how, &[x]);
+    }
+
+    fn operator(&self, verb: Verb, name: String) -> Operator {
+        let mut names: Vec<&str> = ["?x", "?y"].into_iter().take(verb.arity()).collect();
+        let changed = self.does.iter().filter_map(|c| match c {
+            Change::Add(atom) | Change::Delete(atom) => Some(atom),
+            _ => None,
+        });
+        for argument in self.needs.iter().chain(changed).flat_map(|a| &a.arguments) {
+            if argument.starts_with('?') && !names.contains(&argument.as_str()) {
+                names.push(argument);
+            }
+        }
+        Operator {
+            name,
+            parameters: names.into_iter().map(|n| Typed::new(n, kind(n))).collect(),
+            precondition: Formula::And(self.needs.iter().cloned().map(Formula::Atom).collect()),
+            effect: self.does.clone(),
+        }
+    }
+}

@@ -1,0 +1,361 @@
+//! A scene and a goal as a problem.
+
+use std::collections::BTreeSet;
+
+use vc_graph::goal::{Goal, Term};
+use vc_graph::rule::Condition;
+use vc_graph::{Action, Node, NodeId, Property, Relation, SceneGraph, State, Verb, Word};
+
+use super::goal::{Way, class_fact, met, ways};
+use super::rules::{AIR, HANDS, HERE, LeftOut, Rules, atoms, is, is_not};
+use super::{Atom, Change, Domain, Formula, Operator, Problem, Typed};
+use crate::format::Unwritable;
+
+/// Which objects and actions stand in a problem.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Keep {
+    /// Those that can matter for the goal: what it speaks of, what that is on, in
+    /// or by, and the tools of actions that lead to it.
+    #[default]
+    Relevant,
+    /// All there are.
+    Everything,
+}
+
+/// A domain, a problem of it, and what the domain leaves out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Planning {
+    /// The domain.
+    pub domain: Domain,
+    /// The problem.
+    pub problem: Problem,
+    /// Verbs the domain does without.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// The name of a node in problems, `cup_12`.
+pub(super) fn name(graph: &SceneGraph, id: NodeId) -> String {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    let class: String = graph.node(id).map(|n| n.class().chars().map(plain).collect()).unwrap_or_default();
+    let letter = if class.starts_with(|c: char| c.is_ascii_alphabetic()) { "" } else { "x" };
+    format!("{letter}{class}_{}", id.0)
+}
+
+/// The problem of bringing about a goal in a scene, with the domain it is stated
+/// in. Plans for it are plans by the rule, but see the limits of [`super::domain`]'s
+/// description: not everything that can be done is found.
+///
+/// # Errors
+/// [`Unwritable`] for goals PDDL has no word for here: counts other than `at least`,
+/// pairs, time, rooms.
+pub fn planning(graph: &SceneGraph, agent: NodeId, goal: &Goal, keep: Keep) -> Result<Planning, Unwritable> {
+    let mut ways = ways(goal, graph, agent)?;
+    let mut rules = Rules::of(Verb::ALL);
+    let plain = ways.len() == 1 && ways[0].facts.iter().all(|f| f.arguments.iter().all(|a| !a.starts_with('?')));
+    let wanted = if plain { ways.remove(0).facts } else { vec![Atom::new("met", &[])] };
+    rules.operators.extend(ways.iter().enumerate().filter(|_| !plain).map(|(i, way)| met(way, i)));
+    if keep == Keep::Relevant {
+        let operators = leading_to(&wanted, std::mem::take(&mut rules.operators));
+        rules.operators = operators;
+    }
+    let nodes = match keep {
+        Keep::Everything => graph.nodes().map(Node::id).filter(|&id| id != agent).collect(),
+        Keep::Relevant => relevant(graph, agent, goal, &rules),
+    };
+    let scene = Scene { graph, agent, nodes, rules: &rules, ways: &ways };
+    let domain = rules.domain("virtualcity");
+    let problem = scene.problem(&domain, wanted);
+    Ok(Planning { domain: with_goal(domain, &problem), problem, left_out: rules.left_out })
+}
+
+/// The domain with predicates of the goal that no action speaks of.
+fn with_goal(mut domain: Domain, problem: &Problem) -> Domain {
+    if let Formula::And(parts) | Formula::Or(parts) = &problem.goal {
+        for part in parts {
+            let Formula::Atom(atom) = part else { continue };
+            if domain.predicates.iter().all(|p| p.name != atom.predicate) {
+                let parameters = ["?x", "?y"].iter().take(atom.arguments.len());
+                let parameters = parameters.map(|name| Typed::new(*name, "thing")).collect();
+                domain.predicates.push(super::Signature { name: atom.predicate.clone(), parameters });
+            }
+        }
+    }
+    domain
+}
+
+/// The operators that can be a step towards some facts.
+fn leading_to(wanted: &[Atom], operators: Vec<Operator>) -> Vec<Operator> {
+    let mut needed: BTreeSet<String> = wanted.iter().map(|a| a.predicate.clone()).collect();
+    let mut kept = vec![false; operators.len()];
+    loop {
+        let before = kept.iter().filter(|k| **k).count();
+        for (operator, kept) in operators.iter().zip(&mut kept) {
+            let adds = |c: &Change| matches!(c, Change::Add(atom) if needed.contains(&atom.predicate));
+            if !*kept && operator.effect.iter().any(adds) {
+                *kept = true;
+                if let Formula::And(needs) = &operator.precondition {
+                    needed.extend(needs.iter().filter_map(|f| match f {
+                        Formula::Atom(atom) => Some(atom.predicate.clone()),
+                        _ => None,
+                    }));
+                }
+            }
+        }
+        if kept.iter().filter(|k| **k).count() == before {
+            break;
+        }
+    }
+    let kept = operators.into_iter().zip(kept).filter(|(_, kept)| *kept).map(|(operator, _)| operator);
+    kept.map(|operator| without_idle(operator, &needed)).collect()
+}
+
+/// An operator without effects on facts nobody asks for.
+fn without_idle(mut operator: Operator, needed: &BTreeSet<String>) -> Operator {
+    operator.effect.retain(|change| match change {
+        Change::Add(atom) | Change::Delete(atom) => needed.contains(&atom.predicate),
+        _ => true,
+    });
+    operator
+}
+
+/// What can matter: what the goal speaks of, all that is on, in or by, the tools of
+/// the actions, and what is held at the start.
+fn relevant(graph: &SceneGraph, agent: NodeId, goal: &Goal, rules: &Rules) -> Vec<NodeId> {
+    let mut nodes = BTreeSet::new();
+    for term in goal.terms() {
+        match term {
+            Term::Class(class) => nodes.extend(graph.of_class(&class)),
+            Term::Node(_, id) => nodes.extend(graph.node(id).map(Node::id)),
+            Term::Anything => nodes.extend(graph.nodes().map(Node::id)),
+            _ => {}
+        }
+    }
+    let tools = [Property::Cutter, Property::Heater, Property::WaterSource];
+    for tool in tools {
+        let fact = format!("affords_{tool}");
+        if rules.operators.iter().any(|o| atoms(o).any(|a| a.predicate == fact)) {
+            nodes.extend(graph.nodes().filter(|n| n.affords(tool)).map(Node::id));
+        }
+    }
+    if rules.operators.iter().any(|o| atoms(o).any(|a| a.arguments == ["?k", "?hk"])) {
+        nodes.extend(graph.nodes().filter(|n| n.affords(Property::Wiper)).map(Node::id));
+    }
+    nodes.extend(graph.held(agent));
+    let under: Vec<NodeId> = nodes.iter().flat_map(|&id| graph.support_chain(id)).collect();
+    nodes.extend(under);
+    nodes.remove(&agent);
+    nodes.into_iter().collect()
+}
+
+struct Scene<'a> {
+    graph: &'a SceneGraph,
+    agent: NodeId,
+    nodes: Vec<NodeId>,
+    rules: &'a Rules,
+    ways: &'a [Way],
+}
+
+/// What a thing is placed at.
+struct Placed {
+    rests: Option<(Relation, NodeId)>,
+    /// The outermost thing that is not picked up, or the thing itself.
+    spot: NodeId,
+    /// The containers that open which it is within.
+    covers: Vec<NodeId>,
+}
+
+impl Scene<'_> {
+    fn name(&self, id: NodeId) -> String {
+        name(self.graph, id)
+    }
+
+    fn affords(&self, id: NodeId, property: Property) -> bool {
+        self.graph.node(id).is_some_and(|n| n.affords(property))
+    }
+
+    fn movable(&self, id: NodeId) -> bool {
+        Condition::Graspable(id).holds(self.graph, self.agent)
+    }
+
+    fn problem(&self, domain: &Domain, wanted: Vec<Atom>) -> Problem {
+        let declared: BTreeSet<&str> = domain.predicates.iter().map(|p| p.name.as_str()).collect();
+        let wanted_names: BTreeSet<&str> = wanted.iter().map(|a| a.predicate.as_str()).collect();
+        let mut facts = BTreeSet::new();
+        self.agent_facts(&mut facts);
+        for &id in &self.nodes {
+            self.place_facts(id, &mut facts);
+            self.state_facts(id, &mut facts);
+            self.lasting_facts(id, &mut facts);
+        }
+        self.goal_facts(&mut facts);
+        facts.retain(|fact| {
+            declared.contains(fact.predicate.as_str()) || wanted_names.contains(fact.predicate.as_str())
+        });
+        Problem {
+            name: "task".to_owned(),
+            domain: domain.name.clone(),
+            objects: self.nodes.iter().map(|&id| Typed::new(self.name(id), "thing")).collect(),
+            initial: facts.into_iter().collect(),
+            goal: Formula::And(wanted.into_iter().map(Formula::Atom).collect()),
+        }
+    }
+
+    fn agent_facts(&self, facts: &mut BTreeSet<Atom>) {
+        facts.extend([Atom::new("at", &[HERE]), Atom::new("at", &[HANDS]), Atom::new("leaves", &[HERE])]);
+        facts.insert(Atom::new("lets_in", &[AIR]));
+        for (relation, hand) in Relation::hands().into_iter().zip(["right", "left"]) {
+            let mut held = self.graph.related(self.agent, relation).peekable();
+            if held.peek().is_none() {
+                facts.insert(Atom::new("free_hand", &[hand]));
+            }
+            facts.extend(held.map(|id| Atom::new("held", &[&self.name(id), hand])));
+        }
+        let body = self.graph.node(self.agent);
+        let seats = [(Relation::SittingOn, "sitting_on"), (Relation::LyingOn, "lying_on")];
+        let mut upright = true;
+        for (relation, predicate) in seats {
+            for id in self.graph.related(self.agent, relation) {
+                facts.insert(Atom::new(predicate, &[&self.name(id)]));
+                upright = false;
+            }
+        }
+        if upright {
+            facts.insert(Atom::new("upright", &[]));
+        }
+        if body.is_some_and(|b| b.is(State::Asleep)) {
+            facts.insert(Atom::new(is(State::Asleep), &[HANDS]));
+        }
+    }
+
+    fn placed(&self, id: NodeId) -> Placed {
+        let place = |id: NodeId| {
+            let mut places = self.graph.places(id);
+            places.find(|p| matches!(p.relation, Relation::On | Relation::Inside)).map(|p| (p.relation, p.at))
+        };
+        let (mut covers, mut at) = (Vec::new(), id);
+        let mut spot = (!self.movable(id)).then_some(id);
+        for _ in self.graph.support_chain(id) {
+            let Some((relation, next)) = place(at) else { break };
+            if relation == Relation::Inside && self.affords(next, Property::Openable) {
+                covers.push(next);
+            }
+            at = next;
+            spot = spot.or_else(|| (!self.movable(at)).then_some(at));
+        }
+        Placed { rests: place(id), spot: spot.unwrap_or(at), covers }
+    }
+
+    fn place_facts(&self, id: NodeId, facts: &mut BTreeSet<Atom>) {
+        let thing = self.name(id);
+        let by_me = self.graph.holder(id).is_some_and(|p| p.at == self.agent);
+        let worn = self.graph.related(id, Relation::WornBy).any(|at| at == self.agent);
+        if worn {
+            facts.insert(Atom::new("worn", &[&thing]));
+        }
+        if by_me || worn {
+            facts.extend([Atom::new("by", &[&thing, HANDS]), Atom::new("within", &[&thing, AIR])]);
+            if self.graph.resting_at(id).next().is_none() {
+                facts.insert(Atom::new("free", &[&thing]));
+            }
+            return;
+        }
+        let placed = self.placed(id);
+        let spot = self.name(placed.spot);
+        facts.insert(Atom::new("by", &[&thing, &spot]));
+        match *placed.covers {
+            [] => drop(facts.insert(Atom::new("within", &[&thing, AIR]))),
+            [cover] => drop(facts.insert(Atom::new("within", &[&thing, &self.name(cover)]))),
+            // Two lids at once are more than a fact can say: it stays out of reach.
+            _ => {}
+        }
+        let support = placed.rests.map_or_else(|| AIR.to_owned(), |(_, at)| self.name(at));
+        facts.insert(Atom::new("rests", &[&thing, &support]));
+        if let Some((relation, at)) = placed.rests {
+            let how = if relation == Relation::On { "on" } else { "in" };
+            facts.insert(Atom::new(how, &[&thing, &self.name(at)]));
+        }
+        if self.graph.resting_at(id).next().is_none() {
+            facts.insert(Atom::new("free", &[&thing]));
+        }
+        if placed.spot == id && self.graph.room_of(id).is_some() {
+            facts.extend([Atom::new("spot", &[&thing]), Atom::new("leaves", &[&thing])]);
+        }
+    }
+
+    fn state_facts(&self, id: NodeId, facts: &mut BTreeSet<Atom>) {
+        let Some(node) = self.graph.node(id) else { return };
+        let thing = self.name(id);
+        for &state in State::ALL {
+            let predicate = if node.is(state) { is(state) } else { is_not(state) };
+            facts.insert(Atom::new(predicate, &[&thing]));
+        }
+        if !node.hides_contents() {
+            facts.insert(Atom::new("lets_in", &[&thing]));
+        }
+    }
+
+    /// What no action changes, asked of the scene as the rule asks it.
+    fn lasting_facts(&self, id: NodeId, facts: &mut BTreeSet<Atom>) {
+        let thing = self.name(id);
+        for (fact, condition) in &self.rules.lasting {
+            let grounded = condition.ground(&Action::one(Verb::Touch, id));
+            let holds = |c: Option<Condition>| c.is_some_and(|c| c.holds(self.graph, self.agent));
+            let yes = match fact.as_str() {
+                "spot" => false,
+                "always_open" => !self.affords(id, Property::Openable),
+                "fits" => {
+                    self.fits(id, condition, facts);
+                    false
+                }
+                _ => holds(grounded),
+            };
+            if yes {
+                facts.insert(Atom::new(fact.clone(), &[&thing]));
+            }
+        }
+    }
+
+    fn fits(&self, id: NodeId, condition: &Condition<vc_graph::rule::Role>, facts: &mut BTreeSet<Atom>) {
+        if !self.movable(id) {
+            return;
+        }
+        let target = |at: &&NodeId| {
+            let takes = [Condition::Carries(**at), Condition::Encloses(**at)];
+            takes.into_iter().any(|c| c.holds(self.graph, self.agent))
+        };
+        for &at in self.nodes.iter().filter(target) {
+            let both = condition.ground(&Action::two(Verb::Place, id, at));
+            if both.is_some_and(|c| c.holds(self.graph, self.agent)) {
+                facts.insert(Atom::new("fits", &[&self.name(id), &self.name(at)]));
+            }
+        }
+    }
+
+    /// Which things are of the goal's classes, and an order of all.
+    fn goal_facts(&self, facts: &mut BTreeSet<Atom>) {
+        let asked: BTreeSet<&str> = self.ways.iter().flat_map(|w| &w.facts).map(|f| f.predicate.as_str()).collect();
+        for &id in &self.nodes {
+            let Some(node) = self.graph.node(id) else { continue };
+            for class in self.classes(node) {
+                let fact = class_fact(&class, &self.name(id));
+                if asked.contains(fact.predicate.as_str()) {
+                    facts.insert(fact);
+                }
+            }
+        }
+        if asked.contains("before") {
+            for (i, &a) in self.nodes.iter().enumerate() {
+                for &b in &self.nodes[i + 1..] {
+                    facts.insert(Atom::new("before", &[&self.name(a), &self.name(b)]));
+                }
+            }
+        }
+    }
+
+    /// The goal's classes a node belongs to.
+    fn classes(&self, node: &Node) -> Vec<String> {
+        let kinds = self.ways.iter().flat_map(|w| &w.facts).filter_map(|f| f.predicate.strip_prefix("kind_"));
+        let kinds: BTreeSet<&str> = kinds.collect();
+        kinds.into_iter().filter(|k| self.graph.of_class(k).contains(&node.id())).map(str::to_owned).collect()
+    }
+}

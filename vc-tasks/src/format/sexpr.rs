@@ -1,0 +1,276 @@
+//! The bracketed text that BDDL and PDDL are made of.
+//!
+//! ```
+//! use vc_tasks::format::sexpr::Tree;
+//! let tree = Tree::read("example", "(and (open door_1) ; a comment\n (hot tea_1))")?;
+//! let parts: Vec<String> = tree.root().items().map(|e| e.to_string()).collect();
+//! assert_eq!(parts, ["and", "(open door_1)", "(hot tea_1)"]);
+//! # Ok::<(), vc_tasks::format::ReadError>(())
+//! ```
+//!
+//! A tree is one list of words and brackets in the order of the text, each with the
+//! place where it begins and the index of what comes after it; there is no pointer
+//! and no recursion in it. Reading costs a few nanoseconds a byte.
+
+use std::fmt;
+
+use vc_graph::format::LARGEST;
+
+use super::ReadError;
+use super::error::{clip, line_and_column};
+
+/// Deepest text that is read: brackets within brackets.
+pub const DEEPEST: usize = 128;
+
+/// What was read: one expression, and the text it stands in, in lower case.
+#[derive(Debug, Clone)]
+pub struct Tree {
+    format: &'static str,
+    text: Box<str>,
+    nodes: Vec<Node>,
+}
+
+/// A word or a list.
+#[derive(Debug, Clone, Copy)]
+struct Node {
+    /// First byte.
+    start: u32,
+    /// One past the last byte.
+    end: u32,
+    /// The node after this one and all within it.
+    after: u32,
+}
+
+/// What a byte is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+enum Byte {
+    Word,
+    Space,
+    Open,
+    Close,
+    Comment,
+}
+
+const BYTES: [Byte; 256] = {
+    let mut bytes = [Byte::Word; 256];
+    let spaces = b" \t\n\r\x0b\x0c";
+    let mut i = 0;
+    while i < spaces.len() {
+        bytes[spaces[i] as usize] = Byte::Space;
+        i += 1;
+    }
+    bytes[b'(' as usize] = Byte::Open;
+    bytes[b')' as usize] = Byte::Close;
+    bytes[b';' as usize] = Byte::Comment;
+    bytes
+};
+
+fn kind(byte: u8) -> Byte {
+    BYTES[usize::from(byte)]
+}
+
+impl Tree {
+    /// Reads a text of one expression. Case does not matter in these languages: the
+    /// text is read in lower case (that of ASCII).
+    ///
+    /// # Errors
+    /// [`ReadError`] for brackets that do not match, more than one expression, text
+    /// deeper than [`DEEPEST`] or larger than [`LARGEST`].
+    pub fn read(format: &'static str, text: &str) -> Result<Self, ReadError> {
+        if text.len() > LARGEST {
+            let found = format!("one of {} bytes", text.len());
+            return Err(ReadError::at(format, "", 0, format!("a text of at most {LARGEST} bytes"), found));
+        }
+        let text = text.to_ascii_lowercase().into_boxed_str();
+        match scan(&text) {
+            Ok(nodes) => Ok(Self { format, text, nodes }),
+            Err((at, expected, found)) => Err(ReadError::at(format, &text, at, expected, found)),
+        }
+    }
+
+    /// The expression.
+    pub fn root(&self) -> Expr<'_> {
+        Expr { tree: self, index: 0 }
+    }
+
+    pub(crate) fn expr(&self, index: u32) -> Expr<'_> {
+        Expr { tree: self, index }
+    }
+}
+
+type Fault = (usize, &'static str, String);
+
+fn scan(text: &str) -> Result<Vec<Node>, Fault> {
+    let bytes = text.as_bytes();
+    // A bracket or word takes seven bytes or more in most files.
+    let mut nodes: Vec<Node> = Vec::with_capacity(bytes.len() / 7 + 1);
+    let mut open = [0_u32; DEEPEST];
+    let (mut depth, mut at) = (0, 0);
+    while let Some(&byte) = bytes.get(at) {
+        let kind = kind(byte);
+        if kind == Byte::Space {
+            at += 1;
+            continue;
+        }
+        if kind == Byte::Comment {
+            at = bytes[at..].iter().position(|&b| b == b'\n').map_or(bytes.len(), |n| at + n);
+            continue;
+        }
+        if depth == 0 && !nodes.is_empty() {
+            let found = if kind == Byte::Close { "a `)` that no `(` opened" } else { "more text" };
+            return Err((at, "the end", found.to_owned()));
+        }
+        match kind {
+            Byte::Open => {
+                let Some(top) = open.get_mut(depth) else {
+                    return Err((at, "at most 128 brackets within each other", "another one".to_owned()));
+                };
+                *top = nodes.len() as u32;
+                depth += 1;
+                nodes.push(Node { start: at as u32, end: 0, after: 0 });
+                at += 1;
+            }
+            Byte::Close if depth == 0 => return Err((at, "an expression", "`)`".to_owned())),
+            Byte::Close => {
+                depth -= 1;
+                let after = nodes.len() as u32;
+                let list = &mut nodes[open[depth] as usize];
+                (list.end, list.after) = (at as u32 + 1, after);
+                at += 1;
+            }
+            _ => {
+                let start = at;
+                at = word_end(bytes, at);
+                let after = nodes.len() as u32 + 1;
+                nodes.push(Node { start: start as u32, end: at as u32, after });
+            }
+        }
+    }
+    match depth.checked_sub(1) {
+        Some(last) => {
+            let unclosed = nodes[open[last] as usize].start as usize;
+            Err((unclosed, "a `)` for this `(`", "the end".to_owned()))
+        }
+        None if nodes.is_empty() => Err((text.len(), "an expression", "the end".to_owned())),
+        None => Ok(nodes),
+    }
+}
+
+fn word_end(bytes: &[u8], mut at: usize) -> usize {
+    while bytes.get(at).is_some_and(|&b| kind(b) == Byte::Word) {
+        at += 1;
+    }
+    at
+}
+
+/// A word or a list of a [`Tree`].
+#[derive(Clone, Copy)]
+pub struct Expr<'t> {
+    tree: &'t Tree,
+    index: u32,
+}
+
+impl<'t> Expr<'t> {
+    fn node(self) -> Node {
+        self.tree.nodes[self.index as usize]
+    }
+
+    /// Its place in the tree, in the order of the text.
+    pub fn index(self) -> u32 {
+        self.index
+    }
+
+    fn text(self) -> &'t str {
+        let node = self.node();
+        &self.tree.text[node.start as usize..node.end as usize]
+    }
+
+    /// Whether it is a list and not a word.
+    pub fn is_list(self) -> bool {
+        self.tree.text.as_bytes()[self.node().start as usize] == b'('
+    }
+
+    /// The word; `None` for a list.
+    pub fn word(self) -> Option<&'t str> {
+        (!self.is_list()).then(|| self.text())
+    }
+
+    /// What a list consists of; nothing for a word.
+    pub fn items(self) -> Items<'t> {
+        Items { tree: self.tree, next: self.index + 1, end: self.node().after }
+    }
+
+    /// The word a list begins with.
+    pub fn head(self) -> Option<&'t str> {
+        self.items().next()?.word()
+    }
+
+    /// Line and character of the line where it begins, counted from one.
+    pub fn position(self) -> (usize, usize) {
+        line_and_column(&self.tree.text, self.node().start as usize)
+    }
+
+    /// An error that something else was expected here.
+    pub fn error(self, expected: impl Into<String>) -> ReadError {
+        let found = match self.head() {
+            _ if !self.is_list() => format!("`{}`", clip(self.text())),
+            Some(head) => format!("`({} ...)`", clip(head)),
+            None if self.items().next().is_none() => "`()`".to_owned(),
+            None => "`(( ...`".to_owned(),
+        };
+        ReadError::at(self.tree.format, &self.tree.text, self.node().start as usize, expected, found)
+    }
+
+    /// An error that something is missing at the end of a list.
+    pub(crate) fn error_at_end(self, expected: impl Into<String>) -> ReadError {
+        let last = (self.node().end as usize).saturating_sub(1);
+        ReadError::at(self.tree.format, &self.tree.text, last, expected, "`)`")
+    }
+
+    /// Whether it reads the same as another. Nesting is bounded, see [`DEEPEST`].
+    pub fn same(self, other: Expr<'_>) -> bool {
+        let alike = |(a, b): (Expr<'_>, Expr<'_>)| a.same(b);
+        match (self.word(), other.word()) {
+            (None, None) => self.items().count() == other.items().count() && self.items().zip(other.items()).all(alike),
+            (mine, theirs) => mine == theirs,
+        }
+    }
+}
+
+impl fmt::Display for Expr<'_> {
+    /// On one line, with one space between words.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(word) = self.word() {
+            return f.write_str(word);
+        }
+        for (i, item) in self.items().enumerate() {
+            write!(f, "{}{item}", if i == 0 { "(" } else { " " })?;
+        }
+        f.write_str(if self.items().next().is_none() { "()" } else { ")" })
+    }
+}
+
+impl fmt::Debug for Expr<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// The parts of a list.
+#[derive(Clone)]
+pub struct Items<'t> {
+    tree: &'t Tree,
+    next: u32,
+    end: u32,
+}
+
+impl<'t> Iterator for Items<'t> {
+    type Item = Expr<'t>;
+
+    fn next(&mut self) -> Option<Expr<'t>> {
+        let here = (self.next < self.end).then_some(Expr { tree: self.tree, index: self.next })?;
+        self.next = here.node().after;
+        Some(here)
+    }
+}

@@ -1,0 +1,178 @@
+//! Activities in BDDL.
+
+use std::collections::{HashMap, HashSet};
+
+use vc_graph::goal::{Literal, Pairing, Term};
+
+use super::{Finding, Kind, satisfiability};
+use crate::format::bddl::{self, Activity, Atom, Part, Variable, meaning};
+use crate::format::sexpr::Expr;
+use crate::ground;
+
+/// Everything that is wrong or odd with an activity. Whether its goal can be met is
+/// judged by what it says alone: no geometry and no physics.
+///
+/// Takes some tens of microseconds for most activities.
+pub fn activity(activity: &Activity) -> Vec<Finding> {
+    let mut look = Look::of(activity);
+    look.objects(activity);
+    look.start(activity);
+    look.condition(activity.goal(), &mut Vec::new(), Some(true));
+    look.strays(activity);
+    look.found.extend(judged(activity));
+    look.found
+}
+
+/// What takes the goal as a whole: whether it can be met, whether it is already.
+fn judged(activity: &Activity) -> Vec<Finding> {
+    // What is not declared has been found already.
+    let (Ok(heads), Ok(facts)) = (activity.to_heads(Pairing::Matching), activity.to_facts()) else {
+        return Vec::new();
+    };
+    let Some(formula) = ground::formula(&heads, &bddl::Universe::of(activity)) else { return Vec::new() };
+    let unmet = satisfiability(&formula, activity.name());
+    let positive = facts.into_iter().filter(|(_, holds)| *holds).map(|(literal, _)| nameless(literal));
+    let start: HashSet<Literal> = positive.collect();
+    let done = formula.heads(|atom| start.contains(atom)).into_iter().all(|head| head);
+    let done = done.then(|| Finding { kind: Kind::TrueAtStart, at: None, part: activity.name().to_owned() });
+    unmet.into_iter().chain(done).collect()
+}
+
+/// A literal whose nodes go without the names of their classes.
+fn nameless(mut literal: Literal) -> Literal {
+    for term in &mut literal.terms {
+        if let Term::Node(class, _) = term {
+            *class = None;
+        }
+    }
+    literal
+}
+
+/// What is known of the names, and what was found.
+struct Look<'t> {
+    classes: HashMap<&'t str, &'t str>,
+    known_classes: HashSet<&'t str>,
+    start: HashSet<Atom<'t>>,
+    found: Vec<Finding>,
+}
+
+impl<'t> Look<'t> {
+    fn of(activity: &'t Activity) -> Self {
+        let classes: HashMap<&str, &str> = activity.objects().map(|o| (o.name, o.class)).collect();
+        let known_classes = classes.values().copied().collect();
+        let start = activity.initial().filter(|f| f.holds).map(|f| f.atom).collect();
+        Self { classes, known_classes, start, found: Vec::new() }
+    }
+
+    fn add(&mut self, kind: Kind, at: Expr<'_>, part: impl Into<String>) {
+        self.found.push(Finding { kind, at: Some(at.position()), part: part.into() });
+    }
+
+    fn objects(&mut self, activity: &'t Activity) {
+        let mut seen = HashSet::new();
+        for object in activity.objects() {
+            if !seen.insert(object.name) {
+                self.add(Kind::DuplicateObject, object.at, object.name);
+            }
+        }
+    }
+
+    fn start(&mut self, activity: &'t Activity) {
+        let mut seen: HashMap<Atom<'t>, bool> = HashMap::new();
+        for fact in activity.initial() {
+            match seen.insert(fact.atom, fact.holds) {
+                Some(before) if before == fact.holds => self.add(Kind::RepeatedFact, fact.at, fact.at.to_string()),
+                Some(_) => self.add(Kind::ContradictoryFacts, fact.at, fact.at.to_string()),
+                None => {}
+            }
+            self.names(fact.atom, fact.at, &[]);
+        }
+    }
+
+    /// Objects and predicates that are not declared.
+    fn names(&mut self, atom: Atom<'t>, at: Expr<'_>, bound: &[Variable<'t>]) {
+        if meaning(atom.predicate).is_none() {
+            self.add(Kind::Undeclared, at, format!("predicate `{}`", atom.predicate));
+        }
+        let things = atom.things().take(if atom.predicate == "inroom" { 1 } else { 2 });
+        for thing in things {
+            if !self.classes.contains_key(thing) && bound.iter().all(|v| v.name != thing) {
+                self.add(Kind::Undeclared, at, format!("object `{thing}`"));
+            }
+        }
+    }
+
+    /// Looks at a condition and all within. `wanted` says whether it is to be true
+    /// or false, where that is certain.
+    fn condition(&mut self, at: Expr<'t>, bound: &mut Vec<Variable<'t>>, wanted: Option<bool>) {
+        let Ok(part) = Part::of(at) else { return };
+        self.variables(&part, at, bound);
+        let outer = bound.len();
+        bound.extend_from_slice(part.variables());
+        for (i, condition) in part.conditions().into_iter().enumerate() {
+            self.condition(condition, bound, within(&part, i, wanted));
+        }
+        bound.truncate(outer);
+        if let Part::Atom(atom) = part {
+            self.names(atom, at, bound);
+            let never = ["inroom", "insource", "future"].contains(&atom.predicate);
+            if never && wanted == Some(true) && !self.start.contains(&atom) {
+                self.add(Kind::NothingBringsAbout, at, at.to_string());
+            }
+        }
+    }
+
+    fn variables(&mut self, part: &Part<'t>, at: Expr<'t>, bound: &[Variable<'t>]) {
+        let variables = part.variables();
+        let Some(body) = part.conditions().first().copied().filter(|_| !variables.is_empty()) else { return };
+        let mut words = Vec::new();
+        things_in(body, &mut words);
+        for variable in variables {
+            if !self.known_classes.contains(variable.class) {
+                self.add(Kind::Undeclared, at, format!("class `{}`", variable.class));
+            }
+            if bound.iter().any(|v| v.name == variable.name) {
+                self.add(Kind::HiddenVariable, at, variable.name);
+            }
+            if !words.contains(&variable.name) {
+                let kind = if variables.len() == 1 { Kind::UnusedVariable } else { Kind::UnusedInPair };
+                self.add(kind, at, variable.name);
+            }
+        }
+        let own = |word: &&str| self.classes.get(word).is_some_and(|class| variables.iter().any(|v| v.class == *class));
+        if let Some(constant) = words.iter().copied().find(own) {
+            self.add(Kind::ConstantInQuantifier, at, constant);
+        }
+    }
+
+    fn strays(&mut self, activity: &'t Activity) {
+        for stray in activity.strays() {
+            let condition = stray.is_list() && Part::of(stray).is_ok();
+            let kind = if condition { Kind::SecondCondition } else { Kind::Stray };
+            self.add(kind, stray, stray.to_string());
+        }
+    }
+}
+
+/// Whether the i-th condition of a part is to be true, if that of the part is known.
+fn within(part: &Part<'_>, i: usize, wanted: Option<bool>) -> Option<bool> {
+    match part {
+        Part::Not(_) => wanted.map(|w| !w),
+        Part::Imply(..) if i == 0 => wanted.map(|w| !w),
+        Part::ForN(..) => None,
+        _ => wanted,
+    }
+}
+
+/// Objects and variables in a condition, as often as they stand there; and the
+/// variables it binds itself.
+fn things_in<'t>(at: Expr<'t>, found: &mut Vec<&'t str>) {
+    match Part::of(at) {
+        Ok(Part::Atom(atom)) => found.extend(atom.things()),
+        Ok(part) => {
+            found.extend(part.variables().iter().map(|v| v.name));
+            part.conditions().into_iter().for_each(|c| things_in(c, found));
+        }
+        Err(_) => {}
+    }
+}

@@ -1,0 +1,113 @@
+//! Goals of the Embodied Agent Interface on its own trajectories.
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use vc_graph::format::eai::{Record, Task, read_record, read_tasks};
+use vc_graph::goal::{Goal, Trace};
+use vc_graph::{Action, ClassTable, Event, NodeId, SceneGraph, Simulator};
+use vc_tasks::format::eai;
+
+fn folder() -> Option<PathBuf> {
+    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
+    let folder = std::env::var_os("VC_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from).join("eai");
+    let there = folder.join("goals_dev.json").exists();
+    if !there {
+        eprintln!("SKIPPED: no shared data at {}; set VC_DATA to where it is", folder.display());
+    }
+    there.then_some(folder)
+}
+
+fn tasks() -> BTreeMap<String, Task> {
+    let Some(folder) = folder() else { return BTreeMap::new() };
+    read_tasks(&std::fs::read_to_string(folder.join("goals_dev.json")).unwrap()).unwrap()
+}
+
+fn records() -> Vec<Record> {
+    use std::io::Read;
+    let Some(folder) = folder() else { return Vec::new() };
+    let file = std::fs::File::open(folder.join("programs_dev.jsonl.gz")).unwrap();
+    let mut text = String::new();
+    flate2::read::GzDecoder::new(file).read_to_string(&mut text).unwrap();
+    text.lines().map(|line| read_record(line).unwrap()).collect()
+}
+
+#[test]
+fn every_goal_and_formula_is_written_as_it_is_read() {
+    let tasks = tasks();
+    let mut formulas = 0;
+    for (id, task) in &tasks {
+        let json = format!("{{\"a\": {{\"vh_goal\": {}}}}}", eai::goal(&task.goal).unwrap());
+        assert_eq!(read_tasks(&json).unwrap()["a"].goal, task.goal, "{id}");
+        if let Some(formula) = &task.formula {
+            let text = eai::formula(formula).unwrap_or_else(|e| panic!("{id}: {e}"));
+            assert_eq!(Goal::from_eai(&text).as_ref(), Ok(formula), "{id}");
+            formulas += 1;
+        }
+    }
+    assert!(tasks.is_empty() || formulas >= 50, "{formulas} formulas");
+}
+
+/// What happens when a program is carried out; what is refused is left out. The last
+/// state is the one their simulator left: a glass it puts into both hands is in one here.
+fn trace(start: &SceneGraph, me: NodeId, actions: &[Action], end: &SceneGraph) -> Trace {
+    let mut world = Simulator::new(start.clone());
+    let mut trace = Trace::new(start.clone(), me);
+    for (i, &action) in actions.iter().enumerate() {
+        let last = i + 1 == actions.len();
+        if world.step(me, &action).is_ok() || last {
+            let graph = if last { end } else { world.graph() };
+            trace.push(graph.clone(), [Event { agent: me, action }]);
+        }
+    }
+    trace
+}
+
+/// The same trajectory backwards: states and what was done.
+fn reversed(trace: &Trace) -> Trace {
+    let last = trace.steps();
+    let mut back = Trace::new(trace.graph(last).unwrap().clone(), trace.agent());
+    for step in (0..last).rev() {
+        back.push(trace.graph(step).unwrap().clone(), trace.events(step + 1).iter().copied());
+    }
+    back
+}
+
+#[test]
+fn goals_hold_at_the_end_and_formulas_only_in_order() {
+    let (tasks, classes) = (tasks(), ClassTable::builtin());
+    let (mut ends, mut forwards, mut backwards, mut ordered) = (0, 0, 0, 0);
+    for record in records() {
+        let Some(task) = tasks.get(&record.id) else { continue };
+        let build = |g: &vc_graph::format::virtualhome::EnvironmentGraph, classes: &Arc<ClassTable>| {
+            g.build(&record.id, classes).unwrap()
+        };
+        let (start, end) = (build(&record.initial, &classes), build(&record.last, &classes));
+        let me = *start.agents().first().unwrap();
+        // What was done is told by the program, the state by their final graph.
+        let events: Vec<Event> = record.actions.iter().map(|&action| Event { agent: me, action }).collect();
+        let now = vc_graph::goal::Situation { graph: &end, agent: me, events: &events };
+        assert!(task.goal.holds(&now), "{}: {}", record.id, task.goal);
+        ends += 1;
+        let Some(formula) = &task.formula else { continue };
+        let there = trace(&start, me, &record.actions, &end);
+        assert!(formula.holds_on(&there), "{}: {formula}", record.id);
+        forwards += 1;
+        let matters = matters(formula);
+        ordered += usize::from(matters);
+        // Where something is done again and again, the order may be there both ways.
+        backwards += usize::from(matters && formula.holds_on(&reversed(&there)));
+    }
+    eprintln!(
+        "{ends} goals hold, {forwards} formulas; order matters in {ordered}, backwards {backwards} of these hold"
+    );
+    assert!(backwards * 4 <= ordered, "{backwards} of {ordered} hold backwards");
+    assert!(tasks.is_empty() || ends == tasks.len(), "{ends} of {}", tasks.len());
+}
+
+/// Whether a formula asks for one thing after another.
+fn matters(formula: &Goal) -> bool {
+    matches!(formula, Goal::Then(_)) || formula.parts().into_iter().any(matters)
+}

@@ -1,0 +1,104 @@
+//! What the linter finds.
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+mod shared;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use shared::activities_of_behavior_1k;
+use vc_graph::{Draft, Goal, SceneBuilder};
+use vc_tasks::format::bddl::Activity;
+use vc_tasks::lint::{self, Kind};
+
+/// Counts of files: those listed for bddl 3.6.0, where the solver z3 has looked at
+/// all goals; then what only we remark.
+const HITS: &[(Kind, usize)] = &[
+    (Kind::Unsatisfiable, 1),
+    (Kind::TrueAtStart, 1),
+    (Kind::ConstantInQuantifier, 28),
+    (Kind::UnusedVariable, 11),
+    (Kind::DuplicateObject, 1),
+    (Kind::RepeatedFact, 5),
+    (Kind::Stray, 1),
+    (Kind::UnusedInPair, 1),
+    (Kind::HiddenVariable, 1),
+    (Kind::SecondCondition, 1),
+];
+
+#[test]
+fn the_known_faults_of_behavior_1k_are_found_and_no_others() {
+    let mut hits: BTreeMap<Kind, BTreeSet<String>> = BTreeMap::new();
+    let files = activities_of_behavior_1k();
+    for (file, text) in &files {
+        let activity = Activity::read(text).unwrap();
+        for finding in lint::activity(&activity) {
+            hits.entry(finding.kind).or_default().insert(activity.name().to_owned());
+            assert_eq!(lint::activity(&activity), lint::activity(&activity), "{file}");
+        }
+    }
+    if files.is_empty() {
+        return;
+    }
+    assert_eq!(files.len(), 1016);
+    let found: Vec<(Kind, usize)> = hits.iter().map(|(kind, names)| (*kind, names.len())).collect();
+    assert_eq!(found, HITS, "{hits:#?}");
+    assert!(hits[&Kind::Unsatisfiable].contains("stacking_wood-0"));
+    assert!(hits[&Kind::TrueAtStart].contains("clean_a_stainless_steel_dishwasher-0"));
+}
+
+fn kinds(goal: &str) -> Vec<Kind> {
+    let goal: Goal = goal.parse().unwrap();
+    lint::goal(&goal, None).into_iter().map(|f| f.kind).collect()
+}
+
+#[test]
+fn goals_of_our_own_are_looked_at_too() {
+    assert_eq!(kinds("On(apple, table), 3"), []);
+    assert_eq!(kinds("forall ?p: plate. Clean(cup)"), [Kind::UnusedVariable]);
+    assert_eq!(kinds("forall ?p: plate. On(plate.3, table)"), [Kind::UnusedVariable, Kind::ConstantInQuantifier]);
+    assert_eq!(kinds("exists ?p: plate. Clean(?p) & exists ?p: cup. Clean(?p)"), [Kind::HiddenVariable]);
+    assert_eq!(kinds("pairs ?p: plate, ?c: cup. Clean(?p)"), [Kind::UnusedInPair]);
+    assert_eq!(kinds("Open(door.1) & Closed(door.1)"), [Kind::Unsatisfiable]);
+    assert_eq!(kinds("Open(door.1) | Closed(door.1)"), []);
+    assert_eq!(kinds("Broken(cup)"), [Kind::NothingBringsAbout]);
+    assert_eq!(kinds("!Broken(cup)"), []);
+    assert_eq!(kinds("Broken(cup) => Clean(floor)"), []);
+}
+
+#[test]
+fn a_scene_tells_what_there_is() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let table = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+    scene.add_on(table, Draft::new("apple")).unwrap();
+    scene.add_in(kitchen, Draft::new("apple")).unwrap();
+    scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let graph = scene.build();
+    let kinds = |goal: &str| {
+        let found = lint::goal(&goal.parse().unwrap(), Some(&graph));
+        found.into_iter().map(|f| f.kind).collect::<Vec<_>>()
+    };
+    assert_eq!(kinds("On(apple, kitchen_table), 2"), []);
+    assert_eq!(kinds("On(apple, kitchen_table), 3"), [Kind::Unsatisfiable]);
+    assert_eq!(kinds("On(apple, kitchen_table)"), [Kind::TrueAtStart]);
+    assert_eq!(kinds("(exactly 1 ?a: apple. Clean(?a)) & forall ?a: apple. Clean(?a)"), [Kind::Unsatisfiable]);
+}
+
+#[test]
+fn what_is_not_declared_is_said_with_its_place() {
+    let text = "(define (problem p)\n (:objects a b - cup)\n (:init (ontop a c) (ontop a c))\n \
+        (:goal (and (flies ?a) (forall (?x - dog) (ontop ?x ?a)))) junk)";
+    let found = lint::activity(&Activity::read(text).unwrap());
+    let lines: Vec<String> = found.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        lines,
+        [
+            "line 3, column 9: not declared: object `c`",
+            "line 3, column 21: a fact repeated: (ontop a c)",
+            "line 3, column 21: not declared: object `c`",
+            "line 4, column 14: not declared: predicate `flies`",
+            "line 4, column 25: not declared: class `dog`",
+            "line 4, column 61: a stray word: junk",
+        ]
+    );
+}
