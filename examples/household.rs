@@ -15,8 +15,8 @@ use clap::Parser;
 use support::{Complaint, say};
 use vc_graph::format::read_scene;
 use vc_graph::goal::Situation;
-use vc_graph::{Action, ClassTable, Goal, Kind, Label, NodeId, SceneGraph, Scope, Simulator, Verb, Word};
-use vc_planner::{Agent, Episode, Horizon, Step, run_episode};
+use vc_graph::{Action, ClassTable, Goal, Kind, NodeId, SceneGraph, Simulator, Verb, Word};
+use vc_planner::{Episode, Newcomer, Policy, Resident, Run, Step};
 use vc_tasks::{Outcome, Task};
 
 /// The hand-made apartment that comes with the project.
@@ -41,8 +41,11 @@ struct Options {
     #[arg(long, default_value_t = 0)]
     seed: u64,
     /// Let the agent know everything from the start.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "faithful")]
     full_knowledge: bool,
+    /// Plan as the thesis's agent does: guess uniformly, one subgoal after the other.
+    #[arg(long)]
+    faithful: bool,
     /// After how many actions to stop.
     #[arg(long, default_value_t = 500)]
     steps: usize,
@@ -84,17 +87,19 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     say!("scene  {}: {} rooms, {} nodes", scene.name(), scene.rooms().len(), scene.len());
     say!("agent  {} in {}", scene.label(me), room(scene, me));
     say!("goal   {}\n", task.goal);
-    let (agent, scope) = match options.full_knowledge {
-        true => (Agent::resident(scene, me, task.goal.clone()), Scope::Whole),
-        false => (Agent::newcomer(scene, me, task.goal.clone(), options.seed), Scope::Room),
+    let (mut resident, mut faithful, mut best) = (Resident::default(), Newcomer::faithful(), Newcomer::best());
+    let policy: &mut dyn Policy = match (options.full_knowledge, options.faithful) {
+        (true, _) => &mut resident,
+        (_, true) => &mut faithful,
+        _ => &mut best,
     };
-    let mut agent = agent.planning(Horizon::Goal);
     let mut world = Simulator::new(scene.clone());
     let mut record = Record::create(&options.out, scene, task, options.seed)?;
     let mut failed = None;
-    let episode = run_episode(&mut world, me, &mut agent, task, scope, |step| {
+    let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
+    let episode = run.episode(policy, task, &mut world, &mut |step| {
         show(step);
-        failed = record.line(step).err();
+        failed = failed.take().or(record.line(step).err());
     });
     if let Some(error) = failed {
         return Err(error);
@@ -110,11 +115,10 @@ fn room(scene: &SceneGraph, id: NodeId) -> String {
 }
 
 fn show(step: &Step) {
-    let list = |labels: &[Label]| labels.iter().map(Label::to_string).collect::<Vec<_>>();
-    say!("{:>3}  in {}", step.step, step.room.as_ref().map_or_else(String::new, Label::to_string));
-    wrapped("saw", &summary(&list(&step.found)));
+    say!("{:>3}  in {}", step.step, step.room.as_deref().unwrap_or_default());
+    wrapped("saw", &summary(&step.found));
     if !step.believed.is_empty() {
-        wrapped("believes", &format!("{} (each one of {} places)", summary(&step.believed), step.places));
+        wrapped("believes", &format!("{} (of {} places)", summary(&step.believed), step.places));
     }
     wrapped("plans", &summary(&step.plan));
     wrapped("does", &step.described);

@@ -16,21 +16,19 @@
 //! An agent that sees only its room brings the milk:
 //!
 //! ```
-//! use virtualcity::graph::{Draft, SceneBuilder, Scope, Simulator};
-//! use virtualcity::planner::{Agent, run_episode};
+//! use virtualcity::graph::{Draft, SceneBuilder, Simulator};
+//! use virtualcity::planner::{Newcomer, run_episode};
 //! use virtualcity::tasks::{Outcome, Task};
 //!
 //! let mut scene = SceneBuilder::new("flat");
 //! let kitchen = scene.add(Draft::new("kitchen"))?;
 //! let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
 //! scene.add_in(fridge, Draft::new("milk"))?;
-//! let me = scene.add_in(kitchen, Draft::new("character"))?;
-//! let graph = scene.build();
+//! scene.add_in(kitchen, Draft::new("character"))?;
 //!
 //! let task = Task::new("fetch the milk", "Holds(milk) & Closed(fridge)".parse()?);
-//! let mut agent = Agent::newcomer(&graph, me, task.goal.clone(), 7);
-//! let mut world = Simulator::new(graph);
-//! let episode = run_episode(&mut world, me, &mut agent, &task, Scope::Room, |_| {});
+//! let mut world = Simulator::new(scene.build());
+//! let episode = run_episode(&mut Newcomer::best(), &task, &mut world);
 //! assert_eq!(episode.outcome, Outcome::Won);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -7,17 +7,16 @@ mod common;
 
 use vc_graph::format::eai;
 use vc_graph::goal::Situation;
-use vc_graph::{ClassTable, SceneGraph, Scope, Simulator};
-use vc_planner::{Agent, Episode, run_episode};
+use vc_graph::{ClassTable, SceneGraph, Simulator};
+use vc_planner::{Episode, Newcomer, Policy, Resident, Run};
 use vc_tasks::{Outcome, Task, household};
 
 /// Goals nobody can reach, and why.
 const UNREACHABLE: [(&str, &str); 1] = [("file688_1", "wants one glass in both hands at once")];
 
-fn attempt(scene: &SceneGraph, task: &Task, mut agent: Agent, scope: Scope) -> (Episode, Simulator) {
-    let me = scene.agents()[0];
+fn attempt(scene: &SceneGraph, task: &Task, policy: &mut dyn Policy, seed: u64) -> (Episode, Simulator) {
     let mut world = Simulator::new(scene.clone());
-    let episode = run_episode(&mut world, me, &mut agent, task, scope, |_| {});
+    let episode = Run::seeded(seed).episode(policy, task, &mut world, &mut |_| {});
     (episode, world)
 }
 
@@ -32,7 +31,7 @@ fn eai_goals_with_full_knowledge() {
         let scene = record.initial.build(&record.id, &ClassTable::builtin()).unwrap();
         let me = scene.agents()[0];
         let task = Task::new(&wanted.title, wanted.goal.clone());
-        let (episode, world) = attempt(&scene, &task, Agent::resident(&scene, me, task.goal.clone()), Scope::Whole);
+        let (episode, world) = attempt(&scene, &task, &mut Resident::default(), 0);
         attempted += 1;
         let unreachable = UNREACHABLE.iter().any(|(id, _)| *id == record.id);
         assert_eq!(episode.outcome == Outcome::Won, !unreachable, "{}: {} {:?}", record.id, task.goal, episode);
@@ -78,21 +77,21 @@ fn everyday_goals_in_the_apartment() {
 }
 
 fn win_with_some_seeds(scene: &SceneGraph, task: &Task, name: &str) {
-    let me = scene.agents()[0];
     for seed in 0..3 {
-        let agent = Agent::newcomer(scene, me, task.goal.clone(), seed);
-        let (episode, _) = attempt(scene, task, agent, Scope::Room);
-        assert_eq!(episode.outcome, Outcome::Won, "{name}, {}, seed {seed}: {episode:?}", task.title);
+        for policy in [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful()] {
+            let (episode, _) = attempt(scene, task, policy, seed);
+            let who = policy.name();
+            assert_eq!(episode.outcome, Outcome::Won, "{name}, {}, {who}, seed {seed}: {episode:?}", task.title);
+        }
     }
 }
 
 #[test]
 fn same_seed_same_trajectory() {
     let home = common::apartment();
-    let me = home.agents()[0];
     let task = Task::new("apples", "On(apple, kitchentable), 3 & Closed(fridge)".parse().unwrap());
     let run = |seed| {
-        let (episode, world) = attempt(&home, &task, Agent::newcomer(&home, me, task.goal.clone(), seed), Scope::Room);
+        let (episode, world) = attempt(&home, &task, &mut Newcomer::faithful(), seed);
         assert_eq!(episode.outcome, Outcome::Won);
         (episode.digest, world.history().events().to_vec())
     };

@@ -1,13 +1,27 @@
 //! An agent that pursues a goal in a scene of which it sees only a part.
 
-use vc_graph::{Action, Event, Goal, History, NodeId, Observation, Place, SceneGraph, goal::Term};
+use std::collections::VecDeque;
 
-use crate::plan::{Horizon, plan_in_belief};
+use vc_graph::goal::{Situation, Term};
+use vc_graph::{Action, Event, Goal, History, NodeId, Observation, Place, Refusal, SceneGraph, Verb, rule};
+
+use crate::compile::{Manners, anchor};
+use crate::demand::Choice;
+use crate::look::{Look, best_look};
+use crate::packed::Way;
+use crate::plan::{Horizon, Planner, Sketch, plan_in_belief};
+use crate::search::Effort;
 use crate::want::{Unreachable, Want};
-use crate::{Belief, Learned, Plan};
+use crate::{Belief, Learned, Plan, Prior};
 
-/// After so many searches of everything an agent gives up.
+/// After so many searches of everything a faithful agent gives up.
 const PATIENCE: usize = 4;
+/// So many decisions without learning anything are a sign of going in circles.
+const CIRCLES: usize = 300;
+/// How many ways to take a goal's alternatives are tried.
+const ALTERNATIVES: usize = 12;
+/// How many actions it takes, roughly, to find something.
+const SEARCH: usize = 6;
 
 /// What an agent decides.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,8 +35,16 @@ pub enum Decision {
     GiveUp(Unreachable),
 }
 
-/// The human-like agent of the thesis: it believes, plans, does the first action,
-/// looks, and plans again.
+/// How an agent thinks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Mind {
+    /// As in the thesis: a sampled state, one subgoal after the other by regression.
+    Faithful,
+    /// The best order of all that is known; looks where it is most worth it.
+    Best,
+}
+
+/// An agent that believes, plans, does the first action, looks, and plans again.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Scope, Simulator};
@@ -57,31 +79,76 @@ pub struct Agent {
     concerns: Vec<NodeId>,
     belief: Belief,
     history: History,
+    mind: Mind,
     horizon: Horizon,
+    planner: Planner,
     /// What it is in the middle of: kept until settled, or proved no longer open.
     pursued: Option<Want>,
+    /// What it will do as long as nothing new is learned.
+    next: VecDeque<Action>,
+    /// Decisions since it last learned something.
+    idle: usize,
 }
 
 impl Agent {
-    /// An agent that knows the plan of the home and no more.
+    /// An agent that knows the plan of the home and no more, and supposes that things
+    /// are where people keep them.
     pub fn newcomer(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
-        Self::with(id, goal, Belief::of_newcomer(graph, id, seed))
+        Self::with(id, goal, Belief::by_prior(graph, id, seed, Prior::Kept), Mind::Best)
+    }
+
+    /// As [`Agent::newcomer`], with suppositions of your own.
+    pub fn supposing(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64, prior: Prior) -> Self {
+        Self::with(id, goal, Belief::by_prior(graph, id, seed, prior), Mind::Best)
+    }
+
+    /// The human-like agent of the thesis: every place is equally likely, one state is
+    /// sampled, and one subgoal after the other is pursued.
+    pub fn faithful(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
+        Self::with(id, goal, Belief::of_newcomer(graph, id, seed), Mind::Faithful)
     }
 
     /// An agent that knows everything there is.
     pub fn resident(graph: &SceneGraph, id: NodeId, goal: Goal) -> Self {
-        Self::with(id, goal, Belief::of_resident(graph, id))
+        Self::with(id, goal, Belief::of_resident(graph, id), Mind::Best)
     }
 
-    fn with(id: NodeId, goal: Goal, belief: Belief) -> Self {
+    fn with(id: NodeId, goal: Goal, belief: Belief, mind: Mind) -> Self {
         let concerns = concerns(&goal, belief.graph());
-        Self { id, goal, concerns, belief, history: History::default(), horizon: Horizon::NextSubgoal, pursued: None }
+        let planner = Planner { effort: Effort { first: 2_000, improve: 500 }, ..Planner::default() };
+        Self {
+            id,
+            goal,
+            concerns,
+            belief,
+            history: History::default(),
+            mind,
+            horizon: Horizon::NextSubgoal,
+            planner,
+            pursued: None,
+            next: VecDeque::new(),
+            idle: 0,
+        }
     }
 
-    /// Makes it plan to the goal each time, not only to the next subgoal.
+    /// Makes a faithful agent plan to the goal each time, not only to the next subgoal.
     #[must_use]
     pub fn planning(self, horizon: Horizon) -> Self {
         Self { horizon, ..self }
+    }
+
+    /// How it leaves the home.
+    #[must_use]
+    pub fn mannered(mut self, manners: Manners) -> Self {
+        self.planner.manners = manners;
+        self
+    }
+
+    /// How much it searches for each plan.
+    #[must_use]
+    pub fn trying(mut self, effort: Effort) -> Self {
+        self.planner.effort = effort;
+        self
     }
 
     /// What it believes.
@@ -104,14 +171,43 @@ impl Agent {
 
     /// Takes in what it sees.
     pub fn see(&mut self, seen: &Observation) -> Learned {
-        self.belief.observe(seen)
+        let learned = self.belief.observe(seen);
+        let matters = |id: &NodeId| self.concerns.binary_search(id).is_ok();
+        if learned.found.iter().any(matters) || learned.disproved.iter().any(matters) {
+            self.next.clear();
+            self.idle = 0;
+        }
+        learned
     }
 
     /// What it would do now.
     pub fn decide(&mut self) -> Decision {
-        if self.belief.widened() > PATIENCE {
+        let patience = if self.mind == Mind::Faithful { PATIENCE } else { 1 };
+        if self.belief.widened() > patience && self.is_missing_something() {
             return Decision::GiveUp(Unreachable::Searched(self.belief.widened()));
         }
+        self.idle += 1;
+        if self.idle > CIRCLES {
+            return Decision::GiveUp(Unreachable::NoPlan(self.goal.to_string()));
+        }
+        if self.mind == Mind::Faithful {
+            return self.decide_by_regression();
+        }
+        if let Some(action) = self.next.pop_front() {
+            if self.refusals(&action).is_empty() {
+                let plan = std::iter::once(action).chain(self.next.iter().copied()).collect();
+                return Decision::Act(action, Plan { actions: plan, ..Plan::default() });
+            }
+            self.next.clear();
+        }
+        self.decide_best()
+    }
+
+    fn is_missing_something(&self) -> bool {
+        self.concerns.iter().any(|&id| self.belief.is_missing(id))
+    }
+
+    fn decide_by_regression(&mut self) -> Decision {
         let plan =
             plan_in_belief(&mut self.belief, self.id, &self.goal, self.history.events(), self.horizon, self.pursued);
         self.pursued = plan.as_ref().ok().and_then(|p| p.wants.first()).map(|(want, _)| *want);
@@ -124,11 +220,165 @@ impl Agent {
         }
     }
 
+    /// Plans for what is known; where something is lacking, looks for it unless there
+    /// is something to do at hand or the hands are full.
+    fn decide_best(&mut self) -> Decision {
+        let sketch = match self.best_sketch() {
+            Ok(sketch) => sketch,
+            Err(reason) => {
+                return match self.decide_by_regression() {
+                    Decision::GiveUp(_) => Decision::GiveUp(reason),
+                    other => other,
+                };
+            }
+        };
+        let lacks = &sketch.compiled.lacks;
+        if lacks.is_empty() {
+            if sketch.compiled.rest {
+                return self.decide_with_rest(sketch.actions);
+            }
+            return self.start(sketch.actions);
+        }
+        let hands = self.belief.graph().held(self.id).count();
+        let known = sketch.actions.first().copied().filter(|a| hands == 2 || self.is_at_hand(a));
+        if let Some(action) = known {
+            return self.act(action, sketch.actions);
+        }
+        let doors = doors_needed(&sketch);
+        let look = best_look(&self.belief, self.id, lacks, &doors, self.planner.manners);
+        match look {
+            Some(Look::Enter(room)) => self.act(Action::one(Verb::Walk, room), Vec::new()),
+            Some(Look::Open(at)) => self.act(Action::one(Verb::Open, at), Vec::new()),
+            None => self.decide_by_regression(),
+        }
+    }
+
+    /// The alternative of the goal that promises the least to do.
+    fn best_sketch(&mut self) -> Result<Sketch, Unreachable> {
+        let (mut best, mut reason) = (None::<(usize, Sketch)>, None);
+        let mut choice = Choice::default();
+        let now = Situation { graph: self.belief.graph(), agent: self.id, events: self.history.events() };
+        for _ in 0..ALTERNATIVES {
+            match self.planner.sketch(&self.goal, &now, self.belief.known(), &mut choice) {
+                Ok(sketch) => {
+                    let lacking: usize = sketch.compiled.lacks.iter().map(|l| l.number).sum();
+                    let cost = sketch.actions.len() + SEARCH * lacking;
+                    if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+                        best = Some((cost, sketch));
+                    }
+                }
+                Err(why) => reason = reason.or(Some(why)),
+            }
+            if !choice.advance() {
+                break;
+            }
+        }
+        best.map(|(_, sketch)| sketch)
+            .ok_or_else(|| reason.unwrap_or_else(|| Unreachable::NoPlan(self.goal.to_string())))
+    }
+
+    /// What the packed plan leaves is left to regression, once the plan is done.
+    fn decide_with_rest(&mut self, actions: Vec<Action>) -> Decision {
+        if actions.is_empty() { self.decide_by_regression() } else { self.start(actions) }
+    }
+
+    /// Begins a plan whose rest is kept for the next decisions.
+    fn start(&mut self, actions: Vec<Action>) -> Decision {
+        match actions.first() {
+            None => self.decide_by_regression(),
+            Some(&first) => {
+                let decision = self.act(first, actions.clone());
+                if let Decision::Act(action, _) = &decision {
+                    // What was put before the plan does not use it up.
+                    let used = actions.iter().position(|a| a == action).map_or(0, |i| i + 1);
+                    self.next = actions[used..].iter().copied().collect();
+                }
+                decision
+            }
+        }
+    }
+
+    /// Acts, after what the action needs first: a walk, an opening, a free hand.
+    fn act(&mut self, action: Action, plan: Vec<Action>) -> Decision {
+        // A walk that is not needed for what comes after it is left out.
+        let spared = match plan.as_slice() {
+            [walk, then, ..] if walk.verb == Verb::Walk && *walk == action && then.verb != Verb::Walk => {
+                self.refusals(then).is_empty().then_some(*then)
+            }
+            _ => None,
+        };
+        let first = spared.or_else(|| self.doable(action));
+        match first {
+            Some(first) => {
+                let rest = if plan.is_empty() { vec![action] } else { plan };
+                let actions = if rest.first() == Some(&first) { rest } else { [&[first], rest.as_slice()].concat() };
+                Decision::Act(first, Plan { actions, ..Plan::default() })
+            }
+            None => self.decide_by_regression(),
+        }
+    }
+
+    fn refusals(&self, action: &Action) -> Vec<Refusal> {
+        rule::refusals(self.belief.graph(), self.id, action)
+    }
+
+    /// Whether an action can be done at once and does not lead away.
+    fn is_at_hand(&self, action: &Action) -> bool {
+        action.verb != Verb::Walk && self.refusals(action).is_empty()
+    }
+
+    /// An action, or what has to be done before it.
+    fn doable(&self, mut action: Action) -> Option<Action> {
+        for _ in 0..6 {
+            let Some(refusal) = self.refusals(&action).into_iter().next() else { return Some(action) };
+            action = match refusal {
+                Refusal::NotUpright => Action::zero(Verb::Stand),
+                Refusal::NotNear { thing, .. } => Action::one(Verb::Walk, anchor(self.belief.graph(), thing.id)),
+                Refusal::Hidden { inside, .. } => Action::one(Verb::Open, inside.id),
+                Refusal::Shut(container) => Action::one(Verb::Open, container.id),
+                Refusal::NoFreeHand => self.put_down()?,
+                Refusal::InState(thing, vc_graph::State::On) => Action::one(Verb::SwitchOff, thing.id),
+                _ => return None,
+            };
+        }
+        None
+    }
+
+    /// Frees a hand: on a surface at hand, else on the floor.
+    fn put_down(&self) -> Option<Action> {
+        let held = self.belief.graph().held(self.id).last()?;
+        let graph = self.belief.graph();
+        let near = graph.related(self.id, vc_graph::Relation::Near).filter(|id| {
+            graph
+                .node(*id)
+                .is_some_and(|n| n.affords(vc_graph::Property::Surface) && !n.affords(vc_graph::Property::Graspable))
+        });
+        let on = near.map(|at| Action::two(Verb::Place, held, at)).find(|a| self.refusals(a).is_empty());
+        Some(on.unwrap_or(Action::one(Verb::Drop, held)))
+    }
+
     /// Takes note of what it has done.
     pub fn did(&mut self, action: &Action) {
         self.belief.expect(action);
         self.history.push(Event { agent: self.id, action: *action });
     }
+
+    /// Takes note that an action was refused: what it planned does not hold.
+    pub fn refused(&mut self, _: &Action) {
+        self.next.clear();
+        self.pursued = None;
+    }
+}
+
+/// Containers that what is lacking will be put into: they are opened anyway.
+fn doors_needed(sketch: &Sketch) -> Vec<NodeId> {
+    let problem = &sketch.compiled.problem;
+    let door = |way: &Way| match way {
+        Way::Put { door: Some(d), .. } => problem.doors.get(*d as usize).map(|d| d.node),
+        _ => None,
+    };
+    let lacking = sketch.compiled.lacks.iter().flat_map(|l| &l.ways);
+    lacking.chain(problem.needs.iter().flat_map(|n| &n.ways)).filter_map(door).collect()
 }
 
 /// The things the literals of a goal can be about.

@@ -7,15 +7,20 @@ use vc_graph::{
     rule,
 };
 
-use crate::Known;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::sync::Arc;
+
+use crate::{Known, Prior};
 
 /// Where things are, as far as an agent knows, and for the others a guess.
 ///
 /// It is told the plan of the home when it moves in: the rooms, the fixed things
 /// and which movable things exist. It is not told where the movable ones are, nor
 /// what is open or on. For each of them every place, that is every surface and
-/// container and the floor of each room, is equally likely until it has been seen
-/// without the thing (the thesis's section 4.3). The guess is a sample, kept until
+/// container and the floor of each room, is as likely as its [`Prior`] says until it
+/// has been seen without the thing (the thesis's section 4.3, where all are equally
+/// likely). Containers that can be carried are places from when they are first seen. The guess is a sample, kept until
 /// an observation proves it false; when every place has been seen without it, the
 /// belief widens to all places again, because something was moved meanwhile.
 ///
@@ -29,6 +34,11 @@ pub struct Belief {
     /// Where things can be; `seen` says which of them have been looked at.
     places: Vec<Place>,
     seen: Vec<bool>,
+    /// The room of each place.
+    rooms: Vec<Option<NodeId>>,
+    prior: Prior,
+    /// The weights of all places, by class.
+    weights: BTreeMap<Arc<str>, Arc<[f64]>>,
     /// Things not yet found, with the place of their guess.
     missing: Vec<(NodeId, usize)>,
     last: Option<Observation>,
@@ -52,15 +62,23 @@ impl Belief {
     /// true scene: rooms and fixed things are taken from it, the places of movable
     /// things and all states are forgotten.
     pub fn of_newcomer(graph: &SceneGraph, agent: NodeId, seed: u64) -> Self {
+        Self::by_prior(graph, agent, seed, Prior::Uniform)
+    }
+
+    /// As [`Belief::of_newcomer`], with a prior.
+    pub fn by_prior(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
         let mut belief = Self::with(graph, agent, seed);
+        belief.prior = prior;
         belief.places = places(graph);
         belief.seen = vec![false; belief.places.len()];
+        belief.rooms = belief.places.iter().map(|p| graph.room_of(p.at)).collect();
         let held: Vec<NodeId> = graph.carried_with(agent);
         let movable = |n: &&Node| n.kind() == Kind::Object && n.affords(Property::Graspable) && !held.contains(&n.id());
         let hidden: Vec<NodeId> = graph.nodes().filter(movable).map(Node::id).collect();
         belief.forget(&hidden);
         for id in hidden {
-            let place = belief.sample();
+            belief.weigh(id);
+            let place = belief.sample(id);
             belief.missing.push((id, place));
             belief.suppose(id, place);
         }
@@ -83,6 +101,9 @@ impl Belief {
             known: Known::default(),
             places: Vec::new(),
             seen: Vec::new(),
+            rooms: Vec::new(),
+            prior: Prior::Uniform,
+            weights: BTreeMap::new(),
             missing: Vec::new(),
             last: None,
             touched: Vec::new(),
@@ -112,9 +133,77 @@ impl Belief {
         self.widened
     }
 
-    /// The places where something not yet found can be, all equally likely.
+    /// The places where something not yet found can be.
     pub fn possible_places(&self) -> impl Iterator<Item = Place> + '_ {
         self.places.iter().zip(&self.seen).filter(|(_, seen)| !**seen).map(|(place, _)| *place)
+    }
+
+    /// How many places there are where something not yet found can be.
+    pub fn open_places(&self) -> usize {
+        self.seen.iter().filter(|seen| !**seen).count()
+    }
+
+    pub(crate) fn sites(&self) -> impl Iterator<Item = (usize, Place, Option<NodeId>)> + '_ {
+        let open = self.places.iter().enumerate().filter(|(i, _)| !self.seen[*i]);
+        open.map(|(i, place)| (i, *place, self.rooms[i]))
+    }
+
+    pub(crate) fn places_known(&self) -> usize {
+        self.places.len()
+    }
+
+    /// The weights of the places of a thing, seen ones included.
+    pub(crate) fn weights_of(&self, id: NodeId) -> Option<&Arc<[f64]>> {
+        self.weights.get(self.graph.node(id)?.class())
+    }
+
+    fn weigh(&mut self, id: NodeId) {
+        let Some(class) = self.graph.node(id).map(|n| n.class().clone()) else { return };
+        if !self.weights.contains_key(&class) {
+            let weights = self.prior.weights(&self.graph, id, &self.places);
+            self.weights.insert(class, weights.into());
+        }
+    }
+
+    /// Everywhere a thing can be, with the chance that it is there; likeliest first.
+    /// They sum to one.
+    pub fn distribution(&self, id: NodeId) -> Vec<(Place, f64)> {
+        if !self.is_missing(id) {
+            return self.graph.place(id).map(|p| (p, 1.0)).into_iter().collect();
+        }
+        let Some(weights) = self.weights_of(id) else { return Vec::new() };
+        let open: Vec<(Place, f64)> = self.sites().map(|(i, place, _)| (place, weights[i])).collect();
+        let sum: f64 = open.iter().map(|(_, w)| w).sum();
+        let mut all: Vec<(Place, f64)> = open.into_iter().map(|(place, w)| (place, w / sum)).collect();
+        all.sort_by(|a, b| b.1.total_cmp(&a.1));
+        all
+    }
+
+    /// Where a thing is most likely.
+    pub fn most_likely(&self, id: NodeId) -> Option<Place> {
+        self.distribution(id).first().map(|(place, _)| *place)
+    }
+
+    /// The state with every thing where it is most likely, and all that is known.
+    pub fn most_likely_state(&self) -> SceneGraph {
+        let mut likely = self.clone();
+        for (id, _) in &self.missing {
+            let at = self.most_likely(*id).and_then(|p| self.places.iter().position(|q| *q == p));
+            if let Some(at) = at {
+                likely.suppose(*id, at);
+            }
+        }
+        likely.graph
+    }
+
+    /// A number that tells beliefs apart: what is missing, where it is guessed, what
+    /// has been searched.
+    pub fn digest(&self) -> u64 {
+        let seen = self.seen.iter().enumerate().filter(|(_, s)| **s).map(|(i, _)| i as u64);
+        let missing = self.missing.iter().map(|&(id, place)| u64::from(id.0) << 32 | place as u64);
+        // FNV-1a over words.
+        let add = |hash: u64, word: u64| (hash ^ word).wrapping_mul(0x100_0000_01b3);
+        missing.chain(seen).fold(0xcbf2_9ce4_8422_2325, add)
     }
 
     /// Whether it is only guessed where a thing is.
@@ -127,8 +216,7 @@ impl Belief {
         if !self.is_missing(id) {
             return f64::from(u8::from(self.graph.places(id).any(|p| p == place)));
         }
-        let open = self.possible_places().count();
-        if self.possible_places().any(|p| p == place) { 1.0 / open as f64 } else { 0.0 }
+        self.distribution(id).iter().find(|(p, _)| *p == place).map_or(0.0, |(_, chance)| *chance)
     }
 
     /// Expects what an action of the agent's own does.
@@ -160,10 +248,27 @@ impl Belief {
             }
             if self.known.insert(id) && node.kind() != Kind::Room {
                 learned.found.push(id);
+                self.learn_place(node);
             }
             self.take_over_node(seen, node);
         }
         self.take_over_agent(seen);
+    }
+
+    /// A container that can be carried is a place from when it has been seen.
+    fn learn_place(&mut self, node: &Node) {
+        let opens = [Property::Graspable, Property::Container, Property::Openable];
+        let place = Place { relation: Relation::Inside, at: node.id() };
+        if self.missing.is_empty() || !opens.into_iter().all(|p| node.affords(p)) || self.places.contains(&place) {
+            return;
+        }
+        self.places.push(place);
+        self.seen.push(false);
+        self.rooms.push(None);
+        let share = 1.0 / self.places.len() as f64;
+        for weights in self.weights.values_mut() {
+            *weights = weights.iter().map(|w| w * (1.0 - share)).chain([share]).collect();
+        }
     }
 
     fn take_over_node(&mut self, seen: &Observation, node: &Node) {
@@ -225,7 +330,7 @@ impl Belief {
         for index in 0..self.missing.len() {
             let (id, place) = self.missing[index];
             if self.seen[place] {
-                let place = self.sample();
+                let place = self.sample(id);
                 self.missing[index].1 = place;
                 self.suppose(id, place);
                 learned.disproved.push(id);
@@ -233,15 +338,27 @@ impl Belief {
         }
     }
 
-    /// A place that has not been looked at; all again, when none is left.
-    fn sample(&mut self) -> usize {
+    /// A place that has not been looked at, by its weight; all again, when none is
+    /// left.
+    fn sample(&mut self, id: NodeId) -> usize {
         if self.seen.iter().all(|&seen| seen) {
             self.seen.fill(false);
             self.widened += 1;
         }
+        let Some(weights) = self.weights_of(id).cloned() else { return 0 };
         let open = || self.seen.iter().enumerate().filter(|(_, seen)| !**seen).map(|(i, _)| i);
-        let draw = self.rng.next_u64() % open().count().max(1) as u64;
-        open().nth(draw as usize).unwrap_or(0)
+        let sum: f64 = open().map(|i| weights[i]).sum();
+        // 53 bits make a number from 0 up to 1.
+        let mut draw = (self.rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * sum;
+        let mut last = 0;
+        for i in open() {
+            last = i;
+            draw -= weights[i];
+            if draw < 0.0 {
+                break;
+            }
+        }
+        last
     }
 
     fn suppose(&mut self, id: NodeId, place: usize) {
@@ -273,6 +390,22 @@ impl Belief {
             }
         }
         edit.commit();
+    }
+}
+
+/// What is missing, and where it is likeliest.
+impl fmt::Display for Belief {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const SHOWN: usize = 3;
+        writeln!(f, "{} things not found, {} places not searched", self.missing.len(), self.open_places())?;
+        for (id, _) in &self.missing {
+            write!(f, "{}:", self.graph.label(*id))?;
+            for (place, chance) in self.distribution(*id).into_iter().take(SHOWN) {
+                write!(f, " {:.0}% {} {}", 100.0 * chance, place.relation, self.graph.label(place.at))?;
+            }
+            writeln!(f)?;
+        }
+        Ok(())
     }
 }
 

@@ -1,33 +1,41 @@
-//! Episodes: an agent in a simulated scene, from the first look to the verdict.
+//! Episodes: a policy in a world, from the first look to the verdict.
 
 use serde::{Deserialize, Serialize};
 use vc_graph::goal::Situation;
-use vc_graph::{Action, Digest, Label, NodeId, Place, Refusal, Scope, Simulator};
-use vc_tasks::{Outcome, Task};
+use vc_graph::{Action, Digest, NodeId, Observation, Place, SceneGraph, Seed};
+use vc_tasks::{Outcome, Task, World};
 
-use crate::{Agent, Decision};
+use crate::policy::{Brief, Policy, Reaction};
+use crate::{Decision, Learned, Plan};
 
 /// One step of an episode, as it is recorded.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Step {
     /// Number of the step, from one.
     pub step: usize,
     /// The room the agent was in.
-    pub room: Option<Label>,
+    pub room: Option<String>,
+    /// How many things it saw.
+    pub seen: usize,
     /// What it saw for the first time.
-    pub found: Vec<Label>,
+    pub found: Vec<String>,
     /// Things it no longer believes where it guessed them.
-    pub disproved: Vec<Label>,
+    pub disproved: Vec<String>,
     /// Where it guessed the missing things that the goal is about.
     pub believed: Vec<String>,
     /// Among how many places it guessed.
     pub places: usize,
+    /// Digest of its belief, if it has one.
+    pub belief: Option<String>,
     /// What it meant to do, the first of which it did.
     pub plan: Vec<String>,
     /// What it did.
     pub action: Action,
     /// The same, with the classes of the things.
     pub described: String,
+    /// Why it could not, if so; then nothing has changed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub refused: Option<String>,
     /// Digest of the scene after it.
     pub digest: String,
 }
@@ -39,7 +47,7 @@ pub struct Episode {
     pub outcome: Outcome,
     /// How much of the goal holds at the end, 0 to 1.
     pub score: f64,
-    /// How many actions were done.
+    /// How many actions were done or tried.
     pub steps: usize,
     /// Why the agent gave up or was stopped, if so.
     pub reason: Option<String>,
@@ -54,7 +62,7 @@ pub struct Summary {
     pub outcome: Outcome,
     /// How much of the goal holds, 0 to 1.
     pub score: f64,
-    /// How many actions were done.
+    /// How many actions were done or tried.
     pub steps: usize,
     /// Why the agent gave up or was stopped.
     pub reason: Option<String>,
@@ -68,73 +76,144 @@ impl Episode {
     }
 }
 
-/// Lets an agent pursue a task until it is done, gives up or runs out of steps,
-/// telling `watch` each step. The verdict is by the true scene, not by what the
-/// agent believes.
-///
-/// A resident sees everything each step, a newcomer its room: pass the [`Scope`].
-pub fn run_episode(
-    world: &mut Simulator,
-    id: NodeId,
-    agent: &mut Agent,
-    task: &Task,
-    scope: Scope,
-    mut watch: impl FnMut(&Step),
-) -> Episode {
-    let mut done = 0;
-    let (outcome, reason) = loop {
-        let seen = world.graph().observe(id, scope);
-        let learned = agent.see(&seen);
-        let (action, plan) = match agent.decide() {
-            Decision::Act(..) if done == task.step_limit => {
-                break (Outcome::TimedOut, Some("step limit reached".into()));
-            }
-            Decision::Act(action, plan) => (action, plan),
-            Decision::Done => break (Outcome::Lost, None),
-            Decision::GiveUp(why) => break (Outcome::Lost, Some(why.to_string())),
-        };
-        let label = |&id: &NodeId| world.graph().label(id);
-        let mut step = Step {
-            step: done + 1,
-            room: seen.room().as_ref().map(label),
-            found: learned.found.iter().map(label).collect(),
-            disproved: learned.disproved.iter().map(label).collect(),
-            believed: agent.guesses().iter().map(|&(id, place)| guess(world, id, place)).collect(),
-            places: agent.belief().possible_places().count(),
-            plan: plan.actions.iter().map(|a| a.describe(world.graph()).to_string()).collect(),
-            action,
-            described: action.describe(world.graph()).to_string(),
-            digest: String::new(),
-        };
-        if let Err(refusals) = world.step(id, &action) {
-            break (Outcome::Aborted, Some(refused(&step.described, &refusals)));
-        }
-        agent.did(&action);
-        step.digest = world.graph().digest().to_string();
-        watch(&step);
-        done += 1;
-    };
-    end(world, id, task, outcome, done, reason)
+/// Lets a policy do a task in a world as its first agent, with seed 0. See [`Run`] for
+/// more.
+pub fn run_episode(policy: &mut dyn Policy, task: &Task, world: &mut dyn World) -> Episode {
+    Run::default().episode(policy, task, world, &mut |_| {})
 }
 
-fn guess(world: &Simulator, id: NodeId, place: Option<Place>) -> String {
-    let label = |id| world.graph().label(id);
+/// How an episode is run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Run {
+    /// Who acts; the first agent of the scene, if none.
+    pub agent: Option<NodeId>,
+    /// Where the policy's randomness comes from.
+    pub seed: Seed,
+}
+
+impl Run {
+    /// A run with a seed.
+    pub fn seeded(seed: u64) -> Self {
+        Self { agent: None, seed: Seed(seed) }
+    }
+
+    /// Lets a policy pursue a task until it is done, gives up or runs out of steps,
+    /// telling `watch` each step. The verdict is by the true scene, not by what the
+    /// policy believes. A scene without an agent is lost at once.
+    pub fn episode(
+        &self,
+        policy: &mut dyn Policy,
+        task: &Task,
+        world: &mut dyn World,
+        watch: &mut dyn FnMut(&Step),
+    ) -> Episode {
+        let Some(agent) = self.agent.or_else(|| world.graph().agents().first().copied()) else {
+            let digest = world.graph().digest();
+            let reason = Some("the scene has no agent".into());
+            return Episode { outcome: Outcome::Lost, score: 0.0, steps: 0, reason, digest };
+        };
+        policy.begin(&Brief { scene: world.graph(), agent, task, seed: self.seed });
+        let mut running = Running { agent, task, world, done: 0 };
+        let (outcome, reason) = loop {
+            if let Some(end) = running.step(policy, watch) {
+                break end;
+            }
+        };
+        running.end(outcome, reason)
+    }
+}
+
+/// How an episode ended, and why.
+type End = (Outcome, Option<String>);
+
+struct Running<'a> {
+    agent: NodeId,
+    task: &'a Task,
+    world: &'a mut dyn World,
+    done: usize,
+}
+
+impl Running<'_> {
+    fn step(&mut self, policy: &mut dyn Policy, watch: &mut dyn FnMut(&Step)) -> Option<End> {
+        if !policy.knows_when_to_stop() && self.holds() {
+            return Some((Outcome::Won, None));
+        }
+        let seen = self.world.graph().observe(self.agent, policy.scope());
+        let learned = policy.see(&seen);
+        let (action, plan) = match policy.decide() {
+            Decision::Act(..) if self.done >= self.task.step_limit => {
+                return Some((Outcome::TimedOut, Some("step limit reached".into())));
+            }
+            Decision::Act(action, plan) => (action, plan),
+            Decision::Done => return Some((Outcome::Lost, None)),
+            Decision::GiveUp(why) => return Some((Outcome::Lost, Some(why.to_string()))),
+        };
+        let mut step = describe(self.world.graph(), policy, &seen, &learned, action, &plan);
+        // The scene's nodes are shared with what is seen: letting go saves a copy.
+        drop(seen);
+        self.done += 1;
+        step.step = self.done;
+        let end = match self.world.step(self.agent, &action) {
+            Ok(_) => {
+                policy.did(&action);
+                None
+            }
+            Err(why) => {
+                step.refused = Some(why.to_string());
+                let stop = policy.refused(&action, &why) == Reaction::Stop;
+                stop.then(|| (Outcome::Aborted, Some(format!("`{}` was refused: {why}", step.described))))
+            }
+        };
+        step.digest = self.world.graph().digest().to_string();
+        watch(&step);
+        end
+    }
+
+    fn holds(&self) -> bool {
+        self.task.goal.holds(&Situation::new(self.world.graph(), self.agent, self.world.history()))
+    }
+
+    /// The verdict: who stopped has won if the goal holds.
+    fn end(&self, outcome: Outcome, reason: Option<String>) -> Episode {
+        let now = Situation::new(self.world.graph(), self.agent, self.world.history());
+        let holds = self.task.goal.holds(&now);
+        let outcome = if holds { Outcome::Won } else { outcome };
+        let reason = if holds { None } else { reason };
+        let score = self.task.goal.score(&now);
+        Episode { outcome, score, steps: self.done, reason, digest: self.world.graph().digest() }
+    }
+}
+
+fn describe(
+    graph: &SceneGraph,
+    policy: &dyn Policy,
+    seen: &Observation,
+    learned: &Learned,
+    action: Action,
+    plan: &Plan,
+) -> Step {
+    let label = |&id: &NodeId| graph.label(id).to_string();
+    Step {
+        step: 0,
+        room: seen.room().as_ref().map(label),
+        seen: seen.len(),
+        found: learned.found.iter().map(label).collect(),
+        disproved: learned.disproved.iter().map(label).collect(),
+        believed: policy.guesses().iter().map(|&(id, place)| guess(graph, id, place)).collect(),
+        places: policy.belief().map_or(0, |b| b.open_places()),
+        belief: policy.belief().map(|b| format!("{:016x}", b.digest())),
+        plan: plan.actions.iter().map(|a| a.describe(graph).to_string()).collect(),
+        action,
+        described: action.describe(graph).to_string(),
+        refused: None,
+        digest: String::new(),
+    }
+}
+
+fn guess(graph: &SceneGraph, id: NodeId, place: Option<Place>) -> String {
+    let label = |id| graph.label(id);
     match place {
         Some(place) => format!("{} {} {}", label(id), place.relation, label(place.at)),
         None => format!("{} in some room", label(id)),
     }
-}
-
-fn refused(action: &str, refusals: &[Refusal]) -> String {
-    let reasons: Vec<String> = refusals.iter().map(Refusal::to_string).collect();
-    format!("`{action}` was refused: {}", reasons.join("; "))
-}
-
-/// The verdict: an agent that stopped has won if the goal holds.
-fn end(world: &Simulator, id: NodeId, task: &Task, outcome: Outcome, steps: usize, reason: Option<String>) -> Episode {
-    let now = Situation::new(world.graph(), id, world.history());
-    let holds = task.goal.holds(&now);
-    let outcome = if holds { Outcome::Won } else { outcome };
-    let reason = if holds { None } else { reason };
-    Episode { outcome, score: task.goal.score(&now), steps, reason, digest: world.graph().digest() }
 }

@@ -2,16 +2,36 @@
 
 mod agent;
 mod belief;
+mod bound;
+mod compile;
+mod demand;
 mod episode;
+mod habitual;
 mod known;
+pub mod language;
+mod look;
+mod packed;
 mod plan;
+mod policy;
+mod prior;
+mod record;
+mod regression;
+mod search;
 mod subgoal;
+mod tour;
 mod want;
 mod weigh;
 
 pub use agent::{Agent, Decision};
 pub use belief::{Belief, Learned};
-pub use episode::{Episode, Step, Summary, run_episode};
+pub use compile::Manners;
+pub use episode::{Episode, Run, Step, Summary, run_episode};
+pub use habitual::Habitual;
 pub use known::Known;
-pub use plan::{Horizon, Plan, plan};
+pub use language::LanguageModel;
+pub use plan::{Horizon, Plan, Planner, plan};
+pub use policy::{Brief, Newcomer, Policy, Random, Reaction, Resident, Scripted, objects_of_interest};
+pub use prior::{Habit, Prior};
+pub use record::{Fault, Header, RecordError, Trajectory};
+pub use search::Effort;
 pub use want::{Subgoal, Unreachable, Want};

@@ -1,21 +1,16 @@
-//! The regression planner: backwards from what is wanted to what can be done now.
+//! Plans: the best order of macros, and what is left by regression.
 
 use vc_graph::goal::{Goal, Situation};
-use vc_graph::{Action, ChangeSet, Condition, Event, NodeId, Property, SceneGraph, Verb, rule};
+use vc_graph::{Action, Event, History, Node, NodeId, SceneGraph};
 
-use crate::subgoal::View;
+use crate::compile::{Compiled, Manners, compile};
+use crate::demand::{Choice, Reader};
+use crate::packed::Op;
+use crate::regression::Regression;
+use crate::search::{Effort, Found, Search};
+use crate::tour::Tour;
 use crate::want::{Unreachable, Want};
-use crate::weigh::Hints;
 use crate::{Belief, Known};
-
-/// How many actions a plan may hold, tried ones included.
-const BUDGET: usize = 4000;
-/// How deep an action may need another.
-const DEPTH: usize = 12;
-/// How often an action's needs are met again when meeting one undid another.
-const ROUNDS: usize = 3;
-/// How many options of a subgoal are tried.
-const OPTIONS: usize = 48;
 
 /// How far ahead to plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,16 +26,16 @@ pub enum Horizon {
 pub struct Plan {
     /// The actions.
     pub actions: Vec<Action>,
-    /// What each stretch of them is for, with how many actions it has.
+    /// What each stretch of them is for, with how many actions it has; only regression
+    /// says so.
     pub wants: Vec<(Want, usize)>,
+    /// No plan of the packed problem is shorter. Where the goal has parts beyond it,
+    /// nothing is proved.
+    pub proved: bool,
 }
 
-/// Plans for an agent in a scene it knows entirely.
-///
-/// Works backwards: what the goal wants, which actions bring it about, what they
-/// need, which actions bring that about, and so on, through the transition rule of
-/// [`vc_graph::rule`]. Each action found is tried on the scene, so that every plan
-/// can be carried out as it is; the scene is put back before this returns.
+/// Plans for an agent in a scene it knows entirely, with the usual effort and no
+/// manners; see [`Planner`].
 ///
 /// ```
 /// use vc_graph::{Draft, History, SceneBuilder};
@@ -55,27 +50,145 @@ pub struct Plan {
 /// let plan = vc_planner::plan(&mut graph, me, &goal, &History::default())?;
 /// let steps: Vec<String> = plan.actions.iter().map(|a| a.describe(&graph).to_string()).collect();
 /// assert_eq!(steps, [
-///     "walk fridge.3", "open fridge.3", "grab apple.4",
+///     "walk fridge.3", "open fridge.3", "grab apple.4", "close fridge.3",
 ///     "walk kitchen_table.2", "place apple.4 kitchen_table.2",
-///     "walk fridge.3", "close fridge.3",
 /// ]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// [`Unreachable`] says which part of the goal cannot be brought about.
-pub fn plan(
-    graph: &mut SceneGraph,
-    agent: NodeId,
-    goal: &Goal,
-    history: &vc_graph::History,
-) -> Result<Plan, Unreachable> {
-    let known: Known = graph.nodes().map(vc_graph::Node::id).collect();
-    Search::new(graph, agent, &known, history.events(), goal).run(goal, Horizon::Goal, None)
+pub fn plan(graph: &mut SceneGraph, agent: NodeId, goal: &Goal, history: &History) -> Result<Plan, Unreachable> {
+    Planner::default().plan(graph, agent, goal, history.events())
 }
 
-/// Plans for an agent in the state it believes in. What it pursued before it goes
-/// on pursuing, if that is still open.
+/// How many ways to take a goal's alternatives are tried.
+const ALTERNATIVES: usize = 24;
+
+/// A planner with its memory, kept from one plan to the next.
+///
+/// The goal is packed: deliveries, doors, switches and what is done to single things
+/// become a small search problem, solved by weighted A* and then improved. What is
+/// beyond that (postures, upper bounds, orders, cooking ...) is added by regression
+/// through the transition rule. Every plan is carried out on the scene by the rule and
+/// taken back, so that each can be carried out as it is.
+#[derive(Debug, Clone, Default)]
+pub struct Planner {
+    pub(crate) search: Search,
+    /// How much it searches.
+    pub effort: Effort,
+    /// How it leaves the home.
+    pub manners: Manners,
+}
+
+impl Planner {
+    /// Plans to the goal with full knowledge. The scene is put back before this
+    /// returns.
+    ///
+    /// # Errors
+    /// [`Unreachable`] says which part of the goal cannot be brought about.
+    pub fn plan(
+        &mut self,
+        graph: &mut SceneGraph,
+        agent: NodeId,
+        goal: &Goal,
+        events: &[Event],
+    ) -> Result<Plan, Unreachable> {
+        if goal.holds(&Situation { graph, agent, events }) && self.manners == Manners::GoalOnly {
+            return Ok(Plan { proved: true, ..Plan::default() });
+        }
+        let mut best: Option<Plan> = None;
+        let mut reason = None;
+        let mut choice = Choice::default();
+        let mut general = false;
+        for _ in 0..ALTERNATIVES {
+            match self.attempt(graph, agent, goal, events, &mut choice) {
+                Ok((plan, rest)) => {
+                    general |= rest;
+                    if best.as_ref().is_none_or(|b| plan.actions.len() < b.actions.len()) {
+                        best = Some(plan);
+                    }
+                }
+                Err(why) => reason = reason.or(Some(why)),
+            }
+            if !choice.advance() {
+                break;
+            }
+        }
+        if best.is_none() || general {
+            let known: Known = graph.nodes().map(Node::id).collect();
+            match Regression::new(graph, agent, &known, events, goal).run(goal, Horizon::Goal, None) {
+                Ok(plan) if best.as_ref().is_none_or(|b| plan.actions.len() < b.actions.len()) => best = Some(plan),
+                Ok(_) => {}
+                Err(why) => reason = reason.or(Some(why)),
+            }
+        }
+        best.ok_or_else(|| reason.unwrap_or_else(|| Unreachable::NoPlan(goal.to_string())))
+    }
+
+    /// One choice of alternatives: packed, carried out, and what is left regressed.
+    fn attempt(
+        &mut self,
+        graph: &mut SceneGraph,
+        agent: NodeId,
+        goal: &Goal,
+        events: &[Event],
+        choice: &mut Choice,
+    ) -> Result<(Plan, bool), Unreachable> {
+        let now = Situation { graph, agent, events };
+        let demands = Reader::read(goal, &now, choice);
+        let compiled = compile(&demands, &now, &|_| true, self.manners)?;
+        let (ops, proved) = self.solve(&compiled, goal)?;
+        let actions = Tour::write(&compiled.problem, compiled.start, &ops);
+        let known: Known = graph.nodes().map(Node::id).collect();
+        let mut way = Regression::new(graph, agent, &known, events, goal);
+        let mut rest = compiled.rest || !way.follow(&actions);
+        if !rest && way.holds(goal) {
+            let plan = Plan { actions: way.actions(), wants: Vec::new(), proved };
+            way.rewind(0);
+            return Ok((plan, false));
+        }
+        rest |= !way.holds(goal);
+        let plan = way.work(goal, Horizon::Goal, None);
+        way.rewind(0);
+        Ok((plan?, rest))
+    }
+
+    /// Macros for a packed problem, and whether they are proved to be the best.
+    pub(crate) fn solve(&mut self, compiled: &Compiled, goal: &Goal) -> Result<(Vec<Op>, bool), Unreachable> {
+        match self.search.solve(&compiled.problem, compiled.start, self.effort) {
+            Found::Way { ops, best, .. } => Ok((ops, best)),
+            Found::Exhausted(checked) => Err(Unreachable::SearchExhausted { goal: goal.to_string(), checked }),
+            Found::Unfinished(_) => Ok((Vec::new(), false)),
+        }
+    }
+
+    /// The first macros of a goal from what is known, without carrying them out: what
+    /// an agent does next. Nothing of the scene is copied.
+    pub(crate) fn sketch(
+        &mut self,
+        goal: &Goal,
+        now: &Situation<'_>,
+        known: &Known,
+        choice: &mut Choice,
+    ) -> Result<Sketch, Unreachable> {
+        let demands = Reader::read(goal, now, choice);
+        let compiled = compile(&demands, now, &|id| known.contains(id), self.manners)?;
+        let (ops, _) = self.solve(&compiled, goal)?;
+        let actions = Tour::write(&compiled.problem, compiled.start, &ops);
+        Ok(Sketch { compiled, actions })
+    }
+}
+
+/// A plan not yet carried out, for what is known.
+#[derive(Debug)]
+pub(crate) struct Sketch {
+    pub(crate) compiled: Compiled,
+    pub(crate) actions: Vec<Action>,
+}
+
+/// Plans for an agent in the state it believes in by regression alone. What it pursued
+/// before it goes on pursuing, if that is still open.
 ///
 /// # Errors
 /// As [`plan`].
@@ -88,228 +201,5 @@ pub(crate) fn plan_in_belief(
     pursued: Option<Want>,
 ) -> Result<Plan, Unreachable> {
     let (graph, known) = belief.sampled_and_known();
-    Search::new(graph, agent, known, events, goal).run(goal, horizon, pursued)
-}
-
-/// A search in progress, which tries actions on the graph and takes them back.
-struct Search<'a> {
-    graph: &'a mut SceneGraph,
-    agent: NodeId,
-    known: &'a Known,
-    hints: Hints,
-    events: Vec<Event>,
-    done_before: usize,
-    trail: Vec<ChangeSet>,
-    /// What is being brought about, outermost first: what is needed to bring
-    /// about itself is no help.
-    open: Vec<Condition>,
-    budget: usize,
-    /// The plan ends here: what comes next depends on what is seen.
-    cut: bool,
-}
-
-impl<'a> Search<'a> {
-    fn new(graph: &'a mut SceneGraph, agent: NodeId, known: &'a Known, events: &[Event], goal: &Goal) -> Self {
-        Self {
-            graph,
-            agent,
-            known,
-            hints: Hints::of(goal),
-            events: events.to_vec(),
-            done_before: events.len(),
-            trail: Vec::new(),
-            open: Vec::new(),
-            budget: BUDGET,
-            cut: false,
-        }
-    }
-
-    fn run(mut self, goal: &Goal, horizon: Horizon, pursued: Option<Want>) -> Result<Plan, Unreachable> {
-        let result = self.work(goal, horizon, pursued);
-        self.rewind(0);
-        result
-    }
-
-    fn view(&self) -> View<'_> {
-        let now = Situation { graph: self.graph, agent: self.agent, events: &self.events };
-        View { now, known: self.known, hints: &self.hints }
-    }
-
-    fn work(&mut self, goal: &Goal, horizon: Horizon, mut pursued: Option<Want>) -> Result<Plan, Unreachable> {
-        let mut wants = Vec::new();
-        loop {
-            let subgoals = self.view().subgoals(goal)?;
-            if self.cut || subgoals.is_empty() || (horizon == Horizon::NextSubgoal && !self.trail.is_empty()) {
-                return Ok(Plan { actions: self.actions(), wants });
-            }
-            let before = self.trail.len();
-            let options = || subgoals.iter().flat_map(|s| s.options.iter().take(OPTIONS));
-            let kept = pursued.take().filter(|want| options().any(|o| o == want));
-            let Some(want) = kept.into_iter().chain(options().copied()).find(|want| self.settle(want)) else {
-                let open = subgoals.iter().filter_map(|s| s.options.first()).take(3).map(|w| self.describe(w));
-                return Err(Unreachable::NoPlan(open.collect::<Vec<_>>().join("; ")));
-            };
-            wants.push((want, self.trail.len() - before));
-            // A look ends the plan: only an observation can tell what is there.
-            if matches!(want, Want::See(_)) {
-                return Ok(Plan { actions: self.actions(), wants });
-            }
-        }
-    }
-
-    fn describe(&self, want: &Want) -> String {
-        match want {
-            Want::Do(action) => action.describe(self.graph).to_string(),
-            Want::See(id) => format!("see {}", self.graph.label(*id)),
-            Want::Hold(condition) => match condition.check(self.graph, self.agent) {
-                Err(refusal) => format!("({refusal})"),
-                Ok(()) => want.to_string(),
-            },
-        }
-    }
-
-    fn actions(&self) -> Vec<Action> {
-        self.events[self.done_before..].iter().map(|e| e.action).collect()
-    }
-
-    /// Settles a want by actions, or leaves everything as it was.
-    fn settle(&mut self, want: &Want) -> bool {
-        let mark = self.trail.len();
-        let settled = match want {
-            Want::Hold(condition) => self.achieve(condition) && self.trail.len() > mark,
-            Want::Do(action) => self.act(action),
-            Want::See(id) => self.come_to_see(*id),
-        };
-        if !settled {
-            self.rewind(mark);
-            self.cut = false;
-        }
-        settled
-    }
-
-    /// Goes where a thing is believed to be, and opens what it is believed in.
-    fn come_to_see(&mut self, id: NodeId) -> bool {
-        if self.graph.room_of(id) == self.graph.room_of(self.agent) && self.graph.hidden_in(id).is_some() {
-            return self.achieve(&Condition::Accessible(id));
-        }
-        let room = self.graph.room_of(id);
-        let walk = room.map(|room| Action::one(Verb::Walk, room));
-        walk.is_some_and(|walk| self.act(&walk))
-    }
-
-    /// Makes a condition true by actions, or leaves everything as it was.
-    fn achieve(&mut self, want: &Condition) -> bool {
-        if want.holds(self.graph, self.agent) {
-            return true;
-        }
-        if self.open.len() >= DEPTH || self.open.contains(want) {
-            return false;
-        }
-        let mark = self.trail.len();
-        self.open.push(*want);
-        let candidates = self.ways(want);
-        let mut achieved = false;
-        for action in candidates {
-            // Some conditions take several actions: an object that is to be in
-            // another room is grabbed, carried there and put down.
-            achieved = self.act(&action) && (self.cut || want.holds(self.graph, self.agent) || self.go_on(want));
-            if achieved || self.budget == 0 {
-                break;
-            }
-            self.rewind(mark);
-        }
-        self.open.pop();
-        if !achieved {
-            self.rewind(mark);
-        }
-        achieved
-    }
-
-    /// Actions that bring a condition about. What can be anywhere and has not been
-    /// seen cannot be walked up to: one goes to the place where it is believed to
-    /// be. On the floor of a room that is the room, and only there can one see on.
-    fn ways(&mut self, want: &Condition) -> Vec<Action> {
-        match *want {
-            Condition::Near(id) if self.is_missing(id) => {
-                let room = || self.graph.room_of(id).filter(|&r| Some(r) != self.graph.room_of(self.agent));
-                let place = self.graph.place(id).map(|p| p.at);
-                self.cut = place.is_none() && room().is_some();
-                place.or_else(room).map(|at| Action::one(Verb::Walk, at)).into_iter().collect()
-            }
-            _ => rule::regress::achievers(self.graph, self.agent, want),
-        }
-    }
-
-    /// Whether a thing is one that can be anywhere, and where it is is a guess.
-    fn is_missing(&self, id: NodeId) -> bool {
-        !self.known.contains(id) && self.graph.node(id).is_some_and(|n| n.affords(Property::Graspable))
-    }
-
-    /// Goes on with a condition that an action has brought nearer.
-    fn go_on(&mut self, want: &Condition) -> bool {
-        for _ in 0..ROUNDS {
-            let Some(action) = self.ways(want).into_iter().next() else {
-                return false;
-            };
-            if !self.act(&action) {
-                return false;
-            }
-            if self.cut || want.holds(self.graph, self.agent) {
-                return true;
-            }
-        }
-        false
-    }
-
-    /// Does an action after making true what it needs, or leaves everything as it
-    /// was.
-    fn act(&mut self, action: &Action) -> bool {
-        let mark = self.trail.len();
-        let needs = rule::preconditions(action);
-        for _ in 0..ROUNDS {
-            let unmet = |s: &Self| needs.iter().find(|c| !c.holds(s.graph, s.agent)).copied();
-            while let Some(need) = unmet(self) {
-                let before = self.trail.len();
-                if !self.achieve(&need) || self.trail.len() == before {
-                    self.rewind(mark);
-                    return false;
-                }
-                if self.cut || self.trail.len() - mark > 4 * DEPTH {
-                    break;
-                }
-            }
-            if self.cut || self.step(action) {
-                return true;
-            }
-        }
-        self.rewind(mark);
-        false
-    }
-
-    fn step(&mut self, action: &Action) -> bool {
-        if self.budget == 0 {
-            return false;
-        }
-        self.budget -= 1;
-        match rule::step(self.graph, self.agent, action) {
-            Ok(changes) => {
-                self.trail.push(changes);
-                self.events.push(Event { agent: self.agent, action: *action });
-                true
-            }
-            Err(_) => false,
-        }
-    }
-
-    /// Takes back all but the first `mark` actions.
-    fn rewind(&mut self, mark: usize) {
-        while self.trail.len() > mark {
-            if let Some(changes) = self.trail.pop() {
-                // A change set always undoes on the graph it was made on.
-                let undone = changes.undo(self.graph);
-                debug_assert!(undone.is_ok(), "{undone:?}");
-            }
-            self.events.pop();
-        }
-    }
+    Regression::new(graph, agent, known, events, goal).run(goal, horizon, pursued)
 }

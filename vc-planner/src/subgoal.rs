@@ -53,6 +53,14 @@ impl View<'_> {
                 self.any(goal, each)
             }
             Goal::Then(parts) => self.in_order(parts, bound),
+            Goal::Imply(condition, part) => self.any(goal, vec![self.not(condition, bound), self.open(part, bound)]),
+            Goal::Eventually(part) | Goal::AtEnd(part) | Goal::Always(part) | Goal::Within(_, part) => {
+                self.open(part, bound)
+            }
+            Goal::Until(_, part) | Goal::Before(part, _) => self.open(part, bound),
+            Goal::ForN { comparison: Comparison::AtLeast, number, of } => {
+                self.so_many(goal, *number as usize, of, bound)
+            }
             _ => Err(Unreachable::NoPlan(goal.to_string())),
         }
     }
@@ -62,6 +70,17 @@ impl View<'_> {
             Some(class) => self.graph().of_class(class),
             None => self.now.candidates(&Term::Anything),
         }
+    }
+
+    /// The part for so many things of a class: those with least to do.
+    fn so_many<'g>(&self, goal: &Goal, number: usize, q: &'g Quantified, bound: &mut Bindings<'g>) -> Found {
+        let each = self.range(q).into_iter().map(|id| bind(q, id, bound, |b| self.open(&q.body, b)));
+        let mut possible: Vec<Vec<Subgoal>> = each.flatten().collect();
+        if possible.len() < number {
+            return Err(Unreachable::NoInstance(goal.to_string()));
+        }
+        possible.sort_by_key(Vec::len);
+        Ok(possible.into_iter().take(number).flatten().collect())
     }
 
     /// One of several ways: the one with least to do; single steps are pooled.

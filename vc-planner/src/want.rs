@@ -32,20 +32,59 @@ impl std::fmt::Display for Want {
     }
 }
 
-/// Why a goal cannot be reached.
+/// Why a goal cannot be reached. Running out of steps is no such reason: it is an
+/// [`Outcome`](vc_tasks::Outcome).
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unreachable {
     /// The scene lacks what a part of the goal is about.
     #[error("nothing in this scene can satisfy `{0}`")]
     NoInstance(String),
+    /// What would have to be moved cannot be picked up.
+    #[error("`{0}`: nothing it is about can be picked up")]
+    NotGraspable(String),
+    /// Nothing can be put on what a part of the goal names.
+    #[error("`{0}`: nothing can be put on that")]
+    NotASurface(String),
+    /// Nothing can be put in what a part of the goal names.
+    #[error("`{0}`: nothing can be put in that")]
+    NotAContainer(String),
+    /// What a part of the goal names does not open.
+    #[error("`{0}`: it does not open")]
+    NotOpenable(String),
+    /// What a part of the goal names has no switch.
+    #[error("`{0}`: it has no switch")]
+    NotSwitchable(String),
+    /// That cannot be done to what a part of the goal names.
+    #[error("`{0}`: that cannot be done to it")]
+    NotAfforded(String),
+    /// A thing is in no room: one cannot go there.
+    #[error("`{0}`: there is no way there")]
+    NoRoute(String),
+    /// The parts of the goal need the same things, or each undoes another.
+    #[error("`{0}` conflicts with other parts of the goal")]
+    Conflicting(String),
+    /// All that could serve is shut in something that does not open.
+    #[error("`{0}`: what it is about is shut in and cannot be got out")]
+    Sealed(String),
+    /// Every state that matters was looked at.
+    #[error("all {checked} states that matter were looked at, and `{goal}` holds in none")]
+    SearchExhausted {
+        /// The goal.
+        goal: String,
+        /// How many states.
+        checked: usize,
+    },
     /// No sequence of actions that was tried brings a part about.
     #[error("no actions were found that bring about any of: {0}")]
     NoPlan(String),
     /// What has been done cannot be undone.
     #[error("`{0}` has been done and cannot be undone")]
     Irrevocable(String),
-    /// Every place has been searched more than once.
+    /// A language model gave no answer that could be used.
+    #[error("no usable answer: {0}")]
+    NoAnswer(String),
+    /// Every place has been searched.
     #[error("everything has been searched {0} times and something is still missing")]
     Searched(usize),
 }

@@ -96,8 +96,16 @@ fn what_cannot_be_reached_is_told_with_its_reason() {
     let mut why = |text: &str| plan(&mut scene, me, &text.parse().unwrap(), &History::default()).unwrap_err();
     assert!(matches!(why("On(unicorn, kitchen_table)"), Unreachable::NoInstance(_)));
     assert!(matches!(why("On(apple, kitchen_table), 4"), Unreachable::NoInstance(_)));
-    assert!(matches!(why("On(fridge, kitchen_table)"), Unreachable::NoPlan(_)));
-    assert!(matches!(why("Open(sofa)"), Unreachable::NoPlan(_)));
+    assert!(matches!(why("On(fridge, kitchen_table)"), Unreachable::NotGraspable(_)));
+    assert!(matches!(why("Open(sofa)"), Unreachable::NotOpenable(_)));
+    assert!(matches!(why("SwitchedOn(sofa)"), Unreachable::NotSwitchable(_)));
+    assert!(matches!(why("On(apple, book)"), Unreachable::NotASurface(_)));
+    assert!(matches!(why("Inside(apple, sofa)"), Unreachable::NotAContainer(_)));
+    assert!(matches!(why("Eat(sofa)"), Unreachable::NotAfforded(_)));
+    assert!(matches!(
+        why("Inside(chicken, fridge) & On(chicken, kitchen_table)"),
+        Unreachable::Conflicting(_) | Unreachable::SearchExhausted { .. } | Unreachable::NoPlan(_)
+    ));
     assert!(matches!(why("Broken(plate)"), Unreachable::NoPlan(_)));
     assert!(matches!(why("Near(fridge) & Touching(apple, fridge)"), Unreachable::NoPlan(_)));
 }

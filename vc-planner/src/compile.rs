@@ -1,0 +1,652 @@
+//! From demands in a scene to a packed problem.
+
+use vc_graph::goal::{Predicate, Situation};
+use vc_graph::{Condition, Kind, NodeId, Place, Property, Relation, SceneGraph, State as Word, Verb, rule};
+
+use crate::demand::{Demand, Demands};
+use crate::packed::{BITS, Door, MOST, Need, Pile, Problem, Spot, State, Switch, Way, bit};
+use crate::want::Unreachable;
+
+/// How a home is to be left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub enum Manners {
+    /// Only the goal counts.
+    #[default]
+    GoalOnly,
+    /// What was closed is closed again, too.
+    Tidy,
+}
+
+/// So many things of a demand are not known to be anywhere.
+#[derive(Debug, Clone)]
+pub(crate) struct Lack {
+    pub(crate) subjects: Vec<NodeId>,
+    pub(crate) number: usize,
+    /// What they are needed for.
+    pub(crate) ways: Vec<Way>,
+}
+
+/// What became of the demands.
+#[derive(Debug, Default)]
+pub(crate) struct Compiled {
+    pub(crate) problem: Problem,
+    pub(crate) start: State,
+    /// What has to be found first.
+    pub(crate) lacks: Vec<Lack>,
+    /// Some demand is beyond packed planning.
+    pub(crate) rest: bool,
+}
+
+/// How many piles of a need are kept, besides its number: the rest are no better.
+const SPARE: usize = 4;
+/// How many places are tried for a need.
+const PLACES: usize = 4;
+
+pub(crate) struct Compiler<'a> {
+    now: &'a Situation<'a>,
+    known: &'a dyn Fn(NodeId) -> bool,
+    manners: Manners,
+    out: Compiled,
+    /// What serves the goal where it is.
+    reserved: Vec<NodeId>,
+    /// Items with the needs they serve.
+    items: Vec<(NodeId, u32)>,
+    bits: u8,
+}
+
+type Result<T> = std::result::Result<T, Unreachable>;
+
+/// Compiles what can be packed of some demands.
+///
+/// # Errors
+/// [`Unreachable`] if a demand cannot be met by anything there is.
+pub(crate) fn compile(
+    demands: &Demands<'_>,
+    now: &Situation<'_>,
+    known: &dyn Fn(NodeId) -> bool,
+    manners: Manners,
+) -> Result<Compiled> {
+    let mut c = Compiler {
+        now,
+        known,
+        manners,
+        out: Compiled { rest: demands.rest, ..Compiled::default() },
+        reserved: Vec::new(),
+        items: Vec::new(),
+        bits: 0,
+    };
+    c.run(demands)?;
+    Ok(c.out)
+}
+
+impl Compiler<'_> {
+    fn graph(&self) -> &SceneGraph {
+        self.now.graph
+    }
+
+    fn run(&mut self, demands: &Demands<'_>) -> Result<()> {
+        let mut open = Vec::new();
+        for demand in &demands.all {
+            if let Some(short) = self.reserve(demand) {
+                open.push((demand, short));
+            }
+        }
+        for (demand, short) in open {
+            self.demand(demand, short)?;
+        }
+        self.hands();
+        self.piles();
+        self.finish();
+        Ok(())
+    }
+
+    /// What holds already stays; returns how many are short.
+    fn reserve(&mut self, demand: &Demand<'_>) -> Option<usize> {
+        if demand.subjects().is_empty() {
+            let done = self.now.holds(demand.predicate, [None, None]);
+            return (!done || demand.number == 0).then_some(1);
+        }
+        let mut met = 0;
+        for &id in demand.subjects() {
+            if met == demand.number {
+                break;
+            }
+            if (self.known)(id) && demand.holds(self.now, id) {
+                met += 1;
+                if moves(demand.predicate) {
+                    self.reserved.push(id);
+                }
+            }
+        }
+        // A door or switch that is right must be so in the end as well.
+        let word = matches!(demand.predicate, Predicate::State(Word::Open | Word::Closed | Word::On | Word::Off));
+        if word && met == demand.number && demand.subjects().len() == demand.number {
+            return Some(0);
+        }
+        (met < demand.number).then_some(demand.number - met)
+    }
+
+    fn demand(&mut self, demand: &Demand<'_>, short: usize) -> Result<()> {
+        let me = self.now.agent;
+        match demand.predicate {
+            Predicate::Relation(Relation::On) if !demand.things[0].contains(&me) && !demand.things[1].contains(&me) => {
+                self.carry(demand, short, Verb::Place)
+            }
+            Predicate::Relation(Relation::Inside | Relation::InRoom) if !demand.things[0].contains(&me) => {
+                self.carry(demand, short, Verb::PutIn)
+            }
+            Predicate::Holds if demand.things[0] == [me] => self.keep(demand, short),
+            Predicate::State(word) if demand.things[0] != [me] => self.state(demand, short, word),
+            Predicate::Did(verb) => self.deed(demand, short, verb),
+            _ => {
+                self.out.rest = true;
+                Ok(())
+            }
+        }
+    }
+
+    fn carry(&mut self, demand: &Demand<'_>, short: usize, verb: Verb) -> Result<()> {
+        if demand.counted != 0 {
+            self.out.rest = true;
+            return Ok(());
+        }
+        let ways = self.puts(demand, verb)?;
+        self.need(demand, short, ways)
+    }
+
+    fn keep(&mut self, demand: &Demand<'_>, short: usize) -> Result<()> {
+        let need = self.out.problem.needs.len();
+        self.need(demand, short, vec![Way::Keep])?;
+        if need < MOST {
+            self.out.problem.keeps |= 1 << need;
+        }
+        Ok(())
+    }
+
+    /// A need that items serve.
+    fn need(&mut self, demand: &Demand<'_>, short: usize, ways: Vec<Way>) -> Result<()> {
+        let number = self.out.problem.needs.len();
+        if number == MOST || ways.is_empty() || short > 200 {
+            self.out.rest = true;
+            return Ok(());
+        }
+        let keep = matches!(ways[0], Way::Keep);
+        let graph = self.now.graph;
+        let graspable = |id: &NodeId| Condition::Graspable(*id).holds(graph, self.now.agent);
+        let fit: Vec<NodeId> = demand.subjects().iter().copied().filter(graspable).collect();
+        if fit.is_empty() && !demand.subjects().is_empty() {
+            return Err(Unreachable::NotGraspable(demand.part.to_string()));
+        }
+        if fit.len() < demand.number {
+            return Err(Unreachable::NoInstance(demand.part.to_string()));
+        }
+        let free = |id: &NodeId| keep || !self.reserved.contains(id);
+        let known: Vec<NodeId> = fit.iter().copied().filter(|id| (self.known)(*id)).filter(free).collect();
+        let missing: Vec<NodeId> = fit.into_iter().filter(|id| !(self.known)(*id)).collect();
+        if known.len() < short {
+            if missing.is_empty() {
+                return Err(Unreachable::Conflicting(demand.part.to_string()));
+            }
+            self.out.lacks.push(Lack { subjects: missing, number: short - known.len(), ways: ways.clone() });
+        }
+        for &id in &known {
+            match self.items.iter_mut().find(|(item, _)| *item == id) {
+                Some((_, serves)) => *serves |= 1 << number,
+                None => self.items.push((id, 1 << number)),
+            }
+        }
+        let number_of = short.min(known.len()) as u8;
+        self.push_need(number_of, ways);
+        Ok(())
+    }
+
+    fn push_need(&mut self, number: u8, ways: Vec<Way>) {
+        let spots = ways.iter().fold(0, |bits, way| match way {
+            Way::Put { spot, .. } | Way::Use { spot: Some(spot), .. } => bits | bit(*spot),
+            _ => bits,
+        });
+        self.out.start.needs[self.out.problem.needs.len()] = number;
+        self.out.problem.needs.push(Need { number, ways, spots, local: false });
+    }
+
+    /// Where items of a demand can be put.
+    fn puts(&mut self, demand: &Demand<'_>, verb: Verb) -> Result<Vec<Way>> {
+        let graph = self.now.graph;
+        let me = self.now.agent;
+        let room = |id: &NodeId| graph.node(*id).is_some_and(|n| n.kind() == Kind::Room);
+        let fits = |id: &NodeId| match verb {
+            Verb::Place => Condition::Carries(*id).holds(graph, me),
+            _ => room(id) || Condition::Encloses(*id).holds(graph, me),
+        };
+        let others = demand.others();
+        if others.is_empty() {
+            return Err(Unreachable::NoInstance(demand.part.to_string()));
+        }
+        let fit: Vec<NodeId> = others.iter().copied().filter(fits).collect();
+        if fit.is_empty() {
+            let text = demand.part.to_string();
+            return Err(if verb == Verb::Place {
+                Unreachable::NotASurface(text)
+            } else {
+                Unreachable::NotAContainer(text)
+            });
+        }
+        let Some(&sample) = demand.subjects().first() else {
+            return Err(Unreachable::NoInstance(demand.part.to_string()));
+        };
+        let mut places = fit.clone();
+        places.retain(|&at| room(&at) || Condition::Fits(sample, at).holds(graph, me));
+        let (here, hand) = (graph.room_of(me), |id: NodeId| self.spot_number(anchor(graph, id)).is_some());
+        if places.len() > PLACES {
+            places.sort_by_key(|&id| (!hand(id), graph.room_of(id) != here, id));
+            places.truncate(PLACES);
+        }
+        if places.iter().all(|&id| graph.room_of(id).is_none()) && !places.is_empty() {
+            return Err(Unreachable::NoRoute(demand.part.to_string()));
+        }
+        let mut ways = Vec::new();
+        for at in places {
+            // What stands on what moves is left to the general planner.
+            let loose = graph.node(at).is_some_and(|n| n.affords(Property::Graspable));
+            if loose || !(self.known)(at) {
+                continue;
+            }
+            if room(&at) {
+                ways.extend(self.in_room(at));
+            } else if let Some(way) = self.put(verb, at) {
+                ways.push(way);
+            }
+        }
+        Ok(ways)
+    }
+
+    fn put(&mut self, verb: Verb, at: NodeId) -> Option<Way> {
+        let spot = self.spot(anchor(self.now.graph, at))?;
+        let inner = self.doors_of(at)?;
+        let own = verb == Verb::PutIn && self.graph().node(at).is_some_and(|n| n.affords(Property::Openable));
+        let door = match (own, inner) {
+            (true, None) => Some(self.door(at, spot)?),
+            (false, door) => door,
+            (true, Some(_)) => return None,
+        };
+        Some(Way::Put { verb, at, spot, door })
+    }
+
+    /// Something in a room is put on some surface there, or let go.
+    fn in_room(&mut self, room: NodeId) -> Option<Way> {
+        let spot = self.spot(room)?;
+        Some(Way::Put { verb: Verb::Drop, at: room, spot, door: None })
+    }
+
+    fn state(&mut self, demand: &Demand<'_>, short: usize, word: Word) -> Result<()> {
+        let all = demand.subjects().len() == demand.number;
+        match word {
+            Word::Open | Word::Closed if all => {
+                for &id in demand.subjects() {
+                    if !self.affords(id, Property::Openable) {
+                        return Err(Unreachable::NotOpenable(demand.part.to_string()));
+                    }
+                    let Some(spot) = self.spot(anchor(self.now.graph, id)) else { continue };
+                    match self.door(id, spot) {
+                        Some(d) => self.out.problem.doors[d as usize].want = Some(word == Word::Open),
+                        None => self.out.rest = true,
+                    }
+                }
+                Ok(())
+            }
+            Word::On | Word::Off if all => {
+                for &id in demand.subjects() {
+                    if !self.affords(id, Property::Switchable) {
+                        return Err(Unreachable::NotSwitchable(demand.part.to_string()));
+                    }
+                    match self.switch(id) {
+                        Some(w) => self.out.problem.switches[w as usize].want = Some(word == Word::On),
+                        None => self.out.rest = true,
+                    }
+                }
+                Ok(())
+            }
+            _ if short == 0 => Ok(()),
+            _ => self.uses(demand, short, word),
+        }
+    }
+
+    fn affords(&self, id: NodeId, property: Property) -> bool {
+        self.graph().node(id).is_some_and(|n| n.affords(property))
+    }
+
+    /// States that one action at the thing brings about.
+    fn uses(&mut self, demand: &Demand<'_>, short: usize, word: Word) -> Result<()> {
+        let (graph, me) = (self.now.graph, self.now.agent);
+        let mut ways = Vec::new();
+        for &id in demand.subjects().iter().filter(|id| (self.known)(**id)) {
+            if demand.holds(self.now, id) || ways.len() >= short + SPARE {
+                continue;
+            }
+            let found = rule::regress::achievers(graph, me, &Condition::In(id, word));
+            let simple = found.iter().find(|a| a.object == Some(id) && a.target.is_none() && self.is_simple(a));
+            if let Some(way) = simple.and_then(|a| self.use_way(a.verb, Some(id))) {
+                ways.push(way);
+            }
+        }
+        self.use_need(demand, short, ways)
+    }
+
+    fn use_need(&mut self, _: &Demand<'_>, short: usize, ways: Vec<Way>) -> Result<()> {
+        if ways.len() < short || self.out.problem.needs.len() == MOST {
+            self.out.rest = true;
+            return Ok(());
+        }
+        self.push_need(short as u8, ways);
+        Ok(())
+    }
+
+    /// Whether an action needs no more than to be at the thing.
+    fn is_simple(&self, action: &vc_graph::Action) -> bool {
+        let (graph, me) = (self.now.graph, self.now.agent);
+        rule::preconditions(action).iter().all(|c| match c {
+            Condition::Near(_) | Condition::Accessible(_) => true,
+            c if c.is_lasting() => c.holds(graph, me),
+            Condition::In(..) | Condition::NotIn(..) => c.holds(graph, me),
+            _ => false,
+        })
+    }
+
+    fn use_way(&mut self, verb: Verb, on: Option<NodeId>) -> Option<Way> {
+        let (spot, door) = match on {
+            Some(id) => (Some(self.spot(anchor(self.now.graph, id))?), self.doors_of(id)?),
+            None => (None, None),
+        };
+        if self.bits as usize == BITS {
+            return None;
+        }
+        self.bits += 1;
+        Some(Way::Use { verb, on, spot, door, bit: self.bits - 1 })
+    }
+
+    /// Something that is to be done.
+    fn deed(&mut self, demand: &Demand<'_>, short: usize, verb: Verb) -> Result<()> {
+        let (graph, me) = (self.now.graph, self.now.agent);
+        if verb.arity() == 0 {
+            let free = rule::preconditions(&vc_graph::Action::zero(verb)).is_empty();
+            let way = free.then(|| self.use_way(verb, None)).flatten();
+            return self.use_need(demand, 1, way.into_iter().collect());
+        }
+        if verb.arity() != 1 || short != 1 || demand.subjects().is_empty() {
+            self.out.rest = true;
+            return Ok(());
+        }
+        let action = |id| vc_graph::Action::one(verb, id);
+        let lasting = |id: &NodeId| {
+            rule::preconditions(&action(*id)).iter().filter(|c| c.is_lasting()).all(|c| c.holds(graph, me))
+        };
+        let fit: Vec<NodeId> = demand.subjects().iter().copied().filter(lasting).collect();
+        if fit.is_empty() {
+            return Err(Unreachable::NotAfforded(demand.part.to_string()));
+        }
+        let needs = rule::preconditions(&action(fit[0]));
+        let held = needs.iter().any(|c| matches!(c, Condition::Holding(_)));
+        if held && needs.iter().all(|c| c.is_lasting() || matches!(c, Condition::Holding(_))) {
+            let narrowed = Demand { things: [fit, Vec::new()], ..demand.clone() };
+            return self.need(&narrowed, short, vec![Way::UseHeld { verb }]);
+        }
+        let known: Vec<NodeId> = fit.iter().copied().filter(|id| (self.known)(*id)).collect();
+        if known.is_empty() {
+            self.out.lacks.push(Lack { subjects: fit, number: 1, ways: Vec::new() });
+            return Ok(());
+        }
+        let simple: Vec<NodeId> = known.into_iter().filter(|&id| self.is_simple(&action(id))).collect();
+        let ways: Vec<Way> = simple.iter().take(1 + SPARE).filter_map(|&id| self.use_way(verb, Some(id))).collect();
+        self.use_need(demand, short, ways)
+    }
+
+    fn spot_number(&self, anchor: NodeId) -> Option<u8> {
+        self.out.problem.spots.iter().position(|s| s.anchor == anchor).map(|i| i as u8)
+    }
+
+    fn spot(&mut self, anchor: NodeId) -> Option<u8> {
+        if let Some(number) = self.spot_number(anchor) {
+            return Some(number);
+        }
+        let (graph, me) = (self.now.graph, self.now.agent);
+        let number = self.out.problem.spots.len();
+        let room = graph.room_of(anchor)?;
+        if number == BITS {
+            return None;
+        }
+        let node = graph.node(anchor)?;
+        let surface =
+            node.kind() == Kind::Object && node.affords(Property::Surface) && !node.affords(Property::Graspable);
+        self.out.problem.spots.push(Spot { anchor, room: Some(room), reach: bit(number as u8), surface });
+        if graph.near(me, anchor) {
+            self.out.start.at |= bit(number as u8);
+        }
+        Some(number as u8)
+    }
+
+    /// The door something is behind, if any; `None` if there are several.
+    fn doors_of(&mut self, id: NodeId) -> Option<Option<u8>> {
+        let graph = self.now.graph;
+        let mut found = None;
+        let mut at = id;
+        for _ in 0..DEEPEST {
+            let Some(place) = graph.place(at) else { break };
+            let opens = graph.node(place.at).is_some_and(|n| n.affords(Property::Openable));
+            if place.relation == Relation::Inside && opens {
+                if found.is_some() {
+                    return None;
+                }
+                found = Some(place.at);
+            }
+            at = place.at;
+        }
+        match found {
+            None => Some(None),
+            Some(container) => {
+                let spot = self.spot(anchor(graph, container))?;
+                self.door(container, spot).map(Some)
+            }
+        }
+    }
+
+    fn door(&mut self, node: NodeId, spot: u8) -> Option<u8> {
+        if let Some(number) = self.out.problem.doors.iter().position(|d| d.node == node) {
+            return Some(number as u8);
+        }
+        let body = self.graph().node(node)?;
+        let open = !body.hides_contents();
+        let harmless = body.affords(Property::Cooler) || body.affords(Property::Heater);
+        let switches = !harmless && body.affords(Property::Switchable);
+        let number = self.out.problem.doors.len();
+        if number == BITS {
+            return None;
+        }
+        let want = (self.manners == Manners::Tidy && !open).then_some(false);
+        self.out.problem.doors.push(Door { node, spot, unsafe_when_on: None, want });
+        if open {
+            self.out.start.open |= bit(number as u8);
+        }
+        if switches {
+            let switch = self.switch(node);
+            self.out.problem.doors[number].unsafe_when_on = switch;
+        }
+        Some(number as u8)
+    }
+
+    fn switch(&mut self, node: NodeId) -> Option<u8> {
+        if let Some(number) = self.out.problem.switches.iter().position(|s| s.node == node) {
+            return Some(number as u8);
+        }
+        let body = self.graph().node(node)?;
+        let number = self.out.problem.switches.len();
+        let (on, off) = (body.is(Word::On), body.is(Word::Off));
+        if number == BITS || (!on && !off) || body.is(Word::PluggedOut) {
+            return None;
+        }
+        if on {
+            self.out.start.on |= bit(number as u8);
+        }
+        let spot = self.spot(anchor(self.now.graph, node))?;
+        let door = self.doors_of(node)?;
+        self.out.problem.switches.push(Switch { node, spot, door, want: None });
+        Some(number as u8)
+    }
+
+    /// What is held now.
+    fn hands(&mut self) {
+        let held: Vec<NodeId> = self.graph().held(self.now.agent).take(2).collect();
+        for (hand, &id) in held.iter().enumerate() {
+            let serves = self.items.iter().find(|(item, _)| *item == id).map_or(0, |(_, serves)| *serves);
+            self.out.problem.held[hand] = Some(id);
+            let kind = self.kind(serves);
+            self.out.start.hands[hand] = kind + 1;
+        }
+        self.items.retain(|(id, _)| !held.contains(id));
+        let [a, b] = self.out.start.hands;
+        if a < b {
+            self.out.start.hands.swap(0, 1);
+            self.out.problem.held.swap(0, 1);
+        }
+    }
+
+    fn kind(&mut self, serves: u32) -> u8 {
+        let kinds = &mut self.out.problem.kinds;
+        let known = kinds.iter().position(|&k| k == serves);
+        known.unwrap_or_else(|| {
+            kinds.push(serves);
+            kinds.len() - 1
+        }) as u8
+    }
+
+    /// Gathers items into piles, the most useful first.
+    fn piles(&mut self) {
+        let graph = self.now.graph;
+        let items = std::mem::take(&mut self.items);
+        let mut piles: Vec<(NodeId, Option<NodeId>, u32, Vec<NodeId>)> = Vec::new();
+        for (id, serves) in items {
+            // What another holds or wears is left to it.
+            if graph.holder(id).is_some() || Condition::NotElsewhereHeld(id).check(graph, self.now.agent).is_err() {
+                continue;
+            }
+            let (at, shut) = (anchor(graph, id), container(graph, id));
+            match piles.iter_mut().find(|p| p.0 == at && p.1 == shut && p.2 == serves) {
+                Some(pile) => pile.3.push(id),
+                None => piles.push((at, shut, serves, vec![id])),
+            }
+        }
+        let busy = |at: NodeId| self.spot_number(at).is_some() || piles.iter().filter(|p| p.0 == at).count() > 1;
+        let ranks: Vec<_> = piles
+            .iter()
+            .map(|p| {
+                (
+                    !busy(p.0),
+                    std::cmp::Reverse(p.3.len().min(2)),
+                    p.1.is_some(),
+                    graph.room_of(p.0) != graph.room_of(self.now.agent),
+                    p.0,
+                )
+            })
+            .collect();
+        let mut order: Vec<usize> = (0..piles.len()).collect();
+        order.sort_by_key(|&i| ranks[i]);
+        let mut kept = [0usize; MOST];
+        for i in order {
+            let (at, _, serves, ref items) = piles[i];
+            let wanted = |n: usize| self.out.problem.needs[n].number as usize;
+            let needs = || (0..MOST).filter(move |n| serves & (1 << n) != 0);
+            if needs().all(|n| kept[n] >= wanted(n) + SPARE) {
+                continue;
+            }
+            needs().for_each(|n| kept[n] += 1);
+            self.pile(at, serves, items);
+        }
+    }
+
+    fn pile(&mut self, at: NodeId, serves: u32, items: &[NodeId]) {
+        let number = self.out.problem.piles.len();
+        if number == MOST {
+            return;
+        }
+        let Some(spot) = self.spot(at) else { return };
+        let Some(door) = self.doors_of(items[0]) else {
+            self.out.rest = true;
+            return;
+        };
+        let kind = self.kind(serves);
+        self.out.start.piles[number] = items.len().min(250) as u8;
+        self.out.problem.piles.push(Pile { kind, spot, door, items: items.to_vec() });
+    }
+
+    fn finish(&mut self) {
+        let problem = &mut self.out.problem;
+        for n in 0..problem.needs.len() {
+            let mut serving = problem.piles.iter().filter(|p| problem.kinds[p.kind as usize] & (1 << n) != 0);
+            problem.needs[n].local = serving.any(|p| problem.needs[n].spots & bit(p.spot) != 0);
+        }
+        // In a room one is wherever in it one is.
+        for i in 0..problem.spots.len() {
+            let room = |(_, s): &(usize, &Spot)| Some(s.anchor) == problem.spots[i].room;
+            let around = problem.spots.iter().enumerate().find(room).map_or(0, |(j, _)| bit(j as u8));
+            problem.spots[i].reach |= around;
+        }
+        self.out.problem.shared = self.one_for_two();
+        let me = self.now.agent;
+        self.out.start.room = self.now.graph.room_of(me).map_or(255, |r| (r.0 % 251) as u8);
+        self.out.start.sort_hands();
+    }
+
+    /// Whether an item that is put somewhere can serve two needs there.
+    fn one_for_two(&self) -> bool {
+        let problem = &self.out.problem;
+        let target = |way: &Way| if let Way::Put { verb, at, .. } = way { Some((*verb, *at)) } else { None };
+        let meet = |a: usize, b: usize| {
+            let at = |n: usize| problem.needs[n].ways.iter().filter_map(target);
+            at(a).any(|x| at(b).any(|y| x == y))
+        };
+        problem.kinds.iter().any(|k| {
+            let needs: Vec<usize> = (0..problem.needs.len()).filter(|n| k & (1 << n) != 0).collect();
+            needs.iter().enumerate().any(|(i, &a)| needs[i + 1..].iter().any(|&b| meet(a, b)))
+        })
+    }
+}
+
+/// How far down things are looked for in each other.
+const DEEPEST: usize = 16;
+
+/// Whether moving a thing undoes a predicate about it.
+fn moves(predicate: Predicate) -> bool {
+    matches!(predicate, Predicate::Relation(Relation::On | Relation::Inside | Relation::InRoom) | Predicate::Holds)
+}
+
+/// What one walks up to, to have a thing at hand: the furniture it is on or in.
+pub(crate) fn anchor(graph: &SceneGraph, id: NodeId) -> NodeId {
+    let mut at = id;
+    for _ in 0..DEEPEST {
+        match graph.place(at) {
+            Some(Place { relation: Relation::On | Relation::Inside, at: on }) if !is_ground(graph, on) => at = on,
+            _ => break,
+        }
+    }
+    at
+}
+
+/// The nearest container that opens around a thing.
+fn container(graph: &SceneGraph, id: NodeId) -> Option<NodeId> {
+    let mut at = id;
+    for _ in 0..DEEPEST {
+        let place = graph.place(at)?;
+        if place.relation == Relation::Inside && graph.node(place.at).is_some_and(|n| n.affords(Property::Openable)) {
+            return Some(place.at);
+        }
+        at = place.at;
+    }
+    None
+}
+
+/// Floors and rugs: standing on them is no reason to be near all that does.
+pub(crate) fn is_ground(graph: &SceneGraph, id: NodeId) -> bool {
+    graph.node(id).is_none_or(|n| {
+        n.kind() != Kind::Object
+            || matches!(&**n.class(), "floor" | "rug" | "carpet" | "mat" | "ceiling" | "wall" | "ground")
+    })
+}

@@ -1,0 +1,287 @@
+//! A language model as a policy. The model itself is the user's: a closure from a
+//! prompt to an answer, so that any library, server or recording will do.
+
+use std::fmt::Write as _;
+
+use vc_graph::{Action, Kind, NodeId, Observation, Property, Relation, SceneGraph, Verb, Word, rule};
+use vc_tasks::WorldError;
+
+use crate::policy::{Brief, Policy, Reaction};
+use crate::{Decision, Learned, Plan, Unreachable};
+
+/// How often an answer that is none is asked for again.
+const RETRIES: usize = 3;
+/// How many actions of the past a prompt tells.
+const REMEMBERED: usize = 30;
+
+/// What a model is asked.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Prompt {
+    /// Who it is and how to answer; the same for a whole episode.
+    pub system: String,
+    /// Task, what is seen, what has been done, what can be done.
+    pub user: String,
+    /// The actions that can be done now, as they are written.
+    pub actions: Vec<String>,
+    /// A JSON schema of answers: one of the actions, or `done`.
+    pub schema: serde_json::Value,
+}
+
+/// Why an answer is no action.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AnswerError {
+    /// It says nothing.
+    #[error("the answer is empty")]
+    Empty,
+    /// It has no action in it.
+    #[error("`{0}` is no action; write a verb and what it is about, such as `grab cup.12`")]
+    NoAction(String),
+    /// What it names is not there.
+    #[error("there is no `{name}`; did you mean one of: {like}?")]
+    NoSuchThing {
+        /// As it was written.
+        name: String,
+        /// What there is of that class.
+        like: String,
+    },
+    /// The verb takes more or fewer things.
+    #[error("`{0}`")]
+    Arity(String),
+}
+
+/// What a model answered.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Answer {
+    /// To do something.
+    Act(Action),
+    /// That the task is done.
+    Done,
+}
+
+/// A policy that asks a language model for each action.
+pub struct LanguageModel<F> {
+    ask: F,
+    agent: NodeId,
+    goal: String,
+    scene: Option<SceneGraph>,
+    seen: Option<Observation>,
+    past: Vec<String>,
+    /// What was wrong with the last answer.
+    wrong: Option<String>,
+    refusals: usize,
+}
+
+impl<F: FnMut(&Prompt) -> Result<String, String>> LanguageModel<F> {
+    /// A policy that asks a closure. An error of the closure ends the episode.
+    pub fn new(ask: F) -> Self {
+        let (goal, past) = (String::new(), Vec::new());
+        Self { ask, agent: NodeId(0), goal, scene: None, seen: None, past, wrong: None, refusals: 0 }
+    }
+
+    fn prompt(&self, graph: &SceneGraph, seen: &Observation) -> Prompt {
+        let actions: Vec<String> =
+            legal_actions(graph, self.agent).iter().map(|a| a.describe(graph).to_string()).collect();
+        let mut user = format!("Task: {}\n\nYou see:\n{}", self.goal, describe_seen(seen));
+        let start = self.past.len().saturating_sub(REMEMBERED);
+        let _ = write!(user, "\nYou have done:\n{}\n", self.past[start..].join("\n"));
+        if let Some(wrong) = &self.wrong {
+            let _ = write!(user, "\nYour last answer was not possible: {wrong}\n");
+        }
+        let _ = write!(user, "\nYou can:\n{}\ndone\n", actions.join("\n"));
+        let mut words = actions.clone();
+        words.push("done".into());
+        let schema = serde_json::json!({
+            "type": "object",
+            "properties": { "action": { "type": "string", "enum": words } },
+            "required": ["action"],
+        });
+        Prompt { system: SYSTEM.into(), user, actions, schema }
+    }
+}
+
+const SYSTEM: &str = "You are a person in a home. You see only the room you are in, and not into closed \
+containers. Answer with one action at a time, as JSON {\"action\": \"grab cup.12\"} or as plain text. Answer \
+`done` when the task is done.";
+
+/// What an agent can do now: verbs with one thing on all that is in its room, walks to
+/// the rooms, and putting down what it holds.
+pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
+    let Some(room) = graph.room_of(agent) else { return Vec::new() };
+    let here: Vec<NodeId> = graph.in_room(room).filter(|&id| id != agent && graph.hidden_in(id).is_none()).collect();
+    let one = Verb::ALL.iter().copied().filter(|v| v.arity() == 1 && *v != Verb::Run && *v != Verb::Find);
+    let singles = one.flat_map(|verb| here.iter().map(move |&id| Action::one(verb, id)));
+    let walks = graph.rooms().iter().filter(|&&r| r != room).map(|&r| Action::one(Verb::Walk, r));
+    let alone = Verb::ALL.iter().copied().filter(|v| v.arity() == 0).map(Action::zero);
+    let held: Vec<NodeId> = graph.held(agent).collect();
+    let puts = held.iter().flat_map(|&item| {
+        let onto = |&at: &NodeId| [Action::two(Verb::Place, item, at), Action::two(Verb::PutIn, item, at)];
+        let useful = |at: &&NodeId| {
+            graph.node(**at).is_some_and(|n| {
+                [Property::Surface, Property::Container, Property::Sittable, Property::Lieable]
+                    .into_iter()
+                    .any(|p| n.affords(p))
+            })
+        };
+        here.iter().filter(useful).flat_map(onto).collect::<Vec<_>>()
+    });
+    let all = walks.chain(singles).chain(puts).chain(alone);
+    all.filter(|a| rule::refusals(graph, agent, a).is_empty()).collect()
+}
+
+/// An observation as text: a line for each thing, where it is and in what state.
+pub fn describe_seen(seen: &Observation) -> String {
+    let mut text = String::new();
+    for node in seen.nodes().filter(|n| n.kind() == Kind::Object) {
+        let _ = write!(text, "{}", node.label());
+        let states: Vec<&str> = node.states().iter().map(|s| s.as_str()).collect();
+        if !states.is_empty() {
+            let _ = write!(text, " ({})", states.join(", "));
+        }
+        for place in seen.places(node.id()) {
+            if let Some(at) = seen.get(place.at) {
+                let _ = write!(text, " {} {}", place.relation.as_str(), at.label());
+            }
+        }
+        text.push('\n');
+    }
+    for edge in seen.related(seen.agent(), Relation::HoldsRight).chain(seen.related(seen.agent(), Relation::HoldsLeft))
+    {
+        if let Some(held) = seen.get(edge.to) {
+            let _ = writeln!(text, "You hold {}.", held.label());
+        }
+    }
+    text
+}
+
+/// Reads a model's answer: JSON with an `action`, or text with an action on some line;
+/// the usual decorations (quotes, list numbers, code fences, VirtualHome's brackets)
+/// are stripped. Things may be named by class alone where there is one of it.
+///
+/// # Errors
+/// [`AnswerError`] in words that a model can use.
+pub fn read_answer(text: &str, graph: &SceneGraph) -> Result<Answer, AnswerError> {
+    let mut problem = None;
+    for line in candidate_lines(text) {
+        match read_line(&line, graph) {
+            Ok(answer) => return Ok(answer),
+            // The first line that names a verb tells best what was meant.
+            Err(error @ (AnswerError::NoSuchThing { .. } | AnswerError::Arity(_))) => return Err(error),
+            Err(error) => problem = problem.or(Some(error)),
+        }
+    }
+    Err(problem.unwrap_or(AnswerError::Empty))
+}
+
+/// The `action` of the first JSON object, else the lines.
+fn candidate_lines(text: &str) -> Vec<String> {
+    let object = text.find('{').and_then(|start| {
+        let values = serde_json::Deserializer::from_str(&text[start..]).into_iter::<serde_json::Value>().next();
+        values.and_then(Result::ok)
+    });
+    match object.as_ref().and_then(|o| o.get("action")) {
+        Some(serde_json::Value::String(action)) => vec![action.clone()],
+        _ => text.lines().map(str::to_owned).filter(|l| !l.trim().is_empty()).collect(),
+    }
+}
+
+fn read_line(line: &str, graph: &SceneGraph) -> Result<Answer, AnswerError> {
+    let decorations = |c: char| c.is_whitespace() || "`*\"'-.:>#".contains(c);
+    let line = line.trim_matches(decorations);
+    let line = line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start_matches([')', '.', ' ']);
+    let line = line.strip_prefix("Action:").or_else(|| line.strip_prefix("action:")).unwrap_or(line).trim();
+    if line.eq_ignore_ascii_case("done") || line.eq_ignore_ascii_case("stop") {
+        return Ok(Answer::Done);
+    }
+    if line.starts_with('[') {
+        let action: Action = line.parse().map_err(|_| AnswerError::NoAction(clip(line)))?;
+        return Ok(Answer::Act(action));
+    }
+    let mut words =
+        line.split([' ', ',', '(', ')']).filter(|w| !w.is_empty() && !FILLERS.contains(&w.to_lowercase().as_str()));
+    let verb = words.next().and_then(|w| Verb::parse(&w.to_lowercase()).ok());
+    let verb = verb.ok_or_else(|| AnswerError::NoAction(clip(line)))?;
+    let things: Result<Vec<NodeId>, AnswerError> = words.map(|w| thing(w, graph)).collect();
+    let action = Action::with(verb, &things?).map_err(|e| AnswerError::Arity(e.to_string()))?;
+    Ok(Answer::Act(action))
+}
+
+/// Words between a verb and its things.
+const FILLERS: &[&str] = &["the", "a", "an", "to", "on", "in", "into", "onto", "from", "at", "up", "with"];
+
+fn thing(word: &str, graph: &SceneGraph) -> Result<NodeId, AnswerError> {
+    let name = word.trim_matches(|c| "<>\"'`.".contains(c));
+    let (class, number) = match name.rsplit_once('.') {
+        Some((class, digits)) => (class, digits.parse().ok().map(NodeId)),
+        None => (name, name.trim_start_matches('#').parse().ok().map(NodeId)),
+    };
+    if let Some(id) = number.filter(|id| graph.node(*id).is_some()) {
+        return Ok(id);
+    }
+    let alike = graph.of_class(class);
+    match (number, alike.as_slice()) {
+        (None, [only]) => Ok(*only),
+        _ => {
+            let like: Vec<String> = alike.iter().take(5).map(|&id| graph.label(id).to_string()).collect();
+            let like = if like.is_empty() { "nothing of that class".into() } else { like.join(", ") };
+            Err(AnswerError::NoSuchThing { name: clip(name), like })
+        }
+    }
+}
+
+fn clip(text: &str) -> String {
+    text.chars().take(60).collect()
+}
+
+impl<F: FnMut(&Prompt) -> Result<String, String>> Policy for LanguageModel<F> {
+    fn name(&self) -> &str {
+        "language model"
+    }
+
+    fn knows_when_to_stop(&self) -> bool {
+        false
+    }
+
+    fn begin(&mut self, brief: &Brief<'_>) {
+        self.agent = brief.agent;
+        self.goal = format!("{}. The task is done when: {}", brief.task.title, brief.task.goal);
+        self.scene = Some(brief.scene.clone());
+        (self.past, self.wrong, self.refusals) = (Vec::new(), None, 0);
+    }
+
+    fn see(&mut self, seen: &Observation) -> Learned {
+        self.seen = Some(seen.clone());
+        Learned::default()
+    }
+
+    fn decide(&mut self) -> Decision {
+        let (Some(scene), Some(seen)) = (&self.scene, &self.seen) else { return Decision::Done };
+        // What is seen and nothing else: a model is not told what it cannot know.
+        let graph = seen.to_graph(scene);
+        for _ in 0..=RETRIES {
+            let prompt = self.prompt(&graph, seen);
+            let text = match (self.ask)(&prompt) {
+                Ok(text) => text,
+                Err(why) => return Decision::GiveUp(Unreachable::NoAnswer(why)),
+            };
+            match read_answer(&text, &graph) {
+                Ok(Answer::Done) => return Decision::Done,
+                Ok(Answer::Act(action)) => return Decision::Act(action, Plan::default()),
+                Err(why) => self.wrong = Some(why.to_string()),
+            }
+        }
+        Decision::GiveUp(Unreachable::NoAnswer(self.wrong.clone().unwrap_or_default()))
+    }
+
+    fn did(&mut self, action: &Action) {
+        let text = self.scene.as_ref().map_or_else(|| action.to_string(), |g| action.describe(g).to_string());
+        self.past.push(text);
+        (self.wrong, self.refusals) = (None, 0);
+    }
+
+    fn refused(&mut self, action: &Action, why: &WorldError) -> Reaction {
+        self.refusals += 1;
+        self.wrong = Some(format!("`{action}`: {why}"));
+        if self.refusals <= RETRIES { Reaction::GoOn } else { Reaction::Stop }
+    }
+}

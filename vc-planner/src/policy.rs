@@ -1,0 +1,387 @@
+//! What decides: one trait for planners, baselines, scripts and language models.
+
+use vc_graph::{Action, Goal, NodeId, Observation, SceneGraph, Scope, Seed, Stream, Verb};
+use vc_tasks::{Task, WorldError};
+
+use crate::compile::Manners;
+use crate::{Agent, Belief, Decision, Horizon, Learned, Plan, Prior};
+
+/// What a policy is told when an episode begins.
+#[derive(Debug, Clone, Copy)]
+pub struct Brief<'a> {
+    /// The true scene. What a policy may take from it is its own honesty: newcomers
+    /// take the rooms, the fixed things, and what movable things there are.
+    pub scene: &'a SceneGraph,
+    /// Who it acts as.
+    pub agent: NodeId,
+    /// What is to be done.
+    pub task: &'a Task,
+    /// Where its randomness comes from.
+    pub seed: Seed,
+}
+
+/// What to do about a refused action.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reaction {
+    /// It counts as a step, and the episode goes on.
+    GoOn,
+    /// The episode ends.
+    Stop,
+}
+
+/// Somebody who decides what an agent does.
+///
+/// It is object-safe: runners take `&mut dyn Policy`.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator};
+/// use vc_planner::{Policy, Random, Resident, Newcomer, run_episode};
+/// use vc_tasks::{Outcome, Task};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// scene.add_in(fridge, Draft::new("milk"))?;
+/// scene.add_in(kitchen, Draft::new("character"))?;
+/// let task = Task::new("milk", "Holds(milk)".parse()?);
+/// let graph = scene.build();
+/// let policies: [&mut dyn Policy; 3] = [&mut Newcomer::best(), &mut Resident::default(), &mut Random::default()];
+/// for policy in policies {
+///     let episode = run_episode(policy, &task, &mut Simulator::new(graph.clone()));
+///     assert_eq!(episode.outcome, Outcome::Won, "{}", policy.name());
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub trait Policy {
+    /// What it is called in tables.
+    fn name(&self) -> &str;
+
+    /// How far it sees.
+    fn scope(&self) -> Scope {
+        Scope::Room
+    }
+
+    /// Whether it knows itself when to stop. If not, an episode ends as soon as the
+    /// goal holds.
+    fn knows_when_to_stop(&self) -> bool {
+        true
+    }
+
+    /// A new episode begins.
+    fn begin(&mut self, brief: &Brief<'_>);
+
+    /// Takes in what is seen.
+    fn see(&mut self, seen: &Observation) -> Learned;
+
+    /// What to do now.
+    fn decide(&mut self) -> Decision;
+
+    /// The action was done.
+    fn did(&mut self, action: &Action);
+
+    /// The action was refused, and nothing has changed.
+    fn refused(&mut self, _action: &Action, _why: &WorldError) -> Reaction {
+        Reaction::Stop
+    }
+
+    /// What it believes, if it does.
+    fn belief(&self) -> Option<&Belief> {
+        None
+    }
+
+    /// The things the task is about that it has not found, with its guesses.
+    fn guesses(&self) -> Vec<(NodeId, Option<vc_graph::Place>)> {
+        Vec::new()
+    }
+}
+
+/// After so many refusals in a row a planner stops.
+const REFUSALS: usize = 8;
+
+/// A planner as a policy: an [`Agent`] made anew for each episode.
+#[derive(Debug, Clone)]
+struct Planning {
+    agent: Option<Agent>,
+    refusals: usize,
+}
+
+impl Planning {
+    const NEW: Self = Self { agent: None, refusals: 0 };
+
+    fn begin(&mut self, agent: Agent) {
+        *self = Self { agent: Some(agent), refusals: 0 };
+    }
+
+    fn see(&mut self, seen: &Observation) -> Learned {
+        self.agent.as_mut().map_or_else(Learned::default, |a| a.see(seen))
+    }
+
+    fn decide(&mut self) -> Decision {
+        self.agent.as_mut().map_or(Decision::Done, Agent::decide)
+    }
+
+    fn did(&mut self, action: &Action) {
+        self.refusals = 0;
+        if let Some(agent) = &mut self.agent {
+            agent.did(action);
+        }
+    }
+
+    fn refused(&mut self, action: &Action) -> Reaction {
+        self.refusals += 1;
+        if let Some(agent) = &mut self.agent {
+            agent.refused(action);
+        }
+        if self.refusals < REFUSALS { Reaction::GoOn } else { Reaction::Stop }
+    }
+}
+
+macro_rules! plans {
+    () => {
+        fn see(&mut self, seen: &Observation) -> Learned {
+            self.planning.see(seen)
+        }
+
+        fn decide(&mut self) -> Decision {
+            self.planning.decide()
+        }
+
+        fn did(&mut self, action: &Action) {
+            self.planning.did(action);
+        }
+
+        fn refused(&mut self, action: &Action, _: &WorldError) -> Reaction {
+            self.planning.refused(action)
+        }
+
+        fn belief(&self) -> Option<&Belief> {
+            self.planning.agent.as_ref().map(Agent::belief)
+        }
+
+        fn guesses(&self) -> Vec<(NodeId, Option<vc_graph::Place>)> {
+            self.planning.agent.as_ref().map_or_else(Vec::new, Agent::guesses)
+        }
+    };
+}
+
+/// Somebody who knows the plan of the home and searches it.
+#[derive(Debug, Clone)]
+pub struct Newcomer {
+    name: &'static str,
+    planning: Planning,
+    /// What it supposes about where things are; `None` for the thesis's agent.
+    prior: Option<Prior>,
+    manners: Manners,
+}
+
+impl Newcomer {
+    /// The best planner: things are where people keep them, the look that is most
+    /// worth it first, two hands.
+    pub fn best() -> Self {
+        Self { name: "planner", planning: Planning::NEW, prior: Some(Prior::Kept), manners: Manners::GoalOnly }
+    }
+
+    /// The thesis's planner: a uniform sample, one subgoal after the other.
+    pub fn faithful() -> Self {
+        Self { name: "faithful", prior: None, ..Self::best() }
+    }
+
+    /// The best planner, with another supposition about where things are.
+    #[must_use]
+    pub fn supposing(self, prior: Prior) -> Self {
+        Self { prior: Some(prior), ..self }
+    }
+
+    /// How it leaves the home.
+    #[must_use]
+    pub fn mannered(self, manners: Manners) -> Self {
+        Self { manners, ..self }
+    }
+}
+
+impl Policy for Newcomer {
+    fn name(&self) -> &str {
+        self.name
+    }
+
+    fn begin(&mut self, brief: &Brief<'_>) {
+        let Brief { scene, agent, task, seed } = *brief;
+        let agent = match &self.prior {
+            None => Agent::faithful(scene, agent, task.goal.clone(), seed.0),
+            Some(prior) => Agent::supposing(scene, agent, task.goal.clone(), seed.0, prior.clone()),
+        };
+        self.planning.begin(agent.mannered(self.manners));
+    }
+
+    plans!();
+}
+
+/// The oracle: somebody who knows everything and sees everything.
+#[derive(Debug, Clone)]
+pub struct Resident {
+    planning: Planning,
+    manners: Manners,
+}
+
+impl Default for Resident {
+    fn default() -> Self {
+        Self { planning: Planning::NEW, manners: Manners::GoalOnly }
+    }
+}
+
+impl Resident {
+    /// How it leaves the home.
+    #[must_use]
+    pub fn mannered(self, manners: Manners) -> Self {
+        Self { manners, ..self }
+    }
+}
+
+impl Policy for Resident {
+    fn name(&self) -> &str {
+        "oracle"
+    }
+
+    fn scope(&self) -> Scope {
+        Scope::Whole
+    }
+
+    fn begin(&mut self, brief: &Brief<'_>) {
+        let agent = Agent::resident(brief.scene, brief.agent, brief.task.goal.clone());
+        self.planning.begin(agent.planning(Horizon::Goal).mannered(self.manners));
+    }
+
+    plans!();
+}
+
+/// The thesis's random model: a verb and objects of interest, each drawn uniformly;
+/// what cannot be done is ignored, and counts as a step.
+#[derive(Debug, Clone, Default)]
+pub struct Random {
+    things: Vec<NodeId>,
+    stream: Option<Stream>,
+}
+
+impl Random {
+    fn draw(&mut self) -> Option<Action> {
+        let stream = self.stream.as_mut()?;
+        // A verb of VirtualCity that takes more things than there are is drawn again.
+        for _ in 0..64 {
+            let verb = *stream.pick(VERBS)?;
+            let things: Vec<NodeId> = (0..verb.arity()).filter_map(|_| stream.pick(&self.things).copied()).collect();
+            if let Ok(action) = Action::with(verb, &things) {
+                return Some(action);
+            }
+        }
+        None
+    }
+}
+
+/// The actions of the thesis's environment.
+const VERBS: &[Verb] = &[
+    Verb::Walk,
+    Verb::Run,
+    Verb::Grab,
+    Verb::Place,
+    Verb::PutIn,
+    Verb::SwitchOn,
+    Verb::SwitchOff,
+    Verb::Open,
+    Verb::Close,
+    Verb::Eat,
+    Verb::Drink,
+    Verb::Sit,
+    Verb::Stand,
+    Verb::Dance,
+    Verb::Wave,
+    Verb::Exercise,
+    Verb::PointAt,
+    Verb::LookAt,
+];
+
+/// The objects of interest of a goal in a scene: what it names, of each class all that
+/// there are, and what these are in or on.
+pub fn objects_of_interest(scene: &SceneGraph, goal: &Goal) -> Vec<NodeId> {
+    let mut found = Vec::new();
+    for term in goal.terms() {
+        match term {
+            vc_graph::goal::Term::Class(class) => found.extend(scene.of_class(&class)),
+            vc_graph::goal::Term::Node(_, id) => found.push(id),
+            _ => {}
+        }
+    }
+    let around: Vec<NodeId> = found.iter().filter_map(|&id| scene.place(id)).map(|p| p.at).collect();
+    found.extend(around);
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+impl Policy for Random {
+    fn name(&self) -> &str {
+        "random"
+    }
+
+    fn knows_when_to_stop(&self) -> bool {
+        false
+    }
+
+    fn begin(&mut self, brief: &Brief<'_>) {
+        self.things = objects_of_interest(brief.scene, &brief.task.goal);
+        self.stream = Some(brief.seed.child("random policy").stream());
+    }
+
+    fn see(&mut self, _: &Observation) -> Learned {
+        Learned::default()
+    }
+
+    fn decide(&mut self) -> Decision {
+        self.draw().map_or(Decision::Done, |action| Decision::Act(action, Plan::default()))
+    }
+
+    fn did(&mut self, _: &Action) {}
+
+    fn refused(&mut self, _: &Action, _: &WorldError) -> Reaction {
+        Reaction::GoOn
+    }
+}
+
+/// Does what is written, whatever it sees.
+#[derive(Debug, Clone, Default)]
+pub struct Scripted {
+    script: Vec<Action>,
+    next: usize,
+}
+
+impl Scripted {
+    /// A policy that does these actions in turn.
+    pub fn new(script: Vec<Action>) -> Self {
+        Self { script, next: 0 }
+    }
+}
+
+impl Policy for Scripted {
+    fn name(&self) -> &str {
+        "script"
+    }
+
+    fn begin(&mut self, _: &Brief<'_>) {
+        self.next = 0;
+    }
+
+    fn see(&mut self, _: &Observation) -> Learned {
+        Learned::default()
+    }
+
+    fn decide(&mut self) -> Decision {
+        match self.script.get(self.next) {
+            Some(&action) => {
+                Decision::Act(action, Plan { actions: self.script[self.next..].to_vec(), ..Plan::default() })
+            }
+            None => Decision::Done,
+        }
+    }
+
+    fn did(&mut self, _: &Action) {
+        self.next += 1;
+    }
+}

@@ -1,0 +1,194 @@
+//! Trajectories: written as JSON Lines, read back, replayed and checked.
+
+use std::fmt::Write as _;
+
+use serde::{Deserialize, Serialize};
+use vc_graph::goal::Situation;
+use vc_graph::{Action, Edge, Goal, NodeId, Relation, SceneGraph, Seed, Simulator, Verb};
+use vc_tasks::{Outcome, Task, World};
+
+use crate::{Policy, Run, Step, Summary};
+
+/// The first line of a record: what the episode was about.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Header {
+    /// The scene's name.
+    pub scene: String,
+    /// Digest of the scene at first.
+    pub digest: String,
+    /// The task's title.
+    pub task: String,
+    /// What was to be done.
+    pub goal: Goal,
+    /// Who acted.
+    pub agent: NodeId,
+    /// The policy's name.
+    pub policy: String,
+    /// Its seed.
+    pub seed: Seed,
+}
+
+/// A whole episode.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trajectory {
+    /// What it was about.
+    pub header: Header,
+    /// What was done.
+    pub steps: Vec<Step>,
+    /// How it ended.
+    pub summary: Summary,
+}
+
+/// Where a record is wrong.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RecordError {
+    /// A line is not what it should be.
+    #[error("line {line}: {error}")]
+    Line {
+        /// Line, counted from one.
+        line: usize,
+        /// What is wrong with it.
+        error: serde_json::Error,
+    },
+    /// There is no header or no summary.
+    #[error("a record has a first line about the episode and a last one about how it ended")]
+    TooShort,
+}
+
+/// What is wrong with a trajectory.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// It began in another scene.
+    #[error("the scene it began in is another")]
+    OtherScene,
+    /// The same action was done twice in a row.
+    #[error("step {0}: the same action as before")]
+    Duplicate(usize),
+    /// An action cannot be done, though the record says that it was.
+    #[error("step {0}: {1}")]
+    Refused(usize, String),
+    /// An action was refused, though it can be done.
+    #[error("step {0}: it was refused, and can be done")]
+    NotRefused(usize),
+    /// The scene after a step is another.
+    #[error("step {0}: the scene after it is another")]
+    OtherState(usize),
+    /// A relation that an action makes does not hold after it.
+    #[error("step {0}: `{1}` is not so after it")]
+    Relation(usize, String),
+    /// The goal does not hold at the end, though the record says so.
+    #[error("the goal does not hold at the end")]
+    NotMet,
+    /// The goal holds at the end, though the record says otherwise.
+    #[error("the goal holds at the end")]
+    Met,
+}
+
+impl Trajectory {
+    /// Runs an episode and records it.
+    pub fn record(run: &Run, policy: &mut dyn Policy, task: &Task, world: &mut dyn World) -> Self {
+        let graph = world.graph();
+        let header = Header {
+            scene: graph.name().to_owned(),
+            digest: graph.digest().to_string(),
+            task: task.title.clone(),
+            goal: task.goal.clone(),
+            agent: run.agent.or_else(|| graph.agents().first().copied()).unwrap_or(NodeId(0)),
+            policy: policy.name().to_owned(),
+            seed: run.seed,
+        };
+        let mut steps = Vec::new();
+        let episode = run.episode(policy, task, world, &mut |step| steps.push(step.clone()));
+        Self { header, steps, summary: episode.summary() }
+    }
+
+    /// As JSON Lines: a header, a line for each step, a summary.
+    ///
+    /// # Errors
+    /// What serde_json says.
+    pub fn to_json_lines(&self) -> serde_json::Result<String> {
+        let mut text = serde_json::to_string(&self.header)? + "\n";
+        for step in &self.steps {
+            // Writing to a string does not fail.
+            let _ = writeln!(text, "{}", serde_json::to_string(step)?);
+        }
+        Ok(text + &serde_json::to_string(&self.summary)? + "\n")
+    }
+
+    /// Reads what [`Trajectory::to_json_lines`] wrote.
+    ///
+    /// # Errors
+    /// [`RecordError`] with the line.
+    pub fn read_json_lines(text: &str) -> Result<Self, RecordError> {
+        let lines: Vec<(usize, &str)> =
+            text.lines().enumerate().map(|(i, l)| (i + 1, l)).filter(|(_, l)| !l.trim().is_empty()).collect();
+        let [first, middle @ .., last] = lines.as_slice() else { return Err(RecordError::TooShort) };
+        let steps: Result<Vec<Step>, RecordError> = middle.iter().map(|line| read(line)).collect();
+        Ok(Self { header: read(first)?, steps: steps?, summary: read(last)? })
+    }
+
+    /// What is wrong with the trajectory when it is replayed symbolically from a scene:
+    /// the thesis's post-processing check. Empty if nothing is.
+    pub fn check(&self, initial: &SceneGraph) -> Vec<Fault> {
+        if initial.digest().to_string() != self.header.digest {
+            return vec![Fault::OtherScene];
+        }
+        let mut faults = Vec::new();
+        let mut world = Simulator::new(initial.clone());
+        let mut last: Option<Action> = None;
+        for step in &self.steps {
+            self.check_step(&mut world, step, last, &mut faults);
+            last = step.refused.is_none().then_some(step.action);
+        }
+        let met = self.header.goal.holds(&Situation::new(world.graph(), self.header.agent, world.history()));
+        match (met, self.summary.outcome == Outcome::Won) {
+            (false, true) => faults.push(Fault::NotMet),
+            (true, false) => faults.push(Fault::Met),
+            _ => {}
+        }
+        faults
+    }
+
+    fn check_step(&self, world: &mut Simulator, step: &Step, last: Option<Action>, faults: &mut Vec<Fault>) {
+        let (number, me) = (step.step, self.header.agent);
+        if last == Some(step.action) {
+            faults.push(Fault::Duplicate(number));
+        }
+        match (world.step(me, &step.action), &step.refused) {
+            (Ok(_), Some(_)) => faults.push(Fault::NotRefused(number)),
+            (Err(why), None) => {
+                faults.push(Fault::Refused(number, why.first().map_or_else(String::new, ToString::to_string)));
+            }
+            (Ok(_), None) => {
+                if let Some(edge) = expected(world.graph(), me, &step.action).filter(|e| !world.graph().has(*e)) {
+                    faults.push(Fault::Relation(number, edge.to_string()));
+                }
+            }
+            (Err(_), Some(_)) => {}
+        }
+        if world.graph().digest().to_string() != step.digest {
+            faults.push(Fault::OtherState(number));
+        }
+    }
+}
+
+fn read<T: serde::de::DeserializeOwned>(&(line, text): &(usize, &str)) -> Result<T, RecordError> {
+    serde_json::from_str(text).map_err(|error| RecordError::Line { line, error })
+}
+
+/// The relation an action is done for.
+fn expected(graph: &SceneGraph, me: NodeId, action: &Action) -> Option<Edge> {
+    let (object, target) = (action.object?, action.target);
+    match action.verb {
+        Verb::Grab => {
+            graph.holder(object).filter(|p| p.at == me).is_none().then(|| Edge::new(me, Relation::HoldsRight, object))
+        }
+        Verb::Place => Some(Edge::new(object, Relation::On, target?)),
+        Verb::PutIn => Some(Edge::new(object, Relation::Inside, target?)),
+        Verb::Sit => Some(Edge::new(me, Relation::SittingOn, object)),
+        Verb::Lie => Some(Edge::new(me, Relation::LyingOn, object)),
+        _ => None,
+    }
+}

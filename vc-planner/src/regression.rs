@@ -1,0 +1,299 @@
+//! Backwards from what is wanted to what can be done now, through the transition
+//! rule: any predicate, any verb. It finds some way, not the shortest.
+
+use vc_graph::goal::{Goal, Situation};
+use vc_graph::{Action, ChangeSet, Condition, Event, NodeId, Property, Refusal, SceneGraph, Verb, rule};
+
+use crate::Known;
+use crate::plan::{Horizon, Plan};
+use crate::subgoal::View;
+use crate::want::{Unreachable, Want};
+use crate::weigh::Hints;
+
+/// How many actions a plan may hold, tried ones included.
+const BUDGET: usize = 4000;
+/// How deep an action may need another.
+const DEPTH: usize = 12;
+/// How often an action's needs are met again when meeting one undid another.
+const ROUNDS: usize = 3;
+/// How many options of a subgoal are tried.
+const OPTIONS: usize = 48;
+
+/// A search in progress, which tries actions on the graph and takes them back.
+pub(crate) struct Regression<'a> {
+    graph: &'a mut SceneGraph,
+    agent: NodeId,
+    known: &'a Known,
+    hints: Hints,
+    events: Vec<Event>,
+    done_before: usize,
+    trail: Vec<ChangeSet>,
+    /// What is being brought about, outermost first: what is needed to bring
+    /// about itself is no help.
+    open: Vec<Condition>,
+    budget: usize,
+    /// The plan ends here: what comes next depends on what is seen.
+    cut: bool,
+}
+
+impl<'a> Regression<'a> {
+    pub(crate) fn new(
+        graph: &'a mut SceneGraph,
+        agent: NodeId,
+        known: &'a Known,
+        events: &[Event],
+        goal: &Goal,
+    ) -> Self {
+        Self {
+            graph,
+            agent,
+            known,
+            hints: Hints::of(goal),
+            events: events.to_vec(),
+            done_before: events.len(),
+            trail: Vec::new(),
+            open: Vec::new(),
+            budget: BUDGET,
+            cut: false,
+        }
+    }
+
+    pub(crate) fn run(mut self, goal: &Goal, horizon: Horizon, pursued: Option<Want>) -> Result<Plan, Unreachable> {
+        let result = self.work(goal, horizon, pursued);
+        self.rewind(0);
+        result
+    }
+
+    fn view(&self) -> View<'_> {
+        let now = Situation { graph: self.graph, agent: self.agent, events: &self.events };
+        View { now, known: self.known, hints: &self.hints }
+    }
+
+    pub(crate) fn work(
+        &mut self,
+        goal: &Goal,
+        horizon: Horizon,
+        mut pursued: Option<Want>,
+    ) -> Result<Plan, Unreachable> {
+        let mut wants = Vec::new();
+        loop {
+            let subgoals = self.view().subgoals(goal)?;
+            if self.cut || subgoals.is_empty() || (horizon == Horizon::NextSubgoal && !self.trail.is_empty()) {
+                return Ok(Plan { actions: self.actions(), wants, proved: false });
+            }
+            let before = self.trail.len();
+            let options = || subgoals.iter().flat_map(|s| s.options.iter().take(OPTIONS));
+            let kept = pursued.take().filter(|want| options().any(|o| o == want));
+            let Some(want) = kept.into_iter().chain(options().copied()).find(|want| self.settle(want)) else {
+                let open = subgoals.iter().filter_map(|s| s.options.first()).take(3).map(|w| self.describe(w));
+                return Err(Unreachable::NoPlan(open.collect::<Vec<_>>().join("; ")));
+            };
+            wants.push((want, self.trail.len() - before));
+            // A look ends the plan: only an observation can tell what is there.
+            if matches!(want, Want::See(_)) {
+                return Ok(Plan { actions: self.actions(), wants, proved: false });
+            }
+        }
+    }
+
+    /// Carries actions out, where need be with a walk or a rise between them, and
+    /// leaves out walks that are not needed. Stops at the first that cannot be done;
+    /// `false` if there was one.
+    pub(crate) fn follow(&mut self, actions: &[Action]) -> bool {
+        let mut next = 0;
+        while next < actions.len() {
+            let walks = |a: &Action| a.verb == Verb::Walk;
+            let stretch = actions[next + 1..].iter().position(walks).map_or(actions.len(), |n| next + 1 + n);
+            let mark = self.trail.len();
+            let spared =
+                walks(&actions[next]) && stretch > next + 1 && actions[next + 1..stretch].iter().all(|a| self.step(a));
+            if !spared {
+                self.rewind(mark);
+                if !actions[next..stretch].iter().all(|a| self.step_there(a)) {
+                    return false;
+                }
+            }
+            next = stretch;
+        }
+        true
+    }
+
+    /// Does an action; walks up to the thing or rises first if that is all it takes.
+    fn step_there(&mut self, action: &Action) -> bool {
+        for _ in 0..ROUNDS {
+            let refusals = rule::refusals(self.graph, self.agent, action);
+            let remedy = match refusals.first() {
+                None => return self.step(action),
+                Some(Refusal::NotUpright) => Action::zero(Verb::Stand),
+                Some(Refusal::NotNear { thing, .. }) => Action::one(Verb::Walk, thing.id),
+                Some(_) => return false,
+            };
+            let stuck = |s: &mut Self| !s.step(&remedy) && !s.step(&Action::zero(Verb::Stand));
+            if stuck(self) {
+                return false;
+            }
+        }
+        self.step(action)
+    }
+
+    /// Whether a goal holds now.
+    pub(crate) fn holds(&self, goal: &Goal) -> bool {
+        goal.holds(&Situation { graph: self.graph, agent: self.agent, events: &self.events })
+    }
+
+    fn describe(&self, want: &Want) -> String {
+        match want {
+            Want::Do(action) => action.describe(self.graph).to_string(),
+            Want::See(id) => format!("see {}", self.graph.label(*id)),
+            Want::Hold(condition) => match condition.check(self.graph, self.agent) {
+                Err(refusal) => format!("({refusal})"),
+                Ok(()) => want.to_string(),
+            },
+        }
+    }
+
+    pub(crate) fn actions(&self) -> Vec<Action> {
+        self.events[self.done_before..].iter().map(|e| e.action).collect()
+    }
+
+    /// Settles a want by actions, or leaves everything as it was.
+    fn settle(&mut self, want: &Want) -> bool {
+        let mark = self.trail.len();
+        let settled = match want {
+            Want::Hold(condition) => self.achieve(condition) && self.trail.len() > mark,
+            Want::Do(action) => self.act(action),
+            Want::See(id) => self.come_to_see(*id),
+        };
+        if !settled {
+            self.rewind(mark);
+            self.cut = false;
+        }
+        settled
+    }
+
+    /// Goes where a thing is believed to be, and opens what it is believed in.
+    fn come_to_see(&mut self, id: NodeId) -> bool {
+        if self.graph.room_of(id) == self.graph.room_of(self.agent) && self.graph.hidden_in(id).is_some() {
+            return self.achieve(&Condition::Accessible(id));
+        }
+        let room = self.graph.room_of(id);
+        let walk = room.map(|room| Action::one(Verb::Walk, room));
+        walk.is_some_and(|walk| self.act(&walk))
+    }
+
+    /// Makes a condition true by actions, or leaves everything as it was.
+    fn achieve(&mut self, want: &Condition) -> bool {
+        if want.holds(self.graph, self.agent) {
+            return true;
+        }
+        if self.open.len() >= DEPTH || self.open.contains(want) {
+            return false;
+        }
+        let mark = self.trail.len();
+        self.open.push(*want);
+        let candidates = self.ways(want);
+        let mut achieved = false;
+        for action in candidates {
+            // Some conditions take several actions: an object that is to be in
+            // another room is grabbed, carried there and put down.
+            achieved = self.act(&action) && (self.cut || want.holds(self.graph, self.agent) || self.go_on(want));
+            if achieved || self.budget == 0 {
+                break;
+            }
+            self.rewind(mark);
+        }
+        self.open.pop();
+        if !achieved {
+            self.rewind(mark);
+        }
+        achieved
+    }
+
+    /// Actions that bring a condition about. What can be anywhere and has not been
+    /// seen cannot be walked up to: one goes to the place where it is believed to
+    /// be. On the floor of a room that is the room, and only there can one see on.
+    fn ways(&mut self, want: &Condition) -> Vec<Action> {
+        match *want {
+            Condition::Near(id) if self.is_missing(id) => {
+                let room = || self.graph.room_of(id).filter(|&r| Some(r) != self.graph.room_of(self.agent));
+                let place = self.graph.place(id).map(|p| p.at);
+                self.cut = place.is_none() && room().is_some();
+                place.or_else(room).map(|at| Action::one(Verb::Walk, at)).into_iter().collect()
+            }
+            _ => rule::regress::achievers(self.graph, self.agent, want),
+        }
+    }
+
+    /// Whether a thing is one that can be anywhere, and where it is is a guess.
+    fn is_missing(&self, id: NodeId) -> bool {
+        !self.known.contains(id) && self.graph.node(id).is_some_and(|n| n.affords(Property::Graspable))
+    }
+
+    /// Goes on with a condition that an action has brought nearer.
+    fn go_on(&mut self, want: &Condition) -> bool {
+        for _ in 0..ROUNDS {
+            let Some(action) = self.ways(want).into_iter().next() else {
+                return false;
+            };
+            if !self.act(&action) {
+                return false;
+            }
+            if self.cut || want.holds(self.graph, self.agent) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Does an action after making true what it needs, or leaves everything as it
+    /// was.
+    fn act(&mut self, action: &Action) -> bool {
+        let mark = self.trail.len();
+        let needs = rule::preconditions(action);
+        for _ in 0..ROUNDS {
+            let unmet = |s: &Self| needs.iter().find(|c| !c.holds(s.graph, s.agent)).copied();
+            while let Some(need) = unmet(self) {
+                let before = self.trail.len();
+                if !self.achieve(&need) || self.trail.len() == before {
+                    self.rewind(mark);
+                    return false;
+                }
+                if self.cut || self.trail.len() - mark > 4 * DEPTH {
+                    break;
+                }
+            }
+            if self.cut || self.step(action) {
+                return true;
+            }
+        }
+        self.rewind(mark);
+        false
+    }
+
+    fn step(&mut self, action: &Action) -> bool {
+        if self.budget == 0 {
+            return false;
+        }
+        self.budget -= 1;
+        match rule::step(self.graph, self.agent, action) {
+            Ok(changes) => {
+                self.trail.push(changes);
+                self.events.push(Event { agent: self.agent, action: *action });
+                true
+            }
+            Err(_) => false,
+        }
+    }
+
+    /// Takes back all but the first `mark` actions.
+    pub(crate) fn rewind(&mut self, mark: usize) {
+        while self.trail.len() > mark {
+            if let Some(changes) = self.trail.pop() {
+                // A change set always undoes on the graph it was made on.
+                let undone = changes.undo(self.graph);
+                debug_assert!(undone.is_ok(), "{undone:?}");
+            }
+            self.events.pop();
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! The best plans: none shorter exists, by brute force through the transition rule.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+use std::collections::HashSet;
+
+use vc_graph::goal::Situation;
+use vc_graph::{
+    Action, Draft, Goal, History, NodeId, Property, SceneBuilder, SceneGraph, Seed, Simulator, State, Verb, rule,
+};
+use vc_planner::plan;
+
+/// A small home at random, what can be moved in it, and where it can be put.
+struct World {
+    scene: SceneGraph,
+    me: NodeId,
+    items: Vec<NodeId>,
+    places: Vec<NodeId>,
+}
+
+fn world(seed: u64) -> World {
+    let mut stream = Seed(seed).stream();
+    let mut scene = SceneBuilder::new("small");
+    let rooms = ["kitchen", "living_room"].map(|r| scene.add(Draft::new(r)).unwrap());
+    let mut places = Vec::new();
+    for class in ["kitchen_table", "fridge", "nightstand", "desk"] {
+        places.push(scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new(class)).unwrap());
+    }
+    let mut items = Vec::new();
+    for class in ["apple", "apple", "book", "mug"] {
+        let at = *stream.pick(&places).unwrap();
+        let inside = at == places[1];
+        let draft = Draft::new(class);
+        items.push(if inside { scene.add_in(at, draft) } else { scene.add_on(at, draft) }.unwrap());
+    }
+    let me = scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new("character")).unwrap();
+    World { scene: scene.build(), me, items, places }
+}
+
+fn goal(seed: u64) -> Goal {
+    let mut stream = Seed(seed).child("goal").stream();
+    let literals = [
+        "On(apple, kitchen_table)",
+        "On(apple, desk), 2",
+        "On(book, kitchen_table)",
+        "Inside(mug, fridge)",
+        "Inside(apple, fridge)",
+        "Inside(book, fridge)",
+        "On(mug, desk)",
+        "Closed(fridge)",
+        "Open(fridge)",
+        "Holds(book)",
+        "Holds(mug)",
+        "Eat(apple)",
+        "Read(book)",
+        "Clean(mug)",
+    ];
+    let mut chosen: Vec<&str> = (0..stream.count(1, 3)).map(|_| *stream.pick(&literals).unwrap()).collect();
+    chosen.sort_unstable();
+    chosen.dedup();
+    chosen.join(" & ").parse().unwrap()
+}
+
+/// Everything that can be done here, whatever it is for.
+fn actions(world: &World) -> Vec<Action> {
+    let mut all = Vec::new();
+    for &id in world.items.iter().chain(&world.places) {
+        for verb in [Verb::Walk, Verb::Open, Verb::Close, Verb::Eat, Verb::Read, Verb::Wash, Verb::Grab, Verb::Drop] {
+            all.push(Action::one(verb, id));
+        }
+    }
+    for &item in &world.items {
+        for &at in &world.places {
+            let surface = world.scene.node(at).unwrap().affords(Property::Surface);
+            all.push(Action::two(if surface { Verb::Place } else { Verb::PutIn }, item, at));
+            all.push(Action::two(Verb::PutIn, item, at));
+        }
+    }
+    let lasting =
+        |a: &Action| rule::preconditions(a).iter().filter(|c| c.is_lasting()).all(|c| c.holds(&world.scene, world.me));
+    all.retain(lasting);
+    all.dedup();
+    all
+}
+
+/// The length of the shortest plan, if it is below a limit and few enough states are
+/// met: `Err` says that too many were.
+fn shortest(world: &World, goal: &Goal, below: usize, most: usize) -> Result<Option<usize>, ()> {
+    let actions = actions(world);
+    let mut level = vec![Simulator::new(world.scene.clone())];
+    let mut met = HashSet::new();
+    for length in 0..below {
+        let mut next = Vec::new();
+        for state in &level {
+            if goal.holds(&Situation::new(state.graph(), world.me, state.history())) {
+                return Ok(Some(length));
+            }
+            for action in actions.iter().filter(|a| rule::refusals(state.graph(), world.me, a).is_empty()) {
+                let mut after = state.clone();
+                after.step(world.me, action).unwrap();
+                let deeds: Vec<Verb> =
+                    [Verb::Eat, Verb::Read].into_iter().filter(|v| after.history().has(*v, None)).collect();
+                if met.insert((after.graph().digest(), deeds)) {
+                    next.push(after);
+                }
+            }
+            if met.len() > most {
+                return Err(());
+            }
+        }
+        level = next;
+    }
+    Ok(None)
+}
+
+#[test]
+fn no_plan_is_shorter() {
+    let (mut compared, mut worst) = (0, Vec::new());
+    for seed in 0..120 {
+        let world = world(seed);
+        let goal = goal(seed);
+        let mut scene = world.scene.clone();
+        let found = match plan(&mut scene, world.me, &goal, &History::default()) {
+            Ok(found) => found,
+            Err(why) => {
+                assert!(shortest(&world, &goal, 9, 4_000).unwrap_or(None).is_none(), "{goal}: {why}");
+                continue;
+            }
+        };
+        let mut simulator = Simulator::new(world.scene.clone());
+        for action in &found.actions {
+            simulator.step(world.me, action).unwrap();
+        }
+        assert!(goal.holds(&Situation::new(simulator.graph(), world.me, simulator.history())), "{goal}");
+        if let Ok(shorter) = shortest(&world, &goal, found.actions.len(), 12_000) {
+            compared += 1;
+            if let Some(length) = shorter {
+                worst.push(format!("{seed} {goal}: {} against {length}: {:?}", found.actions.len(), found.actions));
+            }
+        }
+    }
+    assert!(compared >= 60, "{compared}");
+    assert!(worst.is_empty(), "{} of {compared}:\n{}", worst.len(), worst.join("\n"));
+}
+
+/// A book and a mug on a desk, a closed nightstand elsewhere: with both hands full it
+/// cannot be opened, unless one puts something down.
+#[test]
+fn a_hand_is_freed_in_between() {
+    let mut scene = SceneBuilder::new("hands");
+    let study = scene.add(Draft::new("office")).unwrap();
+    let bedroom = scene.add(Draft::new("bedroom")).unwrap();
+    let desk = scene.add_in(study, Draft::new("desk")).unwrap();
+    let cabinet = scene.add_in(bedroom, Draft::new("bathroom_cabinet")).unwrap();
+    scene.add_on(desk, Draft::new("book")).unwrap();
+    scene.add_on(desk, Draft::new("mug")).unwrap();
+    let me = scene.add_in(study, Draft::new("character")).unwrap();
+    let mut graph = scene.build();
+    assert!(graph.node(cabinet).unwrap().is(State::Closed));
+    let goal = "Inside(book, bathroom_cabinet) & Inside(mug, bathroom_cabinet)".parse().unwrap();
+    let found = plan(&mut graph, me, &goal, &History::default()).unwrap();
+    // Opening it first saves the putting down, as a walk is one action however far.
+    assert_eq!(found.actions.len(), 8, "{:?}", found.actions);
+}

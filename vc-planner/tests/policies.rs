@@ -1,0 +1,214 @@
+//! Policies in random small homes: they win where it is possible, know why not where
+//! it is not, and leave records that replay.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+use vc_graph::{Action, Draft, NodeId, SceneBuilder, SceneGraph, Seed, Simulator};
+use vc_planner::language::{Answer, AnswerError, read_answer};
+use vc_planner::{
+    Fault, Habitual, LanguageModel, Newcomer, Policy, Prior, Random, Resident, Run, Scripted, Trajectory, run_episode,
+};
+use vc_tasks::{Outcome, Task};
+
+const ROOMS: [&str; 4] = ["kitchen", "living_room", "bedroom", "bathroom"];
+const SURFACES: [&str; 6] = ["kitchen_table", "kitchen_counter", "coffee_table", "desk", "nightstand", "dresser"];
+const BOXES: [&str; 5] = ["fridge", "kitchen_cabinet", "microwave", "bathroom_cabinet", "closet"];
+const ITEMS: [&str; 8] = ["apple", "book", "mug", "plate", "milk", "cellphone", "towel", "fork"];
+
+/// A home at random: some furniture, some of it closed, two of each item anywhere.
+fn home(seed: u64) -> SceneGraph {
+    let mut stream = Seed(seed).child("home").stream();
+    let mut scene = SceneBuilder::new("home");
+    let rooms: Vec<NodeId> = ROOMS.iter().map(|r| scene.add(Draft::new(*r)).unwrap()).collect();
+    let mut places = Vec::new();
+    for class in SURFACES.iter().chain(&SURFACES) {
+        places.push((scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new(*class)).unwrap(), false));
+    }
+    for class in BOXES.iter().chain(&BOXES) {
+        places.push((scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new(*class)).unwrap(), true));
+    }
+    for class in ITEMS.iter().chain(&ITEMS) {
+        let (at, inside) = *stream.pick(&places).unwrap();
+        if inside { scene.add_in(at, Draft::new(*class)) } else { scene.add_on(at, Draft::new(*class)) }.unwrap();
+    }
+    scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new("character")).unwrap();
+    scene.build()
+}
+
+const GOALS: &[&str] = &[
+    "On(apple, kitchen_table)",
+    "On(apple, kitchen_table), 2 & Inside(milk, fridge) & Closed(fridge)",
+    "On(mug, coffee_table) & On(book, coffee_table) & On(plate, coffee_table)",
+    "Inside(plate, kitchen_cabinet), 2 & Inside(mug, kitchen_cabinet), 2",
+    "Holds(book) & Holds(cellphone)",
+    "Holds(book) & Read(book)",
+    "Eat(apple) & Closed(fridge)",
+    "On(towel, nightstand) | On(unicorn, nightstand)",
+    "forall ?f: fork. On(?f, kitchen_table)",
+    "Inside(towel, bathroom), 2",
+    "!On(mug, coffee_table) & On(fork, desk)",
+    "at least 2 ?i: apple. On(?i, desk)",
+    "Holds(milk) then Inside(milk, fridge)",
+    "exists ?t: table. (On(plate, ?t) & On(fork, ?t))",
+];
+
+fn attempt(policy: &mut dyn Policy, scene: &SceneGraph, goal: &str, seed: u64) -> Trajectory {
+    let task = Task::new("test", goal.parse().unwrap());
+    Trajectory::record(&Run::seeded(seed), policy, &task, &mut Simulator::new(scene.clone()))
+}
+
+#[test]
+fn planners_win_and_their_records_replay() {
+    let (mut oracle, mut best, mut faithful) = (0, 0, 0);
+    for seed in 0..12 {
+        let scene = home(seed);
+        for goal in GOALS {
+            let lengths =
+                [&mut Resident::default() as &mut dyn Policy, &mut Newcomer::best(), &mut Newcomer::faithful()].map(
+                    |policy| {
+                        let trajectory = attempt(policy, &scene, goal, seed);
+                        let who = policy.name();
+                        assert_eq!(
+                            trajectory.summary.outcome,
+                            Outcome::Won,
+                            "{seed} {who} {goal}: {:?}",
+                            trajectory.summary
+                        );
+                        let faults = trajectory.check(&scene);
+                        assert!(faults.is_empty(), "{seed} {who} {goal}: {faults:?}");
+                        let again = Trajectory::read_json_lines(&trajectory.to_json_lines().unwrap()).unwrap();
+                        assert_eq!(again, trajectory);
+                        trajectory.steps.len()
+                    },
+                );
+            oracle += lengths[0];
+            best += lengths[1];
+            faithful += lengths[2];
+        }
+    }
+    println!("steps: oracle {oracle}, planner {best}, faithful {faithful}");
+    assert!(oracle <= best && best < faithful, "{oracle} {best} {faithful}");
+}
+
+#[test]
+fn same_seed_same_trajectory() {
+    for policy in [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful(), &mut Random::default()] {
+        let run = |policy: &mut dyn Policy| attempt(policy, &home(3), GOALS[2], 5);
+        assert_eq!(run(policy), run(policy), "{}", policy.name());
+    }
+}
+
+#[test]
+fn what_is_nowhere_is_searched_for_and_given_up() {
+    for seed in 0..4 {
+        let scene = home(seed);
+        for goal in ["Holds(unicorn)", "On(fridge, desk)", "On(apple, desk), 3", "Open(book)", "SwitchedOn(plate)"] {
+            for policy in
+                [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful(), &mut Resident::default()]
+            {
+                let summary = attempt(policy, &scene, goal, seed).summary;
+                assert_eq!(summary.outcome, Outcome::Lost, "{goal} {}: {summary:?}", policy.name());
+                assert!(summary.reason.is_some());
+            }
+        }
+    }
+}
+
+/// Fewer steps than an emulation of Watch-And-Help's agent, where things are where
+/// people keep them: in the scenes here they are anywhere, so that only the order of
+/// looking and the second hand help.
+#[test]
+fn fewer_steps_than_a_habitual_agent() {
+    let (mut ours, mut theirs) = (0, 0);
+    for seed in 0..30 {
+        let scene = home(seed);
+        for goal in &GOALS[1..4] {
+            ours += attempt(&mut Newcomer::best().supposing(Prior::Uniform), &scene, goal, seed).steps.len();
+            theirs += attempt(&mut Habitual::default(), &scene, goal, seed).steps.len();
+        }
+    }
+    println!("steps: ours {ours}, habitual {theirs}: {:.3}", ours as f64 / theirs as f64);
+    assert!(ours * 10 <= theirs * 7, "{ours} {theirs}");
+}
+
+#[test]
+fn random_actions_are_ignored_where_they_cannot_be_done() {
+    let mut task = Task::new("one thing", "Open(fridge)".parse().unwrap());
+    task.step_limit = 100;
+    let mut won = 0;
+    for seed in 0..40 {
+        let mut world = Simulator::new(home(seed));
+        let episode = Run::seeded(seed).episode(&mut Random::default(), &task, &mut world, &mut |_| {});
+        assert!(episode.steps <= 100);
+        won += usize::from(episode.outcome == Outcome::Won);
+    }
+    assert!(won > 0 && won < 40, "{won}");
+}
+
+#[test]
+fn faults_of_a_record_are_found() {
+    let scene = home(1);
+    let good = attempt(&mut Resident::default(), &scene, GOALS[0], 0);
+    let mut other = good.clone();
+    other.steps[0].digest = "0".into();
+    assert!(other.check(&scene).contains(&Fault::OtherState(1)));
+    let mut doubled = good.clone();
+    doubled.steps.insert(1, doubled.steps[0].clone());
+    assert!(doubled.check(&scene).iter().any(|f| matches!(f, Fault::Duplicate(_))));
+    for missing in 0..good.steps.len() {
+        let mut shorter = good.clone();
+        shorter.steps.remove(missing);
+        assert!(!shorter.check(&scene).is_empty(), "without step {missing} nothing is wrong");
+    }
+    assert_eq!(good.check(&home(2)), [Fault::OtherScene]);
+    assert!(Trajectory::read_json_lines("{}\n").is_err());
+    assert!(Trajectory::read_json_lines("x\ny\n").unwrap_err().to_string().starts_with("line 1"));
+}
+
+#[test]
+fn a_script_is_done_as_written() {
+    let scene = home(0);
+    let fridge = scene.of_class("fridge")[0];
+    let script: Vec<Action> = ["walk", "open"].iter().map(|v| format!("{v} #{}", fridge.0).parse().unwrap()).collect();
+    let task = Task::new("open", "Open(fridge)".parse().unwrap());
+    let episode = run_episode(&mut Scripted::new(script), &task, &mut Simulator::new(scene));
+    assert_eq!((episode.outcome, episode.steps), (Outcome::Won, 2));
+}
+
+#[test]
+fn a_language_model_is_asked_and_corrected() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let fridge = scene.add_in(kitchen, Draft::new("fridge")).unwrap();
+    scene.add_in(fridge, Draft::new("milk")).unwrap();
+    scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let scene = scene.build();
+    let task = Task::new("fetch the milk", "Holds(milk)".parse().unwrap());
+    let answers = [
+        "I would like some milk.",
+        "grab milk",
+        "```json\n{\"action\": \"walk fridge.2\"}\n```",
+        "1. open the fridge",
+        "Action: grab milk.3",
+    ];
+    let mut asked = Vec::new();
+    let mut model = LanguageModel::new(|prompt: &vc_planner::language::Prompt| {
+        asked.push(prompt.clone());
+        answers.get(asked.len() - 1).map(|a| (*a).to_owned()).ok_or("no more answers".into())
+    });
+    let episode = run_episode(&mut model, &task, &mut Simulator::new(scene.clone()));
+    drop(model);
+    assert_eq!(episode.outcome, Outcome::Won, "{episode:?}\n{asked:#?}");
+    assert!(asked[1].user.contains("is no action"));
+    assert!(asked[2].user.contains("there is no `milk`"), "{}", asked[2].user);
+    assert!(asked[3].user.contains("walk fridge.2"));
+    // What is in the closed fridge is not told.
+    assert!(!asked[0].user.contains("milk.3") && asked[4].user.contains("milk.3"));
+
+    let read = |text| read_answer(text, &scene);
+    assert_eq!(read("done."), Ok(Answer::Done));
+    assert!(matches!(read("  "), Err(AnswerError::Empty)));
+    assert!(matches!(read("open"), Err(AnswerError::Arity(_))));
+    assert!(matches!(read("[OPEN] <fridge> (2)"), Ok(Answer::Act(_))));
+    assert!(matches!(read("put_in milk.3 into the fridge.2"), Ok(Answer::Act(_))));
+}
