@@ -7,9 +7,9 @@ use vc_graph::class::Class;
 use vc_graph::{AssetLibrary, Draft, SceneGraph, Seed};
 use vc_procgen::object;
 use vc_procgen::{Apartment, Impossible, Specification, material};
-use vc_tasks::World;
 use vc_tasks::initial::{Generator, Initial, InitialError, Stock};
 use vc_tasks::library::Activity;
+use vc_tasks::{World, WorldError};
 
 /// Every object that `vc-procgen` can make, in any number.
 #[derive(Debug, Clone, Copy, Default)]
@@ -44,12 +44,14 @@ fn materials(assets: &mut AssetLibrary) -> Option<u32> {
 
 /// An initial environment in a home that was made for it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct AtHome {
+pub struct AtHome<W> {
     /// The environment.
     pub initial: Initial,
+    /// The world it is in force in.
+    pub world: W,
     /// The seed of the home.
     pub home: Seed,
-    /// The home as it was before anything was added to it.
+    /// The home as the world had it before anything was added.
     pub bare: SceneGraph,
     /// How many homes were tried, from one.
     pub homes: usize,
@@ -62,6 +64,9 @@ pub enum NoHome {
     /// No home has the rooms.
     #[error(transparent)]
     Impossible(#[from] Impossible),
+    /// No world could be made of a home.
+    #[error(transparent)]
+    World(#[from] WorldError),
     /// The last of so many homes could not be made ready.
     #[error("none of {homes} homes suits, the last: {last}")]
     Unsuitable {
@@ -78,41 +83,41 @@ const HOMES: usize = 40;
 /// A home with the rooms an activity asks for, made ready for it; if one cannot be
 /// (it has no balcony door to open, or its milk is in the fridge already), the next.
 ///
-/// Costs some milliseconds for each home, and a reset of the world for each try.
+/// `open` makes a world of a home: [`Simulator::new`](vc_graph::Simulator::new), or an
+/// environment with bodies and an agent. Costs some milliseconds for each home, and a
+/// reset of the world for each try.
 ///
 /// ```
-/// use virtualcity::graph::{SceneGraph, Seed, Simulator};
-/// use virtualcity::initial::at_home;
-/// use virtualcity::tasks::initial::Generator;
+/// use virtualcity::graph::{Seed, Simulator};
+/// use virtualcity::initial::{at_home, generator};
 /// use virtualcity::tasks::library::Benchmark;
 ///
 /// let benchmark = Benchmark::v1();
 /// let activity = benchmark.get("setup_table-01").ok_or("no such task")?;
-/// let mut world = Simulator::new(SceneGraph::new("", virtualcity::graph::ClassTable::builtin()));
-/// let made = at_home(activity, Seed(7), &virtualcity::initial::generator(), &mut world)?;
+/// let made = at_home(activity, Seed(7), &generator(), |home| Ok(Simulator::new(home)))?;
 /// assert!(made.initial.credit < 1.0);
-/// assert_eq!(*world.graph(), made.initial.scene);
+/// assert_eq!(*made.world.graph(), made.initial.scene);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// [`NoHome`] says what was wrong with the last home.
-pub fn at_home(
+pub fn at_home<W: World>(
     activity: &Activity,
     seed: Seed,
     generator: &Generator<'_>,
-    world: &mut dyn World,
-) -> Result<AtHome, NoHome> {
-    let mut last = None;
+    mut open: impl FnMut(SceneGraph) -> Result<W, WorldError>,
+) -> Result<AtHome<W>, NoHome> {
+    let mut last = InitialError::NoRoom(activity.places.join(", "));
     for index in 0..HOMES {
         let home = seed.child("home").nth(index as u64);
-        let bare = Apartment::generate(&wishes(activity, home), home)?.scene();
-        match generator.make(activity, &bare, seed, world) {
-            Ok(initial) => return Ok(AtHome { initial, home, bare, homes: index + 1 }),
-            Err(error) => last = Some(error),
+        let mut world = open(Apartment::generate(&wishes(activity, home), home)?.scene())?;
+        let bare = world.graph().clone();
+        match generator.make(activity, &bare, seed, &mut world) {
+            Ok(initial) => return Ok(AtHome { initial, world, home, bare, homes: index + 1 }),
+            Err(error) => last = error,
         }
     }
-    let last = last.unwrap_or(InitialError::NoRoom(activity.places.join(", ")));
     Err(NoHome::Unsuitable { homes: HOMES, last })
 }
 

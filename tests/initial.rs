@@ -9,16 +9,18 @@ use std::sync::LazyLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use vc_graph::goal::Situation;
-use vc_graph::{Aabb, ClassTable, Edge, History, NodeId, Relation, SceneGraph, Seed, Simulator, Verb};
+use vc_graph::{Aabb, Edge, History, NodeId, Relation, SceneGraph, Seed, Simulator, Verb};
 use vc_tasks::initial::{Generator, Purpose};
-use vc_tasks::library::{Activity, Benchmark};
+use vc_tasks::library::{Activity, Benchmark, List, thesis_tasks};
 use virtualcity::initial::{AtHome, Catalogue, at_home};
 
 /// How many environments of each task are made where nobody says.
 const SEEDS: u64 = 1;
 
+type Home = AtHome<Simulator>;
+
 /// One task's environment of a seed, or why there is none.
-type Made = (Activity, u64, Result<AtHome, String>);
+type Made = (Activity, u64, Result<Home, String>);
 
 /// Every task's environments, by task and seed.
 static MADE: LazyLock<Vec<Made>> = LazyLock::new(all);
@@ -46,13 +48,12 @@ fn all() -> Vec<Made> {
     jobs.iter().cloned().zip(done).map(|((activity, seed), (_, made))| (activity, seed, made)).collect()
 }
 
-fn make(activity: &Activity, seed: u64, distractors: usize) -> Result<AtHome, String> {
-    let mut world = Simulator::new(SceneGraph::new("", ClassTable::builtin()));
+fn make(activity: &Activity, seed: u64, distractors: usize) -> Result<Home, String> {
     let generator = Generator::new(&Catalogue).distractors(distractors);
-    at_home(activity, Seed(seed), &generator, &mut world).map_err(|e| e.to_string())
+    at_home(activity, Seed(seed), &generator, |home| Ok(Simulator::new(home))).map_err(|e| e.to_string())
 }
 
-fn each() -> impl Iterator<Item = (&'static str, u64, &'static AtHome)> {
+fn each() -> impl Iterator<Item = (&'static str, u64, &'static Home)> {
     MADE.iter().filter_map(|(a, seed, made)| Some((a.id.as_str(), *seed, made.as_ref().ok()?)))
 }
 
@@ -149,6 +150,27 @@ fn parts(scene: &SceneGraph, id: NodeId) -> Vec<Aabb> {
 
 fn share_space(a: &Aabb, b: &Aabb) -> bool {
     (0..3).all(|i| a.min[i] + 0.003 < b.max[i] && b.min[i] + 0.003 < a.max[i])
+}
+
+/// Tasks of the thesis that name what no generated home has, though it has the rooms:
+/// another person, a ceiling fan, an air conditioner, a piano.
+const NOT_AT_HOME: [&str; 6] = ["indoor-3", "indoor-22", "outdoor-30", "outdoor-34", "outdoor-39", "outdoor-46"];
+
+#[test]
+fn the_thesis_tasks_can_begin_where_the_home_has_what_they_name() {
+    let outside = ["beach", "garage", "garden", "street"];
+    let classes = vc_graph::ClassTable::builtin();
+    let tasks = [List::Indoor, List::Outdoor].into_iter().flat_map(thesis_tasks);
+    let at_home = tasks.filter(|t| {
+        t.unknown_places(&classes).next().is_none()
+            && !t.places.iter().any(|p| outside.contains(&p.as_str()))
+            && !NOT_AT_HOME.contains(&t.id.as_str())
+    });
+    let at_home: Vec<Activity> = at_home.collect();
+    let failed: Vec<String> =
+        at_home.iter().filter_map(|t| Some(format!("{}: {}", t.id, make(t, 0, 0).err()?))).collect();
+    println!("{} of 100 are at home, {} of them cannot begin", at_home.len(), failed.len());
+    assert!(failed.is_empty(), "{failed:#?}");
 }
 
 #[test]

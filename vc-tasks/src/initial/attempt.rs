@@ -6,8 +6,8 @@ use nalgebra::{Isometry3, Translation3};
 use vc_graph::class::{Category, Class};
 use vc_graph::goal::{Goal, Situation};
 use vc_graph::{
-    AssetLibrary, Bounds, Draft, EditError, History, Kind, NodeId, Place, Property, Relation, SceneBuilder, SceneGraph,
-    Seed, State,
+    AssetLibrary, Bounds, Draft, EditError, History, Kind, NodeId, Place, Property, PropertySet, Relation,
+    SceneBuilder, SceneGraph, Seed, State,
 };
 
 use super::error::{InitialError, Why};
@@ -172,7 +172,8 @@ impl<'a> Attempt<'a> {
         Ok(())
     }
 
-    /// The things that are there, can be reached and are where the need wants them.
+    /// The things that are there, can be reached, can be in the states that the need
+    /// asks for and are where it wants them.
     fn present(&self, need: &Need) -> Vec<NodeId> {
         let class = self.graph.classes().get(&need.class);
         let places = Places { graph: &self.graph, assets: &self.assets };
@@ -181,7 +182,9 @@ impl<'a> Attempt<'a> {
             None => true,
             Some(sites) => sites.iter().any(|site| self.is_at(*id, site)),
         };
-        self.graph.of_class(&need.class).into_iter().filter(|id| self.is_reached(*id) && there(id)).collect()
+        let able = |id: &NodeId| self.graph.node(*id).is_some_and(|n| allows_all(n.spec().affordances, need));
+        let found = self.graph.of_class(&need.class).into_iter();
+        found.filter(|id| able(id) && self.is_reached(*id) && there(id)).collect()
     }
 
     fn is_at(&self, id: NodeId, site: &Site) -> bool {
@@ -209,7 +212,7 @@ impl<'a> Attempt<'a> {
         // Of a group of classes some kind will do.
         let mut kinds: Vec<&Class> = classes.kinds_of(class).filter(|kind| !std::ptr::eq(*kind, class)).collect();
         seed.child("kind").stream().shuffle(&mut kinds);
-        let mut choices = std::iter::once(class).chain(kinds);
+        let mut choices = std::iter::once(class).chain(kinds).filter(|kind| allows_all(kind.affordances, need));
         let found = choices.find_map(|kind| Some((kind, self.stock.thing(kind, seed, &self.graph, &mut self.assets)?)));
         let (kind, draft) = found.ok_or_else(missing)?;
         self.place(kind, draft, &need.spots, Purpose::Need, seed)
@@ -354,6 +357,11 @@ impl<'a> Attempt<'a> {
             Err(InitialError::NoSpot { thing, place, why: Why::Unreachable })
         })
     }
+}
+
+/// Whether what affords so much can be in all states that a need asks for.
+fn allows_all(affordances: PropertySet, need: &Need) -> bool {
+    need.states.iter().all(|&state| start::allows(affordances, state))
 }
 
 fn refusal(error: EditError) -> InitialError {

@@ -1,7 +1,7 @@
 //! How the scene is to be at the start: states, and what the agent sits on or holds.
 
 use vc_graph::goal::{Goal, Literal, Predicate, Term};
-use vc_graph::{Edit, EditError, Node, NodeId, Place, Property, Relation, SceneGraph, State, StateSet};
+use vc_graph::{Edit, EditError, NodeId, Place, Property, PropertySet, Relation, SceneGraph, State, StateSet};
 
 /// Makes the parts of a start true that can be made so: a state of all things of a
 /// class, or its contrary, and the agent's seat or burden. What else is asked is left
@@ -73,11 +73,11 @@ fn things(graph: &SceneGraph, terms: &[Term], state: State) -> Vec<NodeId> {
         [Term::Node(_, id)] => vec![*id],
         _ => Vec::new(),
     };
-    all.into_iter().filter(|&id| graph.node(id).is_some_and(|n| can_be(n, state))).collect()
+    all.into_iter().filter(|&id| graph.node(id).is_some_and(|n| allows(n.spec().affordances, state))).collect()
 }
 
-/// Whether a thing can be in a state at all.
-fn can_be(node: &Node, state: State) -> bool {
+/// Whether what affords so much can be in a state at all.
+pub(super) fn allows(affordances: PropertySet, state: State) -> bool {
     let needed = match state {
         State::Open | State::Closed => Property::Openable,
         State::On | State::Off => Property::Switchable,
@@ -87,7 +87,7 @@ fn can_be(node: &Node, state: State) -> bool {
         State::Sliced => Property::Cuttable,
         _ => return true,
     };
-    node.affords(needed)
+    affordances.contains(needed)
 }
 
 /// The classes a start names as seats and burdens, which it therefore needs.

@@ -149,6 +149,14 @@ fn named_things(goal: &Goal, number: usize, named: &mut BTreeMap<String, usize>)
             q.class.iter().for_each(|class| name(class, 1));
             named_things(&q.body, 1, named);
         }
+        Goal::ForN { comparison: Comparison::AtLeast | Comparison::Exactly, number, of } => {
+            of.class.iter().for_each(|class| name(class, *number as usize));
+            named_things(&of.body, 1, named);
+        }
+        Goal::Eventually(part) | Goal::Within(_, part) | Goal::AtEnd(part) | Goal::Until(_, part) => {
+            named_things(part, 1, named);
+        }
+        Goal::Before(part, _) => named_things(part, 1, named),
         _ => {}
     }
 }
@@ -161,10 +169,10 @@ fn asked_verbs(goal: &Goal, verbs: &mut Vec<Verb>) {
             P::Holds => verbs.push(Verb::Grab),
             P::State(state) => verbs.extend(verb_of_state(state)),
             P::Relation(relation) => verbs.extend_from_slice(verbs_of_relation(relation)),
+            _ => {}
         },
-        Goal::And(parts) | Goal::Or(parts) | Goal::Then(parts) => parts.iter().for_each(|p| asked_verbs(p, verbs)),
-        Goal::Exists(q) | Goal::ForAll(q) => asked_verbs(&q.body, verbs),
-        _ => {}
+        Goal::Not(_) => {}
+        _ => goal.parts().into_iter().for_each(|part| asked_verbs(part, verbs)),
     }
 }
 

@@ -119,10 +119,9 @@ pub fn predicates(goal: &Goal) -> usize {
     match goal {
         Goal::Literal(_) => 1,
         Goal::Count { number, .. } => (*number).max(1) as usize,
-        Goal::And(parts) | Goal::Or(parts) | Goal::Then(parts) => parts.iter().map(predicates).sum(),
-        Goal::Not(part) => predicates(part),
-        Goal::ForAll(q) | Goal::Exists(q) => predicates(&q.body),
-        _ => 1,
+        Goal::Same(..) => 0,
+        Goal::ForN { number, of, .. } => (*number).max(1) as usize * predicates(&of.body),
+        _ => goal.parts().into_iter().map(predicates).sum(),
     }
 }
 

@@ -1,0 +1,165 @@
+//! Initial environments of the benchmark, in numbers and pictures.
+//!
+//! `cargo run --release --example initial -- --out out/initial` makes one of each of
+//! the 145 tasks in a generated home, lists them as JSON Lines with what was added
+//! where, and draws what was added on contact sheets. `--seeds 20` makes twenty of
+//! each, `--task put_fridge-01` one task's alone, `--distractors 5` adds five things
+//! more to each.
+
+mod sheet;
+#[expect(dead_code, reason = "this example reads no files")]
+#[path = "../support/mod.rs"]
+mod support;
+
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Parser;
+use support::{Complaint, say};
+use vc_graph::{SceneGraph, Seed, Simulator};
+use vc_tasks::initial::{Added, Generator, Purpose};
+use vc_tasks::library::{Activity, Benchmark};
+use vc_tasks::report::predicates;
+use virtualcity::initial::{AtHome, Catalogue, at_home};
+
+/// Initial environments of the benchmark, in numbers and pictures.
+#[derive(Parser)]
+struct Options {
+    /// The folder to write to; it is made if need be.
+    #[arg(long, default_value = "out/initial")]
+    out: PathBuf,
+    /// Only the tasks whose ids begin so.
+    #[arg(long, default_value = "")]
+    task: String,
+    /// How many environments of each task.
+    #[arg(long, default_value_t = 1)]
+    seeds: u64,
+    /// The first seed.
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+    /// How many things to add that are of no use.
+    #[arg(long, default_value_t = 0)]
+    distractors: usize,
+    /// How many added things to draw.
+    #[arg(long, default_value_t = 40)]
+    pictures: usize,
+}
+
+type Home = AtHome<Simulator>;
+
+/// What was found of one base task.
+#[derive(Default)]
+struct Sum {
+    environments: usize,
+    homes: usize,
+    tries: usize,
+    added: usize,
+    credit: f64,
+    seconds: f64,
+}
+
+fn main() -> Result<(), Complaint> {
+    let options = Options::parse();
+    let path = |name: &str| options.out.join(name);
+    let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", options.out.display()));
+    std::fs::create_dir_all(&options.out).map_err(fail)?;
+    let mut list = std::io::BufWriter::new(std::fs::File::create(path("environments.jsonl")).map_err(fail)?);
+    let benchmark = Benchmark::v1();
+    let chosen: Vec<&Activity> = benchmark.activities.iter().filter(|a| a.id.starts_with(&options.task)).collect();
+    let mut sums: BTreeMap<&str, Sum> = BTreeMap::new();
+    let mut tiles = Vec::new();
+    let mut failed = Vec::new();
+    for (activity, seed) in chosen.iter().flat_map(|a| (0..options.seeds).map(move |i| (*a, options.seed + i))) {
+        let start = Instant::now();
+        let generator = Generator::new(&Catalogue).distractors(options.distractors);
+        match at_home(activity, Seed(seed), &generator, |home| Ok(Simulator::new(home))) {
+            Ok(made) => {
+                sums.entry(activity.group()).or_default().add(&made, start.elapsed().as_secs_f64());
+                writeln!(list, "{}", line(activity, seed, &made)).map_err(fail)?;
+                if tiles.len() < options.pictures {
+                    tiles.extend(sheet::tiles(activity, &made));
+                }
+            }
+            Err(error) => failed.push(format!("{} {seed}: {error}", activity.id)),
+        }
+    }
+    list.flush().map_err(fail)?;
+    table(&sums);
+    tiles.truncate(options.pictures);
+    sheet::write(&tiles, &path("added.png"))?;
+    say!("\n{} written to {}", benchmark.version, options.out.display());
+    if failed.is_empty() { Ok(()) } else { Err(Complaint::new(failed.join("\n"))) }
+}
+
+impl Sum {
+    fn add(&mut self, made: &Home, seconds: f64) {
+        self.environments += 1;
+        self.homes += made.homes;
+        self.tries += made.initial.tries;
+        self.added += made.initial.added.len();
+        self.credit += made.initial.credit;
+        self.seconds += seconds;
+    }
+}
+
+fn table(sums: &BTreeMap<&str, Sum>) {
+    say!(
+        "{:<16} {:>6} {:>6} {:>6} {:>6} {:>7} {:>8}",
+        "base",
+        "number",
+        "homes",
+        "tries",
+        "added",
+        "credit",
+        "ms each"
+    );
+    let all = sums.values().fold(Sum::default(), |all, s| Sum {
+        environments: all.environments + s.environments,
+        homes: all.homes + s.homes,
+        tries: all.tries + s.tries,
+        added: all.added + s.added,
+        credit: all.credit + s.credit,
+        seconds: all.seconds + s.seconds,
+    });
+    for (base, sum) in sums.iter().map(|(base, sum)| (*base, sum)).chain([("all", &all)]) {
+        let number = sum.environments.max(1) as f64;
+        let each = |value: usize| value as f64 / number;
+        say!(
+            "{base:<16} {:>6} {:>6.2} {:>6.2} {:>6.2} {:>7.3} {:>8.1}",
+            sum.environments,
+            each(sum.homes),
+            each(sum.tries),
+            each(sum.added),
+            sum.credit / number,
+            1000.0 * sum.seconds / number
+        );
+    }
+}
+
+/// What the list says about an environment.
+fn line(activity: &Activity, seed: u64, made: &Home) -> serde_json::Value {
+    let scene = &made.initial.scene;
+    serde_json::json!({
+        "task": activity.id,
+        "title": activity.title,
+        "goal": made.initial.task.goal,
+        "predicates": predicates(&made.initial.task.goal),
+        "seed": seed,
+        "home": made.home,
+        "homes": made.homes,
+        "tries": made.initial.tries,
+        "credit": made.initial.credit,
+        "added": made.initial.added.iter().map(|a| added(scene, a)).collect::<Vec<_>>(),
+        "digest": scene.digest().to_string(),
+    })
+}
+
+/// `apple.612 on dining_table.88 in kitchen.1`.
+fn added(scene: &SceneGraph, added: &Added) -> String {
+    let label = |id| scene.label(id);
+    let place = added.place.map_or_else(String::new, |p| format!(" {} {}", p.relation, label(p.at)));
+    let what = if added.purpose == Purpose::Distractor { " (distractor)" } else { "" };
+    format!("{}{place} in {}{what}", label(added.id), label(added.room))
+}
