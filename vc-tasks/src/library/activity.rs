@@ -161,6 +161,8 @@ fn asked_verbs(goal: &Goal, verbs: &mut Vec<Verb>) {
             P::Holds => verbs.push(Verb::Grab),
             P::State(state) => verbs.extend(verb_of_state(state)),
             P::Relation(relation) => verbs.extend_from_slice(verbs_of_relation(relation)),
+            // What is there is there; nothing is done about it.
+            _ => {}
         },
         Goal::And(parts) | Goal::Or(parts) | Goal::Then(parts) => parts.iter().for_each(|p| asked_verbs(p, verbs)),
         Goal::Exists(q) | Goal::ForAll(q) => asked_verbs(&q.body, verbs),
