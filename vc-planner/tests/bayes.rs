@@ -15,7 +15,7 @@ const ROOMS: [&str; 3] = ["kitchen", "living_room", "bedroom"];
 const FURNITURE: [(&str, usize, bool); 5] = [
     ("kitchen_table", 0, false),
     ("coffer", 0, true),
-    ("crate", 0, true),
+    ("strongbox", 0, true),
     ("coffee_table", 1, false),
     ("casket", 2, true),
 ];
