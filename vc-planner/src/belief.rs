@@ -239,7 +239,8 @@ impl Belief {
     /// Takes in what another agent sees and tells: all but who sees it.
     pub fn hear(&mut self, told: &Observation) -> Learned {
         let mut learned = Learned::default();
-        for node in told.nodes().filter(|n| n.id() != self.agent) {
+        let me = self.agent;
+        for node in told.nodes().filter(|n| n.id() != me) {
             let id = node.id();
             if self.known.insert(id) && node.kind() != Kind::Room {
                 learned.found.push(id);

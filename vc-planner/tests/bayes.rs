@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use vc_graph::{Draft, NodeId, Place, Relation, SceneBuilder, SceneGraph, Simulator};
+use vc_graph::{Draft, NodeId, Place, Property, PropertySet, Relation, SceneBuilder, SceneGraph, Simulator};
 use vc_planner::{Belief, Newcomer, Prior, Run};
 use vc_tasks::{Outcome, Task};
 
@@ -14,10 +14,10 @@ const ROOMS: [&str; 3] = ["kitchen", "living_room", "bedroom"];
 /// Class, room, whether it is a container.
 const FURNITURE: [(&str, usize, bool); 5] = [
     ("kitchen_table", 0, false),
-    ("fridge", 0, true),
-    ("kitchen_cabinet", 0, true),
+    ("coffer", 0, true),
+    ("strongbox", 0, true),
     ("coffee_table", 1, false),
-    ("bathroom_cabinet", 2, true),
+    ("casket", 2, true),
 ];
 const PLACES: usize = 8;
 /// The table, where the things are to go.
@@ -134,7 +134,13 @@ fn home(a: usize, b: usize) -> Home {
     let mut places: Vec<Place> = rooms.iter().map(|&at| Place { relation: Relation::InRoom, at }).collect();
     for (class, room, container) in FURNITURE {
         let relation = if container { Relation::Inside } else { Relation::On };
-        places.push(Place { relation, at: scene.add_in(rooms[room], Draft::new(class)).unwrap() });
+        // The class table's containers are surfaces as well: these are none.
+        let properties = container.then(|| PropertySet::of(&[Property::Container, Property::Openable]));
+        let mut draft = Draft { properties, ..Draft::new(class) };
+        if container {
+            draft = draft.state(vc_graph::State::Closed);
+        }
+        places.push(Place { relation, at: scene.add_in(rooms[room], draft).unwrap() });
     }
     for (class, place) in [("apple", a), ("book", b)] {
         match places[place] {

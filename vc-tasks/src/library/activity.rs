@@ -169,6 +169,7 @@ fn asked_verbs(goal: &Goal, verbs: &mut Vec<Verb>) {
             P::Holds => verbs.push(Verb::Grab),
             P::State(state) => verbs.extend(verb_of_state(state)),
             P::Relation(relation) => verbs.extend_from_slice(verbs_of_relation(relation)),
+            // What is there is there; nothing is done about it.
             _ => {}
         },
         Goal::Not(_) => {}
