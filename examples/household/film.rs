@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::{Point2, Point3};
+use nalgebra::Point2;
 use vc_graph::NodeId;
 use virtualcity::render::picture::{self, Picture};
 use virtualcity::render::{Camera, Frame, Modalities, Modality};
@@ -13,7 +13,7 @@ use crate::support::Complaint;
 /// Ticks of the home between two pictures, at first.
 const EVERY: u32 = 10;
 /// Most pictures; when there are more, every other one is dropped and fewer are made.
-const MOST: usize = 240;
+const MOST: usize = 180;
 
 /// Pictures of a run.
 pub(crate) struct Film {
@@ -111,14 +111,7 @@ impl Film {
 
     /// The agent's eyes, and the camera of the room it is in.
     fn views(&mut self, home: &Environment) -> Result<[Viewpoint; 2], Complaint> {
-        let feet = self.feet(home);
-        let holds = |room: &NodeId| {
-            let aabb = home.graph().node(*room).and_then(|n| n.aabb());
-            aabb.is_some_and(|b| b.contains(&Point3::new(feet.x, feet.y, b.centre().z)))
-        };
-        let rooms = home.graph().rooms();
-        let same = self.room.filter(|r| holds(r));
-        self.room = same.or_else(|| rooms.iter().copied().find(holds)).or(self.room);
+        self.room = home.room_at(self.feet(home)).or(self.room);
         let Some(room) = self.room else { return Ok([Viewpoint::Agent(self.me); 2]) };
         let camera = match self.corners.get(&room) {
             Some(camera) => *camera,

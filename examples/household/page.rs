@@ -49,9 +49,15 @@ fn strip(film: &Film) -> Picture {
 
 /// The home from above, and the way.
 fn map(home: &Environment, run: &Run) -> Result<Picture, Complaint> {
-    let frame = home.render(Viewpoint::Overhead, Modality::Rgb, MAP.0, MAP.1).map_err(Complaint::new)?;
+    let wanted = Modality::Instance | Modality::Normal;
+    let frame = home.render(Viewpoint::Overhead, wanted, MAP.0, MAP.1).map_err(Complaint::new)?;
     let camera = home.camera(Viewpoint::Overhead, MAP.0, MAP.1).map_err(Complaint::new)?;
-    let mut picture = picture::rgb(&frame);
+    let mut picture = picture::instances(&frame);
+    // Pale, and what is level paler still, as on a plan.
+    for (pixel, normal) in picture.pixels.iter_mut().zip(&frame.normal) {
+        let pale = 0.5 + 0.3 * normal[2].abs();
+        *pixel = pixel.map(|c| (f32::from(c) * (1.0 - pale) + 255.0 * pale) as u8);
+    }
     let (count, level) = (run.way.len().max(1) as f32, home.floor().plan().level);
     for (i, pair) in run.way.windows(2).enumerate() {
         let share = i as f32 / count;

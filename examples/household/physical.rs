@@ -6,7 +6,7 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressStyle};
 use nalgebra::Point2;
 use vc_graph::goal::Situation;
-use vc_graph::{NodeId, Scope};
+use vc_graph::{Node, NodeId, Property, Scope, State};
 use vc_planner::{Agent, Decision, Horizon};
 use vc_tasks::{Outcome, Task};
 use virtualcity::Environment;
@@ -37,7 +37,8 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
         Some(file) => format!("scene:{}", file.display()),
         None => format!("apartment/{}", options.seed),
     };
-    let home = Environment::make(&name, options.agents.max(1)).map_err(Complaint::new)?;
+    let mut home = Environment::make(&name, options.agents.max(1)).map_err(Complaint::new)?;
+    light_up(&mut home)?;
     let me = home.agents()[0];
     let task = choose(options, &home)?;
     say!("home   {name}: {} rooms, {} nodes", home.graph().rooms().len(), home.graph().len());
@@ -60,6 +61,18 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
         (Outcome::Won, _) => Ok(()),
         (_, reason) => Err(Complaint::new(reason.unwrap_or_else(|| "the goal was not reached".into()))),
     }
+}
+
+/// Switches the lamps of the home on, so that there is something to see in rooms without
+/// windows.
+fn light_up(home: &mut Environment) -> Result<(), Complaint> {
+    let mut graph = home.graph().clone();
+    let lamp = |n: &&Node| n.affords(Property::Switchable) && ["lamp", "light"].iter().any(|w| n.class().ends_with(w));
+    let lamps: Vec<NodeId> = graph.nodes().filter(lamp).map(Node::id).collect();
+    let mut edit = graph.edit();
+    lamps.into_iter().try_for_each(|id| edit.enter_state(id, State::On)).map_err(Complaint::new)?;
+    edit.commit();
+    home.reset(&graph).map(drop).map_err(Complaint::new)
 }
 
 /// The task asked for, or the first of the library that makes sense in the home and is not

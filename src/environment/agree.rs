@@ -77,7 +77,9 @@ impl Outcome<'_> {
         // A thing that the rule puts somewhere may rest on more than what it is put on, and
         // no longer on what it is taken off.
         let ended = was.iter().any(|p| !rule.contains(p) && bodies.contains(p));
-        let agrees = if rule == was { bodies == rule } else { !ended && rule.iter().all(|p| bodies.contains(p)) };
+        let held = rule.iter().all(|p| bodies.contains(p)) && !ended;
+        // A knife that slides onto another in its drawer is still in the drawer.
+        let agrees = if rule == was && rule.is_empty() { bodies.is_empty() } else { held };
         (!agrees).then(|| self.difference(id, |s| s.describe(&rule), |s| s.describe(&bodies)))
     }
 

@@ -71,7 +71,10 @@ impl Deed<'_> {
             Effect::LieOn(id) => self.rest_on(id, true),
             Effect::StandUp => self.get_up(),
             Effect::PourInto(id, into) => self.pour(id, into),
-            Effect::FillWithWater(id) => Ok(self.level(id, FULL)),
+            Effect::FillWithWater(id) => {
+                self.level(id, FULL);
+                Ok(())
+            }
             Effect::PutOnBody(id) => self.dress(id),
             Effect::Board(_) | Effect::Alight | Effect::DriveTo(..) => {
                 Err(Impossible::NotModelled("nobody gets into vehicles here yet: `World::add_vehicle` drives them"))
@@ -400,21 +403,30 @@ impl Deed<'_> {
         if arrived { Ok(()) } else { Err(stuck()) }
     }
 
-    /// Stands where a door is reached, and not in its way when it opens or closes.
+    /// Stands where a door is reached, and not in its way while it opens or closes; if there
+    /// is no such spot, at least not in its way then.
     fn stand_clear(&mut self, id: NodeId, open: f32) -> Done {
-        let mut then = self.world.clone();
-        then.put_all_open(id, open)?;
-        let clear = |feet: &Pose| then.stands_free(self.agent, feet).unwrap_or(false);
+        let at = |fraction: f32| -> Result<World, Impossible> {
+            let mut then = self.world.clone();
+            then.put_all_open(id, fraction)?;
+            Ok(then)
+        };
+        let swing = [open, 0.3, 0.6, 1.0 - open].map(at).into_iter().collect::<Result<Vec<World>, Impossible>>()?;
+        let free = |world: &World, feet: &Pose| world.stands_free(self.agent, feet).unwrap_or(false);
+        let clear = |feet: &Pose| swing.iter().all(|world| free(world, feet));
         if self.world.reach_to(self.agent, id)? <= self.plan().reach && clear(&self.feet()) {
             return self.face(id);
         }
         self.floor.update(self.world);
         let sees = |feet: &Pose| self.floor.sees(self.world, &self.plan(), feet, id);
+        let ends = |feet: &Pose| free(&swing[0], feet);
         let room = self.before.room_of(self.agent);
-        let found = match self.stand_where(id, room, |feet| clear(feet) && sees(feet))? {
-            Some(stand) => Some(stand),
-            None => self.stand_where(id, room, clear)?,
-        };
+        let mut found = self.stand_where(id, room, |feet| clear(feet) && sees(feet))?;
+        for at_the_end in [false, true] {
+            if found.is_none() {
+                found = self.stand_where(id, room, |feet| if at_the_end { ends(feet) } else { clear(feet) })?;
+            }
+        }
         let stand = found.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?;
         self.walk(stand);
         Ok(())

@@ -135,6 +135,12 @@ impl Environment {
         Digest(parts.into_iter().fold(0xcbf2_9ce4_8422_2325, mix))
     }
 
+    /// The room of whose floor a point is, metres: by the floor itself, where boxes of rooms
+    /// overlap.
+    pub fn room_at(&self, point: nalgebra::Point2<f32>) -> Option<NodeId> {
+        make::room_at(&self.graph, &self.world, &point, self.floor.plan().level)
+    }
+
     /// What an agent's body does: stands, sits, lies.
     pub fn posture(&self, agent: NodeId) -> Option<Posture> {
         self.world.posture(agent)
