@@ -95,7 +95,7 @@ fn cases(
     let scene = home(objects, 1);
     let me = scene.agents()[0];
     let goals: Vec<Goal> = (0..200).map(|seed| goal(&scene, parts, seed)).collect();
-    let mut planner = Planner { effort: Effort::QUICK, ..Planner::default() };
+    let mut planner = Planner::trying(Effort::QUICK);
     let mut times: Vec<Duration> = goals
         .iter()
         .map(|goal| {

@@ -5,6 +5,7 @@
 //! Table 5.2 beside ours and writes tables and plots. The results do not depend on the
 //! number of threads.
 
+#[expect(dead_code, reason = "this example reads no files")]
 mod support;
 
 use std::path::{Path, PathBuf};

@@ -120,7 +120,7 @@ impl Compiler<'_> {
         }
         // A door or switch that is right must be so in the end as well.
         let word = matches!(demand.predicate, Predicate::State(Word::Open | Word::Closed | Word::On | Word::Off));
-        if word && met == demand.number && demand.subjects().len() == demand.number {
+        if word && met == demand.number {
             return Some(0);
         }
         (met < demand.number).then_some(demand.number - met)
@@ -279,10 +279,13 @@ impl Compiler<'_> {
     }
 
     fn state(&mut self, demand: &Demand<'_>, short: usize, word: Word) -> Result<()> {
-        let all = demand.subjects().len() == demand.number;
+        // Which of several is to be so is settled at once: those that are so already.
+        let mut chosen = demand.subjects().to_vec();
+        chosen.sort_by_key(|&id| !demand.holds(self.now, id));
+        chosen.truncate(demand.number);
         match word {
-            Word::Open | Word::Closed if all => {
-                for &id in demand.subjects() {
+            Word::Open | Word::Closed => {
+                for id in chosen {
                     if !self.affords(id, Property::Openable) {
                         return Err(Unreachable::NotOpenable(demand.part.to_string()));
                     }
@@ -294,8 +297,8 @@ impl Compiler<'_> {
                 }
                 Ok(())
             }
-            Word::On | Word::Off if all => {
-                for &id in demand.subjects() {
+            Word::On | Word::Off => {
+                for id in chosen {
                     if !self.affords(id, Property::Switchable) {
                         return Err(Unreachable::NotSwitchable(demand.part.to_string()));
                     }

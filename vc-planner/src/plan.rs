@@ -82,6 +82,11 @@ pub struct Planner {
 }
 
 impl Planner {
+    /// A planner that searches so much, without manners.
+    pub fn trying(effort: Effort) -> Self {
+        Self { effort, ..Self::default() }
+    }
+
     /// Plans to the goal with full knowledge. The scene is put back before this
     /// returns.
     ///
