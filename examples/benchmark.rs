@@ -14,7 +14,7 @@ use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use support::{Complaint, say};
-use vc_graph::{ClassTable, SceneGraph, Seed, Simulator};
+use vc_graph::{Seed, Simulator};
 use vc_planner::{Habitual, Newcomer, Policy, Prior, Random, Resident, Run as Episodes};
 use vc_tasks::library::{Activity, Benchmark};
 use vc_tasks::report::{By, Report, Run, predicates};
@@ -77,9 +77,9 @@ fn main() -> Result<(), Complaint> {
 
 /// All policies in one environment.
 fn attempt(activity: &Activity, seed: u64, steps: usize) -> Result<Vec<Run>, String> {
-    let mut world = Simulator::new(SceneGraph::new("", ClassTable::builtin()));
-    let made = at_home(activity, Seed(seed), &generator(), &mut world).map_err(|e| e.to_string())?;
-    let (scene, mut task) = (made.initial.scene, made.initial.task);
+    let made = at_home(activity, Seed(seed), &generator(), |home| Ok(Simulator::new(home)));
+    let made = made.map_err(|e| e.to_string())?;
+    let (mut world, scene, mut task) = (made.world, made.initial.scene, made.initial.task);
     task.goal = activity.goal.clone();
     task.step_limit = steps;
     let mut runs: Vec<Run> = Vec::new();

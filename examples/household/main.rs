@@ -18,8 +18,9 @@ mod symbolic;
 
 use std::path::PathBuf;
 
-use clap::Parser;
+use clap::{Parser, ValueEnum};
 use support::Complaint;
+use vc_planner::{Newcomer, Policy, Random, Resident};
 
 /// An agent pursues a household goal, seeing only the room it stands in.
 #[derive(Parser)]
@@ -45,9 +46,9 @@ pub(crate) struct Options {
     /// After how many actions to stop.
     #[arg(long, default_value_t = 500)]
     steps: usize,
-    /// Let the agent know everything from the start.
-    #[arg(long)]
-    full_knowledge: bool,
+    /// Who acts.
+    #[arg(long, value_enum, default_value = "planner")]
+    policy: Who,
     /// Without bodies: the transition rule alone.
     #[arg(long)]
     symbolic: bool,
@@ -60,6 +61,30 @@ pub(crate) struct Options {
     /// Pixels across of each picture; it is three quarters as high.
     #[arg(long, default_value_t = 320, value_parser = clap::value_parser!(u32).range(64..=1280))]
     width: u32,
+}
+
+/// Who acts.
+#[derive(Clone, Copy, ValueEnum)]
+enum Who {
+    /// Searches where people keep things, and plans for both hands.
+    Planner,
+    /// Plans as the thesis's agent does: guesses uniformly, one subgoal after the other.
+    Faithful,
+    /// Knows and sees everything.
+    Oracle,
+    /// Any verb, any thing.
+    Random,
+}
+
+impl Who {
+    pub(crate) fn policy(self) -> Box<dyn Policy> {
+        match self {
+            Self::Planner => Box::new(Newcomer::best()),
+            Self::Faithful => Box::new(Newcomer::faithful()),
+            Self::Oracle => Box::new(Resident::default()),
+            Self::Random => Box::new(Random::default()),
+        }
+    }
 }
 
 fn main() -> Result<(), Complaint> {

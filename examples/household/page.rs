@@ -9,7 +9,7 @@ use virtualcity::render::{Camera, Modality};
 use virtualcity::{Environment, Viewpoint};
 
 use crate::film::Film;
-use crate::physical::Run;
+use crate::physical::Story;
 use crate::support::Complaint;
 
 /// Size of the map, pixels.
@@ -18,8 +18,8 @@ const MAP: (u32, u32) = (960, 720);
 const WAY: [[f32; 3]; 2] = [[40.0, 110.0, 255.0], [255.0, 60.0, 30.0]];
 
 /// Writes everything.
-pub(crate) fn write(folder: &Path, run: &Run, film: &Film, home: &Environment) -> Result<(), Complaint> {
-    save(folder, "map.png", &picture::png(&map(home, run)?).map_err(Complaint::new)?)?;
+pub(crate) fn write(folder: &Path, story: &Story, film: &Film, home: &Environment) -> Result<(), Complaint> {
+    save(folder, "map.png", &picture::png(&map(home, story)?).map_err(Complaint::new)?)?;
     if !film.pictures().is_empty() {
         save(folder, "film.png", &picture::apng(film.pictures(), film.rate()).map_err(Complaint::new)?)?;
     }
@@ -31,7 +31,7 @@ pub(crate) fn write(folder: &Path, run: &Run, film: &Film, home: &Environment) -
         save(folder, "end.png", &picture::png(last).map_err(Complaint::new)?)?;
     }
     save(folder, "strip.png", &picture::png(&strip(film)).map_err(Complaint::new)?)?;
-    save(folder, "index.html", page(run, film).as_bytes())
+    save(folder, "index.html", page(story, film).as_bytes())
 }
 
 fn save(folder: &Path, name: &str, bytes: &[u8]) -> Result<(), Complaint> {
@@ -48,7 +48,7 @@ fn strip(film: &Film) -> Picture {
 }
 
 /// The home from above, and the way.
-fn map(home: &Environment, run: &Run) -> Result<Picture, Complaint> {
+fn map(home: &Environment, story: &Story) -> Result<Picture, Complaint> {
     let wanted = Modality::Instance | Modality::Normal;
     let frame = home.render(Viewpoint::Overhead, wanted, MAP.0, MAP.1).map_err(Complaint::new)?;
     let camera = home.camera(Viewpoint::Overhead, MAP.0, MAP.1).map_err(Complaint::new)?;
@@ -58,8 +58,8 @@ fn map(home: &Environment, run: &Run) -> Result<Picture, Complaint> {
         let pale = 0.5 + 0.3 * normal[2].abs();
         *pixel = pixel.map(|c| (f32::from(c) * (1.0 - pale) + 255.0 * pale) as u8);
     }
-    let (count, level) = (run.way.len().max(1) as f32, home.floor().plan().level);
-    for (i, pair) in run.way.windows(2).enumerate() {
+    let (count, level) = (story.way.len().max(1) as f32, home.floor().plan().level);
+    for (i, pair) in story.way.windows(2).enumerate() {
         let share = i as f32 / count;
         let colour = [0, 1, 2].map(|c: usize| (WAY[0][c] * (1.0 - share) + WAY[1][c] * share) as u8);
         line(&mut picture, &camera, (pair[0], pair[1]), level, colour);
@@ -81,12 +81,12 @@ fn line(picture: &mut Picture, camera: &Camera, (a, b): (Point2<f32>, Point2<f32
     }
 }
 
-fn page(run: &Run, film: &Film) -> String {
+fn page(story: &Story, film: &Film) -> String {
     let mut rows = String::new();
-    for (number, (action, time)) in run.actions.iter().enumerate() {
+    for (number, (action, time)) in story.actions.iter().enumerate() {
         let _ = writeln!(rows, "<tr><td>{}</td><td>{}</td><td>{time:.1} s</td></tr>", number + 1, escaped(action));
     }
-    let reason = run.reason.as_deref().map(|r| format!("<p>{}</p>", escaped(r))).unwrap_or_default();
+    let reason = story.reason.as_deref().map(|r| format!("<p>{}</p>", escaped(r))).unwrap_or_default();
     let modalities = match film.modalities {
         Some(_) => concat!(
             "<h2>The six modalities</h2><p>Colours, instances, classes; depth, optical flow, boxes and masks: from the ",
@@ -104,12 +104,12 @@ fn page(run: &Run, film: &Film) -> String {
          <img src=\"film.png\"><h2>The way</h2><p>From blue to red.</p><img src=\"map.png\">{modalities}\
          <h2>The end</h2><img src=\"end.png\">\
          <h2>What it did</h2><table>{rows}</table><p><a href=\"trajectory.jsonl\">trajectory.jsonl</a></p></html>\n",
-        title = escaped(&run.task.title),
-        home = escaped(&run.home),
-        goal = escaped(&run.task.goal.to_string()),
-        outcome = run.outcome,
-        count = run.actions.len(),
-        score = 100.0 * run.score,
+        title = escaped(&story.task.title),
+        home = escaped(&story.home),
+        goal = escaped(&story.task.goal.to_string()),
+        outcome = story.outcome,
+        count = story.actions.len(),
+        score = 100.0 * story.score,
     )
 }
 

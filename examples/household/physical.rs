@@ -6,9 +6,9 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressStyle};
 use nalgebra::Point2;
 use vc_graph::goal::Situation;
-use vc_graph::{Node, NodeId, Property, Scope, State};
-use vc_planner::{Agent, Decision, Horizon};
-use vc_tasks::{Outcome, Task};
+use vc_graph::{Action, ChangeSet, History, Node, NodeId, Property, SceneGraph, State};
+use vc_planner::{Run, Step};
+use vc_tasks::{Outcome, Task, World, WorldError};
 use virtualcity::Environment;
 
 use crate::film::Film;
@@ -17,7 +17,7 @@ use crate::symbolic::summary;
 use crate::{Options, page};
 
 /// How a run with bodies went.
-pub(crate) struct Run {
+pub(crate) struct Story {
     pub(crate) home: String,
     pub(crate) task: Task,
     pub(crate) outcome: Outcome,
@@ -108,67 +108,89 @@ fn room(home: &Environment, id: NodeId) -> String {
     home.graph().room_of(id).map_or_else(|| "no room".into(), |r| home.graph().label(r).to_string())
 }
 
-/// Looks, decides, acts, until the agent stops.
-fn act(options: &Options, mut home: Environment, me: NodeId, task: Task, film: &mut Film) -> Result<Run, Complaint> {
+/// Lets the policy act until it stops.
+fn act(options: &Options, home: Environment, me: NodeId, task: Task, film: &mut Film) -> Result<Story, Complaint> {
     let name = home.graph().name().to_owned();
-    let (mut agent, scope) = match options.full_knowledge {
-        true => (Agent::resident(home.graph(), me, task.goal.clone()), Scope::Whole),
-        false => (Agent::newcomer(home.graph(), me, task.goal.clone(), options.seed), Scope::Room),
-    };
-    agent = agent.planning(Horizon::Goal);
     let bar = ProgressBar::new_spinner();
     bar.set_style(ProgressStyle::with_template("{spinner} {msg}").map_err(Complaint::new)?);
-    let mut record = Record::create(options, &home, &task)?;
-    let (mut actions, mut way, mut time) = (Vec::new(), vec![film.feet(&home)], 0.0);
-    let (mut outcome, mut reason) = loop {
-        let learned = agent.see(&home.graph().observe(me, scope));
-        let action = match agent.decide() {
-            Decision::Act(..) if actions.len() == task.step_limit => {
-                break (Outcome::TimedOut, Some("step limit reached".to_owned()));
-            }
-            Decision::Act(action, _) => action,
-            Decision::Done => break (Outcome::Lost, None),
-            Decision::GiveUp(why) => break (Outcome::Lost, Some(why.to_string())),
-            _ => break (Outcome::Aborted, Some("the agent does something unheard of".to_owned())),
-        };
-        let words = action.describe(home.graph()).to_string();
-        bar.println(step(&home, me, &learned.found, &words, actions.len() + 1));
-        bar.set_message(format!("{words}: {} pictures", film.len()));
-        film.title(&words);
-        let mut ticks = 0_u32;
-        let mut failed = None;
-        let outcome = home.set_action_in_time(me, action, |now| {
-            ticks += 1;
-            way.push(film.feet(now));
-            failed = film.tick(now).err().or(failed.take());
-        });
-        if let Some(error) = failed {
-            return Err(error);
-        }
-        if let Err(why) = outcome {
-            break (Outcome::Aborted, Some(why.to_string()));
-        }
-        agent.did(&action);
-        time += f64::from(ticks) * f64::from(home.world().settings().dt);
-        way.push(film.feet(&home));
-        record.step(&home, me, &words, time)?;
-        actions.push((words, time));
-    };
+    let record = Record::create(options, &home, &task)?;
+    let way = vec![film.feet(&home)];
+    let mut filmed = Filmed { home, film, record, bar: bar.clone(), way, time: 0.0, actions: Vec::new(), failed: None };
+    let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
+    let mut policy = options.policy.policy();
+    let episode = run.episode(policy.as_mut(), &task, &mut filmed, &mut |step| bar.println(line(step)));
     bar.finish_and_clear();
-    film.last(&home)?;
-    let now = Situation::new(home.graph(), me, home.history());
-    if task.goal.holds(&now) {
-        (outcome, reason) = (Outcome::Won, None);
+    let Filmed { home, film, mut record, way, actions, failed, .. } = filmed;
+    if let Some(error) = failed {
+        return Err(error);
     }
-    let score = task.goal.score(&now);
-    record.end(outcome, score, reason.as_deref())?;
-    Ok(Run { home: name, task, outcome, reason, actions, way, score })
+    film.last(&home)?;
+    record.line(&serde_json::json!(episode.summary()))?;
+    let (outcome, reason, score) = (episode.outcome, episode.reason, episode.score);
+    Ok(Story { home: name, task, outcome, reason, actions, way, score })
 }
 
-fn step(home: &Environment, me: NodeId, found: &[NodeId], words: &str, number: usize) -> String {
-    let found: Vec<String> = found.iter().map(|id| home.graph().label(*id).to_string()).collect();
-    let news = if found.is_empty() { String::new() } else { format!("; new: {}", summary(&found)) };
-    format!("{number:>3}  {:<34} in {}{news}", words, room(home, me))
+/// A home that is filmed while somebody acts in it.
+struct Filmed<'a> {
+    home: Environment,
+    film: &'a mut Film,
+    record: Record,
+    bar: ProgressBar,
+    way: Vec<Point2<f32>>,
+    /// The home's time, seconds.
+    time: f64,
+    actions: Vec<(String, f64)>,
+    /// The first thing that went wrong with pictures and files.
+    failed: Option<Complaint>,
+}
+
+impl Filmed<'_> {
+    fn note(&mut self, outcome: Result<(), Complaint>) {
+        self.failed = self.failed.take().or(outcome.err());
+    }
+}
+
+impl World for Filmed<'_> {
+    fn graph(&self) -> &SceneGraph {
+        self.home.graph()
+    }
+
+    fn history(&self) -> &History {
+        self.home.history()
+    }
+
+    fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
+        let words = action.describe(self.home.graph()).to_string();
+        self.bar.set_message(format!("{words}: {} pictures", self.film.len()));
+        self.film.title(&words);
+        let mut ticks = 0_u32;
+        let mut failed = None;
+        let done = self.home.set_action_in_time(agent, *action, |now| {
+            ticks += 1;
+            self.way.push(self.film.feet(now));
+            failed = failed.take().or(self.film.tick(now).err());
+        });
+        self.note(failed.map_or(Ok(()), Err));
+        self.time += f64::from(ticks) * f64::from(self.home.world().settings().dt);
+        self.way.push(self.film.feet(&self.home));
+        let why = done.as_ref().err().map(ToString::to_string);
+        let noted = self.record.step(&self.home, agent, &words, self.time, why.as_deref());
+        self.note(noted);
+        let shown = if why.is_some() { format!("{words} (could not)") } else { words };
+        self.actions.push((shown, self.time));
+        done.map_err(WorldError::from)
+    }
+
+    fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError> {
+        World::reset(&mut self.home, graph)
+    }
+}
+
+fn line(step: &Step) -> String {
+    let news = if step.found.is_empty() { String::new() } else { format!("; new: {}", summary(&step.found)) };
+    let why = step.refused.as_ref().map(|why| format!("\n     {why}")).unwrap_or_default();
+    let room = step.room.as_deref().unwrap_or("no room");
+    format!("{:>3}  {:<34} in {room}{news}{why}", step.step, step.described)
 }
 
 /// The trajectory: a line about the run, one for each action, and the result.
@@ -188,18 +210,21 @@ impl Record {
         Ok(record)
     }
 
-    fn step(&mut self, home: &Environment, me: NodeId, action: &str, time: f64) -> Result<(), Complaint> {
+    fn step(
+        &mut self,
+        home: &Environment,
+        me: NodeId,
+        action: &str,
+        time: f64,
+        refused: Option<&str>,
+    ) -> Result<(), Complaint> {
         let pose = home.graph().node(me).and_then(|n| n.pose());
         let at = pose.map(|p| [p.translation.x, p.translation.y, p.translation.z]);
         let held: Vec<String> = home.graph().held(me).map(|id| home.graph().label(id).to_string()).collect();
         self.line(&serde_json::json!({
-            "step": home.history().events().len(), "time": time, "action": action, "at": at,
-            "room": room(home, me), "held": held, "digest": home.digest().to_string(),
+            "step": home.history().events().len(), "time": time, "action": action, "refused": refused,
+            "at": at, "room": room(home, me), "held": held, "digest": home.digest().to_string(),
         }))
-    }
-
-    fn end(&mut self, outcome: Outcome, score: f64, reason: Option<&str>) -> Result<(), Complaint> {
-        self.line(&serde_json::json!({"outcome": outcome, "score": score, "reason": reason}))
     }
 
     fn line(&mut self, value: &serde_json::Value) -> Result<(), Complaint> {

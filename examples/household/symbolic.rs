@@ -7,7 +7,7 @@ use std::sync::Arc;
 use vc_graph::format::read_scene;
 use vc_graph::goal::Situation;
 use vc_graph::{Action, ClassTable, Goal, Kind, NodeId, SceneGraph, Simulator, Verb, Word};
-use vc_planner::{Episode, Newcomer, Policy, Resident, Run, Step};
+use vc_planner::{Episode, Run, Step};
 use vc_tasks::{Outcome, Task};
 
 use crate::Options;
@@ -52,17 +52,12 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     say!("scene  {}: {} rooms, {} nodes", scene.name(), scene.rooms().len(), scene.len());
     say!("agent  {} in {}", scene.label(me), room(scene, me));
     say!("goal   {}\n", task.goal);
-    let (mut resident, mut faithful, mut best) = (Resident::default(), Newcomer::faithful(), Newcomer::best());
-    let policy: &mut dyn Policy = match (options.full_knowledge, options.faithful) {
-        (true, _) => &mut resident,
-        (_, true) => &mut faithful,
-        _ => &mut best,
-    };
+    let mut policy = options.policy.policy();
     let mut world = Simulator::new(scene.clone());
     let mut record = Record::create(&options.out.with_extension("jsonl"), scene, task, options.seed)?;
     let mut failed = None;
     let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
-    let episode = run.episode(policy, task, &mut world, &mut |step| {
+    let episode = run.episode(policy.as_mut(), task, &mut world, &mut |step| {
         show(step);
         failed = failed.take().or(record.line(step).err());
     });

@@ -164,6 +164,15 @@ impl std::fmt::Debug for Environment {
     }
 }
 
+impl From<ActionError> for vc_tasks::WorldError {
+    fn from(error: ActionError) -> Self {
+        match error {
+            ActionError::Refused(reasons) => Self::Refused(reasons),
+            other => Self::Failed(other.to_string()),
+        }
+    }
+}
+
 /// Tasks are done and judged in an environment as in the symbolic simulator.
 impl vc_tasks::World for Environment {
     fn graph(&self) -> &SceneGraph {
@@ -175,10 +184,7 @@ impl vc_tasks::World for Environment {
     }
 
     fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, vc_tasks::WorldError> {
-        self.set_action(agent, *action).map_err(|error| match error {
-            ActionError::Refused(reasons) => vc_tasks::WorldError::Refused(reasons),
-            other => vc_tasks::WorldError::Failed(other.to_string()),
-        })
+        self.set_action(agent, *action).map_err(vc_tasks::WorldError::from)
     }
 
     fn reset(&mut self, graph: &SceneGraph) -> Result<(), vc_tasks::WorldError> {

@@ -50,10 +50,10 @@ impl Policy for Habitual {
 
     fn decide(&mut self) -> Decision {
         let decision = self.inner.decide();
-        if let Decision::Act(action, _) = &decision {
-            if let Some(id) = self.left_open(action) {
-                return Decision::Act(Action::one(Verb::Close, id), Plan::default());
-            }
+        if let Decision::Act(action, _) = &decision
+            && let Some(id) = self.left_open(action)
+        {
+            return Decision::Act(Action::one(Verb::Close, id), Plan::default());
         }
         decision
     }

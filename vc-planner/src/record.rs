@@ -125,7 +125,7 @@ impl Trajectory {
         let lines: Vec<(usize, &str)> =
             text.lines().enumerate().map(|(i, l)| (i + 1, l)).filter(|(_, l)| !l.trim().is_empty()).collect();
         let [first, middle @ .., last] = lines.as_slice() else { return Err(RecordError::TooShort) };
-        let steps: Result<Vec<Step>, RecordError> = middle.iter().map(|line| read(line)).collect();
+        let steps: Result<Vec<Step>, RecordError> = middle.iter().map(read).collect();
         Ok(Self { header: read(first)?, steps: steps?, summary: read(last)? })
     }
 

@@ -63,10 +63,10 @@ fn look<'g>(goal: &'g Goal, bound: &mut Vec<Bound<'g>>, wanted: Option<bool>, fo
             let both = [&p.first, &p.second].map(|v| (v.name.as_str(), v.class.as_deref()));
             bind(goal, &both, &p.body, bound, found);
         }
-        Goal::Literal(literal) | Goal::Count { literal, .. } => {
-            if wanted == Some(true) && !brought_about(literal.predicate) {
-                found.push(Finding { kind: Kind::NothingBringsAbout, at: None, part: goal.to_string() });
-            }
+        Goal::Literal(literal) | Goal::Count { literal, .. }
+            if wanted == Some(true) && !brought_about(literal.predicate) =>
+        {
+            found.push(Finding { kind: Kind::NothingBringsAbout, at: None, part: goal.to_string() });
         }
         _ => {}
     }
