@@ -118,7 +118,7 @@ fn act(options: &Options, home: Environment, me: NodeId, task: Task, film: &mut 
     let mut filmed = Filmed { home, film, record, bar: bar.clone(), way, time: 0.0, actions: Vec::new(), failed: None };
     let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
     let mut policy = options.policy.policy();
-    let episode = run.episode(policy.as_mut(), &task, &mut filmed, &mut |step| bar.println(line(step)));
+    let episode = run.episode(policy.as_mut(), &task, &mut filmed, &mut |step| bar.suspend(|| say!("{}", line(step))));
     bar.finish_and_clear();
     let Filmed { home, film, mut record, way, actions, failed, .. } = filmed;
     if let Some(error) = failed {

@@ -132,13 +132,12 @@ impl Environment {
     }
 }
 
-/// What is somewhere else by the rule, or in another state.
+/// What is somewhere else by the rule.
 fn holder(change: &vc_graph::Change) -> Option<NodeId> {
-    use vc_graph::Change::{Link, States, Unlink};
+    use vc_graph::Change::{Link, Unlink};
     match change {
         Link(e) | Unlink(e) if matches!(e.relation, Relation::HoldsRight | Relation::HoldsLeft) => Some(e.to),
         Link(e) | Unlink(e) if Relation::places().contains(&e.relation) => Some(e.from),
-        States { id, .. } => Some(*id),
         _ => None,
     }
 }

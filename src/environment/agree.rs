@@ -78,9 +78,17 @@ impl Outcome<'_> {
         // no longer on what it is taken off.
         let ended = was.iter().any(|p| !rule.contains(p) && bodies.contains(p));
         let held = rule.iter().all(|p| bodies.contains(p)) && !ended;
-        // A knife that slides onto another in its drawer is still in the drawer.
-        let agrees = if rule == was && rule.is_empty() { bodies.is_empty() } else { held };
+        let agrees = if rule == was { self.stays(id, &rule, &bodies) } else { held };
         (!agrees).then(|| self.difference(id, |s| s.describe(&rule), |s| s.describe(&bodies)))
+    }
+
+    /// Whether what the rule does not move stays where it was. A knife that slides onto
+    /// another while its drawer is pulled is still in the drawer: what counts is what a
+    /// thing rests on in the end.
+    fn stays(&self, id: NodeId, rule: &[Place], bodies: &[Place]) -> bool {
+        let is_built = |graph: &SceneGraph, id| graph.node(id).is_none_or(|n| &*n.spec().category == "structure");
+        let end = |graph: &SceneGraph| graph.support_chain(id).into_iter().rfind(|at| !is_built(graph, *at));
+        rule == bodies || end(self.ruled).is_some_and(|at| end(self.observed) == Some(at))
     }
 
     /// Where a thing is; what only stands on the building is nowhere in particular.

@@ -34,8 +34,9 @@ pub(super) fn evidence(world: &World) -> Evidence {
 /// Looks again at what has moved or changed, and writes poses and relations into the
 /// graph. Returns all whose relations may be different, and what changed.
 ///
-/// What has not moved to speak of keeps its place: a thing at the rim of a shelf does not
-/// come off it because the shelf trembled.
+/// `changed` are those that the rule puts elsewhere. What else has not moved to speak of keeps
+/// its place: a thing at the rim of a shelf does not come off it because the shelf trembled, nor
+/// a cabinet off its wall because its door touches the next one.
 pub(super) fn look_again(
     graph: &mut SceneGraph,
     world: &World,
@@ -45,7 +46,6 @@ pub(super) fn look_again(
     let unreadable = |e: &dyn std::fmt::Display| Impossible::Unreadable(e.to_string());
     let before = graph.clone();
     let (mut moved, poses) = write_poses(graph, world).map_err(|e| unreadable(&e))?;
-    let still: Vec<NodeId> = moved.iter().copied().filter(|id| is_still(&before, graph, *id)).collect();
     moved.extend_from_slice(changed);
     let evidence = evidence(world);
     moved.extend(turned(relations.evidence(), &evidence));
@@ -54,7 +54,7 @@ pub(super) fn look_again(
     relations.set_evidence(graph, evidence).map_err(|e| unreadable(&e))?;
     let met = relations.update(graph, &moved).map_err(|e| unreadable(&e))?;
     let edges = relations.write(graph, &met).map_err(|e| unreadable(&e))?;
-    let stays = |id: &NodeId| !moved.contains(id) || (still.contains(id) && !changed.contains(id));
+    let stays = |id: &NodeId| !changed.contains(id) && is_still(&before, graph, *id);
     let kept: Vec<NodeId> = met.iter().copied().filter(stays).collect();
     let kept = keep_places(&before, graph, &kept).map_err(|e| unreadable(&e))?;
     Ok((met, poses.then(edges).then(kept)))
@@ -62,7 +62,7 @@ pub(super) fn look_again(
 
 fn is_still(before: &SceneGraph, now: &SceneGraph, id: NodeId) -> bool {
     let pose = |graph: &SceneGraph| graph.node(id).and_then(|n| n.pose().copied());
-    let (Some(a), Some(b)) = (pose(before), pose(now)) else { return false };
+    let (Some(a), Some(b)) = (pose(before), pose(now)) else { return pose(before) == pose(now) };
     let turn = 1.0 - a.rotation.coords.dot(&b.rotation.coords).abs();
     (a.translation.vector - b.translation.vector).norm() < STILL.0 && turn < STILL.1 * STILL.1
 }

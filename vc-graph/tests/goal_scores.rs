@@ -11,7 +11,7 @@ use vc_graph::goal::Situation;
 use vc_graph::{Goal, History};
 
 proptest! {
-    #![proptest_config(cases(400))]
+    #![proptest_config(cases(200))]
 
     #[test]
     fn a_score_is_one_if_and_only_if_the_goal_holds(goal in goal(0, 3), steps in steps(12), posed: bool) {

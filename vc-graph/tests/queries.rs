@@ -91,9 +91,11 @@ fn near(graph: &SceneGraph, agent: NodeId, id: NodeId) -> bool {
     if node.kind() == Kind::Room && !node.affords(Property::BodyPart) {
         return mine.contains(&id) || room_of(graph, agent) == Some(id);
     }
+    // A thing of another room is not near by what is near both, where all is known.
+    let known = [agent, id].iter().all(|n| graph.node(*n).unwrap().pose().is_some() && room_of(graph, *n).is_some());
     node.affords(Property::BodyPart)
         || mine.contains(&id)
-        || !mine.is_disjoint(&about(id))
+        || !mine.is_disjoint(&about(id)) && (same_room || !known)
         || its.contains(&agent)
         || !mine.is_disjoint(&its)
         || chain(graph, agent).contains(&id)

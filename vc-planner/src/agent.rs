@@ -19,6 +19,8 @@ use crate::{Belief, Learned, Plan, Prior};
 const PATIENCE: usize = 4;
 /// So many decisions without learning anything are a sign of going in circles.
 const CIRCLES: usize = 300;
+/// How often it does the same before it takes that for going in circles.
+const AGAIN: usize = 2;
 /// How many ways to take a goal's alternatives are tried.
 const ALTERNATIVES: usize = 12;
 /// How many actions it takes, roughly, to find something.
@@ -89,6 +91,8 @@ pub struct Agent {
     next: VecDeque<Action>,
     /// Decisions since it last learned something.
     idle: usize,
+    /// What it has done since then.
+    tried: Vec<Action>,
     /// What others have promised to bring where, and what it promises itself.
     counted_on: Vec<(NodeId, Place)>,
     promises: Vec<(NodeId, Place)>,
@@ -132,6 +136,7 @@ impl Agent {
             pursued: None,
             next: VecDeque::new(),
             idle: 0,
+            tried: Vec::new(),
             counted_on: Vec::new(),
             promises: Vec::new(),
         }
@@ -182,6 +187,7 @@ impl Agent {
         if learned.found.iter().any(matters) || learned.disproved.iter().any(matters) {
             self.next.clear();
             self.idle = 0;
+            self.tried.clear();
         }
         learned
     }
@@ -216,7 +222,7 @@ impl Agent {
 
     /// What it would do now.
     pub fn decide(&mut self) -> Decision {
-        let decision = self.think();
+        let decision = self.think_on();
         self.promises = match &decision {
             Decision::Act(_, plan) => {
                 let held: Vec<NodeId> = self.belief.graph().held(self.id).collect();
@@ -225,6 +231,21 @@ impl Agent {
             _ => Vec::new(),
         };
         decision
+    }
+
+    /// As [`Agent::think`], but who goes round in circles goes on as the thesis's agent
+    /// does: one subgoal after the other.
+    fn think_on(&mut self) -> Decision {
+        let decision = self.think();
+        let Decision::Act(action, _) = &decision else { return decision };
+        let again = action.verb != Verb::Walk && self.tried.iter().filter(|a| *a == action).count() >= AGAIN;
+        self.tried.push(*action);
+        if self.mind == Mind::Faithful || !again {
+            return decision;
+        }
+        self.mind = Mind::Faithful;
+        self.next.clear();
+        self.decide_by_regression()
     }
 
     fn think(&mut self) -> Decision {
