@@ -69,6 +69,7 @@ mod check;
 #[cfg(feature = "environment")]
 mod environment;
 #[cfg(feature = "environment")]
+#[cfg_attr(not(feature = "render"), allow(dead_code, unused_imports, reason = "poses are for cameras"))]
 mod figure;
 #[cfg(all(feature = "environment", feature = "render"))]
 mod sight;

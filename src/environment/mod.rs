@@ -147,6 +147,7 @@ impl Environment {
     }
 
     /// What a body is shown to do now.
+    #[cfg(feature = "render")]
     pub(crate) fn doing(&self, agent: NodeId) -> crate::figure::Doing {
         self.poses.get(&agent).copied().unwrap_or_default()
     }
