@@ -140,7 +140,8 @@ fn figures(report: &Report, name: &str, which: impl Fn(&Run) -> bool) -> [f64; 3
     let won: Vec<f64> = runs.iter().filter(|r| r.outcome == Outcome::Won).map(|r| r.steps as f64).collect();
     let failed = (runs.len() - won.len()) as f64;
     let all = runs.len().max(1) as f64;
-    let sum: f64 = won.iter().sum();
+    // An empty sum is -0.
+    let sum = won.iter().sum::<f64>() + 0.0;
     [100.0 * won.len() as f64 / all, (sum + NOT_COMPLETED * failed) / all, sum / won.len().max(1) as f64]
 }
 
