@@ -13,7 +13,7 @@
 //! [`first_held`] what is missing and since when the rest has held. [`report`] sums up
 //! many attempts.
 //!
-//! [`format`] reads and writes tasks of others: BDDL, PDDL, Watch-And-Help, EAI,
+//! [`mod@format`] reads and writes tasks of others: BDDL, PDDL, Watch-And-Help, EAI,
 //! ALFRED, the thesis. [`lint`] says what is wrong with a task.
 //!
 //! ```

@@ -97,7 +97,7 @@ impl<'t> Part<'t> {
     /// Takes one level of a condition apart.
     ///
     /// # Errors
-    /// [`ReadError`] if it is none; never for what [`Activity::goal`] holds.
+    /// [`ReadError`] if it is none; never for what [`Activity::goal`](super::Activity::goal) holds.
     pub fn of(at: Expr<'t>) -> Result<Self, ReadError> {
         let mut rest = at.items();
         let Some(head) = rest.next().and_then(Expr::word) else {
