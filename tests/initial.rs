@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use vc_graph::goal::Situation;
 use vc_graph::{Aabb, Edge, History, NodeId, Relation, SceneGraph, Seed, Simulator, Verb};
 use vc_tasks::initial::{Generator, Purpose};
-use vc_tasks::library::{Activity, Benchmark, List, thesis_tasks};
+use vc_tasks::library::{Activity, Benchmark, List, THESIS_VERBS, thesis_tasks};
 use virtualcity::initial::{AtHome, Catalogue, at_home};
 
 /// How many environments of each task are made where nobody says.
@@ -198,26 +198,6 @@ fn an_agent_that_knows_everything_has_a_plan_for_each_and_uses_all_verbs() {
     }
     println!("verbs in plans: {verbs:?}");
     assert!(without.is_empty(), "{} without a plan:\n{}", without.len(), without.join("\n"));
-    let thesis = [
-        Verb::Walk,
-        Verb::Run,
-        Verb::Grab,
-        Verb::Place,
-        Verb::PutIn,
-        Verb::SwitchOn,
-        Verb::SwitchOff,
-        Verb::Open,
-        Verb::Close,
-        Verb::Eat,
-        Verb::Drink,
-        Verb::Sit,
-        Verb::Stand,
-        Verb::Dance,
-        Verb::Wave,
-        Verb::Exercise,
-        Verb::PointAt,
-        Verb::LookAt,
-    ];
-    let missing: Vec<&Verb> = thesis.iter().filter(|v| !verbs.contains(v)).collect();
+    let missing: Vec<&Verb> = THESIS_VERBS.iter().filter(|v| !verbs.contains(v)).collect();
     assert!(missing.is_empty(), "no plan has {missing:?}");
 }

@@ -1,6 +1,7 @@
 //! What decides: one trait for planners, baselines, scripts and language models.
 
-use vc_graph::{Action, Goal, NodeId, Observation, SceneGraph, Scope, Seed, Stream, Verb};
+use vc_graph::{Action, Goal, NodeId, Observation, SceneGraph, Scope, Seed, Stream};
+use vc_tasks::library::THESIS_VERBS;
 use vc_tasks::{Task, WorldError};
 
 use crate::compile::Manners;
@@ -272,7 +273,7 @@ impl Random {
         let stream = self.stream.as_mut()?;
         // A verb of VirtualCity that takes more things than there are is drawn again.
         for _ in 0..64 {
-            let verb = *stream.pick(VERBS)?;
+            let verb = *stream.pick(&THESIS_VERBS)?;
             let things: Vec<NodeId> = (0..verb.arity()).filter_map(|_| stream.pick(&self.things).copied()).collect();
             if let Ok(action) = Action::with(verb, &things) {
                 return Some(action);
@@ -281,28 +282,6 @@ impl Random {
         None
     }
 }
-
-/// The actions of the thesis's environment.
-const VERBS: &[Verb] = &[
-    Verb::Walk,
-    Verb::Run,
-    Verb::Grab,
-    Verb::Place,
-    Verb::PutIn,
-    Verb::SwitchOn,
-    Verb::SwitchOff,
-    Verb::Open,
-    Verb::Close,
-    Verb::Eat,
-    Verb::Drink,
-    Verb::Sit,
-    Verb::Stand,
-    Verb::Dance,
-    Verb::Wave,
-    Verb::Exercise,
-    Verb::PointAt,
-    Verb::LookAt,
-];
 
 /// The objects of interest of a goal in a scene: what it names, of each class all that
 /// there are, and what these are in or on.

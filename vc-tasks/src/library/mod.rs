@@ -14,8 +14,37 @@ pub use activity::{Activity, ActivityError};
 pub use benchmark::{Benchmark, BenchmarkError};
 pub use need::{Need, NeedError, Spot};
 
+use vc_graph::Verb;
+
 const INDOOR: &str = include_str!("../../data/library/indoor.json");
 const OUTDOOR: &str = include_str!("../../data/library/outdoor.json");
+
+/// The verbs of the thesis's environment, the gestures it names among them.
+///
+/// ```
+/// use vc_graph::Verb;
+/// assert!(vc_tasks::library::THESIS_VERBS.contains(&Verb::PutIn));
+/// ```
+pub const THESIS_VERBS: [Verb; 18] = [
+    Verb::Walk,
+    Verb::Run,
+    Verb::Grab,
+    Verb::Place,
+    Verb::PutIn,
+    Verb::SwitchOn,
+    Verb::SwitchOff,
+    Verb::Open,
+    Verb::Close,
+    Verb::Eat,
+    Verb::Drink,
+    Verb::Sit,
+    Verb::Stand,
+    Verb::Dance,
+    Verb::Wave,
+    Verb::Exercise,
+    Verb::PointAt,
+    Verb::LookAt,
+];
 
 /// The list of the thesis's appendix B that a task is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
