@@ -91,12 +91,13 @@ fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossibl
         .map(|u| u.widths.iter().filter_map(|&width| s.make(u.class, [DEPTH, width, u.height])).collect())
         .collect();
     for attempt in 0..tries {
-        let run = lay_run(s, &made, attempt / 2, attempt % 2 == 1);
-        let placed = run.len();
-        let missing = units.iter().enumerate().filter(|(i, u)| u.required && !run.iter().any(|r| r.0 == *i)).count();
-        let areas = || run.iter().map(|(_, spot, _)| spot.area).collect::<Vec<_>>();
-        let better = missing == 0 && best.as_ref().is_none_or(|b| placed > b.len());
-        if better && s.space.walk.stays_open(&areas()) {
+        let beaten = best.as_ref().map_or(0, Run::len);
+        if beaten == units.len() {
+            break;
+        }
+        let Some(run) = lay_run(s, units, &made, attempt / 2, attempt % 2 == 1, beaten) else { continue };
+        let areas: Vec<_> = run.iter().map(|(_, spot, _)| spot.area).collect();
+        if s.space.walk.stays_open(&areas) {
             best = Some(run);
         }
     }
@@ -110,39 +111,46 @@ fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossibl
     Ok(indices)
 }
 
-/// Lays the units out from one end of a wall on, in a copy of the room.
-fn lay_run(s: &mut Setter<'_>, units: &[Vec<Draft>], first: usize, backwards: bool) -> Vec<(usize, Spot, Draft)> {
-    let solids = s.space.solids.len();
-    let zones = s.space.zones.len();
-    let mut run = Vec::new();
+/// Lays the units out from one end of a wall on, in a copy of the room; `None` as soon
+/// as one that is needed has no place or the run cannot have more than `beaten` units.
+fn lay_run(
+    s: &mut Setter<'_>,
+    units: &[Unit],
+    made: &[Vec<Draft>],
+    first: usize,
+    backwards: bool,
+    beaten: usize,
+) -> Option<Run> {
+    let (solids, zones) = (s.space.solids.len(), s.space.zones.len());
+    let mut run = Run::new();
     let mut order: Vec<usize> = (0..s.space.sides.len()).collect();
     order.sort_by(|&a, &b| s.space.sides[b].length().total_cmp(&s.space.sides[a].length()));
     order.retain(|&side| side != first);
     order.insert(0, first);
-    let mut wall = 0;
-    let mut reached = 0.0;
-    for (index, widths) in units.iter().enumerate() {
-        let placed = widths.iter().find_map(|object| {
-            for (step, &side) in order.iter().enumerate().skip(wall) {
+    let (mut wall, mut reached) = (0, 0.0);
+    let mut wanting = false;
+    for (index, unit) in units.iter().enumerate() {
+        let placed = made[index].iter().find_map(|object| {
+            order.iter().enumerate().skip(wall).find_map(|(step, &side)| {
                 let from = if step == wall { reached } else { 0.0 };
-                if let Some((spot, end)) = next_spot(s, side, from, object, backwards) {
-                    wall = step;
-                    reached = end;
-                    return Some((spot, object.clone()));
-                }
-            }
-            None
+                next_spot(s, side, from, object, backwards).map(|(spot, end)| (step, end, spot, object))
+            })
         });
-        if let Some((spot, object)) = placed {
-            let solid = super::space::Solid { area: spot.area, low: 0.0, high: object.size().z };
-            s.space.solids.push(solid);
+        if let Some((step, end, spot, object)) = placed {
+            (wall, reached) = (step, end);
+            s.space.solids.push(super::space::Solid { area: spot.area, low: 0.0, high: object.size().z });
             s.space.zones.push(spot.facing.before(&spot.area, 0.9));
-            run.push((index, spot, object));
+            run.push((index, spot, object.clone()));
+        }
+        let to_come = units.len() - index - 1;
+        wanting = (placed.is_none() && unit.required) || run.len() + to_come <= beaten;
+        if wanting {
+            break;
         }
     }
     s.space.solids.truncate(solids);
     s.space.zones.truncate(zones);
-    run
+    (!wanting).then_some(run)
 }
 
 /// The first place along a wall from a distance on, and where it ends.

@@ -6,6 +6,7 @@
 //! up what is left. A candidate costs a microsecond or two, so that many are drawn
 //! and the first is taken whose rooms meet as the programme says.
 
+use smallvec::SmallVec;
 use vc_graph::Stream;
 use vc_graph::portable::Portable;
 
@@ -47,6 +48,14 @@ struct Cell {
     x: i32,
     width: i32,
 }
+
+/// Rooms side by side, west to east. Hundreds of candidates are drawn for a plan: lists
+/// as short as these cost more to allocate than to fill.
+type Band = SmallVec<[Cell; 8]>;
+/// Wishes by their index.
+type Wishes = SmallVec<[usize; 8]>;
+/// Corners that a service room may be cut out of: north band or south, cell, side.
+type Hosts = SmallVec<[(bool, usize, usize); 16]>;
 
 /// The hall strip and the depths of the bands.
 struct Frame {
@@ -136,10 +145,10 @@ impl Draft<'_> {
 
     /// Deals the main rooms to the bands, west to east; the living room comes last
     /// in the south.
-    fn assign(&self, shallow: bool, rng: &mut Stream) -> (Vec<Cell>, Vec<Cell>) {
-        let (mut souths, mut norths) = (Vec::new(), Vec::new());
+    fn assign(&self, shallow: bool, rng: &mut Stream) -> (Band, Band) {
+        let (mut souths, mut norths) = (Band::new(), Band::new());
         let mut load = [self.wish(0).area, 0.0];
-        let mut mains: Vec<usize> = (1..self.programme.wishes.len())
+        let mut mains: Wishes = (1..self.programme.wishes.len())
             .filter(|&i| self.wish(i).kind.is_bedroom() || self.wish(i).kind == RoomKind::Study)
             .collect();
         rng.shuffle(&mut mains);
@@ -171,16 +180,16 @@ impl Draft<'_> {
     fn cut(
         &self,
         souths: &mut [Cell],
-        norths: &mut Vec<Cell>,
+        norths: &mut Band,
         depths: (i32, i32),
         shallow: bool,
         rng: &mut Stream,
     ) -> Option<()> {
-        let mut services: Vec<usize> =
+        let mut services: Wishes =
             (1..self.programme.wishes.len()).filter(|&i| is_service(self.wish(i).kind)).collect();
         // A bedroom's own bathroom may lie behind one for all.
         services.sort_by_key(|&i| self.wish(i).of.is_some());
-        let mut hosts: Vec<(bool, usize, usize)> = Vec::with_capacity(2 * (souths.len() + norths.len()));
+        let mut hosts = Hosts::new();
         for index in services {
             let wish = self.wish(index);
             if self.stack(index, souths, depths.0, rng) || self.stack(index, norths, depths.1, rng) {
@@ -234,7 +243,7 @@ impl Draft<'_> {
 
     /// Keeps the corners next to a bathroom, or next to the kitchen, or away from
     /// them, as the programme says, where there are any.
-    fn prefer(&self, kind: RoomKind, souths: &[Cell], norths: &[Cell], hosts: &mut Vec<(bool, usize, usize)>) {
+    fn prefer(&self, kind: RoomKind, souths: &[Cell], norths: &[Cell], hosts: &mut Hosts) {
         if kind != RoomKind::Bathroom {
             return;
         }
@@ -242,7 +251,7 @@ impl Draft<'_> {
         let own = |main: Option<usize>| main.is_some() && self.programme.wishes.iter().any(|w| w.of == main);
         let suite = |h: &(bool, usize, usize)| own(if h.0 { norths } else { souths }[h.1].wish);
         if topology.bath_bath && hosts.iter().any(suite) {
-            hosts.retain(suite);
+            hosts.retain(|h| suite(h));
         }
         let kind_of = |wish: usize| self.wish(wish).kind;
         let meets = |&(north, at, side): &(bool, usize, usize), what: RoomKind| {
@@ -256,7 +265,7 @@ impl Draft<'_> {
         for (what, wanted) in [(RoomKind::Kitchen, topology.bath_kitchen), (RoomKind::Bathroom, topology.bath_bath)] {
             let fit = |h: &(bool, usize, usize)| meets(h, what) == wanted;
             if hosts.iter().any(fit) {
-                hosts.retain(fit);
+                hosts.retain(|h| fit(h));
             }
         }
     }
@@ -277,7 +286,7 @@ impl Draft<'_> {
     fn measure(
         &self,
         souths: &mut [Cell],
-        norths: &mut Vec<Cell>,
+        norths: &mut Band,
         frame: &mut Frame,
         shallow: bool,
         rng: &mut Stream,
@@ -353,7 +362,8 @@ impl Draft<'_> {
                 main && c.notches[0].is_none_or(|n| n.outside)
             })
         };
-        let takers: Vec<bool> = [false, true].into_iter().filter(|&n| first(if n { norths } else { souths })).collect();
+        let takers: SmallVec<[bool; 2]> =
+            [false, true].into_iter().filter(|&n| first(if n { norths } else { souths })).collect();
         let taker = if open_west { rng.pick(&takers).copied() } else { None };
         let mut low = length;
         let mut high = 0;
