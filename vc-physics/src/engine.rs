@@ -23,7 +23,7 @@ const PREDICTION: f32 = 0.005;
 const AHEAD: f32 = 0.25;
 /// How far two bodies move against each other before their contact points are looked
 /// for anew, metres.
-const RECYCLED: f32 = 0.01;
+const RECYCLED: f32 = 0.003;
 /// How long a body has to be still before it falls asleep, seconds.
 const STILL: f32 = 0.25;
 

@@ -7,7 +7,7 @@ use vc_graph::asset::{Joint, JointKind};
 
 use super::motion::{closed, opened};
 use crate::engine::Engine;
-use crate::shapes::{Link, scaled};
+use crate::shapes::Link;
 use crate::world::{Moving, Thing, collider};
 use crate::{Role, Settings, convert, group};
 
@@ -46,15 +46,13 @@ fn jointed(engine: &mut Engine, thing: &Thing, index: usize, moving: Moving, set
     let (Some(joint), Some(base)) = (link.joint, engine.pose(thing.state.base)) else { return moving };
     let latched = settings.latches && moving.position == closed(joint.limits) && thing.state.role == Role::Fixed;
     let kind = if latched { RigidBodyType::Fixed } else { RigidBodyType::Dynamic };
-    let mass = scaled(link.mass, link.mass.mass() * thing.state.mass_factor);
     let builder = RigidBodyBuilder::new(kind)
         .pose(convert::pose(&(base * joint.motion(moving.position))))
-        .additional_mass_properties(mass)
         .gravity_scale(if settings.balanced { 0.0 } else { 1.0 })
         .user_data(group::mark(thing.id, index));
     let body = engine.add_body(builder);
     if let Some((shape, at)) = &link.solid {
-        let collider = collider(link, shape, at).collision_groups(group::leaf());
+        let collider = collider(link, shape, at, thing.state.mass_factor).collision_groups(group::leaf());
         engine.add_collider(collider.user_data(group::mark(thing.id, index)).build(), body);
     }
     let mut data = engine_joint(&joint);
@@ -67,8 +65,9 @@ fn jointed(engine: &mut Engine, thing: &Thing, index: usize, moving: Moving, set
 fn weld(engine: &mut Engine, thing: &Thing, index: usize, position: f32) {
     let link = &thing.form.links[index];
     let (Some((shape, at)), Some(joint)) = (&link.solid, link.joint) else { return };
-    let at = convert::pose(&joint.motion(position)) * *at;
-    let collider = collider(link, shape, &at).collision_groups(group::base(thing.state.role));
+    let moved = convert::pose(&joint.motion(position)) * *at;
+    let collider = collider(link, shape, at, thing.state.mass_factor).position(moved);
+    let collider = collider.collision_groups(group::base(thing.state.role));
     engine.add_collider(collider.user_data(group::mark(thing.id, index)).build(), thing.state.base);
 }
 

@@ -12,7 +12,7 @@ use vc_graph::{Asset, AssetLibrary, Bounds, Frame, Pose};
 
 use super::footprint::{self, Footprint};
 use super::piece::{self, Piece};
-use super::{mass, merge, scale};
+use super::{hollow, mass, merge, scale};
 use crate::convert;
 
 /// Density of things of which nothing is known but a box, kilograms per cubic metre.
@@ -158,7 +158,7 @@ impl Link {
     ) -> Self {
         let mut sum = Sum::default();
         parts.iter().for_each(|p| sum.add(p, library, by));
-        let pieces = merge::merged(solid.iter().flat_map(|p| placed(p, by)).collect(), surfaces);
+        let pieces = merge::merged(solid.iter().flat_map(|p| hollow::pieces(p, by, surfaces)).collect(), surfaces);
         let (mass, friction, restitution) = sum.finish(&pieces);
         Self {
             name,
@@ -176,7 +176,7 @@ impl Link {
 }
 
 /// The pieces of a part in the frame of the scaled asset.
-fn placed(part: &Part, by: &Vector3<f32>) -> Vec<Piece> {
+pub(super) fn placed(part: &Part, by: &Vector3<f32>) -> Vec<Piece> {
     let at = |pose: Pose| move |p: Piece| Piece { at: pose * p.at, ..p };
     match scale::uniform(by) {
         Some(1.0) => piece::pieces(&part.shape).into_iter().map(at(part.pose)).collect(),
@@ -202,7 +202,7 @@ fn compound(pieces: &[Piece]) -> Option<(SharedShape, EnginePose)> {
     }
 }
 
-/// Masses of parts added up; friction and restitution averaged by mass.
+/// Masses of parts added up, grams; friction and restitution averaged by mass.
 struct Sum {
     mass: MassProperties,
     friction: f32,
@@ -220,6 +220,7 @@ impl Sum {
         let material = library.material(part.material);
         let (density, friction, restitution) =
             material.map_or((BOX_DENSITY, FRICTION, 0.0), |m| (m.density, m.friction, m.restitution));
+        let density = density * mass::GRAMS;
         let own = match scale::uniform(by) {
             Some(s) => {
                 mass::moved(mass::properties(&scale::shape(&part.shape, s), density), &scale::pose(&part.pose, by))
@@ -236,9 +237,9 @@ impl Sum {
     fn finish(self, pieces: &[Piece]) -> (MassProperties, f32, f32) {
         let mass = self.mass.mass();
         if mass::is_sound(&self.mass) {
-            return (self.mass, self.friction / mass, self.restitution / mass);
+            return (mass::in_kilograms(self.mass), self.friction / mass, self.restitution / mass);
         }
-        (of_pieces(pieces, BOX_DENSITY), FRICTION, 0.0)
+        (mass::in_kilograms(of_pieces(pieces, BOX_DENSITY * mass::GRAMS)), FRICTION, 0.0)
     }
 }
 

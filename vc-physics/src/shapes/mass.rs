@@ -11,7 +11,17 @@ use crate::convert;
 /// Chords of curves this far from them are good enough for a mass, metres.
 const CHORD: f32 = 0.002;
 
-/// Mass properties of a solid shape of a density, kilograms per cubic metre.
+/// Grams in a kilogram. Masses are added up in grams: the engine takes a body for a ball
+/// that has less than 1e-5 of whatever unit of inertia it is given, and a pen has less
+/// than that in kilograms.
+pub(crate) const GRAMS: f32 = 1e3;
+
+/// The same in kilograms.
+pub(crate) fn in_kilograms(properties: MassProperties) -> MassProperties {
+    scaled(properties, properties.mass() / GRAMS)
+}
+
+/// Mass properties of a solid shape of a density; the unit of mass is the density's.
 pub(crate) fn properties(shape: &Shape, density: f32) -> MassProperties {
     let exact = matches!(
         shape,

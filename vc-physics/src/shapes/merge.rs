@@ -5,8 +5,9 @@
 //! that holds things, so that shelves stay open.
 
 use nalgebra::{Point3, Vector3};
-use vc_graph::asset::{Hold, Surface};
+use vc_graph::asset::Surface;
 
+use super::hollow;
 use super::piece::Piece;
 
 /// Most pieces a moving link of an asset has.
@@ -14,7 +15,8 @@ pub(crate) const MOST: usize = 24;
 /// Most pieces that are looked at for joining; of more, the smallest are left out.
 const LOOKED_AT: usize = 256;
 
-type Box3 = (Point3<f32>, Point3<f32>);
+/// Least and largest corner.
+pub(super) type Box3 = (Point3<f32>, Point3<f32>);
 
 /// [`MOST`] pieces or little more; what is few enough stays as it is. Costs about
 /// the square of the pieces.
@@ -109,13 +111,10 @@ impl Group {
 
 /// The middle of the space above a surface, a little in from its edges.
 fn free_space(surface: &Surface) -> Option<Box3> {
-    let height = surface.clearance.unwrap_or(0.3);
-    if surface.hold == Hold::Hook || height < 0.01 {
-        return None;
-    }
-    let half = Vector3::new(surface.half.0 * 0.9, surface.half.1 * 0.9, 0.0);
-    let low = surface.centre - half + Vector3::z() * (0.1 * height).min(0.01);
-    Some((low, surface.centre + half + Vector3::z() * (0.9 * height)))
+    let (low, high) = hollow::space(surface)?;
+    let size = high - low;
+    let edge = Vector3::new(0.05 * size.x, 0.05 * size.y, 0.1 * size.z);
+    Some((low + edge.inf(&Vector3::new(f32::INFINITY, f32::INFINITY, 0.01)), high - edge))
 }
 
 fn extent(points: &[Point3<f32>]) -> Box3 {

@@ -2,6 +2,7 @@
 
 mod footprint;
 mod form;
+mod hollow;
 mod mass;
 mod merge;
 mod piece;
@@ -24,7 +25,8 @@ pub(crate) use mass::scaled;
 /// its materials and the scale of the node, on nothing else.
 ///
 /// **Which shapes.** The asset's [`collision`](vc_graph::Asset::collision) pieces where it has
-/// any, else its parts. What moves together is one body of convex pieces; if these
+/// any, else its parts; a mesh is its convex hull, but for the space above a surface that
+/// holds things: a bathtub stays hollow. What moves together is one body of convex pieces; if these
 /// are more than 24, those are joined whose common box wastes the least volume, but
 /// never across the free space above a surface that holds things. Mass and inertia
 /// always come from the parts and their materials.

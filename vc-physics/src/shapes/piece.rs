@@ -146,9 +146,6 @@ fn ring(slab: &Slab) -> Vec<Piece> {
     if (outer.0 - outer.1).abs() < TOLERANCE {
         return vec![disc(outer.0.max(outer.1), slab.bottom, slab.top)];
     }
-    if std::env::var_os("NOFOOT").is_some() {
-        return wedge(slab, 0, WEDGES - 1).into_iter().collect();
-    }
     // It stands on a disc, and lies on one: the engine keeps discs still, and rocks
     // polygons of many corners.
     let height = slab.top - slab.bottom;

@@ -151,10 +151,10 @@ impl World {
         let link = &thing.form.links[0];
         let rolls = if link.rolls() { group::ROLLS } else { 0 };
         let builder = builder.pose(convert::pose(pose)).user_data(group::mark(thing.id, 0) | rolls);
-        let builder = builder.additional_mass_properties(scaled(link.mass, link.mass.mass() * thing.state.mass_factor));
         let body = self.engine.add_body(builder);
         if let Some((shape, at)) = &link.solid {
-            let collider = collider(link, shape, at).collision_groups(group::base(thing.state.role));
+            let collider =
+                collider(link, shape, at, thing.state.mass_factor).collision_groups(group::base(thing.state.role));
             self.engine.add_collider(collider.user_data(group::mark(thing.id, 0)).build(), body);
         }
         body
@@ -172,8 +172,10 @@ pub(crate) fn rooms(graph: &SceneGraph) -> Arc<[(NodeId, Aabb)]> {
     graph.rooms().iter().filter_map(|&id| Some((id, graph.node(id)?.aabb()?))).collect()
 }
 
-/// A collider of a link that adds no mass: its body has it already.
-pub(crate) fn collider(link: &Link, shape: &SharedShape, at: &EnginePose) -> ColliderBuilder {
-    let builder = ColliderBuilder::new(shape.clone()).position(*at).density(0.0);
+/// A collider of a link, with the link's mass. The engine adds up what colliders and body
+/// have, and loses the axes of inertia of small things when there is more than one to add.
+pub(crate) fn collider(link: &Link, shape: &SharedShape, at: &EnginePose, mass_factor: f32) -> ColliderBuilder {
+    let mass = scaled(link.mass, link.mass.mass() * mass_factor).transform_by(&at.inverse());
+    let builder = ColliderBuilder::new(shape.clone()).position(*at).mass_properties(mass);
     builder.friction(link.friction).restitution(link.restitution)
 }

@@ -1,0 +1,93 @@
+//! What holds things is not solid.
+//!
+//! A mesh is its convex hull. Where that would fill the space above a surface, a
+//! bathtub's or a seat's, the mesh is cut along the sides of that space, and what is
+//! left on each side is a hull of its own.
+
+use nalgebra::{Point3, Vector3};
+use rapier3d::geometry::SharedShape;
+use vc_graph::asset::{Hold, Part, Shape, Surface};
+
+use super::form;
+use super::merge::Box3;
+use super::piece::Piece;
+use crate::convert;
+
+type Polygon = Vec<Point3<f32>>;
+
+/// Height of the space above a surface that does not say, metres.
+const CLEARANCE: f32 = 0.3;
+
+/// The space above a surface; none above hooks and where it is lower than a centimetre.
+pub(super) fn space(surface: &Surface) -> Option<Box3> {
+    let height = surface.clearance.unwrap_or(CLEARANCE);
+    let half = Vector3::new(surface.half.0, surface.half.1, 0.0);
+    let high = surface.centre + half + Vector3::z() * height;
+    (surface.hold != Hold::Hook && height >= 0.01).then_some((surface.centre - half, high))
+}
+
+/// The pieces of a part in the frame of the scaled asset, none in the space above the
+/// asset's surfaces.
+pub(super) fn pieces(part: &Part, by: &Vector3<f32>, surfaces: &[Surface]) -> Vec<Piece> {
+    let whole = form::placed(part, by);
+    let Shape::Mesh { vertices, triangles } = &part.shape else { return whole };
+    let spaces: Vec<Box3> = surfaces.iter().filter_map(space).collect();
+    if !whole.iter().any(|p| spaces.iter().any(|s| fills(p, s))) {
+        return whole;
+    }
+    let at = |v: &u32| Some(Point3::from((part.pose * vertices.get(*v as usize)?).coords.component_mul(by)));
+    let polygons = triangles.iter().filter_map(|t| t.iter().map(at).collect()).collect();
+    let mut cut = Vec::new();
+    split(polygons, &spaces, &mut cut);
+    cut
+}
+
+/// Whether a piece takes up some of the middle of a space.
+fn fills(piece: &Piece, (low, high): &Box3) -> bool {
+    let size = high - low;
+    let at = |x: f32, y: f32| low + size.component_mul(&Vector3::new(x, y, 0.25));
+    let middle = [(0.5, 0.5), (0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)];
+    middle.iter().any(|&(x, y)| contains(&piece.shape, piece.at.inverse_transform_point(&at(x, y))))
+}
+
+fn contains(shape: &SharedShape, point: Point3<f32>) -> bool {
+    shape.contains_local_point(convert::point(point))
+}
+
+/// The hull of polygons; where it fills a space, the hulls of what is under it, on its
+/// four sides and above it.
+fn split(polygons: Vec<Polygon>, spaces: &[Box3], out: &mut Vec<Piece>) {
+    let Some(hull) = Piece::hull(&polygons.concat()) else { return };
+    let Some(index) = spaces.iter().position(|s| fills(&hull, s)) else {
+        out.push(hull);
+        return;
+    };
+    let ((low, high), others) = (spaces[index], &spaces[index + 1..]);
+    let mut rest = polygons;
+    for (axis, at, beyond) in [
+        (2, low.z, false),
+        (0, low.x, false),
+        (0, high.x, true),
+        (1, low.y, false),
+        (1, high.y, true),
+        (2, high.z, true),
+    ] {
+        split(clipped(&rest, axis, at, beyond), others, out);
+        rest = clipped(&rest, axis, at, !beyond);
+    }
+}
+
+/// What polygons have on one side of a plane: beyond `at` along the axis, or before it
+/// (Sutherland and Hodgman, 1974).
+fn clipped(polygons: &[Polygon], axis: usize, at: f32, beyond: bool) -> Vec<Polygon> {
+    let inside = |p: &Point3<f32>| if beyond { p[axis] >= at } else { p[axis] <= at };
+    let cut = |polygon: &Polygon| {
+        let ends = polygon.iter().zip(polygon.iter().cycle().skip(1));
+        ends.flat_map(|(a, b)| {
+            let crossing = (inside(a) != inside(b)).then(|| a + (b - a) * ((at - a[axis]) / (b[axis] - a[axis])));
+            inside(a).then_some(*a).into_iter().chain(crossing)
+        })
+        .collect::<Polygon>()
+    };
+    polygons.iter().map(cut).filter(|p| p.len() > 2).collect()
+}
