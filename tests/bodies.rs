@@ -16,12 +16,12 @@ fn build(graph: &SceneGraph) -> World {
     World::build(graph, &Shapes::new(), Settings::default()).unwrap()
 }
 
-/// A generated home comes to rest in ten seconds but for a few things, nearly all of
-/// it where it was put.
+/// A generated home comes to rest in ten seconds but for a few things, and hardly one in
+/// ten thousand falls: what stands on its edge, a rubber band that slips through.
 #[test]
 fn homes_come_to_rest() {
     let (mut things, mut fell) = (0, 0);
-    for graph in (1..4).filter_map(home) {
+    for graph in (1..9).filter_map(home) {
         let mut world = build(&graph);
         let report = world.settle(600);
         assert!(report.stopped.is_empty(), "{report:?}");
@@ -30,7 +30,7 @@ fn homes_come_to_rest() {
         fell += report.fell.len();
         assert!(world.awake() * 50 < graph.len(), "{} of {} awake", world.awake(), graph.len());
     }
-    assert!(fell * 100 < things, "{fell} of {things} things fell");
+    assert!(fell * 1000 < things, "{fell} of {things} things fell");
 }
 
 /// A free point of a room, the one nearest to its middle.

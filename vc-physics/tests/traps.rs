@@ -4,8 +4,12 @@
 
 mod common;
 
-use common::{Scene, at, plain};
+use std::f32::consts::FRAC_PI_2;
+
+use common::{Scene, at, part, plain, surface};
 use nalgebra::{Point3, Vector3};
+use vc_graph::Asset;
+use vc_graph::asset::{Hold, Shape};
 use vc_physics::{Settings, Shapes, World};
 
 /// Bodies inserted asleep fall into what they rest on: `rest` finds contacts first.
@@ -75,6 +79,85 @@ fn a_body_that_becomes_non_finite_is_named() {
     assert!(world.pose(wild).unwrap().translation.vector.iter().all(|v| v.is_finite()));
     assert!((world.pose(calm).unwrap().translation.z - 0.1).abs() < 0.006);
     assert!(world.push(wild, Vector3::x(), Point3::origin()).is_err());
+}
+
+/// A mesh is no solid where it holds things: a ball stays in a tub.
+#[test]
+fn a_tub_of_one_mesh_is_hollow() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    // Rings of four corners: outside from below, then inside from above.
+    let rings = [(0.8, 0.0), (0.8, 0.5), (0.7, 0.5), (0.7, 0.12)];
+    let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+    let ring = |&(r, z): &(f32, f32)| corners.map(|(x, y)| Point3::new(r * x, r * y, z));
+    let vertices = rings.iter().flat_map(ring).collect();
+    let side = |row: u32| {
+        (0..4).map(move |k| [row * 4 + k, row * 4 + (k + 1) % 4, row * 4 + 4 + k, row * 4 + 4 + (k + 1) % 4])
+    };
+    let sides = (0..3).flat_map(side).flat_map(|[a, b, c, d]| [[a, b, d], [a, d, c]]);
+    let triangles = sides.chain([[0, 2, 1], [0, 3, 2], [12, 13, 14], [12, 14, 15]]).collect();
+    let tub = Asset {
+        name: "tub".into(),
+        parts: vec![part("tub", Shape::Mesh { vertices, triangles }, at(0.0, 0.0, 0.0), scene.wood)],
+        surfaces: vec![surface("basin", Hold::Inside, [0.0, 0.0, 0.12], (0.65, 0.65), Some(0.38))],
+        ..Asset::default()
+    };
+    let tub = scene.asset(tub);
+    scene.add("bathtub", tub, at(0.0, 0.0, 0.0));
+    let balls = [(0.0, 0.0), (0.5, 0.5), (-0.55, 0.1)].map(|(x, y)| scene.ball(0.05, at(x, y, 0.25)));
+    let mut world = scene.world();
+    assert!(world.settle(300).outside.is_empty());
+    for ball in balls {
+        let z = world.pose(ball).unwrap().translation.z;
+        assert!((z - 0.17).abs() < 0.006, "{z}");
+    }
+}
+
+/// A straw's inertia is below what the engine's eigenvectors can tell from nothing: with
+/// the wrong axes it digs into what it lies on.
+#[test]
+fn thin_things_lie_still() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let profile = vec![(0.0026, 0.0), (0.0026, 0.21), (0.0018, 0.21), (0.0018, 0.0), (0.0026, 0.0)];
+    let straw = scene.solid("straw", Shape::Lathe { profile }, scene.wood);
+    let lying =
+        |i: usize| common::turned(0.3 * i as f32, 0.0, 0.0026, Vector3::new(1.0, 0.3 * i as f32, 0.0), FRAC_PI_2);
+    let straws: Vec<_> = (0..4).map(|i| scene.add("drinking_straw", straw, lying(i))).collect();
+    let mut world = scene.world();
+    let report = world.settle(300);
+    assert!(report.at_rest && report.fell.is_empty(), "{report:?}");
+    for straw in straws {
+        let z = world.pose(straw).unwrap().translation.z;
+        assert!((z - 0.0026).abs() < 0.001, "{z}");
+    }
+}
+
+/// Of a face with many corners the engine sees four that lie side by side: a round top
+/// would carry on one side only, and a pot of one hull stand on an edge.
+#[test]
+fn faces_with_many_corners_carry_everywhere() {
+    let around = |radius: f32, i: u32| {
+        let angle = i as f32 * std::f32::consts::TAU / 24.0;
+        (radius * angle.cos(), radius * angle.sin())
+    };
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let outline: Vec<_> = (0..24).map(|i| around(0.6, i)).collect();
+    let top = scene.solid("top", Shape::Extrusion { outline, height: 0.7 }, scene.wood);
+    scene.add("dining_table", top, at(0.0, 0.0, 0.0));
+    let both = |i: u32, z: f32| Point3::new(around(0.06, i).0, around(0.06, i).1, z);
+    let points = (0..24).flat_map(|i| [both(i, 0.0), both(i, 0.1)]).collect();
+    let pot = scene.solid("pot", Shape::Hull { points }, scene.wood);
+    let spots = [(0.0, 0.0), (0.45, 0.0), (-0.45, 0.0), (0.0, 0.45), (0.0, -0.45), (-0.3, 0.3)];
+    let pots = spots.map(|(x, y)| scene.add("cooking_pot", pot, at(x, y, 0.7)));
+    let mut world = scene.world();
+    let report = world.settle(300);
+    assert!(report.moved.is_empty(), "{report:?}");
+    for pot in pots {
+        let z = world.pose(pot).unwrap().translation.z;
+        assert!((z - 0.7).abs() < 0.006, "{z}");
+    }
 }
 
 /// Ten thousand things dropped at random into a room: none goes through its floor or

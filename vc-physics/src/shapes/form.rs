@@ -202,17 +202,12 @@ fn compound(pieces: &[Piece]) -> Option<(SharedShape, EnginePose)> {
     }
 }
 
-/// Masses of parts added up, grams; friction and restitution averaged by mass.
+/// Masses of parts; friction and restitution added up by mass.
+#[derive(Default)]
 struct Sum {
-    mass: MassProperties,
+    parts: Vec<MassProperties>,
     friction: f32,
     restitution: f32,
-}
-
-impl Default for Sum {
-    fn default() -> Self {
-        Self { mass: MassProperties::default(), friction: 0.0, restitution: 0.0 }
-    }
 }
 
 impl Sum {
@@ -220,32 +215,26 @@ impl Sum {
         let material = library.material(part.material);
         let (density, friction, restitution) =
             material.map_or((BOX_DENSITY, FRICTION, 0.0), |m| (m.density, m.friction, m.restitution));
-        let density = density * mass::GRAMS;
         let own = match scale::uniform(by) {
             Some(s) => {
                 mass::moved(mass::properties(&scale::shape(&part.shape, s), density), &scale::pose(&part.pose, by))
             }
-            None => of_pieces(&placed(part, by), density),
+            None => mass::of_solids(&placed(part, by), density),
         };
         if mass::is_sound(&own) {
             self.friction += friction * own.mass();
             self.restitution += restitution.min(1.0) * own.mass();
-            self.mass += own;
+            self.parts.push(own);
         }
     }
 
     fn finish(self, pieces: &[Piece]) -> (MassProperties, f32, f32) {
-        let mass = self.mass.mass();
-        if mass::is_sound(&self.mass) {
-            return (mass::in_kilograms(self.mass), self.friction / mass, self.restitution / mass);
+        let total = mass::total(&self.parts);
+        if mass::is_sound(&total) {
+            return (total, self.friction / total.mass(), self.restitution / total.mass());
         }
-        (mass::in_kilograms(of_pieces(pieces, BOX_DENSITY * mass::GRAMS)), FRICTION, 0.0)
+        (mass::of_solids(pieces, BOX_DENSITY), FRICTION, 0.0)
     }
-}
-
-fn of_pieces(pieces: &[Piece], density: f32) -> MassProperties {
-    let each = pieces.iter().map(|p| mass::moved(p.shape.mass_properties(density), &p.at));
-    each.reduce(|a, b| a + b).unwrap_or_default()
 }
 
 /// Six walls of a box that is hollow.

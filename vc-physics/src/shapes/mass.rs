@@ -5,23 +5,24 @@ use rapier3d::math::Vector;
 use vc_graph::Pose;
 use vc_graph::asset::Shape;
 
-use super::piece::pieces;
+use super::piece::{Piece, pieces};
 use crate::convert;
 
 /// Chords of curves this far from them are good enough for a mass, metres.
 const CHORD: f32 = 0.002;
 
-/// Grams in a kilogram. Masses are added up in grams: the engine takes a body for a ball
-/// that has less than 1e-5 of whatever unit of inertia it is given, and a pen has less
-/// than that in kilograms.
-pub(crate) const GRAMS: f32 = 1e3;
-
-/// The same in kilograms.
-pub(crate) fn in_kilograms(properties: MassProperties) -> MassProperties {
-    scaled(properties, properties.mass() / GRAMS)
+/// Several bodies as one; nothing of none.
+///
+/// The engine takes a body for a ball whose inertia is below 1e-5, whatever the unit, and
+/// that of a pen is in kilograms: they are added up in a unit that suits them.
+pub(crate) fn total(list: &[MassProperties]) -> MassProperties {
+    let largest = list.iter().map(|p| p.principal_inertia().max_element()).fold(0.0, f32::max);
+    let unit = if largest > 0.0 { 1.0 / largest } else { 1.0 };
+    let sum = list.iter().map(|p| scaled(*p, p.mass() * unit)).reduce(|a, b| a + b).unwrap_or_default();
+    scaled(sum, sum.mass() / unit)
 }
 
-/// Mass properties of a solid shape of a density; the unit of mass is the density's.
+/// Mass properties of a solid shape of a density, kilograms per cubic metre.
 pub(crate) fn properties(shape: &Shape, density: f32) -> MassProperties {
     let exact = matches!(
         shape,
@@ -37,14 +38,23 @@ pub(crate) fn properties(shape: &Shape, density: f32) -> MassProperties {
 }
 
 fn of_pieces(shape: &Shape, density: f32) -> MassProperties {
-    let each = pieces(shape).into_iter().map(|p| p.shape.mass_properties(density).transform_by(&convert::pose(&p.at)));
-    each.reduce(|a, b| a + b).unwrap_or_default()
+    of_solids(&pieces(shape), density)
+}
+
+/// Mass properties of pieces of the same density.
+pub(crate) fn of_solids(pieces: &[Piece], density: f32) -> MassProperties {
+    let each: Vec<_> = pieces.iter().map(|p| moved(p.shape.mass_properties(density), &p.at)).collect();
+    total(&each)
 }
 
 fn of_mesh(shape: &Shape, density: f32) -> MassProperties {
     let mesh = shape.mesh(CHORD);
     let vertices: Vec<Vector> = mesh.positions.iter().map(|p| convert::point(*p)).collect();
-    MassProperties::from_trimesh(density, &vertices, &mesh.triangles)
+    // So dense that its inertia is far from too small; see `total`.
+    let (low, high) = shape.extent();
+    let unit = 1e4 * (high - low).norm().powi(-5);
+    let own = MassProperties::from_trimesh(unit, &vertices, &mesh.triangles);
+    scaled(own, own.mass() / unit * density)
 }
 
 /// Whether mass, centre and inertia are finite, and there is some mass.

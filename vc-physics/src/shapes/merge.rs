@@ -1,7 +1,9 @@
 //! Fewer pieces where an asset has too many.
 //!
 //! Of the pieces the two are joined whose common box wastes the least volume, until
-//! few enough are left. No joint piece may reach into the free space above a surface
+//! few enough are left; that box is the joint piece. (A hull would be tighter, but of a
+//! face with many corners the engine sees only four, and those side by side: what stands
+//! on it sinks in.) No joint piece may reach into the free space above a surface
 //! that holds things, so that shelves stay open.
 
 use nalgebra::{Point3, Vector3};
@@ -73,7 +75,7 @@ impl Pool {
         let (keep, gone) = (a.min(b), a.max(b));
         let other = self.groups.swap_remove(gone);
         self.best.swap_remove(gone);
-        self.groups[keep].join(other);
+        self.groups[keep].join(&other);
         let last = self.groups.len();
         for i in 0..last {
             // Those that liked one of the two, or the one that has moved, look anew.
@@ -88,24 +90,21 @@ impl Pool {
 /// Pieces that become one.
 struct Group {
     first: Option<Piece>,
-    corners: Vec<Point3<f32>>,
     extent: Box3,
 }
 
 impl Group {
     fn of(piece: Piece) -> Self {
-        let corners = piece.corners().to_vec();
-        Self { extent: extent(&corners), corners, first: Some(piece) }
+        Self { extent: extent(&piece.corners()), first: Some(piece) }
     }
 
-    fn join(&mut self, other: Self) {
+    fn join(&mut self, other: &Self) {
         self.first = None;
         self.extent = around(self.extent, other.extent);
-        self.corners.extend(other.corners);
     }
 
     fn piece(self) -> Option<Piece> {
-        self.first.or_else(|| Piece::hull(&self.corners))
+        self.first.or_else(|| Piece::hull(&[self.extent.0, self.extent.1]))
     }
 }
 

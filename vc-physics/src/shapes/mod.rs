@@ -3,6 +3,7 @@
 mod footprint;
 mod form;
 mod hollow;
+mod hull;
 mod mass;
 mod merge;
 mod piece;

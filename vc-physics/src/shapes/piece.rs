@@ -11,6 +11,7 @@ use rapier3d::math::{Pose as EnginePose, Vector};
 use vc_graph::Pose;
 use vc_graph::asset::Shape;
 
+use super::hull;
 use super::slab::{Slab, simplified, slabs};
 use crate::convert;
 
@@ -49,7 +50,7 @@ impl Piece {
         let half = (high - low) / 2.0;
         if half.min() > LEAST {
             let corners: Vec<Vector> = points.iter().map(|p| convert::point(*p)).collect();
-            if let Some(shape) = SharedShape::convex_hull(&corners) {
+            if let Some(shape) = hull::hull(&corners) {
                 return Some(Self::new(shape));
             }
         }

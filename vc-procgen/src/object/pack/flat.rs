@@ -140,7 +140,8 @@ pub(super) fn bag(b: &mut Build<'_>) {
         return;
     }
     let foot = if foil { 0.2 } else { 0.85 };
-    let stand = matches!(b.class, "nuts" | "raisins" | "coffee_beans" | "pet_food" | "ground_coffee");
+    // A pillow of some centimetres would not stand on its seam.
+    let stand = matches!(b.class, "candy" | "nuts" | "raisins" | "coffee_beans" | "pet_food" | "ground_coffee");
     let base = if stand { 0.9 } else { foot };
     loft(
         b,

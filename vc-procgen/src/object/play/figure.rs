@@ -13,7 +13,8 @@ pub(super) fn doll(b: &mut Build<'_>) {
     for y in SIDES {
         let leg = if dress { skin } else { DENIM };
         b.skin("leg", Axis::Z, &[([0.0, y * 0.3, 0.03], 0.3, 0.18), ([0.0, y * 0.28, 0.42], 0.4, 0.24)], leg);
-        b.blob("shoe", [0.15, y * 0.3, 0.03], [0.6, 0.22, 0.03], shoe);
+        // Flat soles, on which it stands.
+        b.skin("shoe", Axis::Z, &[([0.1, y * 0.3, 0.0], 0.6, 0.2), ([0.1, y * 0.3, 0.06], 0.5, 0.18)], shoe);
         let arm =
             [([0.0, y * 0.9, 0.36], 0.2, 0.09), ([0.0, y * 0.6, 0.56], 0.3, 0.14), ([0.0, y * 0.4, 0.62], 0.3, 0.12)];
         b.skin("arm", Axis::Z, &arm, if dress { skin } else { cloth });
