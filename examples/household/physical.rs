@@ -38,6 +38,9 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
         None => format!("apartment/{}", options.seed),
     };
     let mut home = Environment::make(&name, options.agents.max(1)).map_err(Complaint::new)?;
+    for (id, class) in home.left_out() {
+        say!("left out  {class}.{}, which fell out of the home", id.0);
+    }
     light_up(&mut home)?;
     let me = home.agents()[0];
     let task = choose(options, &home)?;

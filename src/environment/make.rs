@@ -11,6 +11,9 @@ use vc_relations::{Relations, Rule};
 use super::{Environment, MakeError, Start, act, observe, scene};
 use crate::figure;
 
+/// What is not in the environment though it is in the scene.
+type LeftOut = Vec<(NodeId, Arc<str>)>;
+
 /// How far down a thing is that has fallen, metres.
 const FALL: f32 = 0.1;
 /// Steps in which agents find the ground.
@@ -56,7 +59,7 @@ impl Environment {
         let shapes = Shapes::new();
         let mut world = World::build(builder.graph(), &shapes, Settings::default())?;
         act::calm(&mut world);
-        put_back(&mut world, &mut builder)?;
+        let left_out = put_back(&mut world, &mut builder)?;
         let floor = Floor::of(&world, FloorPlan::default());
         let places = standing_places(builder.graph(), &world, &floor, agents)?;
         for ((room, feet), person) in places.into_iter().zip(people) {
@@ -68,15 +71,15 @@ impl Environment {
         if builder.graph().agents().is_empty() {
             return Err(MakeError::NoAgents);
         }
-        Self::begin(builder.build(), world, floor, shapes)
+        Self::begin(builder.build(), world, floor, shapes, left_out)
     }
 
-    fn begin(mut graph: SceneGraph, world: World, floor: Floor, shapes: Shapes) -> Result<Self, MakeError> {
+    fn begin(mut graph: SceneGraph, world: World, floor: Floor, shapes: Shapes, left_out: LeftOut) -> Result<Self, MakeError> {
         observe::write_poses(&mut graph, &world)?;
         let relations = Relations::new(&graph, Rule::Repaired, observe::evidence(&world))?;
         let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
         relations.write(&mut graph, &all)?;
-        let start = Start { graph, world, relations, floor, shapes };
+        let start = Start { graph, world, relations, floor, shapes, left_out };
         Ok(Self::at(Arc::new(start)))
     }
 
@@ -97,8 +100,8 @@ impl Environment {
 }
 
 /// Puts what has fallen back to a free spot where the scene has it; what finds none and has
-/// fallen out of the home is taken out of the scene.
-fn put_back(world: &mut World, builder: &mut SceneBuilder) -> Result<(), MakeError> {
+/// fallen out of the home is taken out of the scene, and named.
+fn put_back(world: &mut World, builder: &mut SceneBuilder) -> Result<LeftOut, MakeError> {
     let drop = |n: &vc_graph::Node| Some(n.position()?.z - world.pose(n.id())?.translation.z);
     let things = builder.graph().nodes().filter(|n| n.kind() == Kind::Object);
     let mut fallen: Vec<NodeId> = things.filter(|n| drop(n).is_some_and(|d| d > FALL)).map(|n| n.id()).collect();
@@ -115,13 +118,15 @@ fn put_back(world: &mut World, builder: &mut SceneBuilder) -> Result<(), MakeErr
     if !fallen.is_empty() {
         act::calm(world);
     }
+    let mut left_out = LeftOut::new();
     for id in world.outside() {
+        left_out.extend(builder.graph().node(id).map(|n| (id, n.class().clone())));
         world.remove(id)?;
         let mut edit = builder.edit();
         edit.remove(id)?;
         edit.commit();
     }
-    Ok(())
+    Ok(left_out)
 }
 
 /// Rooms and feet for the agents that are still missing: in the middles of rooms that can

@@ -74,6 +74,7 @@ struct Start {
     relations: Relations,
     floor: Floor,
     shapes: Shapes,
+    left_out: Vec<(NodeId, Arc<str>)>,
 }
 
 impl Environment {
@@ -105,6 +106,12 @@ impl Environment {
     /// The scene as it was made, at rest: what [`reset`](Self::reset) goes back to.
     pub fn start(&self) -> &SceneGraph {
         &self.start.graph
+    }
+
+    /// What [`make`](Self::make) took out of the scene, with its class: things that fell out
+    /// of the home and had no free spot where the scene has them. Hardly ever any.
+    pub fn left_out(&self) -> &[(NodeId, Arc<str>)] {
+        &self.start.left_out
     }
 
     /// The agents, by number.
