@@ -8,6 +8,7 @@ use std::sync::Arc;
 use vc_graph::format::eai::{Record, Task, read_record, read_tasks};
 use vc_graph::goal::{Goal, Trace};
 use vc_graph::{Action, ClassTable, Event, NodeId, SceneGraph, Simulator};
+use vc_tasks::compile::Monitor;
 use vc_tasks::format::eai;
 
 fn folder() -> Option<PathBuf> {
@@ -97,8 +98,20 @@ fn goals_hold_at_the_end_and_formulas_only_in_order() {
         forwards += 1;
         let matters = matters(formula);
         ordered += usize::from(matters);
+        let mut monitor = Monitor::on(formula, &there).unwrap();
+        assert!(monitor.holds(), "{}: {formula}", record.id);
         // Where something is done again and again, the order may be there both ways.
-        backwards += usize::from(matters && formula.holds_on(&reversed(&there)));
+        monitor = Monitor::on(formula, &reversed(&there)).unwrap();
+        let back = formula.holds_on(&reversed(&there));
+        assert_eq!(monitor.holds(), back, "{}: {formula}", record.id);
+        if matters && back {
+            eprintln!(
+                "{}: {formula}\n  {:?}",
+                record.id,
+                record.actions.iter().map(ToString::to_string).collect::<Vec<_>>()
+            );
+        }
+        backwards += usize::from(matters && back);
     }
     eprintln!(
         "{ends} goals hold, {forwards} formulas; order matters in {ordered}, backwards {backwards} of these hold"
