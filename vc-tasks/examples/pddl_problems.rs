@@ -32,6 +32,14 @@ const GOALS: &[&str] = &[
     "exists ?p: plate. (On(?p, kitchen_table) & exists ?a: apple. On(?a, ?p))",
     "Wear(coat)",
     "Filled(cup) & SwitchedOff(faucet)",
+    "SwitchedOn(floor_lamp) & On(book, coffee_table)",
+    "SwitchedOn(tv) & Sit(sofa)",
+    "Inside(plate, sink)",
+    "Inside(apple, garbage_can)",
+    "Open(fridge) & Holds(me, milk)",
+    "Near(me, stove)",
+    "On(bread, kitchen_counter) & !On(bread, kitchen_table)",
+    "pairs ?a: apple, ?p: plate. On(?a, ?p)",
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {

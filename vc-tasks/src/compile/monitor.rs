@@ -81,18 +81,15 @@ impl Monitor {
         Ok(monitor)
     }
 
-    /// Follows all of a trace.
-    ///
-    /// # Errors
-    /// As [`Monitor::new`]; the things are those of the start.
-    pub fn on(goal: &Goal, trace: &Trace) -> Result<Self, CompileError> {
-        let situation = |step| trace.situation(step);
-        let start = Situation { events: &[], ..situation(0).ok_or(CompileError::TooLarge(0))? };
-        let mut monitor = Self::new(goal, &start)?;
-        (1..=trace.steps()).filter_map(situation).for_each(|now| {
+    /// Follows all of a trace; the things are those of its start. `None` where
+    /// [`Monitor::new`] fails.
+    pub fn on(goal: &Goal, trace: &Trace) -> Option<Self> {
+        let mut situations = (0..=trace.steps()).filter_map(|step| trace.situation(step));
+        let mut monitor = Self::new(goal, &situations.next()?).ok()?;
+        situations.for_each(|now| {
             monitor.push(&now);
         });
-        Ok(monitor)
+        Some(monitor)
     }
 
     /// One more step: the state after it, and among the events those that were done in

@@ -12,6 +12,8 @@ pub(crate) struct Shape {
     paths: Vec<u32>,
     /// The parts that are to hold together; none if no atom is contested.
     parts: Vec<Part>,
+    /// For each gate whether no pairs are in it, if some atom is contested.
+    pure: Vec<bool>,
 }
 
 /// One of the parts that are to hold together.
@@ -30,9 +32,11 @@ const BOTH: u8 = 3;
 impl Shape {
     pub(super) fn of(program: &Program) -> Self {
         let mut uses = Uses::of(program);
-        let parts = if uses.contested(program) { uses.parts(program) } else { Vec::new() };
+        let contested = uses.contested(program);
+        let parts = if contested { uses.parts(program) } else { Vec::new() };
+        let pure = if contested { pure(program) } else { Vec::new() };
         let paths = uses.atoms.iter().map(|u| u.paths).collect();
-        Self { sides: uses.gates.into_iter().map(|u| u.sides).collect(), paths, parts }
+        Self { sides: uses.gates.into_iter().map(|u| u.sides).collect(), paths, parts, pure }
     }
 
     /// Whether the truth of a gate matters, or its falsehood.
@@ -46,9 +50,24 @@ impl Shape {
         self.paths.get(atom).map_or(1, |&paths| paths.max(1))
     }
 
+    /// Whether no pairs are in a gate.
+    pub(crate) fn is_pure(&self, gate: usize) -> bool {
+        self.pure.get(gate).is_some_and(|pure| *pure)
+    }
+
     pub(crate) fn parts(&self) -> &[Part] {
         &self.parts
     }
+}
+
+fn pure(program: &Program) -> Vec<bool> {
+    let mut pure: Vec<bool> = Vec::with_capacity(program.gates.len());
+    for gate in &program.gates {
+        let inputs = program.inputs(*gate).iter();
+        let own = !matches!(gate.kind, Kind::Pairs(_));
+        pure.push(own && inputs.filter(|r| !r.is_atom() && !r.is_constant()).all(|r| pure[r.index()]));
+    }
+    pure
 }
 
 /// How an atom or gate is used.

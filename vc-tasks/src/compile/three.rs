@@ -30,6 +30,27 @@ impl Verdict {
 }
 
 /// The atoms known to be true and those known to be false.
+///
+/// ```
+/// use vc_graph::goal::Situation;
+/// use vc_graph::{Draft, History, SceneBuilder};
+/// use vc_tasks::compile::{Known, Program, Verdict};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// scene.add_in(kitchen, Draft::new("cup"))?;
+/// scene.add_in(kitchen, Draft::new("cup"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let (graph, history) = (scene.build(), History::default());
+/// let now = Situation::new(&graph, me, &history);
+///
+/// let program = Program::new(&"exactly 1 ?c: cup. Dirty(?c)".parse()?, &now)?;
+/// let mut known = Known::nothing(&program);
+/// known.learn(0, true);
+/// assert_eq!(program.verdict(&known), Verdict::Unknown);
+/// known.learn(1, true);
+/// assert_eq!(program.verdict(&known), Verdict::False);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Known {
     known: Bits,

@@ -97,7 +97,7 @@ fn bindings(q: &Quantified, now: &Situation<'_>) -> Bindings {
 /// Costs what a [`Monitor`] does; where things come or go, or range over too much, a
 /// plain reading of the goal at each step.
 pub fn first_held(goal: &Goal, trace: &Trace) -> Vec<Option<usize>> {
-    if let Some(Ok(monitor)) = keeps_its_things(trace).then(|| Monitor::on(goal, trace)) {
+    if let Some(monitor) = keeps_its_things(trace).then(|| Monitor::on(goal, trace)).flatten() {
         return monitor.first_held().to_vec();
     }
     let conjuncts = goal.conjuncts().iter();

@@ -43,9 +43,9 @@ pub(super) struct Pass<'a> {
     pub(super) worth: Worth,
     /// For each gate the best way to its truth and to its falsehood.
     ways: Vec<[Way; 2]>,
-    /// Atoms that must not be true, and those that must not be false.
+    /// Atoms, then gates, that must not be true, and those that must not be false.
     barred: [Bits; 2],
-    /// How many atoms are barred.
+    /// How many of them there are.
     bars: usize,
     order: Vec<((i64, i64), u32)>,
 }
@@ -56,7 +56,8 @@ impl<'a> Pass<'a> {
         let Memory { mut ways, order } = memory;
         ways.clear();
         ways.resize(program.gates().len(), [Way::NONE; 2]);
-        let bars = || if program.shape().parts().is_empty() { Bits::none(0) } else { program.bits() };
+        let places = program.atoms().len() + program.gates().len();
+        let bars = || Bits::none(if program.shape().parts().is_empty() { 0 } else { places });
         let worth = Worth { p: 1, q: 1 };
         Self { program, options, met, worth, ways, barred: [bars(), bars()], bars: 0, order }
     }
@@ -65,9 +66,15 @@ impl<'a> Pass<'a> {
         Memory { ways: self.ways, order: self.order }
     }
 
-    /// Bars an atom from being as it is here, or lets it be so again.
+    /// The place of an atom or gate among all of them.
+    pub(super) fn place(&self, r: Ref) -> usize {
+        if r.is_atom() { r.index() } else { self.program.atoms().len() + r.index() }
+    }
+
+    /// Bars an atom or gate from being as it is here, or lets it be so again.
     pub(super) fn bar(&mut self, r: Ref, barred: bool) {
-        self.barred[usize::from(r.is_negated())].set(r.index(), barred);
+        let place = self.place(r);
+        self.barred[usize::from(r.is_negated())].set(place, barred);
         self.bars = if barred { self.bars + 1 } else { self.bars - 1 };
     }
 
@@ -76,8 +83,15 @@ impl<'a> Pass<'a> {
         self.bars > 0 && self.barred.iter().any(|side| side.has(atom))
     }
 
+    #[inline]
     fn is_barred(&self, r: Ref) -> bool {
-        self.bars > 0 && self.barred[usize::from(r.is_negated())].has(r.index())
+        self.bars > 0 && self.barred[usize::from(r.is_negated())].has(self.place(r))
+    }
+
+    /// Whether some input behind a mask is barred.
+    #[inline]
+    fn is_masked_barred(&self, gate: &Gate) -> bool {
+        self.bars > 0 && self.barred.iter().any(|side| side.word(gate.mask.word as usize) & gate.mask.care != 0)
     }
 
     /// The best way to everything that is used.
@@ -106,8 +120,8 @@ impl<'a> Pass<'a> {
                     Way::NONE
                 }
             }
-            () if !r.is_atom() => self.ways[r.index()][usize::from(r.is_negated())],
             () if self.is_barred(r) => Way::NONE,
+            () if !r.is_atom() => self.ways[r.index()][usize::from(r.is_negated())],
             () => self.condition(r),
         }
     }
@@ -117,16 +131,14 @@ impl<'a> Pass<'a> {
     }
 
     fn best(&mut self, index: usize, gate: &Gate, negated: bool) -> Way {
-        if self.bars == 0 {
-            match gate.kind {
-                Kind::Pairs(table) if !negated => {
-                    if let Some(way) = self.plain_pairs(gate, table) {
-                        return way;
-                    }
+        match gate.kind {
+            Kind::Pairs(table) if !negated && self.bars == 0 => {
+                if let Some(way) = self.plain_pairs(gate, table) {
+                    return way;
                 }
-                _ if gate.mask.care != 0 => return self.masked(gate, negated),
-                _ => {}
             }
+            _ if gate.mask.care != 0 && !self.is_masked_barred(gate) => return self.masked(gate, negated),
+            _ => {}
         }
         let mut order = std::mem::take(&mut self.order);
         let mut sum = Way::NOTHING;

@@ -43,7 +43,7 @@ impl Credit {
 /// the 1,016 of BEHAVIOR-1K takes some thousand.
 const LOOKS: u64 = 1 << 24;
 
-/// Most atoms that are settled within one another.
+/// Most atoms and gates that are settled within one another.
 const DEEPEST: u32 = 512;
 
 /// Finds credits; it keeps its memory from one to the next.
@@ -102,7 +102,7 @@ impl Scorer {
 /// without. Parts of the goal that no contested atom joins are searched apart.
 struct Search<'a, 's> {
     pass: Pass<'a>,
-    /// For each atom on which sides it is wanted; zero between uses.
+    /// For each atom and gate on which sides it is wanted.
     sides: &'s mut Vec<u8>,
     looks: u64,
     depth: u32,
@@ -112,7 +112,7 @@ struct Search<'a, 's> {
 /// Some parts that contested atoms join.
 struct Group {
     parts: Vec<u32>,
-    /// An atom that the best ways to the parts want both true and false.
+    /// An atom or gate that the best ways to the parts want both true and false.
     torn: Option<Ref>,
 }
 
@@ -172,7 +172,7 @@ impl Search<'_, '_> {
         parts.iter().fold(Way::NOTHING, |sum, &part| sum.and(self.pass.way(all[part as usize].of)))
     }
 
-    /// Tries an atom true and false; what is so is kept first.
+    /// Tries an atom or gate true and false; what is so is kept first.
     fn branch(&mut self, parts: &[u32], torn: Ref, mut floor: i64) -> Option<Way> {
         if self.looks > LOOKS || self.depth == DEEPEST {
             self.exact = false;
@@ -198,7 +198,7 @@ impl Search<'_, '_> {
         let program = self.pass.program;
         let all = program.shape().parts();
         self.sides.clear();
-        self.sides.resize(program.atoms().len(), 0);
+        self.sides.resize(program.atoms().len() + program.gates().len(), 0);
         let mut groups: Vec<Group> = Vec::new();
         let mut owner: Vec<u32> = vec![u32::MAX; program.atoms().len()];
         let mut place: Vec<usize> = (0..parts.len()).collect();
@@ -226,8 +226,8 @@ impl Search<'_, '_> {
         groups
     }
 
-    /// An atom that the way to a part wants as what was seen before does not. Only
-    /// parts of one group share atoms that can be torn.
+    /// An atom or gate that the way to a part wants as what was seen before does not.
+    /// Only parts of one group share atoms that can be torn.
     fn tear(&mut self, of: Ref) -> Option<Ref> {
         let mut open = vec![of];
         let mut order = Vec::new();
@@ -235,12 +235,14 @@ impl Search<'_, '_> {
             if r.is_constant() || self.pass.is_lack_of_pairs(r) {
                 continue;
             }
-            if r.is_atom() {
-                let sides = &mut self.sides[r.index()];
+            if r.is_atom() || self.is_decided_by_its_ways(r) {
+                let sides = &mut self.sides[self.pass.place(r)];
                 *sides |= 1 << u8::from(r.is_negated());
                 if *sides == 3 {
                     return Some(r.plain());
                 }
+            }
+            if r.is_atom() {
                 continue;
             }
             // What is the same for all things is followed once.
@@ -251,6 +253,14 @@ impl Search<'_, '_> {
             });
         }
         None
+    }
+}
+
+impl Search<'_, '_> {
+    /// Whether a way to a gate's truth and one to its falsehood always contradict each
+    /// other, so that a search can settle the gate itself.
+    fn is_decided_by_its_ways(&self, r: Ref) -> bool {
+        self.pass.options == Options::Sound && self.pass.program.shape().is_pure(r.index())
     }
 }
 
