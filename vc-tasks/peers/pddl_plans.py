@@ -18,6 +18,7 @@ import shutil
 import subprocess
 import sys
 import time
+import warnings
 from collections import Counter
 
 LIMIT = 120
@@ -54,8 +55,12 @@ def judged_by_val(folder, plan):
 
 def judged_by_unified_planning(folder, plan):
     from unified_planning.engines import SequentialPlanValidator
+    from unified_planning.environment import get_environment
     from unified_planning.io import PDDLReader
 
+    # In PDDL a predicate and an action may have one name.
+    get_environment().error_used_name = False
+    warnings.simplefilter("ignore")
     reader = PDDLReader()
     problem = reader.parse_problem(str(folder / "domain.pddl"), str(folder / "problem.pddl"))
     return bool(SequentialPlanValidator().validate(problem, reader.parse_plan(problem, str(plan))))
