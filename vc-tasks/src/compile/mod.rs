@@ -31,6 +31,7 @@
 //! ```
 
 mod atom;
+mod build;
 mod course;
 mod gate;
 mod ground;
