@@ -52,6 +52,7 @@ impl Declared {
                 bound.truncate(bound.len() - variables.len());
             }
             Formula::Equal(..) => {}
+            other => panic!("{other} is not looked at"),
         }
     }
 
@@ -68,6 +69,7 @@ impl Declared {
                     self.formula(condition, bound);
                     self.changes(changes, bound);
                 }
+                other => panic!("{other} is not looked at"),
             }
         }
     }
