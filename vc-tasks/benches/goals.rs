@@ -7,16 +7,17 @@
 //! `VC_BDDL=FOLDER cargo bench -p vc-tasks --bench goals` measures those goals as
 //! well, in their initial states, where the folder holds the unpacked package.
 
-#[path = "support/bddl.rs"]
-mod bddl;
+#[path = "support/activities.rs"]
+mod activities;
 
 use std::hint::black_box;
 use std::sync::Arc;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use vc_graph::goal::{Literal, Situation, Term};
+use vc_graph::goal::{Pairing, Situation};
 use vc_graph::{Draft, Goal, History, SceneBuilder, SceneGraph};
 use vc_tasks::compile::{Bits, Compiler, Program, Tracker};
+use vc_tasks::format::bddl::{Activity, Facts, Objects};
 use vc_tasks::score::Scorer;
 
 /// A table with things on it, some of them where they belong.
@@ -108,39 +109,29 @@ fn benches(c: &mut Criterion) {
     bench_set(c, &Set { name: "generated", programs, states });
 }
 
-/// The state an activity starts in.
-fn started(program: &Program, activity: &bddl::Activity) -> Bits {
-    let mut bits = program.bits();
-    let terms = |atom: &vc_tasks::compile::Atom| -> Vec<Term> {
-        atom.things.iter().flatten().map(|&id| Term::Node(None, id)).collect()
-    };
-    for (index, atom) in program.atoms().iter().enumerate() {
-        let holds = |l: &Literal| l.predicate == atom.predicate && l.terms == terms(atom);
-        bits.set(index, activity.start.iter().any(holds));
-    }
-    bits
-}
-
 fn behavior(c: &mut Criterion) {
-    let Some(folder) = std::env::var_os("VC_BDDL") else {
-        eprintln!("SKIPPED: set VC_BDDL to where the PyPI package bddl 3.6.0 is unpacked");
-        return;
-    };
-    let (activities, failed) = bddl::read_all(folder.as_ref());
+    let Some(texts) = activities::texts() else { return };
+    let activities: Vec<Activity> = texts.iter().filter_map(|text| Activity::read(text).ok()).collect();
+    assert_eq!(activities.len(), texts.len(), "all texts are activities");
+    let goals: Vec<(Goal, Objects<'_>)> =
+        activities.iter().filter_map(|a| Some((a.to_goal().ok()?, Objects::of(a)))).collect();
     let mut compiler = Compiler::new();
-    let compiled = activities.iter().map(|a| compiler.compile(&a.goal, &a.objects).map(Arc::new));
-    let programs: Vec<Arc<Program>> = compiled.filter_map(Result::ok).collect();
-    let atoms: usize = programs.iter().map(|p| p.atoms().len()).sum();
-    eprintln!("{} activities, {failed} not read, {} compiled, {atoms} atoms", activities.len(), programs.len());
-    assert_eq!(programs.len(), activities.len(), "every goal compiles");
     c.bench_function("goals/behavior/compile all", |b| {
         b.iter(|| {
-            let atoms =
-                |a| compiler.compile(&black_box::<&bddl::Activity>(a).goal, &a.objects).map_or(0, |p| p.atoms().len());
-            activities.iter().map(atoms).sum::<usize>()
+            let atoms = |(goal, objects): &(Goal, Objects<'_>)| {
+                compiler.compile(black_box(goal), objects).map_or(0, |program| program.atoms().len())
+            };
+            goals.iter().map(atoms).sum::<usize>()
         });
     });
-    let states = programs.iter().zip(&activities).map(|(p, a)| started(p, a)).collect();
+    let compiled = activities.iter().filter_map(|a| {
+        let facts = Facts::of(a, Pairing::Matching).ok()?;
+        Some((Arc::new(facts.program().clone()), facts.start(a).ok()?))
+    });
+    let (programs, states): (Vec<Arc<Program>>, Vec<Bits>) = compiled.unzip();
+    assert_eq!(programs.len(), activities.len(), "every goal compiles");
+    let atoms: usize = programs.iter().map(|p| p.atoms().len()).sum();
+    eprintln!("{} activities, {atoms} atoms", activities.len());
     bench_set(c, &Set { name: "behavior", programs, states });
 }
 

@@ -32,6 +32,14 @@ const GOALS: &[&str] = &[
     "exists ?p: plate. (On(?p, kitchen_table) & exists ?a: apple. On(?a, ?p))",
     "Wear(coat)",
     "Filled(cup) & SwitchedOff(faucet)",
+    "SwitchedOn(floor_lamp) & On(book, coffee_table)",
+    "SwitchedOn(tv) & Sit(sofa)",
+    "Inside(plate, sink)",
+    "Inside(apple, garbage_can)",
+    "Open(fridge) & Holds(me, milk)",
+    "Near(me, stove)",
+    "On(bread, kitchen_counter)",
+    "On(cup, kitchen_table) & On(plate, kitchen_table)",
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {

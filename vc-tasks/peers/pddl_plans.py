@@ -1,13 +1,15 @@
 """Lets planners of others solve the problems of the example pddl_problems.
 
-    pip install pyperplan up-fast-downward
+    pip install pyperplan up-fast-downward unified-planning
     cargo run --release -p vc-tasks --example pddl_problems -- write FOLDER
     python3 vc-tasks/peers/pddl_plans.py FOLDER
     cargo run --release -p vc-tasks --example pddl_problems -- check FOLDER
 
 Each planner that is installed solves every problem; a plan is put beside the problem
-as `NAME.plan`. Where VAL's `Validate` is on the path, it judges the plans as well.
-What is not installed is said and passed over. Times are wall clock, with start-up.
+as `NAME.plan`. unified-planning's validator judges the plans, and VAL where its
+`Validate` is on the path. What is not installed is said and passed over. Times are
+wall clock, with start-up. Exits with 1 if a planner refuses a problem or a plan is
+not valid.
 """
 
 import importlib.util
@@ -16,6 +18,8 @@ import shutil
 import subprocess
 import sys
 import time
+import warnings
+from collections import Counter
 
 LIMIT = 120
 
@@ -43,37 +47,71 @@ def pyperplan():
 PLANNERS = {"fast-downward": fast_downward(), "pyperplan": pyperplan()}
 
 
-def solve(name, command, folder):
+def judged_by_val(folder, plan):
+    files = [str(folder / "domain.pddl"), str(folder / "problem.pddl"), str(plan)]
+    done = subprocess.run(["Validate", *files], capture_output=True, text=True, cwd=folder)
+    return "Plan valid" in done.stdout
+
+
+def judged_by_unified_planning(folder, plan):
+    from unified_planning.engines import SequentialPlanValidator
+    from unified_planning.environment import get_environment
+    from unified_planning.io import PDDLReader
+
+    # In PDDL a predicate and an action may have one name.
+    get_environment().error_used_name = False
+    warnings.simplefilter("ignore")
+    reader = PDDLReader()
+    problem = reader.parse_problem(str(folder / "domain.pddl"), str(folder / "problem.pddl"))
+    return bool(SequentialPlanValidator().validate(problem, reader.parse_plan(problem, str(plan))))
+
+
+JUDGES = {
+    "VAL": judged_by_val if shutil.which("Validate") else None,
+    "unified-planning": judged_by_unified_planning if importlib.util.find_spec("unified_planning") else None,
+}
+
+
+def solve(name, command, folder, counts):
     plan = folder / f"{name}.plan"
     plan.unlink(missing_ok=True)
     start = time.time()
     try:
         done = subprocess.run(command(folder, plan), capture_output=True, text=True, timeout=LIMIT, cwd=folder)
     except subprocess.TimeoutExpired:
-        return "time out"
+        counts["time out"] += 1
+        return f"no plan in {LIMIT} s"
+    spent = time.time() - start
     if name == "pyperplan" and (folder / "problem.pddl.soln").exists():
         (folder / "problem.pddl.soln").rename(plan)
     if not plan.exists():
-        return f"no plan: {(done.stderr or done.stdout).strip().splitlines()[-1:]}"
+        counts["WITHOUT A PLAN"] += 1
+        return f"NO PLAN: {(done.stderr or done.stdout).strip().splitlines()[-1:]}"
+    counts["solved"] += 1
     steps = sum(line.startswith("(") for line in plan.read_text().splitlines())
-    verdict = f"{steps} steps in {time.time() - start:.2f} s"
-    if shutil.which("Validate"):
-        files = [str(folder / "domain.pddl"), str(folder / "problem.pddl"), str(plan)]
-        valid = subprocess.run(["Validate", *files], capture_output=True, text=True, cwd=folder)
-        verdict += ", VAL: " + ("valid" if "Plan valid" in valid.stdout else "NOT VALID")
-    return verdict
+    said = [f"{steps} steps in {spent:.2f} s"]
+    for judge in filter(JUDGES.get, JUDGES):
+        verdict = "valid" if JUDGES[judge](folder, plan) else "NOT VALID"
+        counts[f"{verdict} by {judge}"] += 1
+        said.append(f"{judge}: {verdict}")
+    return ", ".join(said)
 
 
 def main(root):
-    if not shutil.which("Validate"):
-        print("SKIPPED: VAL, there is no `Validate` on the path")
-    for name, command in PLANNERS.items():
-        if not command:
+    root = pathlib.Path(root).resolve()
+    for name, tool in [*JUDGES.items(), *PLANNERS.items()]:
+        if not tool:
             print(f"SKIPPED: {name} is not installed")
-            continue
-        for problem in sorted(pathlib.Path(root).resolve().glob("**/problem.pddl")):
-            print(f"{name} {problem.parent.relative_to(pathlib.Path(root).resolve())}: "
-                  f"{solve(name, command, problem.parent)}", flush=True)
+    failed = False
+    for name, command in PLANNERS.items():
+        counts = Counter()
+        for problem in sorted(root.glob("**/problem.pddl")) if command else []:
+            said = solve(name, command, problem.parent, counts)
+            print(f"{name} {problem.parent.relative_to(root)}: {said}", flush=True)
+        if command:
+            print(f"{name}:", *(f"{number} {what}," for what, number in sorted(counts.items())))
+        failed |= any(what.isupper() or what.startswith("NOT") for what in counts)
+    sys.exit(failed)
 
 
 if __name__ == "__main__":

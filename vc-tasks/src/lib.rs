@@ -33,7 +33,6 @@
 pub mod compile;
 mod explain;
 pub mod format;
-mod ground;
 mod household;
 pub mod initial;
 pub mod library;
@@ -44,7 +43,7 @@ pub mod score;
 mod task;
 mod world;
 
-pub use explain::{Bindings, Part, Unmet, explain, first_held};
+pub use explain::{Bindings, MinimalSets, Part, SETS, Unmet, explain, first_held};
 pub use household::household;
 pub use obstacle::Obstacle;
 pub use task::{Outcome, Task, TaskError};

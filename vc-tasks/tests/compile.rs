@@ -13,9 +13,9 @@ use shared::cases;
 use shared::edits::{apply, plans};
 use shared::goals::goal;
 use shared::scenes::{scene, steps};
-use vc_graph::goal::Situation;
-use vc_graph::{Change, Goal, History};
-use vc_tasks::compile::{CompileError, Known, Program, Tracker, Verdict};
+use vc_graph::goal::{Situation, Trace};
+use vc_graph::{Change, Event, Goal, History};
+use vc_tasks::compile::{CompileError, Known, Monitor, Program, Tracker, Verdict};
 
 fn agree(program: &Program, goal: &Goal, now: &Situation<'_>) -> Result<(), TestCaseError> {
     let bits = program.read(now);
@@ -108,6 +108,48 @@ proptest! {
     }
 }
 
+/// What a room has been flipped to and what was done in it, step by step.
+fn course(first: &[common::Flip], then: &[(common::Flip, usize)]) -> (Room, Trace) {
+    let mut room = Room::new(first);
+    let mut trace = Trace::new(room.graph.clone(), room.me);
+    for &(flip, deed) in then {
+        room.flip(flip);
+        let lines = ["", "grab #2", "grab #5", "eat #3", "place #2 #5"];
+        let action = lines[deed % lines.len()].parse::<vc_graph::Action>();
+        trace.push(room.graph.clone(), action.map(|action| Event { agent: room.me, action }));
+    }
+    (room, trace)
+}
+
+proptest! {
+    #![proptest_config(cases(3000))]
+
+    #[test]
+    fn a_monitor_says_what_a_reading_of_the_trace_would(
+        goal in common::temporal(3), first in flips(20), then in prop::collection::vec((common::flip(), 0_usize..5), 0..7)
+    ) {
+        let (room, trace) = course(&first, &then);
+        let start = Situation { events: &[], ..trace.situation(0).unwrap() };
+        let mut monitor = Monitor::new(&goal, &start).unwrap();
+        let mut held = vec![None; goal.conjuncts().len()];
+        for step in 0..=trace.steps() {
+            if step > 0 {
+                monitor.push(&trace.situation(step).unwrap());
+            }
+            prop_assert_eq!(monitor.steps(), step);
+            prop_assert_eq!(monitor.holds(), goal.holds_by(&trace, step), "{} by step {}", goal, step);
+            for (head, part) in goal.conjuncts().iter().enumerate() {
+                prop_assert_eq!(monitor.heads()[head], part.holds_by(&trace, step), "{} by step {}", part, step);
+                held[head] = held[head].or_else(|| monitor.heads()[head].then_some(step));
+            }
+        }
+        prop_assert_eq!(monitor.holds(), goal.holds_on(&trace));
+        prop_assert_eq!(monitor.first_held(), &held[..]);
+        prop_assert_eq!(vc_tasks::first_held(&goal, &trace), held);
+        prop_assert!(goal.is_temporal() || Program::new(&goal, &room.now()).is_ok());
+    }
+}
+
 fn program(text: &str, room: &Room) -> Program {
     Program::new(&text.parse().unwrap(), &room.now()).unwrap()
 }
@@ -134,13 +176,31 @@ fn a_goal_that_is_true_in_many_ways_stays_small() {
 fn what_cannot_be_compiled_says_why() {
     let room = Room::new(&[]);
     let error = Program::new(&"Dusty(cup) & eventually Dusty(plate)".parse().unwrap(), &room.now()).unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "`eventually Dusty(plate)` is about several steps; judge it on a trace (`Goal::holds_on`)"
-    );
+    assert_eq!(error.to_string(), "`eventually Dusty(plate)` is about several steps; follow it with a `Monitor`");
     let wide: Goal =
         "forall ?a. forall ?b. forall ?c. forall ?d. forall ?e. forall ?f. forall ?g. forall ?h. Covered(?a, ?h)"
             .parse()
             .unwrap();
     assert!(Program::new(&wide, &room.now()).is_ok_and(|p| p.size().0 > 0));
+}
+
+#[test]
+fn goals_that_range_over_too_much_are_refused_and_others_take_no_time() {
+    let room = Room::new(&[(0, 0, 0)]);
+    let quantified =
+        |word: &str, depth: usize| -> String { (0..depth).map(|i| format!("{word} ?v{i}. ")).collect::<String>() };
+    let all: Vec<String> = (0..8).map(|i| format!("Dusty(?v{i})")).collect();
+    let wide: Goal = format!("{}({})", quantified("forall", 8), all.join(" & ")).parse().unwrap();
+    assert!(matches!(Program::new(&wide, &room.now()), Err(CompileError::TooLarge(_))));
+    assert!(matches!(Monitor::new(&wide, &room.now()), Err(CompileError::TooLarge(_))));
+    // What does not depend on its variables is there once, however often it counts.
+    for word in ["forall", "exists", "at least 2", "exactly 3"] {
+        let goal: Goal = format!("{}Dusty(cup)", quantified(word, 20)).parse().unwrap();
+        let program = Program::new(&goal, &room.now()).unwrap();
+        let bits = program.read(&room.now());
+        assert_eq!(program.verdict(&Known::nothing(&program)), Verdict::Unknown, "{word}");
+        let credit = program.credit(&bits);
+        assert!(!credit.exact || (credit.value() == 1.0) == program.holds(&bits), "{word}");
+        assert!(program.unmet(&bits, 3).sets.len() <= 3);
+    }
 }

@@ -10,9 +10,9 @@ use vc_graph::{Draft, Goal, SceneBuilder};
 use vc_tasks::format::bddl::Activity;
 use vc_tasks::lint::{self, Kind};
 
-/// Counts of files: those listed for bddl 3.6.0, where the solver z3 has looked at
-/// all goals; then what only we remark.
-const HITS: &[(Kind, usize)] = &[
+/// In how many files of bddl 3.6.0 what is wrong: the faults that a script of the
+/// package's own parts finds, and z3, which looked at all goals.
+const FAULTS: &[(Kind, usize)] = &[
     (Kind::Unsatisfiable, 1),
     (Kind::TrueAtStart, 1),
     (Kind::ConstantInQuantifier, 28),
@@ -20,9 +20,15 @@ const HITS: &[(Kind, usize)] = &[
     (Kind::DuplicateObject, 1),
     (Kind::RepeatedFact, 5),
     (Kind::Stray, 1),
-    (Kind::UnusedInPair, 1),
-    (Kind::HiddenVariable, 1),
-    (Kind::SecondCondition, 1),
+];
+
+/// What is no fault but worth a look, and in which file: of the pair `pen, table` only
+/// the pen stands in the condition; one `pea_pod` hides another; a condition stands
+/// beside the goal's `and`, where the package does not read it.
+const REMARKS: [(Kind, &str); 3] = [
+    (Kind::UnusedInPair, "set_up_a_preschool_classroom-0"),
+    (Kind::HiddenVariable, "clean_snap_peas-0"),
+    (Kind::SecondCondition, "loading_the_car-0"),
 ];
 
 #[test]
@@ -40,8 +46,12 @@ fn the_known_faults_of_behavior_1k_are_found_and_no_others() {
         return;
     }
     assert_eq!(files.len(), 1016);
-    let found: Vec<(Kind, usize)> = hits.iter().map(|(kind, names)| (*kind, names.len())).collect();
-    assert_eq!(found, HITS, "{hits:#?}");
+    let (remarks, faults): (Vec<_>, Vec<_>) = hits.iter().partition(|(kind, _)| kind.is_remark());
+    let counts: Vec<(Kind, usize)> = faults.into_iter().map(|(kind, names)| (*kind, names.len())).collect();
+    assert_eq!(counts, FAULTS, "{hits:#?}");
+    let remarks: Vec<(Kind, &str)> =
+        remarks.into_iter().flat_map(|(kind, names)| names.iter().map(|name| (*kind, name.as_str()))).collect();
+    assert_eq!(remarks, REMARKS);
     assert!(hits[&Kind::Unsatisfiable].contains("stacking_wood-0"));
     assert!(hits[&Kind::TrueAtStart].contains("clean_a_stainless_steel_dishwasher-0"));
 }

@@ -69,6 +69,8 @@ mod judge;
 mod literal;
 mod names;
 mod pairing;
+mod read_literals;
+mod read_parts;
 mod scan;
 mod score;
 mod text;

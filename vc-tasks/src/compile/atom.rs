@@ -15,6 +15,11 @@ pub struct Atom {
 }
 
 impl Atom {
+    /// Whether it is about what was done.
+    pub(crate) fn is_deed(&self) -> bool {
+        matches!(self.predicate, Predicate::Did(_))
+    }
+
     /// Predicate and things as one number, the same for equal atoms.
     pub(super) fn key(&self) -> u64 {
         let predicate = match self.predicate {
@@ -63,6 +68,12 @@ impl Bits {
         self.words.get(atom / 64).is_some_and(|word| (word >> (atom % 64)) & 1 != 0)
     }
 
+    /// Sixty-four atoms at once; none beyond the set.
+    #[inline]
+    pub(crate) fn word(&self, index: usize) -> u64 {
+        self.words.get(index).copied().unwrap_or(0)
+    }
+
     /// Puts an atom in or takes it out; one that is beyond the set is left alone.
     #[inline]
     pub fn set(&mut self, atom: usize, value: bool) {
@@ -70,6 +81,17 @@ impl Bits {
             let bit = 1 << (atom % 64);
             *word = if value { *word | bit } else { *word & !bit };
         }
+    }
+
+    /// Takes out all that are in another set.
+    pub(super) fn remove(&mut self, other: &Self) {
+        self.words.iter_mut().zip(&other.words).for_each(|(word, other)| *word &= !other);
+    }
+
+    /// Puts in those of another set that are in a third one too.
+    pub(super) fn add_of(&mut self, other: &Self, among: &Self) {
+        let both = other.words.iter().zip(&among.words).map(|(other, among)| other & among);
+        self.words.iter_mut().zip(both).for_each(|(word, both)| *word |= both);
     }
 
     /// Number of atoms in the set.

@@ -1,5 +1,6 @@
 //! Gates: what a goal is made of once its things are known.
 
+use super::Bits;
 use super::atom::mix;
 
 /// An atom, a gate or a constant, as it is or negated, in one number.
@@ -92,9 +93,50 @@ pub(crate) struct Gate {
     pub(crate) kind: Kind,
     pub(crate) start: u32,
     pub(crate) end: u32,
+    pub(crate) mask: Mask,
+}
+
+/// The inputs of a gate as bits, where they are different atoms of one word and so
+/// can be looked at all at once.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Mask {
+    /// Which word.
+    pub(crate) word: u32,
+    /// The atoms; 0 if the inputs are not of that kind.
+    pub(crate) care: u64,
+    /// Those that are negated.
+    pub(crate) flip: u64,
+}
+
+impl Mask {
+    fn of(inputs: &[Ref]) -> Self {
+        let Some(first) = inputs.first() else { return Self::default() };
+        let mut mask = Self { word: (first.index() / 64) as u32, care: 0, flip: 0 };
+        for input in inputs {
+            let bit = 1 << (input.index() % 64);
+            if !input.is_atom() || input.index() / 64 != mask.word as usize || mask.care & bit != 0 {
+                return Self::default();
+            }
+            mask.care |= bit;
+            mask.flip |= if input.is_negated() { bit } else { 0 };
+        }
+        mask
+    }
+
+    /// The inputs that are true.
+    #[inline]
+    pub(crate) fn read(self, bits: &Bits) -> u64 {
+        (bits.word(self.word as usize) ^ self.flip) & self.care
+    }
 }
 
 impl Gate {
+    /// A gate with these inputs, which are all there are from `start` on.
+    pub(crate) fn new(kind: Kind, start: usize, inputs: &[Ref]) -> Self {
+        let mask = if let Kind::Pairs(_) = kind { Mask::default() } else { Mask::of(inputs) };
+        Self { kind, start: start as u32, end: (start + inputs.len()) as u32, mask }
+    }
+
     #[inline]
     pub(crate) fn inputs(self) -> std::ops::Range<usize> {
         self.start as usize..self.end as usize
@@ -120,7 +162,12 @@ impl Table {
         self.number(&mut cell) >= self.need as usize
     }
 
-    /// How many pairs can be formed.
+    /// How many pairs can be formed at once, whatever counts as a number of them.
+    pub(crate) fn matching(self, mut cell: impl FnMut(usize) -> bool) -> usize {
+        Self { pairing: vc_graph::goal::Pairing::Matching, ..self }.number(&mut cell)
+    }
+
+    /// How many pairs there are.
     pub(crate) fn number(self, cell: &mut impl FnMut(usize) -> bool) -> usize {
         let (rows, columns) = (self.rows as usize, self.columns as usize);
         if rows <= 64 && columns <= 64 {

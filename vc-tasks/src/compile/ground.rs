@@ -2,12 +2,12 @@
 
 use std::cell::Cell;
 
-use vc_graph::goal::{Comparison, Goal, Literal, Pairs, Predicate, Quantified, Situation, Term, Variable};
-use vc_graph::{NodeId, SceneGraph};
+use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Quantified, Situation, Term};
+use vc_graph::{NodeId, SceneGraph, State};
 
-use super::gate::{Gate, Kind, Ref, Table};
+use super::gate::Ref;
 use super::table::Numbers;
-use super::{Atom, CompileError, Program};
+use super::{Atom, CompileError, Program, Shape};
 
 /// The things a goal can be about.
 pub trait Things {
@@ -17,6 +17,9 @@ pub trait Things {
 
     /// Who `me` is.
     fn agent(&self) -> NodeId;
+
+    /// Whether there is such a thing.
+    fn has(&self, id: NodeId) -> bool;
 }
 
 impl Things for Situation<'_> {
@@ -27,6 +30,10 @@ impl Things for Situation<'_> {
     fn agent(&self) -> NodeId {
         self.agent
     }
+
+    fn has(&self, id: NodeId) -> bool {
+        self.graph.node(id).is_some()
+    }
 }
 
 fn each_of(graph: &SceneGraph, class: Option<&str>, things: &mut Vec<NodeId>) {
@@ -36,16 +43,23 @@ fn each_of(graph: &SceneGraph, class: Option<&str>, things: &mut Vec<NodeId>) {
     }
 }
 
-/// Most atoms, gates and inputs of a program.
+/// Most parts of a goal, each counted for every choice of things.
 const LARGEST: usize = 1 << 24;
 
 /// A compiler: it keeps its memory from one goal to the next.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Compiler {
+    largest: usize,
     atoms: Numbers,
-    gates: Numbers,
-    stack: Vec<Ref>,
-    pool: Vec<NodeId>,
+    pub(super) gates: Numbers,
+    pub(super) stack: Vec<Ref>,
+    pub(super) pool: Vec<NodeId>,
+}
+
+impl Default for Compiler {
+    fn default() -> Self {
+        Self::limited(LARGEST)
+    }
 }
 
 impl Compiler {
@@ -54,25 +68,34 @@ impl Compiler {
         Self::default()
     }
 
-    /// Compiles a goal for the things there are. Costs a look at each choice of
-    /// things for the variables around each literal.
+    /// A compiler that gives up on goals of more parts than this, each counted for
+    /// every choice of things; the usual limit is 16,777,216.
+    pub fn limited(largest: usize) -> Self {
+        let (atoms, gates) = (Numbers::default(), Numbers::default());
+        Self { largest, atoms, gates, stack: Vec::new(), pool: Vec::new() }
+    }
+
+    /// Compiles a goal for the things there are; its conjuncts are the program's
+    /// heads. Costs a look at each choice of things for the variables around each
+    /// literal.
     ///
     /// # Errors
     /// [`CompileError`]: the goal is about time, or there are too many choices.
     pub fn compile(&mut self, goal: &Goal, things: &impl Things) -> Result<Program, CompileError> {
-        self.atoms.clear();
-        self.gates.clear();
-        self.stack.clear();
-        self.pool.clear();
-        let mut ground =
-            Ground { memory: self, things, program: Program::default(), bound: Vec::new(), ranges: Vec::new() };
-        for part in goal.conjuncts() {
-            let head = ground.goal(part)?;
-            ground.program.heads.push(head);
+        self.compile_all(goal.conjuncts(), things)
+    }
+
+    /// Compiles goals that are to hold together, each a head of the program.
+    ///
+    /// # Errors
+    /// As [`Compiler::compile`].
+    pub fn compile_all(&mut self, goals: &[Goal], things: &impl Things) -> Result<Program, CompileError> {
+        let mut ground = Ground::new(self, things);
+        for goal in goals {
+            let head = ground.goal(goal)?;
+            ground.add_head(head);
         }
-        let mut program = ground.finish()?;
-        program.settle();
-        Ok(program)
+        ground.finish()
     }
 }
 
@@ -87,17 +110,43 @@ struct Bound<'g> {
     used: Cell<bool>,
 }
 
-struct Ground<'a, 'g, T> {
-    memory: &'a mut Compiler,
+pub(super) struct Ground<'a, 'g, T> {
+    pub(super) memory: &'a mut Compiler,
     things: &'a T,
-    program: Program,
+    pub(super) program: Program,
     bound: Vec<Bound<'g>>,
     /// Classes that have been looked up, and where in the pool their things are.
     ranges: Vec<(Option<&'g str>, Choices)>,
+    /// How many parts may still be looked at.
+    left: usize,
 }
 
-impl<'g, T: Things> Ground<'_, 'g, T> {
-    fn goal(&mut self, goal: &'g Goal) -> Result<Ref, CompileError> {
+impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
+    pub(super) fn new(memory: &'a mut Compiler, things: &'a T) -> Self {
+        memory.atoms.clear();
+        memory.gates.clear();
+        memory.stack.clear();
+        memory.pool.clear();
+        let left = memory.largest;
+        Self { memory, things, program: Program::default(), bound: Vec::new(), ranges: Vec::new(), left }
+    }
+
+    /// One more part that is to hold, and its number.
+    pub(super) fn add_head(&mut self, head: Ref) -> usize {
+        self.program.heads.push(head);
+        self.program.heads.len() - 1
+    }
+
+    pub(super) fn finish(mut self) -> Result<Program, CompileError> {
+        let start = self.memory.stack.len();
+        self.memory.stack.extend_from_slice(&self.program.heads);
+        self.program.root = self.all(start)?;
+        self.program.shape = Shape::of(&self.program);
+        Ok(self.program)
+    }
+
+    pub(super) fn goal(&mut self, goal: &'g Goal) -> Result<Ref, CompileError> {
+        self.look()?;
         match goal {
             Goal::Literal(literal) => self.literal(literal, Comparison::AtLeast, 1),
             Goal::Count { literal, comparison, number } => self.literal(literal, *comparison, *number),
@@ -124,6 +173,13 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
         }
     }
 
+    /// One more part is looked at.
+    pub(super) fn look(&mut self) -> Result<(), CompileError> {
+        let left = self.left.checked_sub(1);
+        self.left = left.ok_or(CompileError::TooLarge(self.memory.largest))?;
+        Ok(())
+    }
+
     fn list(
         &mut self,
         parts: &'g [Goal],
@@ -145,6 +201,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
         let start = self.memory.stack.len();
         let mut every = None;
         for at in self.range(q.class.as_deref()) {
+            self.look()?;
             let input = match every {
                 Some(input) => input,
                 None => {
@@ -161,7 +218,12 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
     }
 
     /// What comes out with a variable bound, and whether it was asked for.
-    fn with<R>(&mut self, variable: &'g str, thing: NodeId, ground: impl FnOnce(&mut Self) -> R) -> (R, bool) {
+    pub(super) fn with<R>(
+        &mut self,
+        variable: &'g str,
+        thing: NodeId,
+        ground: impl FnOnce(&mut Self) -> R,
+    ) -> (R, bool) {
         self.bound.push(Bound { variable, thing, used: Cell::new(false) });
         let result = ground(self);
         let used = self.bound.pop().is_some_and(|b| b.used.get());
@@ -169,7 +231,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
     }
 
     /// Where the things of a class are in the pool.
-    fn range(&mut self, class: Option<&'g str>) -> Choices {
+    pub(super) fn range(&mut self, class: Option<&'g str>) -> Choices {
         if let Some((_, range)) = self.ranges.iter().find(|(known, _)| *known == class) {
             return range.clone();
         }
@@ -178,6 +240,12 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
         let range = start..self.memory.pool.len();
         self.ranges.push((class, range.clone()));
         range
+    }
+
+    /// The things of a class.
+    pub(super) fn things_of(&mut self, class: Option<&'g str>) -> Vec<NodeId> {
+        let range = self.range(class);
+        self.memory.pool[range].to_vec()
     }
 
     /// The thing a term stands for, if it is one thing.
@@ -262,129 +330,23 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
     }
 
     fn atom(&mut self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Result<Ref, CompileError> {
+        self.look()?;
+        // What is real is there, and not still to come.
+        if predicate == Predicate::Real {
+            let there = things[0].is_some_and(|id| self.things.has(id));
+            return Ok(if there { !self.numbered(Predicate::State(State::Future), things) } else { Ref::FALSE });
+        }
+        Ok(self.numbered(predicate, things))
+    }
+
+    fn numbered(&mut self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Ref {
         let atom = Atom { predicate, things };
         let atoms = &mut self.program.atoms;
         let next = atoms.len();
         let number = self.memory.atoms.number(atom.key(), next, |n| atoms[n] == atom, |n| atoms[n].key());
         if number == next {
             atoms.push(atom);
-            self.check_size()?;
         }
-        Ok(Ref::atom(number))
-    }
-}
-
-/// Gates.
-impl<'g, T: Things> Ground<'_, 'g, T> {
-    fn check_size(&self) -> Result<(), CompileError> {
-        let size = self.program.atoms.len().max(self.program.inputs.len()).max(self.memory.pool.len());
-        if size > LARGEST { Err(CompileError::TooLarge(LARGEST)) } else { Ok(()) }
-    }
-
-    fn all(&mut self, start: usize) -> Result<Ref, CompileError> {
-        let number = self.memory.stack.len() - start;
-        self.count(start, Comparison::AtLeast, number as u32)
-    }
-
-    /// A gate over the inputs on the stack from `start` on, which it takes off.
-    fn count(&mut self, start: usize, comparison: Comparison, number: u32) -> Result<Ref, CompileError> {
-        let stack = &mut self.memory.stack;
-        let sure = stack[start..].iter().filter(|&&r| r == Ref::TRUE).count() as u32;
-        let mut kept = start;
-        for at in start..stack.len() {
-            if !stack[at].is_constant() {
-                stack[kept] = stack[at];
-                kept += 1;
-            }
-        }
-        stack.truncate(kept);
-        let open = (kept - start) as u32;
-        let at_least = |g: &mut Self, k: u32| match k.saturating_sub(sure) {
-            0 => Ok(Ref::TRUE),
-            k if k > open => Ok(Ref::FALSE),
-            1 if open == 1 => Ok(g.memory.stack[start]),
-            k if k == open => g.gate(start, Kind::All),
-            1 => g.gate(start, Kind::Any),
-            k => g.gate(start, Kind::AtLeast(k)),
-        };
-        let result = match comparison {
-            Comparison::AtLeast => at_least(self, number),
-            Comparison::AtMost => at_least(self, number.saturating_add(1)).map(|r| !r),
-            Comparison::Exactly if number < sure || number - sure > open => Ok(Ref::FALSE),
-            Comparison::Exactly if number == sure => at_least(self, number.saturating_add(1)).map(|r| !r),
-            Comparison::Exactly if number - sure == open => at_least(self, number),
-            Comparison::Exactly => self.gate(start, Kind::Exactly(number - sure)),
-        };
-        self.memory.stack.truncate(start);
-        result
-    }
-
-    /// The gate with the inputs on the stack from `start` on; one that is there
-    /// already serves again.
-    fn gate(&mut self, start: usize, kind: Kind) -> Result<Ref, CompileError> {
-        let inputs = &self.memory.stack[start..];
-        let Program { gates, inputs: all, .. } = &mut self.program;
-        let next = gates.len();
-        let of = |n: usize| &all[Gate::inputs(gates[n])];
-        let same = |n: usize| gates[n].kind == kind && of(n) == inputs;
-        let number =
-            self.memory.gates.number(kind.key(inputs), next, same, |n| gates[n].kind.key(&all[Gate::inputs(gates[n])]));
-        if number == next {
-            let from = all.len() as u32;
-            all.extend_from_slice(inputs);
-            gates.push(Gate { kind, start: from, end: all.len() as u32 });
-            self.check_size()?;
-        }
-        Ok(Ref::gate(number))
-    }
-
-    fn pairs(&mut self, pairs: &'g Pairs) -> Result<Ref, CompileError> {
-        let start = self.memory.stack.len();
-        let range = |g: &mut Self, v: &'g Variable| g.range(v.class.as_deref());
-        let (rows, columns) = (range(self, &pairs.first), range(self, &pairs.second));
-        for row in rows.clone() {
-            for column in columns.clone() {
-                let (a, b) = (self.memory.pool[row], self.memory.pool[column]);
-                let input = match a == b {
-                    true => Ref::FALSE,
-                    false => {
-                        let second = &pairs.second.name;
-                        self.with(&pairs.first.name, a, |g| g.with(second, b, |g| g.goal(&pairs.body)).0).0?
-                    }
-                };
-                self.memory.stack.push(input);
-            }
-        }
-        let table = Table { rows: rows.len() as u32, columns: columns.len() as u32, need: 0, pairing: pairs.pairing };
-        let result = self.enough(start, table, pairs.number);
-        self.memory.stack.truncate(start);
-        result
-    }
-
-    fn enough(&mut self, start: usize, table: Table, number: Option<(Comparison, u32)>) -> Result<Ref, CompileError> {
-        let most = table.rows.min(table.columns);
-        let at_least = |g: &mut Self, need: u32| match need {
-            0 => Ok(Ref::TRUE),
-            need if need > most => Ok(Ref::FALSE),
-            need => g.gate(start, Kind::Pairs(Table { need, ..table })),
-        };
-        match number {
-            None => at_least(self, most),
-            Some((Comparison::AtLeast, number)) => at_least(self, number),
-            Some((Comparison::AtMost, number)) => at_least(self, number.saturating_add(1)).map(|r| !r),
-            Some((Comparison::Exactly, number)) => {
-                let both = [at_least(self, number)?, !at_least(self, number.saturating_add(1))?];
-                self.memory.stack.truncate(start);
-                self.memory.stack.extend(both);
-                self.all(start)
-            }
-        }
-    }
-
-    fn finish(mut self) -> Result<Program, CompileError> {
-        let start = self.memory.stack.len();
-        self.memory.stack.extend_from_slice(&self.program.heads);
-        self.program.root = self.all(start)?;
-        Ok(self.program)
+        Ref::atom(number)
     }
 }

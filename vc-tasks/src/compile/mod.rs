@@ -9,6 +9,7 @@
 //! The truth of a program is a function of [`Bits`], one for each atom. They are
 //! read from a scene by [`Program::read`]; a [`Tracker`] keeps them, and the verdict,
 //! up to date as the scene changes; [`Known`] says of some that they are not known.
+//! A goal about time is followed by a [`Monitor`].
 //!
 //! ```
 //! use vc_graph::goal::Situation;
@@ -30,9 +31,13 @@
 //! ```
 
 mod atom;
+mod build;
+mod course;
 mod gate;
 mod ground;
+mod monitor;
 mod scene;
+mod shape;
 mod table;
 mod three;
 mod track;
@@ -40,6 +45,9 @@ mod track;
 pub use atom::{Atom, Bits};
 pub(crate) use gate::{Gate, Kind, Ref, Table};
 pub use ground::{Compiler, Things};
+pub use monitor::Monitor;
+use shape::Shape;
+pub(crate) use three::counts;
 pub use three::{Known, Verdict};
 pub use track::{Stale, Tracker};
 
@@ -50,7 +58,7 @@ use vc_graph::Goal;
 #[non_exhaustive]
 pub enum CompileError {
     /// Its truth depends on what was so before, not on one state.
-    #[error("`{0}` is about several steps; judge it on a trace (`Goal::holds_on`)")]
+    #[error("`{0}` is about several steps; follow it with a `Monitor`")]
     Temporal(String),
     /// Its variables range over too much.
     #[error("with these things the goal has more than {0} parts; let its variables range over smaller classes")]
@@ -66,8 +74,7 @@ pub struct Program {
     /// The goal's conjuncts.
     heads: Vec<Ref>,
     root: Ref,
-    /// Whether some atom is wanted in one place and unwanted in another.
-    mixed: bool,
+    shape: Shape,
 }
 
 impl Default for Program {
@@ -78,7 +85,7 @@ impl Default for Program {
             inputs: Vec::new(),
             heads: Vec::new(),
             root: Ref::TRUE,
-            mixed: false,
+            shape: Shape::default(),
         }
     }
 }
@@ -112,6 +119,17 @@ impl Program {
         Bits::none(self.atoms.len())
     }
 
+    /// Those of its atoms that are among these are true, and no others.
+    pub fn having(&self, atoms: &[Atom]) -> Bits {
+        let mut sorted = atoms.to_vec();
+        sorted.sort_unstable();
+        let mut bits = self.bits();
+        for (index, atom) in self.atoms.iter().enumerate() {
+            bits.set(index, sorted.binary_search(atom).is_ok());
+        }
+        bits
+    }
+
     /// Whether the goal holds when these atoms are true.
     pub fn holds(&self, bits: &Bits) -> bool {
         self.value(bits, self.root)
@@ -120,6 +138,13 @@ impl Program {
     /// Whether a conjunct, counted from zero, holds; `false` if there is no such.
     pub fn head_holds(&self, bits: &Bits, head: usize) -> bool {
         self.heads.get(head).is_some_and(|&r| self.value(bits, r))
+    }
+
+    /// Which conjuncts hold.
+    fn heads_in(&self, bits: &Bits) -> Bits {
+        let mut heads = Bits::none(self.heads.len());
+        (0..self.heads.len()).for_each(|head| heads.set(head, self.head_holds(bits, head)));
+        heads
     }
 
     pub(crate) fn root(&self) -> Ref {
@@ -138,8 +163,8 @@ impl Program {
         &self.inputs[gate.inputs()]
     }
 
-    pub(crate) fn is_mixed(&self) -> bool {
-        self.mixed
+    pub(crate) fn shape(&self) -> &Shape {
+        &self.shape
     }
 
     #[inline]
@@ -149,44 +174,46 @@ impl Program {
         } else if of.is_constant() {
             true
         } else {
-            self.gate_value(bits, self.gates[of.index()])
+            self.gate_value(bits, &self.gates[of.index()])
         };
         value != of.is_negated()
     }
 
-    /// Looks at no more inputs than it takes to know.
-    fn gate_value(&self, bits: &Bits, gate: Gate) -> bool {
-        let inputs = self.inputs(gate);
+    /// Looks at no more inputs than it takes to know, and at atoms all at once.
+    fn gate_value(&self, bits: &Bits, gate: &Gate) -> bool {
+        if gate.mask.care != 0 {
+            let found = gate.mask.read(bits);
+            return match gate.kind {
+                Kind::All => found == gate.mask.care,
+                Kind::Any => found != 0,
+                Kind::AtLeast(k) => found.count_ones() >= k,
+                Kind::Exactly(k) => found.count_ones() == k,
+                Kind::Pairs(_) => false,
+            };
+        }
+        let inputs = self.inputs(*gate);
+        let mut each = self.each(bits, inputs);
         match gate.kind {
-            Kind::All => inputs.iter().all(|&r| self.value(bits, r)),
-            Kind::Any => inputs.iter().any(|&r| self.value(bits, r)),
-            Kind::AtLeast(k) => inputs.iter().filter(|&&r| self.value(bits, r)).nth(k as usize - 1).is_some(),
+            Kind::All => each.all(|value| value),
+            Kind::Any => each.any(|value| value),
+            Kind::AtLeast(k) => each.filter(|value| *value).nth(k as usize - 1).is_some(),
             Kind::Exactly(k) => {
-                let mut found = inputs.iter().filter(|&&r| self.value(bits, r));
+                let mut found = each.filter(|value| *value);
                 found.nth(k as usize - 1).is_some() && found.next().is_none()
             }
             Kind::Pairs(table) => table.is_met(|cell| self.value(bits, inputs[cell])),
         }
     }
 
-    /// Finds out whether some atom is wanted both true and false.
-    fn settle(&mut self) {
-        let mut atoms = vec![0_u8; self.atoms.len()];
-        let mut gates = vec![0_u8; self.gates.len()];
-        let mut use_as = |r: Ref, sides: u8, gates: &mut [u8]| {
-            let sides = if r.is_negated() { ((sides << 1) & 2) | (sides >> 1) } else { sides };
-            if r.is_atom() {
-                atoms[r.index()] |= sides;
-            } else if !r.is_constant() {
-                gates[r.index()] |= sides;
+    /// What is the same for all things stands there once for each: it is looked at
+    /// once.
+    fn each(&self, bits: &Bits, inputs: &[Ref]) -> impl Iterator<Item = bool> {
+        let mut last = (Ref::TRUE, true);
+        inputs.iter().map(move |&r| {
+            if r != last.0 {
+                last = (r, self.value(bits, r));
             }
-        };
-        use_as(self.root, 1, &mut gates);
-        for (index, gate) in self.gates.iter().enumerate().rev() {
-            let both = matches!(gate.kind, Kind::Exactly(_)) && gates[index] != 0;
-            let sides = if both { 3 } else { gates[index] };
-            self.inputs(*gate).iter().for_each(|&r| use_as(r, sides, &mut gates));
-        }
-        self.mixed = atoms.contains(&3);
+            last.1
+        })
     }
 }

@@ -20,8 +20,7 @@ impl Program {
     pub fn read_seen(&self, now: &Situation<'_>, seen: &Observation) -> Known {
         let mut known = Known::nothing(self);
         for (index, atom) in self.atoms().iter().enumerate() {
-            let done = matches!(atom.predicate, Predicate::Did(_));
-            if done || atom.things.iter().flatten().all(|&id| seen.sees(id)) {
+            if atom.is_deed() || atom.things.iter().flatten().all(|&id| seen.sees(id)) {
                 known.learn(index, now.holds(atom.predicate, atom.things));
             }
         }

@@ -20,7 +20,7 @@ impl Verdict {
         if value { Self::True } else { Self::False }
     }
 
-    fn negated_if(self, negate: bool) -> Self {
+    pub(crate) fn negated_if(self, negate: bool) -> Self {
         match self {
             Self::True if negate => Self::False,
             Self::False if negate => Self::True,
@@ -30,6 +30,27 @@ impl Verdict {
 }
 
 /// The atoms known to be true and those known to be false.
+///
+/// ```
+/// use vc_graph::goal::Situation;
+/// use vc_graph::{Draft, History, SceneBuilder};
+/// use vc_tasks::compile::{Known, Program, Verdict};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// scene.add_in(kitchen, Draft::new("cup"))?;
+/// scene.add_in(kitchen, Draft::new("cup"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let (graph, history) = (scene.build(), History::default());
+/// let now = Situation::new(&graph, me, &history);
+///
+/// let program = Program::new(&"exactly 1 ?c: cup. Dirty(?c)".parse()?, &now)?;
+/// let mut known = Known::nothing(&program);
+/// known.learn(0, true);
+/// assert_eq!(program.verdict(&known), Verdict::Unknown);
+/// known.learn(1, true);
+/// assert_eq!(program.verdict(&known), Verdict::False);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Known {
     known: Bits,
@@ -75,25 +96,20 @@ impl Program {
     }
 
     fn gate_seen(&self, known: &Known, gate: Gate) -> Verdict {
-        let inputs = self.inputs(gate);
-        if let Kind::Pairs(table) = gate.kind {
-            let most = table.is_met(|cell| self.seen(known, inputs[cell]) != Verdict::False);
-            let least = most && table.is_met(|cell| self.seen(known, inputs[cell]) == Verdict::True);
+        gate.verdict(self.inputs(gate), |r| self.seen(known, r))
+    }
+}
+
+impl Gate {
+    /// What is known of a gate, given what is known of its inputs.
+    pub(crate) fn verdict(self, inputs: &[Ref], seen: impl Fn(Ref) -> Verdict) -> Verdict {
+        if let Kind::Pairs(table) = self.kind {
+            let most = table.is_met(|cell| seen(inputs[cell]) != Verdict::False);
+            let least = most && table.is_met(|cell| seen(inputs[cell]) == Verdict::True);
             return if most == least { Verdict::of(least) } else { Verdict::Unknown };
         }
-        let (mut least, mut most) = (0, 0);
-        for &input in inputs {
-            let verdict = self.seen(known, input);
-            least += usize::from(verdict == Verdict::True);
-            most += usize::from(verdict != Verdict::False);
-        }
-        let (low, high) = match gate.kind {
-            Kind::All => (inputs.len(), inputs.len()),
-            Kind::Any => (1, inputs.len()),
-            Kind::AtLeast(k) => (k as usize, inputs.len()),
-            Kind::Exactly(k) => (k as usize, k as usize),
-            Kind::Pairs(_) => (0, 0),
-        };
+        let (least, most) = counts(inputs, seen);
+        let (low, high) = self.bounds();
         if low <= least && most <= high {
             Verdict::True
         } else if most < low || least > high {
@@ -102,4 +118,27 @@ impl Program {
             Verdict::Unknown
         }
     }
+
+    /// The fewest and the most true inputs with which it is true; of a table any.
+    pub(crate) fn bounds(self) -> (usize, usize) {
+        let all = self.inputs().len();
+        match self.kind {
+            Kind::All => (all, all),
+            Kind::Any => (1, all),
+            Kind::AtLeast(k) => (k as usize, all),
+            Kind::Exactly(k) => (k as usize, k as usize),
+            Kind::Pairs(_) => (0, all),
+        }
+    }
+}
+
+/// How many inputs are true, and how many can be. What stands there several times in
+/// a row is looked at once.
+pub(crate) fn counts(inputs: &[Ref], seen: impl Fn(Ref) -> Verdict) -> (usize, usize) {
+    let same = inputs.chunk_by(|a, b| a == b);
+    same.fold((0, 0), |(least, most), same| match seen(same[0]) {
+        Verdict::True => (least + same.len(), most + same.len()),
+        Verdict::Unknown => (least, most + same.len()),
+        Verdict::False => (least, most),
+    })
 }

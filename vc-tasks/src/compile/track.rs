@@ -17,6 +17,28 @@ pub struct Stale(pub NodeId);
 
 /// A goal's verdict, kept while atoms change: a changed atom wakes only the gates it
 /// goes into, and these only those whose truth depends on them.
+///
+/// ```
+/// use std::sync::Arc;
+/// use vc_graph::goal::Situation;
+/// use vc_graph::{Draft, History, SceneBuilder, State};
+/// use vc_tasks::compile::{Program, Tracker};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let (mut graph, history) = (scene.build(), History::default());
+///
+/// let now = Situation::new(&graph, me, &history);
+/// let program = Arc::new(Program::new(&"Open(fridge)".parse()?, &now)?);
+/// let mut tracker = Tracker::in_situation(program, &now);
+/// assert!(!tracker.holds());
+/// let mut edit = graph.edit();
+/// edit.enter_state(fridge, State::Open)?;
+/// let changes = edit.commit();
+/// assert!(tracker.apply(&Situation::new(&graph, me, &history), &changes)?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Tracker {
     program: Arc<Program>,

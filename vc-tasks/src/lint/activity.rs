@@ -2,12 +2,11 @@
 
 use std::collections::{HashMap, HashSet};
 
-use vc_graph::goal::{Literal, Pairing, Term};
+use vc_graph::goal::Pairing;
 
 use super::{Finding, Kind, satisfiability};
-use crate::format::bddl::{self, Activity, Atom, Part, Variable, meaning};
+use crate::format::bddl::{Activity, Atom, Facts, Part, Variable, meaning};
 use crate::format::sexpr::Expr;
-use crate::ground;
 
 /// Everything that is wrong or odd with an activity. Whether its goal can be met is
 /// judged by what it says alone: no geometry and no physics.
@@ -26,26 +25,11 @@ pub fn activity(activity: &Activity) -> Vec<Finding> {
 /// What takes the goal as a whole: whether it can be met, whether it is already.
 fn judged(activity: &Activity) -> Vec<Finding> {
     // What is not declared has been found already.
-    let (Ok(heads), Ok(facts)) = (activity.to_heads(Pairing::Matching), activity.to_facts()) else {
-        return Vec::new();
-    };
-    let Some(formula) = ground::formula(&heads, &bddl::Universe::of(activity)) else { return Vec::new() };
-    let unmet = satisfiability(&formula, activity.name());
-    let positive = facts.into_iter().filter(|(_, holds)| *holds).map(|(literal, _)| nameless(literal));
-    let start: HashSet<Literal> = positive.collect();
-    let done = formula.heads(|atom| start.contains(atom)).into_iter().all(|head| head);
+    let Ok(facts) = Facts::of(activity, Pairing::Matching) else { return Vec::new() };
+    let unmet = satisfiability(facts.program(), activity.name());
+    let done = facts.start(activity).is_ok_and(|start| facts.program().holds(&start));
     let done = done.then(|| Finding { kind: Kind::TrueAtStart, at: None, part: activity.name().to_owned() });
     unmet.into_iter().chain(done).collect()
-}
-
-/// A literal whose nodes go without the names of their classes.
-fn nameless(mut literal: Literal) -> Literal {
-    for term in &mut literal.terms {
-        if let Term::Node(class, _) = term {
-            *class = None;
-        }
-    }
-    literal
 }
 
 /// What is known of the names, and what was found.

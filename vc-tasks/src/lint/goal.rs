@@ -6,8 +6,8 @@ use vc_graph::goal::{Goal, Literal, Predicate, Situation, Term};
 use vc_graph::rule::table::RULES;
 use vc_graph::{Effect, History, NodeId, Relation, SceneGraph, State};
 
-use super::{Finding, Kind, satisfiability};
-use crate::ground::{self, Things};
+use super::{Finding, Kind, LARGEST, satisfiability};
+use crate::compile::{CompileError, Compiler, Program, Things};
 
 /// Everything that is wrong or odd with a goal. A scene tells which things there
 /// are: without one, things of a class are taken to be as many as it takes, and
@@ -15,11 +15,8 @@ use crate::ground::{self, Things};
 pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     let mut found = Vec::new();
     look(goal, &mut Vec::new(), Some(true), &mut found);
-    let formula = match scene {
-        Some(graph) => ground::formula(std::slice::from_ref(goal), &InScene(graph)),
-        None => ground::formula(std::slice::from_ref(goal), &Unknown),
-    };
-    found.extend(formula.and_then(|f| satisfiability(&f, &goal.to_string())));
+    let program = compiled(goal, scene);
+    found.extend(program.and_then(|p| satisfiability(&p, &goal.to_string())));
     if let Some((graph, agent)) = scene.and_then(|g| Some((g, *g.agents().first()?))) {
         let history = History::default();
         if goal.holds(&Situation::new(graph, agent, &history)) {
@@ -29,24 +26,45 @@ pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     found
 }
 
-/// The things of a scene.
-struct InScene<'a>(&'a SceneGraph);
-
-impl Things for InScene<'_> {
-    fn of_class(&self, class: Option<&str>) -> Option<Vec<NodeId>> {
-        Some(match class {
-            Some(class) => self.0.of_class(class),
-            None => self.0.nodes().map(vc_graph::Node::id).collect(),
-        })
-    }
+/// The goal for the things of a scene; without one, if it is about given things.
+fn compiled(goal: &Goal, scene: Option<&SceneGraph>) -> Option<Program> {
+    let mut compiler = Compiler::limited(LARGEST);
+    let program: Result<Program, CompileError> = match scene {
+        Some(graph) => {
+            let agent = graph.agents().first().copied().unwrap_or(NOBODY);
+            compiler.compile(goal, &Situation::new(graph, agent, &History::default()))
+        }
+        None if ranges(goal) => return None,
+        None => compiler.compile(goal, &Given),
+    };
+    program.ok()
 }
 
-/// Nothing is known of what there is.
-struct Unknown;
+/// Who `me` is where nobody is known.
+const NOBODY: NodeId = NodeId(u32::MAX);
 
-impl Things for Unknown {
-    fn of_class(&self, _class: Option<&str>) -> Option<Vec<NodeId>> {
-        None
+/// Whether a goal ranges over things that only a scene can tell.
+fn ranges(goal: &Goal) -> bool {
+    let here = match goal {
+        Goal::ForAll(_) | Goal::Exists(_) | Goal::ForN { .. } | Goal::ForPairs(_) => true,
+        Goal::Literal(literal) | Goal::Count { literal, .. } => literal.counted().is_some(),
+        _ => false,
+    };
+    here || goal.parts().into_iter().any(ranges)
+}
+
+/// The things that a goal names are there, and of others nothing is known.
+struct Given;
+
+impl Things for Given {
+    fn each(&self, _class: Option<&str>, _things: &mut Vec<NodeId>) {}
+
+    fn agent(&self) -> NodeId {
+        NOBODY
+    }
+
+    fn has(&self, _id: NodeId) -> bool {
+        true
     }
 }
 

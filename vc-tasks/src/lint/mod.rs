@@ -16,13 +16,14 @@
 
 mod activity;
 mod goal;
+mod satisfy;
 
 use std::fmt;
 
 pub use activity::activity;
 pub use goal::{brought_about, goal};
 
-use crate::ground::{self, Formula};
+use crate::compile::{Program, Verdict};
 
 /// What is wrong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -55,14 +56,14 @@ pub enum Kind {
     /// A remark: the goal has further conditions, which the reference
     /// implementation does not read.
     SecondCondition,
-    /// A remark: whether the goal can be met was not found out.
+    /// Whether the goal can be met was not found out.
     Undecided,
 }
 
 impl Kind {
     /// Whether it is no fault but worth a look.
     pub fn is_remark(self) -> bool {
-        matches!(self, Self::UnusedInPair | Self::HiddenVariable | Self::SecondCondition | Self::Undecided)
+        matches!(self, Self::UnusedInPair | Self::HiddenVariable | Self::SecondCondition)
     }
 
     /// In a few words.
@@ -81,7 +82,7 @@ impl Kind {
             Self::UnusedInPair => "remark: a variable of a pair never used",
             Self::HiddenVariable => "remark: a variable hides another",
             Self::SecondCondition => "remark: a second condition in the goal",
-            Self::Undecided => "remark: not found out whether it can be met",
+            Self::Undecided => "not found out whether it can be met",
         }
     }
 }
@@ -112,12 +113,16 @@ impl fmt::Display for Finding {
     }
 }
 
-/// Whether a ground formula can be met, as a finding if it cannot.
-fn satisfiability(formula: &Formula, part: &str) -> Option<Finding> {
-    let kind = match ground::satisfiable(formula) {
-        Some(true) => return None,
-        Some(false) => Kind::Unsatisfiable,
-        None => Kind::Undecided,
+/// Most parts of a goal that is looked at as a whole, counted for every choice of
+/// things: BEHAVIOR's largest has some hundred.
+const LARGEST: usize = 100_000;
+
+/// Whether a compiled goal can be met, as a finding if it cannot.
+fn satisfiability(program: &Program, part: &str) -> Option<Finding> {
+    let kind = match satisfy::satisfiable(program) {
+        Verdict::True => return None,
+        Verdict::False => Kind::Unsatisfiable,
+        Verdict::Unknown => Kind::Undecided,
     };
     Some(Finding { kind, at: None, part: part.to_owned() })
 }

@@ -1,6 +1,6 @@
 //! The best so many pairs of a table.
 
-use super::options::{Way, Worth};
+use super::way::{Way, Worth};
 use crate::compile::Table;
 
 /// The cells of the best so many pairs, each row and each column in one at most;
@@ -36,7 +36,7 @@ struct Pairing {
 impl Pairing {
     fn new(table: Table, ways: &[Way], worth: Worth) -> Self {
         let (rows, columns) = (table.rows as usize, table.columns as usize);
-        let values = ways.iter().map(|&way| way.possible.then(|| worth.of(way))).collect();
+        let values = ways.iter().map(|&way| way.possible.then(|| worth.rank(way))).collect();
         Self { rows, columns, values, row_of: vec![None; columns], column_of: vec![None; rows] }
     }
 

@@ -11,8 +11,9 @@
 //! share is found by Dinkelbach's method (Management Science 13, 1967): for a share p/q the
 //! way with the largest q * met - p * conditions is found in one pass over the gates,
 //! since sums, maxima and assignments are all it takes; its own share is the next
-//! p/q, until none is better. Where a goal wants an atom true in one place and false
-//! in another, the pass branches on that atom.
+//! p/q, until none is better. Where the parts of that way contradict each other about
+//! an atom, it is tried true and false (branch and bound, the pass being the bound);
+//! parts that share no such atom are searched apart.
 //!
 //! | score | source |
 //! |---|---|
@@ -23,14 +24,24 @@
 //! | [`percent_complete`] | PARTNR (Chang et al., ICLR 2025) |
 
 mod assign;
-mod options;
+mod pass;
 mod rates;
+mod search;
+mod way;
 
-pub(crate) use options::Options;
-pub use options::{Credit, Scorer};
 pub use rates::{Conditions, percent_complete};
+pub use search::{Credit, Scorer};
 
-use crate::compile::{Bits, Program, Ref};
+use crate::compile::{Bits, Program};
+
+/// Which ways there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Options {
+    /// Those that make the goal true.
+    Sound,
+    /// Those of BDDL's package: "exactly k" leaves the others alone.
+    Bddl,
+}
 
 impl Program {
     /// The share of its conditions that the best way to the goal has met; 1 if and
@@ -68,10 +79,6 @@ impl Program {
     /// The q score: 1 if the goal holds, else the best share of conditions that were
     /// not met at the start and are now.
     pub fn q_score(&self, start: &Bits, now: &Bits) -> f64 {
-        if self.holds(now) {
-            return 1.0;
-        }
-        let gained = |r: Ref| self.value(now, r) && !self.value(start, r);
-        Scorer::new().best(self, Options::Bddl, &gained).value()
+        Scorer::new().q_score(self, start, now)
     }
 }

@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use vc_graph::goal::{Literal, Pairs, Predicate, Quantified, Situation, Term};
-use vc_graph::{ChangeSet, Draft, Edge, Goal, History, NodeId, Relation, SceneBuilder, SceneGraph, State};
+use vc_graph::{ChangeSet, Draft, Edge, Goal, History, NodeId, Relation, SceneBuilder, SceneGraph, State, Verb, Word};
 
 const STATES: [State; 2] = [State::Dusty, State::Stained];
 const RELATIONS: [Relation; 2] = [Relation::Covered, Relation::Draped];
@@ -57,16 +57,66 @@ impl Room {
     }
 }
 
+/// What is done in tests of time: with one thing, and with two.
+const DEEDS: [Verb; 3] = [Verb::Grab, Verb::Eat, Verb::Place];
+
 /// What, of which things.
 pub(crate) type Flip = (u8, u32, u32);
 
+pub(crate) fn flip() -> impl Strategy<Value = Flip> {
+    (0_u8..6, 0_u32..7, 0_u32..7)
+}
+
 pub(crate) fn flips(most: usize) -> impl Strategy<Value = Vec<Flip>> {
-    prop::collection::vec((0_u8..6, 0_u32..7, 0_u32..7), 0..most)
+    prop::collection::vec(flip(), 0..most)
 }
 
 /// Random goals of the crate below, made to speak of such a scene and of no time.
 pub(crate) fn timeless(depth: u32) -> impl Strategy<Value = Goal> {
     crate::shared::goals::goal(0, depth).prop_map(|goal| tamed(&goal))
+}
+
+/// Random goals of the crate below, made to speak of such a scene and of a few deeds.
+pub(crate) fn temporal(depth: u32) -> impl Strategy<Value = Goal> {
+    crate::shared::goals::goal(0, depth).prop_map(|goal| in_time(&goal))
+}
+
+/// The same goal about things and deeds that there are.
+fn in_time(goal: &Goal) -> Goal {
+    let boxed = |g: &Goal| Box::new(in_time(g));
+    let all = |parts: &[Goal]| parts.iter().map(in_time).collect();
+    let quantified = |q: &Quantified| Quantified { body: boxed(&q.body), ..quantified(q) };
+    match goal {
+        Goal::Literal(Literal { predicate: Predicate::Did(verb), terms }) => {
+            let verb = match verb.arity() {
+                1 => DEEDS[verb.index() % 2],
+                2 => DEEDS[2],
+                _ => *verb,
+            };
+            Goal::Literal(Literal { predicate: Predicate::Did(verb), terms: terms.iter().map(term).collect() })
+        }
+        Goal::And(parts) => Goal::And(all(parts)),
+        Goal::Or(parts) => Goal::Or(all(parts)),
+        Goal::Then(parts) => Goal::Then(all(parts)),
+        Goal::Not(part) => Goal::Not(boxed(part)),
+        Goal::Imply(a, b) => Goal::Imply(boxed(a), boxed(b)),
+        Goal::ForAll(q) => Goal::ForAll(quantified(q)),
+        Goal::Exists(q) => Goal::Exists(quantified(q)),
+        Goal::ForN { comparison, number, of } => {
+            Goal::ForN { comparison: *comparison, number: *number, of: quantified(of) }
+        }
+        Goal::ForPairs(pairs) => match tamed(goal) {
+            Goal::ForPairs(tamed) => Goal::ForPairs(Pairs { body: boxed(&pairs.body), ..tamed }),
+            other => other,
+        },
+        Goal::Eventually(part) => Goal::Eventually(boxed(part)),
+        Goal::Always(part) => Goal::Always(boxed(part)),
+        Goal::Within(steps, part) => Goal::Within(steps % 8, boxed(part)),
+        Goal::AtEnd(part) => Goal::AtEnd(boxed(part)),
+        Goal::Until(a, b) => Goal::Until(boxed(a), boxed(b)),
+        Goal::Before(a, b) => Goal::Before(boxed(a), boxed(b)),
+        other => tamed(other),
+    }
 }
 
 fn tamed(goal: &Goal) -> Goal {
@@ -116,7 +166,6 @@ fn term(term: &Term) -> Term {
 }
 
 fn literal(literal: &Literal) -> Literal {
-    use vc_graph::Word;
     let predicate = match literal.predicate {
         Predicate::State(state) => Predicate::State(STATES[state.index() % 2]),
         Predicate::Relation(relation) => Predicate::Relation(RELATIONS[relation.index() % 2]),

@@ -58,7 +58,7 @@ impl<'t> Atom<'t> {
     pub(super) fn of(at: Expr<'t>) -> Result<Self, ReadError> {
         let mut items = at.items();
         let predicate = items.next().and_then(Expr::word).ok_or_else(|| at.error("a predicate of things"))?;
-        if KEYWORDS.contains(&predicate) {
+        if is_keyword(predicate) {
             return Err(at.error("a predicate of things"));
         }
         let thing = |item: Expr<'t>| {
@@ -90,8 +90,10 @@ impl<'t> Variable<'t> {
     }
 }
 
-/// The words that make conditions of conditions.
-const KEYWORDS: [&str; 9] = ["and", "or", "not", "imply", "forall", "exists", "forn", "forpairs", "fornpairs"];
+/// Whether a word makes conditions of conditions.
+fn is_keyword(word: &str) -> bool {
+    matches!(word, "and" | "or" | "not" | "imply" | "forall" | "exists" | "forn" | "forpairs" | "fornpairs")
+}
 
 impl<'t> Part<'t> {
     /// Takes one level of a condition apart.
@@ -103,7 +105,7 @@ impl<'t> Part<'t> {
         let Some(head) = rest.next().and_then(Expr::word) else {
             return Err(at.error("a condition"));
         };
-        if !KEYWORDS.contains(&head) {
+        if !is_keyword(head) {
             return Atom::of(at).map(Self::Atom);
         }
         let all = rest.clone();

@@ -1,63 +1,83 @@
 //! The ground facts an activity's goal is about.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use vc_graph::NodeId;
 use vc_graph::goal::{Literal, Pairing, Term};
 
 use super::Activity;
 use super::predicate::word;
+use crate::compile::{Atom, Bits, Compiler, Program, Things};
 use crate::format::ReadError;
-use crate::ground::{self, Formula, Things};
 
-/// The declared objects by class.
-pub(crate) struct Universe<'t>(HashMap<&'t str, Vec<NodeId>>);
+/// Most parts of a goal, counted for every choice of objects: BEHAVIOR's largest has
+/// some hundred.
+const LARGEST: usize = 100_000;
 
-impl<'t> Universe<'t> {
-    pub(crate) fn of(activity: &'t Activity) -> Self {
+/// The declared objects of an activity, for goals to range over: the first that is
+/// declared is node 1, the next one 2.
+#[derive(Debug, Clone)]
+pub struct Objects<'t> {
+    classes: HashMap<&'t str, Vec<NodeId>>,
+    all: Vec<NodeId>,
+}
+
+impl<'t> Objects<'t> {
+    /// Those of an activity; one that is declared again is there once.
+    pub fn of(activity: &'t Activity) -> Self {
         let mut classes: HashMap<&str, Vec<NodeId>> = HashMap::new();
-        let mut seen = HashSet::new();
+        let mut all = Vec::with_capacity(activity.objects.len());
+        let mut seen = std::collections::HashSet::with_capacity(activity.objects.len());
         for (object, id) in activity.objects().zip(1..) {
             if seen.insert(object.name) {
                 classes.entry(object.class).or_default().push(NodeId(id));
+                all.push(NodeId(id));
             }
         }
-        Self(classes)
+        Self { classes, all }
     }
 }
 
-impl Things for Universe<'_> {
-    fn of_class(&self, class: Option<&str>) -> Option<Vec<NodeId>> {
-        Some(match class {
-            Some(class) => self.0.get(class).cloned().unwrap_or_default(),
-            None => {
-                let mut all: Vec<NodeId> = self.0.values().flatten().copied().collect();
-                all.sort_unstable();
-                all
-            }
-        })
+impl Things for Objects<'_> {
+    fn each(&self, class: Option<&str>, things: &mut Vec<NodeId>) {
+        match class {
+            Some(class) => things.extend(self.classes.get(class).into_iter().flatten()),
+            None => things.extend(&self.all),
+        }
+    }
+
+    /// An activity does not name its agent.
+    fn agent(&self) -> NodeId {
+        NodeId(0)
+    }
+
+    fn has(&self, id: NodeId) -> bool {
+        self.all.binary_search(&id).is_ok()
     }
 }
 
 /// An activity's goal over the ground facts that matter for it: judges any set of
-/// facts, whether a scene could be so or not.
+/// facts, whether a scene could be so or not. It is a [`Program`] whose heads are the
+/// activity's, and whose atoms have the names that the activity gives them.
 ///
 /// ```
 /// use vc_graph::goal::Pairing;
 /// use vc_tasks::format::bddl::{Activity, Facts};
-/// let text = "(define (problem p) (:objects a b - cup t - table)
+/// let text = "(define (problem p) (:objects a b - cup t - table) (:init (broken b))
 ///     (:goal (and (ontop ?a ?t) (forall (?c - cup) (not (broken ?c))))))";
-/// let facts = Facts::of(&Activity::read(text)?, Pairing::Matching)?;
+/// let activity = Activity::read(text)?;
+/// let facts = Facts::of(&activity, Pairing::Matching)?;
 /// assert_eq!(facts.names(), ["ontop a t", "broken a", "broken b"]);
 /// assert_eq!(facts.heads(|fact| fact == 0), [true, true]);
 /// assert_eq!(facts.heads(|fact| fact == 2), [false, false]);
+/// let start = facts.start(&activity)?;
+/// assert_eq!(facts.program().credit(&start).value(), 1.0 / 3.0);
 /// # Ok::<(), vc_tasks::format::ReadError>(())
 /// ```
 #[derive(Debug)]
 pub struct Facts {
-    formula: Formula,
+    program: Program,
     names: Vec<String>,
-    index: HashMap<Literal, usize>,
 }
 
 impl Facts {
@@ -69,20 +89,16 @@ impl Facts {
     /// of more than 100,000 parts.
     pub fn of(activity: &Activity, pairing: Pairing) -> Result<Self, ReadError> {
         let heads = activity.to_heads(pairing)?;
-        let formula = ground::formula(&heads, &Universe::of(activity));
-        let formula = formula.ok_or_else(|| activity.goal().error("a goal of at most 100,000 parts"))?;
+        let program = Compiler::limited(LARGEST).compile_all(&heads, &Objects::of(activity));
+        let program = program.map_err(|_| activity.goal().error("a goal of at most 100,000 parts"))?;
         let objects: Vec<&str> = activity.objects().map(|o| o.name).collect();
-        let named = |literal: &Literal| {
-            let things = literal.terms.iter().filter_map(|t| match t {
-                Term::Node(_, id) => objects.get((id.0 as usize).checked_sub(1)?).copied(),
-                _ => None,
-            });
-            let words: Vec<&str> = word(literal.predicate).into_iter().chain(things).collect();
-            words.join(" ")
+        let named = |atom: &Atom| {
+            let object = |id: &NodeId| objects.get((id.0 as usize).checked_sub(1)?).copied();
+            let things = atom.things.iter().flatten().filter_map(object);
+            word(atom.predicate).into_iter().chain(things).collect::<Vec<&str>>().join(" ")
         };
-        let names = formula.atoms().map(|(_, literal)| named(literal)).collect();
-        let index = formula.atoms().enumerate().map(|(i, (_, literal))| (literal.clone(), i)).collect();
-        Ok(Self { formula, names, index })
+        let names = program.atoms().iter().map(named).collect();
+        Ok(Self { program, names })
     }
 
     /// The facts, `ontop a t`, in the order in which the goal speaks of them.
@@ -90,8 +106,33 @@ impl Facts {
         &self.names
     }
 
+    /// The goal over these facts: they are its atoms.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+
+    /// Which of the facts hold at the start of the activity.
+    ///
+    /// # Errors
+    /// [`ReadError`] for a predicate or an object that is not known.
+    pub fn start(&self, activity: &Activity) -> Result<Bits, ReadError> {
+        let facts = activity.to_facts()?;
+        let start: Vec<Atom> = facts.iter().filter(|(_, holds)| *holds).map(|(literal, _)| atom(literal)).collect();
+        Ok(self.program.having(&start))
+    }
+
     /// Which parts of the goal are met when these facts hold.
     pub fn heads(&self, holds: impl Fn(usize) -> bool) -> Vec<bool> {
-        self.formula.heads(|literal| self.index.get(literal).is_some_and(|&i| holds(i)))
+        let mut bits = self.program.bits();
+        (0..self.names.len()).for_each(|fact| bits.set(fact, holds(fact)));
+        (0..self.program.heads()).map(|head| self.program.head_holds(&bits, head)).collect()
     }
+}
+
+fn atom(literal: &Literal) -> Atom {
+    let node = |place: usize| match literal.terms.get(place) {
+        Some(Term::Node(_, id)) => Some(*id),
+        _ => None,
+    };
+    Atom { predicate: literal.predicate, things: [node(0), node(1)] }
 }

@@ -242,7 +242,7 @@ fn variable(name: &str, class: Option<&str>) -> Result<String, Unwritable> {
 
 /// A name that reads back as it is.
 fn plain(name: &str) -> Result<&str, Unwritable> {
-    let fits = |c: char| !c.is_ascii_uppercase() && !c.is_ascii_whitespace() && !"();\x0b".contains(c);
+    let fits = |c: char| c > ' ' && !c.is_ascii_uppercase() && !"();".contains(c);
     let fine = !name.is_empty() && name != "-" && !name.starts_with('?') && name.chars().all(fits);
     if fine { Ok(name) } else { Err(Unwritable::new(FORMAT, name, "names have no capitals, spaces and brackets")) }
 }

@@ -29,8 +29,7 @@ use super::ReadError;
 use super::sexpr::{Expr, Tree};
 pub use condition::{Atom, Part, Variable};
 use condition::{check, only};
-pub use facts::Facts;
-pub(crate) use facts::Universe;
+pub use facts::{Facts, Objects};
 pub use goal::condition;
 pub use predicate::{DOMAINS, meaning};
 

@@ -14,6 +14,14 @@ pub(super) struct Way {
     pub(super) facts: Vec<Atom>,
 }
 
+impl Way {
+    /// The objects it names.
+    pub(super) fn named(&self) -> impl Iterator<Item = &str> {
+        let arguments = self.facts.iter().flat_map(|fact| &fact.arguments);
+        arguments.map(String::as_str).filter(|argument| !argument.starts_with('?'))
+    }
+}
+
 /// Most ways a goal may have.
 const MOST: usize = 1000;
 

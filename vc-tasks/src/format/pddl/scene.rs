@@ -64,8 +64,20 @@ pub fn planning(graph: &SceneGraph, agent: NodeId, goal: &Goal, keep: Keep) -> R
     };
     let scene = Scene { graph, agent, nodes, rules: &rules, ways: &ways };
     let domain = rules.domain("virtualcity");
-    let problem = scene.problem(&domain, wanted);
-    Ok(Planning { domain: with_goal(domain, &problem), problem, left_out: rules.left_out })
+    let mut problem = scene.problem(&domain, wanted);
+    let mut domain = with_goal(domain, &problem);
+    let named: BTreeSet<&str> = ways.iter().flat_map(Way::named).collect();
+    let (constants, objects) = problem.objects.into_iter().partition(|o| named.contains(o.name.as_str()));
+    problem.objects = objects;
+    declare(&mut domain, constants);
+    Ok(Planning { domain, problem, left_out: rules.left_out })
+}
+
+/// Objects that an action names are constants of the domain.
+fn declare(domain: &mut Domain, constants: Vec<Typed>) {
+    domain.constants.splice(0..0, constants);
+    // Those of one type stand together.
+    domain.constants.sort_by_key(|constant| constant.kind != "thing");
 }
 
 /// The domain with predicates of the goal that no action speaks of.

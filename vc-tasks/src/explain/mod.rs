@@ -1,72 +1,15 @@
 //! Why a goal does not hold, what makes it hold, and since when.
 
-use std::fmt;
+mod sets;
 
 use vc_graph::goal::{Quantified, Situation, Trace};
 use vc_graph::{Goal, NodeId};
 
-use crate::compile::{Atom, Bits, CompileError, Compiler, Program, Ref, Things};
-use crate::score::Scorer;
+use crate::compile::{CompileError, Compiler, Monitor, Things};
+pub use sets::{MinimalSets, Unmet};
 
-/// A condition that is not met: what is to become true or to end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Unmet {
-    /// The atom is to be true, or false.
-    Atom {
-        /// The atom.
-        atom: Atom,
-        /// What it is to be.
-        wanted: bool,
-    },
-    /// So many pairs must not be possible.
-    Pairs {
-        /// One more than allowed.
-        number: u32,
-    },
-}
-
-impl fmt::Display for Unmet {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Atom { atom, wanted: true } => write!(f, "{atom}"),
-            Self::Atom { atom, wanted: false } => write!(f, "!{atom}"),
-            Self::Pairs { number } => write!(f, "fewer than {number} pairs"),
-        }
-    }
-}
-
-impl Program {
-    /// A smallest set of conditions that are not met and would together make the goal
-    /// hold; empty if it holds, `None` if nothing can make it hold. Of several equally
-    /// small sets the first is given.
-    pub fn unmet(&self, bits: &Bits) -> Option<Vec<Unmet>> {
-        self.unmet_of(self.root(), bits)
-    }
-
-    /// The same for one conjunct, counted from zero.
-    pub fn unmet_head(&self, bits: &Bits, head: usize) -> Option<Vec<Unmet>> {
-        self.unmet_of(self.head(head)?, bits)
-    }
-
-    fn unmet_of(&self, of: Ref, bits: &Bits) -> Option<Vec<Unmet>> {
-        if self.value(bits, of) {
-            return Some(Vec::new());
-        }
-        let list = Scorer::new().unmet(self, of, bits)?;
-        Some(list.into_iter().map(|r| self.condition(r)).collect())
-    }
-
-    fn condition(&self, r: Ref) -> Unmet {
-        if r.is_atom() {
-            return Unmet::Atom { atom: self.atoms()[r.index()], wanted: !r.is_negated() };
-        }
-        let need = match self.gates()[r.index()].kind {
-            crate::compile::Kind::Pairs(table) => table.need,
-            _ => 0,
-        };
-        Unmet::Pairs { number: need }
-    }
-}
+/// Most sets that [`explain`] gives of what is missing.
+pub const SETS: usize = 16;
 
 /// What there is to say about one conjunct of a goal.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,8 +18,9 @@ pub struct Part {
     pub goal: Goal,
     /// Whether it holds.
     pub holds: bool,
-    /// A smallest set of what is missing; `None` if nothing can make it hold.
-    pub unmet: Option<Vec<Unmet>>,
+    /// The minimal sets of what is missing, the smallest first and at most [`SETS`]
+    /// of them; one that is empty if it holds, none if nothing can make it hold.
+    pub unmet: Vec<Vec<Unmet>>,
     /// For a quantified conjunct the things for which its body holds and those for
     /// which it does not.
     pub bindings: Option<Bindings>,
@@ -106,7 +50,7 @@ pub struct Bindings {
 /// let (graph, history) = (scene.build(), History::default());
 /// let now = Situation::new(&graph, me, &history);
 /// let parts = vc_tasks::explain(&"forall ?p: plate. On(?p, table)".parse()?, &now)?;
-/// let unmet: Vec<String> = parts[0].unmet.iter().flatten().map(|u| u.to_string()).collect();
+/// let unmet: Vec<String> = parts[0].unmet[0].iter().map(|u| u.to_string()).collect();
 /// assert_eq!(unmet, ["On(#4, #2)"]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -121,7 +65,7 @@ pub fn explain(goal: &Goal, now: &Situation<'_>) -> Result<Vec<Part>, CompileErr
     let part = |(head, part): (usize, &Goal)| Part {
         goal: part.clone(),
         holds: program.head_holds(&bits, head),
-        unmet: program.unmet_head(&bits, head),
+        unmet: program.unmet_of_head(&bits, head, SETS).sets,
         bindings: quantified(part).map(|q| bindings(q, now)),
     };
     Ok(conjuncts.map(part).collect())
@@ -149,7 +93,19 @@ fn bindings(q: &Quantified, now: &Situation<'_>) -> Bindings {
 
 /// For each conjunct of a goal the first step after which it held, if there was one:
 /// judged on what had happened by then.
+///
+/// Costs what a [`Monitor`] does; where things come or go, or range over too much, a
+/// plain reading of the goal at each step.
 pub fn first_held(goal: &Goal, trace: &Trace) -> Vec<Option<usize>> {
+    if let Some(monitor) = keeps_its_things(trace).then(|| Monitor::on(goal, trace)).flatten() {
+        return monitor.first_held().to_vec();
+    }
     let conjuncts = goal.conjuncts().iter();
     conjuncts.map(|part| (0..=trace.steps()).find(|&step| part.holds_by(trace, step))).collect()
+}
+
+/// Whether the same things are there at all steps.
+fn keeps_its_things(trace: &Trace) -> bool {
+    let things = |step: usize| trace.graph(step).into_iter().flat_map(|g| g.nodes()).map(vc_graph::Node::id);
+    (1..=trace.steps()).all(|step| things(step).eq(things(0)))
 }

@@ -1,0 +1,263 @@
+//! Goals about time, followed step by step.
+
+use std::sync::Arc;
+
+use vc_graph::Goal;
+use vc_graph::goal::{Situation, Trace};
+
+use super::course::Course;
+use super::{Bits, CompileError, Compiler, Program};
+
+/// A goal that may be about time, compiled, and what has happened so far: it says
+/// what [`Goal::holds_by`] says, without looking at a scene twice.
+///
+/// What is said of single states is one [`Program`] over the atoms that matter, and of
+/// each step only the truth of these is kept. What is said of the order of states is
+/// then found for all steps at once, from the last to the first, as linear temporal
+/// logic on finite traces unfolds (De Giacomo and Vardi, IJCAI 2013): `a until b` holds
+/// at a step if b does, or if a does and `a until b` holds at the next one.
+///
+/// ```
+/// use vc_graph::goal::Situation;
+/// use vc_graph::{Draft, SceneBuilder, Simulator};
+/// use vc_tasks::compile::Monitor;
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let mut world = Simulator::new(scene.build());
+///
+/// let goal = "eventually Open(fridge) & Closed(fridge)".parse()?;
+/// let mut monitor = Monitor::new(&goal, &Situation::new(world.graph(), me, world.history()))?;
+/// for line in ["walk fridge.2", "open fridge.2", "close fridge.2"] {
+///     world.step(me, &line.parse()?).map_err(|refusals| refusals[0].clone())?;
+///     monitor.push(&Situation::new(world.graph(), me, world.history()));
+/// }
+/// assert!(monitor.holds());
+/// assert_eq!(monitor.first_held(), [Some(2), Some(0)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Monitor {
+    program: Arc<Program>,
+    /// The goal's conjuncts.
+    courses: Arc<Vec<Course>>,
+    /// The atoms that are about what was done.
+    deeds: Bits,
+    /// For each step the atoms that are true after it, and of what was done those
+    /// that were done in it.
+    atoms: Vec<Bits>,
+    /// For each step which heads of the program are true, by these.
+    heads: Vec<Bits>,
+    /// Which conjuncts hold now, and since when each first did.
+    now: Vec<bool>,
+    first: Vec<Option<usize>>,
+    /// How many events have been looked at.
+    events: usize,
+}
+
+impl Monitor {
+    /// Compiles a goal for the things there are, and looks at the state before the
+    /// first step; what was done before it does not count.
+    ///
+    /// # Errors
+    /// [`CompileError::TooLarge`]: there are too many choices of things.
+    pub fn new(goal: &Goal, now: &Situation<'_>) -> Result<Self, CompileError> {
+        let (courses, program) = Compiler::new().courses(goal, now)?;
+        let mut deeds = program.bits();
+        program.atoms().iter().enumerate().for_each(|(index, atom)| deeds.set(index, atom.is_deed()));
+        let (now_held, first) = (vec![false; courses.len()], vec![None; courses.len()]);
+        let mut monitor = Self {
+            program: Arc::new(program),
+            courses: Arc::new(courses),
+            deeds,
+            atoms: Vec::new(),
+            heads: Vec::new(),
+            now: now_held,
+            first,
+            events: now.events.len(),
+        };
+        monitor.push(now);
+        Ok(monitor)
+    }
+
+    /// Follows all of a trace; the things are those of its start. `None` where
+    /// [`Monitor::new`] fails.
+    pub fn on(goal: &Goal, trace: &Trace) -> Option<Self> {
+        let mut situations = (0..=trace.steps()).filter_map(|step| trace.situation(step));
+        let mut monitor = Self::new(goal, &situations.next()?).ok()?;
+        situations.for_each(|now| {
+            monitor.push(&now);
+        });
+        Some(monitor)
+    }
+
+    /// One more step: the state after it, and among the events those that were done in
+    /// it after those of the last step. Says whether the goal holds on what has
+    /// happened by now. Things that come or go are not taken notice of.
+    ///
+    /// Costs a look at the scene for each atom, and at each step so far for each
+    /// temporal word; `then` may cost their square.
+    pub fn push(&mut self, now: &Situation<'_>) -> bool {
+        let events = now.events.get(self.events..).unwrap_or_default();
+        self.events = now.events.len();
+        let atoms = self.program.read(&Situation { events, ..*now });
+        self.heads.push(self.program.heads_in(&atoms));
+        self.atoms.push(atoms);
+        let (end, courses) = (self.steps(), self.courses.clone());
+        for (index, course) in courses.iter().enumerate() {
+            self.now[index] = self.judge(course, Stretch { since: 0, from: 0, end });
+            if self.now[index] {
+                self.first[index].get_or_insert(end);
+            }
+        }
+        self.holds()
+    }
+
+    /// The program of what the goal says of single states.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+
+    /// Number of steps that were done.
+    pub fn steps(&self) -> usize {
+        self.atoms.len() - 1
+    }
+
+    /// Whether the goal holds on what has happened by now. Costs nothing.
+    pub fn holds(&self) -> bool {
+        self.now.iter().all(|held| *held)
+    }
+
+    /// Which of the goal's conjuncts hold on what has happened by now.
+    pub fn heads(&self) -> &[bool] {
+        &self.now
+    }
+
+    /// For each conjunct the first step after which it held, if there was one.
+    pub fn first_held(&self) -> &[Option<usize>] {
+        &self.first
+    }
+}
+
+/// The part of what happened on which a goal is judged.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    /// What was done after this step counts.
+    since: usize,
+    /// The first step temporal words look at.
+    from: usize,
+    /// The last one.
+    end: usize,
+}
+
+impl Monitor {
+    /// Whether a goal holds on a stretch: what no temporal word governs is judged at
+    /// its end.
+    fn judge(&self, course: &Course, on: Stretch) -> bool {
+        match course {
+            Course::State(head) => self.program.head_holds(&self.whole(on), *head),
+            Course::Not(part) => !self.judge(part, on),
+            Course::Count(parts, comparison, number) => {
+                comparison.admits(parts.iter().filter(|part| self.judge(part, on)).count(), *number)
+            }
+            Course::Pairs(parts, table, comparison, number) => {
+                comparison.admits(table.number(&mut |cell| self.judge(&parts[cell], on)), *number)
+            }
+            Course::Then(parts) => self.in_order(parts, on),
+            Course::AtEnd(part) => self.judge(part, on),
+            _ => self.moments(course, on).first().is_some_and(|held| *held),
+        }
+    }
+
+    /// The atoms at the end of a stretch, with all that was done on it.
+    fn whole(&self, on: Stretch) -> Bits {
+        let mut bits = self.atoms[on.end].clone();
+        bits.remove(&self.deeds);
+        self.atoms[on.since + 1..on.end + 1].iter().for_each(|step| bits.add_of(step, &self.deeds));
+        bits
+    }
+
+    /// Whether a goal holds at each single step of a stretch.
+    fn moments(&self, course: &Course, on: Stretch) -> Vec<bool> {
+        let of = |part: &Course| self.moments(part, on);
+        match course {
+            Course::State(head) => self.states(*head, on),
+            Course::Not(part) => of(part).into_iter().map(|held| !held).collect(),
+            Course::Count(parts, comparison, number) => {
+                let parts: Vec<Vec<bool>> = parts.iter().map(of).collect();
+                let count = |step: usize| parts.iter().filter(|part| part[step]).count();
+                (0..=on.end - on.from).map(|step| comparison.admits(count(step), *number)).collect()
+            }
+            Course::Pairs(parts, table, comparison, number) => {
+                let parts: Vec<Vec<bool>> = parts.iter().map(of).collect();
+                let count = |step: usize| table.number(&mut |cell| parts[cell][step]);
+                (0..=on.end - on.from).map(|step| comparison.admits(count(step), *number)).collect()
+            }
+            Course::Then(parts) => {
+                let rest = |from: usize| Stretch { since: on.since.max(from.saturating_sub(1)), from, end: on.end };
+                (on.from..=on.end).map(|from| self.in_order(parts, rest(from))).collect()
+            }
+            Course::AtEnd(part) => vec![self.judge(part, on); on.end - on.from + 1],
+            Course::Eventually(part) => backwards(of(part), |here, later| here || later, false),
+            Course::Always(part) => backwards(of(part), |here, later| here && later, true),
+            Course::Within(steps, part) => within(&of(part), *steps as usize),
+            Course::Until(a, b) => unfold(of(a), of(b), |a, b, later| b || (a && later)),
+            Course::Before(a, b) => unfold(of(a), of(b), |a, b, later| !b && (a || later)),
+        }
+    }
+
+    /// The steps of a stretch at which a head is true; what was done in its first step
+    /// may be no part of it.
+    fn states(&self, head: usize, on: Stretch) -> Vec<bool> {
+        let mut steps: Vec<bool> = self.heads[on.from..=on.end].iter().map(|heads| heads.has(head)).collect();
+        if on.from == on.since {
+            steps[0] = self.program.head_holds(&self.whole(Stretch { end: on.from, ..on }), head);
+        }
+        steps
+    }
+
+    /// Cuts a stretch into one for each part, each as short as can be.
+    fn in_order(&self, parts: &[Course], on: Stretch) -> bool {
+        let Some((last, others)) = parts.split_last() else { return true };
+        let mut rest = on;
+        for part in others {
+            match (rest.from..=rest.end).find(|&end| self.judge(part, Stretch { end, ..rest })) {
+                Some(end) => rest = Stretch { since: end, from: end, end: on.end },
+                None => return false,
+            }
+        }
+        self.judge(last, rest)
+    }
+}
+
+/// From the last step to the first: what holds here, given what holds later.
+fn backwards(mut steps: Vec<bool>, holds: impl Fn(bool, bool) -> bool, after: bool) -> Vec<bool> {
+    let mut later = after;
+    for step in steps.iter_mut().rev() {
+        later = holds(*step, later);
+        *step = later;
+    }
+    steps
+}
+
+/// The same of two parts; after the last step it does not hold.
+fn unfold(mut a: Vec<bool>, b: Vec<bool>, holds: impl Fn(bool, bool, bool) -> bool) -> Vec<bool> {
+    let mut later = false;
+    for (a, b) in a.iter_mut().zip(b).rev() {
+        later = holds(*a, b, later);
+        *a = later;
+    }
+    a
+}
+
+/// Where a part holds at some step, at most so many further on.
+fn within(part: &[bool], steps: usize) -> Vec<bool> {
+    let mut next = None;
+    let mut held = vec![false; part.len()];
+    for (at, here) in part.iter().enumerate().rev() {
+        next = if *here { Some(at) } else { next };
+        held[at] = next.is_some_and(|next| next - at <= steps);
+    }
+    held
+}

@@ -1,0 +1,308 @@
+//! The best ways to gates, from those to their inputs.
+
+use super::Options;
+use super::assign::best_pairs;
+use super::way::{Way, Worth};
+use crate::compile::{Bits, Gate, Kind, Program, Ref, Table};
+
+/// What counts as met.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Met<'a> {
+    /// What is so now.
+    pub(super) now: &'a Bits,
+    /// And was not so then, if that matters.
+    pub(super) start: Option<&'a Bits>,
+}
+
+impl Met<'_> {
+    fn has(self, program: &Program, r: Ref) -> bool {
+        program.value(self.now, r) && !self.start.is_some_and(|start| program.value(start, r))
+    }
+
+    /// Of the inputs behind a mask those that are met as they are, and those whose
+    /// contraries are.
+    #[inline]
+    fn masked(self, gate: &Gate) -> (u32, u32) {
+        let now = gate.mask.read(self.now);
+        let (mut yes, mut no) = (now, gate.mask.care & !now);
+        if let Some(start) = self.start {
+            let start = gate.mask.read(start);
+            (yes, no) = (yes & !start, no & start);
+        }
+        (yes.count_ones(), no.count_ones())
+    }
+}
+
+/// One look at the gates of a program. Contradictions between the ways to different
+/// gates are let pass, so that a way found is a bound for those without.
+#[derive(Debug)]
+pub(super) struct Pass<'a> {
+    pub(super) program: &'a Program,
+    pub(super) options: Options,
+    pub(super) met: Met<'a>,
+    pub(super) worth: Worth,
+    /// For each gate the best way to its truth and to its falsehood.
+    ways: Vec<[Way; 2]>,
+    /// Atoms, then gates, that must not be true, and those that must not be false.
+    barred: [Bits; 2],
+    /// How many of them there are.
+    bars: usize,
+    order: Vec<((i64, i64), u32)>,
+}
+
+impl<'a> Pass<'a> {
+    /// The memory is that of [`Pass::into_memory`].
+    pub(super) fn new(program: &'a Program, options: Options, met: Met<'a>, memory: Memory) -> Self {
+        let Memory { mut ways, order } = memory;
+        ways.clear();
+        ways.resize(program.gates().len(), [Way::NONE; 2]);
+        let places = program.atoms().len() + program.gates().len();
+        let bars = || Bits::none(if program.shape().parts().is_empty() { 0 } else { places });
+        let worth = Worth { p: 1, q: 1 };
+        Self { program, options, met, worth, ways, barred: [bars(), bars()], bars: 0, order }
+    }
+
+    pub(super) fn into_memory(self) -> Memory {
+        Memory { ways: self.ways, order: self.order }
+    }
+
+    /// The place of an atom or gate among all of them.
+    pub(super) fn place(&self, r: Ref) -> usize {
+        if r.is_atom() { r.index() } else { self.program.atoms().len() + r.index() }
+    }
+
+    /// Bars an atom or gate from being as it is here, or lets it be so again.
+    pub(super) fn bar(&mut self, r: Ref, barred: bool) {
+        let place = self.place(r);
+        self.barred[usize::from(r.is_negated())].set(place, barred);
+        self.bars = if barred { self.bars + 1 } else { self.bars - 1 };
+    }
+
+    /// Whether an atom is barred on either side.
+    pub(super) fn is_settled(&self, atom: usize) -> bool {
+        self.bars > 0 && self.barred.iter().any(|side| side.has(atom))
+    }
+
+    #[inline]
+    fn is_barred(&self, r: Ref) -> bool {
+        self.bars > 0 && self.barred[usize::from(r.is_negated())].has(self.place(r))
+    }
+
+    /// Whether some input behind a mask is barred.
+    #[inline]
+    fn is_masked_barred(&self, gate: &Gate) -> bool {
+        self.bars > 0 && self.barred.iter().any(|side| side.word(gate.mask.word as usize) & gate.mask.care != 0)
+    }
+
+    /// The best way to everything that is used.
+    pub(super) fn run(&mut self) {
+        (0..self.program.gates().len()).for_each(|gate| self.run_gate(gate));
+    }
+
+    /// The best way to a gate, where those to its inputs are known.
+    pub(super) fn run_gate(&mut self, index: usize) {
+        let gate = self.program.gates()[index];
+        for negated in [false, true] {
+            if self.program.shape().matters(index, negated) {
+                self.ways[index][usize::from(negated)] = self.best(index, &gate, negated);
+            }
+        }
+    }
+
+    /// The best way to something that has been looked at.
+    #[inline]
+    pub(super) fn way(&self, r: Ref) -> Way {
+        match () {
+            () if r.is_constant() => {
+                if r == Ref::TRUE {
+                    Way::NOTHING
+                } else {
+                    Way::NONE
+                }
+            }
+            () if self.is_barred(r) => Way::NONE,
+            () if !r.is_atom() => self.ways[r.index()][usize::from(r.is_negated())],
+            () => self.condition(r),
+        }
+    }
+
+    fn condition(&self, r: Ref) -> Way {
+        Way::new(u32::from(self.met.has(self.program, r)), 1)
+    }
+
+    fn best(&mut self, index: usize, gate: &Gate, negated: bool) -> Way {
+        match gate.kind {
+            Kind::Pairs(table) if !negated && self.bars == 0 => {
+                if let Some(way) = self.plain_pairs(gate, table) {
+                    return way;
+                }
+            }
+            _ if gate.mask.care != 0 && !self.is_masked_barred(gate) => return self.masked(gate, negated),
+            _ => {}
+        }
+        let mut order = std::mem::take(&mut self.order);
+        let mut sum = Way::NOTHING;
+        let found = self.choose(index, negated, &mut order, &mut |r| sum = sum.and(self.chosen(r)));
+        self.order = order;
+        if found { sum } else { Way::NONE }
+    }
+
+    /// What a chosen input brings; pairs that must not be are one condition.
+    fn chosen(&self, r: Ref) -> Way {
+        if self.is_lack_of_pairs(r) { self.condition(r) } else { self.way(r) }
+    }
+
+    /// Whether it is that too many pairs must not exist.
+    pub(super) fn is_lack_of_pairs(&self, r: Ref) -> bool {
+        let is_gate = !r.is_atom() && !r.is_constant();
+        is_gate && r.is_negated() && matches!(self.program.gates()[r.index()].kind, Kind::Pairs(_))
+    }
+
+    /// The best way to a gate over single atoms: numbers say it all.
+    fn masked(&self, gate: &Gate, negated: bool) -> Way {
+        let all = gate.mask.care.count_ones();
+        let (yes, no) = self.met.masked(gate);
+        let some = |met: u32, number: u32| if number > all { Way::NONE } else { Way::new(met.min(number), number) };
+        match (gate.kind, negated) {
+            (Kind::All, false) => some(yes, all),
+            (Kind::All, true) => some(no, 1),
+            (Kind::Any, false) => some(yes, 1),
+            (Kind::Any, true) => some(no, all),
+            (Kind::AtLeast(k), false) => some(yes, k),
+            (Kind::AtLeast(k), true) => some(no, all + 1 - k),
+            (Kind::Exactly(k), false) if self.options == Options::Bddl => some(yes, k),
+            // Those that are met as they are first, then those that are met in no way.
+            (Kind::Exactly(k), false) => Way::new(yes.min(k) + no - k.saturating_sub(all - no).min(no), all),
+            (Kind::Exactly(k), true) => self.worth.better(some(yes, k + 1), some(no, all + 1 - k)),
+            (Kind::Pairs(_), _) => Way::NONE,
+        }
+    }
+
+    /// The best way to pairs where each cell is one condition: pairs that are there
+    /// can be completed by any others.
+    fn plain_pairs(&self, gate: &Gate, table: Table) -> Option<Way> {
+        let inputs = self.program.inputs(*gate);
+        let plain = inputs.iter().all(|r| r.is_atom()) && table.need <= table.rows.min(table.columns);
+        let met = || table.matching(|cell| self.met.has(self.program, inputs[cell])) as u32;
+        plain.then(|| Way::new(met().min(table.need), table.need))
+    }
+
+    /// Which inputs the best way to a gate's truth or falsehood takes; false if there
+    /// is none.
+    pub(super) fn choose(
+        &self,
+        index: usize,
+        negated: bool,
+        order: &mut Vec<((i64, i64), u32)>,
+        take: &mut dyn FnMut(Ref),
+    ) -> bool {
+        let gate = self.program.gates()[index];
+        let inputs = self.program.inputs(gate);
+        let all = inputs.len();
+        match (gate.kind, negated) {
+            (Kind::All, false) | (Kind::Any, true) => {
+                inputs.iter().for_each(|r| take(r.negated_if(negated)));
+                true
+            }
+            (Kind::All, true) | (Kind::Any, false) => self.some(inputs, 1, negated, order, take),
+            (Kind::AtLeast(k), false) => self.some(inputs, k as usize, false, order, take),
+            (Kind::AtLeast(k), true) => self.some(inputs, all + 1 - k as usize, true, order, take),
+            (Kind::Exactly(k), false) if self.options == Options::Bddl => {
+                self.some(inputs, k as usize, false, order, take)
+            }
+            (Kind::Exactly(k), false) => self.exactly(inputs, k as usize, order, take),
+            (Kind::Exactly(k), true) => self.other_than(inputs, k as usize, order, take),
+            (Kind::Pairs(table), false) => self.pairs(inputs, table, take),
+            (Kind::Pairs(_), true) => {
+                take(!Ref::gate(index));
+                true
+            }
+        }
+    }
+
+    /// The best so many.
+    fn some(
+        &self,
+        inputs: &[Ref],
+        number: usize,
+        negated: bool,
+        order: &mut Vec<((i64, i64), u32)>,
+        take: &mut dyn FnMut(Ref),
+    ) -> bool {
+        if number > inputs.len() {
+            return false;
+        }
+        let rank = |r: &Ref| self.worth.rank(self.way(r.negated_if(negated)));
+        if number == 1 {
+            let best = inputs.iter().max_by_key(|r| rank(r));
+            best.into_iter().for_each(|r| take(r.negated_if(negated)));
+            return true;
+        }
+        sort(order, inputs.iter().map(rank));
+        order[..number].iter().for_each(|&(_, i)| take(inputs[i as usize].negated_if(negated)));
+        true
+    }
+
+    /// So many true and the others false: first those that cannot be false, last
+    /// those that cannot be true.
+    fn exactly(
+        &self,
+        inputs: &[Ref],
+        number: usize,
+        order: &mut Vec<((i64, i64), u32)>,
+        take: &mut dyn FnMut(Ref),
+    ) -> bool {
+        let gain = |&r: &Ref| {
+            let [yes, no] = [self.way(r), self.way(!r)];
+            let ((a, short_a), (b, short_b)) = (self.worth.rank(yes), self.worth.rank(no));
+            match (yes.possible, no.possible) {
+                (true, true) => (a - b, short_a - short_b),
+                (true, false) => (i64::MAX, 0),
+                (false, _) => (i64::MIN, 0),
+            }
+        };
+        sort(order, inputs.iter().map(gain));
+        order.iter().enumerate().for_each(|(at, &(_, i))| take(inputs[i as usize].negated_if(at >= number)));
+        true
+    }
+
+    /// More true than so many, or more false than would leave so many.
+    fn other_than(
+        &self,
+        inputs: &[Ref],
+        number: usize,
+        order: &mut Vec<((i64, i64), u32)>,
+        take: &mut dyn FnMut(Ref),
+    ) -> bool {
+        let [more, fewer] = [(number + 1, false), (inputs.len() + 1 - number, true)].map(|(number, negated)| {
+            let mut sum = Way::NOTHING;
+            let found = self.some(inputs, number, negated, order, &mut |r| sum = sum.and(self.way(r)));
+            if found { sum } else { Way::NONE }
+        });
+        match self.worth.rank(more) >= self.worth.rank(fewer) {
+            true => self.some(inputs, number + 1, false, order, take),
+            false => self.some(inputs, inputs.len() + 1 - number, true, order, take),
+        }
+    }
+
+    fn pairs(&self, inputs: &[Ref], table: Table, take: &mut dyn FnMut(Ref)) -> bool {
+        let ways: Vec<Way> = inputs.iter().map(|&r| self.way(r)).collect();
+        let cells = best_pairs(table, &ways, self.worth);
+        cells.iter().flatten().for_each(|&cell| take(inputs[cell]));
+        cells.is_some()
+    }
+}
+
+/// What a pass needs to remember; kept from one to the next.
+#[derive(Debug, Default)]
+pub(super) struct Memory {
+    ways: Vec<[Way; 2]>,
+    order: Vec<((i64, i64), u32)>,
+}
+
+/// The places of some ranks, best first.
+fn sort(order: &mut Vec<((i64, i64), u32)>, ranks: impl Iterator<Item = (i64, i64)>) {
+    order.clear();
+    order.extend(ranks.zip(0..));
+    order.sort_unstable_by_key(|&(rank, place)| (std::cmp::Reverse(rank), place));
+}

@@ -1,0 +1,278 @@
+//! The best way to a goal, without listing the ways.
+
+use super::Options;
+use super::pass::{Memory, Met, Pass};
+use super::way::{LONGEST, WORTHLESS, Way, Worth};
+use crate::compile::{Bits, Program, Ref};
+
+/// How many conditions of the best way are met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Credit {
+    /// Conditions met.
+    pub met: u32,
+    /// Conditions there are; 0 if there is nothing to do, or no way.
+    pub conditions: u32,
+    /// Whether there is a way to the goal at all that does not contradict itself.
+    pub possible: bool,
+    /// Whether no better way can exist; `false` only if a goal contradicts itself in
+    /// so many ways that the search was cut off, or has more than 1,073,741,823
+    /// conditions.
+    pub exact: bool,
+}
+
+impl Credit {
+    /// The share, 0 to 1; 0 if there is no way.
+    pub fn value(self) -> f64 {
+        match (self.possible, self.conditions) {
+            (false, _) => 0.0,
+            (true, 0) => 1.0,
+            (true, conditions) => f64::from(self.met) / f64::from(conditions),
+        }
+    }
+
+    /// 1 if the goal holds: a pairing by margins may hold without one of its ways.
+    fn whole_if(self, holds: bool) -> Self {
+        match holds {
+            true => Self { met: self.conditions, possible: true, ..self },
+            false => self,
+        }
+    }
+}
+
+/// How many looks at gates a search may take: about a second. The hardest goal of
+/// the 1,016 of BEHAVIOR-1K takes some thousand.
+const LOOKS: u64 = 1 << 24;
+
+/// Most atoms and gates that are settled within one another.
+const DEEPEST: u32 = 512;
+
+/// Finds credits; it keeps its memory from one to the next.
+#[derive(Debug, Default)]
+pub struct Scorer {
+    memory: Memory,
+    sides: Vec<u8>,
+}
+
+impl Scorer {
+    /// A scorer that has scored nothing yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// See [`Program::credit`].
+    pub fn credit(&mut self, program: &Program, bits: &Bits) -> Credit {
+        let holds = program.holds(bits);
+        self.best(program, Options::Sound, Met { now: bits, start: None }, holds).whole_if(holds)
+    }
+
+    /// See [`Program::bddl_reward`].
+    pub fn bddl_reward(&mut self, program: &Program, bits: &Bits) -> Credit {
+        self.best(program, Options::Bddl, Met { now: bits, start: None }, false)
+    }
+
+    /// See [`Program::q_score`].
+    pub fn q_score(&mut self, program: &Program, start: &Bits, now: &Bits) -> f64 {
+        match program.holds(now) {
+            true => 1.0,
+            false => self.best(program, Options::Bddl, Met { now, start: Some(start) }, false).value(),
+        }
+    }
+
+    /// The best share of conditions met, by Dinkelbach's method. It starts from the
+    /// way of which the fewest conditions are not met; where a goal holds, that is the
+    /// best one, and it does not contradict itself since all of it is so.
+    fn best(&mut self, program: &Program, options: Options, met: Met<'_>, holds: bool) -> Credit {
+        let pass = Pass::new(program, options, met, std::mem::take(&mut self.memory));
+        let mut search = Search { pass, sides: &mut self.sides, looks: 0, depth: 0, exact: true };
+        let mut found = if holds { search.relaxed(WORTHLESS) } else { search.solve(Worth { p: 1, q: 1 }, WORTHLESS) };
+        while let Some(way) = found.filter(|way| way.met < way.of) {
+            match search.solve(Worth { p: way.met, q: way.of }, 0) {
+                None => break,
+                better => found = better,
+            }
+        }
+        let way = found.unwrap_or(Way::NONE);
+        let exact = search.exact && way.of < LONGEST;
+        self.memory = search.pass.into_memory();
+        Credit { met: way.met, conditions: way.of, possible: way.possible, exact }
+    }
+}
+
+/// Branch and bound: the best way when contradictions are let pass bounds those
+/// without. Parts of the goal that no contested atom joins are searched apart.
+struct Search<'a, 's> {
+    pass: Pass<'a>,
+    /// For each atom and gate on which sides it is wanted.
+    sides: &'s mut Vec<u8>,
+    looks: u64,
+    depth: u32,
+    exact: bool,
+}
+
+/// Some parts that contested atoms join.
+struct Group {
+    parts: Vec<u32>,
+    /// An atom or gate that the best ways to the parts want both true and false.
+    torn: Option<Ref>,
+}
+
+impl Search<'_, '_> {
+    /// The way to the goal that is worth most, if that is more than the floor.
+    fn solve(&mut self, worth: Worth, floor: i64) -> Option<Way> {
+        self.pass.worth = worth;
+        let number = self.pass.program.shape().parts().len() as u32;
+        if number == 0 { self.relaxed(floor) } else { self.parts(&(0..number).collect::<Vec<u32>>(), floor) }
+    }
+
+    /// The same, where contradictions are let pass.
+    fn relaxed(&mut self, floor: i64) -> Option<Way> {
+        self.pass.run();
+        let way = self.pass.way(self.pass.program.root());
+        (way.possible && self.pass.worth.value(way) > floor).then_some(way)
+    }
+
+    /// The best way to some parts of the goal.
+    fn parts(&mut self, parts: &[u32], floor: i64) -> Option<Way> {
+        let bound = self.look(parts);
+        let mut value = self.pass.worth.value(bound);
+        if !bound.possible || value <= floor {
+            return None;
+        }
+        let mut sum = Way::NOTHING;
+        // Ways are read before atoms are settled for a search in one of the groups.
+        let groups = self.groups(parts).into_iter().map(|group| (self.sum(&group.parts), group));
+        for (way, group) in groups.collect::<Vec<_>>() {
+            let way = match group.torn {
+                None => way,
+                Some(torn) => {
+                    value -= self.pass.worth.value(way);
+                    let best = self.branch(&group.parts, torn, floor.saturating_sub(value))?;
+                    value += self.pass.worth.value(best);
+                    best
+                }
+            };
+            sum = sum.and(way);
+        }
+        Some(sum)
+    }
+
+    /// Looks at parts anew.
+    fn look(&mut self, parts: &[u32]) -> Way {
+        let program = self.pass.program;
+        for &part in parts {
+            let gates = &program.shape().parts()[part as usize].gates;
+            self.looks += gates.len() as u64 + 1;
+            gates.iter().for_each(|&gate| self.pass.run_gate(gate as usize));
+        }
+        self.sum(parts)
+    }
+
+    fn sum(&self, parts: &[u32]) -> Way {
+        let all = self.pass.program.shape().parts();
+        parts.iter().fold(Way::NOTHING, |sum, &part| sum.and(self.pass.way(all[part as usize].of)))
+    }
+
+    /// Tries an atom or gate true and false; what is so is kept first.
+    fn branch(&mut self, parts: &[u32], torn: Ref, mut floor: i64) -> Option<Way> {
+        if self.looks > LOOKS || self.depth == DEEPEST {
+            self.exact = false;
+            return None;
+        }
+        self.depth += 1;
+        let mut best = None;
+        let so = torn.negated_if(!self.pass.program.value(self.pass.met.now, torn));
+        for barred in [!so, so] {
+            self.pass.bar(barred, true);
+            if let Some(way) = self.parts(parts, floor) {
+                (floor, best) = (self.pass.worth.value(way), Some(way));
+            }
+            self.pass.bar(barred, false);
+        }
+        self.depth -= 1;
+        best
+    }
+
+    /// Parts that contested atoms join, and where their best ways contradict
+    /// each other or themselves.
+    fn groups(&mut self, parts: &[u32]) -> Vec<Group> {
+        let program = self.pass.program;
+        let all = program.shape().parts();
+        self.sides.clear();
+        self.sides.resize(program.atoms().len() + program.gates().len(), 0);
+        let mut groups: Vec<Group> = Vec::new();
+        let mut owner: Vec<u32> = vec![u32::MAX; program.atoms().len()];
+        let mut place: Vec<usize> = (0..parts.len()).collect();
+        for (i, &part) in parts.iter().enumerate() {
+            for &atom in all[part as usize].contested.iter().filter(|&&atom| !self.pass.is_settled(atom as usize)) {
+                match owner[atom as usize] {
+                    u32::MAX => owner[atom as usize] = i as u32,
+                    other => join(&mut place, i, other as usize),
+                }
+            }
+        }
+        let mut number = vec![usize::MAX; parts.len()];
+        for (i, &part) in parts.iter().enumerate() {
+            let root = top(&mut place, i);
+            if number[root] == usize::MAX {
+                number[root] = groups.len();
+                groups.push(Group { parts: Vec::new(), torn: None });
+            }
+            let group = &mut groups[number[root]];
+            group.parts.push(part);
+            if group.torn.is_none() {
+                group.torn = self.tear(all[part as usize].of);
+            }
+        }
+        groups
+    }
+
+    /// An atom or gate that the way to a part wants as what was seen before does not.
+    /// Only parts of one group share atoms that can be torn.
+    fn tear(&mut self, of: Ref) -> Option<Ref> {
+        let mut open = vec![of];
+        let mut order = Vec::new();
+        while let Some(r) = open.pop() {
+            if r.is_constant() || self.pass.is_lack_of_pairs(r) {
+                continue;
+            }
+            if r.is_atom() || self.is_decided_by_its_ways(r) {
+                let sides = &mut self.sides[self.pass.place(r)];
+                *sides |= 1 << u8::from(r.is_negated());
+                if *sides == 3 {
+                    return Some(r.plain());
+                }
+            }
+            if r.is_atom() {
+                continue;
+            }
+            // What is the same for all things is followed once.
+            self.pass.choose(r.index(), r.is_negated(), &mut order, &mut |input| {
+                if open.last() != Some(&input) {
+                    open.push(input);
+                }
+            });
+        }
+        None
+    }
+}
+
+impl Search<'_, '_> {
+    /// Whether a way to a gate's truth and one to its falsehood always contradict each
+    /// other, so that a search can settle the gate itself.
+    fn is_decided_by_its_ways(&self, r: Ref) -> bool {
+        self.pass.options == Options::Sound && self.pass.program.shape().is_pure(r.index())
+    }
+}
+
+fn top(place: &mut [usize], mut at: usize) -> usize {
+    while place[at] != at {
+        place[at] = place[place[at]];
+        at = place[at];
+    }
+    at
+}
+
+fn join(place: &mut [usize], a: usize, b: usize) {
+    let (a, b) = (top(place, a), top(place, b));
+    place[a.max(b)] = a.min(b);
+}
