@@ -4,6 +4,7 @@
     python benches/peers/render.py                      # home 42, living room
     python benches/peers/render.py --seed 7 --room kitchen
     python benches/peers/render.py --file SCENE.glb     # the peers alone, on a file
+    python benches/peers/render.py --obj reference.obj  # Open3D, MuJoCo and PyBullet on the sixteen views of vc-render's bench
 
 The scene comes from `cargo run --release --example render -- --files`, which writes glTF with a camera; all
 render the same triangles from that camera. A peer that is not installed, or does not start, is skipped with
@@ -76,6 +77,37 @@ class Scene:
         return world[:3, 3], world[:3, 3] - world[:3, 2], world[:3, 1]
 
 
+class Reference:
+    """The home that `cargo bench -p vc-render --bench costs` writes, seen by one of its cameras."""
+
+    def __init__(self, path):
+        self.objects, self.cameras, self.which = [], [], 0
+        material = {"pbrMetallicRoughness": {"baseColorFactor": [0.6, 0.6, 0.6, 1.0]}}
+        first, name, points, faces = 1, None, [], []
+        for line in [*pathlib.Path(path).read_text().splitlines(), "o end"]:
+            kind, *rest = line.split()
+            if line.startswith("# camera"):
+                self.cameras.append([float(v) for v in rest[1:]])
+            elif kind == "v":
+                points.append([float(v) for v in rest])
+            elif kind == "f":
+                faces.append([int(v) - first for v in rest])
+            elif kind == "o":
+                if points:
+                    self.objects.append((name, np.array(points, np.float32), np.array(faces, np.int32), material))
+                first, name, points, faces = first + len(points), rest[0], [], []
+
+    @property
+    def camera(self):
+        return None, np.radians(self.cameras[self.which][6])
+
+    def view(self):
+        eye, target = np.array(self.cameras[self.which][:3]), np.array(self.cameras[self.which][3:6])
+        along = (target - eye) / np.linalg.norm(target - eye)
+        up = np.array([0.0, 0.0, 1.0])
+        return eye, target, up - along * along.dot(up)
+
+
 def local(node):
     if "matrix" in node:
         return np.array(node["matrix"]).reshape(4, 4).T
@@ -125,14 +157,28 @@ def open3d(scene):
     caster = open3d.t.geometry.RaycastingScene(nthreads=1)
     for _, points, faces, _ in scene.objects:
         caster.add_triangles(open3d.core.Tensor(points), open3d.core.Tensor(faces.astype(np.uint32)))
-    eye, target, up = scene.view()
-    times = []
-    for width, height in SIZES:
-        rays = caster.create_rays_pinhole(
-            fov_deg=float(fov_across(scene, width, height)),
-            center=target, eye=eye, up=up, width_px=width, height_px=height)
-        times.append(median(lambda: caster.cast_rays(rays, nthreads=1), 15))
-    show("Open3D", "depth and ids, rays made before", times)
+    all_times = []
+    for eye, target, up in views(scene):
+        times = []
+        for width, height in SIZES:
+            rays = caster.create_rays_pinhole(
+                fov_deg=float(fov_across(scene, width, height)),
+                center=target, eye=eye, up=up, width_px=width, height_px=height)
+            times.append(median(lambda: caster.cast_rays(rays, nthreads=1), 5))
+        all_times.append(times)
+    show("Open3D", "depth and ids, rays made before", mean(all_times))
+
+
+def views(scene):
+    """The scene from each of its cameras in turn."""
+    for which in range(len(scene.cameras)) if isinstance(scene, Reference) else [0]:
+        scene.which = which
+        yield scene.view()
+
+
+def mean(times):
+    """Of views, for each size."""
+    return np.mean(times, axis=0)
 
 
 def fov_across(scene, width, height):
@@ -142,7 +188,6 @@ def fov_across(scene, width, height):
 def mujoco(scene):
     import mujoco
 
-    eye, target, up = scene.view()
     spec = mujoco.MjSpec()
     spec.visual.global_.offwidth, spec.visual.global_.offheight = SIZES[-1]
     spec.visual.quality.shadowsize = 2048
@@ -156,10 +201,14 @@ def mujoco(scene):
         spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=f"m{index}", rgba=colour(material),
                                 contype=0, conaffinity=0)
     middle = (np.concatenate([o[1] for o in scene.objects]).min(0) + np.concatenate([o[1] for o in scene.objects]).max(0)) / 2
-    spec.worldbody.add_light(pos=(middle + (0, 1.0, 0)).tolist(), dir=[0, -1, 0], castshadow=True)
-    x = np.cross(target - eye, up)
-    camera = spec.worldbody.add_camera(name="eye", pos=eye.tolist(), fovy=float(np.degrees(scene.camera[1])))
-    camera.alt.xyaxes = [*x.tolist(), *up.tolist()]
+    down = np.array([0, 0, -1.0] if isinstance(scene, Reference) else [0, -1.0, 0])
+    spec.worldbody.add_light(pos=(middle - down).tolist(), dir=down.tolist(), castshadow=True)
+    count = 0
+    for eye, target, up in views(scene):
+        x = np.cross(target - eye, up)
+        camera = spec.worldbody.add_camera(name=f"eye{count}", pos=eye.tolist(), fovy=float(np.degrees(scene.camera[1])))
+        camera.alt.xyaxes = [*x.tolist(), *up.tolist()]
+        count += 1
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
@@ -169,8 +218,8 @@ def mujoco(scene):
             with mujoco.Renderer(model, height, width) as renderer:
                 renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = shadows
 
-                def three(renderer=renderer):
-                    renderer.update_scene(data, "eye")
+                def three(eye, renderer=renderer):
+                    renderer.update_scene(data, eye)
                     renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = shadows
                     renderer.render()
                     renderer.enable_depth_rendering()
@@ -180,7 +229,7 @@ def mujoco(scene):
                     renderer.render()
                     renderer.disable_segmentation_rendering()
 
-                times.append(median(three, 7))
+                times.append(mean([median(lambda i=i: three(f"eye{i}"), 3) for i in range(count)]))
         show("MuJoCo", f"RGB, depth, ids, {'with' if shadows else 'no'} shadows", times)
 
 
@@ -192,15 +241,17 @@ def pybullet(scene):
         shape = pybullet.createVisualShape(pybullet.GEOM_MESH, vertices=points.tolist(), indices=faces.ravel().tolist(),
                                            rgbaColor=colour(material))
         pybullet.createMultiBody(0, -1, shape)
-    eye, target, up = scene.view()
-    view = pybullet.computeViewMatrix(eye.tolist(), target.tolist(), up.tolist())
     for shadow in (0, 1):
-        times = []
-        for width, height in SIZES:
-            lens = pybullet.computeProjectionMatrixFOV(float(np.degrees(scene.camera[1])), width / height, 0.05, 50)
-            times.append(median(lambda: pybullet.getCameraImage(
-                width, height, view, lens, shadow=shadow, renderer=pybullet.ER_TINY_RENDERER), 5))
-        show("PyBullet", f"RGB, depth, ids, {'with' if shadow else 'no'} shadows", times)
+        all_times = []
+        for eye, target, up in views(scene):
+            view = pybullet.computeViewMatrix(eye.tolist(), target.tolist(), up.tolist())
+            times = []
+            for width, height in SIZES:
+                lens = pybullet.computeProjectionMatrixFOV(float(np.degrees(scene.camera[1])), width / height, 0.05, 50)
+                times.append(median(lambda: pybullet.getCameraImage(
+                    width, height, view, lens, shadow=shadow, renderer=pybullet.ER_TINY_RENDERER), 2))
+            all_times.append(times)
+        show("PyBullet", f"RGB, depth, ids, {'with' if shadow else 'no'} shadows", mean(all_times))
     pybullet.disconnect(client)
 
 
@@ -314,31 +365,37 @@ def exr(path):
     return rows.copy().view(np.float32).reshape(height, -1, width).transpose(0, 2, 1)[..., ::-1]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--seed", type=int, default=42)
-    parser.add_argument("--room", default="livingroom")
-    parser.add_argument("--file", type=pathlib.Path)
-    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "out" / "peers")
-    parser.add_argument("--truth", type=int, default=256, help="paths of the picture that errors are measured against")
-    options = parser.parse_args()
-    file = options.file
-    if file is None:
-        command = ["cargo", "run", "--release", "--example", "render", "--", "--seed", str(options.seed),
-                   "--room", options.room, "--out", str(options.out), "--files"]
-        subprocess.run(command, cwd=ROOT, check=True)
-        file = options.out / f"{options.room}_{options.seed}.glb"
-    scene = Scene(file)
+def peers(scene, which):
     count = sum(len(o[2]) for o in scene.objects)
     print(f"{count} triangles, {len(scene.objects)} meshes; " + ", ".join(f"{w}x{h}" for w, h in SIZES), flush=True)
-    peers = (("open3d", open3d), ("mujoco", mujoco), ("pybullet", pybullet), ("mitsuba", lambda s: mitsuba(s, options.truth)))
-    for name, peer in peers:
+    for name, peer in which:
         try:
             peer(scene)
         except ImportError as error:
             print(f"{name}: skipped, {error} (pip install {name})", flush=True)
         except Exception as error:
             print(f"{name}: skipped, it does not run here: {type(error).__name__}: {error}", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--seed", type=int, default=42)
+    parser.add_argument("--room", default="livingroom")
+    parser.add_argument("--file", type=pathlib.Path)
+    parser.add_argument("--obj", type=pathlib.Path)
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "out" / "peers")
+    parser.add_argument("--truth", type=int, default=256, help="paths of the picture that errors are measured against")
+    options = parser.parse_args()
+    if options.obj:
+        return peers(Reference(options.obj), (("open3d", open3d), ("mujoco", mujoco), ("pybullet", pybullet)))
+    file = options.file
+    if file is None:
+        command = ["cargo", "run", "--release", "--example", "render", "--", "--seed", str(options.seed),
+                   "--room", options.room, "--out", str(options.out), "--files"]
+        subprocess.run(command, cwd=ROOT, check=True)
+        file = options.out / f"{options.room}_{options.seed}.glb"
+    peers(Scene(file), (("open3d", open3d), ("mujoco", mujoco), ("pybullet", pybullet),
+                        ("mitsuba", lambda s: mitsuba(s, options.truth))))
     if options.file is None:
         ours(options, options.out, options.truth)
 

@@ -26,7 +26,7 @@ fn views(c: &mut Criterion<Cpu>) {
     ];
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     for fine in FINE {
-        let home = home(fine);
+        let home = home(fine, 300);
         let mut renderer = Renderer::new();
         let mut snapshot = renderer.snapshot(&home.graph).unwrap();
         home.lamps.iter().for_each(|lamp| snapshot.switch(*lamp, true).unwrap());

@@ -26,3 +26,49 @@ const ROUNDER: f32 = 12_582_912.0;
 pub(crate) fn whole(v: f32) -> u32 {
     (v + ROUNDER).to_bits().wrapping_sub(ROUNDER.to_bits())
 }
+
+/// Which of eight numbers are no greater than others, a bit each.
+#[inline(always)]
+pub(crate) fn at_most<S: pulp::Simd>(simd: S, these: &[f32; 8], others: &[f32; 8]) -> u32 {
+    // One instruction, which the compiler does not find by itself.
+    #[cfg(target_arch = "x86_64")]
+    if let Some(v3) = (&simd as &dyn std::any::Any).downcast_ref::<pulp::x86::V3>() {
+        let mask = v3.cmp_le_f32x8(pulp::cast(*these), pulp::cast(*others));
+        return v3.avx._mm256_movemask_ps(pulp::cast(mask)) as u32;
+    }
+    (0..8).fold(0, |all, lane| all | u32::from(these[lane] <= others[lane]) << lane)
+}
+
+/// Which of eight numbers differ from others, a bit each.
+#[inline(always)]
+fn differ<S: pulp::Simd>(simd: S, these: &[u32; 8], others: &[u32; 8]) -> u32 {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(v3) = (&simd as &dyn std::any::Any).downcast_ref::<pulp::x86::V3>() {
+        let mask = pulp::Simd::equal_u32s(*v3, pulp::cast(*these), pulp::cast(*others));
+        return !v3.avx._mm256_movemask_ps(pulp::cast(mask)) as u32 & 0xff;
+    }
+    (0..8).fold(0, |all, lane| all | u32::from(these[lane] != others[lane]) << lane)
+}
+
+/// Cuts a row into runs of equal numbers, by their first positions and those after their last.
+#[inline(always)]
+pub(crate) fn runs<S: pulp::Simd>(simd: S, row: &[u32], mut run: impl FnMut(u32, usize, usize)) {
+    let (mut from, mut at) = (0, 0);
+    let (these, next) = (row.as_chunks::<8>().0, row.get(1..).unwrap_or(&[]).as_chunks::<8>().0);
+    for (these, next) in these.iter().zip(next) {
+        let mut changes = differ(simd, these, next);
+        while changes != 0 {
+            let to = at + changes.trailing_zeros() as usize + 1;
+            changes &= changes - 1;
+            run(row[from], from, to);
+            from = to;
+        }
+        at += 8;
+    }
+    for to in at + 1..=row.len() {
+        if row.get(to) != Some(&row[to - 1]) {
+            run(row[from], from, to);
+            from = to;
+        }
+    }
+}

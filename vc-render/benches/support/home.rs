@@ -1,5 +1,5 @@
-//! The home that rendering is timed in: 10 by 8 by 2.7 metres, three rooms, about three
-//! hundred objects, every one a mesh of its own, sixteen views at the height of eyes.
+//! The home that rendering is timed in: 10 by 8 by 2.7 metres, three rooms, three hundred
+//! objects or as many as wanted, every one a mesh of its own, sixteen views at the height of eyes.
 
 use std::sync::Arc;
 
@@ -136,8 +136,9 @@ impl Site {
     }
 }
 
-/// The home with meshes of 12 `fine` squared triangles: 6 or 7 for 150,000, 17 for a million.
-pub(crate) fn home(fine: i32) -> Home {
+/// The home with so many objects, each a mesh of 12 `fine` squared triangles: of 300, 6 or 7 for 150,000
+/// triangles, 17 for a million.
+pub(crate) fn home(fine: i32, objects: usize) -> Home {
     let mut library = AssetLibrary::default();
     for known in NAMES {
         library.add_material(material(known)).unwrap();
@@ -154,7 +155,7 @@ pub(crate) fn home(fine: i32) -> Home {
         .to_vec();
     let mut rng = Seed(7).stream();
     let mut piece = 0;
-    while site.count < 300 {
+    while site.count < objects {
         // A piece of furniture along the walls or free in a room, with things on it.
         let at = [rng.between(-4.5, 4.5), rng.between(-3.6, 3.6)];
         if at[0].abs() < 0.6 || (at[0] > 0.0 && at[1].abs() < 0.6) {
@@ -183,14 +184,45 @@ pub(crate) fn home(fine: i32) -> Home {
     Home { graph: site.builder.build(), lamps }
 }
 
+/// The triangles of a home in the world, an object for each node, and its cameras in comments (eye, target,
+/// degrees upwards), as an OBJ file for others to render.
+#[allow(dead_code, reason = "one bench writes it")]
+pub(crate) fn obj(home: &Home) -> String {
+    use std::fmt::Write;
+    let (mut text, mut first) = (String::new(), 1);
+    for (eye, target) in eyes() {
+        let _ = writeln!(text, "# camera {} {} {} {} {} {} 60", eye.x, eye.y, eye.z, target.x, target.y, target.z);
+    }
+    for node in home.graph.nodes() {
+        let (Some(pose), Some(asset)) = (node.pose(), node.spec().asset) else { continue };
+        let Some(Shape::Mesh { vertices, triangles }) = home.graph.assets().get(asset).map(|a| &a.parts[0].shape)
+        else {
+            continue;
+        };
+        let _ = writeln!(text, "o {}", node.id().0);
+        for at in vertices.iter().map(|v| pose * v) {
+            let _ = writeln!(text, "v {} {} {}", at.x, at.y, at.z);
+        }
+        for [a, b, c] in triangles {
+            let _ = writeln!(text, "f {} {} {}", a + first, b + first, c + first);
+        }
+        first += vertices.len() as u32;
+    }
+    text
+}
+
 /// Sixteen views, 60 degrees high.
 pub(crate) fn cameras(width: u32, height: u32) -> Vec<Camera> {
     let camera = Camera::with_fov(width, height, 60_f32.to_radians());
+    eyes().map(|(eye, target)| camera.looking(eye, target)).collect()
+}
+
+/// From where to where they look.
+fn eyes() -> impl Iterator<Item = (Point3<f32>, Point3<f32>)> {
     let eyes = [[-4.3, -3.3], [-4.3, 3.3], [-0.7, 3.0], [-0.7, -3.0], [0.8, 3.4], [4.4, 0.8], [4.4, -3.4], [0.8, -0.8]];
-    let views = eyes.into_iter().flat_map(|[x, y]| {
+    eyes.into_iter().flat_map(|[x, y]| {
         let middle = if x < 0.0 { [-2.5, 0.0] } else { [2.5, 2.0_f32.copysign(y)] };
         let aside = [middle[0] + 0.6 * (y - middle[1]), middle[1] - 0.6 * (x - middle[0])];
         [middle, aside].map(|[a, b]| (Point3::new(x, y, 1.6), Point3::new(a, b, 0.9)))
-    });
-    views.map(|(eye, target)| camera.looking(eye, target)).collect()
+    })
 }

@@ -1,5 +1,7 @@
 //! Nodes, classes and parts.
 
+use pulp::{Simd, WithSimd};
+
 use crate::frame::{NO_LABEL, Strip};
 use crate::raster::{Layers, NONE};
 use crate::scene::Snapshot;
@@ -16,23 +18,39 @@ pub(crate) struct Run {
 
 /// The runs of some rows, one after the other.
 pub(crate) fn runs(layers: &Layers, rows: std::ops::Range<i32>, runs: &mut Vec<Run>) {
-    runs.clear();
-    for y in rows {
-        let mut column = 0;
-        let mut last = NONE;
-        for same in layers.front.triangle_row(y).chunk_by(|a, b| a == b) {
-            let (from, to) = (column, column + same.len() as i32);
-            column = to;
-            let triangle = same[0];
-            let instance = if triangle == NONE { NONE } else { layers.visible[triangle as usize].instance };
-            if instance != NONE && instance == last {
-                if let Some(run) = runs.last_mut() {
-                    run.to = to;
-                }
-            } else if instance != NONE {
-                runs.push(Run { instance, y, from, to });
-            }
-            last = instance;
+    pulp::Arch::new().dispatch(Find { layers, rows, runs });
+}
+
+/// Finding runs, in the version for a processor.
+struct Find<'a> {
+    layers: &'a Layers,
+    rows: std::ops::Range<i32>,
+    runs: &'a mut Vec<Run>,
+}
+
+impl WithSimd for Find<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { layers, rows, runs } = self;
+        runs.clear();
+        for y in rows {
+            let mut last = NONE;
+            crate::simd::runs(
+                simd,
+                layers.front.triangle_row(y),
+                #[inline(always)]
+                |triangle, from, to| {
+                    let instance = layers.visible.get(triangle as usize).map_or(NONE, |v| v.instance);
+                    match runs.last_mut() {
+                        Some(run) if instance != NONE && instance == last => run.to = to as i32,
+                        _ if instance != NONE => runs.push(Run { instance, y, from: from as i32, to: to as i32 }),
+                        _ => {}
+                    }
+                    last = instance;
+                },
+            );
         }
     }
 }

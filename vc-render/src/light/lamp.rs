@@ -79,7 +79,7 @@ impl Glow {
     fn of(renderer: &Renderer, snapshot: &Snapshot, body: &Body) -> Self {
         let mut glow = Self { area: 0.0, flux: [0.0; 3], middle: [0.0; 3], axis: [0.0; 3], shade: 0.0 };
         for instance in &snapshot.instances[body.instances.start as usize..body.instances.end as usize] {
-            let mesh = &*instance.link.levels[1];
+            let mesh = &*instance.link.levels[2];
             let world = instance.world.narrow();
             for cluster in &mesh.clusters {
                 for triangle in cluster.triangles.clone() {

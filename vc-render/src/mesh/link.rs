@@ -5,10 +5,12 @@ use std::sync::Arc;
 use vc_graph::asset::{Joint, Part, Shape};
 use vc_graph::{Asset, TriangleMesh};
 
+use super::simplify::Simplifier;
 use super::{Mesh, Source};
 
-/// Largest distance of curves from their chords at each level of detail, metres.
-pub(crate) const TOLERANCES: [f32; 4] = [0.0005, 0.002, 0.008, 0.03];
+/// Largest distance of curves from their chords at each level of detail, metres; meshes of triangles
+/// are as they are at the first.
+pub(crate) const TOLERANCES: [f32; 5] = [0.0005, 0.001, 0.002, 0.008, 0.03];
 
 /// Parts of an asset that move together, at every level of detail.
 #[derive(Debug, Clone)]
@@ -37,24 +39,50 @@ pub(crate) fn links(asset: &Asset, mut surface: impl FnMut(&Part) -> (u16, bool)
     groups.into_iter().map(|(joint, parts)| Link { joint, levels: levels(asset, &parts) }).collect()
 }
 
-fn levels(asset: &Asset, parts: &[Look]) -> [Arc<Mesh>; TOLERANCES.len()] {
+fn levels(asset: &Asset, looks: &[Look]) -> [Arc<Mesh>; TOLERANCES.len()] {
+    let mut parts: Vec<Coarser> = looks.iter().map(|look| Coarser::new(asset, *look)).collect();
     let mut last: Option<Arc<Mesh>> = None;
     TOLERANCES.map(|tolerance| {
-        let sources: Vec<Source> = parts.iter().map(|part| source(asset, part, tolerance)).collect();
+        let sources: Vec<Source> = parts.iter_mut().map(|part| part.source(tolerance)).collect();
         let count: usize = sources.iter().map(|s| s.mesh.triangles.len()).sum();
         let same = last.clone().filter(|mesh| mesh.len() == count);
         last.insert(same.unwrap_or_else(|| Arc::new(Mesh::build(&sources)))).clone()
     })
 }
 
-fn source(asset: &Asset, &(index, surface, clear): &Look, tolerance: f32) -> Source {
-    let part = &asset.parts[index];
-    let mut mesh = part.shape.mesh(tolerance).transformed(&part.pose);
-    // What is not closed has two sides; all other shapes are closed.
-    if matches!(part.shape, Shape::Mesh { .. }) && !mesh.is_closed() {
-        mesh.append(&turned_over(&mesh));
+/// A part that gets coarser from level to level.
+struct Coarser<'a> {
+    part: &'a Part,
+    look: Look,
+    /// Of a mesh, after its first level.
+    simplifier: Option<Simplifier>,
+}
+
+impl<'a> Coarser<'a> {
+    fn new(asset: &'a Asset, look: Look) -> Self {
+        Self { part: &asset.parts[look.0], look, simplifier: None }
     }
-    Source { mesh, part: index.min(usize::from(u16::MAX)) as u16, surface, clear }
+
+    fn source(&mut self, tolerance: f32) -> Source {
+        let free = matches!(self.part.shape, Shape::Mesh { .. });
+        let mut mesh = match &mut self.simplifier {
+            Some(simplifier) => {
+                simplifier.collapse(tolerance);
+                simplifier.mesh()
+            }
+            None => self.part.shape.mesh(tolerance),
+        };
+        if free && self.simplifier.is_none() {
+            self.simplifier = Some(Simplifier::new(&mesh));
+        }
+        mesh = mesh.transformed(&self.part.pose);
+        // What is not closed has two sides; all other shapes are closed.
+        if free && !mesh.is_closed() {
+            mesh.append(&turned_over(&mesh));
+        }
+        let (index, surface, clear) = self.look;
+        Source { mesh, part: index.min(usize::from(u16::MAX)) as u16, surface, clear }
+    }
 }
 
 fn turned_over(mesh: &TriangleMesh) -> TriangleMesh {

@@ -3,6 +3,7 @@
 mod build;
 mod cluster;
 mod link;
+mod simplify;
 
 pub(crate) use build::Source;
 pub(crate) use cluster::Cluster;

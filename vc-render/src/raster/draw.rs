@@ -8,6 +8,7 @@ use super::clip::Polygon;
 use super::cull::{Frustum, looks_away};
 use super::fill;
 use super::project::Points;
+use super::setup::{EIGHT, Setup};
 use super::target::{Target, Visible};
 use crate::affine::{Affine, Narrow};
 use crate::mesh::{Cluster, Mesh, TOLERANCES};
@@ -35,6 +36,7 @@ pub(crate) struct Layers {
     pub(crate) visible: Vec<Visible>,
     order: Vec<Placed>,
     points: Option<Box<Points>>,
+    setup: Option<Box<Setup>>,
 }
 
 /// Drawing, in the version for a processor.
@@ -181,18 +183,41 @@ impl Layers {
         let axes = [0, 1, 2].map(|axis: usize| &run.mesh.axes[axis][vertices.clone()]);
         let stray = points.project(axes, run.narrow, run.near);
         let first = run.cluster.triangles.start;
-        let triangles = first as usize..run.cluster.triangles.end as usize;
-        for (&[a, b, c], index) in run.mesh.corners[triangles].iter().zip(first..) {
-            // Counter-clockwise seen from outside is clockwise with y down.
-            let [a, b, c] = if run.mirrored { [a, b, c] } else { [a, c, b] };
+        let triangles = &run.mesh.corners[first as usize..run.cluster.triangles.end as usize];
+        if stray {
+            return self.with_strays(simd, run, triangles, name);
+        }
+        let setup = self.setup.get_or_insert_with(|| Box::new(Setup::new()));
+        for (eight, first) in triangles.chunks(EIGHT).zip((first..).step_by(EIGHT)) {
+            setup.load(points, eight, run.mirrored, &self.front);
+            for (lane, small) in setup.drawn() {
+                let number = self.visible.len() as u32;
+                let drawn = if small {
+                    fill::small(simd, &mut self.front, setup, lane, number);
+                    true
+                } else {
+                    fill::triangle(simd, &mut self.front, &points.triangle(eight[lane], run.mirrored), number)
+                };
+                if drawn {
+                    self.visible.push(name(first + lane as u32));
+                }
+            }
+        }
+    }
+
+    /// Draws a cluster of which some corners are astray.
+    #[inline(always)]
+    fn with_strays<S: Simd>(&mut self, simd: S, run: &Run<'_>, triangles: &[[u8; 3]], name: impl Fn(u32) -> Visible) {
+        let Some(points) = &self.points else { return };
+        for (corners, index) in triangles.iter().zip(run.cluster.triangles.start..) {
             let number = self.visible.len() as u32;
-            let any = stray && [a, b, c].iter().any(|&v| points.stray[usize::from(v)] != 0);
+            let any = corners.iter().any(|&v| points.stray[usize::from(v)] != 0);
             let drawn = if any {
-                run.clipped([a, b, c])
+                run.clipped(*corners)
                     .triangles()
                     .fold(false, |d, t| fill::triangle(simd, &mut self.front, &t, number) | d)
             } else {
-                fill::triangle(simd, &mut self.front, &[points.corner(a), points.corner(b), points.corner(c)], number)
+                fill::triangle(simd, &mut self.front, &points.triangle(*corners, run.mirrored), number)
             };
             if drawn {
                 self.visible.push(name(index));
@@ -213,7 +238,8 @@ struct Run<'a> {
 
 impl Run<'_> {
     #[cold]
-    fn clipped(&self, corners: [u8; 3]) -> Polygon {
+    fn clipped(&self, [a, b, c]: [u8; 3]) -> Polygon {
+        let corners = if self.mirrored { [a, b, c] } else { [a, c, b] };
         let point = |corner: u8| {
             let at = self.cluster.vertices.start as usize + usize::from(corner);
             let p = [0, 1, 2].map(|axis: usize| f64::from(self.mesh.axes[axis][at]));
@@ -225,7 +251,7 @@ impl Run<'_> {
 
 impl Visible {
     /// Bits of the triangle's number; the level is above.
-    const BITS: u32 = 30;
+    const BITS: u32 = 29;
 
     pub(super) fn new(instance: u32, level: u8, triangle: u32) -> Self {
         Self { instance, triangle: u32::from(level) << Self::BITS | triangle }

@@ -3,13 +3,14 @@
 use pulp::Simd;
 
 use super::project::Corner;
+use super::setup::Setup;
 use super::target::{LANES, Target};
 
 /// Longest side of the box around a small triangle, parts of a pixel: sums of
 /// products fit in 32 bits.
-const SMALL: i32 = 64 * 256;
+pub(super) const SMALL: i32 = 64 * 256;
 /// Parts of a pixel.
-const PIXEL: i32 = 256;
+pub(super) const PIXEL: i32 = 256;
 /// Whole numbers below the number of lanes.
 const LANE: [f32; LANES] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
@@ -32,29 +33,15 @@ pub(super) fn triangle<S: Simd>(simd: S, target: &mut Target, corners: &[Corner;
     if low[0] > high[0] || low[1] > high[1] {
         return false;
     }
-    if high_x - low_x <= SMALL && high_y - low_y <= SMALL {
-        small(simd, target, corners, (low, high), number);
-    } else {
-        large(simd, target, corners, (low, high), number);
-    }
+    large(simd, target, corners, (low, high), number);
     target.mark(low, high);
     true
 }
 
 /// One where points on the edge are outside: of the two triangles at an edge exactly one owns it.
 #[inline(always)]
-fn tie(dx: i32, dy: i32) -> i32 {
+pub(super) fn tie(dx: i32, dy: i32) -> i32 {
     i32::from(!(dy < 0 || (dy == 0 && dx > 0)))
-}
-
-/// How inverse depth changes across and down, from the corners.
-#[inline(always)]
-fn slope([a, b, c]: &[Corner; 3]) -> (f32, f32) {
-    let (bx, by) = (b.across - a.across, b.down - a.down);
-    let (cx, cy) = (c.across - a.across, c.down - a.down);
-    let (bz, cz) = (b.inverse - a.inverse, c.inverse - a.inverse);
-    let over = 1.0 / (bx * cy - by * cx);
-    ((bz * cy - cz * by) * over, (cz * bx - bz * cx) * over)
 }
 
 #[inline(always)]
@@ -65,21 +52,21 @@ fn range([a, b, c]: &[Corner; 3]) -> (f32, f32) {
 /// Block by block of the rows, from about where the first edge is crossed to about where
 /// the last one is.
 #[inline(always)]
-fn small<S: Simd>(simd: S, target: &mut Target, corners: &[Corner; 3], (low, high): Span, number: u32) {
+pub(super) fn small<S: Simd>(simd: S, target: &mut Target, setup: &Setup, lane: usize, number: u32) {
+    let (low, high) = setup.span(lane);
     let first = low[0] as usize / LANES;
     let last = (high[0] as usize / LANES - first) as i32;
-    let origin = [(first * LANES) as i32, low[1]];
-    let [a, b, c] = corners;
-    let mut edges = [Edge::new(a, b, origin), Edge::new(b, c, origin), Edge::new(c, a, origin)];
-    let [p, q, r] = [edges[0].across, edges[1].across, edges[2].across];
-    let (across, down) = slope(corners);
-    let start = a.inverse + across * (origin[0] as f32 + 0.5 - a.across);
-    let paint = Paint::new(simd, across, range(corners), [p, q, r], number);
+    let [p, q, r] = [0, 1, 2].map(|k: usize| setup.across[k][lane]);
+    let [mut e, mut f, mut g] = [0, 1, 2].map(|k: usize| setup.value[k][lane]);
+    let [e_down, f_down, g_down] = [0, 1, 2].map(|k: usize| setup.down[k][lane]);
+    let over = [0, 1, 2].map(|k: usize| setup.over[k][lane]);
+    let (across, down) = (setup.slope[0][lane], setup.slope[1][lane]);
+    let (start, top) = (setup.start[lane], setup.top[lane]);
+    let paint = Paint::new(simd, across, (setup.least[lane], setup.most[lane]), [p, q, r], number);
     for y in low[1]..=high[1] {
-        let (from, to) = if last == 0 { (0, 0) } else { blocks(&edges, last) };
+        let (from, to) = if last == 0 { (0, 0) } else { blocks([e, f, g], over, last) };
         let at = (y - target.rows.start) as usize * target.stride + first;
-        let line = start + down * (y as f32 + 0.5 - a.down);
-        let [e, f, g] = [edges[0].value, edges[1].value, edges[2].value];
+        let line = start + down * (y as f32 + 0.5 - top);
         for block in from..=to {
             let columns = block * LANES as i32;
             let values = [e + p * columns, f + q * columns, g + r * columns];
@@ -91,8 +78,9 @@ fn small<S: Simd>(simd: S, target: &mut Target, corners: &[Corner; 3], (low, hig
                 (&mut target.inverse[at], &mut target.triangles[at]),
             );
         }
-        edges.iter_mut().for_each(|edge| edge.value += edge.down);
+        (e, f, g) = (e + e_down, f + f_down, g + g_down);
     }
+    target.mark(low, high);
 }
 
 /// What a triangle's blocks of pixels are drawn with.
@@ -135,45 +123,37 @@ impl<S: Simd> Paint<S> {
             let any = simd.or_u32s(simd.add_u32s(e, *es), simd.add_u32s(f, *fs));
             let any = simd.transmute_i32s_u32s(simd.or_u32s(any, simd.add_u32s(g, *gs)));
             let inside = simd.greater_than_i32s(any, simd.splat_i32s(-1));
-            let drawn = simd.and_m32s(inside, simd.less_than_f32s(*inverse, v));
-            *inverse = simd.select_f32s(drawn, v, *inverse);
-            *triangle = simd.select_u32s(drawn, self.number, *triangle);
+            // Outside, it is as far as nothing. Both are read before one is written, else choices
+            // become masked stores, which some processors are slow at.
+            let v = simd.select_f32s(inside, v, simd.splat_f32s(0.0));
+            let (far, old) = (*inverse, *triangle);
+            *inverse = simd.max_f32s(far, v);
+            *triangle = simd.select_u32s(simd.less_than_f32s(far, v), self.number, old);
         }
     }
 }
 
-/// An edge function at the first pixel of a row, and how it changes from pixel to pixel.
-struct Edge {
-    value: i32,
-    across: i32,
-    down: i32,
-    /// One over the change across; zero without any.
-    over: f32,
-}
-
-impl Edge {
-    #[inline(always)]
-    fn new(from: &Corner, to: &Corner, origin: [i32; 2]) -> Self {
-        let (dx, dy) = (to.x - from.x, to.y - from.y);
-        let x = origin[0] * PIXEL + PIXEL / 2 - from.x;
-        let y = origin[1] * PIXEL + PIXEL / 2 - from.y;
-        let across = -dy * PIXEL;
-        let over = if across == 0 { 0.0 } else { 1.0 / across as f32 };
-        Self { value: dx * y - dy * x - tie(dx, dy), across, down: dx * PIXEL, over }
-    }
-}
-
-/// First and last block of a row that may be inside all edges.
+/// First and last block of a row that may be inside all edges, given their values at the first pixel
+/// and one over how they change from pixel to pixel.
 #[inline(always)]
-fn blocks(edges: &[Edge; 3], last: i32) -> (i32, i32) {
+fn blocks(values: [i32; 3], over: [f32; 3], last: i32) -> (i32, i32) {
     let (mut from, mut to) = (0.0_f32, (last * LANES as i32) as f32);
-    for edge in edges {
+    for k in 0..3 {
         // Where it is crossed; the hundredth of a pixel is for rounding.
-        let at = -(edge.value as f32) * edge.over;
-        from = if edge.across > 0 && at - 0.01 > from { at - 0.01 } else { from };
-        to = if edge.across < 0 && at + 0.01 < to { at + 0.01 } else { to };
+        let at = -(values[k] as f32) * over[k];
+        from = if over[k] > 0.0 && at - 0.01 > from { at - 0.01 } else { from };
+        to = if over[k] < 0.0 && at + 0.01 < to { at + 0.01 } else { to };
     }
     ((from as i32) / LANES as i32, if to < 0.0 { -1 } else { (to as i32) / LANES as i32 })
+}
+
+/// The whole part of a fraction of numbers of at most 50 bits, the second positive.
+#[inline(always)]
+fn over(above: i64, below: i64) -> i64 {
+    let part = (above as f64 / below as f64).floor() as i64;
+    // Rounding may have taken it across a whole number.
+    let left = above - part * below;
+    part + i64::from(left >= below) - i64::from(left < 0)
 }
 
 /// Row by row, from where the first edge is crossed to where the last one is.
@@ -196,8 +176,8 @@ fn large<S: Simd>(simd: S, target: &mut Target, corners: &[Corner; 3], (low, hig
             match *step {
                 0 if *value < 0 => to = -1,
                 0 => {}
-                s if s > 0 => from = from.max((s - 1 - *value).div_euclid(s)),
-                s => to = to.min(value.div_euclid(-s)),
+                s if s > 0 => from = from.max(over(s - 1 - *value, s)),
+                s => to = to.min(over(*value, -s)),
             }
             *value += *next;
         }
@@ -216,7 +196,7 @@ fn large<S: Simd>(simd: S, target: &mut Target, corners: &[Corner; 3], (low, hig
     }
 }
 
-/// As [`slope`], in double precision for triangles that are long or near.
+/// How inverse depth changes across and down, in double precision as triangles may be long or near.
 #[inline(always)]
 fn wide_slope(corners: &[Corner; 3]) -> (f64, f64) {
     let [a, b, c] = corners.map(|p| [p.across, p.down, p.inverse].map(f64::from));

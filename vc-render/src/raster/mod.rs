@@ -12,6 +12,7 @@ mod cull;
 mod draw;
 mod fill;
 mod project;
+mod setup;
 mod target;
 
 pub(crate) use cull::Frustum;

@@ -74,8 +74,19 @@ impl Points {
         any != 0
     }
 
+    /// A triangle whose corners go around it as the y axis goes to the x axis.
     #[inline(always)]
-    pub(super) fn corner(&self, at: u8) -> Corner {
+    pub(super) fn triangle(&self, [a, b, c]: [u8; 3], mirrored: bool) -> [Corner; 3] {
+        // Counter-clockwise seen from outside is clockwise with y down.
+        if mirrored {
+            [self.corner(a), self.corner(b), self.corner(c)]
+        } else {
+            [self.corner(a), self.corner(c), self.corner(b)]
+        }
+    }
+
+    #[inline(always)]
+    fn corner(&self, at: u8) -> Corner {
         let i = usize::from(at);
         Corner { x: self.x[i], y: self.y[i], across: self.across[i], down: self.down[i], inverse: self.inverse[i] }
     }

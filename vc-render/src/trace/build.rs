@@ -62,7 +62,9 @@ impl Bvh {
 
     fn node(&mut self, items: &mut [Item], triangles: &[Corners]) -> u32 {
         let at = self.nodes.len();
-        self.nodes.push(Node { bounds: [[f32::INFINITY; WIDE]; 6], children: [EMPTY; WIDE] });
+        // Boxes that end before they begin are met by no ray.
+        let (low, high) = ([f32::INFINITY; WIDE], [f32::NEG_INFINITY; WIDE]);
+        self.nodes.push(Node { bounds: [low, low, low, high, high, high], children: [EMPTY; WIDE] });
         let mut sets: Vec<&mut [Item]> = vec![items];
         while sets.len() < WIDE {
             let size = |s: &&mut [Item]| if s.len() > WIDE { Bounds::around(s).area() } else { -1.0 };

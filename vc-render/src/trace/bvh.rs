@@ -3,6 +3,12 @@
 //! Boxes and triangles of a node are tested at once (Wald, Benthin and Boulos 2008).
 //! Triangles by Möller and Trumbore 1997.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
+use pulp::{Simd, WithSimd};
+
+use crate::simd::at_most;
+
 /// Children of a node, triangles of a leaf.
 pub(super) const WIDE: usize = 8;
 
@@ -62,132 +68,211 @@ pub(crate) struct Hit {
 /// Most nodes that wait to be visited; [`Bvh::build`](super::build) makes no deeper trees.
 const STACK: usize = 128;
 
+/// A search along a ray, in the version for a processor.
+struct Walk<'a, const ANY: bool> {
+    tree: &'a Bvh,
+    ray: &'a Ray,
+}
+
+impl<const ANY: bool> WithSimd for Walk<'_, ANY> {
+    type Output = Option<Hit>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Option<Hit> {
+        self.tree.walk::<S, ANY>(simd, self.ray)
+    }
+}
+
+/// A ray as boxes want it.
+struct Beam<S: Simd> {
+    from: [S::f32s; 3],
+    /// One over the direction, and a little more for the far sides, against rounding (Ize 2013).
+    over: [S::f32s; 3],
+    more: [S::f32s; 3],
+    /// By axis, the bounds that the ray meets first and last.
+    sides: [[usize; 2]; 3],
+}
+
 impl Bvh {
     /// The first triangle along a ray, from either side.
     #[inline]
     pub(crate) fn first(&self, ray: &Ray) -> Option<Hit> {
-        crate::simd::widest(
-            #[inline(always)]
-            || self.walk::<false>(ray),
-        )
+        pulp::Arch::new().dispatch(Walk::<false> { tree: self, ray })
     }
 
     /// Whether there is any triangle along a ray.
     #[inline]
     pub(crate) fn any(&self, ray: &Ray) -> bool {
-        crate::simd::widest(
-            #[inline(always)]
-            || self.walk::<true>(ray),
-        )
-        .is_some()
+        pulp::Arch::new().dispatch(Walk::<true> { tree: self, ray }).is_some()
     }
 
     #[inline(always)]
-    fn walk<const ANY: bool>(&self, ray: &Ray) -> Option<Hit> {
+    fn walk<S: Simd, const ANY: bool>(&self, simd: S, ray: &Ray) -> Option<Hit> {
         if self.nodes.is_empty() {
             return None;
         }
-        let over = ray.along.map(|d| 1.0 / if d.abs() < 1e-20 { 1e-20_f32.copysign(d) } else { d });
-        let mut best: Option<Hit> = None;
-        let mut end = ray.end;
+        let beam = Beam::new(simd, ray);
+        let (mut best, mut end) = (None, ray.end);
         let mut stack = [(0_u32, 0.0_f32); STACK];
-        let mut height = 1;
-        while height > 0 {
-            height -= 1;
-            let (child, enters) = stack[height & (STACK - 1)];
-            if enters > end {
-                continue;
-            }
-            if child & LEAF != 0 {
-                let found = self.leaves[(child & !LEAF) as usize].meet(ray, end);
-                if let Some(hit) = found {
-                    (end, best) = (hit.t, found);
+        let (mut height, mut current) = (0_usize, 0_u32);
+        loop {
+            if current & LEAF != 0 {
+                if let Some(hit) = self.leaves[(current & !LEAF) as usize].meet(simd, ray, end) {
+                    (end, best) = (hit.t, Some(hit));
                     if ANY {
                         return best;
                     }
                 }
-                continue;
-            }
-            let node = &self.nodes[child as usize];
-            let enters = node.enters(ray.from, over, end);
-            let mut met = bits(enters.map(|enter| enter <= end));
-            let first = height;
-            while met != 0 {
-                let lane = met.trailing_zeros() as usize;
-                met &= met - 1;
-                let enter = enters[lane];
-                let mut at = height & (STACK - 1);
-                // Nearest on top; any is as good as another where any will do.
-                while !ANY && at > first && stack[at - 1].1 < enter {
-                    stack[at] = stack[at - 1];
-                    at -= 1;
+            } else {
+                let node = &self.nodes[current as usize];
+                let (enters, mut met) = node.enters(simd, &beam, end);
+                if met.is_power_of_two() {
+                    current = node.children[met.trailing_zeros() as usize];
+                    continue;
                 }
-                stack[at] = (node.children[lane], enter);
-                height += 1;
+                let first = height;
+                while met != 0 {
+                    let lane = met.trailing_zeros() as usize;
+                    met &= met - 1;
+                    let enter = enters[lane];
+                    let mut at = height;
+                    // Nearest on top; any is as good as another where any will do.
+                    while !ANY && at > first && stack[(at - 1) % STACK].1 < enter {
+                        stack[at % STACK] = stack[(at - 1) % STACK];
+                        at -= 1;
+                    }
+                    stack[at % STACK] = (node.children[lane], enter);
+                    height += 1;
+                }
+            }
+            // What begins behind the nearest hit is left out.
+            loop {
+                if height == 0 {
+                    return best;
+                }
+                height -= 1;
+                let (child, enter) = stack[height % STACK];
+                if enter <= end {
+                    current = child;
+                    break;
+                }
             }
         }
-        best
     }
 }
 
-impl Node {
-    /// Where the ray enters each box; infinite where it does not.
+impl<S: Simd> Beam<S> {
     #[inline(always)]
-    fn enters(&self, from: [f32; 3], over: [f32; 3], end: f32) -> Lanes {
-        let mut enters = [0.0_f32; WIDE];
-        let mut leaves = [end; WIDE];
+    fn new(simd: S, ray: &Ray) -> Self {
+        let mut beam = Self {
+            from: [simd.splat_f32s(0.0); 3],
+            over: [simd.splat_f32s(0.0); 3],
+            more: [simd.splat_f32s(0.0); 3],
+            sides: [[0, 3], [1, 4], [2, 5]],
+        };
         for axis in 0..3 {
-            let (near, far) = if over[axis] >= 0.0 { (axis, axis + 3) } else { (axis + 3, axis) };
-            let boxes = self.bounds[near].iter().zip(&self.bounds[far]);
-            for ((near, far), (enters, leaves)) in boxes.zip(enters.iter_mut().zip(&mut leaves)) {
-                let a = (near - from[axis]) * over[axis];
-                let b = (far - from[axis]) * over[axis] * 1.000_001;
-                *enters = if a > *enters { a } else { *enters };
-                *leaves = if b < *leaves { b } else { *leaves };
+            let along = ray.along[axis];
+            let over = 1.0 / if along.abs() < 1e-20 { 1e-20_f32.copysign(along) } else { along };
+            beam.from[axis] = simd.splat_f32s(ray.from[axis]);
+            beam.over[axis] = simd.splat_f32s(over);
+            beam.more[axis] = simd.splat_f32s(over * 1.000_001);
+            if over < 0.0 {
+                beam.sides[axis] = [axis + 3, axis];
             }
         }
-        for (enters, leaves) in enters.iter_mut().zip(leaves) {
-            *enters = if *enters <= leaves { *enters } else { f32::INFINITY };
-        }
-        enters
+        beam
     }
+}
+
+/// Some of eight numbers.
+#[inline(always)]
+fn part<S: Simd>(lanes: &Lanes, number: usize) -> S::f32s {
+    S::as_simd_f32s(lanes).0[number]
+}
+
+impl Node {
+    /// Where the ray enters each box, and which boxes it meets at all, a bit each.
+    #[inline(always)]
+    fn enters<S: Simd>(&self, simd: S, beam: &Beam<S>, end: f32) -> (Lanes, u32) {
+        let (mut enters, mut leaves) = ([0.0; WIDE], [0.0; WIDE]);
+        for i in 0..WIDE / S::F32_LANES {
+            let (mut enter, mut leave) = (simd.splat_f32s(0.0), simd.splat_f32s(end));
+            for axis in 0..3 {
+                let [near, far] = beam.sides[axis];
+                let near = simd.sub_f32s(part::<S>(&self.bounds[near], i), beam.from[axis]);
+                let far = simd.sub_f32s(part::<S>(&self.bounds[far], i), beam.from[axis]);
+                enter = simd.max_f32s(simd.mul_f32s(near, beam.over[axis]), enter);
+                leave = simd.min_f32s(simd.mul_f32s(far, beam.more[axis]), leave);
+            }
+            S::as_mut_simd_f32s(&mut enters).0[i] = enter;
+            S::as_mut_simd_f32s(&mut leaves).0[i] = leave;
+        }
+        (enters, at_most(simd, &enters, &leaves))
+    }
+}
+
+/// Eight vectors.
+type Three<S> = [<S as Simd>::f32s; 3];
+
+#[inline(always)]
+fn parts<S: Simd>(lanes: &[Lanes; 3], number: usize) -> Three<S> {
+    [part::<S>(&lanes[0], number), part::<S>(&lanes[1], number), part::<S>(&lanes[2], number)]
+}
+
+#[inline(always)]
+fn cross<S: Simd>(simd: S, a: Three<S>, b: Three<S>) -> Three<S> {
+    [
+        simd.sub_f32s(simd.mul_f32s(a[1], b[2]), simd.mul_f32s(a[2], b[1])),
+        simd.sub_f32s(simd.mul_f32s(a[2], b[0]), simd.mul_f32s(a[0], b[2])),
+        simd.sub_f32s(simd.mul_f32s(a[0], b[1]), simd.mul_f32s(a[1], b[0])),
+    ]
+}
+
+#[inline(always)]
+fn dot<S: Simd>(simd: S, a: Three<S>, b: Three<S>) -> S::f32s {
+    let two = simd.add_f32s(simd.mul_f32s(a[0], b[0]), simd.mul_f32s(a[1], b[1]));
+    simd.add_f32s(two, simd.mul_f32s(a[2], b[2]))
 }
 
 impl Leaf {
     #[inline(always)]
-    fn meet(&self, ray: &Ray, end: f32) -> Option<Hit> {
-        let [dx, dy, dz] = ray.along;
-        let (mut t, mut u, mut v) = ([f32::INFINITY; WIDE], [0.0; WIDE], [0.0; WIDE]);
-        for i in 0..WIDE {
-            let [ab, ac] = [0, 1].map(|e: usize| [0, 1, 2].map(|k: usize| self.edges[e][k][i]));
-            let p = [dy * ac[2] - dz * ac[1], dz * ac[0] - dx * ac[2], dx * ac[1] - dy * ac[0]];
-            let determinant = ab[0] * p[0] + ab[1] * p[1] + ab[2] * p[2];
-            let over = 1.0 / determinant;
-            let s = [0, 1, 2].map(|k: usize| ray.from[k] - self.corner[k][i]);
-            let a = (s[0] * p[0] + s[1] * p[1] + s[2] * p[2]) * over;
-            let q = [s[1] * ab[2] - s[2] * ab[1], s[2] * ab[0] - s[0] * ab[2], s[0] * ab[1] - s[1] * ab[0]];
-            let b = (dx * q[0] + dy * q[1] + dz * q[2]) * over;
-            let at = (ac[0] * q[0] + ac[1] * q[1] + ac[2] * q[2]) * over;
+    fn meet<S: Simd>(&self, simd: S, ray: &Ray, end: f32) -> Option<Hit> {
+        let (mut t, mut u, mut v) = ([0.0; WIDE], [0.0; WIDE], [0.0; WIDE]);
+        let along = [simd.splat_f32s(ray.along[0]), simd.splat_f32s(ray.along[1]), simd.splat_f32s(ray.along[2])];
+        let (zero, one, end) = (simd.splat_f32s(0.0), simd.splat_f32s(1.0), simd.splat_f32s(end));
+        for i in 0..WIDE / S::F32_LANES {
+            let (ab, ac) = (parts::<S>(&self.edges[0], i), parts::<S>(&self.edges[1], i));
+            let mut s = parts::<S>(&self.corner, i);
+            for axis in 0..3 {
+                s[axis] = simd.sub_f32s(simd.splat_f32s(ray.from[axis]), s[axis]);
+            }
+            let p = cross(simd, along, ac);
+            let over = simd.div_f32s(one, dot(simd, ab, p));
+            let a = simd.mul_f32s(dot(simd, s, p), over);
+            let q = cross(simd, s, ab);
+            let b = simd.mul_f32s(dot(simd, along, q), over);
+            let at = simd.mul_f32s(dot(simd, ac, q), over);
             // Comparisons with NaN are false.
-            let inside = (a >= 0.0) & (b >= 0.0) & (a + b <= 1.0) & (at > 0.0) & (at < end);
-            t[i] = if inside { at } else { f32::INFINITY };
-            u[i] = a;
-            v[i] = b;
+            let inside = simd.and_m32s(
+                simd.and_m32s(simd.greater_than_or_equal_f32s(a, zero), simd.greater_than_or_equal_f32s(b, zero)),
+                simd.less_than_or_equal_f32s(simd.add_f32s(a, b), one),
+            );
+            let between = simd.and_m32s(simd.greater_than_f32s(at, zero), simd.less_than_f32s(at, end));
+            let met = simd.and_m32s(inside, between);
+            S::as_mut_simd_f32s(&mut t).0[i] = simd.select_f32s(met, at, simd.splat_f32s(f32::INFINITY));
+            S::as_mut_simd_f32s(&mut u).0[i] = a;
+            S::as_mut_simd_f32s(&mut v).0[i] = b;
         }
-        if bits(t.map(|t| t < f32::INFINITY)) == 0 {
-            return None;
+        let mut met = at_most(simd, &t, &[f32::MAX; WIDE]);
+        let mut best = met.trailing_zeros() as usize;
+        while met != 0 {
+            let lane = met.trailing_zeros() as usize;
+            met &= met - 1;
+            best = if t[lane] < t[best] { lane } else { best };
         }
-        let mut best = 0;
-        for i in 1..WIDE {
-            best = if t[i] < t[best] { i } else { best };
-        }
+        // None, where no bit was set.
+        let t = *t.get(best)?;
         let edges = self.edges.map(|edge| edge.map(|axis| axis[best]));
-        Some(Hit { t: t[best], number: self.numbers[best], weights: [u[best], v[best]], edges })
+        Some(Hit { t, number: self.numbers[best], weights: [u[best], v[best]], edges })
     }
-}
-
-/// A bit for each lane.
-#[inline(always)]
-fn bits(lanes: [bool; WIDE]) -> u32 {
-    (0..WIDE).fold(0, |all, lane| all | u32::from(lanes[lane]) << lane)
 }
