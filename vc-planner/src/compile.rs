@@ -9,7 +9,7 @@ use crate::demand::{Demand, Demands};
 use crate::packed::{BITS, MOST, Need, Problem, State, Way, bit};
 use crate::want::Unreachable;
 
-pub(crate) use site::anchor;
+pub(crate) use site::{anchor, is_ground};
 
 /// How a home is to be left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]

@@ -7,6 +7,7 @@ mod compile;
 mod demand;
 mod episode;
 mod habitual;
+mod hunt;
 mod known;
 pub mod language;
 mod look;
