@@ -70,7 +70,10 @@ fn planning(objects: usize, parts: usize) -> (Duration, Duration) {
         }
     }
     let figures = spread(&mut least);
-    println!("first plan, {objects:>6} objects, {parts:>2} predicates: median {:.2?}, 99th percentile {:.2?}", figures.0, figures.1);
+    println!(
+        "first plan, {objects:>6} objects, {parts:>2} predicates: median {:.2?}, 99th percentile {:.2?}",
+        figures.0, figures.1
+    );
     figures
 }
 
@@ -115,7 +118,10 @@ fn deciding() {
         }
         let all: Duration = times.iter().sum();
         let (count, (median, late)) = (times.len() as u32, spread(&mut times));
-        println!("decision, {name}: mean {:.2?}, median {median:.2?}, 99th percentile {late:.2?} of {count}", all / count);
+        println!(
+            "decision, {name}: mean {:.2?}, median {median:.2?}, 99th percentile {late:.2?} of {count}",
+            all / count
+        );
     }
 }
 

@@ -374,7 +374,8 @@ impl Belief {
     /// A missing thing is found: it tells how tidy the home is.
     fn find(&mut self, seen: &Observation, id: NodeId) {
         let even = self.even();
-        let place = seen.places(id).next().or_else(|| Some(Place { relation: Relation::InRoom, at: seen.room_of(id)? }));
+        let place =
+            seen.places(id).next().or_else(|| Some(Place { relation: Relation::InRoom, at: seen.room_of(id)? }));
         let at = place.and_then(|place| self.places.iter().position(|p| *p == place));
         let Some(class) = self.graph.node(id).and_then(|n| self.supposed.get_mut(n.class())) else { return };
         class.missing = class.missing.saturating_sub(1);

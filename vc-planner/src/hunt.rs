@@ -130,7 +130,8 @@ impl Hunt {
         let mut played = 0;
         for end in STAGES.map(|n| if all { worlds.len() } else { n }) {
             for (cost, &candidate) in costs.iter_mut().zip(&moves) {
-                let each = worlds[played..end].iter().map(|(chance, world)| chance * start.played(self, world, candidate));
+                let each =
+                    worlds[played..end].iter().map(|(chance, world)| chance * start.played(self, world, candidate));
                 *cost += each.sum::<f64>();
             }
             played = end;
@@ -188,7 +189,8 @@ impl Hunt {
         let mut boxes = (*shut..range.end).filter(|&s| !play.has_seen(s));
         for s in boxes.clone() {
             let at_hand = play.at_hand(self, self.sites[s as usize].spot);
-            (chance, cost) = (chance + play.value(self, s), cost + f64::from(self.opening) + f64::from(u8::from(!at_hand)));
+            (chance, cost) =
+                (chance + play.value(self, s), cost + f64::from(self.opening) + f64::from(u8::from(!at_hand)));
             best = f64::max(best, chance / cost);
         }
         let first = boxes.next();
@@ -227,7 +229,8 @@ impl Hunt {
 
     /// Homes to play in, and whether these are all there are: else they are a sample.
     fn worlds(&self) -> (Vec<World>, bool) {
-        let supports: Vec<usize> = self.quarries.iter().map(|q| q.chances.iter().filter(|c| **c > 0.0).count()).collect();
+        let supports: Vec<usize> =
+            self.quarries.iter().map(|q| q.chances.iter().filter(|c| **c > 0.0).count()).collect();
         let number = supports.iter().try_fold(1usize, |all, &n| all.checked_mul(n));
         match number {
             Some(n) if n <= ALL => (self.all_worlds(), true),
@@ -238,7 +241,8 @@ impl Hunt {
     fn all_worlds(&self) -> Vec<World> {
         let mut worlds: Vec<World> = vec![(1.0, Vec::new())];
         for quarry in &self.quarries {
-            let possible: Vec<(u16, f64)> = (0u16..).zip(quarry.chances.iter().copied()).filter(|(_, c)| *c > 0.0).collect();
+            let possible: Vec<(u16, f64)> =
+                (0u16..).zip(quarry.chances.iter().copied()).filter(|(_, c)| *c > 0.0).collect();
             let with = |(chance, world): &World, &(s, c): &(u16, f64)| (chance * c, [world.as_slice(), &[s]].concat());
             worlds = worlds.iter().flat_map(|w| possible.iter().map(|p| with(w, p)).collect::<Vec<_>>()).collect();
         }

@@ -118,10 +118,13 @@ impl<'a> Map<'a> {
             }
             let at = anchor(self.graph, place.at);
             // What lies on a floor is walked up to itself.
-            let spot = (self.graph.node(at).is_some_and(|n| !crate::compile::is_ground(self.graph, n.id()))).then_some(at);
+            let spot =
+                (self.graph.node(at).is_some_and(|n| !crate::compile::is_ground(self.graph, n.id()))).then_some(at);
             unseen.push(Unseen { room, shut, spot, value: values[index], places: vec![index] });
         }
-        unseen.sort_by(|a, b| (a.room, a.shut.is_some()).cmp(&(b.room, b.shut.is_some())).then(b.value.total_cmp(&a.value)));
+        unseen.sort_by(|a, b| {
+            (a.room, a.shut.is_some()).cmp(&(b.room, b.shut.is_some())).then(b.value.total_cmp(&a.value))
+        });
         unseen.truncate(MOST_SITES);
         for new in &unseen {
             let spot = new.spot.map(|id| self.spot(id));
@@ -170,7 +173,9 @@ impl<'a> Map<'a> {
                     None => self.hunt.blocked += 1,
                 }
             }
-            for (p, pile) in problem.piles.iter().enumerate().filter(|(_, p)| problem.kinds[p.kind as usize] & (1 << n) != 0) {
+            for (p, pile) in
+                problem.piles.iter().enumerate().filter(|(_, p)| problem.kinds[p.kind as usize] & (1 << n) != 0)
+            {
                 let taken = wanted.min(left[p]);
                 let from = pile.items.len().saturating_sub(left[p] as usize);
                 for &id in pile.items[from..].iter().take(taken as usize) {

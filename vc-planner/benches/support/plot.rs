@@ -17,7 +17,9 @@ const COLOURS: [&str; 3] = ["#1f6feb", "#bc4c00", "#57606a"];
 pub(crate) fn svg(title: &str, across: &str, up: &str, lines: &[Line<'_>]) -> String {
     let all = || lines.iter().flat_map(|l| &l.points);
     let (x, y) = (Axis::over(all().map(|p| p.0)), Axis::over(all().map(|p| p.1)));
-    let at = |p: &(f64, f64)| (MARGIN + x.at(p.0) * (WIDTH - 1.5 * MARGIN), HEIGHT - MARGIN - y.at(p.1) * (HEIGHT - 2.0 * MARGIN));
+    let at = |p: &(f64, f64)| {
+        (MARGIN + x.at(p.0) * (WIDTH - 1.5 * MARGIN), HEIGHT - MARGIN - y.at(p.1) * (HEIGHT - 2.0 * MARGIN))
+    };
     let mut text = format!(
         "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {WIDTH} {HEIGHT}' font-family='sans-serif' font-size='11'>\n\
          <rect width='100%' height='100%' fill='white'/>\n<text x='{MARGIN}' y='20' font-size='13'>{title}</text>\n\
@@ -28,17 +30,34 @@ pub(crate) fn svg(title: &str, across: &str, up: &str, lines: &[Line<'_>]) -> St
     );
     for tick in x.ticks() {
         let (px, py) = at(&(tick, y.low));
-        let _ = writeln!(text, "<path d='M{px} {py}V{MARGIN}' stroke='#ddd'/><text x='{px}' y='{}' text-anchor='middle'>{tick}</text>", py + 14.0);
+        let _ = writeln!(
+            text,
+            "<path d='M{px} {py}V{MARGIN}' stroke='#ddd'/><text x='{px}' y='{}' text-anchor='middle'>{tick}</text>",
+            py + 14.0
+        );
     }
     for tick in y.ticks() {
         let (px, py) = at(&(x.low, tick));
-        let _ = writeln!(text, "<path d='M{px} {py}H{}' stroke='#ddd'/><text x='{}' y='{}' text-anchor='end'>{tick}</text>", WIDTH - MARGIN / 2.0, px - 4.0, py + 4.0);
+        let _ = writeln!(
+            text,
+            "<path d='M{px} {py}H{}' stroke='#ddd'/><text x='{}' y='{}' text-anchor='end'>{tick}</text>",
+            WIDTH - MARGIN / 2.0,
+            px - 4.0,
+            py + 4.0
+        );
     }
     for (i, line) in lines.iter().enumerate() {
         let colour = COLOURS[i % COLOURS.len()];
         let points: Vec<String> = line.points.iter().map(at).map(|(px, py)| format!("{px:.1},{py:.1}")).collect();
-        let _ = writeln!(text, "<polyline points='{}' fill='none' stroke='{colour}' stroke-width='2'/>", points.join(" "));
-        let _ = writeln!(text, "<text x='{}' y='{}' fill='{colour}'>{}</text>", MARGIN + 8.0, MARGIN + 14.0 * (i + 1) as f64, line.name);
+        let _ =
+            writeln!(text, "<polyline points='{}' fill='none' stroke='{colour}' stroke-width='2'/>", points.join(" "));
+        let _ = writeln!(
+            text,
+            "<text x='{}' y='{}' fill='{colour}'>{}</text>",
+            MARGIN + 8.0,
+            MARGIN + 14.0 * (i + 1) as f64,
+            line.name
+        );
     }
     text + "</svg>\n"
 }
