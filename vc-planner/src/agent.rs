@@ -180,6 +180,14 @@ impl Agent {
         &self.goal
     }
 
+    /// Takes up another goal, with all it knows.
+    pub fn pursue(&mut self, goal: Goal) {
+        self.concerns = concerns(&goal, self.belief.graph());
+        self.goal = goal;
+        self.forget_plans();
+        self.idle = 0;
+    }
+
     /// Takes in what it sees.
     pub fn see(&mut self, seen: &Observation) -> Learned {
         let learned = self.belief.observe(seen);
@@ -448,6 +456,10 @@ impl Agent {
 
     /// Takes note that an action was refused: what it planned does not hold.
     pub fn refused(&mut self, _: &Action) {
+        self.forget_plans();
+    }
+
+    fn forget_plans(&mut self) {
         self.next.clear();
         self.pursued = None;
     }

@@ -1,5 +1,8 @@
 //! What an agent believes about a scene it sees only in part.
 
+#[cfg(test)]
+mod filter;
+
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use vc_graph::{
@@ -358,7 +361,8 @@ impl Belief {
     /// Notes what is found and which places are in view, and guesses anew what that
     /// disproves.
     fn look(&mut self, seen: &Observation, learned: &mut Learned) {
-        if self.missing.is_empty() {
+        let mut lost = self.lost(seen);
+        if self.missing.is_empty() && lost.is_empty() {
             return;
         }
         let found: Vec<NodeId> = self.missing.iter().map(|(id, _)| *id).filter(|id| seen.sees(*id)).collect();
@@ -369,6 +373,31 @@ impl Belief {
             self.tidiness.settle(self.supposed.values(), self.unseen_share());
         }
         self.resample(learned);
+        lost.drain(..).for_each(|id| self.lose(id, learned));
+    }
+
+    /// Things that are not where they were: somebody else has taken them.
+    fn lost(&self, seen: &Observation) -> Vec<NodeId> {
+        let Some(room) = seen.room().filter(|_| !self.knows_all() && self.graph.agents().len() > 1) else {
+            return Vec::new();
+        };
+        let gone = |id: &NodeId| {
+            let movable =
+                self.known.contains(*id) && self.graph.node(*id).is_some_and(|n| n.affords(Property::Graspable));
+            let place = self.graph.place(*id).unwrap_or(Place { relation: Relation::InRoom, at: room });
+            movable && !seen.sees(*id) && self.graph.holder(*id).is_none() && in_view(seen, &place)
+        };
+        self.graph.in_room(room).filter(gone).collect()
+    }
+
+    fn lose(&mut self, id: NodeId, learned: &mut Learned) {
+        self.known.remove(id);
+        self.weigh(id);
+        let place = self.sample(id);
+        let position = self.missing.partition_point(|(other, _)| *other < id);
+        self.missing.insert(position, (id, place));
+        self.suppose(id, place);
+        learned.disproved.push(id);
     }
 
     /// A missing thing is found: it tells how tidy the home is.

@@ -9,7 +9,8 @@ use crate::{Belief, Decision, Learned, Newcomer, Plan};
 /// The faithful planner with the habits of Watch-And-Help's hierarchical planner, as
 /// published (Puig et al., ICLR 2021): it carries one thing at a time, and closes what
 /// it has opened before it leaves it. An emulation from the description; none of its
-/// code is here.
+/// code is here. In two points it is kinder than the original: surfaces are places of
+/// its belief, and it walks to a thing in another room in one action, not by the room.
 #[derive(Debug, Clone)]
 pub struct Habitual {
     inner: Newcomer,

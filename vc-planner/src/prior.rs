@@ -7,7 +7,7 @@ use vc_graph::{Kind, NodeId, Place, Relation, SceneGraph};
 /// How tidy a home may be: the share of its things that are where habit puts them (the
 /// others are anywhere), and how likely each share is before anything has been seen.
 /// None is one, so that no place is ever ruled out by habit alone.
-const SHARES: [(f64, f64); 4] = [(0.0, 0.25), (0.5, 0.15), (0.8, 0.25), (0.95, 0.35)];
+pub(crate) const SHARES: [(f64, f64); 4] = [(0.0, 0.25), (0.5, 0.15), (0.8, 0.25), (0.95, 0.35)];
 
 /// What is supposed about the places of things that have not been seen.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -143,7 +143,7 @@ fn tidy_home(seed: u64) -> SceneGraph {
 fn fewer_steps_than_a_habitual_agent() {
     type Home = fn(u64) -> SceneGraph;
     let worlds: [(&str, Home, Prior, usize); 2] =
-        [("anywhere", home, Prior::Uniform, 70), ("where people keep them", tidy_home, Prior::Kept, 55)];
+        [("anywhere", home, Prior::Uniform, 65), ("where people keep them", tidy_home, Prior::Kept, 65)];
     for (name, home, prior, percent) in worlds {
         let (mut ours, mut theirs) = (0, 0);
         for seed in 0..30 {
