@@ -346,7 +346,11 @@ impl Belief {
         let links = |graph: &SceneGraph, agent: NodeId| -> Vec<Edge> {
             kinds.iter().flat_map(|&r| graph.related(agent, r).map(move |to| Edge::new(agent, r, to))).collect()
         };
-        let now: Vec<Edge> = kinds.iter().flat_map(|&r| seen.related(self.agent, r)).collect();
+        let mut now: Vec<Edge> = kinds.iter().flat_map(|&r| seen.related(self.agent, r)).collect();
+        // It remembers having turned to something out of view.
+        now.extend(
+            links(&self.graph, self.agent).into_iter().filter(|e| e.relation == Relation::Facing && !seen.sees(e.to)),
+        );
         if links(&self.graph, self.agent) == now {
             return;
         }

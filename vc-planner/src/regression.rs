@@ -253,11 +253,19 @@ impl<'a> Regression<'a> {
         false
     }
 
+    /// What an action needs. To do something to a thing that has not been found one must
+    /// first come to see it, whatever is supposed about it.
+    fn needs(&self, action: &Action) -> Vec<Condition> {
+        let missing = action.things().filter(|&id| action.verb != Verb::Walk && self.is_missing(id));
+        let sight = missing.flat_map(|id| [Condition::Accessible(id), Condition::Near(id)]);
+        sight.chain(rule::preconditions(action)).collect()
+    }
+
     /// Does an action after making true what it needs, or leaves everything as it
     /// was.
     fn act(&mut self, action: &Action) -> bool {
         let mark = self.trail.len();
-        let needs = rule::preconditions(action);
+        let needs = self.needs(action);
         for _ in 0..ROUNDS {
             let unmet = |s: &Self| needs.iter().find(|c| !c.holds(s.graph, s.agent)).copied();
             while let Some(need) = unmet(self) {

@@ -17,8 +17,8 @@ pub(crate) fn home(objects: usize, seed: u64) -> SceneGraph {
     let places: Vec<(NodeId, bool)> = (0..objects / 10)
         .map(|i| {
             let (class, inside) = match i % 5 {
-                0 | 1 => (BOXES[i / 5 % BOXES.len()], true),
-                _ => (SURFACES[i / 5 % SURFACES.len()], false),
+                0 | 1 => (BOXES[(i / 5 * 2 + i % 5) % BOXES.len()], true),
+                _ => (SURFACES[(i / 5 * 3 + i % 5 - 2) % SURFACES.len()], false),
             };
             (scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new(class)).unwrap(), inside)
         })
