@@ -18,16 +18,20 @@ import re
 import subprocess
 import sys
 import tempfile
+import warnings
 
 MISSING = [m for m in ("up_fast_downward", "unified_planning") if importlib.util.find_spec(m) is None]
 if MISSING:
     sys.exit(f"SKIPPED: {' and '.join(MISSING)} not installed; see the head of this file")
 
-import unified_planning as up  # noqa: E402
 from unified_planning.engines import SequentialPlanValidator  # noqa: E402
+from unified_planning.environment import get_environment  # noqa: E402
 from unified_planning.io import PDDLReader  # noqa: E402
 
-up.shortcuts.get_environment().credits_stream = None
+get_environment().credits_stream = None
+# A predicate and an action may have the same name in PDDL.
+get_environment().error_used_name = False
+warnings.simplefilter("ignore")
 DOWNWARD = pathlib.Path(importlib.util.find_spec("up_fast_downward").origin).parent / "downward" / "fast-downward.py"
 
 
@@ -125,10 +129,22 @@ def valid(reader, problem, steps):
     return SequentialPlanValidator().validate(problem, plan).status.name == "VALID"
 
 
+def with_constants(domain, problem):
+    """Objects that the domain speaks of are its constants: unified-planning wants that."""
+    objects = re.search(r"\(:objects(.*?)\)", problem, re.S)
+    if objects is None:
+        return domain, problem
+    return domain.replace("(:constants", "(:constants" + objects[1], 1), problem.replace(objects[0], "")
+
+
 def downward(domain, problem, arguments, seconds):
     """The cost of the best plan found, without the steps that say that the goal is met."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "plan"
+        texts = with_constants(domain.read_text(), problem.read_text())
+        domain, problem = (pathlib.Path(folder) / name for name in ("domain.pddl", "problem.pddl"))
+        domain.write_text(texts[0])
+        problem.write_text(texts[1])
         command = [sys.executable, DOWNWARD, "--overall-time-limit", f"{seconds}s", "--plan-file", out, *arguments]
         if "--alias" in arguments:
             command += [domain, problem]
@@ -167,7 +183,7 @@ def main():
             steps = complete(plan, parse(domain.read_text()), parse(problem.read_text()))
             checked += 1
             reader = PDDLReader()
-            parsed = reader.parse_problem(str(domain), str(problem))
+            parsed = reader.parse_problem_string(*with_constants(domain.read_text(), problem.read_text()))
             good = steps is not None and valid(reader, parsed, steps)
             accepted += good
             verdict = "valid" if good else "INVALID"

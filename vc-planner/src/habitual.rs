@@ -29,9 +29,11 @@ impl Habitual {
     /// The container to close before going away with an action.
     fn left_open(&self, action: &Action) -> Option<NodeId> {
         let graph = self.inner.belief()?.graph();
+        // Who goes on to something in it does not leave it.
+        let inside = |id: NodeId| action.object.and_then(|o| graph.place(o)).is_some_and(|p| p.at == id);
         let leaves = action.verb == Verb::Walk;
         let open = |id: &&NodeId| graph.node(**id).is_some_and(|n| n.is(State::Open)) && graph.near(self.agent, **id);
-        self.opened.iter().rev().find(open).copied().filter(|id| leaves && action.object != Some(*id))
+        self.opened.iter().rev().find(open).copied().filter(|id| leaves && action.object != Some(*id) && !inside(*id))
     }
 }
 
