@@ -180,6 +180,14 @@ impl Agent {
         &self.goal
     }
 
+    /// Takes up another goal, with all it knows.
+    pub fn pursue(&mut self, goal: Goal) {
+        self.concerns = concerns(&goal, self.belief.graph());
+        self.goal = goal;
+        self.forget_plans();
+        self.idle = 0;
+    }
+
     /// Takes in what it sees.
     pub fn see(&mut self, seen: &Observation) -> Learned {
         let learned = self.belief.observe(seen);
@@ -306,24 +314,30 @@ impl Agent {
             }
             return self.start(sketch.actions);
         }
-        let hands = self.belief.graph().held(self.id).count();
         // What is still to be filled is neither closed nor switched on.
         let early = |a: &Action| {
             let ending = matches!(a.verb, Verb::Close | Verb::SwitchOn | Verb::SwitchOff);
             ending && a.object.is_some_and(|id| doors_lacking(&sketch).any(|d| d == id))
         };
-        let known = sketch.actions.first().copied();
-        let known = known.filter(|a| !early(a) && (hands == 2 || self.is_at_hand(a)));
+        let known = sketch.actions.first().copied().filter(|a| !early(a) && self.is_at_hand(a));
         if let Some(action) = known {
             return self.act(action, sketch.actions);
         }
-        let doors = doors_needed(&sketch);
-        let look = best_look(&self.belief, self.id, lacks, &doors, self.planner.manners);
-        match look {
-            Some(Look::Enter(room)) => self.act(Action::one(Verb::Walk, room), Vec::new()),
-            Some(Look::Open(at)) => self.act(Action::one(Verb::Open, at), Vec::new()),
+        match best_look(&self.belief, self.id, &sketch.compiled, self.planner.manners) {
+            Some(Look::Visit(at)) => self.act(Action::one(Verb::Walk, at), Vec::new()),
+            Some(Look::Open(at)) => self.go_and(Action::one(Verb::Open, at)),
+            Some(Look::Do(action)) => self.go_and(action),
             None => self.decide_by_regression(),
         }
+    }
+
+    /// Does something after the walk it takes, unless that shows something new.
+    fn go_and(&mut self, action: Action) -> Decision {
+        let decision = self.act(action, Vec::new());
+        if matches!(decision, Decision::Act(first, _) if first.verb == Verb::Walk) {
+            self.next = [action].into();
+        }
+        decision
     }
 
     /// The alternative of the goal that promises the least to do.
@@ -442,15 +456,13 @@ impl Agent {
 
     /// Takes note that an action was refused: what it planned does not hold.
     pub fn refused(&mut self, _: &Action) {
+        self.forget_plans();
+    }
+
+    fn forget_plans(&mut self) {
         self.next.clear();
         self.pursued = None;
     }
-}
-
-/// Containers that things will be put into: they are opened anyway.
-fn doors_needed(sketch: &Sketch) -> Vec<NodeId> {
-    let known = sketch.compiled.problem.needs.iter().flat_map(|n| &n.ways);
-    doors_lacking(sketch).chain(known.filter_map(|way| door(sketch, way))).collect()
 }
 
 /// Containers that what is lacking will be put into.

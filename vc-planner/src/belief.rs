@@ -1,5 +1,8 @@
 //! What an agent believes about a scene it sees only in part.
 
+#[cfg(test)]
+mod filter;
+
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use vc_graph::{
@@ -11,6 +14,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
+use crate::prior::{Supposed, Tidiness};
 use crate::{Known, Prior};
 
 /// Where things are, as far as an agent knows, and for the others a guess.
@@ -37,8 +41,9 @@ pub struct Belief {
     /// The room of each place.
     rooms: Vec<Option<NodeId>>,
     prior: Prior,
-    /// The weights of all places, by class.
-    weights: BTreeMap<Arc<str>, Arc<[f64]>>,
+    /// What is supposed about each class of missing things.
+    supposed: BTreeMap<Arc<str>, Supposed>,
+    tidiness: Tidiness,
     /// Things not yet found, with the place of their guess.
     missing: Vec<(NodeId, usize)>,
     last: Option<Observation>,
@@ -76,8 +81,8 @@ impl Belief {
         let movable = |n: &&Node| n.kind() == Kind::Object && n.affords(Property::Graspable) && !held.contains(&n.id());
         let hidden: Vec<NodeId> = graph.nodes().filter(movable).map(Node::id).collect();
         belief.forget(&hidden);
+        hidden.iter().for_each(|&id| belief.weigh(id));
         for id in hidden {
-            belief.weigh(id);
             let place = belief.sample(id);
             belief.missing.push((id, place));
             belief.suppose(id, place);
@@ -103,7 +108,8 @@ impl Belief {
             seen: Vec::new(),
             rooms: Vec::new(),
             prior: Prior::Uniform,
-            weights: BTreeMap::new(),
+            supposed: BTreeMap::new(),
+            tidiness: Tidiness::default(),
             missing: Vec::new(),
             last: None,
             touched: Vec::new(),
@@ -152,17 +158,31 @@ impl Belief {
         self.places.len()
     }
 
-    /// The weights of the places of a thing, seen ones included.
-    pub(crate) fn weights_of(&self, id: NodeId) -> Option<&Arc<[f64]>> {
-        self.weights.get(self.graph.node(id)?.class())
+    /// The chances of the places not seen for a missing thing.
+    pub(crate) fn chances_of(&self, id: NodeId) -> Option<Chances<'_>> {
+        let class = self.supposed.get(self.graph.node(id)?.class())?;
+        let (each, by_habit) = self.tidiness.mix(class, self.unseen_share(), self.even());
+        Some(Chances { each, by_habit, habit: class.habit.as_deref() })
     }
 
+    /// The chance of a place where all are alike.
+    fn even(&self) -> f64 {
+        1.0 / self.places.len().max(1) as f64
+    }
+
+    fn unseen_share(&self) -> f64 {
+        self.open_places() as f64 * self.even()
+    }
+
+    /// Supposes something about one more missing thing.
     fn weigh(&mut self, id: NodeId) {
         let Some(class) = self.graph.node(id).map(|n| n.class().clone()) else { return };
-        if !self.weights.contains_key(&class) {
-            let weights = self.prior.weights(&self.graph, id, &self.places);
-            self.weights.insert(class, weights.into());
+        if let Some(known) = self.supposed.get_mut(&class) {
+            known.missing += 1;
+            return;
         }
+        let habit = self.prior.habit(&self.graph, id, &self.places).map(Into::into);
+        self.supposed.insert(class, Supposed { habit, left: 1.0, missing: 1 });
     }
 
     /// Everywhere a thing can be, with the chance that it is there; likeliest first.
@@ -171,10 +191,8 @@ impl Belief {
         if !self.is_missing(id) {
             return self.graph.place(id).map(|p| (p, 1.0)).into_iter().collect();
         }
-        let Some(weights) = self.weights_of(id) else { return Vec::new() };
-        let open: Vec<(Place, f64)> = self.sites().map(|(i, place, _)| (place, weights[i])).collect();
-        let sum: f64 = open.iter().map(|(_, w)| w).sum();
-        let mut all: Vec<(Place, f64)> = open.into_iter().map(|(place, w)| (place, w / sum)).collect();
+        let Some(chances) = self.chances_of(id) else { return Vec::new() };
+        let mut all: Vec<(Place, f64)> = self.sites().map(|(i, place, _)| (place, chances.at(i))).collect();
         all.sort_by(|a, b| b.1.total_cmp(&a.1));
         all
     }
@@ -229,9 +247,7 @@ impl Belief {
     pub fn observe(&mut self, seen: &Observation) -> Learned {
         let mut learned = Learned::default();
         self.take_over(seen, &mut learned);
-        self.look_at_places(seen);
-        self.missing.retain(|(id, _)| !seen.sees(*id));
-        self.resample(&mut learned);
+        self.look(seen, &mut learned);
         self.last = Some(seen.clone());
         learned
     }
@@ -248,9 +264,7 @@ impl Belief {
             }
             self.take_over_node(told, node);
         }
-        self.look_at_places(told);
-        self.missing.retain(|(id, _)| !told.sees(*id));
-        self.resample(&mut learned);
+        self.look(told, &mut learned);
         // What was told may be newer than what was seen last.
         self.last = None;
         learned
@@ -290,9 +304,12 @@ impl Belief {
         self.places.push(place);
         self.seen.push(false);
         self.rooms.push(None);
-        let share = 1.0 / self.places.len() as f64;
-        for weights in self.weights.values_mut() {
-            *weights = weights.iter().map(|w| w * (1.0 - share)).chain([share]).collect();
+        let share = self.even();
+        for class in self.supposed.values_mut() {
+            if let Some(habit) = &mut class.habit {
+                *habit = habit.iter().map(|w| w * (1.0 - share)).chain([share]).collect();
+                class.left = class.left * (1.0 - share) + share;
+            }
         }
     }
 
@@ -329,7 +346,11 @@ impl Belief {
         let links = |graph: &SceneGraph, agent: NodeId| -> Vec<Edge> {
             kinds.iter().flat_map(|&r| graph.related(agent, r).map(move |to| Edge::new(agent, r, to))).collect()
         };
-        let now: Vec<Edge> = kinds.iter().flat_map(|&r| seen.related(self.agent, r)).collect();
+        let mut now: Vec<Edge> = kinds.iter().flat_map(|&r| seen.related(self.agent, r)).collect();
+        // It remembers having turned to something out of view.
+        now.extend(
+            links(&self.graph, self.agent).into_iter().filter(|e| e.relation == Relation::Facing && !seen.sees(e.to)),
+        );
         if links(&self.graph, self.agent) == now {
             return;
         }
@@ -341,14 +362,75 @@ impl Belief {
         edit.commit();
     }
 
-    /// Notes which places are in view now.
-    fn look_at_places(&mut self, seen: &Observation) {
-        if self.missing.is_empty() {
+    /// Notes what is found and which places are in view, and guesses anew what that
+    /// disproves.
+    fn look(&mut self, seen: &Observation, learned: &mut Learned) {
+        let mut lost = self.lost(seen);
+        if self.missing.is_empty() && lost.is_empty() {
             return;
         }
-        for (place, looked) in self.places.iter().zip(&mut self.seen) {
-            *looked = *looked || in_view(seen, place);
+        let found: Vec<NodeId> = self.missing.iter().map(|(id, _)| *id).filter(|id| seen.sees(*id)).collect();
+        found.iter().for_each(|&id| self.find(seen, id));
+        // Both are in the order of numbers.
+        self.missing.retain(|(id, _)| found.binary_search(id).is_err());
+        if self.look_at_places(seen) || !found.is_empty() {
+            self.tidiness.settle(self.supposed.values(), self.unseen_share());
         }
+        self.resample(learned);
+        lost.drain(..).for_each(|id| self.lose(id, learned));
+    }
+
+    /// Things that are not where they were: somebody else has taken them.
+    fn lost(&self, seen: &Observation) -> Vec<NodeId> {
+        let Some(room) = seen.room().filter(|_| !self.knows_all() && self.graph.agents().len() > 1) else {
+            return Vec::new();
+        };
+        let gone = |id: &NodeId| {
+            let movable =
+                self.known.contains(*id) && self.graph.node(*id).is_some_and(|n| n.affords(Property::Graspable));
+            let place = self.graph.place(*id).unwrap_or(Place { relation: Relation::InRoom, at: room });
+            movable && !seen.sees(*id) && self.graph.holder(*id).is_none() && in_view(seen, &place)
+        };
+        self.graph.in_room(room).filter(gone).collect()
+    }
+
+    fn lose(&mut self, id: NodeId, learned: &mut Learned) {
+        self.known.remove(id);
+        self.weigh(id);
+        let place = self.sample(id);
+        let position = self.missing.partition_point(|(other, _)| *other < id);
+        self.missing.insert(position, (id, place));
+        self.suppose(id, place);
+        learned.disproved.push(id);
+    }
+
+    /// A missing thing is found: it tells how tidy the home is.
+    fn find(&mut self, seen: &Observation, id: NodeId) {
+        let even = self.even();
+        let place =
+            seen.places(id).next().or_else(|| Some(Place { relation: Relation::InRoom, at: seen.room_of(id)? }));
+        let at = place.and_then(|place| self.places.iter().position(|p| *p == place));
+        let Some(class) = self.graph.node(id).and_then(|n| self.supposed.get_mut(n.class())) else { return };
+        class.missing = class.missing.saturating_sub(1);
+        // Where it is found again after it was moved says nothing.
+        if let (Some(habit), Some(at)) = (&class.habit, at.filter(|&at| !self.seen[at])) {
+            self.tidiness.found(habit[at], even);
+        }
+    }
+
+    /// Notes which places are in view now; whether there are new ones.
+    fn look_at_places(&mut self, seen: &Observation) -> bool {
+        let mut new = false;
+        for (index, place) in self.places.iter().enumerate() {
+            if self.seen[index] || !in_view(seen, place) {
+                continue;
+            }
+            (self.seen[index], new) = (true, true);
+            for class in self.supposed.values_mut() {
+                class.left -= class.habit.as_ref().map_or(0.0, |habit| habit[index]);
+            }
+        }
+        new
     }
 
     fn resample(&mut self, learned: &mut Learned) {
@@ -363,27 +445,31 @@ impl Belief {
         }
     }
 
-    /// A place that has not been looked at, by its weight; all again, when none is
+    /// A place that has not been looked at, by its chance; all again, when none is
     /// left.
     fn sample(&mut self, id: NodeId) -> usize {
         if self.seen.iter().all(|&seen| seen) {
-            self.seen.fill(false);
-            self.widened += 1;
+            self.widen();
         }
-        let Some(weights) = self.weights_of(id).cloned() else { return 0 };
-        let open = || self.seen.iter().enumerate().filter(|(_, seen)| !**seen).map(|(i, _)| i);
-        let sum: f64 = open().map(|i| weights[i]).sum();
         // 53 bits make a number from 0 up to 1.
-        let mut draw = (self.rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * sum;
+        let mut draw = (self.rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+        let Some(chances) = self.chances_of(id) else { return 0 };
         let mut last = 0;
-        for i in open() {
+        for (i, _, _) in self.sites() {
             last = i;
-            draw -= weights[i];
+            draw -= chances.at(i);
             if draw < 0.0 {
                 break;
             }
         }
         last
+    }
+
+    fn widen(&mut self) {
+        self.seen.fill(false);
+        self.widened += 1;
+        self.supposed.values_mut().for_each(|class| class.left = 1.0);
+        self.tidiness.settle(self.supposed.values(), 1.0);
     }
 
     fn suppose(&mut self, id: NodeId, place: usize) {
@@ -415,6 +501,20 @@ impl Belief {
             }
         }
         edit.commit();
+    }
+}
+
+/// The chances of places for a thing.
+pub(crate) struct Chances<'a> {
+    each: f64,
+    by_habit: f64,
+    habit: Option<&'a [f64]>,
+}
+
+impl Chances<'_> {
+    /// The chance of a place not seen, by its number.
+    pub(crate) fn at(&self, place: usize) -> f64 {
+        self.each + self.habit.map_or(0.0, |habit| self.by_habit * habit[place])
     }
 }
 

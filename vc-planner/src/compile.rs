@@ -9,7 +9,7 @@ use crate::demand::{Demand, Demands};
 use crate::packed::{BITS, MOST, Need, Problem, State, Way, bit};
 use crate::want::Unreachable;
 
-pub(crate) use site::anchor;
+pub(crate) use site::{anchor, is_ground};
 
 /// How a home is to be left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
@@ -251,8 +251,7 @@ impl Compiler<'_> {
         let mut ways = Vec::new();
         for at in places {
             // What stands on what moves is left to the general planner.
-            let loose = graph.node(at).is_some_and(|n| n.affords(Property::Graspable));
-            if loose || !(self.known)(at) {
+            if self.affords(at, Property::Graspable) {
                 continue;
             }
             if room(&at) {
@@ -318,6 +317,11 @@ impl Compiler<'_> {
         }
     }
 
+    /// Whether it is known where a thing is: it has been seen, or belongs to the home.
+    fn is_located(&self, id: NodeId) -> bool {
+        (self.known)(id) || !self.affords(id, Property::Graspable)
+    }
+
     fn affords(&self, id: NodeId, property: Property) -> bool {
         self.graph().node(id).is_some_and(|n| n.affords(property))
     }
@@ -326,8 +330,8 @@ impl Compiler<'_> {
     fn uses(&mut self, demand: &Demand<'_>, short: usize, word: Word) -> Result<()> {
         let (graph, me) = (self.now.graph, self.now.agent);
         let mut ways = Vec::new();
-        for &id in demand.subjects().iter().filter(|id| (self.known)(**id)) {
-            if demand.holds(self.now, id) || ways.len() >= short + SPARE {
+        for &id in demand.subjects() {
+            if !self.is_located(id) || demand.holds(self.now, id) || ways.len() >= short + SPARE {
                 continue;
             }
             let found = rule::regress::achievers(graph, me, &Condition::In(id, word));
@@ -397,7 +401,7 @@ impl Compiler<'_> {
             let narrowed = Demand { things: [fit, Vec::new()], ..demand.clone() };
             return self.need(&narrowed, short, vec![Way::UseHeld { verb }]);
         }
-        let known: Vec<NodeId> = fit.iter().copied().filter(|id| (self.known)(*id)).collect();
+        let known: Vec<NodeId> = fit.iter().copied().filter(|id| self.is_located(*id)).collect();
         if known.is_empty() {
             self.out.lacks.push(Lack { subjects: fit, number: 1, ways: Vec::new() });
             return Ok(());

@@ -127,7 +127,9 @@ impl<'a, 'g> Reader<'a, 'g> {
                 }
             }
             Goal::Exists(q) => {
-                let range = self.range(q);
+                let mut range = self.range(q);
+                // Those of which most holds already are tried first.
+                range.sort_by_key(|&id| std::cmp::Reverse(self.met(q, id)));
                 if !range.is_empty() {
                     let chosen = self.choice.pick(range.len());
                     self.with(q, range[chosen]);
@@ -136,6 +138,29 @@ impl<'a, 'g> Reader<'a, 'g> {
             }
             _ => self.found.rest = true,
         }
+    }
+
+    /// How many parts of a body hold of a thing now.
+    fn met(&self, q: &Quantified, id: NodeId) -> usize {
+        let parts = match &*q.body {
+            Goal::And(parts) => parts.as_slice(),
+            whole => std::slice::from_ref(whole),
+        };
+        let stands_for = |term: &Term| match term {
+            Term::Variable(name) if *name == q.variable => vec![id],
+            other => self.candidates(other),
+        };
+        let holds = |part: &&Goal| {
+            let Goal::Literal(literal) = part else { return false };
+            let things = |i: usize| literal.terms.get(i).map_or_else(Vec::new, stands_for);
+            let (first, second) = (things(0), things(1));
+            let with = |a| match second.as_slice() {
+                [] => self.now.holds(literal.predicate, [Some(a), None]),
+                others => others.iter().any(|&b| self.now.holds(literal.predicate, [Some(a), Some(b)])),
+            };
+            first.into_iter().any(with)
+        };
+        parts.iter().filter(holds).count()
     }
 
     /// So many of a class, those first of which the part holds already.

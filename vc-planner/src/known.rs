@@ -39,6 +39,16 @@ impl Known {
     }
 }
 
+impl Known {
+    /// Takes a node out again.
+    pub(crate) fn remove(&mut self, id: NodeId) {
+        if let Some(word) = self.bits.get_mut(id.0 as usize / 64) {
+            *word &= !(1 << (id.0 % 64));
+        }
+        self.rest.retain(|other| *other != id);
+    }
+}
+
 impl FromIterator<NodeId> for Known {
     fn from_iter<I: IntoIterator<Item = NodeId>>(ids: I) -> Self {
         let mut known = Self::default();

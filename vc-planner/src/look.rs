@@ -1,97 +1,271 @@
-//! Where to look next: chance over cost.
+//! What to do next while something is lacking: where to look, what to bring where.
 //!
-//! For one thing in independent boxes the best order is by falling `p / c` (Stone,
-//! *Theory of Optimal Search*, 1975). Entering a room shows all its surfaces at once
-//! and makes its boxes cheap, so a room is worth the best of
-//! `(P_surfaces + p_1 + ... + p_j) / (c_1 + ... + c_j)` over its boxes by falling `p`
-//! (Sidney's index for chains, 1975). Several things looked for count by the chance
-//! that at least one of those still needed is found.
+//! Here the belief and the packed problem become a [`Hunt`], whose best move becomes
+//! something to do in the scene.
 
-use vc_graph::{NodeId, Place, Relation, SceneGraph};
+use vc_graph::{Action, NodeId, Place, Relation, SceneGraph, Verb};
 
 use crate::Belief;
-use crate::compile::{Lack, Manners};
+use crate::compile::{Compiled, Manners, anchor};
+use crate::hunt::{Hunt, Item, Lacking, MOST_LACKS, MOST_QUARRIES, MOST_ROOMS, MOST_SITES, Move, Quarry, Site, Target};
+use crate::packed::Way;
 
-/// Something to look at: a room to enter, or a container to open.
+/// What to do next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Look {
-    Enter(NodeId),
+    /// Walk up to a thing or into a room, to see what is there.
+    Visit(NodeId),
+    /// Open a container and look into it.
     Open(NodeId),
+    /// See to something found.
+    Do(Action),
 }
 
-/// A container that has not been looked into.
-struct Box {
-    at: NodeId,
-    chance: f64,
-    cost: f64,
-}
-
-/// What one room hides.
-#[derive(Default)]
-struct Hidden {
-    room: Option<NodeId>,
-    surfaces: f64,
-    boxes: Vec<Box>,
-}
-
-/// The best look for what is lacking; `None` if nothing is left to look at.
-pub(crate) fn best_look(
-    belief: &Belief,
-    me: NodeId,
-    lacks: &[Lack],
-    doors: &[NodeId],
-    manners: Manners,
-) -> Option<Look> {
-    let graph = belief.graph();
-    let chances = chances(belief, lacks);
-    let here = graph.room_of(me);
-    let mut rooms: Vec<Hidden> = Vec::new();
-    for (index, place, room) in belief.sites() {
-        let room = room.or_else(|| graph.room_of(place.at));
-        let position = rooms.iter().position(|h| h.room == room).unwrap_or_else(|| {
-            rooms.push(Hidden { room, ..Hidden::default() });
-            rooms.len() - 1
-        });
-        let chance = chances[index];
-        match box_at(graph, &place, room == here) {
-            None => rooms[position].surfaces += chance,
-            Some(at) => add_box(graph, me, &mut rooms[position], Box { at, chance, cost: 0.0 }, doors, manners),
-        }
-    }
-    let looks = rooms.into_iter().filter_map(|hidden| look_in(hidden, here));
-    looks
-        .fold(None, |best: Option<(f64, Look)>, (value, look)| match best {
-            Some((most, _)) if most >= value => best,
-            _ => Some((value, look)),
-        })
-        .map(|(_, look)| look)
-}
-
-/// For each place the chance that something needed is found there.
-fn chances(belief: &Belief, lacks: &[Lack]) -> Vec<f64> {
-    let mut all = vec![0.0; belief.places_known()];
-    for lack in lacks {
-        let mut none = vec![1.0; all.len()];
-        for (position, &id) in lack.subjects.iter().enumerate() {
-            let Some(weights) = belief.weights_of(id) else { continue };
-            let sum: f64 = belief.sites().map(|(i, _, _)| weights[i]).sum();
-            // Instances of a class are alike: the last of many changes little.
-            if position >= MANY || sum <= 0.0 {
-                break;
-            }
-            for (i, _, _) in belief.sites() {
-                none[i] *= 1.0 - weights[i] / sum;
-            }
-        }
-        for (chance, none) in all.iter_mut().zip(none) {
-            *chance += 1.0 - none;
-        }
-    }
-    all
+/// The best thing to do for what is lacking and what is found; `None` if nothing is
+/// left to look at.
+pub(crate) fn best_look(belief: &Belief, me: NodeId, compiled: &Compiled, manners: Manners) -> Option<Look> {
+    let mut map = Map::new(belief, me, compiled, manners);
+    map.see_to_found();
+    map.seek();
+    map.best()
 }
 
 /// So many instances of what is lacking are told apart from infinitely many.
-const MANY: usize = 8;
+const INSTANCES: usize = 6;
+
+/// A hunt, and what its numbers stand for.
+struct Map<'a> {
+    belief: &'a Belief,
+    graph: &'a SceneGraph,
+    me: NodeId,
+    compiled: &'a Compiled,
+    hunt: Hunt,
+    rooms: Vec<NodeId>,
+    spots: Vec<NodeId>,
+    /// What is opened to see a site, in the order of sites.
+    shut: Vec<Option<NodeId>>,
+    /// The site of each place of the belief.
+    site_of: Vec<Option<u16>>,
+    /// The things of the hunt's items, and what puts down those in its hands.
+    items: Vec<NodeId>,
+    puts: Vec<Action>,
+}
+
+/// A site before it has a number.
+struct Unseen {
+    room: u8,
+    shut: Option<NodeId>,
+    spot: Option<NodeId>,
+    value: f64,
+    places: Vec<usize>,
+}
+
+impl<'a> Map<'a> {
+    fn new(belief: &'a Belief, me: NodeId, compiled: &'a Compiled, manners: Manners) -> Self {
+        let graph = belief.graph();
+        let opening = if manners == Manners::Tidy { 2 } else { 1 };
+        let mut map = Self {
+            belief,
+            graph,
+            me,
+            compiled,
+            hunt: Hunt { opening, ..Hunt::default() },
+            rooms: Vec::new(),
+            spots: Vec::new(),
+            shut: Vec::new(),
+            site_of: vec![None; belief.places_known()],
+            items: Vec::new(),
+            puts: Vec::new(),
+        };
+        map.hunt.room = graph.room_of(me).and_then(|room| map.room(room)).unwrap_or(0);
+        map.sites();
+        map
+    }
+
+    fn room(&mut self, id: NodeId) -> Option<u8> {
+        let known = self.rooms.iter().position(|&r| r == id);
+        let number = known.unwrap_or(self.rooms.len());
+        if known.is_none() {
+            self.rooms.push(id);
+        }
+        (number < MOST_ROOMS).then_some(number as u8)
+    }
+
+    fn spot(&mut self, id: NodeId) -> u16 {
+        let known = self.spots.iter().position(|&s| s == id);
+        known.unwrap_or_else(|| {
+            self.spots.push(id);
+            if self.graph.near(self.me, id) {
+                self.hunt.near.push(self.spots.len() as u16 - 1);
+            }
+            self.spots.len() - 1
+        }) as u16
+    }
+
+    /// Gives the places not seen yet their numbers.
+    fn sites(&mut self) {
+        let values = self.values();
+        let here = self.graph.room_of(self.me);
+        let mut unseen: Vec<Unseen> = Vec::new();
+        for (index, place, room) in self.belief.sites() {
+            let Some(room_id) = room.or_else(|| self.graph.room_of(place.at)) else { continue };
+            let Some(room) = self.room(room_id) else { continue };
+            let shut = box_at(self.graph, &place, Some(room_id) == here);
+            if let Some(known) = unseen.iter_mut().find(|u| shut.is_some() && u.shut == shut) {
+                known.value += values[index];
+                known.places.push(index);
+                continue;
+            }
+            let at = anchor(self.graph, place.at);
+            // What lies on a floor is walked up to itself.
+            let spot =
+                (self.graph.node(at).is_some_and(|n| !crate::compile::is_ground(self.graph, n.id()))).then_some(at);
+            unseen.push(Unseen { room, shut, spot, value: values[index], places: vec![index] });
+        }
+        unseen.sort_by(|a, b| {
+            (a.room, a.shut.is_some()).cmp(&(b.room, b.shut.is_some())).then(b.value.total_cmp(&a.value))
+        });
+        unseen.truncate(MOST_SITES);
+        for new in &unseen {
+            let spot = new.spot.map(|id| self.spot(id));
+            let number = self.hunt.sites.len() as u16;
+            self.hunt.sites.push(Site { spot, shut: new.shut.is_some() });
+            self.shut.push(new.shut);
+            new.places.iter().for_each(|&p| self.site_of[p] = Some(number));
+        }
+        for room in 0..self.rooms.len().min(MOST_ROOMS) as u8 {
+            let start = unseen.partition_point(|u| u.room < room) as u16;
+            let shut = unseen.partition_point(|u| (u.room, u.shut.is_some()) < (room, true)) as u16;
+            let end = unseen.partition_point(|u| u.room <= room) as u16;
+            self.hunt.rooms.push((start..end, shut));
+        }
+    }
+
+    /// For each place how many of the things lacking are to be expected there.
+    fn values(&self) -> Vec<f64> {
+        let mut all = vec![0.0; self.belief.places_known()];
+        for lack in self.compiled.lacks.iter().take(MOST_LACKS) {
+            let Some(chances) = lack.subjects.first().and_then(|&id| self.belief.chances_of(id)) else { continue };
+            for (index, _, _) in self.belief.sites() {
+                all[index] += chances.at(index);
+            }
+        }
+        all
+    }
+
+    /// What is known and wanted elsewhere, in the hands and not.
+    fn see_to_found(&mut self) {
+        let (problem, start) = (&self.compiled.problem, &self.compiled.start);
+        let mut left = start.piles;
+        let mut hands: Vec<(u32, NodeId)> =
+            start.hands.iter().zip(problem.held).filter_map(|(&h, id)| Some((problem.kind(h), id?))).collect();
+        for (n, need) in problem.needs.iter().enumerate() {
+            let (mut wanted, way) = (start.needs[n], need.ways.first());
+            let Some(way @ (Way::Put { .. } | Way::Keep | Way::UseHeld { .. })) = way else { continue };
+            while let Some(hand) = hands.iter().position(|(serves, _)| wanted > 0 && serves & (1 << n) != 0) {
+                let (_, id) = hands.remove(hand);
+                wanted -= 1;
+                match self.target(way) {
+                    Some(target) => {
+                        self.hunt.hands.push(target);
+                        self.puts.extend(put(way, id));
+                    }
+                    None => self.hunt.blocked += 1,
+                }
+            }
+            for (p, pile) in
+                problem.piles.iter().enumerate().filter(|(_, p)| problem.kinds[p.kind as usize] & (1 << n) != 0)
+            {
+                let taken = wanted.min(left[p]);
+                let from = pile.items.len().saturating_sub(left[p] as usize);
+                for &id in pile.items[from..].iter().take(taken as usize) {
+                    self.found(id, problem.spots[pile.spot as usize].anchor, way);
+                }
+                (left[p], wanted) = (left[p] - taken, wanted - taken);
+            }
+        }
+        self.hunt.blocked += hands.len() as u8;
+    }
+
+    fn found(&mut self, id: NodeId, spot: NodeId, way: &Way) {
+        let Some(room) = self.graph.room_of(spot).and_then(|r| self.room_known(r)) else { return };
+        let (spot, target) = (self.spot(spot), self.target(way));
+        self.hunt.items.push(Item { spot, room, target });
+        self.items.push(id);
+    }
+
+    /// A room that the hunt has; one without sites is added.
+    fn room_known(&mut self, id: NodeId) -> Option<u8> {
+        let room = self.room(id)?;
+        while self.hunt.rooms.len() <= room as usize {
+            let end = self.hunt.sites.len() as u16;
+            self.hunt.rooms.push((end..end, end));
+        }
+        Some(room)
+    }
+
+    fn target(&mut self, way: &Way) -> Option<u8> {
+        let Way::Put { spot, door, .. } = way else { return None };
+        let anchor = self.compiled.problem.spots[*spot as usize].anchor;
+        let room = self.graph.room_of(anchor).and_then(|r| self.room_known(r))?;
+        let container = door.map(|d| self.compiled.problem.doors[d as usize].node);
+        let door = container.and_then(|id| self.shut.iter().position(|s| *s == Some(id))).map(|s| s as u16);
+        let target = Target { spot: self.spot(anchor), room, door };
+        let known = self.hunt.targets.iter().position(|t| *t == target);
+        let number = known.unwrap_or(self.hunt.targets.len());
+        if known.is_none() {
+            self.hunt.targets.push(target);
+        }
+        (number < crate::hunt::MOST_TARGETS).then_some(number as u8)
+    }
+
+    /// What is lacking, and where it can be.
+    fn seek(&mut self) {
+        for (number, lack) in self.compiled.lacks.iter().take(MOST_LACKS).enumerate() {
+            let target = lack.ways.first().and_then(|way| self.target(way));
+            let before = self.hunt.quarries.len();
+            let wanted = lack.number.max(INSTANCES).min(MOST_QUARRIES.saturating_sub(self.hunt.quarries.len()));
+            for &id in lack.subjects.iter().take(wanted) {
+                let Some(chances) = self.belief.chances_of(id) else { continue };
+                let mut by_site = vec![0.0; self.hunt.sites.len()];
+                for (index, _, _) in self.belief.sites() {
+                    if let Some(site) = self.site_of[index] {
+                        by_site[site as usize] += chances.at(index);
+                    }
+                }
+                self.hunt.quarries.push(Quarry { lack: number as u8, chances: by_site });
+            }
+            // What is fixed and has only not been seen need not be looked for.
+            let left = lack.number.min(self.hunt.quarries.len() - before) as u8;
+            self.hunt.lacks.push(Lacking { left, target });
+        }
+    }
+
+    fn best(mut self) -> Option<Look> {
+        let look = match self.hunt.best()? {
+            Move::Visit { room, spot } => {
+                Look::Visit(spot.map_or(self.rooms[room as usize], |s| self.spots[s as usize]))
+            }
+            Move::Open(site) => Look::Open(self.shut[site as usize]?),
+            Move::Fetch(item) => Look::Do(Action::one(Verb::Grab, self.items[item as usize])),
+            Move::Deliver(hand) => {
+                let put = *self.puts.get(hand as usize)?;
+                let away = |room| (put.verb == Verb::Drop && self.graph.room_of(self.me) != Some(room)).then_some(room);
+                let room = self.rooms[self.hunt.targets[self.hunt.hands[hand as usize] as usize].room as usize];
+                away(room).map_or(Look::Do(put), Look::Visit)
+            }
+        };
+        Some(look)
+    }
+}
+
+fn put(way: &Way, id: NodeId) -> Option<Action> {
+    match *way {
+        Way::Put { verb: Verb::Drop, .. } => Some(Action::one(Verb::Drop, id)),
+        Way::Put { verb, at, .. } => Some(Action::two(verb, id, at)),
+        _ => None,
+    }
+}
 
 /// The container that must be opened to see a place; `None` if it is in view in its
 /// room.
@@ -104,33 +278,4 @@ fn box_at(graph: &SceneGraph, place: &Place, here: bool) -> Option<NodeId> {
         Relation::Inside if shut(place.at) || here => Some(place.at),
         _ => None,
     }
-}
-
-fn add_box(graph: &SceneGraph, me: NodeId, hidden: &mut Hidden, new: Box, doors: &[NodeId], manners: Manners) {
-    if let Some(known) = hidden.boxes.iter_mut().find(|b| b.at == new.at) {
-        known.chance += new.chance;
-        return;
-    }
-    let walk = if graph.near(me, new.at) { 0.0 } else { 1.0 };
-    // What has to be opened anyway is looked into for nothing more than the walk.
-    let open = if doors.contains(&new.at) { 0.0 } else { 1.0 + f64::from(u8::from(manners == Manners::Tidy)) };
-    hidden.boxes.push(Box { cost: (walk + open).max(0.25), ..new });
-}
-
-/// What a room is worth, and what to do first in it.
-fn look_in(mut hidden: Hidden, here: Option<NodeId>) -> Option<(f64, Look)> {
-    hidden.boxes.sort_by(|a, b| (b.chance * a.cost).total_cmp(&(a.chance * b.cost)));
-    let mut best = match hidden.room {
-        Some(room) if hidden.room != here && hidden.surfaces > 0.0 => Some((hidden.surfaces, Look::Enter(room))),
-        _ => None,
-    };
-    let (mut chance, mut cost) = (hidden.surfaces, 0.0);
-    for b in &hidden.boxes {
-        (chance, cost) = (chance + b.chance, cost + b.cost);
-        let value = chance / cost;
-        if best.is_none_or(|(most, _)| value > most) {
-            best = Some((value, Look::Open(hidden.boxes[0].at)));
-        }
-    }
-    best
 }

@@ -1,6 +1,6 @@
 //! What decides: one trait for planners, baselines, scripts and language models.
 
-use vc_graph::{Action, Goal, NodeId, Observation, SceneGraph, Scope, Seed, Stream};
+use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Seed, Stream};
 use vc_tasks::library::THESIS_VERBS;
 use vc_tasks::{Task, WorldError};
 
@@ -83,6 +83,9 @@ pub trait Policy {
     fn refused(&mut self, _action: &Action, _why: &WorldError) -> Reaction {
         Reaction::Stop
     }
+
+    /// Another agent in view has done something, before the next look.
+    fn saw(&mut self, _event: &Event) {}
 
     /// What it believes, if it does.
     fn belief(&self) -> Option<&Belief> {

@@ -192,11 +192,14 @@ impl<'a> Regression<'a> {
         let mark = self.trail.len();
         self.open.push(*want);
         let candidates = self.ways(want);
+        let blind = self.lies_anywhere(want);
         let mut achieved = false;
         for action in candidates {
             // Some conditions take several actions: an object that is to be in
             // another room is grabbed, carried there and put down.
-            achieved = self.act(&action) && (self.cut || want.holds(self.graph, self.agent) || self.go_on(want));
+            let acted = self.act(&action);
+            self.cut |= acted && blind;
+            achieved = acted && (self.cut || want.holds(self.graph, self.agent) || self.go_on(want));
             if achieved || self.budget == 0 {
                 break;
             }
@@ -209,15 +212,20 @@ impl<'a> Regression<'a> {
         achieved
     }
 
+    /// Whether a thing that is to be near is believed somewhere on the floor of another
+    /// room: only there can one see on.
+    fn lies_anywhere(&self, want: &Condition) -> bool {
+        matches!(*want, Condition::Near(id) if self.is_missing(id) && self.graph.place(id).is_none())
+    }
+
     /// Actions that bring a condition about. What can be anywhere and has not been
     /// seen cannot be walked up to: one goes to the place where it is believed to
-    /// be. On the floor of a room that is the room, and only there can one see on.
-    fn ways(&mut self, want: &Condition) -> Vec<Action> {
+    /// be, or else to the room.
+    fn ways(&self, want: &Condition) -> Vec<Action> {
         match *want {
             Condition::Near(id) if self.is_missing(id) => {
                 let room = || self.graph.room_of(id).filter(|&r| Some(r) != self.graph.room_of(self.agent));
                 let place = self.graph.place(id).map(|p| p.at);
-                self.cut = place.is_none() && room().is_some();
                 place.or_else(room).map(|at| Action::one(Verb::Walk, at)).into_iter().collect()
             }
             _ => rule::regress::achievers(self.graph, self.agent, want),
@@ -245,11 +253,19 @@ impl<'a> Regression<'a> {
         false
     }
 
+    /// What an action needs. To do something to a thing that has not been found one must
+    /// first come to see it, whatever is supposed about it.
+    fn needs(&self, action: &Action) -> Vec<Condition> {
+        let missing = action.things().filter(|&id| action.verb != Verb::Walk && self.is_missing(id));
+        let sight = missing.flat_map(|id| [Condition::Accessible(id), Condition::Near(id)]);
+        sight.chain(rule::preconditions(action)).collect()
+    }
+
     /// Does an action after making true what it needs, or leaves everything as it
     /// was.
     fn act(&mut self, action: &Action) -> bool {
         let mark = self.trail.len();
-        let needs = rule::preconditions(action);
+        let needs = self.needs(action);
         for _ in 0..ROUNDS {
             let unmet = |s: &Self| needs.iter().find(|c| !c.holds(s.graph, s.agent)).copied();
             while let Some(need) = unmet(self) {

@@ -310,7 +310,8 @@ impl View<'_> {
         let me = self.now.agent;
         let room = self.graph().rooms().contains(&to);
         let related = |relation| vec![Want::Hold(Condition::Related(from, relation, to))];
-        if from == to {
+        let fixed = from != me && !Condition::Graspable(from).holds(self.graph(), me);
+        if from == to || (fixed && matches!(relation, Relation::On | Relation::Inside | Relation::InRoom)) {
             return Vec::new();
         }
         match relation {

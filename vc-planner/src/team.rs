@@ -156,7 +156,8 @@ impl Watcher {
                     .map_or(f64::INFINITY, |p| p.actions.len() as f64)
             };
             let (was, is) = (left(before, &[]), left(after, std::slice::from_ref(event)));
-            if is >= was {
+            // What cannot be planned for says nothing.
+            if was.is_finite() && is >= was {
                 *weight -= AGAINST;
             }
         }

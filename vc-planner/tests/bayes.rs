@@ -1,7 +1,7 @@
 //! In small homes the agent needs hardly more steps than the best possible policy,
 //! found by brute force over all it could know.
 
-#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
 use std::collections::HashMap;
 
@@ -62,6 +62,13 @@ fn value(s: State, memo: &mut HashMap<State, f64>) -> f64 {
     let walk = |at: usize| if s.at == Some(at) { 0.0 } else { 1.0 };
     for room in (0..3).filter(|&r| r != s.room) {
         let next = State { room, at: None, ..s };
+        if unseen(&next) != 0 {
+            best = best.min(1.0 + looked(next, unseen(&next), memo));
+        }
+    }
+    // A room is as well entered by walking up to something in it.
+    for place in (3..PLACES).filter(|&p| room_of(p) != s.room) {
+        let next = State { room: room_of(place), at: Some(place), ..s };
         if unseen(&next) != 0 {
             best = best.min(1.0 + looked(next, unseen(&next), memo));
         }
@@ -178,5 +185,6 @@ fn hardly_more_steps_than_the_best_policy() {
     }
     let mean = steps as f64 / (PLACES * PLACES) as f64;
     assert!(mean >= best - 1e-9, "{mean} is below the best possible {best}");
-    assert!(mean <= 1.10 * best, "{mean} steps on average, the best possible {best}");
+    println!("{mean:.3} steps on average, the best possible {best:.3}: {:.3}", mean / best);
+    assert!(mean <= 1.05 * best, "{mean} steps on average, the best possible {best}");
 }

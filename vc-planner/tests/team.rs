@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
 use vc_graph::{Draft, Event, Goal, History, NodeId, SceneBuilder, SceneGraph, Seed, Simulator};
-use vc_planner::{Team, Watcher, plan};
+use vc_planner::{Helper, Newcomer, Policy, Team, Watcher, plan, run_together};
 use vc_tasks::{Outcome, Task};
 
 /// A home with two people, and one of each of eight things anywhere.
@@ -75,4 +75,35 @@ fn what_somebody_does_tells_its_goal() {
         assert_eq!(likely[0].0, goal, "{likely:?}");
         assert!((likely.iter().map(|(_, p)| p).sum::<f64>() - 1.0).abs() < 1e-9);
     }
+}
+
+/// Goals among which the helper has to find the one pursued.
+const POSSIBLE: [&str; 4] = [
+    "On(apple, kitchen_table) & On(plate, kitchen_table) & On(fork, kitchen_table) & On(mug, kitchen_table)",
+    "Inside(milk, fridge) & Inside(bowl, fridge) & Inside(apple, fridge) & Inside(mug, fridge)",
+    "On(book, desk) & On(cellphone, desk) & On(mug, desk) & On(plate, desk)",
+    "On(book, coffee_table) & On(cellphone, coffee_table) & On(fork, coffee_table) & On(bowl, coffee_table)",
+];
+
+#[test]
+fn a_helper_saves_steps() {
+    let goals: Vec<Goal> = POSSIBLE.iter().map(|g| g.parse().unwrap()).collect();
+    let (mut alone, mut helped, mut right) = (0, 0, 0);
+    for seed in 0..20 {
+        let scene = home(seed);
+        let task = Task::new("help", goals[seed as usize % goals.len()].clone());
+        let rounds = |policies: &mut [(NodeId, &mut dyn Policy)]| {
+            let episode = run_together(policies, &task, &mut Simulator::new(scene.clone()), Seed(seed));
+            assert_eq!(episode.outcome, Outcome::Won, "{seed}: {episode:?}");
+            episode.rounds
+        };
+        let ids = scene.agents();
+        alone += rounds(&mut [(ids[0], &mut Newcomer::best())]);
+        let mut helper = Helper::resident(goals.clone());
+        helped += rounds(&mut [(ids[0], &mut Newcomer::best()), (ids[1], &mut helper)]);
+        right += usize::from(*helper.likely()[0].0 == task.goal);
+    }
+    println!("alone {alone}, helped {helped}: {:.3}; {right} of 20 goals inferred", helped as f64 / alone as f64);
+    assert!(right >= 15, "{right}");
+    assert!(helped * 100 <= alone * 95, "{helped} of {alone}");
 }

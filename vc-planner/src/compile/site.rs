@@ -246,7 +246,7 @@ fn container(graph: &SceneGraph, id: NodeId) -> Option<NodeId> {
 }
 
 /// Floors and rugs: standing on them is no reason to be near all that does.
-fn is_ground(graph: &SceneGraph, id: NodeId) -> bool {
+pub(crate) fn is_ground(graph: &SceneGraph, id: NodeId) -> bool {
     graph.node(id).is_none_or(|n| {
         n.kind() != Kind::Object
             || matches!(&**n.class(), "floor" | "rug" | "carpet" | "mat" | "ceiling" | "wall" | "ground")

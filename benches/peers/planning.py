@@ -1,0 +1,202 @@
+"""Compares our plans with Fast Downward's, and has them checked by unified-planning.
+
+    cargo run --release -p vc-planner --example instances -- target/instances
+    pip install --target peers up-fast-downward unified-planning
+    PYTHONPATH=peers python3 benches/peers/planning.py target/instances [--lama SECONDS] [--only PREFIX]
+
+For instances of up to six predicates the optimum is A* with LM-cut, and ours must equal
+it; for twelve LAMA has 60 seconds of CPU. Each of our plans is completed to PDDL steps by
+searching for the parameters that we do not write, and checked by unified-planning's
+SequentialPlanValidator, which also has to reject it with any one step deleted.
+"""
+
+import argparse
+import csv
+import importlib.util
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import warnings
+
+MISSING = [m for m in ("up_fast_downward", "unified_planning") if importlib.util.find_spec(m) is None]
+if MISSING:
+    sys.exit(f"SKIPPED: {' and '.join(MISSING)} not installed; see the head of this file")
+
+from unified_planning.engines import SequentialPlanValidator  # noqa: E402
+from unified_planning.environment import get_environment  # noqa: E402
+from unified_planning.io import PDDLReader  # noqa: E402
+
+get_environment().credits_stream = None
+# A predicate and an action may have the same name in PDDL.
+get_environment().error_used_name = False
+warnings.simplefilter("ignore")
+DOWNWARD = pathlib.Path(importlib.util.find_spec("up_fast_downward").origin).parent / "downward" / "fast-downward.py"
+
+
+def parse(text):
+    """An s-expression as nested lists."""
+    stack = [[]]
+    for token in re.findall(r"[()]|[^\s()]+", re.sub(r";.*", "", text).lower()):
+        if token == "(":
+            stack.append([])
+        elif token == ")":
+            last = stack.pop()
+            stack[-1].append(last)
+        else:
+            stack[-1].append(token)
+    return stack[0][0]
+
+
+def section(tree, name):
+    return next((part[1:] for part in tree if isinstance(part, list) and part and part[0] == name), [])
+
+
+def conjuncts(formula):
+    return formula[1:] if formula and formula[0] == "and" else [formula] if formula else []
+
+
+class Operator:
+    def __init__(self, tree):
+        self.name = tree[1]
+        fields = dict(zip(tree[2::2], tree[3::2]))
+        names = fields.get(":parameters", [])
+        self.parameters = [n for n in names if n.startswith("?")]
+        self.needs = [tuple(a) for a in conjuncts(fields.get(":precondition", []))]
+        effects = conjuncts(fields[":effect"])
+        self.adds = [tuple(e) for e in effects if e[0] != "not"]
+        self.deletes = [tuple(e[1]) for e in effects if e[0] == "not"]
+
+
+def bindings(needs, facts, bound):
+    """All ways to bind the free parameters so that the needs hold."""
+    if not needs:
+        yield bound
+        return
+    # The need with the fewest free parameters first.
+    need = min(needs, key=lambda n: sum(a.startswith("?") and a not in bound for a in n[1:]))
+    rest = [n for n in needs if n is not need]
+    wanted = [bound.get(a, a) for a in need[1:]]
+    for fact in facts.get(need[0], ()):
+        new = dict(bound)
+        if len(fact) == len(wanted) and all(
+            new.setdefault(w, f) == f if w.startswith("?") else w == f for w, f in zip(wanted, fact)
+        ):
+            yield from bindings(rest, facts, new)
+
+
+def complete(plan, domain, problem):
+    """PDDL steps for our actions: `grab cup.12` says verb and things, the rest is found."""
+    operators = [Operator(part) for part in domain if isinstance(part, list) and part[0] == ":action"]
+    facts = {}
+    for atom in section(problem, ":init"):
+        facts.setdefault(atom[0], set()).add(tuple(atom[1:]))
+    steps = []
+
+    def extend(index, facts):
+        if index == len(plan):
+            # The goal may be stated as an operator that says that it is met.
+            for operator in (o for o in operators if o.name.startswith("met")):
+                for bound in bindings(operator.needs, facts, {}):
+                    return [(operator.name, [bound[p] for p in operator.parameters])]
+            return []
+        verb, *things = plan[index].split()
+        things = [re.sub(r"[^a-z0-9_]", "_", t.lower()) for t in things]
+        for operator in operators:
+            if operator.name.split("-")[0] != verb:
+                continue
+            start = dict(zip(operator.parameters, things))
+            for bound in bindings(operator.needs, facts, start):
+                after = {name: set(atoms) for name, atoms in facts.items()}
+                ground = lambda atom: tuple(bound.get(a, a) for a in atom[1:])  # noqa: E731
+                for atom in operator.deletes:
+                    after.get(atom[0], set()).discard(ground(atom))
+                for atom in operator.adds:
+                    after.setdefault(atom[0], set()).add(ground(atom))
+                rest = extend(index + 1, after)
+                if rest is not None:
+                    return [(operator.name, [bound[p] for p in operator.parameters]), *rest]
+        return None
+
+    sys.setrecursionlimit(10_000)
+    return extend(0, facts)
+
+
+def valid(reader, problem, steps):
+    text = "\n".join(f"({name} {' '.join(things)})" for name, things in steps)
+    plan = reader.parse_plan_string(problem, text)
+    return SequentialPlanValidator().validate(problem, plan).status.name == "VALID"
+
+
+def with_constants(domain, problem):
+    """Objects that the domain speaks of are its constants: unified-planning wants that."""
+    objects = re.search(r"\(:objects(.*?)\)", problem, re.S)
+    if objects is None:
+        return domain, problem
+    return domain.replace("(:constants", "(:constants" + objects[1], 1), problem.replace(objects[0], "")
+
+
+def downward(domain, problem, arguments, seconds):
+    """The cost of the best plan found, without the steps that say that the goal is met."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "plan"
+        texts = with_constants(domain.read_text(), problem.read_text())
+        domain, problem = (pathlib.Path(folder) / name for name in ("domain.pddl", "problem.pddl"))
+        domain.write_text(texts[0])
+        problem.write_text(texts[1])
+        command = [sys.executable, DOWNWARD, "--overall-time-limit", f"{seconds}s", "--plan-file", out, *arguments]
+        if "--alias" in arguments:
+            command += [domain, problem]
+        else:
+            command = command[:-2] + [domain, problem] + arguments
+        subprocess.run(list(map(str, command)), cwd=folder, capture_output=True, check=False)
+        costs = []
+        for path in pathlib.Path(folder).glob("plan*"):
+            lines = [line for line in path.read_text().splitlines() if line.startswith("(")]
+            costs.append(sum(not line.startswith("(met") for line in lines))
+        return min(costs, default=None)
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument("folder", type=pathlib.Path)
+    options.add_argument("--lama", type=int, default=60)
+    options.add_argument("--only", default="")
+    options.add_argument("--no-validation", action="store_true")
+    options = options.parse_args()
+    rows = [r for r in csv.DictReader((options.folder / "instances.csv").open()) if r["name"].startswith(options.only)]
+    equal, compared, ratios, accepted, rejected, mutants, checked = 0, 0, [], 0, 0, 0, 0
+    for row in rows:
+        domain, problem = (options.folder / f"{row['name']}.{what}.pddl" for what in ("domain", "problem"))
+        ours = int(row["cost"])
+        if int(row["predicates"]) <= 6:
+            theirs = downward(domain, problem, ["--search", "astar(lmcut())"], 300)
+            compared += theirs is not None
+            equal += theirs == ours
+        else:
+            theirs = downward(domain, problem, ["--alias", "seq-sat-lama-2011"], options.lama)
+            ratios.append(ours / theirs if theirs else float("nan"))
+        verdict = ""
+        if not options.no_validation:
+            plan = (options.folder / f"{row['name']}.plan").read_text().splitlines()
+            steps = complete(plan, parse(domain.read_text()), parse(problem.read_text()))
+            checked += 1
+            reader = PDDLReader()
+            parsed = reader.parse_problem_string(*with_constants(domain.read_text(), problem.read_text()))
+            good = steps is not None and valid(reader, parsed, steps)
+            accepted += good
+            verdict = "valid" if good else "INVALID"
+            for i in range(len(plan) if good else 0):
+                mutants += 1
+                rejected += not valid(reader, parsed, steps[:i] + steps[i + 1 :])
+        print(f"{row['name']:<16} ours {ours:>3}  theirs {theirs}  {row['microseconds']:>6} us  {verdict}", flush=True)
+    print(f"equal to the optimum: {equal} of {compared} that LM-cut solves")
+    if ratios:
+        print(f"12 predicates: {sum(ratios) / len(ratios):.3f} of LAMA's cost on average, at most {max(ratios):.3f}")
+    if checked:
+        print(f"accepted: {accepted} of {checked} plans; rejected with a step deleted: {rejected} of {mutants}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,150 @@
+//! What deciding costs: plans from scratch, and the next action of an agent that sees
+//! only its room.
+//!
+//! Plans are made in a home of five hundred objects, and in homes of other sizes, for
+//! goals of one to thirty parts; the growth is plotted in `target/planner/`. Each of 200
+//! goals is timed as the best of five, as the machine may be busy with other things;
+//! median and 99th percentile are over the goals. The decisions are in VirtualHome's
+//! first scene where the shared data is there (`VC_DATA` or `../shared/data`), else in
+//! the bundled apartment; `benches/README.md` has the peers' figures.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "benches stop where something is wrong")]
+
+#[path = "../../tests/common/mod.rs"]
+mod common;
+#[path = "support/homes.rs"]
+mod homes;
+#[path = "support/plot.rs"]
+mod plot;
+
+use std::time::{Duration, Instant};
+
+use homes::{errands, home};
+use plot::{Line, svg};
+use vc_graph::format::read_scene;
+use vc_graph::{ClassTable, Goal, SceneGraph, Scope, Simulator};
+use vc_planner::{Agent, Decision, Effort, Planner};
+
+const GOAL: &str = "On(plate, kitchen_table), 2 & Inside(apple, fridge) & Closed(fridge)";
+const GOALS: u64 = 200;
+const REPEATS: usize = 5;
+
+/// So many errands as one goal.
+fn goal(scene: &SceneGraph, parts: usize, seed: u64) -> Goal {
+    errands(scene, parts, seed).join(" & ").parse().unwrap()
+}
+
+fn main() {
+    let by_objects = [100, 300, 500, 1_000, 3_000, 10_000].map(|objects| (objects as f64, planning(objects, 6)));
+    let by_parts = [1, 2, 3, 6, 12, 20, 30].map(|parts| (parts as f64, planning(500, parts)));
+    draw("objects", "Objects in the home, 6 predicates", &by_objects);
+    draw("predicates", "Predicates, 500 objects", &by_parts);
+    deciding();
+    moving_in();
+}
+
+/// Median and 99th percentile.
+fn spread(times: &mut [Duration]) -> (Duration, Duration) {
+    times.sort_unstable();
+    (times[times.len() / 2], times[(times.len() * 99 / 100).min(times.len() - 1)])
+}
+
+fn draw(name: &str, title: &str, figures: &[(f64, (Duration, Duration))]) {
+    let line = |name, pick: fn(&(Duration, Duration)) -> Duration| Line {
+        name,
+        points: figures.iter().map(|(x, times)| (*x, pick(times).as_secs_f64() * 1e6)).collect(),
+    };
+    let lines = [line("median", |t| t.0), line("99th percentile", |t| t.1)];
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/planner");
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join(format!("{name}.svg")), svg(title, name, "microseconds", &lines)).unwrap();
+}
+
+/// First plans from scratch over many goals.
+fn planning(objects: usize, parts: usize) -> (Duration, Duration) {
+    let scene = home(objects, 1);
+    let me = scene.agents()[0];
+    let goals: Vec<Goal> = (0..GOALS).map(|seed| goal(&scene, parts, seed)).collect();
+    let mut planner = Planner::trying(Effort::QUICK);
+    let mut least = vec![Duration::MAX; goals.len()];
+    for _ in 0..REPEATS {
+        for (goal, least) in goals.iter().zip(&mut least) {
+            let start = Instant::now();
+            std::hint::black_box(planner.outline(&scene, me, goal, &[]).unwrap());
+            *least = start.elapsed().min(*least);
+        }
+    }
+    let figures = spread(&mut least);
+    println!(
+        "first plan, {objects:>6} objects, {parts:>2} predicates: median {:.2?}, 99th percentile {:.2?}",
+        figures.0, figures.1
+    );
+    figures
+}
+
+fn scene() -> SceneGraph {
+    let bundled = include_str!("../../examples/data/apartment.json").to_owned();
+    let text = common::text("virtualhome/scene1.json.gz").unwrap_or(bundled);
+    read_scene(&text, &ClassTable::builtin()).unwrap()
+}
+
+/// Runs an episode; the time of each decision, seeing and deciding.
+fn episode(scene: &SceneGraph, goal: &Goal, seed: u64) -> Vec<Duration> {
+    let mut times = Vec::new();
+    let me = scene.agents()[0];
+    let mut world = Simulator::new(scene.clone());
+    let mut agent = Agent::newcomer(scene, me, goal.clone(), seed);
+    for _ in 0..500 {
+        let start = Instant::now();
+        let seen = world.graph().observe(me, Scope::Room);
+        agent.see(&seen);
+        let decision = agent.decide();
+        times.push(start.elapsed());
+        let Decision::Act(action, _) = decision else { break };
+        drop(seen);
+        world.step(me, &action).unwrap();
+        agent.did(&action);
+    }
+    times
+}
+
+/// Whole decisions under partial observation.
+fn deciding() {
+    let home = home(500, 1);
+    let cases: Vec<(&str, SceneGraph, Vec<Goal>)> = vec![
+        ("VirtualHome scene 1", scene(), vec![GOAL.parse().unwrap(); 20]),
+        ("500 objects", home.clone(), (0..20).map(|seed| goal(&home, 6, seed)).collect()),
+    ];
+    for (name, scene, goals) in cases {
+        let mut times = Vec::new();
+        for (seed, goal) in (0..).zip(&goals) {
+            let runs: Vec<Vec<Duration>> = (0..REPEATS).map(|_| episode(&scene, goal, seed)).collect();
+            times.extend((0..runs[0].len()).map(|i| runs.iter().map(|r| r[i]).min().unwrap()));
+        }
+        let all: Duration = times.iter().sum();
+        let (count, (median, late)) = (times.len() as u32, spread(&mut times));
+        println!(
+            "decision, {name}: mean {:.2?}, median {median:.2?}, 99th percentile {late:.2?} of {count}",
+            all / count
+        );
+    }
+}
+
+fn best(mut call: impl FnMut()) -> Duration {
+    let time = |_| {
+        let start = Instant::now();
+        call();
+        start.elapsed()
+    };
+    (0..20).map(time).min().unwrap()
+}
+
+fn moving_in() {
+    let (scene, goal) = (scene(), GOAL.parse::<Goal>().unwrap());
+    let me = scene.agents()[0];
+    let new = best(|| drop(std::hint::black_box(Agent::newcomer(&scene, me, goal.clone(), 1))));
+    let mut graph = scene.clone();
+    let history = vc_graph::History::default();
+    let plan = best(|| drop(std::hint::black_box(vc_planner::plan(&mut graph, me, &goal, &history).unwrap())));
+    println!("new agent {new:.2?}; plan to the goal with full knowledge {plan:.2?}");
+}

@@ -1,0 +1,90 @@
+//! Planning problems with our plans, for `benches/peers/planning.py` to compare.
+//!
+//! `cargo run --release -p vc-planner --example instances -- FOLDER` writes for each
+//! instance `NAME.domain.pddl`, `NAME.problem.pddl` and `NAME.plan`, and a list of all
+//! with the costs and times of our plans, `instances.csv`. Homes have 500 objects.
+
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "an example stops where something is wrong")]
+
+#[path = "../benches/support/homes.rs"]
+mod homes;
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use homes::{errands, home};
+use vc_graph::{Draft, Goal, SceneBuilder, SceneGraph};
+use vc_planner::{Effort, Planner};
+use vc_tasks::format::pddl::{self, Keep};
+
+/// How many states are looked at: below a millisecond for six predicates, up to some
+/// hundred for twelve; the list says.
+const EFFORT: Effort = Effort { first: 4_000, improve: 20_000 };
+const OBJECTS: usize = 500;
+
+/// What is asked for besides errands: eating, sitting, switching, closing.
+const EXTRAS: [&str; 6] =
+    ["Eat(apple)", "Sit(sofa)", "SwitchedOn(television)", "Closed(fridge)", "Holds(cellphone)", "Open(closet)"];
+
+fn main() {
+    let folder = PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| "target/instances".into()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let mut list = String::from("name,predicates,cost,microseconds,proved\n");
+    let mut write = |name: String, predicates: usize, scene: &SceneGraph, goal: &str| {
+        let goal: Goal = goal.parse().unwrap();
+        let me = scene.agents()[0];
+        let written = pddl::planning(scene, me, &goal, Keep::Relevant).unwrap();
+        let mut graph = scene.clone();
+        let mut planner = Planner::trying(EFFORT);
+        let start = Instant::now();
+        let plan = planner.plan(&mut graph, me, &goal, &[]).unwrap();
+        let time = start.elapsed();
+        let file = |what: &str, text: String| std::fs::write(folder.join(format!("{name}.{what}")), text).unwrap();
+        file("domain.pddl", written.domain.to_string());
+        file("problem.pddl", written.problem.to_string());
+        file("plan", plan.actions.iter().map(|a| format!("{}\n", a.describe(scene))).collect());
+        writeln!(list, "{name},{predicates},{},{},{}", plan.actions.len(), time.as_micros(), plan.proved).unwrap();
+    };
+    for predicates in 1..=6 {
+        for seed in 0..18 {
+            let scene = home(OBJECTS, seed);
+            write(
+                format!("errands-{predicates}-{seed}"),
+                predicates,
+                &scene,
+                &errands(&scene, predicates, seed).join(" & "),
+            );
+        }
+    }
+    for (number, extra) in EXTRAS.iter().enumerate() {
+        for seed in 0..3 {
+            let scene = home(OBJECTS, 100 + seed);
+            let mut parts = errands(&scene, 2 + seed as usize, seed);
+            parts.push((*extra).to_owned());
+            write(format!("extra-{number}-{seed}"), parts.len(), &scene, &parts.join(" & "));
+        }
+    }
+    for seed in 0..10 {
+        let scene = home(OBJECTS, 200 + seed);
+        write(format!("errands-12-{seed}"), 12, &scene, &errands(&scene, 12, seed).join(" & "));
+    }
+    let (scene, goal) = hands();
+    write("hands".into(), 2, &scene, goal);
+    std::fs::write(folder.join("instances.csv"), &list).unwrap();
+    println!("{} instances written to {}", list.lines().count() - 1, folder.display());
+}
+
+/// Two things at one place, to be shut away at another: with both hands full nothing
+/// can be opened.
+fn hands() -> (SceneGraph, &'static str) {
+    let mut scene = SceneBuilder::new("hands");
+    let study = scene.add(Draft::new("office")).unwrap();
+    let bedroom = scene.add(Draft::new("bedroom")).unwrap();
+    let desk = scene.add_in(study, Draft::new("desk")).unwrap();
+    scene.add_in(bedroom, Draft::new("bathroom_cabinet")).unwrap();
+    scene.add_on(desk, Draft::new("book")).unwrap();
+    scene.add_on(desk, Draft::new("mug")).unwrap();
+    scene.add_in(study, Draft::new("character")).unwrap();
+    (scene.build(), "Inside(book, bathroom_cabinet) & Inside(mug, bathroom_cabinet)")
+}

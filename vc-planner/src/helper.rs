@@ -1,0 +1,240 @@
+//! Somebody who helps another whose goal it has to infer: Watch-And-Help's challenge.
+
+use vc_graph::goal::{Predicate, Situation};
+use vc_graph::{Action, Event, Goal, NodeId, Observation, Relation, SceneGraph, Scope, Verb, rule};
+use vc_tasks::{Outcome, Task, World, WorldError};
+
+use crate::policy::{Brief, Policy, Reaction};
+use crate::team::next_trip;
+use crate::{Agent, Belief, Decision, Effort, Learned, Planner, Prior, TeamEpisode, Watcher};
+
+/// It helps with a goal when it is so likely.
+const SURE: f64 = 0.6;
+
+/// A policy that watches another agent, infers which of some goals it pursues, and does
+/// what that one is not about to do itself.
+///
+/// It makes no use of the task it is told. Until one goal is likely enough, and where
+/// nothing is left for it, it decides [`Decision::Done`]: it waits.
+///
+/// What it sees of the other's deeds comes through [`Policy::saw`]; [`run_together`]
+/// tells those that happen in view.
+#[derive(Debug, Clone)]
+pub struct Helper {
+    goals: Vec<Goal>,
+    scope: Scope,
+    watcher: Watcher,
+    planner: Planner,
+    me: NodeId,
+    agent: Option<Agent>,
+    other: Option<NodeId>,
+    /// The goal it helps with.
+    helping: Option<usize>,
+}
+
+impl Helper {
+    /// A helper that knows the home and sees all of it.
+    pub fn resident(goals: Vec<Goal>) -> Self {
+        Self::with(goals, Scope::Whole)
+    }
+
+    /// A helper that has just moved in and sees the room it is in.
+    pub fn newcomer(goals: Vec<Goal>) -> Self {
+        Self::with(goals, Scope::Room)
+    }
+
+    fn with(goals: Vec<Goal>, scope: Scope) -> Self {
+        let watcher = Watcher::new(goals.clone());
+        let planner = Planner::trying(Effort::QUICK);
+        Self { goals, scope, watcher, planner, me: NodeId(0), agent: None, other: None, helping: None }
+    }
+
+    /// The goals with how likely they are; likeliest first.
+    pub fn likely(&self) -> Vec<(&Goal, f64)> {
+        self.watcher.likely()
+    }
+
+    /// What it believes, with what it carries itself where it brings it, or else within
+    /// reach: it is not in the other's way.
+    fn promised(&self) -> Option<SceneGraph> {
+        let agent = self.agent.as_ref()?;
+        let mut graph = agent.belief().graph().clone();
+        let mut edit = graph.edit();
+        let held: Vec<NodeId> = edit.graph().held(self.me).collect();
+        for id in held {
+            let promise = agent.promises().iter().find(|(item, _)| *item == id);
+            // What cannot be imagined is not counted on.
+            let _ = match promise {
+                Some((_, place)) => edit.place(id, *place),
+                None => edit.detach(id),
+            };
+        }
+        edit.commit();
+        Some(graph)
+    }
+
+    /// Puts down what it took by mistake: the other may want it.
+    fn let_go(&self) -> Decision {
+        let held = self.agent.as_ref().and_then(|agent| agent.belief().graph().held(self.me).next());
+        let drop = |id| Decision::Act(Action::one(Verb::Drop, id), crate::Plan::default());
+        held.map_or(Decision::Done, drop)
+    }
+
+    /// What the other will bring where on its next trip, if it pursues a goal.
+    fn foresee(&mut self, goal: &Goal) -> Vec<(NodeId, vc_graph::Place)> {
+        let (Some(graph), Some(other)) = (self.promised(), self.other) else { return Vec::new() };
+        let plan = self.planner.outline(&graph, other, goal, &[]).unwrap_or_default();
+        let held: Vec<NodeId> = graph.held(other).collect();
+        next_trip(&held, &plan)
+    }
+}
+
+impl Policy for Helper {
+    fn name(&self) -> &str {
+        "helper"
+    }
+
+    fn scope(&self) -> Scope {
+        self.scope
+    }
+
+    fn begin(&mut self, brief: &Brief<'_>) {
+        let Brief { scene, agent, seed, .. } = *brief;
+        let idle = Goal::And(Vec::new());
+        self.agent = Some(match self.scope {
+            Scope::Whole => Agent::resident(scene, agent, idle),
+            _ => Agent::supposing(scene, agent, idle, seed.0, Prior::Kept),
+        });
+        self.watcher = Watcher::new(self.goals.clone());
+        (self.me, self.other, self.helping) = (agent, None, None);
+    }
+
+    fn see(&mut self, seen: &Observation) -> Learned {
+        self.agent.as_mut().map_or_else(Learned::default, |agent| agent.see(seen))
+    }
+
+    fn saw(&mut self, event: &Event) {
+        let Some(before) = self.promised() else { return };
+        self.other = Some(event.agent);
+        let mut after = before.clone();
+        if rule::step(&mut after, event.agent, &event.action).is_ok() {
+            self.watcher.watch(&before, &after, event);
+        }
+    }
+
+    fn decide(&mut self) -> Decision {
+        let likely = self.watcher.likely();
+        let Some(goal) = likely.first().filter(|(_, chance)| *chance >= SURE).map(|(goal, _)| (*goal).clone()) else {
+            return self.let_go();
+        };
+        let number = self.goals.iter().position(|g| *g == goal);
+        let promised = self.foresee(&goal);
+        let Some(agent) = &mut self.agent else { return Decision::Done };
+        if self.helping != number {
+            self.helping = number;
+            agent.pursue(shared(&goal));
+        }
+        agent.count_on(promised);
+        match agent.decide() {
+            act @ Decision::Act(..) => act,
+            _ => Decision::Done,
+        }
+    }
+
+    fn did(&mut self, action: &Action) {
+        if let Some(agent) = &mut self.agent {
+            agent.did(action);
+        }
+    }
+
+    fn refused(&mut self, action: &Action, _: &WorldError) -> Reaction {
+        if let Some(agent) = &mut self.agent {
+            agent.refused(action);
+        }
+        Reaction::GoOn
+    }
+
+    fn belief(&self) -> Option<&Belief> {
+        self.agent.as_ref().map(Agent::belief)
+    }
+}
+
+/// What of a goal anybody can bring about: where things are and in what state. What the
+/// other is to hold, eat or sit on is its own affair.
+fn shared(goal: &Goal) -> Goal {
+    let anybodys = |predicate: Predicate| match predicate {
+        Predicate::Relation(relation) => matches!(relation, Relation::On | Relation::Inside | Relation::InRoom),
+        Predicate::State(_) => true,
+        _ => false,
+    };
+    let is_shared = |part: &Goal| match part {
+        Goal::Literal(literal) | Goal::Count { literal, .. } => anybodys(literal.predicate),
+        Goal::ForAll(_) | Goal::Exists(_) | Goal::Or(_) => true,
+        _ => false,
+    };
+    match goal {
+        Goal::And(parts) => Goal::And(parts.iter().filter(|part| is_shared(part)).cloned().collect()),
+        whole if is_shared(whole) => whole.clone(),
+        _ => Goal::And(Vec::new()),
+    }
+}
+
+/// After so many rounds in which nobody does anything it is over.
+const IDLE: usize = 4;
+
+/// Lets several policies act in one world, in rounds, each for an agent of its own, until
+/// the task's goal holds for the first of them, nobody does anything any more, or the
+/// step limit is reached. Who is in view is seen doing what it does.
+pub fn run_together(
+    policies: &mut [(NodeId, &mut dyn Policy)],
+    task: &Task,
+    world: &mut dyn World,
+    seed: vc_graph::Seed,
+) -> TeamEpisode {
+    for (agent, policy) in policies.iter_mut() {
+        policy.begin(&Brief { scene: world.graph(), agent: *agent, task, seed });
+    }
+    let holds = |world: &dyn World, first: Option<NodeId>| {
+        first.is_none_or(|id| task.goal.holds(&Situation::new(world.graph(), id, world.history())))
+    };
+    let first = policies.first().map(|(id, _)| *id);
+    let (mut rounds, mut actions, mut idle) = (0, 0, 0);
+    while rounds < task.step_limit && idle < IDLE && !holds(world, first) {
+        let done = (0..policies.len()).filter(|&index| turn(policies, index, world)).count();
+        (rounds, actions) = (rounds + 1, actions + done);
+        idle = if done == 0 { idle + 1 } else { 0 };
+    }
+    let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
+    let outcome = if holds(world, first) { Outcome::Won } else { lost };
+    let score = first.map_or(0.0, |id| task.goal.score(&Situation::new(world.graph(), id, world.history())));
+    TeamEpisode { outcome, rounds, actions, score }
+}
+
+/// One policy looks, decides and acts; the others see it, if they can. Whether it did
+/// anything.
+fn turn(policies: &mut [(NodeId, &mut dyn Policy)], index: usize, world: &mut dyn World) -> bool {
+    let (agent, policy) = &mut policies[index];
+    let agent = *agent;
+    policy.see(&world.graph().observe(agent, policy.scope()));
+    let Decision::Act(action, _) = policy.decide() else { return false };
+    // Who goes out of view has been seen going.
+    let witnesses = |world: &dyn World, policies: &[(NodeId, &mut dyn Policy)]| -> Vec<bool> {
+        policies.iter().map(|(id, p)| *id != agent && world.graph().observe(*id, p.scope()).sees(agent)).collect()
+    };
+    let before = witnesses(world, policies);
+    match world.step(agent, &action) {
+        Ok(_) => {
+            policies[index].1.did(&action);
+            let after = witnesses(world, policies);
+            for (i, (_, other)) in policies.iter_mut().enumerate().filter(|(i, _)| before[*i] || after[*i]) {
+                debug_assert_ne!(i, index);
+                other.saw(&Event { agent, action });
+            }
+            true
+        }
+        Err(why) => {
+            policies[index].1.refused(&action, &why);
+            false
+        }
+    }
+}
