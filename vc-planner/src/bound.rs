@@ -5,7 +5,7 @@
 //! walked to at least once for every two items that go there or come from there,
 //! since there are two hands.
 
-use crate::packed::{ACTION, MOST, Pile, Problem, State, Way, bit};
+use crate::packed::{ACTION, Door, MOST, Problem, State, Way, bit};
 
 /// What is known to happen at each spot.
 struct Traffic {
@@ -52,7 +52,8 @@ impl Problem {
 
     fn count_needs(&self, s: &State, pending: u32, t: &mut Traffic) {
         let (mut puts, mut most) = (0u32, 0u32);
-        for (n, need) in self.needs.iter().enumerate().filter(|(n, _)| pending & (1 << n) != 0) {
+        for n in ones(pending) {
+            let need = &self.needs[n];
             let number = s.needs[n];
             match need.ways.first() {
                 Some(Way::Put { .. }) => {
@@ -88,11 +89,12 @@ impl Problem {
 
     /// What must still be grabbed, and from where.
     fn count_sources(&self, s: &State, pending: u32, t: &mut Traffic) {
-        let in_hands =
-            |n: usize| s.hands.iter().chain(&s.down).filter(|&&h| self.kind(h) & (1 << n) != 0).count() as u8;
+        let full = (0..self.piles.len()).fold(0u32, |bits, p| bits | u32::from(s.piles[p] > 0) << p);
+        let hands = [s.hands[0], s.hands[1], s.down[0], s.down[1]].map(|h| self.kind(h));
         let mut taken = [0u8; MOST];
-        let mut carried = 0u32;
-        for (n, need) in self.needs.iter().enumerate().filter(|(n, _)| pending & (1 << n) != 0) {
+        let (mut carried, mut from) = (0u32, 0u32);
+        for n in ones(pending) {
+            let need = &self.needs[n];
             let put = match need.ways.first() {
                 Some(Way::Use { .. }) | None => continue,
                 Some(Way::UseHeld { .. }) => false,
@@ -100,57 +102,61 @@ impl Problem {
             };
             let number = u32::from(s.needs[n]) * u32::from(put);
             carried = if self.shared { carried.max(number) } else { carried + number };
-            let short = s.needs[n].saturating_sub(in_hands(n));
-            if short == 0 {
+            let in_hands = hands.iter().filter(|&&serves| serves & (1 << n) != 0).count() as u8;
+            let short = s.needs[n].saturating_sub(in_hands);
+            let piles = need.piles & full;
+            if short == 0 || !piles.is_power_of_two() {
                 continue;
             }
-            let serving =
-                |(p, pile): &(usize, &Pile)| s.piles[*p] > 0 && self.kinds[pile.kind as usize] & (1 << n) != 0;
-            let mut piles = self.piles.iter().enumerate().filter(serving);
-            let (Some((p, pile)), None) = (piles.next(), piles.next()) else { continue };
+            let p = piles.trailing_zeros() as usize;
+            let pile = &self.piles[p];
             t.must |= bit(pile.spot);
             // Two hands limit what leaves a spot, not what is moved or used there.
             if put && need.spots & bit(pile.spot) == 0 {
-                taken[p] = taken[p].max(short);
+                (taken[p], from) = (taken[p].max(short), from | 1 << p);
             }
             if let Some(d) = pile.door {
                 t.doors |= bit(d);
             }
         }
-        for (p, pile) in self.piles.iter().enumerate().filter(|(p, _)| taken[*p] > 0) {
-            t.out[pile.spot as usize] = t.out[pile.spot as usize].saturating_add(taken[p]);
+        for p in ones(from) {
+            let out = &mut t.out[self.piles[p].spot as usize];
+            *out = out.saturating_add(taken[p]);
         }
-        let useful = s.hands.iter().filter(|&&h| self.kind(h) & pending != 0).count() as u32;
+        let useful = hands[..2].iter().filter(|&&serves| serves & pending != 0).count() as u32;
         t.actions += carried.saturating_sub(useful);
     }
 
     fn count_doors(&self, s: &State, t: &mut Traffic) {
-        t.actions += (t.doors & !s.open).count_ones();
-        for (i, door) in self.doors.iter().enumerate() {
-            let b = bit(i as u8);
-            let (open, through) = (s.open & b != 0, t.doors & b != 0);
-            let extra = match door.want {
-                Some(false) => open || through,
-                Some(true) => !open && !through,
-                None => false,
-            };
-            if extra {
-                t.actions += 1;
-                t.must |= bit(door.spot);
-            }
+        let shut = t.doors & !s.open;
+        let extra = self.wanted.closed & (s.open | t.doors) | self.wanted.open & !s.open & !t.doors;
+        t.actions += shut.count_ones() + extra.count_ones();
+        let mut rest = extra;
+        while rest != 0 {
+            t.must |= bit(self.doors[rest.trailing_zeros() as usize].spot);
+            rest &= rest - 1;
+        }
+        let wrong = self.wanted.on & !s.on | self.wanted.off & s.on;
+        if s.on | wrong == 0 {
+            return;
         }
         for (i, switch) in self.switches.iter().enumerate() {
-            let on = s.on & bit(i as u8) != 0;
-            let barring = on
-                && self
-                    .doors
-                    .iter()
-                    .enumerate()
-                    .any(|(d, door)| door.unsafe_when_on == Some(i as u8) && (t.doors & !s.open) & bit(d as u8) != 0);
-            if switch.want.is_some_and(|want| want != on) || barring {
+            let b = bit(i as u8);
+            let bars = |(d, door): (usize, &Door)| door.unsafe_when_on == Some(i as u8) && shut & bit(d as u8) != 0;
+            let barring = s.on & b != 0 && self.doors.iter().enumerate().any(bars);
+            if wrong & b != 0 || barring {
                 t.actions += 1 + u32::from(barring && switch.want == Some(true));
                 t.must |= bit(switch.spot);
             }
         }
     }
+}
+
+/// The numbers of the bits that are set.
+fn ones(mut bits: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lowest = (bits != 0).then(|| bits.trailing_zeros() as usize);
+        bits &= bits.wrapping_sub(1);
+        lowest
+    })
 }

@@ -210,7 +210,7 @@ impl Compiler<'_> {
             _ => bits,
         });
         self.out.start.needs[self.out.problem.needs.len()] = number;
-        self.out.problem.needs.push(Need { number, ways, spots, local: false });
+        self.out.problem.needs.push(Need { number, ways, spots, local: false, piles: 0 });
     }
 
     /// Where items of a demand can be put.

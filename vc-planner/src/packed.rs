@@ -83,6 +83,17 @@ pub(crate) struct Need {
     /// Some item that serves it lies where it is needed, so that no trip is saved by
     /// a free hand.
     pub(crate) local: bool,
+    /// The piles that serve it, as bits.
+    pub(crate) piles: u32,
+}
+
+/// What is wanted of doors and switches, as bits.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Wanted {
+    pub(crate) open: u64,
+    pub(crate) closed: u64,
+    pub(crate) on: u64,
+    pub(crate) off: u64,
 }
 
 /// What is constant about a problem.
@@ -101,6 +112,7 @@ pub(crate) struct Problem {
     pub(crate) shared: bool,
     /// Needs that are about holding something in the end.
     pub(crate) keeps: u32,
+    pub(crate) wanted: Wanted,
 }
 
 /// What actions change.
@@ -209,13 +221,28 @@ impl Problem {
     }
 
     fn doors_left(&self, s: &State) -> u32 {
-        let wrong = |(i, d): &(usize, &Door)| d.want.is_some_and(|open| open != (s.open & bit(*i as u8) != 0));
-        self.doors.iter().enumerate().filter(wrong).count() as u32
+        (self.wanted.open & !s.open | self.wanted.closed & s.open).count_ones()
     }
 
     fn switches_left(&self, s: &State) -> u32 {
-        let wrong = |(i, w): &(usize, &Switch)| w.want.is_some_and(|on| on != (s.on & bit(*i as u8) != 0));
-        self.switches.iter().enumerate().filter(wrong).count() as u32
+        (self.wanted.on & !s.on | self.wanted.off & s.on).count_ones()
+    }
+
+    /// Gathers what is asked for again and again into bits; when all else is there.
+    pub(crate) fn index(&mut self) {
+        let bits = |wanted: &mut dyn Iterator<Item = bool>| {
+            (0..).zip(wanted).fold(0, |all, (i, w)| all | if w { bit(i) } else { 0 })
+        };
+        self.wanted = Wanted {
+            open: bits(&mut self.doors.iter().map(|d| d.want == Some(true))),
+            closed: bits(&mut self.doors.iter().map(|d| d.want == Some(false))),
+            on: bits(&mut self.switches.iter().map(|w| w.want == Some(true))),
+            off: bits(&mut self.switches.iter().map(|w| w.want == Some(false))),
+        };
+        for n in 0..self.needs.len() {
+            let serves = |p: &Pile| self.kinds[p.kind as usize] & (1 << n) != 0;
+            self.needs[n].piles = bits(&mut self.piles.iter().map(serves)) as u32;
+        }
     }
 
     /// Walks to a spot unless it is at hand.

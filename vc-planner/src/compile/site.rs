@@ -197,6 +197,7 @@ impl Compiler<'_> {
             problem.spots[i].reach |= around;
         }
         self.out.problem.shared = self.one_for_two();
+        self.out.problem.index();
         let me = self.now.agent;
         self.out.start.room = self.now.graph.room_of(me).map_or(255, |r| (r.0 % 251) as u8);
         self.out.start.sort_hands();
