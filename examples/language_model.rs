@@ -68,7 +68,12 @@ fn main() -> Result<(), Complaint> {
         None => say!("{:>4}  {}", step.step, step.described),
     });
     drop(model);
-    say!("{:?} after {} steps{}", episode.outcome, episode.steps, episode.reason.map_or(String::new(), |r| format!(": {r}")));
+    say!(
+        "{:?} after {} steps{}",
+        episode.outcome,
+        episode.steps,
+        episode.reason.map_or(String::new(), |r| format!(": {r}"))
+    );
     match options.record {
         Some(path) => std::fs::write(path, answers.join(BREAK)).map_err(Complaint::new),
         None => Ok(()),

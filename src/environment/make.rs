@@ -74,7 +74,13 @@ impl Environment {
         Self::begin(builder.build(), world, floor, shapes, left_out)
     }
 
-    fn begin(mut graph: SceneGraph, world: World, floor: Floor, shapes: Shapes, left_out: LeftOut) -> Result<Self, MakeError> {
+    fn begin(
+        mut graph: SceneGraph,
+        world: World,
+        floor: Floor,
+        shapes: Shapes,
+        left_out: LeftOut,
+    ) -> Result<Self, MakeError> {
         observe::write_poses(&mut graph, &world)?;
         let relations = Relations::new(&graph, Rule::Repaired, observe::evidence(&world))?;
         let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
