@@ -10,6 +10,7 @@ use crate::material::*;
 
 /// A slab with a screen: tablet, phone, reader or player.
 pub(super) fn slab(b: &mut Build<'_>) {
+    let lies = b.size.z < b.size.x.min(b.size.y);
     facing(b, |b, t, w, h| {
         let body = b.one(&[BLACK_PLASTIC, SILVER_METAL, WHITE_PLASTIC, NAVY, DUSTY_ROSE, ANTHRACITE]);
         let (x, y) = (t / 2.0, w / 2.0);
@@ -34,11 +35,11 @@ pub(super) fn slab(b: &mut Build<'_>) {
         if b.class == "e_reader" {
             let page = ([face, -half.0, low + h * 0.01], [face + step * 2.0, half.0, h - edge * 1.2]);
             blocks(b, "page", &[page], LIGHT_GREY);
-            let lines = grid((10, 1), |i, _| {
-                (
-                    [face, -half.0 * 0.85, low + h * (0.05 + 0.075 * i)],
-                    [x, half.0 * 0.85, low + h * (0.075 + 0.075 * i)],
-                )
+            let rows = b.rng.count(7, 13);
+            let pitch = h * 0.75 / rows as f32;
+            let lines = grid((rows, 1), |i, _| {
+                let at = low + h * 0.05 + pitch * i;
+                ([face, -half.0 * 0.85, at], [x, half.0 * 0.85, at + pitch / 3.0])
             });
             blocks(b, "text", &lines, ANTHRACITE);
         } else {
@@ -47,7 +48,7 @@ pub(super) fn slab(b: &mut Build<'_>) {
         if b.class == "mp3_player" {
             let wheel = oval(Axis::X, [face, 0.0, h * 0.25], ((w * 0.28).min(h * 0.2), (w * 0.28).min(h * 0.2)), 0, 20);
             super::super::textile::form::hoop(b, "wheel", &wheel, step.min(w * 0.05), GREY_PLASTIC);
-        } else {
+        } else if !lies {
             let (y0, z0, size) = (y - w * 0.22, h - w * 0.24, w * 0.14);
             b.soft("camera", [-x, y0 - size * 0.5, z0], [-x * 0.8, y0 + size, z0 + size], t * 0.1, BLACK_GLASS);
         }
