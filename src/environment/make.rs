@@ -68,6 +68,8 @@ impl Environment {
             world.add_agent(id, BodyPlan::default(), feet)?;
         }
         world.run(LANDING);
+        // Who lands may have shaken something; a reset has to find all at rest.
+        act::calm(&mut world);
         if builder.graph().agents().is_empty() {
             return Err(MakeError::NoAgents);
         }
