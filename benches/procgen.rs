@@ -2,12 +2,21 @@
 //! objects.
 //!
 //! Every iteration makes a few homes of neighbouring seeds, so that a figure is a mean
-//! over small and large ones; `benches/README.md` has the peers' figures.
+//! over small and large ones. Before that, each of 600 seeds is made on its own, three
+//! times, and the least of its CPU times counts: median and 95th percentile are over the
+//! seeds. `benches/README.md` has the peers' figures.
 
-#![allow(missing_docs, clippy::unwrap_used, reason = "benches stop where something is wrong")]
+#![allow(
+    missing_docs,
+    clippy::print_stdout,
+    clippy::unwrap_used,
+    reason = "benches print and stop where something is wrong"
+)]
 
 use std::hint::black_box;
+use std::time::Duration;
 
+use cpu_time::ThreadTime;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use virtualcity::graph::Seed;
 use virtualcity::procgen::plan::Plan;
@@ -15,6 +24,35 @@ use virtualcity::procgen::{Apartment, Layout, Specification, Style, object};
 
 /// Homes of one iteration.
 const HOMES: u64 = 16;
+
+/// Seeds of the median and the 95th percentile.
+const SEEDS: u64 = 600;
+
+fn quantiles(_: &mut Criterion) {
+    let wishes = Specification::default();
+    let time = |make: &dyn Fn(Seed)| {
+        let once = |seed: u64| {
+            let start = ThreadTime::now();
+            make(Seed(seed));
+            start.elapsed()
+        };
+        let least = |seed: u64| (0..3).map(|_| once(seed)).min().unwrap_or_default();
+        let mut times: Vec<Duration> = (0..SEEDS).map(least).collect();
+        times.sort_unstable();
+        let mean = times.iter().sum::<Duration>() / SEEDS as u32;
+        let at = |percent: usize| times[times.len() * percent / 100];
+        format!(
+            "mean {mean:.2?}, median {:.2?}, 95th percentile {:.2?}, most {:.2?}",
+            at(50),
+            at(95),
+            times[times.len() - 1]
+        )
+    };
+    let layout = time(&|seed| drop(black_box(Layout::generate(&wishes, seed))));
+    println!("layout (plan, furniture, reachability), seeds 0-{}: {layout}", SEEDS - 1);
+    let home = time(&|seed| drop(black_box(Apartment::generate(&wishes, seed))));
+    println!("everything, seeds 0-{}: {home}", SEEDS - 1);
+}
 
 fn homes(c: &mut Criterion) {
     let (wishes, bare) = (Specification::default(), Specification { clutter: Some(0.0), ..Specification::default() });
@@ -58,5 +96,5 @@ fn objects(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, homes, afterwards, objects);
+criterion_group!(benches, quantiles, homes, afterwards, objects);
 criterion_main!(benches);

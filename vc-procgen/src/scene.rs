@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
+use vc_graph::asset::Hold;
 use vc_graph::{
     AssetId, Bounds, Draft, Edge, EditError, Frame, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State,
 };
@@ -99,11 +100,15 @@ impl Apartment {
 fn draft(item: &Item, asset: AssetId) -> Draft {
     let mut draft = Draft::new(item.object.class).at(item.pose).bounds(item.object.bounds);
     draft.asset = Some(asset);
-    // Shelves without doors are open, those with doors closed, whatever their class
-    // starts as.
-    let shelves = matches!(item.object.class, "bookshelf" | "low_bookcase");
+    // What holds things is closed where it has doors or a lid, which would hit what is
+    // above, and shelves without are open: whatever their class starts as.
     let doors = item.object.asset.parts.iter().any(|p| p.joint.is_some());
-    let state = shelves.then_some(if doors { State::Closed } else { State::Open });
+    let holds = item.object.asset.surfaces.iter().any(|s| s.hold == Hold::Inside);
+    let shelves = matches!(item.object.class, "bookshelf" | "low_bookcase");
+    let state = match (holds, doors) {
+        (true, true) => Some(State::Closed),
+        _ => shelves.then_some(if doors { State::Closed } else { State::Open }),
+    };
     draft.entering.extend(state.into_iter().chain(item.states.iter().copied()));
     draft
 }

@@ -68,7 +68,7 @@ impl<'a> Build<'a> {
         }
         let shift = Vector3::new(-(low.x + high.x) / 2.0, -(low.y + high.y) / 2.0, -low.z);
         let moved = Translation3::from(shift);
-        asset.parts.iter_mut().for_each(|p| {
+        asset.parts.iter_mut().chain(&mut asset.collision).for_each(|p| {
             p.pose = moved * p.pose;
             shift_joint(&mut p.joint, shift);
         });

@@ -177,7 +177,8 @@ pub(super) fn basket(b: &mut Build<'_>) {
         let accent = b.one(&[mat, BROWN_LEATHER, JUTE]);
         shell.put(b, "handle", accent);
     } else if laundry {
-        b.hinge([r * 0.15 - x, 0.0, rim + r], [0.0, -1.0, 0.0], 1.5, |b| {
+        // About the upper edge of its back, so that an open lid stays clear of the wall behind.
+        b.hinge([r * 0.15 - x, 0.0, h], [0.0, -1.0, 0.0], 1.5, |b| {
             let low = rim + r * 0.9;
             loft(
                 b,

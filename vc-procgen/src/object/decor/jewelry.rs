@@ -110,13 +110,18 @@ pub(super) fn watch(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let smart = b.class == "smart_watch";
     let strap = b.one(&[BROWN_LEATHER, BLACK_LEATHER, STEEL, NAVY_FABRIC, RUBBER, TAN_LEATHER]);
-    let case = b.one(&[STEEL, GOLD, BLACK_METAL, SILVER_METAL]);
+    // Full of metal a smart watch would be too heavy for its strap.
+    let cases: &[Mat] =
+        if smart { &[BLACK_PLASTIC, GREY_PLASTIC, ANTHRACITE] } else { &[STEEL, GOLD, BLACK_METAL, SILVER_METAL] };
+    let case = b.one(cases);
     let wide = if smart { y } else { y.min(h * 0.6) };
     let t = x * 0.1;
     let loop_ = |s: f32| oval(Axis::Y, [-t, 0.0, h / 2.0], ((x - t) * s, h / 2.0 * s), 0, 24);
-    let (mut outer, inner) = (loop_(1.0), loop_(0.86));
-    // It stands on its clasp.
-    outer.iter_mut().for_each(|p| p[2] = p[2].max(h * 0.055));
+    let (mut outer, mut inner) = (loop_(1.0), loop_(0.86));
+    // It stands on its clasp, not on its case.
+    let clasp = h * if smart { 0.16 } else { 0.055 };
+    outer.iter_mut().for_each(|p| p[2] = p[2].max(clasp));
+    inner.iter_mut().for_each(|p| p[2] = p[2].max(clasp + h * 0.015));
     let half = wide * 0.55;
     let mut shell = Shell::default();
     let side = |p: &P, s: f32| [p[0], s * half, p[2]];
@@ -126,7 +131,9 @@ pub(super) fn watch(b: &mut Build<'_>) {
     shell.torus(&rings);
     shell.put(b, "strap", strap);
     let (back, front) = (x - 3.0 * t, x);
-    let r = wide.min(h / 2.0) * 0.92;
+    let r = (wide * 0.92).min(h * if smart { 0.33 } else { 0.44 });
+    // Of steel, so that it weighs as much behind as the case does in front.
+    b.block("clasp", [-x, -half * 0.7, h / 2.0 - 3.0 * t], [1.4 * t - x, half * 0.7, h / 2.0 + 3.0 * t], STEEL);
     if smart {
         b.soft("case", [back, -r, h / 2.0 - r], [front - t * 0.8, r, h / 2.0 + r], r * 0.3, case);
         b.block(

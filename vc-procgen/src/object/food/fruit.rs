@@ -174,7 +174,7 @@ fn sort(class: &str) -> (Profile, &'static [Mat], bool, Top) {
         "onion" => (ONION, &[BROWN_SKIN, CRUST, PURPLE_SKIN, PETAL_WHITE], false, Top::Bare),
         "garlic" => (ONION, &[PETAL_WHITE, PALE_FLESH], false, Top::Bare),
         "beetroot" => (ROOT, &[PURPLE_SKIN], false, Top::Tuft),
-        "radish" => (ROOT, &[RED_SKIN, PETAL_PINK], false, Top::Tuft),
+        "radish" => (SQUAT, &[RED_SKIN, PETAL_PINK], false, Top::Tuft),
         "bell_pepper" => (BELL, &[RED_SKIN, YELLOW_SKIN, GREEN_SKIN, ORANGE_SKIN], false, Top::Stalk),
         "cucumber" => (LONG, &[DARK_LEAF, LEAF], true, Top::Bare),
         "zucchini" => (LONG, &[DARK_LEAF, LEAF], true, Top::Cap),

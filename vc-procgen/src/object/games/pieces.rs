@@ -1,5 +1,9 @@
 //! Small pieces: tiles, blocks, cards, dice and chips.
 
+use nalgebra::Vector3;
+use vc_graph::Asset;
+use vc_graph::asset::{Part, Shape};
+
 use super::super::build::{Axis, Build, P};
 use super::super::play::kit::{CORNERS, SIDES, Scaled, TOY_WOODS};
 use super::super::textile::form::{self, Shell};
@@ -162,6 +166,14 @@ pub(super) fn cards(b: &mut Build<'_>) {
     }
 }
 
+/// Lets the last part collide as a cube of a half side around its middle.
+fn solid_cube(asset: &mut Asset, half: f32) {
+    if let Some(part) = asset.parts.last() {
+        let cube = Part { shape: Shape::Box { half: Vector3::repeat(half) }, ..part.clone() };
+        asset.collision.push(cube);
+    }
+}
+
 /// One die, or two side by side.
 pub(super) fn dice(b: &mut Build<'_>) {
     let (hx, hy, h) = form::room(b);
@@ -179,6 +191,8 @@ pub(super) fn dice(b: &mut Build<'_>) {
         let y = if count == 2 { (hy - s) * apart } else { 0.0 };
         let c = s * 0.93;
         b.soft("die", [-c, y - c, s - c], [c, y + c, s + c], round, body);
+        // It stands on a face, not on the paint of its pips.
+        solid_cube(b.asset(), s);
         let turn = b.rng.below(3);
         for face in 0..6_usize {
             let (axis, side) = ((face / 2 + turn) % 3, SIDES[face % 2]);
