@@ -141,21 +141,21 @@ impl Body {
 
     /// Which of its cavities has this body in it: its centre, and half of its corners.
     pub(crate) fn cavity_with(&self, content: &Self) -> Option<usize> {
-        let own = (!self.form.cavities.is_empty()).then(|| self.to_own(&content.whole.centre))?;
+        let own = Some(self.to_own(&content.whole.centre)).filter(|own| self.form.may_hold(own))?;
         let half = CORNERS_WITHIN as usize;
-        (0..self.form.cavities.len())
+        (0..self.form.cavities().len())
             .find(|&index| self.has_centre(index, &own) && self.corners_within(index, content).nth(half - 1).is_some())
     }
 
     /// Whether a point of the asset's frame is in a cavity, or a little over its rim.
     fn has_centre(&self, cavity: usize, own: &Vector3<f32>) -> bool {
-        let cavity = &self.form.cavities[cavity];
+        let cavity = &self.form.cavities()[cavity];
         cavity.contains(&self.before_motion(cavity.link, *own), RIM_MARGIN / self.scale.z.max(1e-3))
     }
 
     /// The corners of a content's box that are in a cavity.
     fn corners_within(&self, cavity: usize, content: &Self) -> impl Iterator<Item = Vector3<f32>> {
-        let cavity = &self.form.cavities[cavity];
+        let cavity = &self.form.cavities()[cavity];
         let own = move |c: Vector3<f32>| self.before_motion(cavity.link, self.to_own(&c));
         let corners = content.whole.corners(content.corner_share());
         corners.into_iter().map(own).filter(|own| cavity.admits(own))
@@ -165,7 +165,7 @@ impl Body {
     pub(crate) fn cavities_with(&self, content: &Self) -> Vec<(bool, u32)> {
         let own = self.to_own(&content.whole.centre);
         let judge = |index| (self.has_centre(index, &own), self.corners_within(index, content).count() as u32);
-        (0..self.form.cavities.len()).map(judge).collect()
+        (0..self.form.cavities().len()).map(judge).collect()
     }
 
     /// Where a point of the asset's frame was before a moving part moved it.

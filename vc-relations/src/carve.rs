@@ -92,11 +92,15 @@ pub(crate) fn mesh(vertices: &[Point3<f32>], triangles: &[[u32; 3]], put: Put<'_
         return whole(put);
     }
     let step = Vector3::new(size.x, size.y, 0.0) / COLUMNS as f32;
+    let middle = |cell: usize| {
+        low.coords
+            + Vector3::new((cell % COLUMNS) as f32 + 0.5, (cell / COLUMNS) as f32 + 0.5, 0.0).component_mul(&step)
+    };
     let mut found = false;
-    for cell in 0..COLUMNS * COLUMNS {
-        let (i, j) = (cell % COLUMNS, cell / COLUMNS);
-        let at = low.coords + Vector3::new((i as f32 + 0.5) * step.x, (j as f32 + 0.5) * step.y, 0.0);
-        for (bottom, top) in column(&corners, at.x, at.y) {
+    for (cell, mut heights) in crossings_of_columns(&corners, &low, &step, middle).into_iter().enumerate() {
+        heights.sort_by(f32::total_cmp);
+        let at = middle(cell);
+        for (bottom, top) in heights.chunks_exact(2).map(|p| (p[0], p[1])).filter(|(a, b)| b > a) {
             found = true;
             let centre = Vector3::new(at.x, at.y, f32::midpoint(bottom, top));
             put(centre, Matrix3::identity(), Vector3::new(step.x, step.y, top - bottom) / 2.0, Round::No);
@@ -107,11 +111,31 @@ pub(crate) fn mesh(vertices: &[Point3<f32>], triangles: &[[u32; 3]], put: Put<'_
     }
 }
 
-/// Where a vertical line is within a mesh: from each second crossing to the next.
-fn column(corners: &[[Point3<f32>; 3]], x: f32, y: f32) -> Vec<(f32, f32)> {
-    let mut heights: Vec<f32> = corners.iter().filter_map(|t| height_over(t, x, y)).collect();
-    heights.sort_by(f32::total_cmp);
-    heights.chunks_exact(2).map(|p| (p[0], p[1])).filter(|(a, b)| b > a).collect()
+/// Where the vertical lines in the middles of all columns cross a mesh: each triangle is asked
+/// only about columns that its own box reaches.
+fn crossings_of_columns(
+    corners: &[[Point3<f32>; 3]],
+    low: &Point3<f32>,
+    step: &Vector3<f32>,
+    middle: impl Fn(usize) -> Vector3<f32>,
+) -> Vec<Vec<f32>> {
+    let mut heights = vec![Vec::new(); COLUMNS * COLUMNS];
+    for triangle in corners {
+        // One more on each side: rounding.
+        let range = |axis: usize| {
+            let [a, b, c] = triangle.map(|p| (p[axis] - low[axis]) / step[axis].max(f32::MIN_POSITIVE));
+            let first = (a.min(b).min(c) - 1.5).max(0.0) as usize;
+            first..((a.max(b).max(c) + 1.5) as usize).min(COLUMNS)
+        };
+        for row in range(1) {
+            for column in range(0) {
+                let cell = row * COLUMNS + column;
+                let at = middle(cell);
+                heights[cell].extend(height_over(triangle, at.x, at.y));
+            }
+        }
+    }
+    heights
 }
 
 fn height_over([a, b, c]: &[Point3<f32>; 3], x: f32, y: f32) -> Option<f32> {

@@ -17,8 +17,25 @@ fn features(a: &Solid, b: &Solid) -> f32 {
         of.corners(1.0).iter().map(|c| (to.nearest(c) - c).norm()).fold(f32::INFINITY, f32::min)
     };
     let (edges_a, edges_b) = (edges(a), edges(b));
-    let pairs = edges_a.iter().flat_map(|e| edges_b.iter().map(move |f| between(e, f)));
-    pairs.fold(corner(a, b).min(corner(b, a)), f32::min)
+    let (balls_a, balls_b) = (edges_a.map(ball), edges_b.map(ball));
+    let mut least = corner(a, b).min(corner(b, a));
+    for (e, (at, reach)) in edges_a.iter().zip(&balls_a) {
+        for (f, (other, other_reach)) in edges_b.iter().zip(&balls_b) {
+            // No point of one is nearer than the balls around the two.
+            if (at - other).norm() <= least + reach + other_reach + ROUNDING {
+                least = least.min(between(e, f));
+            }
+        }
+    }
+    least
+}
+
+/// What rounding may take off a distance, metres.
+const ROUNDING: f32 = 1e-4;
+
+/// The ball around a segment.
+fn ball((from, to): Segment) -> (Vector3<f32>, f32) {
+    ((from + to) / 2.0, (to - from).norm() / 2.0)
 }
 
 type Segment = (Vector3<f32>, Vector3<f32>);

@@ -1,6 +1,8 @@
 //! What relations need of an asset: convex pieces, hollows, hooks. Found once for each
 //! asset.
 
+use std::sync::OnceLock;
+
 use nalgebra::{Matrix3, Point3, Vector3};
 use vc_graph::Asset;
 use vc_graph::asset::{Hold, Joint, Part, Shape, Surface};
@@ -71,7 +73,7 @@ impl Cavity {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Form {
     pub(crate) pieces: Vec<Piece>,
-    pub(crate) cavities: Vec<Cavity>,
+    cavities: OnceLock<Vec<Cavity>>,
     pub(crate) hooks: Vec<(Vector3<f32>, Option<u32>)>,
     pub(crate) joints: Vec<Joint>,
     /// Corners of the box around all pieces, joints at zero.
@@ -88,18 +90,35 @@ impl Form {
             pieces(part, &mut |piece| form.pieces.push(Piece { link, ..piece }));
         }
         form.measure();
+        let mut stated = Vec::new();
         for surface in &asset.surfaces {
             let link = form.link(surface.joint.as_ref());
             match surface.hold {
-                Hold::Inside => form.cavities.extend(form.compartment(surface, link)),
+                Hold::Inside => stated.extend(form.compartment(surface, link)),
                 Hold::Hook => form.hooks.push((surface.centre.coords, link)),
                 Hold::On => {}
             }
         }
-        if asset.surfaces.is_empty() && form.pieces.len() > 1 {
-            form.cavities = hollow::find(&form);
+        if !asset.surfaces.is_empty() || form.pieces.len() < 2 {
+            form.cavities = stated.into();
         }
         form
+    }
+
+    /// Where it holds things: what its asset states, else what is found between its parts
+    /// when first asked for, which costs some ten microseconds.
+    pub(crate) fn cavities(&self) -> &[Cavity] {
+        self.cavities.get_or_init(|| hollow::find(self))
+    }
+
+    /// Whether a point of the asset's frame may be in some cavity or over its rim: it is not
+    /// beside or below all of the asset.
+    pub(crate) fn may_hold(&self, point: &Vector3<f32>) -> bool {
+        let within = |i: usize| (self.low[i]..=self.high[i]).contains(&point[i]);
+        match self.cavities.get() {
+            Some(known) => !known.is_empty(),
+            None => within(0) && within(1) && point.z >= self.low.z,
+        }
     }
 
     /// A container of which only the box is known.
@@ -108,7 +127,7 @@ impl Form {
         let piece = Piece { centre, axes: Matrix3::identity(), half, round: Round::No, link: None };
         let cavity = Cavity { space: Space::Box { centre, half }, open: false, link: None };
         let cavities = if container { vec![cavity] } else { Vec::new() };
-        Self { pieces: vec![piece], cavities, low, high, ..Self::default() }
+        Self { pieces: vec![piece], cavities: cavities.into(), low, high, ..Self::default() }
     }
 
     fn link(&mut self, joint: Option<&Joint>) -> Option<u32> {

@@ -78,47 +78,60 @@ impl Cells {
         [at % self.count(0), at / self.count(0) % self.count(1), at / (self.count(0) * self.count(1))]
     }
 
-    /// Marks the cells that a solid reaches into.
+    /// Marks the cells that a solid reaches into. Of an upright prism, which most are, the
+    /// outline is the same at every height, and is asked once for each column of cells.
     fn fill(&mut self, solid: &Solid) {
         let range = |i: usize| {
             let start = self.planes[i].partition_point(|&p| p <= solid.low[i]).saturating_sub(1);
             start..self.planes[i].partition_point(|&p| p < solid.high[i]).min(self.count(i))
         };
-        let ranges = [range(0), range(1), range(2)];
-        for z in ranges[2].clone() {
-            for y in ranges[1].clone() {
-                for x in ranges[0].clone() {
-                    let cell = [x, y, z];
-                    let centre = Vector3::from_fn(|i, _| self.middle(i, cell[i]));
-                    let probe = Solid::new(centre, Matrix3::identity(), self.size(cell) * (0.5 - GRID_FILL), Round::No);
-                    let at = self.at(cell);
-                    if gap(&probe, solid, 0.0) < 0.0 {
-                        self.labels[at] = SOLID;
+        let (columns, rows, layers) = (range(0), range(1), range(2));
+        let met: Vec<usize> =
+            layers.filter(|&z| !solid.is_prism() || self.probe([0, 0, z]).rise(solid) < 0.0).collect();
+        for y in rows {
+            for x in columns.clone() {
+                if solid.is_prism() {
+                    if self.probe([x, y, 0]).level_gap(solid, 0.0) < 0.0 {
+                        met.iter().for_each(|&z| self.mark([x, y, z]));
                     }
+                } else {
+                    let meets = |z: &&usize| gap(&self.probe([x, y, **z]), solid, 0.0) < 0.0;
+                    let own: Vec<usize> = met.iter().filter(meets).copied().collect();
+                    own.into_iter().for_each(|z| self.mark([x, y, z]));
                 }
             }
         }
+    }
+
+    fn mark(&mut self, cell: [usize; 3]) {
+        let at = self.at(cell);
+        self.labels[at] = SOLID;
+    }
+
+    /// What of a cell has to be met to count, a little less than all.
+    fn probe(&self, cell: [usize; 3]) -> Solid {
+        let centre = Vector3::from_fn(|i, _| self.middle(i, cell[i]));
+        Solid::new(centre, Matrix3::identity(), self.size(cell) * (0.5 - GRID_FILL), Round::No)
     }
 
     /// For every cell whether something solid is on its way out along an axis, one bit
     /// for each of -X, +X, -Y, +Y, -Z, +Z.
     fn walls(&self) -> Vec<u8> {
         let mut seen = vec![0_u8; self.labels.len()];
+        let strides = [1, self.count(0), self.count(0) * self.count(1)];
         for axis in 0..3 {
             let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+            let (count, stride) = (self.count(axis), strides[axis]);
             for line in 0..self.count(u) * self.count(v) {
-                let mut cell = [0; 3];
-                (cell[u], cell[v]) = (line % self.count(u), line / self.count(u));
-                let along = |k: usize| self.at(std::array::from_fn(|i| if i == axis { k } else { cell[i] }));
-                let mut pass = |order: &mut dyn Iterator<Item = usize>, bit: usize| {
-                    let mut met = false;
-                    for at in order.map(along) {
-                        met |= self.labels[at] == SOLID;
-                        seen[at] |= u8::from(met) << bit;
+                let start = line % self.count(u) * strides[u] + line / self.count(u) * strides[v];
+                for back in [false, true] {
+                    let mut met = 0;
+                    for k in 0..count {
+                        let at = start + if back { count - 1 - k } else { k } * stride;
+                        met |= u8::from(self.labels[at] == SOLID) << (2 * axis + usize::from(back));
+                        seen[at] |= met;
                     }
-                };
-                pass(&mut (0..self.count(axis)), 2 * axis);
-                pass(&mut (0..self.count(axis)).rev(), 2 * axis + 1);
+                }
             }
         }
         seen

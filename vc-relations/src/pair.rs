@@ -109,8 +109,7 @@ fn touch(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair) {
 /// Whether a container holds a content. The building holds nothing.
 pub(crate) fn holds(container: &Body, content: &Body) -> bool {
     let centre = Region { low: content.whole.centre, high: content.whole.centre };
-    !container.form.cavities.is_empty()
-        && container.region.grown(RIM_MARGIN, RIM_MARGIN).meets(&centre)
+    container.region.grown(RIM_MARGIN, RIM_MARGIN).meets(&centre)
         && !container.traits.fixed
         && !content.traits.fixed
         && container.cavity_with(content).is_some()
@@ -176,7 +175,8 @@ fn is_over_middle(a: &Body, b: &Body) -> bool {
 /// Calls `found` with every contact that a trace down from a part finds within `limit` with
 /// one whose middle is lower.
 pub(crate) fn contacts(a: &Body, b: &Body, limit: f32, mut found: impl FnMut(Contact)) {
-    for (p, s) in a.solids.iter().enumerate() {
+    let over = |s: &Solid| s.region().meets_in_plan(&b.region) && s.low.z - b.region.high.z <= limit;
+    for (p, s) in a.solids.iter().enumerate().filter(|(_, s)| over(s)) {
         let mut core = None;
         for (q, t) in b.solids.iter().enumerate() {
             let is_below = t.centre.z < s.centre.z && s.low.z - t.high.z <= limit;

@@ -203,6 +203,25 @@ impl Relations {
         edges
     }
 
+    /// All relations that start at some nodes, as [`Self::of`] has them. For most of a scene,
+    /// what things rest on is found once for all.
+    pub(crate) fn of_each(&self, nodes: &[NodeId]) -> Vec<(NodeId, Vec<Edge>)> {
+        if self.rule != Rule::Repaired {
+            return nodes.iter().map(|&id| (id, self.of(id))).collect();
+        }
+        let most = 2 * nodes.len() > self.world.ids.len();
+        let of = if most { Reader::of_all } else { Reader::new };
+        let reader = of(&self.world, &self.facts);
+        let edges = |id: NodeId| {
+            let mut edges = Vec::new();
+            if let Some(index) = self.world.index(id) {
+                reader.edges(index, &mut edges);
+            }
+            edges
+        };
+        nodes.iter().map(|&id| (id, edges(id))).collect()
+    }
+
     /// Whether a relation holds.
     pub fn has(&self, edge: Edge) -> bool {
         self.of(edge.from).binary_search(&edge).is_ok()

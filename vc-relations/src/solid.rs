@@ -78,8 +78,20 @@ impl Solid {
 
     /// Whether nothing of it leans: its outline is the same at every height.
     #[inline]
-    fn is_prism(&self) -> bool {
+    pub(crate) fn is_prism(&self) -> bool {
         self.upright && self.round != Round::Ball
+    }
+
+    /// How far two upright prisms are apart along the vertical, negative where they overlap.
+    #[inline]
+    pub(crate) fn rise(&self, other: &Self) -> f32 {
+        (other.centre.z - self.centre.z).abs() - self.half.z - other.half.z
+    }
+
+    /// How far the outlines of two upright prisms are apart, as [`gap`] has it.
+    #[inline]
+    pub(crate) fn level_gap(&self, other: &Self, enough: f32) -> f32 {
+        level_gap(self, other, enough)
     }
 
     /// The point of its box nearest to a point.
@@ -219,7 +231,7 @@ fn level_gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
 pub(crate) fn gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
     let way = b.centre - a.centre;
     if a.is_prism() && b.is_prism() {
-        let rise = way.z.abs() - a.half.z - b.half.z;
+        let rise = a.rise(b);
         return if rise > enough { rise } else { more(rise, level_gap(a, b, enough)) };
     }
     let mut most = f32::NEG_INFINITY;

@@ -43,22 +43,49 @@ impl Relations {
     pub fn write(&self, graph: &mut SceneGraph, nodes: &[NodeId]) -> Result<ChangeSet, EditError> {
         let mut edit = graph.edit();
         let there = |id: &NodeId| graph_has(edit.graph(), *id);
-        let own: Vec<(NodeId, Vec<Edge>)> = nodes.iter().copied().filter(there).map(|id| (id, self.of(id))).collect();
-        // All leave their old places first, so that no old place makes a new one a cycle.
+        let there: Vec<NodeId> = nodes.iter().copied().filter(there).collect();
+        let own = self.of_each(&there);
+        // All that go elsewhere leave their old places first, so that no old place makes a new
+        // one a cycle.
         for (id, edges) in &own {
-            if edges.iter().any(rests) && !is_held(edit.graph(), *id) {
+            if edges.iter().any(rests) && !is_held(edit.graph(), *id) && !is_placed(edit.graph(), *id, edges) {
                 edit.detach(*id)?;
             }
         }
         for (id, edges) in &own {
-            if !is_held(edit.graph(), *id) {
+            if !is_held(edit.graph(), *id) && !is_placed(edit.graph(), *id, edges) {
                 put(&mut edit, *id, edges)?;
             }
-            edit.unrelate(*id, &FREE)?;
-            edges.iter().filter(|e| FREE.contains(&e.relation)).try_for_each(|e| edit.relate(*e))?;
+            FREE.into_iter().try_for_each(|relation| replace(&mut edit, *id, relation, edges))?;
         }
         Ok(edit.commit())
     }
+}
+
+/// Writes the relations of one kind that start at a node, if the graph has others.
+fn replace(edit: &mut vc_graph::Edit<'_>, id: NodeId, relation: Relation, edges: &[Edge]) -> Result<(), EditError> {
+    let new = || edges.iter().filter(|e| e.relation == relation);
+    if edit.graph().related(id, relation).eq(new().map(|e| e.to)) {
+        return Ok(());
+    }
+    edit.unrelate(id, &[relation])?;
+    new().try_for_each(|e| edit.relate(*e))
+}
+
+/// Whether a graph has a node in the room and at the places that edges say, and these places
+/// in the same room.
+fn is_placed(graph: &SceneGraph, id: NodeId, edges: &[Edge]) -> bool {
+    let room = edges.iter().find(|e| e.relation == Relation::InRoom).map(|e| e.to);
+    let mut new: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).collect();
+    let mut old: Vec<Place> = graph.places(id).collect();
+    new.sort_unstable();
+    old.sort_unstable();
+    let is_here = |at: NodeId| room.is_none() || graph.room_of(at) == room;
+    (new == old || new.is_empty()) && is_here(id) && old.iter().all(|p| is_here(p.at))
+}
+
+fn place(edge: &Edge) -> Place {
+    Place { relation: edge.relation, at: edge.to }
 }
 
 fn graph_has(graph: &SceneGraph, id: NodeId) -> bool {
@@ -74,7 +101,6 @@ fn rests(edge: &Edge) -> bool {
 }
 
 fn put(edit: &mut vc_graph::Edit<'_>, id: NodeId, edges: &[Edge]) -> Result<(), EditError> {
-    let place = |e: &Edge| Place { relation: e.relation, at: e.to };
     // Of a thing that keeps its place the graph may say that it rests on this one.
     let carried = |p: &Place| edit.graph().rests_at(p.at, id);
     let places: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).filter(|p| !carried(p)).collect();
