@@ -35,11 +35,11 @@ const CARRIES: f32 = 0.5;
 const TOUCHING: f32 = 0.005;
 
 /// A point where two bodies touch.
-struct Touch {
+pub(crate) struct Touch {
     /// From the pair's first body to its second.
-    normal: Vector3<f32>,
-    at: Point3<f32>,
-    gap: f32,
+    pub(crate) normal: Vector3<f32>,
+    pub(crate) at: Point3<f32>,
+    pub(crate) gap: f32,
     impulse: f32,
 }
 
@@ -85,7 +85,7 @@ impl World {
         self.gather(thing.bodies().flat_map(|body| self.pairs_of(body)))
     }
 
-    fn pairs_of(&self, body: RigidBodyHandle) -> impl Iterator<Item = &ContactPair> {
+    pub(crate) fn pairs_of(&self, body: RigidBodyHandle) -> impl Iterator<Item = &ContactPair> {
         let colliders = self.engine.bodies.get(body).map_or(&[][..], |b| b.colliders());
         colliders.iter().flat_map(|&c| self.engine.narrow.contact_pairs_with(c))
     }
@@ -105,7 +105,7 @@ impl World {
 
     /// The points of a pair at which it touches. The engine keeps points while bodies
     /// move little, so their gaps are measured anew from where the bodies are.
-    fn touches<'a>(&'a self, pair: &'a ContactPair) -> impl Iterator<Item = Touch> + 'a {
+    pub(crate) fn touches<'a>(&'a self, pair: &'a ContactPair) -> impl Iterator<Item = Touch> + 'a {
         let place = |c: ColliderHandle| self.engine.colliders.get(c).map(|c| *c.position());
         let both = place(pair.collider1).zip(place(pair.collider2));
         let points = |manifold: &'a ContactManifold| manifold.points.iter().map(move |p| (manifold, p));

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use nalgebra::Vector3;
 use rapier3d::dynamics::{
     CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet, RigidBody, RigidBodyBuilder,
-    RigidBodyHandle, RigidBodySet, SoftBodySet,
+    RigidBodyHandle, RigidBodySet, SoftBodySet, SpringCoefficients,
 };
 use rapier3d::geometry::{BroadPhaseBvh, Collider, ColliderHandle, ColliderSet, NarrowPhase};
 use rapier3d::math::Pose as EnginePose;
@@ -23,7 +23,13 @@ const PREDICTION: f32 = 0.005;
 const AHEAD: f32 = 0.25;
 /// How far two bodies move against each other before their contact points are looked
 /// for anew, metres.
-const RECYCLED: f32 = 0.003;
+const RECYCLED: f32 = 0.01;
+/// Into how many parts the solver divides a step. With two, stacks lean; the engine's own
+/// four cost a fifth more.
+const SUBSTEPS: usize = 3;
+/// How contacts give way: damping ratio. With the engine's own ten, a stack of ten cubes
+/// walks twice as far before it rests.
+const DAMPING: f32 = 5.0;
 /// How long a body has to be still before it falls asleep, seconds.
 const STILL: f32 = 0.25;
 
@@ -237,11 +243,18 @@ impl Engine {
     }
 }
 
+fn damped(contacts: SpringCoefficients<f32>) -> SpringCoefficients<f32> {
+    SpringCoefficients { damping_ratio: DAMPING, ..contacts }
+}
+
 fn parameters(dt: f32) -> IntegrationParameters {
     IntegrationParameters {
         dt,
         normalized_prediction_distance: PREDICTION,
         normalized_contact_recycle_distance: RECYCLED,
+        num_solver_iterations: SUBSTEPS,
+        contact_softness: damped(SpringCoefficients::contact_defaults()),
+        static_contact_softness: damped(SpringCoefficients::contact_static_defaults()),
         // It would keep four points of all that touch in a plane, whether or not they
         // are the ones that carry.
         contact_clustering: false,

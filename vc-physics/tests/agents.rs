@@ -63,6 +63,33 @@ fn walls_stairs_and_slopes() {
 }
 
 #[test]
+fn jumping_and_landing() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let me = scene.agent(at(0.0, 0.0, 0.0));
+    let mut world = scene.world();
+    world.run(10);
+    let ground = position(&world, me).z;
+    // Walking does not hold it down.
+    world.go(me, Vector2::new(1.0, 0.0)).unwrap();
+    world.jump(me).unwrap();
+    let mut highest: f32 = 0.0;
+    for _ in 0..60 {
+        world.step();
+        highest = highest.max(position(&world, me).z - ground);
+        // In the air there is nothing to jump from.
+        world.jump(me).unwrap();
+        if highest > 0.1 && (position(&world, me).z - ground).abs() < 0.02 {
+            break;
+        }
+    }
+    assert!((highest - 0.4).abs() < 0.05, "{highest}");
+    world.run(60);
+    assert!((position(&world, me).z - ground).abs() < 0.45, "it came down");
+    assert!(matches!(world.jump(NodeId(999)), Err(AgentError::NoSuchAgent(_))));
+}
+
+#[test]
 fn pushing_has_limits() {
     let mut scene = Scene::default();
     scene.floor(10.0, 0.5);

@@ -3,6 +3,7 @@
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use rapier3d::geometry::{Collider, ColliderHandle};
 use rapier3d::math::Pose as EnginePose;
+use rapier3d::parry::shape::Capsule;
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::asset::Hold;
 use vc_graph::{NodeId, Pose};
@@ -140,18 +141,51 @@ impl World {
         Ok(self.fits(self.agent(agent)?, feet))
     }
 
+    /// Whether an agent would stand free with its feet at a pose however far the moving parts
+    /// of a node are open: of each of some fractions of their way (0 closed, 1 open).
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`]; as [`World::drive`].
+    pub fn stands_clear(&self, agent: NodeId, feet: &Pose, id: NodeId, open: &[f32]) -> Result<bool, AgentError> {
+        let body = self.agent(agent)?;
+        let (shape, at) = upright(&body.plan, feet);
+        for &open in open {
+            for (solid, pose) in self.parts_at(id, open)? {
+                let between = at.inv_mul(&pose);
+                let meets = rapier3d::parry::query::intersection_test(&EnginePose::IDENTITY, &shape, &between, &*solid);
+                if meets.is_ok_and(|met| met.intersecting) {
+                    return Ok(false);
+                }
+            }
+        }
+        Ok(self.fits_but(body, feet, Some(id)))
+    }
+
     /// Whether an agent's capsule is free at a spot, a little above the floor.
     pub(crate) fn fits(&self, body: &Agent, spot: &Pose) -> bool {
-        let plan = &body.plan;
-        let lift = 0.02;
-        let half = (plan.height / 2.0 - plan.radius - lift).max(0.01);
-        let shape = rapier3d::parry::shape::Capsule::new_z(half, plan.radius);
-        let at: EnginePose = convert::pose(&(spot * Pose::translation(0.0, 0.0, plan.height / 2.0 + lift)));
+        self.fits_but(body, spot, None)
+    }
+
+    /// The same, the moving parts of a node left out.
+    fn fits_but(&self, body: &Agent, spot: &Pose, but: Option<NodeId>) -> bool {
+        let (shape, at) = upright(&body.plan, spot);
         let own = body.body;
-        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(own);
+        let counts = |c: &Collider| {
+            let (id, link) = group::marked(c.user_data);
+            link == 0 || Some(id) != but
+        };
+        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(own) && counts(c);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
         queries.intersect_shape(at, &shape).next().is_none()
     }
+}
+
+/// The capsule of an agent that stands, a little above the floor, and where it is.
+fn upright(plan: &super::BodyPlan, feet: &Pose) -> (Capsule, EnginePose) {
+    let lift = 0.02;
+    let half = (plan.height / 2.0 - plan.radius - lift).max(0.01);
+    let at = convert::pose(&(feet * Pose::translation(0.0, 0.0, plan.height / 2.0 + lift)));
+    (Capsule::new_z(half, plan.radius), at)
 }
 
 /// Middle and half lengths of what one sits or lies on, in the asset's frame: the

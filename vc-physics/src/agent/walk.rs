@@ -24,6 +24,9 @@ const PUSH: f32 = 150.0;
 /// Steps between looks at the ground of one who stands still.
 const GLANCE: u64 = 8;
 
+/// How high one jumps from standing, metres (the mean of adults in vertical jump tests).
+const JUMP: f32 = 0.4;
+
 /// How a walk stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Walk {
@@ -97,6 +100,19 @@ impl World {
         let agent = self.standing(id)?;
         let v = velocity * (agent.plan.run / velocity.norm().max(agent.plan.run));
         agent.walk = if v == Vector2::zeros() { Motion::Still } else { Motion::Going([v.x, v.y]) };
+        Ok(())
+    }
+
+    /// Lets an agent jump as high as a person does from standing, if it stands on something.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`], [`AgentError::Posture`].
+    pub fn jump(&mut self, id: NodeId) -> Result<(), AgentError> {
+        let speed = (2.0 * self.settings.gravity.max(0.0) * JUMP).sqrt();
+        let agent = self.standing(id)?;
+        if agent.grounded {
+            (agent.grounded, agent.fall) = (false, -speed);
+        }
         Ok(())
     }
 
@@ -193,6 +209,8 @@ impl World {
         let desired = Vector::new(wish.x * dt, wish.y * dt, -fall * dt);
         let (moved, grounded, hits) = self.slide(agent, desired);
         hits.iter().for_each(|hit| self.push_aside(id, hit, wish));
+        // Who goes up has left the ground, however near it is.
+        let grounded = grounded && fall >= 0.0;
         let Some(agent) = self.agents.get_mut(&id) else { return };
         agent.feet.translation.vector += moved;
         (agent.grounded, agent.fall) = (grounded, if grounded { 0.0 } else { fall });
@@ -216,7 +234,7 @@ impl World {
         let shape = rapier3d::parry::shape::Capsule::new_z(plan.height / 2.0 - plan.radius, plan.radius);
         let middle = agent.feet * vc_graph::Pose::translation(0.0, 0.0, plan.height / 2.0);
         let mut hits = Vec::new();
-        let legs = legs(plan);
+        let legs = legs(plan, desired.z > 0.0);
         let moved =
             legs.move_shape(self.settings.dt, &queries, &shape, &convert::pose(&middle), desired, |hit| hits.push(hit));
         (convert::vector3(moved.translation), moved.grounded, hits)
@@ -238,19 +256,20 @@ impl World {
     }
 }
 
-fn legs(plan: &super::BodyPlan) -> KinematicCharacterController {
+/// Legs that keep to the ground, unless they jump.
+fn legs(plan: &super::BodyPlan, jumping: bool) -> KinematicCharacterController {
     KinematicCharacterController {
         up: Vector::Z,
         offset: CharacterLength::Absolute(0.01),
         slide: true,
-        autostep: Some(CharacterAutostep {
+        autostep: (!jumping).then_some(CharacterAutostep {
             max_height: CharacterLength::Absolute(plan.step),
             min_width: CharacterLength::Absolute(0.1),
             include_dynamic_bodies: false,
         }),
         max_slope_climb_angle: plan.slope,
         min_slope_slide_angle: plan.slope,
-        snap_to_ground: Some(CharacterLength::Absolute(plan.step)),
+        snap_to_ground: (!jumping).then_some(CharacterLength::Absolute(plan.step)),
         ..KinematicCharacterController::default()
     }
 }

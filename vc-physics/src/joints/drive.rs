@@ -1,6 +1,8 @@
 //! Opening, closing and locking.
 
 use rapier3d::dynamics::{MotorModel, RigidBodyType};
+use rapier3d::geometry::SharedShape;
+use rapier3d::math::Pose as EnginePose;
 use vc_graph::NodeId;
 use vc_graph::asset::JointKind;
 
@@ -96,6 +98,23 @@ impl World {
         (0..parts).try_for_each(|part| self.put_open(id, part, open))
     }
 
+    /// The shapes of a node's moving parts, and where they would be, all open by a fraction.
+    ///
+    /// # Errors
+    /// As [`Self::drive`].
+    pub(crate) fn parts_at(&self, id: NodeId, open: f32) -> Result<Vec<(SharedShape, EnginePose)>, PhysicsError> {
+        let thing = self.thing(id)?;
+        let base = self.engine.pose(thing.state.base).ok_or(PhysicsError::NoBody(id))?;
+        let mut parts = Vec::new();
+        for (part, link) in thing.form.links.iter().skip(1).enumerate() {
+            let target = self.target(id, part, open)?;
+            if let (Some(joint), Some((shape, at))) = (link.joint, &link.solid) {
+                parts.push((shape.clone(), convert::pose(&(base * joint.motion(target))) * *at));
+            }
+        }
+        Ok(parts)
+    }
+
     /// Locks or unlocks a part: locked, it neither moves nor lets itself be opened.
     ///
     /// # Errors
@@ -120,7 +139,7 @@ impl World {
         parts.get(part).ok_or(PhysicsError::NoSuchPart { id, part, count: parts.len() })
     }
 
-    fn target(&self, id: NodeId, part: usize, open: f32) -> Result<f32, PhysicsError> {
+    pub(super) fn target(&self, id: NodeId, part: usize, open: f32) -> Result<f32, PhysicsError> {
         let moving = self.check_part(id, part)?;
         if moving.locked {
             return Err(PhysicsError::Locked(id));

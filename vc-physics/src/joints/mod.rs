@@ -5,6 +5,7 @@
 //! a book, it moves with the base and is opened at once.
 
 mod drive;
+mod leap;
 mod make;
 mod motion;
 

@@ -11,8 +11,9 @@ use vc_graph::class::Range;
 use vc_graph::{Asset, AssetLibrary, Bounds, Frame, Pose};
 
 use super::footprint::{self, Footprint};
+use super::mass::{self, Moments};
 use super::piece::{self, Piece};
-use super::{hollow, mass, merge, scale};
+use super::{hollow, merge, scale};
 use crate::convert;
 
 /// Density of things of which nothing is known but a box, kilograms per cubic metre.
@@ -178,13 +179,15 @@ impl Link {
 /// The pieces of a part in the frame of the scaled asset.
 pub(super) fn placed(part: &Part, by: &Vector3<f32>) -> Vec<Piece> {
     let at = |pose: Pose| move |p: Piece| Piece { at: pose * p.at, ..p };
+    let up = part.pose.rotation.inverse_transform_vector(&Vector3::z());
     match scale::uniform(by) {
-        Some(1.0) => piece::pieces(&part.shape).into_iter().map(at(part.pose)).collect(),
+        Some(1.0) => piece::pieces(&part.shape, &up).into_iter().map(at(part.pose)).collect(),
         Some(s) => {
-            piece::pieces(&scale::shape(&part.shape, s)).into_iter().map(at(scale::pose(&part.pose, by))).collect()
+            let own = piece::pieces(&scale::shape(&part.shape, s), &up);
+            own.into_iter().map(at(scale::pose(&part.pose, by))).collect()
         }
         None => {
-            let own = piece::pieces(&part.shape).into_iter().map(at(part.pose));
+            let own = piece::pieces(&part.shape, &up).into_iter().map(at(part.pose));
             own.filter_map(|p| scale::stretched(&p, by)).collect()
         }
     }
@@ -205,7 +208,7 @@ fn compound(pieces: &[Piece]) -> Option<(SharedShape, EnginePose)> {
 /// Masses of parts; friction and restitution added up by mass.
 #[derive(Default)]
 struct Sum {
-    parts: Vec<MassProperties>,
+    total: Moments,
     friction: f32,
     restitution: f32,
 }
@@ -215,25 +218,20 @@ impl Sum {
         let material = library.material(part.material);
         let (density, friction, restitution) =
             material.map_or((BOX_DENSITY, FRICTION, 0.0), |m| (m.density, m.friction, m.restitution));
-        let own = match scale::uniform(by) {
-            Some(s) => {
-                mass::moved(mass::properties(&scale::shape(&part.shape, s), density), &scale::pose(&part.pose, by))
-            }
-            None => mass::of_solids(&placed(part, by), density),
-        };
-        if mass::is_sound(&own) {
+        let own = Moments::of(&part.shape).moved(&part.pose).stretched(by) * f64::from(density);
+        if own.is_sound() {
             self.friction += friction * own.mass();
             self.restitution += restitution.min(1.0) * own.mass();
-            self.parts.push(own);
+            self.total += own;
         }
     }
 
     fn finish(self, pieces: &[Piece]) -> (MassProperties, f32, f32) {
-        let total = mass::total(&self.parts);
+        let total = self.total.properties();
         if mass::is_sound(&total) {
             return (total, self.friction / total.mass(), self.restitution / total.mass());
         }
-        (mass::of_solids(pieces, BOX_DENSITY), FRICTION, 0.0)
+        ((Moments::of_pieces(pieces) * f64::from(BOX_DENSITY)).properties(), FRICTION, 0.0)
     }
 }
 

@@ -5,25 +5,77 @@
 //! such a face four corners are kept that lie far apart, and the others are set back a
 //! little, as if the face were bevelled there.
 
+use nalgebra::Point3;
 use rapier3d::geometry::SharedShape;
 use rapier3d::math::Vector;
 use rapier3d::parry::transformation::try_convex_hull;
 
+use super::quick;
+use crate::convert;
+
 /// How much the corners that are not kept are set back, for each metre they are outside of
 /// the four. The engine takes faces for one that differ by less than 0.026.
 const BEVEL: f32 = 0.03;
+/// Up to which length an edge is none, metres.
+const SHORT: f32 = 1e-5;
 /// Cosine of the angle up to which triangles are one face.
 const FLAT: f32 = 0.9996;
 
 /// The hull of points, `None` where they have no volume.
-pub(super) fn hull(points: &[Vector]) -> Option<SharedShape> {
-    let (mut corners, triangles) = try_convex_hull(points).ok()?;
-    let set_back = bevels(&corners, &triangles);
+pub(super) fn hull(points: &[Point3<f32>]) -> Option<SharedShape> {
+    let (corners, triangles) = mesh(points)?;
+    bevelled(corners, &triangles)
+}
+
+/// The hull of eight corners: four around a face, counter-clockwise seen from outside, and
+/// those across from them; `None` where two of them are one.
+pub(super) fn hexahedron(face: [Point3<f32>; 4], across: [Point3<f32>; 4]) -> Option<SharedShape> {
+    let next = |k: usize| (k + 1) % 4;
+    let long = |a: &Point3<f32>, b: &Point3<f32>| (a - b).norm() > SHORT;
+    let sound =
+        |k: usize| long(&face[k], &face[next(k)]) && long(&across[k], &across[next(k)]) && long(&face[k], &across[k]);
+    if !(0..4).all(sound) {
+        return None;
+    }
+    let corners = face.into_iter().chain(across).map(convert::point).collect();
+    let mut triangles: Vec<[u32; 3]> = vec![[0, 1, 2], [0, 2, 3], [4, 6, 5], [4, 7, 6]];
+    for (k, n) in (0..4).map(|k| (k as u32, next(k) as u32)) {
+        triangles.extend([[n, k, k + 4], [n, k + 4, n + 4]]);
+    }
+    bevelled(corners, &triangles)
+}
+
+fn bevelled(mut corners: Vec<Vector>, triangles: &[[u32; 3]]) -> Option<SharedShape> {
+    let set_back = bevels(&corners, triangles);
     if set_back.is_empty() {
-        return SharedShape::convex_mesh(corners, &triangles);
+        return SharedShape::convex_mesh(corners, triangles);
     }
     set_back.into_iter().for_each(|(corner, by)| corners[corner] -= by);
-    SharedShape::convex_hull(&corners)
+    let corners: Vec<Point3<f32>> = corners.into_iter().map(convert::point3).collect();
+    let (corners, triangles) = mesh(&corners)?;
+    SharedShape::convex_mesh(corners, &triangles)
+}
+
+/// The triangles of the hull of points.
+pub(super) fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
+    quick::triangles(points)
+}
+
+/// The corners of the hull of points and its triangles; by the engine's own way where ours
+/// finds no volume.
+fn mesh(points: &[Point3<f32>]) -> Option<(Vec<Vector>, Vec<[u32; 3]>)> {
+    let Some(mut triangles) = quick::triangles(points) else {
+        let all: Vec<Vector> = points.iter().map(|p| convert::point(*p)).collect();
+        return try_convex_hull(&all).ok();
+    };
+    let mut used: Vec<u32> = triangles.as_flattened().to_vec();
+    used.sort_unstable();
+    used.dedup();
+    let corners = used.iter().map(|&i| convert::point(points[i as usize])).collect();
+    let mut number = vec![0; points.len()];
+    (0..).zip(&used).for_each(|(new, &old)| number[old as usize] = new);
+    triangles.as_flattened_mut().iter_mut().for_each(|i| *i = number[*i as usize]);
+    Some((corners, triangles))
 }
 
 /// Corners to be set back, and by how much.

@@ -22,17 +22,18 @@ pub(super) type Box3 = (Point3<f32>, Point3<f32>);
 
 /// [`MOST`] pieces or little more; what is few enough stays as it is. Costs about
 /// the square of the pieces.
-pub(crate) fn merged(mut pieces: Vec<Piece>, surfaces: &[Surface]) -> Vec<Piece> {
+pub(crate) fn merged(pieces: Vec<Piece>, surfaces: &[Surface]) -> Vec<Piece> {
     if pieces.len() <= MOST {
         return pieces;
     }
-    pieces.sort_by(|a, b| volume(extent(&b.corners())).total_cmp(&volume(extent(&a.corners()))));
-    pieces.truncate(LOOKED_AT);
-    let mut pool = Pool::new(pieces, surfaces.iter().filter_map(free_space).collect());
+    let mut groups: Vec<Group> = pieces.into_iter().map(Group::of).collect();
+    groups.sort_by(|a, b| b.volume.total_cmp(&a.volume));
+    groups.truncate(LOOKED_AT);
+    let mut pool = Pool::new(groups, surfaces.iter().filter_map(free_space).collect());
     while pool.groups.len() > MOST && pool.join_cheapest() {}
     // What still is too much are the smallest pieces.
     let mut groups = pool.groups;
-    groups.sort_by(|a, b| volume(b.extent).total_cmp(&volume(a.extent)));
+    groups.sort_by(|a, b| b.volume.total_cmp(&a.volume));
     groups.truncate(MOST * 2);
     groups.into_iter().filter_map(Group::piece).collect()
 }
@@ -46,26 +47,26 @@ struct Pool {
 }
 
 impl Pool {
-    fn new(pieces: Vec<Piece>, free: Vec<Box3>) -> Self {
-        let groups: Vec<Group> = pieces.into_iter().map(Group::of).collect();
+    fn new(groups: Vec<Group>, free: Vec<Box3>) -> Self {
         let mut pool = Self { best: vec![None; groups.len()], groups, free };
         (0..pool.groups.len()).for_each(|i| pool.find_best(i));
         pool
     }
 
+    /// The partner with which a group wastes the least volume, and how much that is; none
+    /// with which its box reaches into a space that must stay free.
     fn find_best(&mut self, of: usize) {
-        let others = (0..self.groups.len()).filter(|&i| i != of);
-        let all = others.filter_map(|i| Some((self.waste(of, i)?, i)));
-        self.best[of] = all.min_by(|a, b| a.0.total_cmp(&b.0));
-    }
-
-    /// Volume that joining two wastes; none where the joint box reaches into a space
-    /// that must stay free.
-    fn waste(&self, a: usize, b: usize) -> Option<f32> {
-        let (a, b) = (self.groups[a].extent, self.groups[b].extent);
-        let joint = around(a, b);
-        let blocked = self.free.iter().any(|f| overlap(*f, joint));
-        (!blocked).then(|| volume(joint) - volume(a) - volume(b))
+        let own = &self.groups[of];
+        let mut best: Option<(f32, usize)> = None;
+        for (i, other) in self.groups.iter().enumerate().filter(|(i, _)| *i != of) {
+            let joint = around(own.extent, other.extent);
+            let waste = volume(joint) - own.volume - other.volume;
+            let is_less = best.is_none_or(|(least, _)| waste.total_cmp(&least).is_lt());
+            if is_less && !self.free.iter().any(|f| overlap(*f, joint)) {
+                best = Some((waste, i));
+            }
+        }
+        self.best[of] = best;
     }
 
     /// Joins the two that waste least; `false` if none may be joined.
@@ -91,16 +92,19 @@ impl Pool {
 struct Group {
     first: Option<Piece>,
     extent: Box3,
+    volume: f32,
 }
 
 impl Group {
     fn of(piece: Piece) -> Self {
-        Self { extent: extent(&piece.corners()), first: Some(piece) }
+        let extent = extent(&piece.corners());
+        Self { extent, volume: volume(extent), first: Some(piece) }
     }
 
     fn join(&mut self, other: &Self) {
         self.first = None;
         self.extent = around(self.extent, other.extent);
+        self.volume = volume(self.extent);
     }
 
     fn piece(self) -> Option<Piece> {

@@ -7,6 +7,7 @@ mod hull;
 mod mass;
 mod merge;
 mod piece;
+mod quick;
 mod scale;
 mod slab;
 

@@ -7,7 +7,7 @@
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::geometry::SharedShape;
-use rapier3d::math::{Pose as EnginePose, Vector};
+use rapier3d::math::Pose as EnginePose;
 use vc_graph::Pose;
 use vc_graph::asset::Shape;
 
@@ -18,6 +18,12 @@ use crate::convert;
 /// Half of the least thickness of a piece, metres: thinner ones the engine does not
 /// hold apart.
 const LEAST: f32 = 0.001;
+/// Half of the thickness up to which a hull is the box around it, metres. Of a hull the
+/// engine sees one face at a time, and what is small tips over its edge within a step.
+const THIN: f32 = 0.0025;
+/// How high the curved bottom of a hull is pressed flat, metres: on facets it would rock
+/// to and fro.
+const PRESSED: f32 = 0.0015;
 /// Wedges in a ring.
 const WEDGES: usize = 10;
 /// A hollow narrower than this radius is taken as full, metres: nothing is put in.
@@ -39,8 +45,7 @@ impl Piece {
         Self { shape, at: Pose::identity() }
     }
 
-    /// The hull of points; their box where they have no volume, nothing where they
-    /// are no points.
+    /// The hull of points; their box where it is thin, nothing where they are no points.
     pub(crate) fn hull(points: &[Point3<f32>]) -> Option<Self> {
         let finite = points.iter().all(|p| p.iter().all(|c| c.is_finite() && c.abs() < 1e6));
         if points.is_empty() || !finite {
@@ -48,14 +53,23 @@ impl Piece {
         }
         let (low, high) = points.iter().fold((points[0], points[0]), |(l, h), p| (l.inf(p), h.sup(p)));
         let half = (high - low) / 2.0;
-        if half.min() > LEAST {
-            let corners: Vec<Vector> = points.iter().map(|p| convert::point(*p)).collect();
-            if let Some(shape) = hull::hull(&corners) {
-                return Some(Self::new(shape));
-            }
+        if half.min() > THIN
+            && let Some(shape) = hull::hull(points)
+        {
+            return Some(Self::new(shape));
         }
         let centre = nalgebra::center(&low, &high);
         Some(Self { shape: cuboid(half), at: Pose::translation(centre.x, centre.y, centre.z) })
+    }
+
+    /// As [`Self::hull`], of eight corners: four around a face, counter-clockwise seen from
+    /// outside, and those across from them. They are known to be a hull, which is not sought.
+    fn hexahedron(face: [Point3<f32>; 4], across: [Point3<f32>; 4]) -> Option<Self> {
+        let all = [face, across].concat();
+        let (low, high) = all.iter().fold((all[0], all[0]), |(l, h), p| (l.inf(p), h.sup(p)));
+        let thick = (high - low).min() > 2.0 * LEAST && all.iter().all(|p| p.iter().all(|c| c.abs() < 1e6));
+        let shape = if thick { hull::hexahedron(face, across) } else { None };
+        shape.map(Self::new).or_else(|| Self::hull(&all))
     }
 
     /// Corners of the box around the piece, in the asset's frame.
@@ -80,8 +94,20 @@ fn upright(shape: SharedShape) -> Piece {
     Piece { shape, at: Pose::from_parts(Vector3::zeros().into(), turn) }
 }
 
-/// The convex pieces of a shape in its own frame; none where its measures cannot be.
-pub(crate) fn pieces(shape: &Shape) -> Vec<Piece> {
+/// The points with a flat foot: those that are lowest but for [`PRESSED`] are level.
+fn footed(points: &[Point3<f32>], up: &Vector3<f32>) -> Vec<Point3<f32>> {
+    let height = |p: &Point3<f32>| p.coords.dot(up);
+    let ground = points.iter().map(height).fold(f32::INFINITY, f32::min);
+    let lowered = |p: &Point3<f32>| {
+        let above = height(p) - ground;
+        if above < PRESSED { p - up * above } else { *p }
+    };
+    points.iter().map(lowered).collect()
+}
+
+/// The convex pieces of a shape in its own frame, in which `up` is the asset's Z; none
+/// where its measures cannot be.
+pub(crate) fn pieces(shape: &Shape, up: &Vector3<f32>) -> Vec<Piece> {
     if !shape.measures_are_positive() {
         return Vec::new();
     }
@@ -93,8 +119,9 @@ pub(crate) fn pieces(shape: &Shape) -> Vec<Piece> {
         }
         Shape::Capsule { radius, half_height } => vec![Piece::new(SharedShape::capsule_z(*half_height, *radius))],
         Shape::Sphere { radius } => vec![Piece::new(SharedShape::ball(*radius))],
-        Shape::Hull { points } => Piece::hull(points).into_iter().collect(),
-        Shape::Mesh { vertices, .. } => Piece::hull(vertices).into_iter().collect(),
+        Shape::Hull { points } | Shape::Mesh { vertices: points, .. } => {
+            Piece::hull(&footed(points, up)).into_iter().collect()
+        }
         Shape::Lathe { profile } => turned(profile),
         Shape::Extrusion { outline, height } => drawn_up(outline, *height),
         // A shape of a later version is as good as the box around it.
@@ -110,12 +137,8 @@ fn cylinder(radius: f32, half_height: f32) -> Piece {
 }
 
 fn drawn_up(outline: &[(f32, f32)], height: f32) -> Vec<Piece> {
-    let prism = |slab: &Slab| {
-        let corners = slab.corners();
-        let points: Vec<_> =
-            corners.iter().flat_map(|&(x, y)| [Point3::new(x, y, 0.0), Point3::new(x, y, height)]).collect();
-        Piece::hull(&points)
-    };
+    let at = |slab: &Slab, z: f32| slab.corners().map(|(x, y)| Point3::new(x, y, z));
+    let prism = |slab: &Slab| Piece::hexahedron(at(slab, height), at(slab, 0.0));
     slabs(&simplified(outline, TOLERANCE)).iter().filter_map(prism).collect()
 }
 
@@ -167,13 +190,14 @@ fn disc(radius: f32, bottom: f32, top: f32) -> Piece {
 
 /// The part of a ring between two of its corners.
 fn wedge(slab: &Slab, from: usize, to: usize) -> Option<Piece> {
-    let (low, high) = (slab.low, slab.high);
-    let radii = [(low.1, slab.bottom), (low.0, slab.bottom), (high.1, slab.top), (high.0, slab.top)];
-    let point = |i: usize, (r, z): (f32, f32)| {
-        let (x, y) = direction(i);
-        Point3::new(r * x, r * y, z)
+    let section = |corner: usize| {
+        let (x, y) = direction(corner);
+        slab.corners().map(|(r, z)| Point3::new(r * x, r * y, z))
     };
-    let points: Vec<_> = (from..=to).flat_map(|i| radii.map(|r| point(i, r))).collect();
+    if to == from + 1 {
+        return Piece::hexahedron(section(from), section(to));
+    }
+    let points: Vec<_> = (from..=to).flat_map(section).collect();
     Piece::hull(&points)
 }
 

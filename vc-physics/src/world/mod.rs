@@ -1,6 +1,7 @@
 //! The world: bodies of a scene's nodes, in a physics engine.
 
 mod build;
+mod doze;
 mod drive;
 mod look;
 mod rest;
