@@ -2,7 +2,12 @@
 
     cargo run --release -p vc-planner --example instances -- target/instances
     pip install --target peers up-fast-downward unified-planning
-    PYTHONPATH=peers python3 benches/peers/planning.py target/instances [--lama SECONDS] [--only PREFIX]
+    PYTHONPATH=peers python3 benches/peers/planning.py target/instances [--lama SECONDS] [--only PREFIX] [--speed]
+
+What Fast Downward finds is kept in the folder (`references.csv`) under the digest of the
+problem, so that a run that is broken off goes on, and new plans of ours are compared at once.
+With --speed the time of our first plan is set beside that of LAMA's on the same instances, pruned
+as ours are: its search alone, and the search with its own preparations, without the translation.
 
 For instances of up to six predicates the optimum is A* with LM-cut, and ours must equal
 it; for twelve LAMA has 60 seconds of CPU. Each of our plans is completed to PDDL steps by
@@ -12,9 +17,11 @@ SequentialPlanValidator, which also has to reject it with any one step deleted.
 
 import argparse
 import csv
+import hashlib
 import importlib.util
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -158,24 +165,79 @@ def downward(domain, problem, arguments, seconds):
         return min(costs, default=None)
 
 
+def first_plan(domain, problem):
+    """Seconds of LAMA's first iteration: search alone, and all that its search component does."""
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        for name, text in zip(("domain.pddl", "problem.pddl"), with_constants(domain.read_text(), problem.read_text())):
+            (folder / name).write_text(text)
+        command = [sys.executable, DOWNWARD, "--alias", "lama-first", "domain.pddl", "problem.pddl"]
+        told = subprocess.run(list(map(str, command)), cwd=folder, capture_output=True, text=True, check=False).stdout
+        times = [re.search(rf"{what} time: ([0-9.e-]+)s", told) for what in ("Search", "Total")]
+        return [float(t[1]) for t in times] if all(times) else None
+
+
+def compare_speed(folder, rows):
+    """The median ratio of LAMA's times to ours, by the number of predicates."""
+    by_number = {}
+    for row in rows:
+        domain, problem = (folder / f"{row['name']}.{what}.pddl" for what in ("domain", "problem"))
+        times = first_plan(domain, problem)
+        if times:
+            ours = float(row["first"]) * 1e-6
+            by_number.setdefault(int(row["predicates"]), []).append([t / ours for t in times])
+    for number, ratios in sorted(by_number.items()):
+        search, total = (statistics.median(column) for column in zip(*ratios))
+        print(f"{number:>2} predicates, {len(ratios)} instances: LAMA's first plan takes {search:.0f} times as long as"
+              f" ours by its search alone, {total:.0f} times with its preparations")
+
+
+class References:
+    """Costs that Fast Downward found before, by problem, search and seconds; none where it found none."""
+
+    def __init__(self, path):
+        self.path = path
+        lines = csv.reader(path.open()) if path.exists() else []
+        self.known = {key: int(cost) if cost else None for key, _, cost in lines}
+
+    def cost(self, name, domain, problem, arguments, seconds):
+        key = hashlib.sha256()
+        for part in (domain.read_text(), problem.read_text(), *arguments, str(seconds)):
+            key.update(part.encode())
+        key = key.hexdigest()[:24]
+        if key not in self.known:
+            self.known[key] = downward(domain, problem, arguments, seconds)
+            with self.path.open("a", newline="") as file:
+                csv.writer(file).writerow([key, name, self.known[key] if self.known[key] is not None else ""])
+        return self.known[key]
+
+
 def main():
     options = argparse.ArgumentParser()
     options.add_argument("folder", type=pathlib.Path)
     options.add_argument("--lama", type=int, default=60)
+    options.add_argument("--optimum", type=int, default=300, help="seconds for A* with LM-cut")
     options.add_argument("--only", default="")
     options.add_argument("--no-validation", action="store_true")
+    options.add_argument("--speed", action="store_true", help="compare only how long the first plans take")
     options = options.parse_args()
     rows = [r for r in csv.DictReader((options.folder / "instances.csv").open()) if r["name"].startswith(options.only)]
+    if options.speed:
+        compare_speed(options.folder, rows)
+        return
+    references = References(options.folder / "references.csv")
     equal, compared, ratios, accepted, rejected, mutants, checked = 0, 0, [], 0, 0, 0, 0
     for row in rows:
         domain, problem = (options.folder / f"{row['name']}.{what}.pddl" for what in ("domain", "problem"))
         ours = int(row["cost"])
         if int(row["predicates"]) <= 6:
-            theirs = downward(domain, problem, ["--search", "astar(lmcut())"], 300)
+            search = ["--search", "astar(lmcut())"]
+            theirs = references.cost(row["name"], domain, problem, search, options.optimum)
             compared += theirs is not None
             equal += theirs == ours
         else:
-            theirs = downward(domain, problem, ["--alias", "seq-sat-lama-2011"], options.lama)
+            search = ["--alias", "seq-sat-lama-2011"]
+            theirs = references.cost(row["name"], domain, problem, search, options.lama)
             ratios.append(ours / theirs if theirs else float("nan"))
         verdict = ""
         if not options.no_validation:

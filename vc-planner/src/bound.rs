@@ -5,158 +5,136 @@
 //! walked to at least once for every two items that go there or come from there,
 //! since there are two hands.
 
-use crate::packed::{ACTION, Door, MOST, Problem, State, Way, bit};
+use crate::packed::{ACTION, BITS, MOST, Need, Problem, State, ones};
 
-/// What is known to happen at each spot.
-struct Traffic {
-    into: [u8; 64],
-    out: [u8; 64],
+/// What has to be done, whatever the way.
+struct Must {
     /// Spots with any business at all.
-    must: u64,
+    spots: u64,
     doors: u64,
     actions: u32,
-    /// Some spot of these must be visited.
-    some: u64,
+    /// What comes from each spot that several piles could have served.
+    out: [u8; BITS],
+    /// Spots of which `out` speaks.
+    chosen: u64,
 }
 
 impl Problem {
     /// A lower bound on the cost of the rest, never too high.
     pub(crate) fn bound(&self, s: &State) -> u32 {
-        let pending = self.pending(s);
-        let mut t = Traffic { into: [0; 64], out: [0; 64], must: 0, doors: 0, actions: 0, some: 0 };
-        self.count_needs(s, pending, &mut t);
-        self.count_sources(s, pending, &mut t);
-        self.count_doors(s, &mut t);
-        let mut walks = 0;
-        let mut rest = t.must;
-        while rest != 0 {
-            let spot = rest.trailing_zeros() as u8;
-            rest &= rest - 1;
-            walks += u32::from(self.visits(s, spot, &t));
+        let index = &self.index;
+        let hands = index.serves(s.hands[0]) | index.serves(s.hands[1]);
+        let down = index.serves(s.down[0]) | index.serves(s.down[1]);
+        let short = s.needs & !hands & !down;
+        let mut must = Must { spots: 0, doors: 0, actions: 0, out: [0; BITS], chosen: 0 };
+        for unit in ones(s.needs) {
+            let u = &index.units[unit];
+            let lacking = (short >> unit & 1).wrapping_neg();
+            must.spots |= u.spot | u.from & lacking;
+            must.doors |= u.door | u.behind & lacking;
+            must.actions += u.actions;
         }
-        if walks == 0 && t.some != 0 && t.some & s.at == 0 {
-            walks = 1;
+        if self.shared {
+            must.actions = self.fewest_actions(s);
         }
-        (t.actions + walks) * ACTION
+        let useful = s.hands.iter().filter(|&&h| index.serves(h) & s.needs & index.carried != 0).count() as u32;
+        must.actions = must.actions.saturating_sub(useful);
+        if s.needs & index.choosy != 0 {
+            self.count_choosy(s, &mut must);
+        }
+        self.count_doors(s, &mut must);
+        (must.actions + self.walks(s, short, &must)) * ACTION
     }
 
-    fn visits(&self, s: &State, spot: u8, t: &Traffic) -> u8 {
-        let (into, out) = (t.into[spot as usize], t.out[spot as usize]);
-        if s.at & bit(spot) == 0 {
-            return into.div_ceil(2).max(out.div_ceil(2)).max(1);
-        }
-        // What is in the hands can be put here now, and the hands filled.
-        let held = s.hands.iter().filter(|&&h| h != 0).count() as u8;
-        into.saturating_sub(held).div_ceil(2).max(out.saturating_sub(2).div_ceil(2))
+    /// Where one item can serve two needs, a grab and a put may serve them all: those of
+    /// the largest need count.
+    fn fewest_actions(&self, s: &State) -> u32 {
+        let all = |n: &Need| ones(n.units & s.needs).map(|unit| self.index.units[unit].actions).sum::<u32>();
+        let carried = |n: &&Need| n.units & self.index.carried != 0;
+        let done: u32 = self.needs.iter().filter(|n| !carried(n)).map(all).sum();
+        done + self.needs.iter().filter(carried).map(all).max().unwrap_or(0)
     }
 
-    fn count_needs(&self, s: &State, pending: u32, t: &mut Traffic) {
-        let (mut puts, mut most) = (0u32, 0u32);
-        for n in ones(pending) {
-            let need = &self.needs[n];
-            let number = s.needs[n];
-            match need.ways.first() {
-                Some(Way::Put { .. }) => {
-                    (puts, most) = (puts + u32::from(number), most.max(u32::from(number)));
-                    if need.spots.is_power_of_two() {
-                        let spot = need.spots.trailing_zeros() as usize;
-                        t.must |= need.spots;
-                        let into = &mut t.into[spot];
-                        if !need.local {
-                            *into = if self.shared { (*into).max(number) } else { *into + number };
-                        }
-                        if let [Way::Put { door: Some(d), .. }] = need.ways[..] {
-                            t.doors |= bit(d);
-                        }
-                    } else {
-                        t.some |= need.spots;
-                    }
-                }
-                Some(Way::Keep) | None => {}
-                Some(_) => {
-                    t.actions += u32::from(number);
-                    if need.spots.is_power_of_two() && need.ways.len() == 1 {
-                        t.must |= need.spots;
-                    }
-                    if let [Way::Use { door: Some(d), .. }] = need.ways[..] {
-                        t.doors |= bit(d);
-                    }
-                }
-            }
+    /// How many things some units are about; where one item can serve two needs, no
+    /// more than the largest of the needs.
+    fn tally(&self, units: u64) -> u32 {
+        if !self.shared {
+            return ones(units).count() as u32;
         }
-        t.actions += if self.shared { most } else { puts };
+        self.needs.iter().map(|n| (n.units & units).count_ones()).max().unwrap_or(0)
     }
 
-    /// What must still be grabbed, and from where.
-    fn count_sources(&self, s: &State, pending: u32, t: &mut Traffic) {
-        let full = (0..self.piles.len()).fold(0u32, |bits, p| bits | u32::from(s.piles[p] > 0) << p);
-        let hands = [s.hands[0], s.hands[1], s.down[0], s.down[1]].map(|h| self.kind(h));
+    /// Needs of several, or that several piles can serve: where but one pile is left,
+    /// it must be gone to.
+    fn count_choosy(&self, s: &State, must: &mut Must) {
+        let carried = [s.hands[0], s.hands[1], s.down[0], s.down[1]].map(|h| self.kind(h));
         let mut taken = [0u8; MOST];
-        let (mut carried, mut from) = (0u32, 0u32);
-        for n in ones(pending) {
+        let mut rest = s.needs & self.index.choosy;
+        while rest != 0 {
+            let n = self.index.need_of[rest.trailing_zeros() as usize] as usize;
             let need = &self.needs[n];
-            let put = match need.ways.first() {
-                Some(Way::Use { .. }) | None => continue,
-                Some(Way::UseHeld { .. }) => false,
-                Some(_) => true,
-            };
-            let number = u32::from(s.needs[n]) * u32::from(put);
-            carried = if self.shared { carried.max(number) } else { carried + number };
-            let in_hands = hands.iter().filter(|&&serves| serves & (1 << n) != 0).count() as u8;
-            let short = s.needs[n].saturating_sub(in_hands);
-            let piles = need.piles & full;
-            if short == 0 || !piles.is_power_of_two() {
+            rest &= !need.units;
+            let in_hands = carried.iter().filter(|&&serves| serves & (1 << n) != 0).count() as u32;
+            let short = self.left(s, n).saturating_sub(in_hands);
+            let left = s.piles & self.index.from[n];
+            if short == 0 || left == 0 {
                 continue;
             }
-            let p = piles.trailing_zeros() as usize;
+            let p = self.index.pile_of[left.trailing_zeros() as usize] as usize;
             let pile = &self.piles[p];
-            t.must |= bit(pile.spot);
+            if left & !pile.units != 0 {
+                continue;
+            }
+            let spot = 1 << pile.spot;
+            must.spots |= spot;
+            must.doors |= pile.door.map_or(0, |d| 1 << d);
             // Two hands limit what leaves a spot, not what is moved or used there.
-            if put && need.spots & bit(pile.spot) == 0 {
-                (taken[p], from) = (taken[p].max(short), from | 1 << p);
-            }
-            if let Some(d) = pile.door {
-                t.doors |= bit(d);
-            }
-        }
-        for p in ones(from) {
-            let out = &mut t.out[self.piles[p].spot as usize];
-            *out = out.saturating_add(taken[p]);
-        }
-        let useful = hands[..2].iter().filter(|&&serves| serves & pending != 0).count() as u32;
-        t.actions += carried.saturating_sub(useful);
-    }
-
-    fn count_doors(&self, s: &State, t: &mut Traffic) {
-        let shut = t.doors & !s.open;
-        let extra = self.wanted.closed & (s.open | t.doors) | self.wanted.open & !s.open & !t.doors;
-        t.actions += shut.count_ones() + extra.count_ones();
-        let mut rest = extra;
-        while rest != 0 {
-            t.must |= bit(self.doors[rest.trailing_zeros() as usize].spot);
-            rest &= rest - 1;
-        }
-        let wrong = self.wanted.on & !s.on | self.wanted.off & s.on;
-        if s.on | wrong == 0 {
-            return;
-        }
-        for (i, switch) in self.switches.iter().enumerate() {
-            let b = bit(i as u8);
-            let bars = |(d, door): (usize, &Door)| door.unsafe_when_on == Some(i as u8) && shut & bit(d as u8) != 0;
-            let barring = s.on & b != 0 && self.doors.iter().enumerate().any(bars);
-            if wrong & b != 0 || barring {
-                t.actions += 1 + u32::from(barring && switch.want == Some(true));
-                t.must |= bit(switch.spot);
+            if need.units & self.index.carried != 0 && need.spots & spot == 0 && taken[p] < short as u8 {
+                must.out[pile.spot as usize] += short as u8 - taken[p];
+                taken[p] = short as u8;
+                must.chosen |= spot;
             }
         }
     }
-}
 
-/// The numbers of the bits that are set.
-fn ones(mut bits: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lowest = (bits != 0).then(|| bits.trailing_zeros() as usize);
-        bits &= bits.wrapping_sub(1);
-        lowest
-    })
+    fn walks(&self, s: &State, short: u64, must: &Must) -> u32 {
+        let index = &self.index;
+        let crowded = index.busy | must.chosen | s.at;
+        let mut walks = (must.spots & !crowded).count_ones();
+        let held = s.hands.iter().filter(|&&h| h != 0).count() as u32;
+        for spot in ones(must.spots & crowded) {
+            let into = self.tally(s.needs & index.traffic[spot].into);
+            let out = ones(short & index.traffic[spot].out).count() as u32 + u32::from(must.out[spot]);
+            walks += if s.at >> spot & 1 == 0 {
+                into.div_ceil(2).max(out.div_ceil(2)).max(1)
+            } else {
+                // What is in the hands can be put here now, and the hands filled.
+                into.saturating_sub(held).div_ceil(2).max(out.saturating_sub(2).div_ceil(2))
+            };
+        }
+        if walks == 0 && s.needs & index.anywhere != 0 {
+            let spots = self.needs.iter().filter(|n| n.units & s.needs & index.anywhere != 0);
+            walks = u32::from(spots.fold(0, |all, n| all | n.spots) & s.at == 0);
+        }
+        walks
+    }
+
+    fn count_doors(&self, s: &State, must: &mut Must) {
+        let wanted = &self.index.wanted;
+        let shut = must.doors & !s.open;
+        let extra = wanted.closed & (s.open | must.doors) | wanted.open & !s.open & !must.doors;
+        must.actions += ones(shut).count() as u32;
+        for d in ones(extra) {
+            must.actions += 1;
+            must.spots |= 1 << self.doors[d].spot;
+        }
+        let wrong = wanted.on & !s.on | wanted.off & s.on;
+        for w in ones(wrong | s.on & self.index.bars) {
+            let barring = s.on >> w & 1 != 0 && ones(shut).any(|d| self.doors[d].unsafe_when_on == Some(w as u8));
+            if wrong >> w & 1 != 0 || barring {
+                must.actions += 1 + u32::from(barring && self.switches[w].want == Some(true));
+                must.spots |= 1 << self.switches[w].spot;
+            }
+        }
+    }
 }

@@ -1,12 +1,13 @@
 //! From demands in a scene to a packed problem.
 
+mod conflict;
 mod site;
 
 use vc_graph::goal::{Predicate, Situation};
 use vc_graph::{Condition, Kind, NodeId, Property, Relation, SceneGraph, State as Word, Verb, rule};
 
 use crate::demand::{Demand, Demands};
-use crate::packed::{BITS, MOST, Need, Problem, State, Way, bit};
+use crate::packed::{BITS, MOST, Need, Problem, State, Way, bit, run_of};
 use crate::want::Unreachable;
 
 pub(crate) use site::{anchor, is_ground};
@@ -19,6 +20,18 @@ pub enum Manners {
     GoalOnly,
     /// What was closed is closed again, too.
     Tidy,
+}
+
+impl Manners {
+    /// Settles how a door or a switch is to be left: a goal overrules manners, and
+    /// cannot ask for both.
+    fn settle(self, want: &mut Option<bool>, to: bool, demand: &Demand<'_>) -> Result<()> {
+        if self == Self::GoalOnly && *want == Some(!to) {
+            return Err(Unreachable::Conflicting(demand.part.to_string()));
+        }
+        *want = Some(to);
+        Ok(())
+    }
 }
 
 /// So many things of a demand are not known to be anywhere.
@@ -170,23 +183,32 @@ impl Compiler<'_> {
     /// A need that items serve.
     fn need(&mut self, demand: &Demand<'_>, short: usize, ways: Vec<Way>) -> Result<()> {
         let number = self.out.problem.needs.len();
-        if number == MOST || ways.is_empty() || short > 200 {
+        if number == MOST || ways.is_empty() {
             self.out.rest = true;
             return Ok(());
         }
         let keep = matches!(ways[0], Way::Keep);
         let graph = self.now.graph;
         let graspable = |id: &NodeId| Condition::Graspable(*id).holds(graph, self.now.agent);
-        let fit: Vec<NodeId> = demand.subjects().iter().copied().filter(graspable).collect();
-        if fit.is_empty() && !demand.subjects().is_empty() {
+        let free = |id: &NodeId| keep || !self.reserved.contains(id);
+        let (mut known, mut missing, mut fit) = (Vec::new(), Vec::new(), 0);
+        for &id in demand.subjects().iter().filter(|id| graspable(id)) {
+            fit += 1;
+            match (self.known)(id) {
+                true if free(&id) => known.push(id),
+                true => {}
+                false => missing.push(id),
+            }
+        }
+        if fit == 0 && !demand.subjects().is_empty() {
             return Err(Unreachable::NotGraspable(demand.part.to_string()));
         }
-        if fit.len() < demand.number {
+        if fit < demand.number {
             return Err(Unreachable::NoInstance(demand.part.to_string()));
         }
-        let free = |id: &NodeId| keep || !self.reserved.contains(id);
-        let known: Vec<NodeId> = fit.iter().copied().filter(|id| (self.known)(*id)).filter(free).collect();
-        let missing: Vec<NodeId> = fit.into_iter().filter(|id| !(self.known)(*id)).collect();
+        if missing.is_empty() {
+            self.check_reach(demand, &known)?;
+        }
         if known.len() < short {
             if missing.is_empty() {
                 return Err(Unreachable::Conflicting(demand.part.to_string()));
@@ -199,18 +221,38 @@ impl Compiler<'_> {
                 None => self.items.push((id, 1 << number)),
             }
         }
-        let number_of = short.min(known.len()) as u8;
-        self.push_need(number_of, ways);
+        self.push_need(short.min(known.len()), ways);
         Ok(())
     }
 
-    fn push_need(&mut self, number: u8, ways: Vec<Way>) {
+    /// Whether some item can be got at.
+    fn check_reach(&self, demand: &Demand<'_>, items: &[NodeId]) -> Result<()> {
+        let graph = self.graph();
+        let part = || demand.part.to_string();
+        if items.iter().all(|&id| graph.room_of(id).is_none() && graph.holder(id).is_none()) && !items.is_empty() {
+            return Err(Unreachable::NoRoute(part()));
+        }
+        // What runs and has no switch is never opened.
+        let runs_on = |id: NodeId| {
+            graph.node(id).is_some_and(|n| {
+                let harmless = n.affords(Property::Cooler) || n.affords(Property::Heater);
+                n.is(Word::On) && !harmless && !n.affords(Property::Switchable)
+            })
+        };
+        let sealed = |id: &NodeId| graph.hidden_in(*id).is_some_and(runs_on);
+        if items.iter().all(sealed) && !items.is_empty() { Err(Unreachable::Sealed(part())) } else { Ok(()) }
+    }
+
+    fn push_need(&mut self, number: usize, ways: Vec<Way>) {
         let spots = ways.iter().fold(0, |bits, way| match way {
             Way::Put { spot, .. } | Way::Use { spot: Some(spot), .. } => bits | bit(*spot),
             _ => bits,
         });
-        self.out.start.needs[self.out.problem.needs.len()] = number;
-        self.out.problem.needs.push(Need { number, ways, spots, local: false, piles: 0 });
+        let units = run_of(self.out.start.needs, number);
+        // What finds no bits is left for later.
+        self.out.rest |= units.count_ones() < number as u32;
+        self.out.start.needs |= units;
+        self.out.problem.needs.push(Need { ways, units, spots });
     }
 
     /// Where items of a demand can be put.
@@ -226,8 +268,8 @@ impl Compiler<'_> {
         if others.is_empty() {
             return Err(Unreachable::NoInstance(demand.part.to_string()));
         }
-        let fit: Vec<NodeId> = others.iter().copied().filter(fits).collect();
-        if fit.is_empty() {
+        let mut places: Vec<NodeId> = others.iter().copied().filter(fits).collect();
+        if places.is_empty() {
             let text = demand.part.to_string();
             return Err(if verb == Verb::Place {
                 Unreachable::NotASurface(text)
@@ -238,7 +280,6 @@ impl Compiler<'_> {
         let Some(&sample) = demand.subjects().first() else {
             return Err(Unreachable::NoInstance(demand.part.to_string()));
         };
-        let mut places = fit.clone();
         places.retain(|&at| room(&at) || Condition::Fits(sample, at).holds(graph, me));
         let (here, hand) = (graph.room_of(me), |id: NodeId| self.spot_number(anchor(graph, id)).is_some());
         if places.len() > PLACES {
@@ -264,8 +305,7 @@ impl Compiler<'_> {
     }
 
     fn put(&mut self, verb: Verb, at: NodeId) -> Option<Way> {
-        let spot = self.spot(anchor(self.now.graph, at))?;
-        let inner = self.doors_of(at)?;
+        let (spot, inner) = self.site(at)?;
         let own = verb == Verb::PutIn && self.graph().node(at).is_some_and(|n| n.affords(Property::Openable));
         let door = match (own, inner) {
             (true, None) => Some(self.door(at, spot)?),
@@ -294,7 +334,10 @@ impl Compiler<'_> {
                     }
                     let Some(spot) = self.spot(anchor(self.now.graph, id)) else { continue };
                     match self.door(id, spot) {
-                        Some(d) => self.out.problem.doors[d as usize].want = Some(word == Word::Open),
+                        Some(d) => {
+                            let want = &mut self.out.problem.doors[d as usize].want;
+                            self.manners.settle(want, word == Word::Open, demand)?;
+                        }
                         None => self.out.rest = true,
                     }
                 }
@@ -306,7 +349,10 @@ impl Compiler<'_> {
                         return Err(Unreachable::NotSwitchable(demand.part.to_string()));
                     }
                     match self.switch(id) {
-                        Some(w) => self.out.problem.switches[w as usize].want = Some(word == Word::On),
+                        Some(w) => {
+                            let want = &mut self.out.problem.switches[w as usize].want;
+                            self.manners.settle(want, word == Word::On, demand)?;
+                        }
                         None => self.out.rest = true,
                     }
                 }
@@ -348,7 +394,7 @@ impl Compiler<'_> {
             self.out.rest = true;
             return Ok(());
         }
-        self.push_need(short as u8, ways);
+        self.push_need(short, ways);
         Ok(())
     }
 
@@ -364,10 +410,11 @@ impl Compiler<'_> {
     }
 
     fn use_way(&mut self, verb: Verb, on: Option<NodeId>) -> Option<Way> {
-        let (spot, door) = match on {
-            Some(id) => (Some(self.spot(anchor(self.now.graph, id))?), self.doors_of(id)?),
-            None => (None, None),
+        let site = match on {
+            Some(id) => Some(self.site(id)?),
+            None => None,
         };
+        let (spot, door) = (site.map(|s| s.0), site.and_then(|s| s.1));
         if self.bits as usize == BITS {
             return None;
         }

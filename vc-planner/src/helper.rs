@@ -80,12 +80,18 @@ impl Helper {
         held.map_or(Decision::Done, drop)
     }
 
-    /// What the other will bring where on its next trip, if it pursues a goal.
+    /// What the other will bring where on its next trip, if it pursues a goal: of what it
+    /// has in its hands or before its eyes. What it would have to look for first is
+    /// sooner brought by who knows where it is.
     fn foresee(&mut self, goal: &Goal) -> Vec<(NodeId, vc_graph::Place)> {
         let (Some(graph), Some(other)) = (self.promised(), self.other) else { return Vec::new() };
         let plan = self.planner.outline(&graph, other, goal, &[]).unwrap_or_default();
         let held: Vec<NodeId> = graph.held(other).collect();
-        next_trip(&held, &plan)
+        let here = graph.room_of(other);
+        let sees = |id: NodeId| graph.room_of(id) == here && graph.hidden_in(id).is_none();
+        let mut trip = next_trip(&held, &plan);
+        trip.retain(|(item, _)| held.contains(item) || sees(*item));
+        trip
     }
 }
 

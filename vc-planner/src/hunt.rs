@@ -97,8 +97,9 @@ pub(crate) struct Hunt {
     pub(crate) near: Vec<u16>,
     /// What opening costs: one, or two where it is closed again.
     pub(crate) opening: u32,
-    /// For each site the chance that something of each lack is there.
-    pub(crate) chances: Vec<[f64; MOST_LACKS]>,
+    /// For each set of lacks (bits), and in it for each site, how many of them are to be
+    /// expected there.
+    pub(crate) values: Vec<f64>,
 }
 
 /// How many homes candidates are played in, at each stage of the contest.
@@ -144,12 +145,22 @@ impl Hunt {
     }
 
     fn sum_chances(&mut self) {
-        self.chances = vec![[0.0; MOST_LACKS]; self.sites.len()];
+        let number = self.sites.len();
+        let mut chances = vec![[0.0; MOST_LACKS]; number];
         for quarry in &self.quarries {
-            for (sums, chance) in self.chances.iter_mut().zip(&quarry.chances) {
+            for (sums, chance) in chances.iter_mut().zip(&quarry.chances) {
                 let sum = &mut sums[quarry.lack as usize];
                 // That at least one is there.
                 *sum = 1.0 - (1.0 - *sum) * (1.0 - chance);
+            }
+        }
+        self.values = vec![0.0; number << self.lacks.len()];
+        for set in 1..1usize << self.lacks.len() {
+            let last = set.ilog2() as usize;
+            let (less, rest) = self.values.split_at_mut(set * number);
+            let without = &less[(set ^ 1 << last) * number..][..number];
+            for ((value, less), chance) in rest.iter_mut().zip(without).zip(&chances) {
+                *value = less + chance[last];
             }
         }
         for (range, shut) in &self.rooms {
@@ -294,6 +305,8 @@ struct Play {
     seen: [u64; MOST_SITES / 64],
     found: u32,
     left: [u8; MOST_LACKS],
+    /// The lacks of which something is left, as bits.
+    lacking: u8,
     items: [Item; MOST_ITEMS],
     known: u8,
     held: [Option<u8>; 2],
@@ -311,13 +324,15 @@ impl Play {
             seen: [0; MOST_SITES / 64],
             found: 0,
             left: [0; MOST_LACKS],
+            lacking: 0,
             items: [Item::default(); MOST_ITEMS],
             known: 0,
             held: [None; 2],
             hands: hunt.blocked,
         };
-        for (left, lack) in play.left.iter_mut().zip(&hunt.lacks) {
-            *left = lack.left;
+        for (i, lack) in hunt.lacks.iter().enumerate().take(MOST_LACKS) {
+            play.left[i] = lack.left;
+            play.lacking |= u8::from(lack.left > 0) << i;
         }
         hunt.items.iter().for_each(|item| play.learn(*item));
         hunt.hands.iter().for_each(|&target| play.hold(Some(target)));
@@ -332,7 +347,7 @@ impl Play {
         self.make(hunt, world, first);
         loop {
             self.at_once(hunt);
-            if self.left.iter().all(|&n| n == 0) || self.cost > LONGEST {
+            if self.lacking == 0 || self.cost > LONGEST {
                 return f64::from(self.cost + self.rest(hunt));
             }
             let next = if self.full() { self.delivery() } else { None };
@@ -395,6 +410,7 @@ impl Play {
                 continue;
             }
             self.left[lack] -= 1;
+            self.lacking &= !(u8::from(self.left[lack] == 0) << lack);
             let spot = hunt.sites[site as usize].spot.unwrap_or(FLOOR | i as u16);
             let room = hunt.rooms.iter().position(|(range, _)| range.contains(&site)).unwrap_or(0) as u8;
             // What already lies where it is to be is done.
@@ -482,8 +498,12 @@ impl Play {
             let (mut chance, mut cost, mut first) = (surfaces, 0.0, None);
             for s in (*shut..range.end).filter(|&s| !self.has_seen(s)) {
                 let own = self.value(hunt, s);
-                let walk = if self.at_hand(hunt, hunt.sites[s as usize].spot) { 0.0 } else { 1.0 };
                 let open = f64::from(hunt.opening);
+                // The likeliest come first: from here on none makes it more worth while.
+                if cost > 0.0 && own * cost < chance * open {
+                    break;
+                }
+                let walk = if self.at_hand(hunt, hunt.sites[s as usize].spot) { 0.0 } else { 1.0 };
                 if walk == 0.0 {
                     offer(own / open, Move::Open(s));
                 }
@@ -529,9 +549,8 @@ impl Play {
         if self.begun { self.at == Some(spot) } else { hunt.near.contains(&spot) }
     }
 
-    /// The chance that something lacking is found at a site.
+    /// How many of what is lacking are to be expected at a site.
     fn value(&self, hunt: &Hunt, site: u16) -> f64 {
-        let chances = &hunt.chances[site as usize];
-        (0..hunt.lacks.len()).filter(|&l| self.left[l] > 0).map(|l| chances[l]).sum()
+        hunt.values[self.lacking as usize * hunt.sites.len() + site as usize]
     }
 }

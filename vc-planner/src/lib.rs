@@ -12,6 +12,7 @@ mod hunt;
 mod known;
 pub mod language;
 mod look;
+mod offline;
 mod packed;
 mod plan;
 mod policy;
@@ -33,6 +34,9 @@ pub use habitual::Habitual;
 pub use helper::{Helper, run_together};
 pub use known::Known;
 pub use language::LanguageModel;
+pub use offline::Transition;
+#[cfg(feature = "parquet")]
+pub use offline::{TableError, write_parquet};
 pub use plan::{Horizon, Plan, Planner, plan};
 pub use policy::{Brief, Newcomer, Policy, Random, Reaction, Resident, Scripted, objects_of_interest};
 pub use prior::{Habit, Prior};

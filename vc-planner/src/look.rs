@@ -156,11 +156,11 @@ impl<'a> Map<'a> {
     /// What is known and wanted elsewhere, in the hands and not.
     fn see_to_found(&mut self) {
         let (problem, start) = (&self.compiled.problem, &self.compiled.start);
-        let mut left = start.piles;
+        let mut left: Vec<usize> = problem.piles.iter().map(|p| p.items.len()).collect();
         let mut hands: Vec<(u32, NodeId)> =
             start.hands.iter().zip(problem.held).filter_map(|(&h, id)| Some((problem.kind(h), id?))).collect();
         for (n, need) in problem.needs.iter().enumerate() {
-            let (mut wanted, way) = (start.needs[n], need.ways.first());
+            let (mut wanted, way) = (problem.left(start, n) as usize, need.ways.first());
             let Some(way @ (Way::Put { .. } | Way::Keep | Way::UseHeld { .. })) = way else { continue };
             while let Some(hand) = hands.iter().position(|(serves, _)| wanted > 0 && serves & (1 << n) != 0) {
                 let (_, id) = hands.remove(hand);
@@ -177,8 +177,8 @@ impl<'a> Map<'a> {
                 problem.piles.iter().enumerate().filter(|(_, p)| problem.kinds[p.kind as usize] & (1 << n) != 0)
             {
                 let taken = wanted.min(left[p]);
-                let from = pile.items.len().saturating_sub(left[p] as usize);
-                for &id in pile.items[from..].iter().take(taken as usize) {
+                let from = pile.items.len() - left[p];
+                for &id in pile.items[from..].iter().take(taken) {
                     self.found(id, problem.spots[pile.spot as usize].anchor, way);
                 }
                 (left[p], wanted) = (left[p] - taken, wanted - taken);

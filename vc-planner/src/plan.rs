@@ -183,6 +183,7 @@ impl Planner {
     pub(crate) fn solve(&mut self, compiled: &Compiled, goal: &Goal) -> Result<(Vec<Op>, bool), Unreachable> {
         match self.search.solve(&compiled.problem, compiled.start, self.effort) {
             Found::Way { ops, best, .. } => Ok((ops, best)),
+            Found::Exhausted(_) if compiled.conflicts() => Err(Unreachable::Conflicting(goal.to_string())),
             Found::Exhausted(checked) => Err(Unreachable::SearchExhausted { goal: goal.to_string(), checked }),
             Found::Unfinished(_) => Ok((Vec::new(), false)),
         }

@@ -40,27 +40,47 @@ pub struct Habit {
 }
 
 impl Prior {
-    /// How likely each place is by habit for a thing; they sum to one. `None` where
-    /// habit says nothing.
-    pub(crate) fn habit(&self, graph: &SceneGraph, id: NodeId, places: &[Place]) -> Option<Vec<f64>> {
-        let mut raw: Vec<f64> = match self {
+    /// How likely each place is for a thing that is where habit puts it, and for one that
+    /// is not but in a tidy home; both sum to one. `None` where habit says nothing.
+    pub(crate) fn places(&self, graph: &SceneGraph, id: NodeId, places: &[Place]) -> Option<Likely> {
+        let habits: Vec<Row<'_>> = match self {
             Self::Uniform => return None,
-            Self::Kept => kept(graph, id, places),
-            Self::Habits(habits) => by_habits(habits, graph, id, places),
+            Self::Kept => kept(graph, id),
+            Self::Habits(habits) => by_habits(habits, graph, id),
         };
-        let sum: f64 = raw.iter().sum();
-        raw.iter_mut().for_each(|w| *w /= sum);
-        (sum > 0.0).then_some(raw)
+        let mut likely = vec![[0.0; 2]; places.len()];
+        for row in &habits {
+            let fitting: Vec<usize> = (0..places.len()).filter(|&i| row.fits(graph, &places[i])).collect();
+            for &i in &fitting {
+                likely[i][HABIT] += row.weight / fitting.len() as f64;
+            }
+        }
+        for (likely, place) in likely.iter_mut().zip(places) {
+            let home = habits.iter().any(|row| row.is_room(graph, place));
+            likely[STRAY] = if home { 1.0 } else { FOREIGN };
+        }
+        let sums = likely.iter().fold([0.0; 2], |[a, b], [x, y]| [a + x, b + y]);
+        likely.iter_mut().for_each(|l| *l = [l[HABIT] / sums[HABIT], l[STRAY] / sums[STRAY]]);
+        (sums[HABIT] > 0.0).then(|| likely.into())
     }
 }
+
+/// For each place the chance of what is where habit puts it, and of what is astray.
+pub(crate) type Likely = Arc<[[f64; 2]]>;
+pub(crate) const HABIT: usize = 0;
+pub(crate) const STRAY: usize = 1;
+
+/// How much less likely something is astray in a room where things like it are not kept
+/// anywhere: a plate in a bathroom.
+const FOREIGN: f64 = 0.2;
 
 /// What is supposed about the things of one class that have not been found.
 #[derive(Debug, Clone)]
 pub(crate) struct Supposed {
-    /// How likely each place is by habit, if habit says anything.
-    pub(crate) habit: Option<Arc<[f64]>>,
+    /// How likely each place is, if habit says anything.
+    pub(crate) places: Option<Likely>,
     /// How much of that is left in places not seen.
-    pub(crate) left: f64,
+    pub(crate) left: [f64; 2],
     /// How many of the class are missing.
     pub(crate) missing: usize,
 }
@@ -82,18 +102,18 @@ impl Default for Tidiness {
 
 impl Tidiness {
     /// Takes note that a thing was found where habit and chance put it so often.
-    pub(crate) fn found(&mut self, habit: f64, even: f64) {
+    pub(crate) fn found(&mut self, likely: [f64; 2], even: f64) {
         for (weight, (share, _)) in self.found.iter_mut().zip(SHARES) {
-            *weight += (share * habit / even + 1.0 - share).ln();
+            *weight += (chance(share, likely, even) / even).ln();
         }
     }
 
     /// Weighs what is still missing, with the share of places not seen.
     pub(crate) fn settle<'a>(&mut self, classes: impl Iterator<Item = &'a Supposed>, unseen: f64) {
         let mut logs = self.found;
-        for class in classes.filter(|c| c.habit.is_some() && c.missing > 0) {
+        for class in classes.filter(|c| c.places.is_some() && c.missing > 0) {
             for (log, (share, _)) in logs.iter_mut().zip(SHARES) {
-                *log += class.missing as f64 * (share * class.left + (1.0 - share) * unseen).max(LEAST).ln();
+                *log += class.missing as f64 * chance(share, class.left, unseen).max(LEAST).ln();
             }
         }
         let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -102,20 +122,33 @@ impl Tidiness {
         self.chances = raw.map(|w| w / sum);
     }
 
-    /// The chances of places for a class: `even` for each, and so much for each unit of
-    /// habit.
-    pub(crate) fn mix(&self, class: &Supposed, unseen: f64, even: f64) -> (f64, f64) {
-        if class.habit.is_none() {
-            return (even / unseen.max(LEAST), 0.0);
+    /// The chances of places for a class: so much for each, and so much for each unit of
+    /// habit and of being astray.
+    pub(crate) fn mix(&self, class: &Supposed, unseen: f64, even: f64) -> (f64, [f64; 2]) {
+        if class.places.is_none() {
+            return (even / unseen.max(LEAST), [0.0; 2]);
         }
-        let mut mixed = (0.0, 0.0);
-        for (chance, (share, _)) in self.chances.iter().zip(SHARES) {
-            let all = (share * class.left + (1.0 - share) * unseen).max(LEAST);
-            mixed.0 += chance * (1.0 - share) * even / all;
-            mixed.1 += chance * share / all;
+        let mut mixed = (0.0, [0.0; 2]);
+        for (weight, (share, _)) in self.chances.iter().zip(SHARES) {
+            let part = weight / chance(share, class.left, unseen).max(LEAST);
+            mixed.1[HABIT] += part * share;
+            if share < TIDY {
+                mixed.0 += part * (1.0 - share) * even;
+            } else {
+                mixed.1[STRAY] += part * (1.0 - share);
+            }
         }
         mixed
     }
+}
+
+/// In homes where at least this share of the things is where habit puts them the others
+/// are not far, either; else they can be anywhere.
+const TIDY: f64 = 0.75;
+
+/// The chance of a place where a share of the things is where habit puts them.
+pub(crate) fn chance(share: f64, likely: [f64; 2], even: f64) -> f64 {
+    share * likely[HABIT] + (1.0 - share) * if share < TIDY { even } else { likely[STRAY] }
 }
 
 /// Guards a logarithm and a division.
@@ -125,45 +158,44 @@ fn class(graph: &SceneGraph, id: NodeId) -> &str {
     graph.node(id).map_or("", |n| n.class())
 }
 
+/// A habit as it is asked for.
+struct Row<'a> {
+    room: Option<&'a str>,
+    /// `None`: on the floor.
+    at: Option<(Relation, &'a str)>,
+    weight: f64,
+}
+
+impl Row<'_> {
+    fn is_room(&self, graph: &SceneGraph, place: &Place) -> bool {
+        let room = graph.room_of(place.at).map_or("", |r| class(graph, r));
+        self.room.is_none_or(|wanted| graph.classes().is_a(room, wanted))
+    }
+
+    fn fits(&self, graph: &SceneGraph, place: &Place) -> bool {
+        self.is_room(graph, place)
+            && match self.at {
+                Some((relation, at)) => relation == place.relation && graph.classes().is_a(class(graph, place.at), at),
+                None => is_open_floor(graph, place),
+            }
+    }
+}
+
 /// By the class table. The weight of a habit is shared by the places it fits.
-fn kept(graph: &SceneGraph, id: NodeId, places: &[Place]) -> Vec<f64> {
-    let classes = graph.classes();
-    let Some(own) = classes.get(class(graph, id)) else { return Vec::new() };
-    let mut weights = vec![0.0; places.len()];
-    for habit in &own.kept {
-        let fits = |place: &Place| {
-            let room = graph.room_of(place.at).map_or("", |r| class(graph, r));
-            habit.room.as_ref().is_none_or(|wanted| classes.is_a(room, wanted))
-                && match &habit.at {
-                    Some((relation, at)) => *relation == place.relation && classes.is_a(class(graph, place.at), at),
-                    None => is_open_floor(graph, place),
-                }
-        };
-        share(&mut weights, places, fits, f64::from(habit.weight));
-    }
-    weights
+fn kept(graph: &SceneGraph, id: NodeId) -> Vec<Row<'_>> {
+    let Some(own) = graph.classes().get(class(graph, id)) else { return Vec::new() };
+    let rows = own.kept.iter().map(|habit| Row {
+        room: habit.room.as_deref(),
+        at: habit.at.as_ref().map(|(relation, at)| (*relation, &**at)),
+        weight: f64::from(habit.weight),
+    });
+    rows.collect()
 }
 
-fn by_habits(habits: &[Habit], graph: &SceneGraph, id: NodeId, places: &[Place]) -> Vec<f64> {
-    let classes = graph.classes();
-    let mut weights = vec![0.0; places.len()];
-    for habit in habits.iter().filter(|h| h.weight > 0.0 && classes.is_a(class(graph, id), &h.class)) {
-        let fits = |place: &Place| {
-            let room = graph.room_of(place.at).map_or("", |r| class(graph, r));
-            habit.room.as_ref().is_none_or(|wanted| classes.is_a(room, wanted))
-                && habit.relation == place.relation
-                && classes.is_a(class(graph, place.at), &habit.at)
-        };
-        share(&mut weights, places, fits, habit.weight);
-    }
-    weights
-}
-
-fn share(weights: &mut [f64], places: &[Place], fits: impl Fn(&Place) -> bool, weight: f64) {
-    let fitting: Vec<usize> = (0..places.len()).filter(|&i| fits(&places[i])).collect();
-    for &i in &fitting {
-        weights[i] += weight / fitting.len() as f64;
-    }
+fn by_habits<'a>(habits: &'a [Habit], graph: &SceneGraph, id: NodeId) -> Vec<Row<'a>> {
+    let own = |h: &&Habit| h.weight > 0.0 && graph.classes().is_a(class(graph, id), &h.class);
+    let row = |h: &'a Habit| Row { room: h.room.as_deref(), at: Some((h.relation, &h.at)), weight: h.weight };
+    habits.iter().filter(own).map(row).collect()
 }
 
 fn is_open_floor(graph: &SceneGraph, place: &Place) -> bool {

@@ -1,28 +1,32 @@
 //! Best-first search over packed states.
 //!
-//! Weighted A* (Pohl 1970) gives a first answer; the search is then run again with
-//! less weight as long as its budget lasts, as in anytime A* (Likhachev, Gordon and
-//! Thrun 2003). The result depends on the budget in expansions, never on a clock.
+//! Weighted A* (Pohl 1970) gives a first answer, beam search (Lowerre 1976) a better one,
+//! and A* without a weight proves it or finds what the beam has missed. Each works only
+//! on what can still be cheaper than the best answer so far, so that one may stop at any
+//! of them (Hansen and Zhou, *Anytime Heuristic Search*, 2007). The result depends on
+//! the budget in expansions, never on a clock.
+
+mod beam;
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::packed::{Op, Problem, State};
+use crate::packed::{ACTION, FINE, Op, Problem, State};
 
 /// How much a search may do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Effort {
     /// States looked at for the first answer.
     pub first: usize,
-    /// States looked at to prove or improve it.
+    /// States looked at to improve or prove it.
     pub improve: usize,
 }
 
 impl Effort {
     /// A first answer and nothing more.
     pub const QUICK: Self = Self { first: 4_000, improve: 0 };
-    /// Proves the best for about six predicates.
-    pub const THOROUGH: Self = Self { first: 4_000, improve: 20_000 };
+    /// Proves that no plan has fewer actions for six predicates, mostly for eight.
+    pub const THOROUGH: Self = Self { first: 4_000, improve: 4_000 };
 }
 
 impl Default for Effort {
@@ -34,7 +38,7 @@ impl Default for Effort {
 /// What a search came to.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Found {
-    /// Macros to the goal, what they cost, and whether nothing is cheaper.
+    /// Macros to the goal, what they cost, and whether no others take fewer actions.
     Way { ops: Vec<Op>, cost: u32, best: bool },
     /// There is none: this many states are all there are.
     Exhausted(usize),
@@ -58,79 +62,109 @@ pub(crate) struct Search {
     visits: Vec<Visit>,
     /// Positions in `visits` plus one, by hash; a power of two of them.
     table: Vec<u32>,
-    open: BinaryHeap<Reverse<(u32, u32, u32)>>,
+    open: BinaryHeap<Reverse<u64>>,
     ops: Vec<Op>,
+    layer: Vec<u32>,
+    /// Only ways cheaper than this are looked for, without the last `blur` bits: a way
+    /// with as many actions is no better to A*, one through fewer rooms is to a beam.
+    under: u32,
+    blur: u32,
+    /// What the bound counts for, in halves.
+    weight: u32,
 }
 
 const SMALL_TABLE: usize = 256;
+/// A beam as wide as this finds the best of six predicates nearly always.
+const WIDEST: usize = 256;
 
 impl Search {
     /// The cheapest way from a state to the goal that the effort allows.
     pub(crate) fn solve(&mut self, problem: &Problem, start: State, effort: Effort) -> Found {
-        let first = self.run(problem, start, 3, effort.first, u32::MAX);
-        let Found::Way { cost, .. } = first else { return first };
-        if effort.improve == 0 {
-            return first;
+        let first = self.best_first(problem, start, 3, effort.first, u32::MAX);
+        let Found::Way { mut ops, mut cost, .. } = first else { return first };
+        let least = problem.bound(&start) / ACTION;
+        let mut budget = effort.improve;
+        if cost / ACTION > least && budget > 0 {
+            let width = (budget / (2 * ops.len().max(1))).clamp(1, WIDEST);
+            budget = budget.saturating_sub(width * ops.len());
+            if let Some(better) = self.beam(problem, start, width, cost) {
+                (ops, cost) = better;
+            }
         }
-        match self.run(problem, start, 2, effort.improve, cost) {
-            Found::Unfinished(_) => first,
-            Found::Exhausted(_) => match first {
-                Found::Way { ops, cost, .. } => Found::Way { ops, cost, best: true },
-                other => other,
-            },
-            better => better,
+        let mut best = cost / ACTION <= least;
+        if !best && budget > 0 {
+            match self.best_first(problem, start, 2, budget, cost) {
+                Found::Unfinished(_) => {}
+                Found::Exhausted(_) => best = true,
+                better => return better,
+            }
         }
+        Found::Way { ops, cost, best }
     }
 
-    /// A* with the bound weighted by `weight` halves; only ways cheaper than `under`.
-    fn run(&mut self, problem: &Problem, start: State, weight: u32, budget: usize, under: u32) -> Found {
-        self.clear();
-        self.reach(problem, start, 0, 0, Op::Start, weight, under);
+    /// A* with the bound weighted by `weight` halves; only ways of fewer actions than
+    /// `under`.
+    fn best_first(&mut self, problem: &Problem, start: State, weight: u32, budget: usize, under: u32) -> Found {
+        self.begin(problem, start, under, FINE, weight);
         let mut expanded = 0;
-        let mut ops = std::mem::take(&mut self.ops);
-        let found = loop {
-            let Some(Reverse((_, _, number))) = self.open.pop() else { break Found::Exhausted(expanded) };
-            let visit = self.visits[number as usize];
-            if visit.closed {
-                continue;
-            }
-            self.visits[number as usize].closed = true;
-            if problem.is_goal(&visit.state) {
-                break Found::Way { ops: self.path(number), cost: visit.cost, best: weight == 2 };
+        loop {
+            let Some(number) = self.next() else { return Found::Exhausted(expanded) };
+            let Visit { state, cost, .. } = self.visits[number];
+            if problem.is_goal(&state) {
+                return Found::Way { ops: self.path(number), cost, best: weight == 2 };
             }
             if expanded == budget {
-                break Found::Unfinished(expanded);
+                return Found::Unfinished(expanded);
             }
             expanded += 1;
-            problem.ops(&visit.state, &mut ops);
-            for &op in &ops {
-                let mut next = visit.state;
-                if let Some(cost) = problem.apply(&mut next, op) {
-                    self.reach(problem, next, visit.cost + cost, number, op, weight, under);
-                }
-            }
-        };
-        self.ops = ops;
-        found
+            self.expand(problem, number);
+        }
     }
 
-    fn clear(&mut self) {
+    /// Forgets all, and starts from a state.
+    fn begin(&mut self, problem: &Problem, start: State, under: u32, blur: u32, weight: u32) {
         self.visits.clear();
         self.open.clear();
-        if self.table.len() > 4 * SMALL_TABLE {
-            self.table.truncate(SMALL_TABLE);
-        }
+        self.table.truncate(4 * SMALL_TABLE);
         self.table.fill(0);
         self.table.resize(self.table.len().max(SMALL_TABLE), 0);
+        (self.under, self.blur, self.weight) = (under >> blur, blur, weight);
+        self.reach(problem, start, 0, 0, Op::Start);
     }
 
-    #[allow(clippy::too_many_arguments, reason = "one step of a search")]
-    fn reach(&mut self, problem: &Problem, state: State, cost: u32, from: u32, op: Op, weight: u32, under: u32) {
+    /// The most promising state not yet gone on from; it is now.
+    fn next(&mut self) -> Option<usize> {
+        loop {
+            let Reverse(key) = self.open.pop()?;
+            let number = key as u32 as usize;
+            let visit = &mut self.visits[number];
+            if !visit.closed && (visit.cost + visit.bound) >> self.blur < self.under {
+                visit.closed = true;
+                return Some(number);
+            }
+        }
+    }
+
+    /// Does all that may help in a state.
+    fn expand(&mut self, problem: &Problem, number: usize) {
+        let mut ops = std::mem::take(&mut self.ops);
+        let Visit { state, cost, .. } = self.visits[number];
+        problem.ops(&state, &mut ops);
+        for &op in &ops {
+            let mut next = state;
+            if let Some(more) = problem.apply(&mut next, op) {
+                self.reach(problem, next, cost + more, number as u32, op);
+            }
+        }
+        self.ops = ops;
+    }
+
+    fn reach(&mut self, problem: &Problem, state: State, cost: u32, from: u32, op: Op) {
         let slot = self.slot(&state);
         let known = self.table[slot];
         let number = if known == 0 {
             let bound = problem.bound(&state);
-            if cost + bound >= under {
+            if (cost + bound) >> self.blur >= self.under {
                 return;
             }
             self.visits.push(Visit { state, cost, bound, from, op, closed: false });
@@ -138,17 +172,23 @@ impl Search {
             if self.visits.len() * 2 > self.table.len() {
                 self.grow();
             }
-            self.visits.len() as u32 - 1
+            self.visits.len() - 1
         } else {
             let visit = &mut self.visits[known as usize - 1];
             if visit.cost <= cost {
                 return;
             }
             (visit.cost, visit.from, visit.op, visit.closed) = (cost, from, op, false);
-            known - 1
+            known as usize - 1
         };
-        let bound = self.visits[number as usize].bound;
-        self.open.push(Reverse((2 * cost + weight * bound, bound, number)));
+        self.open.push(Reverse(self.key(number)));
+    }
+
+    /// Weighted cost, then bound, then number, in one word that sorts as the three do.
+    fn key(&self, number: usize) -> u64 {
+        let Visit { cost, bound, .. } = self.visits[number];
+        let whole = u64::from(2 * cost + self.weight * bound).min((1 << 18) - 1);
+        whole << 46 | u64::from(bound.min((1 << 14) - 1)) << 32 | number as u64
     }
 
     /// Where a state is in the table, or would be.
@@ -171,11 +211,11 @@ impl Search {
         }
     }
 
-    fn path(&self, mut number: u32) -> Vec<Op> {
+    fn path(&self, mut number: usize) -> Vec<Op> {
         let mut ops = Vec::new();
-        while self.visits[number as usize].op != Op::Start {
-            ops.push(self.visits[number as usize].op);
-            number = self.visits[number as usize].from;
+        while self.visits[number].op != Op::Start {
+            ops.push(self.visits[number].op);
+            number = self.visits[number].from as usize;
         }
         ops.reverse();
         ops
@@ -184,16 +224,11 @@ impl Search {
 
 /// Multiply and rotate over the words of a state (as in Firefox's hash).
 fn hash(state: &State) -> u64 {
-    let mut hash = 0u64;
-    let mut add = |word: u64| hash = (hash.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95);
-    [state.at, state.open, state.on, state.used].into_iter().for_each(&mut add);
-    for bytes in [&state.piles, &state.needs] {
-        for chunk in bytes.chunks_exact(8) {
-            add(chunk.iter().fold(0, |word, &b| word << 8 | u64::from(b)));
-        }
-    }
     let [a, b] = state.hands;
     let [c, d] = state.down;
-    add([a, b, c, d, u8::from(state.fresh), state.room].iter().fold(0, |word, &b| word << 8 | u64::from(b)));
-    hash ^ hash >> 29
+    let small = u64::from_le_bytes([a, b, c, d, u8::from(state.fresh), state.room, 0, 0]);
+    let words = [state.at, state.open, state.on, state.used, state.piles, state.needs, small];
+    let mix = |hash: u64, word: u64| (hash.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95);
+    let hash = words.into_iter().fold(0, mix);
+    hash ^ hash >> 32
 }

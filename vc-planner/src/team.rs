@@ -137,8 +137,12 @@ pub struct Watcher {
     planner: Planner,
 }
 
-/// How much an action that does not bring a goal nearer speaks against it.
-const AGAINST: f64 = 1.0;
+/// How much a deed that does not bring a goal nearer speaks against it: something was
+/// taken, put or used.
+const AGAINST: f64 = 2.5;
+/// How much going somewhere or looking into something does: who does not know where
+/// things are has to.
+const ASTRAY: f64 = 0.2;
 
 impl Watcher {
     /// Somebody who thinks that the other pursues one of these, each as likely.
@@ -158,7 +162,9 @@ impl Watcher {
             let (was, is) = (left(before, &[]), left(after, std::slice::from_ref(event)));
             // What cannot be planned for says nothing.
             if was.is_finite() && is >= was {
-                *weight -= AGAINST;
+                let looking =
+                    matches!(event.action.verb, Verb::Walk | Verb::Run | Verb::Find | Verb::Open | Verb::Close);
+                *weight -= if looking { ASTRAY } else { AGAINST };
             }
         }
     }

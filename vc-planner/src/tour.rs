@@ -8,8 +8,6 @@ use crate::packed::{Op, Problem, State, Way, bit};
 pub(crate) struct Tour<'a> {
     problem: &'a Problem,
     state: State,
-    /// What lies where, by pile.
-    piles: Vec<Vec<NodeId>>,
     /// What is carried or put down for a while, with its kind plus one.
     carried: Vec<(u8, NodeId)>,
     actions: Vec<Action>,
@@ -18,9 +16,8 @@ pub(crate) struct Tour<'a> {
 impl<'a> Tour<'a> {
     /// The actions of macros from a state.
     pub(crate) fn write(problem: &'a Problem, start: State, ops: &[Op]) -> Vec<Action> {
-        let piles = problem.piles.iter().map(|p| p.items.iter().rev().copied().collect()).collect();
         let carried = start.hands.iter().zip(problem.held).filter_map(|(&kind, id)| id.map(|id| (kind, id))).collect();
-        let mut tour = Self { problem, state: start, piles, carried, actions: Vec::new() };
+        let mut tour = Self { problem, state: start, carried, actions: Vec::with_capacity(2 * ops.len()) };
         for &op in ops {
             tour.op(op);
             let _ = tour.problem.apply(&mut tour.state, op);
@@ -100,7 +97,8 @@ impl<'a> Tour<'a> {
         let pile = &self.problem.piles[p as usize];
         self.go(pile.spot);
         self.open(pile.door);
-        if let Some(id) = self.piles[p as usize].pop() {
+        let taken = (pile.units & !self.state.piles).count_ones();
+        if let Some(&id) = pile.items.get(taken as usize) {
             self.carried.push((pile.kind + 1, id));
             self.act(Action::one(Verb::Grab, id));
         }

@@ -62,7 +62,7 @@ pub enum Unreachable {
     #[error("`{0}`: there is no way there")]
     NoRoute(String),
     /// The parts of the goal need the same things, or each undoes another.
-    #[error("`{0}` conflicts with other parts of the goal")]
+    #[error("`{0}`: its parts conflict, with each other or with the rest of the goal")]
     Conflicting(String),
     /// All that could serve is shut in something that does not open.
     #[error("`{0}`: what it is about is shut in and cannot be got out")]

@@ -141,3 +141,62 @@ fn trail(flat: &Flat, seed: u64) -> Vec<String> {
     assert_eq!(world.graph().room_of(flat.apple), Some(flat.kitchen));
     done
 }
+
+/// A tidy home: dishes in the kitchen's cupboards, the living room as it should be.
+fn tidy() -> (SceneGraph, NodeId) {
+    let mut scene = SceneBuilder::new("tidy");
+    let rooms = ["living_room", "bathroom", "kitchen", "bedroom", "hallway"];
+    let [living, bathroom, kitchen, bedroom, hallway] = rooms.map(|r| scene.add(Draft::new(r)).unwrap());
+    for room in [living, bathroom, kitchen, bedroom, hallway] {
+        scene.add_in(room, Draft::new("floor")).unwrap();
+    }
+    for class in ["toilet", "bathtub", "bathroom_counter", "bathroom_cabinet", "bathroom_shelf", "washing_machine"] {
+        scene.add_in(bathroom, Draft::new(class)).unwrap();
+    }
+    for class in ["bed", "nightstand", "dresser", "closet"] {
+        scene.add_in(bedroom, Draft::new(class)).unwrap();
+    }
+    for class in ["sofa", "tv_stand", "shoe_rack"] {
+        scene.add_in(living, Draft::new(class)).unwrap();
+    }
+    let coffee_table = scene.add_in(living, Draft::new("coffee_table")).unwrap();
+    for _ in 0..3 {
+        for class in ["mug", "remote_control", "magazine"] {
+            scene.add_on(coffee_table, Draft::new(class)).unwrap();
+        }
+    }
+    scene.add_in(kitchen, Draft::new("dishwasher")).unwrap();
+    scene.add_in(kitchen, Draft::new("kitchen_counter")).unwrap();
+    let cupboards = [0; 10].map(|_| scene.add_in(kitchen, Draft::new("kitchen_cabinet")).unwrap());
+    for cupboard in [cupboards[8], cupboards[9]] {
+        scene.add_in(cupboard, Draft::new("plate")).unwrap();
+    }
+    let me = scene.add_in(living, Draft::new("character")).unwrap();
+    (scene.build(), me)
+}
+
+#[test]
+fn a_plate_is_not_looked_for_in_a_bathroom() {
+    for seed in 0..20 {
+        let (scene, me) = tidy();
+        let goal = "Inside(plate, dishwasher) & Closed(dishwasher) & SwitchedOn(dishwasher)".parse().unwrap();
+        let mut agent = Agent::newcomer(&scene, me, goal, seed);
+        let mut world = Simulator::new(scene);
+        for _ in 0..4 {
+            agent.see(&world.graph().observe(me, Scope::Room));
+            let Decision::Act(action, _) = agent.decide() else { break };
+            world.step(me, &action).unwrap();
+            agent.did(&action);
+            let room = world.graph().room_of(me).map(|r| world.graph().label(r).to_string());
+            let sensible = ["living_room.1", "kitchen.3"].map(str::to_owned);
+            assert!(room.as_ref().is_some_and(|r| sensible.contains(r)), "{seed}: {action} in {room:?}");
+        }
+        let plate = world.graph().of_class("plate")[0];
+        let at = |class: &str, relation| Place { relation, at: world.graph().of_class(class)[0] };
+        let belief = agent.belief();
+        let (toilet, bedroom) = (at("toilet", Relation::Inside), at("nightstand", Relation::On));
+        let all: f64 = belief.distribution(plate).iter().map(|(_, chance)| chance).sum();
+        assert!((all - 1.0).abs() < 1e-9, "{all}");
+        assert!(belief.probability(plate, toilet) < 0.01 && belief.probability(plate, bedroom) < 0.01, "{belief}");
+    }
+}

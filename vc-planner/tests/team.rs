@@ -104,6 +104,6 @@ fn a_helper_saves_steps() {
         right += usize::from(*helper.likely()[0].0 == task.goal);
     }
     println!("alone {alone}, helped {helped}: {:.3}; {right} of 20 goals inferred", helped as f64 / alone as f64);
-    assert!(right >= 15, "{right}");
-    assert!(helped * 100 <= alone * 95, "{helped} of {alone}");
+    assert!(right >= 18, "{right}");
+    assert!(helped * 100 <= alone * 80, "{helped} of {alone}");
 }

@@ -8,7 +8,7 @@ use vc_graph::{Draft, NodeId, Place, Relation, SceneBuilder, SceneGraph, Scope, 
 
 use super::{Belief, places};
 use crate::Prior;
-use crate::prior::SHARES;
+use crate::prior::{self, SHARES};
 
 const ITEMS: [&str; 4] = ["apple", "mug", "mug", "book"];
 
@@ -47,8 +47,8 @@ fn possible(home: &Home, places: &[Place], prior: &Prior) -> Vec<Possible> {
     for (share, chance) in SHARES {
         let mut homes: Vec<Possible> = vec![(chance, Vec::new())];
         for &item in &home.items {
-            let habit = prior.habit(&home.scene, item, places);
-            let likely = |p: usize| habit.as_ref().map_or(even, |h| share * h[p] + (1.0 - share) * even);
+            let likely = prior.places(&home.scene, item, places);
+            let likely = |p: usize| likely.as_ref().map_or(even, |l| prior::chance(share, l[p], even));
             let with = |(c, at): &Possible, p: usize| (c * likely(p), [at.as_slice(), &[p]].concat());
             homes = homes.iter().flat_map(|h| (0..places.len()).map(|p| with(h, p)).collect::<Vec<_>>()).collect();
         }
@@ -61,7 +61,7 @@ fn possible(home: &Home, places: &[Place], prior: &Prior) -> Vec<Possible> {
 fn marginals_are_those_of_a_brute_force_filter() {
     for (seed, prior) in (0..24).flat_map(|seed| [(seed, Prior::Kept), (seed, Prior::Uniform)]) {
         let home = home(seed);
-        let places = places(&home.scene);
+        let places = places::all(&home.scene);
         let mut homes = possible(&home, &places, &prior);
         let mut belief = Belief::by_prior(&home.scene, home.me, seed, prior);
         let mut world = Simulator::new(home.scene.clone());

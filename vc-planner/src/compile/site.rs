@@ -4,7 +4,7 @@
 use vc_graph::{Condition, Kind, NodeId, Place, Property, Relation, SceneGraph, State as Word};
 
 use super::{Compiler, Manners, SPARE};
-use crate::packed::{BITS, Door, MOST, Pile, Spot, Switch, Way, bit};
+use crate::packed::{BITS, Door, MOST, Pile, Spot, Switch, Way, bit, ones, run_of};
 
 impl Compiler<'_> {
     pub(super) fn spot_number(&self, anchor: NodeId) -> Option<u8> {
@@ -31,28 +31,20 @@ impl Compiler<'_> {
         Some(number as u8)
     }
 
+    /// Where something stands: its spot, and the door it is behind, if any. `None` if
+    /// there are several doors, or no room for it.
+    pub(super) fn site(&mut self, id: NodeId) -> Option<(u8, Option<u8>)> {
+        let standing = Standing::of(self.now.graph, id);
+        let spot = self.spot(standing.anchor)?;
+        Some((spot, self.door_of(&standing, spot)?))
+    }
+
     /// The door something is behind, if any; `None` if there are several.
-    pub(super) fn doors_of(&mut self, id: NodeId) -> Option<Option<u8>> {
-        let graph = self.now.graph;
-        let mut found = None;
-        let mut at = id;
-        for _ in 0..DEEPEST {
-            let Some(place) = graph.place(at) else { break };
-            let opens = graph.node(place.at).is_some_and(|n| n.affords(Property::Openable));
-            if place.relation == Relation::Inside && opens {
-                if found.is_some() {
-                    return None;
-                }
-                found = Some(place.at);
-            }
-            at = place.at;
-        }
-        match found {
+    fn door_of(&mut self, standing: &Standing, spot: u8) -> Option<Option<u8>> {
+        match standing.inside {
+            _ if standing.nested => None,
             None => Some(None),
-            Some(container) => {
-                let spot = self.spot(anchor(graph, container))?;
-                self.door(container, spot).map(Some)
-            }
+            Some(container) => self.door(container, spot).map(Some),
         }
     }
 
@@ -93,8 +85,7 @@ impl Compiler<'_> {
         if on {
             self.out.start.on |= bit(number as u8);
         }
-        let spot = self.spot(anchor(self.now.graph, node))?;
-        let door = self.doors_of(node)?;
+        let (spot, door) = self.site(node)?;
         self.out.problem.switches.push(Switch { node, spot, door, want: None });
         Some(number as u8)
     }
@@ -125,71 +116,75 @@ impl Compiler<'_> {
         }) as u8
     }
 
-    /// Gathers items into piles, the most useful first.
+    /// Gathers items into piles, the most useful first where there are more than enough.
     pub(super) fn piles(&mut self) {
         let graph = self.now.graph;
         let items = std::mem::take(&mut self.items);
-        let mut piles: Vec<(NodeId, Option<NodeId>, u32, Vec<NodeId>)> = Vec::new();
+        let mut piles: Vec<Lot> = Vec::new();
         for (id, serves) in items {
             // What another holds or wears is left to it.
             if graph.holder(id).is_some() || Condition::NotElsewhereHeld(id).check(graph, self.now.agent).is_err() {
                 continue;
             }
-            let (at, shut) = (anchor(graph, id), container(graph, id));
-            match piles.iter_mut().find(|p| p.0 == at && p.1 == shut && p.2 == serves) {
-                Some(pile) => pile.3.push(id),
-                None => piles.push((at, shut, serves, vec![id])),
+            let at = Standing::of(graph, id);
+            match piles.iter_mut().find(|p| p.at == at && p.serves == serves) {
+                Some(pile) => pile.items.push(id),
+                None => piles.push(Lot { at, serves, items: vec![id] }),
             }
         }
-        let busy = |at: NodeId| self.spot_number(at).is_some() || piles.iter().filter(|p| p.0 == at).count() > 1;
-        let ranks: Vec<_> = piles
-            .iter()
-            .map(|p| {
-                (
-                    !busy(p.0),
-                    std::cmp::Reverse(p.3.len().min(2)),
-                    p.1.is_some(),
-                    graph.room_of(p.0) != graph.room_of(self.now.agent),
-                    p.0,
-                )
-            })
-            .collect();
-        let mut order: Vec<usize> = (0..piles.len()).collect();
-        order.sort_by_key(|&i| ranks[i]);
+        if piles.len() > SPARE {
+            self.rank(&mut piles);
+        }
         let mut kept = [0usize; MOST];
-        for i in order {
-            let (at, _, serves, ref items) = piles[i];
-            let wanted = |n: usize| self.out.problem.needs[n].number as usize;
-            let needs = || (0..MOST).filter(move |n| serves & (1 << n) != 0);
-            if needs().all(|n| kept[n] >= wanted(n) + SPARE) {
+        for lot in piles {
+            let wanted = |n: usize| self.out.problem.needs[n].units.count_ones() as usize;
+            if ones(u64::from(lot.serves)).all(|n| kept[n] >= wanted(n) + SPARE) {
                 continue;
             }
-            needs().for_each(|n| kept[n] += 1);
-            self.pile(at, serves, items);
+            ones(u64::from(lot.serves)).for_each(|n| kept[n] += 1);
+            self.pile(lot);
         }
     }
 
-    pub(super) fn pile(&mut self, at: NodeId, serves: u32, items: &[NodeId]) {
-        let number = self.out.problem.piles.len();
-        if number == MOST {
+    /// Where something is to be done already, several things, nothing to open, here.
+    fn rank(&self, piles: &mut [Lot]) {
+        let graph = self.now.graph;
+        let here = graph.room_of(self.now.agent);
+        let mut spots: Vec<NodeId> = piles.iter().map(|p| p.at.anchor).collect();
+        spots.sort_unstable();
+        let several = |at: NodeId| {
+            let first = spots.partition_point(|s| *s < at);
+            spots.get(first + 1) == Some(&at)
+        };
+        piles.sort_by_cached_key(|lot| {
+            let at = lot.at.anchor;
+            let busy = self.spot_number(at).is_some() || several(at);
+            let shut = lot.at.inside.is_some();
+            (!busy, std::cmp::Reverse(lot.items.len().min(2)), shut, graph.room_of(at) != here, at)
+        });
+    }
+
+    fn pile(&mut self, lot: Lot) {
+        if self.out.problem.piles.len() == MOST {
             return;
         }
-        let Some(spot) = self.spot(at) else { return };
-        let Some(door) = self.doors_of(items[0]) else {
+        let Some(spot) = self.spot(lot.at.anchor) else { return };
+        let Some(door) = self.door_of(&lot.at, spot) else {
             self.out.rest = true;
             return;
         };
-        let kind = self.kind(serves);
-        self.out.start.piles[number] = items.len().min(250) as u8;
-        self.out.problem.piles.push(Pile { kind, spot, door, items: items.to_vec() });
+        let (kind, mut items) = (self.kind(lot.serves), lot.items);
+        // More than can serve any need are of no use.
+        let number = |n: usize| self.out.problem.needs[n].units.count_ones() as usize;
+        let useful = ones(u64::from(lot.serves)).map(number).sum();
+        let units = run_of(self.out.start.piles, items.len().min(useful));
+        items.truncate(units.count_ones() as usize);
+        self.out.start.piles |= units;
+        self.out.problem.piles.push(Pile { kind, spot, door, items, units });
     }
 
     pub(super) fn finish(&mut self) {
         let problem = &mut self.out.problem;
-        for n in 0..problem.needs.len() {
-            let mut serving = problem.piles.iter().filter(|p| problem.kinds[p.kind as usize] & (1 << n) != 0);
-            problem.needs[n].local = serving.any(|p| problem.needs[n].spots & bit(p.spot) != 0);
-        }
         // In a room one is wherever in it one is.
         for i in 0..problem.spots.len() {
             let room = |(_, s): &(usize, &Spot)| Some(s.anchor) == problem.spots[i].room;
@@ -221,29 +216,47 @@ impl Compiler<'_> {
 /// How far down things are looked for in each other.
 const DEEPEST: usize = 16;
 
-/// What one walks up to, to have a thing at hand: the furniture it is on or in.
-pub(crate) fn anchor(graph: &SceneGraph, id: NodeId) -> NodeId {
-    let mut at = id;
-    for _ in 0..DEEPEST {
-        match graph.place(at) {
-            Some(Place { relation: Relation::On | Relation::Inside, at: on }) if !is_ground(graph, on) => at = on,
-            _ => break,
-        }
-    }
-    at
+/// Things that serve the same needs and stand at the same place.
+struct Lot {
+    at: Standing,
+    serves: u32,
+    items: Vec<NodeId>,
 }
 
-/// The nearest container that opens around a thing.
-fn container(graph: &SceneGraph, id: NodeId) -> Option<NodeId> {
-    let mut at = id;
-    for _ in 0..DEEPEST {
-        let place = graph.place(at)?;
-        if place.relation == Relation::Inside && graph.node(place.at).is_some_and(|n| n.affords(Property::Openable)) {
-            return Some(place.at);
+/// Where a thing stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Standing {
+    /// What one walks up to, to have it at hand: the furniture it is on or in.
+    pub(crate) anchor: NodeId,
+    /// The nearest container that opens around it.
+    inside: Option<NodeId>,
+    /// There is another such container around that one.
+    nested: bool,
+}
+
+impl Standing {
+    /// Goes down from a thing to the floor.
+    pub(crate) fn of(graph: &SceneGraph, id: NodeId) -> Self {
+        let mut standing = Self { anchor: id, inside: None, nested: false };
+        for _ in 0..DEEPEST {
+            let Some(Place { relation, at }) = graph.place(standing.anchor) else { break };
+            let rests = matches!(relation, Relation::On | Relation::Inside);
+            if !rests || is_ground(graph, at) {
+                break;
+            }
+            if relation == Relation::Inside && graph.node(at).is_some_and(|n| n.affords(Property::Openable)) {
+                standing.nested |= standing.inside.is_some();
+                standing.inside = standing.inside.or(Some(at));
+            }
+            standing.anchor = at;
         }
-        at = place.at;
+        standing
     }
-    None
+}
+
+/// What one walks up to, to have a thing at hand: the furniture it is on or in.
+pub(crate) fn anchor(graph: &SceneGraph, id: NodeId) -> NodeId {
+    Standing::of(graph, id).anchor
 }
 
 /// Floors and rugs: standing on them is no reason to be near all that does.

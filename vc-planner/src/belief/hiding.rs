@@ -1,0 +1,132 @@
+//! What is still missing: found, lost, or guessed anew where it was not.
+
+use rand_chacha::rand_core::Rng;
+use vc_graph::{NodeId, Observation, Place, Property, Relation};
+
+use super::places::in_view;
+use super::{Belief, Learned};
+use crate::prior::{HABIT, STRAY, Supposed};
+
+impl Belief {
+    /// Supposes something about one more missing thing.
+    pub(super) fn weigh(&mut self, id: NodeId) {
+        let Some(class) = self.graph.node(id).map(|n| n.class().clone()) else { return };
+        if let Some(known) = self.supposed.get_mut(&class) {
+            known.missing += 1;
+            return;
+        }
+        let places = self.prior.places(&self.graph, id, &self.places);
+        self.supposed.insert(class, Supposed { places, left: [1.0; 2], missing: 1 });
+    }
+
+    /// Notes what is found and which places are in view, and guesses anew what that
+    /// disproves.
+    pub(super) fn look(&mut self, seen: &Observation, learned: &mut Learned) {
+        let mut lost = self.lost(seen);
+        if self.missing.is_empty() && lost.is_empty() {
+            return;
+        }
+        let found: Vec<NodeId> = self.missing.iter().map(|(id, _)| *id).filter(|id| seen.sees(*id)).collect();
+        found.iter().for_each(|&id| self.find(seen, id));
+        // Both are in the order of numbers.
+        self.missing.retain(|(id, _)| found.binary_search(id).is_err());
+        if self.look_at_places(seen) || !found.is_empty() {
+            self.tidiness.settle(self.supposed.values(), self.unseen_share());
+        }
+        self.resample(learned);
+        lost.drain(..).for_each(|id| self.lose(id, learned));
+    }
+
+    /// Things that are not where they were: somebody else has taken them.
+    fn lost(&self, seen: &Observation) -> Vec<NodeId> {
+        let Some(room) = seen.room().filter(|_| !self.knows_all() && self.graph.agents().len() > 1) else {
+            return Vec::new();
+        };
+        let gone = |id: &NodeId| {
+            let movable =
+                self.known.contains(*id) && self.graph.node(*id).is_some_and(|n| n.affords(Property::Graspable));
+            let place = self.graph.place(*id).unwrap_or(Place { relation: Relation::InRoom, at: room });
+            movable && !seen.sees(*id) && self.graph.holder(*id).is_none() && in_view(seen, &place)
+        };
+        self.graph.in_room(room).filter(gone).collect()
+    }
+
+    fn lose(&mut self, id: NodeId, learned: &mut Learned) {
+        self.known.remove(id);
+        self.weigh(id);
+        let place = self.sample(id);
+        let position = self.missing.partition_point(|(other, _)| *other < id);
+        self.missing.insert(position, (id, place));
+        self.suppose(id, place);
+        learned.disproved.push(id);
+    }
+
+    /// A missing thing is found: it tells how tidy the home is.
+    fn find(&mut self, seen: &Observation, id: NodeId) {
+        let even = self.even();
+        let place =
+            seen.places(id).next().or_else(|| Some(Place { relation: Relation::InRoom, at: seen.room_of(id)? }));
+        let at = place.and_then(|place| self.places.iter().position(|p| *p == place));
+        let Some(class) = self.graph.node(id).and_then(|n| self.supposed.get_mut(n.class())) else { return };
+        class.missing = class.missing.saturating_sub(1);
+        // Where it is found again after it was moved says nothing.
+        if let (Some(places), Some(at)) = (&class.places, at.filter(|&at| !self.seen[at])) {
+            self.tidiness.found(places[at], even);
+        }
+    }
+
+    /// Notes which places are in view now; whether there are new ones.
+    fn look_at_places(&mut self, seen: &Observation) -> bool {
+        let mut new = false;
+        for (index, place) in self.places.iter().enumerate() {
+            if self.seen[index] || !in_view(seen, place) {
+                continue;
+            }
+            (self.seen[index], new) = (true, true);
+            for class in self.supposed.values_mut() {
+                let [habit, stray] = class.places.as_ref().map_or([0.0; 2], |places| places[index]);
+                class.left = [class.left[HABIT] - habit, class.left[STRAY] - stray];
+            }
+        }
+        new
+    }
+
+    fn resample(&mut self, learned: &mut Learned) {
+        for index in 0..self.missing.len() {
+            let (id, place) = self.missing[index];
+            if self.seen[place] {
+                let place = self.sample(id);
+                self.missing[index].1 = place;
+                self.suppose(id, place);
+                learned.disproved.push(id);
+            }
+        }
+    }
+
+    /// A place that has not been looked at, by its chance; all again, when none is
+    /// left.
+    pub(super) fn sample(&mut self, id: NodeId) -> usize {
+        if self.seen.iter().all(|&seen| seen) {
+            self.widen();
+        }
+        // 53 bits make a number from 0 up to 1.
+        let mut draw = (self.rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+        let Some(chances) = self.chances_of(id) else { return 0 };
+        let mut last = 0;
+        for (i, _, _) in self.sites() {
+            last = i;
+            draw -= chances.at(i);
+            if draw < 0.0 {
+                break;
+            }
+        }
+        last
+    }
+
+    fn widen(&mut self) {
+        self.seen.fill(false);
+        self.widened += 1;
+        self.supposed.values_mut().for_each(|class| class.left = [1.0; 2]);
+        self.tidiness.settle(self.supposed.values(), 1.0);
+    }
+}

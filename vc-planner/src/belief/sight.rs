@@ -1,0 +1,130 @@
+//! What an agent sees, hears and does: its sampled state is brought in line with it.
+
+use vc_graph::{Action, Change, ChangeSet, Edge, Kind, Node, NodeId, Observation, Place, Relation, SceneGraph, rule};
+
+use super::{Belief, Learned};
+
+impl Belief {
+    /// Expects what an action of the agent's own does.
+    pub fn expect(&mut self, action: &Action) {
+        let changes = rule::step(&mut self.graph, self.agent, action);
+        self.touched = changes.as_ref().map(touched).unwrap_or_default();
+    }
+
+    /// Takes in what the agent sees.
+    pub fn observe(&mut self, seen: &Observation) -> Learned {
+        let mut learned = Learned::default();
+        self.take_over(seen, &mut learned);
+        self.look(seen, &mut learned);
+        self.last = Some(seen.clone());
+        learned
+    }
+
+    /// Takes in what another agent sees and tells: all but who sees it.
+    pub fn hear(&mut self, told: &Observation) -> Learned {
+        let mut learned = Learned::default();
+        let me = self.agent;
+        for node in told.nodes().filter(|n| n.id() != me) {
+            let id = node.id();
+            if self.known.insert(id) && node.kind() != Kind::Room {
+                learned.found.push(id);
+                self.learn_place(node);
+            }
+            self.take_over_node(told, node);
+        }
+        self.look(told, &mut learned);
+        // What was told may be newer than what was seen last.
+        self.last = None;
+        learned
+    }
+
+    /// Brings the sampled state in line with what is seen.
+    fn take_over(&mut self, seen: &Observation, learned: &mut Learned) {
+        let last = self.last.take();
+        for node in seen.nodes() {
+            let id = node.id();
+            // Snapshots share unchanged nodes: the same node need not be compared.
+            let same = last.as_ref().and_then(|l| l.get(id)).is_some_and(|old| std::ptr::eq(old, node));
+            if same && !self.touched.contains(&id) {
+                continue;
+            }
+            if self.known.insert(id) && node.kind() != Kind::Room {
+                learned.found.push(id);
+                self.learn_place(node);
+            }
+            self.take_over_node(seen, node);
+        }
+        self.take_over_agents(seen);
+    }
+
+    fn take_over_node(&mut self, seen: &Observation, node: &Node) {
+        let id = node.id();
+        let Some(believed) = self.graph.node(id) else { return };
+        let states = node.states();
+        let moved = !self.graph.places(id).eq(seen.places(id)) || self.graph.room_of(id) != seen.room_of(id);
+        if believed.states() == states
+            && !moved
+            && believed.pose() == node.pose()
+            && believed.contents() == node.contents()
+        {
+            return;
+        }
+        let places: Vec<Place> = if moved { seen.places(id).collect() } else { Vec::new() };
+        let (pose, contents) = (node.pose().copied(), node.contents().cloned());
+        let mut edit = self.graph.edit();
+        // What is seen is sound; where two sightings contradict the later one wins.
+        let _ = edit.set_states(id, states);
+        let _ = edit.set_pose(id, pose);
+        if edit.graph().node(id).is_some_and(|n| n.contents() != contents.as_ref()) {
+            let _ = edit.fill(id, contents);
+        }
+        if moved {
+            let _ = edit.place_as_seen(id, &places, seen.room_of(id));
+        }
+        edit.commit();
+    }
+
+    /// What the agent itself, and others in view, are near and face.
+    fn take_over_agents(&mut self, seen: &Observation) {
+        for agent in self.graph.agents().to_vec() {
+            if agent == self.agent || seen.sees(agent) {
+                self.take_over_nearness(agent, seen);
+            }
+        }
+    }
+
+    fn take_over_nearness(&mut self, agent: NodeId, seen: &Observation) {
+        let kinds = [Relation::Near, Relation::Facing];
+        let links = |graph: &SceneGraph| -> Vec<Edge> {
+            kinds.iter().flat_map(|&r| graph.related(agent, r).map(move |to| Edge::new(agent, r, to))).collect()
+        };
+        let before = links(&self.graph);
+        let mut now: Vec<Edge> = kinds.iter().flat_map(|&r| seen.related(agent, r)).collect();
+        // It remembers what one has turned to that is out of view.
+        now.extend(before.iter().filter(|e| e.relation == Relation::Facing && !seen.sees(e.to)));
+        if before == now {
+            return;
+        }
+        let mut edit = self.graph.edit();
+        let _ = edit.unrelate(agent, &kinds);
+        for edge in now {
+            let _ = edit.relate(edge);
+        }
+        edit.commit();
+    }
+}
+
+/// The nodes a change set is about.
+fn touched(changes: &ChangeSet) -> Vec<NodeId> {
+    let mut all: Vec<NodeId> = Vec::new();
+    for change in changes.changes() {
+        match change {
+            Change::States { id, .. } | Change::Pose { id, .. } | Change::Contents { id, .. } => all.push(*id),
+            Change::Link(e) | Change::Unlink(e) => all.extend([e.from, e.to]),
+            _ => {}
+        }
+    }
+    all.sort_unstable();
+    all.dedup();
+    all
+}

@@ -1,0 +1,99 @@
+//! Trajectories as transitions, for reinforcement learning from what others have done.
+//!
+//! A record says what was done, not all that was seen. Since actions on a scene are
+//! deterministic, the observations are made again by replaying it from its first scene.
+
+#[cfg(feature = "parquet")]
+mod table;
+
+use serde_json::{Value, json};
+use vc_graph::goal::Situation;
+use vc_graph::{Kind, Observation, SceneGraph, Scope, Simulator};
+use vc_tasks::Outcome;
+
+use crate::{Fault, Trajectory};
+
+#[cfg(feature = "parquet")]
+pub use table::{TableError, write_parquet};
+
+/// One step of an episode, as offline reinforcement learning wants it: what was seen,
+/// what was done, what came of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Transition {
+    /// Number of the step, from one.
+    pub step: usize,
+    /// What the agent saw, as JSON: its room, the things with their states, and the
+    /// relations between them.
+    pub observation: String,
+    /// What it did, `place apple.5 kitchen_table.3`.
+    pub action: String,
+    /// How much more of the goal holds after it, -1 to 1. Over an episode that won the
+    /// rewards sum to what did not hold at first.
+    pub reward: f64,
+    /// What it saw then.
+    pub next_observation: String,
+    /// The goal was reached with it.
+    pub terminated: bool,
+    /// The episode ended with it for another reason: the step limit, or the agent gave
+    /// up or was stopped.
+    pub truncated: bool,
+}
+
+impl Trajectory {
+    /// The steps as transitions, seen so much of, by replaying them from the scene in
+    /// which the episode began.
+    ///
+    /// # Errors
+    /// [`Fault::OtherScene`] if it began in another scene, [`Fault::Refused`] if a step
+    /// that was done cannot be done there.
+    pub fn transitions(&self, initial: &SceneGraph, scope: Scope) -> Result<Vec<Transition>, Fault> {
+        if initial.digest().to_string() != self.header.digest {
+            return Err(Fault::OtherScene);
+        }
+        let (goal, me) = (&self.header.goal, self.header.agent);
+        let mut world = Simulator::new(initial.clone());
+        let score = |world: &Simulator| goal.score(&Situation::new(world.graph(), me, world.history()));
+        let look = |world: &Simulator| as_json(&world.graph().observe(me, scope)).to_string();
+        let (mut before, mut seen) = (score(&world), look(&world));
+        let mut all = Vec::new();
+        for (i, step) in self.steps.iter().enumerate() {
+            if let Err(why) = world.step(me, &step.action)
+                && step.refused.is_none()
+            {
+                let why = why.first().map_or_else(String::new, ToString::to_string);
+                return Err(Fault::Refused(step.step, why));
+            }
+            let (after, now) = (score(&world), look(&world));
+            let (last, won) = (i + 1 == self.steps.len(), self.summary.outcome == Outcome::Won);
+            all.push(Transition {
+                step: step.step,
+                observation: std::mem::replace(&mut seen, now.clone()),
+                action: step.action.describe(initial).to_string(),
+                reward: after - before,
+                next_observation: now,
+                terminated: last && won,
+                truncated: last && !won,
+            });
+            before = after;
+        }
+        Ok(all)
+    }
+}
+
+/// An observation as JSON: `{"room": "kitchen.1", "things": [["cup.4", "CLEAN"]],
+/// "relations": [["cup.4", "ON", "table.2"]]}`.
+fn as_json(seen: &Observation) -> Value {
+    let label = |id| seen.get(id).map(|n| n.label().to_string());
+    let things = seen.nodes().filter(|n| n.kind() == Kind::Object).map(|node| {
+        let states = node.states().iter().map(|s| s.to_string().into());
+        Value::Array(std::iter::once(node.label().to_string().into()).chain(states).collect())
+    });
+    let relations =
+        seen.relations().filter_map(|e| Some(json!([label(e.from)?, e.relation.to_string(), label(e.to)?])));
+    json!({
+        "agent": label(seen.agent()),
+        "room": seen.room().and_then(label),
+        "things": things.collect::<Vec<_>>(),
+        "relations": relations.collect::<Vec<_>>(),
+    })
+}

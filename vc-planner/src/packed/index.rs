@@ -1,0 +1,226 @@
+//! What is asked of a problem again and again, gathered into words once.
+
+use super::{BITS, MOST, Pile, Problem, UNITS, Way, bit, ones};
+
+/// What is wanted of doors and switches, as bits.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Wanted {
+    pub(crate) open: u64,
+    pub(crate) closed: u64,
+    pub(crate) on: u64,
+    pub(crate) off: u64,
+}
+
+/// What a bit of a need is known to take, whatever else is done.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Unit {
+    /// Spots and doors of the only way to serve it.
+    pub(crate) spot: u64,
+    pub(crate) door: u64,
+    /// Spots and doors of the only pile that has it.
+    pub(crate) from: u64,
+    pub(crate) behind: u64,
+    /// How many actions it takes where one stands: a grab and a put, or a use.
+    pub(crate) actions: u32,
+}
+
+/// Words about a problem. Bits are units of needs, if nothing else is said.
+#[derive(Debug, Clone)]
+pub(crate) struct Index {
+    /// By what a hand holds.
+    serves: [u64; BITS],
+    pub(crate) need_of: [u8; UNITS],
+    pub(crate) pile_of: [u8; UNITS],
+    pub(crate) units: Vec<Unit>,
+    /// For each spot what can only be put there, and what can only be had from there.
+    pub(crate) traffic: Vec<Traffic>,
+    /// Spots to which more than two things go, or from which they come.
+    pub(crate) busy: u64,
+    /// For each door what lies behind it (bits of piles), and what goes through it.
+    pub(crate) doors: Vec<Passage>,
+    /// Switches that keep a door shut while they are on.
+    pub(crate) bars: u64,
+    pub(crate) wanted: Wanted,
+    /// What is put or kept; what is done to things where they are; what is held in the
+    /// end.
+    pub(crate) carried: u64,
+    pub(crate) uses: u64,
+    pub(crate) keeps: u64,
+    /// Needs of several, or that several piles serve; for each need the piles (bits of
+    /// piles).
+    pub(crate) choosy: u64,
+    pub(crate) from: [u64; MOST],
+    /// Needs whose items are put at one of several spots.
+    pub(crate) anywhere: u64,
+}
+
+/// What comes to a spot, and what leaves it.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Traffic {
+    pub(crate) into: u64,
+    pub(crate) out: u64,
+}
+
+/// What lies behind a door (bits of piles), and what goes through it.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Passage {
+    pub(crate) behind: u64,
+    pub(crate) through: u64,
+}
+
+impl Default for Index {
+    fn default() -> Self {
+        Self {
+            serves: [0; BITS],
+            need_of: [0; UNITS],
+            pile_of: [0; UNITS],
+            units: Vec::new(),
+            traffic: Vec::new(),
+            busy: 0,
+            doors: Vec::new(),
+            bars: 0,
+            wanted: Wanted::default(),
+            carried: 0,
+            uses: 0,
+            keeps: 0,
+            choosy: 0,
+            from: [0; MOST],
+            anywhere: 0,
+        }
+    }
+}
+
+impl Index {
+    /// What an item in a hand serves; nothing, if the hand is empty.
+    pub(crate) fn serves(&self, hand: u8) -> u64 {
+        self.serves[hand as usize % BITS]
+    }
+}
+
+impl Problem {
+    /// Gathers what is asked for again and again into bits; when all else is there.
+    pub(crate) fn index(&mut self) {
+        let mut index = std::mem::take(&mut self.index);
+        index.traffic.resize(self.spots.len(), Traffic::default());
+        index.doors.resize(self.doors.len(), Passage::default());
+        self.index_kinds(&mut index);
+        self.index_wanted(&mut index);
+        for n in 0..self.needs.len() {
+            self.index_need(n, &mut index);
+        }
+        for (spot, traffic) in index.traffic.iter().enumerate() {
+            let crowded = several(several(traffic.into)) | several(several(traffic.out));
+            index.busy |= u64::from(crowded != 0) << spot;
+        }
+        self.index = index;
+    }
+
+    fn index_kinds(&self, index: &mut Index) {
+        for (k, needs) in self.kinds.iter().enumerate().take(BITS - 1) {
+            index.serves[k + 1] = ones(u64::from(*needs)).fold(0, |all, n| all | self.needs[n].units);
+        }
+        for (p, pile) in self.piles.iter().enumerate() {
+            ones(pile.units).for_each(|unit| index.pile_of[unit] = p as u8);
+            if let Some(d) = pile.door {
+                index.doors[d as usize].behind |= pile.units;
+            }
+        }
+    }
+
+    fn index_wanted(&self, index: &mut Index) {
+        let wanted = &mut index.wanted;
+        for (d, door) in self.doors.iter().enumerate() {
+            index.bars |= door.unsafe_when_on.map_or(0, bit);
+            match door.want {
+                Some(true) => wanted.open |= 1 << d,
+                Some(false) => wanted.closed |= 1 << d,
+                None => {}
+            }
+        }
+        for (w, switch) in self.switches.iter().enumerate() {
+            match switch.want {
+                Some(true) => wanted.on |= 1 << w,
+                Some(false) => wanted.off |= 1 << w,
+                None => {}
+            }
+        }
+    }
+
+    fn index_need(&self, n: usize, index: &mut Index) {
+        let need = &self.needs[n];
+        let units = need.units;
+        for way in &need.ways {
+            if let Way::Put { door: Some(d), .. } = way {
+                index.doors[*d as usize].through |= units;
+            }
+        }
+        let mut one = Unit::default();
+        let (actions, carried) = match need.ways.first() {
+            Some(Way::Put { .. }) => (2, true),
+            Some(Way::Keep) => (1, true),
+            Some(_) => (1, false),
+            None => (0, false),
+        };
+        one.actions = actions;
+        index.carried |= if carried { units } else { 0 };
+        match need.ways.first() {
+            Some(Way::Keep) => index.keeps |= units,
+            Some(Way::Use { .. }) => index.uses |= units,
+            _ => {}
+        }
+        if let [Way::Put { door, .. } | Way::Use { door, .. }] = need.ways[..] {
+            one.door = door.map_or(0, bit);
+        }
+        self.index_places(n, actions == 2, &mut one, index);
+        self.index_sources(n, carried, &mut one, index);
+        for unit in ones(units) {
+            index.need_of[unit] = n as u8;
+            // Units are given out in the order of needs.
+            index.units.push(one);
+        }
+    }
+
+    fn serving(&self, n: usize) -> impl Iterator<Item = &Pile> {
+        self.piles.iter().filter(move |p| self.kinds[p.kind as usize] & (1 << n) != 0)
+    }
+
+    fn index_places(&self, n: usize, put: bool, one: &mut Unit, index: &mut Index) {
+        let need = &self.needs[n];
+        if need.spots.is_power_of_two() && (put || need.ways.len() == 1) {
+            one.spot = need.spots;
+            // Where some item lies that is needed there no trip is saved by a free hand.
+            let local = self.serving(n).any(|p| need.spots & bit(p.spot) != 0);
+            if put && !local {
+                index.traffic[one.spot.trailing_zeros() as usize].into |= need.units;
+            }
+        } else if put {
+            index.anywhere |= need.units;
+        }
+    }
+
+    fn index_sources(&self, n: usize, carried: bool, one: &mut Unit, index: &mut Index) {
+        let need = &self.needs[n];
+        index.from[n] = self.serving(n).fold(0, |all, p| all | p.units);
+        let mut piles = self.serving(n);
+        match (piles.next(), piles.next()) {
+            (Some(pile), None) if need.units.is_power_of_two() && self.serves_one(pile) => {
+                (one.from, one.behind) = (bit(pile.spot), pile.door.map_or(0, bit));
+                // Two hands limit what leaves a spot, not what is moved or used there.
+                if carried && need.spots & one.from == 0 {
+                    index.traffic[pile.spot as usize].out |= need.units;
+                }
+            }
+            (Some(_), _) if index.uses & need.units == 0 => index.choosy |= need.units,
+            _ => {}
+        }
+    }
+
+    fn serves_one(&self, pile: &Pile) -> bool {
+        self.kinds[pile.kind as usize].is_power_of_two()
+    }
+}
+
+/// All but the lowest bit: something, if there are several.
+fn several(bits: u64) -> u64 {
+    bits & bits.wrapping_sub(1)
+}

@@ -1,0 +1,251 @@
+//! Whatever is asked, and however the world behaves: plans are right, nobody loops, and
+//! what cannot be reached is told with its reason, while what can be is not refused.
+
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap and tell")]
+
+use vc_graph::goal::Situation;
+use vc_graph::{
+    Action, ChangeSet, Draft, Goal, History, NodeId, Property, PropertySet, SceneBuilder, SceneGraph, Seed, Simulator,
+    State, Stream, Verb,
+};
+use vc_planner::{Newcomer, Policy, Resident, Run, Unreachable, plan};
+use vc_tasks::{Outcome, Task, World, WorldError};
+
+const FIXED: [&str; 8] =
+    ["kitchen_table", "fridge", "kitchen_cabinet", "desk", "sofa", "television", "dishwasher", "closet"];
+const ITEMS: [&str; 8] = ["apple", "plate", "mug", "book", "milk", "fork", "towel", "cellphone"];
+
+fn home(seed: u64) -> SceneGraph {
+    let mut stream = Seed(seed).child("any").stream();
+    let mut scene = SceneBuilder::new("any");
+    let rooms = ["kitchen", "living_room", "bedroom"].map(|r| scene.add(Draft::new(r)).unwrap());
+    let fixed: Vec<NodeId> =
+        FIXED.iter().map(|f| scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new(*f)).unwrap()).collect();
+    for class in ITEMS.iter().chain(&ITEMS[..4]) {
+        // Surfaces and containers; not every thing can hold every thing.
+        let at = *stream.pick(&[fixed[0], fixed[1], fixed[2], fixed[3], fixed[7]]).unwrap();
+        let inside = at != fixed[0] && at != fixed[3];
+        if inside { scene.add_in(at, Draft::new(*class)) } else { scene.add_on(at, Draft::new(*class)) }.unwrap();
+    }
+    scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new("character")).unwrap();
+    scene.build()
+}
+
+/// Any goal the language has, sensible or not.
+fn any_goal(stream: &mut Stream, depth: usize) -> String {
+    let mut class = |all: &[&str]| (*stream.pick(all).unwrap()).to_owned();
+    let things = ["apple", "plate", "mug", "book", "fridge", "sofa", "television", "unicorn", "kitchen", "closet"];
+    let (a, b) = (class(&things), class(&["kitchen_table", "fridge", "desk", "closet", "sofa", "mug", "bedroom"]));
+    let unary = class(&[
+        "Open",
+        "Closed",
+        "SwitchedOn",
+        "SwitchedOff",
+        "Holds",
+        "Eat",
+        "Drink",
+        "Sit",
+        "Clean",
+        "Dirty",
+        "Near",
+        "Grab",
+        "Touch",
+        "Read",
+        "Wash",
+        "Filled",
+        "Broken",
+        "Facing",
+    ]);
+    let binary = class(&["On", "Inside"]);
+    let number = class(&["1", "2", "3", "7", "<= 0", "= 1"]);
+    if depth > 0 {
+        let (p, q) = (any_goal(stream, depth - 1), any_goal(stream, depth - 1));
+        return match stream.below(8) {
+            0 => format!("({p}) | ({q})"),
+            1 => format!("!({p}) & ({q})"),
+            2 => format!("({p}) then ({q})"),
+            3 => format!("forall ?x: {a}. ({p})"),
+            4 => format!("exists ?x: {a}. (({binary}(?x, {b})) & ({q}))"),
+            _ => format!("({p}) & ({q})"),
+        };
+    }
+    match stream.below(3) {
+        0 => format!("{unary}({a})"),
+        1 => format!("{binary}({a}, {b}), {number}"),
+        _ => format!("{binary}({a}, {b})"),
+    }
+}
+
+/// Goals that can be read, with the number of the home they are asked for in.
+fn any_goals(number: u64) -> impl Iterator<Item = (u64, String, Goal)> {
+    (0..number).filter_map(|seed| {
+        let text = any_goal(&mut Seed(seed).child("goal").stream(), seed as usize % 3);
+        let goal = text.parse().ok()?;
+        Some((seed, text, goal))
+    })
+}
+
+#[test]
+fn plans_for_any_goal_are_accepted_and_reach_it() {
+    let (mut planned, mut refused) = (0, 0);
+    for (seed, text, goal) in any_goals(300) {
+        let mut scene = home(seed);
+        let (me, before) = (scene.agents()[0], scene.clone());
+        let found = plan(&mut scene, me, &goal, &History::default());
+        assert_eq!(scene, before, "{text}");
+        let Ok(plan) = found else {
+            refused += 1;
+            continue;
+        };
+        planned += 1;
+        let mut world = Simulator::new(scene);
+        for action in &plan.actions {
+            world.step(me, action).unwrap_or_else(|r| panic!("{seed} {text}: {action}: {}", r[0]));
+        }
+        assert!(goal.holds(&Situation::new(world.graph(), me, world.history())), "{seed} {text}: {:?}", plan.actions);
+    }
+    println!("{planned} planned, {refused} refused");
+    assert!(planned >= 50 && refused >= 20, "{planned} {refused}");
+}
+
+/// So many steps nobody needs in a home as small.
+const LIMIT: usize = 1_500;
+
+#[test]
+fn no_goal_makes_an_agent_loop() {
+    for (seed, text, goal) in any_goals(150) {
+        let scene = home(seed);
+        let task = Task { step_limit: LIMIT, ..Task::new("any", goal) };
+        for policy in [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful(), &mut Resident::default()] {
+            let episode = Run::seeded(seed).episode(policy, &task, &mut Simulator::new(scene.clone()), &mut |_| {});
+            assert_ne!(episode.outcome, Outcome::TimedOut, "{seed} {}: {text}: {episode:?}", policy.name());
+        }
+    }
+}
+
+/// A world that does not do what it is asked: it refuses every so many actions, or shows
+/// another home after them.
+struct Contrary {
+    homes: Vec<SceneGraph>,
+    history: History,
+    steps: usize,
+    refuses: usize,
+}
+
+impl World for Contrary {
+    fn graph(&self) -> &SceneGraph {
+        &self.homes[self.steps % self.homes.len()]
+    }
+
+    fn history(&self) -> &History {
+        &self.history
+    }
+
+    fn step(&mut self, _: NodeId, _: &Action) -> Result<ChangeSet, WorldError> {
+        self.steps += 1;
+        if self.steps.is_multiple_of(self.refuses) {
+            return Err(WorldError::Failed("contrary".into()));
+        }
+        Ok(ChangeSet::default())
+    }
+
+    fn reset(&mut self, _: &SceneGraph) -> Result<(), WorldError> {
+        Ok(())
+    }
+}
+
+#[test]
+fn no_world_makes_an_agent_loop() {
+    for (seed, text, goal) in any_goals(60) {
+        let task = Task { step_limit: LIMIT, ..Task::new("any", goal) };
+        for (homes, refuses) in [(1, 1), (1, 2), (1, usize::MAX), (3, 3), (2, usize::MAX)] {
+            for policy in
+                [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful(), &mut Resident::default()]
+            {
+                // The same things in other places.
+                let homes = (0..homes).map(|i| home(1_000 + seed + i)).collect();
+                let mut world = Contrary { homes, history: History::default(), steps: 0, refuses };
+                let episode = Run::seeded(seed).episode(policy, &task, &mut world, &mut |_| {});
+                assert_ne!(episode.outcome, Outcome::TimedOut, "{seed} {refuses} {}: {text}", policy.name());
+            }
+        }
+    }
+}
+
+/// A flat in which some goals are out of reach.
+fn flat() -> (SceneGraph, NodeId) {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let table = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+    scene.add_in(kitchen, Draft::new("desk")).unwrap();
+    scene.add_in(kitchen, Draft::new("fridge")).unwrap();
+    scene.add_in(kitchen, Draft::new("television")).unwrap();
+    for item in ["apple", "mug", "mug", "book"] {
+        scene.add_on(table, Draft::new(item)).unwrap();
+    }
+    // It runs for ever, and nothing can stop it.
+    let endless = Draft {
+        properties: Some(PropertySet::of(&[Property::Container, Property::Openable])),
+        ..Draft::new("washing_machine")
+    };
+    let washing = scene.add_in(kitchen, endless.state(State::Closed).state(State::On)).unwrap();
+    scene.add_in(washing, Draft::new("towel")).unwrap();
+    // It is in no room.
+    scene.add(Draft::new("cellphone")).unwrap();
+    let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
+    (scene.build(), me)
+}
+
+#[test]
+fn parts_that_conflict_are_told_and_no_others() {
+    let (mut scene, me) = flat();
+    let mut find = |text: &str| plan(&mut scene, me, &text.parse().unwrap(), &History::default());
+    for text in [
+        "On(apple, desk) & Inside(apple, fridge)",
+        "On(mug, desk), 2 & Inside(mug, fridge)",
+        "Open(fridge) & Closed(fridge)",
+        "SwitchedOn(television) & SwitchedOff(television)",
+        "Holds(apple) & Holds(book) & Holds(mug)",
+        "Holds(mug) & On(mug, desk), 2",
+        "Holds(apple) & Inside(apple, fridge)",
+    ] {
+        let found = find(text);
+        assert!(matches!(found, Err(Unreachable::Conflicting(_))), "{text}: {found:?}");
+    }
+    for text in [
+        "On(mug, desk) & Inside(mug, fridge)",
+        "Holds(apple) & Holds(book)",
+        "Holds(mug) & On(mug, desk)",
+        "On(apple, desk) | Inside(apple, fridge)",
+        "Open(fridge) | Closed(fridge)",
+        "Grab(apple) then Grab(book)",
+        "Eat(apple) & Holds(book)",
+        "SwitchedOn(television) & Open(fridge)",
+    ] {
+        assert!(find(text).is_ok(), "{text}: {:?}", find(text));
+    }
+}
+
+#[test]
+fn what_is_sealed_or_nowhere_is_told() {
+    let (mut scene, me) = flat();
+    let mut why = |text: &str| plan(&mut scene, me, &text.parse().unwrap(), &History::default()).unwrap_err();
+    assert!(matches!(why("On(towel, desk)"), Unreachable::Sealed(_)), "{:?}", why("On(towel, desk)"));
+    assert!(matches!(why("Holds(towel)"), Unreachable::Sealed(_)));
+    assert!(matches!(why("On(cellphone, desk)"), Unreachable::NoRoute(_)), "{:?}", why("On(cellphone, desk)"));
+    assert!(matches!(why("Holds(cellphone)"), Unreachable::NoRoute(_)));
+}
+
+#[test]
+fn what_has_been_done_cannot_be_undone() {
+    let (scene, me) = flat();
+    let apple = scene.of_class("apple")[0];
+    let mut world = Simulator::new(scene);
+    for action in [Action::one(Verb::Walk, apple), Action::one(Verb::Grab, apple), Action::one(Verb::Eat, apple)] {
+        world.step(me, &action).unwrap();
+    }
+    let history = world.history().clone();
+    let mut scene = world.into_graph();
+    let why = plan(&mut scene, me, &"!Eat(apple)".parse().unwrap(), &history).unwrap_err();
+    assert!(matches!(why, Unreachable::Irrevocable(_)), "{why:?}");
+}
