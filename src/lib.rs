@@ -81,7 +81,7 @@ pub use check::{Breach, Tally, check_environment, legal_action, random_action, r
 #[cfg(feature = "environment")]
 pub use environment::{
     ActionError, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError, ResetError, ResetReport,
-    SaveError, Unplaced, Why,
+    SaveError, Steering, Unplaced, Why,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use sight::Viewpoint;

@@ -38,7 +38,7 @@ pub(crate) struct Options {
     #[arg(long)]
     goal: Option<String>,
     /// How many agents are in the home; the first one acts.
-    #[arg(long, default_value_t = 2)]
+    #[arg(long, default_value_t = 1)]
     agents: usize,
     /// The folder to write to (the file, without its ending, of a symbolic run).
     #[arg(long, default_value = "out/household")]

@@ -1,18 +1,21 @@
 //! Actions: the rule is asked, bodies move, the scene is observed again, both are
 //! compared.
 
-use vc_graph::{Action, ChangeSet, Event, NodeId, Relation, SceneGraph, Verb, rule};
+use vc_graph::{Action, ChangeSet, Event, NodeId, Relation, SceneGraph, rule};
 use vc_physics::{Role, World};
 
 use super::agree::Outcome;
 use super::beat::Beat;
 use super::deed::Deed;
+use super::undo::Step;
 use super::{ActionError, Disagreement, Environment, Impossible, observe};
 
 /// Steps in which what an action has disturbed comes to rest.
 const CALM: u32 = 120;
 /// How often that is tried while something still moves fast.
 const AGAIN: u32 = 4;
+/// Steps between looks for what rests already.
+const DOZE: u32 = 3;
 /// What is slower is held still then, metres a second.
 const SLOW: f32 = 0.05;
 
@@ -69,24 +72,19 @@ impl Environment {
     pub(super) fn act(&mut self, agent: NodeId, action: &Action) -> Result<Done, ActionError> {
         let mut ruled = self.graph.clone();
         let changes = rule::step(&mut ruled, agent, action).map_err(ActionError::Refused)?;
+        self.undo.keep(&self.world);
+        let step = Step { before: self.graph.clone(), after: ruled.clone(), agent, action: *action };
         // The floor follows the bodies whenever it is asked.
-        let world = self.world.clone();
-        let mut deed = Deed {
-            world: &mut self.world,
-            floor: &mut self.floor,
-            shapes: &self.start.shapes,
-            before: &self.graph,
-            after: &ruled,
-            agent,
-            run: action.verb == Verb::Run,
-            beats: Vec::new(),
-        };
+        let mut deed = Deed::new(&mut self.world, &mut self.floor, &self.start.shapes, &step);
         let outcome = deed.all(action);
         let beats = std::mem::take(&mut deed.beats);
         let done = outcome.and_then(|()| self.finish(agent, action, ruled, changes));
         match &done {
-            Ok(_) => self.history.push(Event { agent, action: *action }),
-            Err(_) => self.world = world,
+            Ok(_) => {
+                self.history.push(Event { agent, action: *action });
+                self.undo.push(step);
+            }
+            Err(_) => self.undo.take_back(&mut self.world, &mut self.floor, &self.start.shapes),
         }
         if done.as_ref().is_err_and(|e| !matches!(e, ActionError::Impossible { .. })) {
             self.look_at_all();
@@ -162,6 +160,10 @@ pub(super) fn calm(world: &mut World) {
         while left > 0 && world.awake() > 0 {
             world.step();
             left -= 1;
+            // What surely rests need not be watched for longer.
+            if left.is_multiple_of(DOZE) {
+                world.doze();
+            }
         }
         let fast = |id: &NodeId| world.velocity(*id).is_some_and(|v| v.norm() > SLOW);
         if !restless(world).iter().any(fast) {

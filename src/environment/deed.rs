@@ -6,6 +6,7 @@ use vc_physics::{BodyPlan, Floor, Hand, Order, Posture, Shapes, Stand, World};
 
 use super::beat::Beat;
 use super::make::room_at;
+use super::undo::Step;
 use super::{ActionError, Impossible};
 
 /// How far ahead of the body a hand puts things down, metres.
@@ -35,6 +36,14 @@ pub(super) struct Deed<'a> {
 }
 
 type Done = Result<(), Impossible>;
+
+impl<'a> Deed<'a> {
+    pub(super) fn new(world: &'a mut World, floor: &'a mut Floor, shapes: &'a Shapes, step: &'a Step) -> Self {
+        let Step { before, after, agent, action } = step;
+        let run = action.verb == Verb::Run;
+        Self { world, floor, shapes, before, after, agent: *agent, run, beats: Vec::new() }
+    }
+}
 
 impl Deed<'_> {
     /// Does what the rule says of an action.
@@ -370,9 +379,24 @@ impl Deed<'_> {
 
     fn let_go(&mut self, id: NodeId) -> Done {
         let hand = self.hand(self.before, id).ok_or(Impossible::NotModelled("it is in no hand"))?;
+        // Where it falls it may hang on a table's edge until something shakes it, or lie on a
+        // book: on the floor beside these it stays.
+        if let Some(spot) = self.floor_spot(id).filter(|spot| self.reach_to_spot(id, spot) <= self.plan().reach)
+            && self.world.put(self.agent, hand, spot).is_ok()
+        {
+            self.beats.push(Beat::Put(hand, id, spot));
+            return Ok(());
+        }
         self.world.drop(self.agent, hand)?;
         self.beats.push(Beat::LetGo(hand));
         Ok(())
+    }
+
+    /// A free spot for a thing on the floor before the agent's feet.
+    fn floor_spot(&self, id: NodeId) -> Option<Pose> {
+        let ground = self.before.place(self.agent).filter(|_| self.stands())?;
+        let toes = self.feet() * Point3::new(AHEAD, 0.0, 0.0);
+        self.world.free_spot_at(id, ground.at, false, Order::Near(toes)).ok().flatten()
     }
 
     /// Opens or closes whatever moves of a thing, from where nobody is in the way.
@@ -387,39 +411,43 @@ impl Deed<'_> {
         if self.stands() {
             self.stand_clear(body, open)?;
         }
-        for part in 0..self.world.moving_parts(id).len() {
-            self.world.drive(id, part, open)?;
+        if !self.world.leap_open(id, open)? {
+            self.push_open(id, open)?;
         }
         self.beats.push(Beat::Drive(id, open));
-        for _ in 0..DRIVING {
-            self.world.step();
-            if !self.world.is_driven(id) {
-                break;
-            }
-        }
         let now = self.world.openness(id).unwrap_or(open);
         let arrived = if open > 0.5 { now >= WIDE } else { self.world.open_state(id) == Some(State::Closed) };
         let stuck = || Impossible::Stuck { thing: self.before.label(id), open: 100.0 * now };
         if arrived { Ok(()) } else { Err(stuck()) }
     }
 
+    /// Opens or closes against what is in the way, which is pushed aside, or is not.
+    fn push_open(&mut self, id: NodeId, open: f32) -> Done {
+        for part in 0..self.world.moving_parts(id).len() {
+            self.world.drive(id, part, open)?;
+        }
+        for _ in 0..DRIVING {
+            self.world.step();
+            if !self.world.is_driven(id) {
+                break;
+            }
+        }
+        Ok(())
+    }
+
     /// Stands where a door is reached, and not in its way while it opens or closes; if there
     /// is no such spot, at least not in its way then.
     fn stand_clear(&mut self, id: NodeId, open: f32) -> Done {
-        let at = |fraction: f32| -> Result<World, Impossible> {
-            let mut then = self.world.clone();
-            then.put_all_open(id, fraction)?;
-            Ok(then)
-        };
-        let swing = [open, 0.3, 0.6, 1.0 - open].map(at).into_iter().collect::<Result<Vec<World>, Impossible>>()?;
-        let free = |world: &World, feet: &Pose| world.stands_free(self.agent, feet).unwrap_or(false);
-        let clear = |feet: &Pose| swing.iter().all(|world| free(world, feet));
-        if self.world.reach_to(self.agent, id)? <= self.plan().reach && clear(&self.feet()) {
+        let swing = [open, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0 - open];
+        let clear_here = self.world.stands_clear(self.agent, &self.feet(), id, &swing)?;
+        let free = |feet: &Pose, at: &[f32]| self.world.stands_clear(self.agent, feet, id, at).unwrap_or(false);
+        let clear = |feet: &Pose| free(feet, &swing);
+        if self.world.reach_to(self.agent, id)? <= self.plan().reach && clear_here {
             return self.face(id);
         }
         self.floor.update(self.world);
         let sees = |feet: &Pose| self.floor.sees(self.world, &self.plan(), feet, id);
-        let ends = |feet: &Pose| free(&swing[0], feet);
+        let ends = |feet: &Pose| free(feet, &swing[..1]);
         let room = self.before.room_of(self.agent);
         let mut found = self.stand_where(id, room, |feet| clear(feet) && sees(feet))?;
         for at_the_end in [false, true] {

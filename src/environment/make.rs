@@ -8,6 +8,7 @@ use vc_graph::{AssetId, Draft, History, Kind, NodeId, Place, Pose, Relation, Sce
 use vc_physics::{BodyPlan, Floor, FloorPlan, Order, Settings, Shapes, World};
 use vc_relations::{Relations, Rule};
 
+use super::undo::Undo;
 use super::{Environment, MakeError, Start, act, observe, scene};
 use crate::figure;
 
@@ -99,6 +100,7 @@ impl Environment {
             relations: start.relations.clone(),
             floor: start.floor.clone(),
             history: History::default(),
+            undo: Undo::default(),
             poses: BTreeMap::new(),
             #[cfg(feature = "render")]
             sight: Arc::default(),

@@ -10,7 +10,9 @@ mod observe;
 mod reset;
 mod save;
 mod scene;
+mod steer;
 mod time;
+mod undo;
 
 use std::sync::Arc;
 
@@ -21,6 +23,7 @@ use vc_relations::Relations;
 pub use agree::{Difference, Disagreement};
 pub use error::{ActionError, Impossible, MakeError, ResetError, SaveError};
 pub use reset::{Elsewhere, ResetReport, Unplaced, Why};
+pub use steer::Steering;
 
 /// A home with bodies, in which agents act: the five endpoints.
 ///
@@ -61,6 +64,7 @@ pub struct Environment {
     relations: Relations,
     floor: Floor,
     history: History,
+    undo: undo::Undo,
     /// What bodies are shown to do while an action takes its time.
     poses: std::collections::BTreeMap<NodeId, crate::figure::Doing>,
     #[cfg(feature = "render")]

@@ -7,6 +7,7 @@ use vc_graph::{History, Kind, Label, NodeId, Place, Pose, Relation, SceneGraph};
 use vc_physics::{Order, World};
 use vc_relations::Relations;
 
+use super::undo::Undo;
 use super::{Environment, MakeError, ResetError, act, observe, scene};
 
 /// How far below a thing its support may be, metres.
@@ -101,7 +102,7 @@ impl Environment {
         floor.update(&world);
         let report = plan.report(graph, &wanted);
         (self.graph, self.world, self.relations, self.floor) = (wanted, world, relations, floor);
-        self.history = History::default();
+        (self.history, self.undo) = (History::default(), Undo::default());
         self.poses = BTreeMap::new();
         #[cfg(feature = "render")]
         if new_shapes || !report.added.is_empty() || !report.removed.is_empty() {

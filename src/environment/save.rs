@@ -6,6 +6,7 @@ use vc_graph::format::native;
 use vc_graph::{Digest, Event, History, NodeId, SceneBuilder};
 use vc_physics::{Floor, World};
 
+use super::undo::Undo;
 use super::{Environment, SaveError, observe};
 
 /// What saved environments begin with.
@@ -59,7 +60,8 @@ impl Environment {
         relations.rebuild(&graph)?;
         relations.set_evidence(&graph, observe::evidence(&world))?;
         let floor = Floor::of(&world, *self.floor.plan());
-        let mut copy = Self { graph, world, relations, floor, history: History::default(), ..self.clone() };
+        let none = (History::default(), Undo::default());
+        let mut copy = Self { graph, world, relations, floor, history: none.0, undo: none.1, ..self.clone() };
         copy.poses = BTreeMap::new();
         for line in text(history)?.lines() {
             let (agent, action) = line.split_once(' ').ok_or(SaveError::NotSaved)?;

@@ -1,0 +1,55 @@
+//! A body steered by hand, tick by tick.
+
+use nalgebra::{Point3, Vector2, Vector3};
+use vc_graph::portable::Portable;
+use vc_graph::{ChangeSet, NodeId};
+
+use super::undo::Undo;
+use super::{ActionError, Environment, Impossible, observe};
+
+/// What a steered body does in one tick.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Steering {
+    /// Where it wants to go: metres a second along X and Y of the world.
+    pub velocity: Vector2<f32>,
+    /// Which way it looks: the angle from X towards Y, radians.
+    pub heading: f32,
+    /// Whether it jumps, if it stands on something.
+    pub jump: bool,
+}
+
+impl Environment {
+    /// Lets one tick pass in which an agent's body goes as it is steered: the character
+    /// controller climbs steps, slides along walls and pushes light things away. Everything
+    /// else moves as it does by itself. Relations of what has moved are observed again.
+    ///
+    /// This is what a person at a keyboard does, or a policy that walks by itself. It is no
+    /// action: the rule is not asked, and the history does not have it. It is made of
+    /// `World::go`, `World::jump`, `World::step`, `World::face` and `Relations::update`.
+    ///
+    /// # Errors
+    /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number
+    /// is not finite; then no time has passed.
+    pub fn steer(&mut self, agent: NodeId, steering: &Steering) -> Result<ChangeSet, ActionError> {
+        let impossible = |why: Impossible| ActionError::Impossible { action: "steer".into(), why };
+        if !steering.heading.is_finite() {
+            let refused = vc_physics::PhysicsError::NotFinite("the heading", agent);
+            return Err(impossible(refused.into()));
+        }
+        // What was done before cannot be done again from before this tick.
+        self.undo = Undo::default();
+        self.world.go(agent, steering.velocity).map_err(|e| impossible(e.into()))?;
+        if steering.jump {
+            self.world.jump(agent).map_err(|e| impossible(e.into()))?;
+        }
+        self.world.step();
+        let (sin, cos) = steering.heading.sine_cosine();
+        if let Some(feet) = self.world.pose(agent) {
+            let ahead = Point3::from(feet.translation.vector + Vector3::new(cos, sin, 0.0));
+            self.world.face(agent, ahead).map_err(|e| impossible(e.into()))?;
+        }
+        self.world.go(agent, Vector2::zeros()).map_err(|e| impossible(e.into()))?;
+        let seen = observe::look_again(&mut self.graph, &self.world, &mut self.relations, &[]);
+        seen.map(|(_, changes)| changes).map_err(impossible)
+    }
+}
