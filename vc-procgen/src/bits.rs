@@ -92,6 +92,16 @@ impl Bits {
         })
     }
 
+    /// Whether a disc in the middle of some set bit would meet a rectangle.
+    pub(crate) fn meets_within(&self, x: (i32, i32), y: (i32, i32), radius: usize) -> bool {
+        self.any((x.0 - radius as i32, x.1 + radius as i32), y)
+            || (1..=radius as i32).any(|off| {
+                let half = meeting(radius, off as usize) as i32;
+                let x = (x.0 - half, x.1 + half);
+                self.any(x, (y.0 - off, y.0 - off + 1)) || self.any(x, (y.1 + off - 1, y.1 + off))
+            })
+    }
+
     /// Clears all bits from whose middle a disc would meet a rectangle.
     pub(crate) fn clear_within(&mut self, x: (i32, i32), y: (i32, i32), radius: usize) {
         self.fill((x.0 - radius as i32, x.1 + radius as i32), y, false);
@@ -146,24 +156,44 @@ impl Bits {
     /// Everything that can be reached from a set bit over set bits, by steps along
     /// the axes; nothing from a bit that is not set.
     ///
-    /// Spreads from row to row, whole runs of a row at once.
+    /// Spreads from row to row, whole runs of a row at once, up and down the grid in
+    /// turns: as many turns as the way winds.
     pub(crate) fn flood(&self, x: usize, y: usize) -> Self {
         let mut seen = self.empty();
         if !self.get(x, y) {
             return seen;
         }
         seen.set(x, y);
-        seen.fill_runs(self, y);
+        seen.fill_row(self, y);
         let height = self.height();
-        let mut grown = vec![y];
-        while let Some(row) = grown.pop() {
-            for next in [row.wrapping_sub(1), row + 1] {
-                if next < height && seen.spread(self, next, row) {
-                    grown.push(next);
+        // Rows whose latest bits were not yet passed on upwards, and downwards.
+        let (mut up, mut down) = (vec![false; height], vec![false; height]);
+        (up[y], down[y]) = (true, true);
+        // Rows before the first and after the last of them are settled.
+        let (mut low, mut high) = (y, y);
+        loop {
+            let mut grew = false;
+            let mut row = low;
+            while row <= high && row + 1 < height {
+                if std::mem::take(&mut up[row]) && seen.spread(self, row + 1, row) {
+                    (up[row + 1], down[row + 1], grew) = (true, true, true);
+                    high = high.max(row + 1);
+                }
+                row += 1;
+            }
+            for row in (1..=high).rev() {
+                if row < low {
+                    break;
+                }
+                if std::mem::take(&mut down[row]) && seen.spread(self, row - 1, row) {
+                    (up[row - 1], down[row - 1], grew) = (true, true, true);
+                    low = low.min(row - 1);
                 }
             }
+            if !grew {
+                return seen;
+            }
         }
-        seen
     }
 
     /// Whether the set bits around a rectangle, so far off at most, hang together there:
@@ -219,29 +249,42 @@ impl Bits {
     /// that belongs to; returns whether that is more than before.
     fn spread(&mut self, free: &Self, row: usize, from: usize) -> bool {
         let (at, from) = (row * self.words, from * self.words);
-        let mut news = 0;
+        let (mut news, mut carry) = (false, false);
         for i in 0..self.words {
-            let seeds = self.rows[from + i] & free.rows[at + i] & !self.rows[at + i];
-            self.rows[at + i] |= seeds;
-            news |= seeds;
+            let (open, seen) = (free.rows[at + i], self.rows[at + i]);
+            let seeds = self.rows[from + i] & open & !seen;
+            if seeds != 0 || carry {
+                let (filled, over) = run_up(seeds, open, carry);
+                (self.rows[at + i], carry, news) = (seen | filled, over, true);
+            }
         }
-        if news != 0 {
-            self.fill_runs(free, row);
+        if news {
+            self.fill_down(free, row);
         }
-        news != 0
+        news
     }
 
     /// Grows set bits of a row to the ends of their runs of `free`.
-    fn fill_runs(&mut self, free: &Self, row: usize) {
-        let span = row * self.words..(row + 1) * self.words;
+    fn fill_row(&mut self, free: &Self, row: usize) {
         let mut carry = false;
-        for i in span.clone() {
+        for i in row * self.words..(row + 1) * self.words {
             (self.rows[i], carry) = run_up(self.rows[i], free.rows[i], carry);
         }
-        carry = false;
-        for i in span.rev() {
-            let (filled, over) = run_up(self.rows[i].reverse_bits(), free.rows[i].reverse_bits(), carry);
-            (self.rows[i], carry) = (filled.reverse_bits(), over);
+        self.fill_down(free, row);
+    }
+
+    /// Grows set bits of a row, which reach the upper ends of their runs of `free`, to
+    /// the lower ones.
+    fn fill_down(&mut self, free: &Self, row: usize) {
+        let mut carry = false;
+        for i in (row * self.words..(row + 1) * self.words).rev() {
+            // Nothing to add where all or nothing is set.
+            if self.rows[i] != free.rows[i] && (self.rows[i] != 0 || carry) {
+                let (filled, over) = run_up(self.rows[i].reverse_bits(), free.rows[i].reverse_bits(), carry);
+                (self.rows[i], carry) = (filled.reverse_bits(), over);
+            } else {
+                carry = self.rows[i] & 1 == 1;
+            }
         }
     }
 
@@ -324,17 +367,23 @@ fn is_whole(rows: &[u64]) -> bool {
     let Some(first) = rows.iter().position(|row| *row != 0) else { return true };
     let mut seen: SmallVec<[u64; SMALL]> = SmallVec::from_elem(0, rows.len());
     seen[first] = filled(rows[first] & rows[first].wrapping_neg(), rows[first]);
-    // Down and up again until nothing is new.
+    // Down and up again until all is seen or nothing is new.
     loop {
-        let before = seen.clone();
-        for y in 1..rows.len() {
-            seen[y] = filled(seen[y] | (seen[y - 1] & rows[y]), rows[y]);
+        let mut news = 0;
+        let mut pass = |from: usize, to: usize| {
+            let more = seen[from] & rows[to] & !seen[to];
+            if more != 0 {
+                news |= more;
+                seen[to] = filled(seen[to] | more, rows[to]);
+            }
+        };
+        (1..rows.len()).for_each(|y| pass(y - 1, y));
+        (1..rows.len()).rev().for_each(|y| pass(y, y - 1));
+        if seen[..] == *rows {
+            return true;
         }
-        for y in (1..rows.len()).rev() {
-            seen[y - 1] = filled(seen[y - 1] | (seen[y] & rows[y - 1]), rows[y - 1]);
-        }
-        if seen == before {
-            return seen[..] == *rows;
+        if news == 0 {
+            return false;
         }
     }
 }
@@ -349,9 +398,10 @@ fn filled(seeds: u64, open: u64) -> u64 {
 /// How many columns away a disc in the middle of a bit still meets one so many rows
 /// off.
 fn meeting(radius: usize, rows: usize) -> usize {
-    let up = (rows as f32 - 0.5).max(0.0);
-    let across = ((radius * radius) as f32 - up * up).max(0.0).sqrt();
-    (across + 0.5).ceil() as usize - 1
+    // Between the nearest points of bits so many columns and rows away, in halves.
+    let near = |bits: usize| (2 * bits).saturating_sub(1);
+    let meets = |columns: &usize| near(*columns).pow(2) + near(rows).pow(2) < (2 * radius).pow(2);
+    (0..=radius).rev().find(meets).unwrap_or(0)
 }
 
 /// The bits of `open` from `seeds` upwards, to the ends of their runs; whether the

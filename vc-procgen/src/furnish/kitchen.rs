@@ -157,6 +157,8 @@ fn lay_run(
 fn next_spot(s: &Setter<'_>, side: usize, from: f32, object: &Draft, backwards: bool) -> Option<(Spot, f32)> {
     let wall = &s.space.sides[side];
     let size = object.size();
+    let need = Need::front(0.9);
+    let taken = s.space.taken(wall, size, need.front);
     let mut at = from.max(OFF_WALL);
     while at + size.y + OFF_WALL <= wall.length() {
         let along = if backwards { wall.to - at - size.y / 2.0 } else { wall.from + at + size.y / 2.0 };
@@ -165,8 +167,8 @@ fn next_spot(s: &Setter<'_>, side: usize, from: f32, object: &Draft, backwards: 
         let sill = wall.sill(low, high);
         // A hob does not go under a window, nor does what is taller than the sill.
         let window = sill.is_some_and(|v| size.z > v - 0.02 || object.class == "stove");
-        let need = Need::front(0.9);
-        if !window && !wall.has_way(low, high) && s.fits(area, 0.0, size.z, wall.facing, need) {
+        let room = taken.iter().all(|&(from, to)| along <= from || along >= to);
+        if room && !window && !wall.has_way(low, high) && s.fits(area, 0.0, size.z, wall.facing, need) {
             let corner = (low - wall.from).min(wall.to - high);
             return Some((Spot { side, facing: wall.facing, along, area, corner, sill }, at + size.y + 0.002));
         }

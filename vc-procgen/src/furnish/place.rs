@@ -58,9 +58,13 @@ impl Setter<'_> {
             }
             let (first, last) = (side.from + size.y / 2.0 + OFF_WALL, side.to - size.y / 2.0 - OFF_WALL);
             let steps = ((last - first) / 0.2).ceil().max(0.0) as usize;
+            let taken = self.space.taken(side, size, need.front);
             for step in 0..=steps {
                 let along = if step == steps { last } else { first + 0.2 * step as f32 };
-                spots.extend(self.spot(index, side, along.max(first), object, need));
+                let along = along.max(first);
+                if taken.iter().all(|&(from, to)| along <= from || along >= to) {
+                    spots.extend(self.spot(index, side, along, object, need));
+                }
             }
         }
         spots

@@ -1,6 +1,9 @@
 //! The free space of a room: its floor, its walls with their openings, what stands
 //! there and what must stay free.
 
+use nalgebra::Vector3;
+use smallvec::SmallVec;
+
 use super::area::{Area, Facing};
 use super::walk::Walk;
 use crate::bits::{ceiling, floor};
@@ -8,6 +11,9 @@ use crate::plan::{Edge, OpeningKind, Plan, Rect, Room, RoomKind, metres};
 
 /// Distance of furniture from walls: room for the skirting, metres.
 pub(super) const OFF_WALL: f32 = 0.02;
+
+/// Zones that must be clear are so up to this height, metres.
+const CLEAR: f32 = 1.7;
 
 /// Something solid: a rectangle on the floor and a range of heights, metres.
 #[derive(Debug, Clone, Copy)]
@@ -116,7 +122,7 @@ impl Space {
         let out = |v: f32| ceiling(v * 20.0 - 1e-3);
         let low = |v: f32| floor(v * 20.0 + 1e-3);
         let rect = Rect { x0: low(area.x0), y0: low(area.y0), x1: out(area.x1), y1: out(area.y1) };
-        self.net.iter().any(|n| rect.shared(*n) == rect) || crate::plan::covers(&self.net, rect)
+        self.net.iter().any(|n| rect.shared(*n) == rect) || (self.net.len() > 1 && crate::plan::covers(&self.net, rect))
     }
 
     /// Whether nothing solid is in a box.
@@ -143,9 +149,36 @@ impl Space {
 
     /// Whether a zone is floor with nothing standing on it.
     pub(super) fn is_clear(&self, zone: &Area) -> bool {
-        let solid = Solid { area: *zone, low: 0.0, high: 1.7 };
+        let solid = Solid { area: *zone, low: 0.0, high: CLEAR };
         let sills = || self.panes.iter().any(|p| p.hits(&solid));
         zone.square_metres() < 1e-4 || (self.is_floor(zone) && self.is_empty(&solid) && !sills())
+    }
+
+    /// Stretches along a wall in which something of a size that needs so much in front
+    /// surely has no room, by where its middle is. Tells most places that are taken
+    /// from those worth a closer look.
+    pub(super) fn taken(&self, side: &Side, size: Vector3<f32>, front: f32) -> SmallVec<[(f32, f32); 32]> {
+        // What only just touches is looked at closely.
+        const SURE: f32 = 1e-3;
+        let back = side.point(f32::midpoint(side.from, side.to), OFF_WALL);
+        let strip = side.facing.area(back, size.x, side.length());
+        let body = Solid { area: strip.grown(-SURE), low: 0.0, high: size.z };
+        let before = Solid { area: side.facing.before(&strip, front).grown(-SURE), low: 0.0, high: CLEAR };
+        let half = size.y / 2.0 - SURE;
+        let mut taken = SmallVec::new();
+        let mut take = |area: &Area| {
+            let (from, to) = if side.facing.is_along_x() { (area.y0, area.y1) } else { (area.x0, area.x1) };
+            taken.push((from - half, to + half));
+        };
+        for area in [&self.zones, &self.ways].into_iter().flatten().filter(|area| area.overlaps(&body.area)) {
+            take(area);
+        }
+        for solid in [&self.solids, &self.panes].into_iter().flatten() {
+            if solid.hits(&body) || (front > SURE && solid.hits(&before)) {
+                take(&solid.area);
+            }
+        }
+        taken
     }
 
     /// Distance from a rectangle to the nearest door's zone.

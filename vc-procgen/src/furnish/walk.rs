@@ -142,11 +142,10 @@ impl Walk {
     /// The floor after rectangles were taken from it; `None` where nobody could stand
     /// there before.
     fn without(&self, taken: &[Span]) -> Option<Floor> {
-        let mut free = self.floor.free.clone();
-        taken.iter().for_each(|&(x, y)| free.clear_within(x, y, BODY));
-        if free == self.floor.free {
+        if !taken.iter().any(|&(x, y)| self.floor.free.meets_within(x, y, BODY)) {
             return None;
         }
+        let free = cleared(&self.floor.free, taken);
         let standing = self.standing_on(&free, taken);
         Some(Floor { free, standing })
     }
@@ -159,7 +158,7 @@ impl Walk {
             return self.flooded(free);
         }
         // Who went through there goes around.
-        let left = standing.and(free);
+        let left = cleared(standing, taken);
         let passed = |r: &Rect| {
             let (x, y) = self.cells(r);
             left.any(x, y)
@@ -180,6 +179,13 @@ impl Walk {
         };
         self.doorways.iter().all(passed).then(|| standing.and(&self.within))
     }
+}
+
+/// Places to stand but for those from which a body would meet a rectangle.
+fn cleared(places: &Bits, taken: &[Span]) -> Bits {
+    let mut left = places.clone();
+    taken.iter().for_each(|&(x, y)| left.clear_within(x, y, BODY));
+    left
 }
 
 /// An area without its rim: who reaches that reaches most of what lies there.
