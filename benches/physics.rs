@@ -53,7 +53,9 @@ fn worlds(c: &mut Criterion<Cpu>) {
         let report = settled.settle(300);
         eprintln!("{objects} objects: settled in {} steps, at rest {}", report.steps, report.at_rest);
         group.bench_function(at("step, all asleep", objects), |b| b.iter(|| settled.step()));
-        group.bench_function(at("clone", objects), |b| b.iter_with_large_drop(|| settled.clone()));
+        group.bench_function(at("clone", objects), |b| {
+            b.iter_batched(|| (), |()| settled.clone(), BatchSize::PerIteration);
+        });
         group.bench_function(at("save", objects), |b| b.iter_with_large_drop(|| settled.save().unwrap()));
         let bytes = settled.save().unwrap();
         group.bench_function(at("restore", objects), |b| {
@@ -61,8 +63,9 @@ fn worlds(c: &mut Criterion<Cpu>) {
         });
         active(&mut group, &settled, &scene::small_things(&graph), objects);
         let other = moved(&graph, &settled, 10);
+        // Each takes the memory of the one before it, as where episode follows episode.
         group.bench_function(at("reset, 10 moved", objects), |b| {
-            b.iter_with_large_drop(|| settled.reset(&other, &shapes).unwrap());
+            b.iter_batched(|| (), |()| settled.reset(&other, &shapes).unwrap(), BatchSize::PerIteration);
         });
         group.bench_function(at("reset, 10 moved, and a step", objects), |b| {
             b.iter_with_large_drop(|| {
