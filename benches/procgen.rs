@@ -22,6 +22,10 @@ use virtualcity::graph::Seed;
 use virtualcity::procgen::plan::Plan;
 use virtualcity::procgen::{Apartment, Layout, Specification, Style, object};
 
+/// As in the example `apartment`; with the system's allocator homes take a fifth longer.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// Homes of one iteration.
 const HOMES: u64 = 16;
 

@@ -28,6 +28,10 @@ use clap::Parser;
 use support::Complaint;
 use wishes::Wishes;
 
+/// Homes are some ten thousand small allocations each.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// Apartments from seeds.
 #[derive(Parser)]
 struct Options {
