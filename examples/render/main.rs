@@ -88,9 +88,7 @@ fn main() -> Result<(), Complaint> {
     std::fs::create_dir_all(&options.out).map_err(Complaint::new)?;
     let mut renderer = Renderer::new();
     let mut snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;
-    if options.daylight == Hour::Night {
-        switch_lamps(&scene, &mut snapshot)?;
-    }
+    switch_lamps(&scene, &mut snapshot, options.daylight == Hour::Night)?;
     let camera = viewpoint::best(&renderer, &snapshot, &scene, &options.room, (options.width, options.height))?;
     let start = std::time::Instant::now();
     let lighting = renderer.light(&snapshot, &options.daylight.daylight());
@@ -130,11 +128,15 @@ fn write(path: &std::path::Path, image: &picture::Picture) -> Result<(), Complai
     Ok(())
 }
 
-/// Switches on everything that is a lamp.
-fn switch_lamps(scene: &SceneGraph, snapshot: &mut Snapshot) -> Result<(), Complaint> {
+/// Switches on everything that is a lamp: at night everywhere, by day in rooms without a
+/// window.
+fn switch_lamps(scene: &SceneGraph, snapshot: &mut Snapshot, night: bool) -> Result<(), Complaint> {
     let lamp = |class: &str| ["lamp", "light", "chandelier"].iter().any(|w| class.contains(w));
+    let lit = |room| scene.nodes().any(|n| **n.class() == *"window" && scene.room_of(n.id()) == room);
     for node in scene.nodes().filter(|n| lamp(n.class()) && n.pose().is_some()) {
-        snapshot.switch(node.id(), true).map_err(Complaint::new)?;
+        if night || !lit(scene.room_of(node.id())) {
+            snapshot.switch(node.id(), true).map_err(Complaint::new)?;
+        }
     }
     Ok(())
 }

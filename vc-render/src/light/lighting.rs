@@ -113,13 +113,18 @@ impl Lighting {
     /// What brings the light around an eye to a picture's middle grey.
     pub(crate) fn exposure(&self, eye: [f32; 3]) -> f32 {
         let within = |(low, high): &([f32; 3], [f32; 3])| (0..3).all(|i| eye[i] >= low[i] && eye[i] <= high[i]);
-        let rooms = &self.rooms[..self.rooms.len() - 1];
-        let index = rooms.iter().position(within).unwrap_or(self.rooms.len() - 1);
+        // Boxes of rooms with corners reach over their neighbours.
+        let floor = |i: usize| {
+            let (low, high) = self.rooms[i];
+            (high[0] - low[0]) * (high[1] - low[1])
+        };
+        let outside = self.rooms.len() - 1;
+        let around = (0..outside).filter(|&i| within(&self.rooms[i]));
+        let index = around.min_by(|&a, &b| floor(a).total_cmp(&floor(b))).unwrap_or(outside);
         let lamps = self.lamps.iter().filter(|l| usize::from(l.room) == index);
         let own: f32 = lamps.map(|l| brightness(l.flux)).sum();
-        let [x, y] = [0, 1].map(|i: usize| self.rooms[index].1[i] - self.rooms[index].0[i]);
         // Mean radiance of a grey room: thrown back, and straight from the lamps.
-        let mean = self.grids[index].mean() + 0.25 * own / (x * y * 4.0).max(1.0);
+        let mean = self.grids[index].middling() + 0.25 * own / (floor(index) * 4.0).max(1.0);
         0.8 / mean.max(1e-4)
     }
 }

@@ -268,9 +268,11 @@ impl Grid {
         }
     }
 
-    /// Mean light from all sides.
-    pub(super) fn mean(&self) -> f32 {
-        let sum: f32 = self.points.iter().map(Ambient::mean).sum();
-        sum / self.points.len().max(1) as f32
+    /// Light from all sides at a middling point: half of the room has more. The few by a
+    /// window or a lit door do not tell how bright a room is.
+    pub(super) fn middling(&self) -> f32 {
+        let mut means: Vec<f32> = self.points.iter().map(Ambient::mean).collect();
+        let middle = means.len() / 2;
+        *means.select_nth_unstable_by(middle, f32::total_cmp).1
     }
 }
