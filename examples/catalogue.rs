@@ -2,7 +2,8 @@
 //!
 //! `cargo run --release --example catalogue -- --out out/catalogue` writes PNG sheets
 //! of objects by category, and a list of them as JSON Lines. `--class chair --open`
-//! shows one class, with doors and drawers open; `--per-class 4` shows fewer of each.
+//! shows one class, with doors and drawers open; `--per-class 4` shows fewer of each;
+//! `--gltf` writes each object as a model as well.
 
 #[expect(dead_code, reason = "this example reads no files")]
 mod support;
@@ -16,7 +17,7 @@ use indicatif::ProgressBar;
 use support::{Complaint, say};
 use vc_graph::{AssetLibrary, ClassTable, Pose, Seed, Word};
 use virtualcity::procgen::catalogue::Instance;
-use virtualcity::procgen::material;
+use virtualcity::procgen::{gltf, material};
 use virtualcity::procgen::object::{Generator, Realm, generator, generators};
 use virtualcity::procgen::picture::{Anchor, Canvas, Colour, Ink, View, sketch};
 
@@ -35,6 +36,9 @@ struct Options {
     /// Open doors and drawers.
     #[arg(long)]
     open: bool,
+    /// Write each object as glTF too.
+    #[arg(long)]
+    gltf: bool,
     /// What the objects are made from.
     #[arg(long, default_value_t = 0)]
     seed: u64,
@@ -74,6 +78,9 @@ fn main() -> Result<(), Complaint> {
         let tiles = tiles(&options, members);
         for tile in &tiles {
             writeln!(file, "{}", line(tile)).map_err(fail)?;
+            if options.gltf {
+                model(tile, &library, &options.out)?;
+            }
         }
         for (page, tiles) in tiles.chunks(columns * rows).enumerate() {
             let path = options.out.join(format!("{name}_{:02}.png", page + 1));
@@ -135,6 +142,13 @@ fn triangles(tile: &Tile) -> usize {
     let object = &tile.instance.object;
     let tolerance = object.size().norm() * 0.002;
     object.asset.parts.iter().map(|p| p.shape.mesh(tolerance).triangles.len()).sum()
+}
+
+fn model(tile: &Tile, library: &AssetLibrary, folder: &Path) -> Result<(), Complaint> {
+    let Instance { object, index, .. } = &tile.instance;
+    let glb = gltf::asset_of_class(object.class, &object.asset, library).map_err(Complaint::new)?;
+    let path = folder.join(format!("{}_{:03}.glb", object.class, index + 1));
+    std::fs::write(&path, glb).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))
 }
 
 fn sheet(options: &Options, title: &str, tiles: &[Tile], library: &AssetLibrary, path: &Path) -> Result<(), Complaint> {
