@@ -83,13 +83,15 @@ pub(crate) fn compile(
     known: &dyn Fn(NodeId) -> bool,
     manners: Manners,
 ) -> Result<Compiled> {
+    let number = demands.all.len();
+    let problem = Problem::for_demands(number);
     let mut c = Compiler {
         now,
         known,
         manners,
-        out: Compiled { rest: demands.rest, ..Compiled::default() },
+        out: Compiled { problem, rest: demands.rest, ..Compiled::default() },
         reserved: Vec::new(),
-        items: Vec::new(),
+        items: Vec::with_capacity(2 * number),
         bits: 0,
     };
     c.run(demands)?;
@@ -102,7 +104,7 @@ impl Compiler<'_> {
     }
 
     fn run(&mut self, demands: &Demands<'_>) -> Result<()> {
-        let mut open = Vec::new();
+        let mut open = Vec::with_capacity(demands.all.len());
         for demand in &demands.all {
             if let Some(short) = self.reserve(demand) {
                 open.push((demand, short));

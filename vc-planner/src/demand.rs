@@ -103,7 +103,10 @@ impl<'a, 'g> Reader<'a, 'g> {
                 }
                 self.found.rest |= *comparison != Comparison::AtLeast;
             }
-            Goal::And(parts) => parts.iter().for_each(|p| self.part(p)),
+            Goal::And(parts) => {
+                self.found.all.reserve(parts.len());
+                parts.iter().for_each(|p| self.part(p));
+            }
             Goal::Or(parts) if !parts.is_empty() => {
                 let chosen = self.choice.pick(parts.len());
                 self.part(&parts[chosen]);

@@ -201,6 +201,19 @@ impl State {
 }
 
 impl Problem {
+    /// Nothing to do yet, with memory for what so many demands mostly come to.
+    pub(crate) fn for_demands(number: usize) -> Self {
+        let usual = 2 * number;
+        Self {
+            spots: Vec::with_capacity(usual),
+            doors: Vec::with_capacity(number),
+            piles: Vec::with_capacity(usual),
+            needs: Vec::with_capacity(number),
+            kinds: Vec::with_capacity(number),
+            ..Self::default()
+        }
+    }
+
     /// The needs that a kind serves, by what a hand holds; none for an empty one.
     pub(crate) fn kind(&self, hand: u8) -> u32 {
         match hand {

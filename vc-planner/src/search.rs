@@ -211,11 +211,12 @@ impl Search {
         }
     }
 
-    fn path(&self, mut number: usize) -> Vec<Op> {
-        let mut ops = Vec::new();
-        while self.visits[number].op != Op::Start {
-            ops.push(self.visits[number].op);
-            number = self.visits[number].from as usize;
+    fn path(&self, number: usize) -> Vec<Op> {
+        let mut ops = Vec::with_capacity(32);
+        let mut visit = &self.visits[number];
+        while visit.op != Op::Start {
+            ops.push(visit.op);
+            visit = &self.visits[visit.from as usize];
         }
         ops.reverse();
         ops

@@ -17,7 +17,7 @@ impl<'a> Tour<'a> {
     /// The actions of macros from a state.
     pub(crate) fn write(problem: &'a Problem, start: State, ops: &[Op]) -> Vec<Action> {
         let carried = start.hands.iter().zip(problem.held).filter_map(|(&kind, id)| id.map(|id| (kind, id))).collect();
-        let mut tour = Self { problem, state: start, carried, actions: Vec::with_capacity(2 * ops.len()) };
+        let mut tour = Self { problem, state: start, carried, actions: Vec::with_capacity(4 * ops.len()) };
         for &op in ops {
             tour.op(op);
             let _ = tour.problem.apply(&mut tour.state, op);

@@ -120,7 +120,7 @@ impl Compiler<'_> {
     pub(super) fn piles(&mut self) {
         let graph = self.now.graph;
         let items = std::mem::take(&mut self.items);
-        let mut piles: Vec<Lot> = Vec::new();
+        let mut piles: Vec<Lot> = Vec::with_capacity(items.len().min(MOST));
         for (id, serves) in items {
             // What another holds or wears is left to it.
             if graph.holder(id).is_some() || Condition::NotElsewhereHeld(id).check(graph, self.now.agent).is_err() {

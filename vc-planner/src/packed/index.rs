@@ -103,6 +103,7 @@ impl Problem {
         let mut index = std::mem::take(&mut self.index);
         index.traffic.resize(self.spots.len(), Traffic::default());
         index.doors.resize(self.doors.len(), Passage::default());
+        index.units.reserve(self.needs.iter().map(|n| n.units.count_ones() as usize).sum());
         self.index_kinds(&mut index);
         self.index_wanted(&mut index);
         for n in 0..self.needs.len() {
