@@ -17,9 +17,9 @@ use indicatif::ProgressBar;
 use support::{Complaint, say};
 use vc_graph::{AssetLibrary, ClassTable, Pose, Seed, Word};
 use virtualcity::procgen::catalogue::Instance;
-use virtualcity::procgen::{gltf, material};
 use virtualcity::procgen::object::{Generator, Realm, generator, generators};
 use virtualcity::procgen::picture::{Anchor, Canvas, Colour, Ink, View, sketch};
+use virtualcity::procgen::{gltf, material};
 
 /// Contact sheets of generated objects.
 #[derive(Parser)]
