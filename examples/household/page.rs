@@ -30,6 +30,9 @@ pub(crate) fn write(folder: &Path, story: &Story, film: &Film, home: &Environmen
     if let Some(last) = &film.last {
         save(folder, "end.png", &picture::png(last).map_err(Complaint::new)?)?;
     }
+    if let Some(belief) = &story.belief {
+        save(folder, "belief.svg", belief.as_bytes())?;
+    }
     save(folder, "strip.png", &picture::png(&strip(film)).map_err(Complaint::new)?)?;
     save(folder, "index.html", page(story, film).as_bytes())
 }
@@ -94,6 +97,14 @@ fn page(story: &Story, film: &Film) -> String {
         ),
         None => "",
     };
+    let belief = match story.belief {
+        Some(_) => concat!(
+            "<h2>What it believed in the end</h2><p>Of the things that the goal is about: green, where it has seen ",
+            "them; blue, where they may be, the darker the likelier, with a dot where it supposed them.</p>",
+            "<img src=\"belief.svg\">"
+        ),
+        None => "",
+    };
     format!(
         "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>{title}</title>\
          <style>body{{font:16px/1.5 system-ui,sans-serif;max-width:60em;margin:2em auto;padding:0 1em}}\
@@ -103,7 +114,7 @@ fn page(story: &Story, film: &Film) -> String {
          <h2>The film</h2><p>From the agent's eyes and from a corner of the room, at twice the speed.</p>\
          <img src=\"film.png\"><h2>The way</h2><p>From blue to red.</p><img src=\"map.png\">{modalities}\
          <h2>The end</h2><img src=\"end.png\">\
-         <h2>What it did</h2><table>{rows}</table><p><a href=\"trajectory.jsonl\">trajectory.jsonl</a></p></html>\n",
+         {belief}<h2>What it did</h2><table>{rows}</table><p><a href=\"trajectory.jsonl\">trajectory.jsonl</a></p></html>\n",
         title = escaped(&story.task.title),
         home = escaped(&story.home),
         goal = escaped(&story.task.goal.to_string()),

@@ -7,7 +7,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use nalgebra::Point2;
 use vc_graph::goal::Situation;
 use vc_graph::{Action, ChangeSet, History, Node, NodeId, Property, SceneGraph, State};
-use vc_planner::{Run, Step};
+use vc_planner::{Run, Step, objects_of_interest};
 use vc_tasks::{Outcome, Task, World, WorldError};
 use virtualcity::Environment;
 
@@ -27,7 +27,12 @@ pub(crate) struct Story {
     /// The way the agent went, metres.
     pub(crate) way: Vec<Point2<f32>>,
     pub(crate) score: f64,
+    /// What the agent believed in the end of the things that the goal is about.
+    pub(crate) belief: Option<String>,
 }
+
+/// Most things of a picture of a belief.
+const BELIEVED: usize = 16;
 
 /// Makes the home, lets the agent act, and writes the folder.
 pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
@@ -130,7 +135,11 @@ fn act(options: &Options, home: Environment, me: NodeId, task: Task, film: &mut 
     film.last(&home)?;
     record.line(&serde_json::json!(episode.summary()))?;
     let (outcome, reason, score) = (episode.outcome, episode.reason, episode.score);
-    Ok(Story { home: name, task, outcome, reason, actions, way, score })
+    let mut things = objects_of_interest(home.graph(), &task.goal);
+    things.retain(|id| home.graph().node(*id).is_some_and(|n| n.affords(Property::Graspable)));
+    things.truncate(BELIEVED);
+    let belief = policy.belief().filter(|_| !things.is_empty()).map(|b| b.to_svg(&things));
+    Ok(Story { home: name, task, outcome, reason, actions, way, score, belief })
 }
 
 /// A home that is filmed while somebody acts in it.

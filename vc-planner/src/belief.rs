@@ -1,6 +1,7 @@
 //! What an agent believes about a scene it sees only in part.
 
 mod chances;
+mod draw;
 #[cfg(test)]
 mod filter;
 mod hiding;

@@ -110,11 +110,13 @@ impl Compiler<'_> {
                 open.push((demand, short));
             }
         }
-        for (demand, short) in open {
-            self.demand(demand, short)?;
-        }
+        // Which of several doors is left how is best said when it is known what is opened.
+        let (words, others): (Vec<_>, Vec<_>) = open.into_iter().partition(|(d, _)| is_door_or_switch(d));
+        others.into_iter().try_for_each(|(demand, short)| self.demand(demand, short))?;
         self.hands();
         self.piles();
+        words.into_iter().try_for_each(|(demand, short)| self.demand(demand, short))?;
+        self.rest_last();
         self.finish();
         Ok(())
     }
@@ -138,8 +140,7 @@ impl Compiler<'_> {
             }
         }
         // A door or switch that is right must be so in the end as well.
-        let word = matches!(demand.predicate, Predicate::State(Word::Open | Word::Closed | Word::On | Word::Off));
-        if word && met == demand.number {
+        if is_door_or_switch(demand) && met == demand.number {
             return Some(0);
         }
         (met < demand.number).then_some(demand.number - met)
@@ -155,6 +156,8 @@ impl Compiler<'_> {
                 self.carry(demand, short, Verb::PutIn)
             }
             Predicate::Holds if demand.things[0] == [me] => self.keep(demand, short),
+            Predicate::Relation(Relation::SittingOn) if demand.things[0] == [me] => self.posture(demand, Verb::Sit),
+            Predicate::Relation(Relation::LyingOn) if demand.things[0] == [me] => self.posture(demand, Verb::Lie),
             Predicate::State(word) if demand.things[0] != [me] => self.state(demand, short, word),
             Predicate::Did(verb) => self.deed(demand, short, verb),
             _ => {
@@ -324,9 +327,16 @@ impl Compiler<'_> {
     }
 
     fn state(&mut self, demand: &Demand<'_>, short: usize, word: Word) -> Result<()> {
-        // Which of several is to be so is settled at once: those that are so already.
+        // Which of several is to be so is settled at once: those that are so already and that
+        // nothing is done to, then those that something is done to anyway.
+        let problem = &self.out.problem;
+        let touched = |id: NodeId| match word {
+            Word::Open | Word::Closed => problem.doors.iter().any(|d| d.node == id),
+            _ => problem.switches.iter().any(|s| s.node == id),
+        };
+        let away = matches!(word, Word::Closed | Word::Off);
         let mut chosen = demand.subjects().to_vec();
-        chosen.sort_by_key(|&id| !demand.holds(self.now, id));
+        chosen.sort_by_cached_key(|&id| (!demand.holds(self.now, id), touched(id) == away));
         chosen.truncate(demand.number);
         match word {
             Word::Open | Word::Closed => {
@@ -424,6 +434,36 @@ impl Compiler<'_> {
         Some(Way::Use { verb, on, spot, door, bit: self.bits - 1 })
     }
 
+    /// The agent sits or lies in the end: what is done last, as who rests walks nowhere.
+    fn posture(&mut self, demand: &Demand<'_>, verb: Verb) -> Result<()> {
+        let (graph, me) = (self.now.graph, self.now.agent);
+        let rests = [Relation::SittingOn, Relation::LyingOn].iter().any(|&r| graph.related(me, r).next().is_some());
+        if rests || self.out.problem.last != 0 {
+            self.out.rest = true;
+            return Ok(());
+        }
+        let free = |id: &&NodeId| {
+            let all = rule::preconditions(&vc_graph::Action::one(verb, **id));
+            all.iter().all(|c| matches!(c, Condition::Near(_) | Condition::Accessible(_)) || c.holds(graph, me))
+        };
+        let seats = demand.things[1].iter().filter(|id| self.is_located(**id)).filter(free);
+        let seats: Vec<NodeId> = seats.copied().take(1 + SPARE).collect();
+        let ways: Vec<Way> = seats.into_iter().filter_map(|id| self.use_way(verb, Some(id))).collect();
+        let number = self.out.problem.needs.len();
+        self.use_need(demand, 1, ways)?;
+        self.out.problem.last = self.out.problem.needs.get(number).map_or(0, |need| need.units);
+        Ok(())
+    }
+
+    /// Leaves resting to the general planner where more is to be done than is packed.
+    fn rest_last(&mut self) {
+        let last = self.out.problem.last;
+        if last != 0 && (self.out.rest || !self.out.lacks.is_empty()) {
+            self.out.start.needs &= !last;
+            self.out.rest = true;
+        }
+    }
+
     /// Something that is to be done.
     fn deed(&mut self, demand: &Demand<'_>, short: usize, verb: Verb) -> Result<()> {
         let (graph, me) = (self.now.graph, self.now.agent);
@@ -459,6 +499,10 @@ impl Compiler<'_> {
         let ways: Vec<Way> = simple.iter().take(1 + SPARE).filter_map(|&id| self.use_way(verb, Some(id))).collect();
         self.use_need(demand, short, ways)
     }
+}
+
+fn is_door_or_switch(demand: &Demand<'_>) -> bool {
+    matches!(demand.predicate, Predicate::State(Word::Open | Word::Closed | Word::On | Word::Off))
 }
 
 /// Whether moving a thing undoes a predicate about it.

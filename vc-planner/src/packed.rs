@@ -108,6 +108,8 @@ pub(crate) struct Problem {
     pub(crate) shared: bool,
     /// Needs that are about holding something in the end.
     pub(crate) keeps: u32,
+    /// The need, as its bits, that is served when all else is done.
+    pub(crate) last: u64,
     pub(crate) index: Index,
 }
 
@@ -229,7 +231,12 @@ impl Problem {
 
     /// Whether everything needed is so.
     pub(crate) fn is_goal(&self, s: &State) -> bool {
-        s.needs & !self.index.keeps == 0 && self.left_open(s) == 0 && self.keeps_held(s)
+        s.needs & self.last == 0 && self.is_all_but_last(s)
+    }
+
+    /// Whether everything is so but what comes last.
+    fn is_all_but_last(&self, s: &State) -> bool {
+        s.needs & !self.index.keeps & !self.last == 0 && self.left_open(s) == 0 && self.keeps_held(s)
     }
 
     /// Whether the hands hold what is to be held, each item for one need.

@@ -74,6 +74,27 @@ fn what_is_seen_empty_is_excluded_and_only_what_is_disproved_is_guessed_anew() {
 }
 
 #[test]
+fn a_picture_shows_where_a_thing_can_be() {
+    let flat = flat(2);
+    let mut belief = Belief::of_newcomer(&flat.scene, flat.me, 4);
+    let places = belief.distribution(flat.apple).len();
+    let fields = |svg: &str, colour: &str| svg.matches(&format!("fill='{colour}' fill-opacity")).count();
+    let before = belief.to_svg(&[flat.apple, NodeId(u32::MAX)]);
+    assert_eq!(fields(&before, "#1f6feb"), places, "a field for each place");
+    assert_eq!(before.matches("<circle").count(), 1, "one of them is supposed");
+    let open = {
+        let mut scene = flat.scene.clone();
+        let mut edit = scene.edit();
+        edit.enter_state(flat.cupboards[2], State::Open).unwrap();
+        edit.commit();
+        scene
+    };
+    belief.observe(&open.observe(flat.me, Scope::Room));
+    let after = belief.to_svg(&[flat.apple]);
+    assert_eq!((fields(&after, "#1f6feb"), fields(&after, "#2da44e")), (0, 1), "it has been seen");
+}
+
+#[test]
 fn what_is_seen_is_certain() {
     let flat = flat(2);
     let mut world = Simulator::new(flat.scene.clone());

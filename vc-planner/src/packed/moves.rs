@@ -117,6 +117,9 @@ impl Problem {
             let need = self.index.need_of[rest.trailing_zeros() as usize];
             let body = &self.needs[need as usize];
             rest &= !body.units;
+            if body.units & self.last != 0 && !self.is_all_but_last(s) {
+                continue;
+            }
             let open = |way: &Way| matches!(way, Way::Use { bit: b, .. } if s.used & bit(*b) == 0);
             ops.extend((0..).zip(&body.ways).filter(|(_, w)| open(w)).map(|(way, _)| Op::Use { need, way }));
         }
