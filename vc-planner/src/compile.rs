@@ -69,6 +69,7 @@ pub(crate) struct Compiler<'a> {
     /// Items with the needs they serve.
     items: Vec<(NodeId, u32)>,
     bits: u8,
+    regress_postures: bool,
 }
 
 type Result<T> = std::result::Result<T, Unreachable>;
@@ -93,6 +94,7 @@ pub(crate) fn compile(
         reserved: Vec::new(),
         items: Vec::with_capacity(2 * number),
         bits: 0,
+        regress_postures: demands.regress_postures,
     };
     c.run(demands)?;
     Ok(c.out)
@@ -438,7 +440,7 @@ impl Compiler<'_> {
     fn posture(&mut self, demand: &Demand<'_>, verb: Verb) -> Result<()> {
         let (graph, me) = (self.now.graph, self.now.agent);
         let rests = [Relation::SittingOn, Relation::LyingOn].iter().any(|&r| graph.related(me, r).next().is_some());
-        if rests || self.out.problem.last != 0 {
+        if rests || self.regress_postures || self.out.problem.last != 0 {
             self.out.rest = true;
             return Ok(());
         }
@@ -447,7 +449,9 @@ impl Compiler<'_> {
             all.iter().all(|c| matches!(c, Condition::Near(_) | Condition::Accessible(_)) || c.holds(graph, me))
         };
         let seats = demand.things[1].iter().filter(|id| self.is_located(**id)).filter(free);
-        let seats: Vec<NodeId> = seats.copied().take(1 + SPARE).collect();
+        let mut seats: Vec<NodeId> = seats.copied().collect();
+        seats.sort_by_cached_key(|&id| !graph.near(me, id));
+        seats.truncate(1 + SPARE);
         let ways: Vec<Way> = seats.into_iter().filter_map(|id| self.use_way(verb, Some(id))).collect();
         let number = self.out.problem.needs.len();
         self.use_need(demand, 1, ways)?;

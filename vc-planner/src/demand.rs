@@ -76,6 +76,8 @@ pub(crate) struct Demands<'g> {
     pub(crate) all: Vec<Demand<'g>>,
     /// Parts that are no demands: orders, upper bounds, negations.
     pub(crate) rest: bool,
+    /// Sitting and lying is left to regression, which sees when a seat is at hand anyway.
+    pub(crate) regress_postures: bool,
 }
 
 /// Takes a goal apart.

@@ -4,7 +4,7 @@ use vc_graph::goal::{Goal, Situation};
 use vc_graph::{Action, Event, History, Node, NodeId, SceneGraph};
 
 use crate::compile::{Compiled, Manners, compile};
-use crate::demand::{Choice, Reader};
+use crate::demand::{Choice, Demands, Reader};
 use crate::packed::Op;
 use crate::regression::Regression;
 use crate::search::{Effort, Found, Search};
@@ -107,14 +107,19 @@ impl Planner {
         let mut choice = Choice::default();
         let mut general = false;
         for _ in 0..ALTERNATIVES {
-            match self.attempt(graph, agent, goal, events, &mut choice) {
-                Ok((plan, rest)) => {
-                    general |= rest;
-                    if best.as_ref().is_none_or(|b| plan.actions.len() < b.actions.len()) {
-                        best = Some(plan);
+            for regress_postures in [false, true] {
+                match self.attempt(graph, agent, goal, events, (&mut choice, regress_postures)) {
+                    Ok((plan, left)) => {
+                        general |= left.rest;
+                        if best.as_ref().is_none_or(|b| plan.actions.len() < b.actions.len()) {
+                            best = Some(plan);
+                        }
+                        if !left.posture {
+                            break;
+                        }
                     }
+                    Err(why) => reason = reason.or(Some(why)),
                 }
-                Err(why) => reason = reason.or(Some(why)),
             }
             if !choice.advance() {
                 break;
@@ -158,25 +163,27 @@ impl Planner {
         agent: NodeId,
         goal: &Goal,
         events: &[Event],
-        choice: &mut Choice,
-    ) -> Result<(Plan, bool), Unreachable> {
+        (choice, regress_postures): (&mut Choice, bool),
+    ) -> Result<(Plan, Left), Unreachable> {
         let now = Situation { graph, agent, events };
-        let demands = Reader::read(goal, &now, choice);
+        let demands = Demands { regress_postures, ..Reader::read(goal, &now, choice) };
         let compiled = compile(&demands, &now, &|_| true, self.manners)?;
         let (ops, proved) = self.solve(&compiled, goal)?;
         let actions = Tour::write(&compiled.problem, compiled.start, &ops);
         let known: Known = graph.nodes().map(Node::id).collect();
         let mut way = Regression::new(graph, agent, &known, events, goal);
+        let posture = compiled.problem.last != 0;
         let mut rest = compiled.rest || !way.follow(&actions);
         if !rest && way.holds(goal) {
-            let plan = Plan { actions: way.actions(), wants: Vec::new(), proved };
+            // A seat may be at hand without a walk, which is not packed.
+            let plan = Plan { actions: way.actions(), wants: Vec::new(), proved: proved && !posture };
             way.rewind(0);
-            return Ok((plan, false));
+            return Ok((plan, Left { rest, posture }));
         }
         rest |= !way.holds(goal);
         let plan = way.work(goal, Horizon::Goal, None);
         way.rewind(0);
-        Ok((plan?, rest))
+        Ok((plan?, Left { rest, posture }))
     }
 
     /// Macros for a packed problem, and whether they are proved to be the best.
@@ -198,12 +205,22 @@ impl Planner {
         known: &Known,
         choice: &mut Choice,
     ) -> Result<Sketch, Unreachable> {
-        let demands = Reader::read(goal, now, choice);
+        // Where poses say what is at hand, it is regression that sees it.
+        let regress_postures = now.graph.node(now.agent).is_some_and(|n| n.pose().is_some());
+        let demands = Demands { regress_postures, ..Reader::read(goal, now, choice) };
         let compiled = compile(&demands, now, &|id| known.contains(id), self.manners)?;
         let (ops, _) = self.solve(&compiled, goal)?;
         let actions = Tour::write(&compiled.problem, compiled.start, &ops);
         Ok(Sketch { compiled, actions })
     }
+}
+
+/// What an attempt packed and what it left.
+struct Left {
+    /// Some of the goal was regressed.
+    rest: bool,
+    /// A posture was packed.
+    posture: bool,
 }
 
 /// A plan not yet carried out, for what is known.
