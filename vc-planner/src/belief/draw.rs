@@ -20,6 +20,20 @@ impl Belief {
     ///
     /// Costs a look at all places for each thing. Of things that the scene does not have there
     /// is nothing to see.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// use vc_planner::Belief;
+    ///
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let svg = Belief::of_newcomer(&scene.build(), me, 0).to_svg(&[milk]);
+    /// assert!(svg.contains("inside fridge"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn to_svg(&self, things: &[NodeId]) -> String {
         let things: Vec<NodeId> = things.iter().copied().filter(|id| self.graph.node(*id).is_some()).collect();
         let chances: Vec<Vec<(Place, f64)>> = things.iter().map(|id| self.distribution(*id)).collect();
