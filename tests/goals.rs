@@ -46,7 +46,7 @@ fn eai_goals_with_full_knowledge() {
         assert!(episode.steps <= record.actions.len() + 2, "{}: {} steps", record.id, episode.steps);
     }
     assert_eq!(attempted, 62);
-    assert!(won >= 58, "{won}");
+    assert!(won >= 60, "{won}");
 }
 
 #[test]
