@@ -120,6 +120,14 @@ pub enum AgentError {
     /// The seat has no free place.
     #[error("every place on {0} is taken")]
     SeatTaken(NodeId),
+    /// Something stands on the free places of the seat.
+    #[error("{by} is in the way on {seat}; put it elsewhere first")]
+    SeatCovered {
+        /// What one was to sit or lie on.
+        seat: NodeId,
+        /// What is there, on the place nearest to the agent.
+        by: NodeId,
+    },
     /// Nothing one could sit or lie on.
     #[error("{0} has nothing to sit or lie on")]
     NoSeat(NodeId),

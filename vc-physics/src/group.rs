@@ -38,6 +38,12 @@ pub(crate) fn agent() -> InteractionGroups {
     groups(AGENT, LOOSE.union(LEAF).union(AGENT))
 }
 
+/// Groups of the body of an agent that sits or lies: others walk around it, cushions are not
+/// pushed away by it.
+pub(crate) fn seated() -> InteractionGroups {
+    groups(AGENT, AGENT)
+}
+
 /// Groups of what collides with nothing.
 pub(crate) fn nothing() -> InteractionGroups {
     groups(CARRIED, Group::NONE)

@@ -2,9 +2,10 @@
 
 use vc_graph::{Kind, Node, NodeId, Pose, SceneGraph};
 
+use crate::role::Roles;
 use crate::shapes::Shapes;
 use crate::world::{Thing, World};
-use crate::{PhysicsError, convert};
+use crate::{PhysicsError, Role, convert};
 
 /// How a world was reset.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -53,13 +54,14 @@ impl World {
                 world.thing_mut(id)?.state.written = *pose;
             }
         }
+        world.give_roles(graph, &plan.moved)?;
         plan.inserted.iter().try_for_each(|&id| world.insert(graph, id, shapes))?;
         for &id in &plan.turned {
             let open = graph.node(id).is_some_and(|n| n.is(vc_graph::State::Open));
             world.put_all_open(id, if open { 1.0 } else { 0.0 })?;
         }
         for (&id, agent) in &self.agents {
-            let stays = |p: &Pose| same(p, &agent.written) || same(p, &agent.feet);
+            let stays = |p: &Pose| same(p, &agent.feet) || (same(p, &agent.written) && agent.has_only_landed());
             if let Some(pose) = graph.node(id).and_then(Node::pose).filter(|p| !stays(p))
                 && world.teleport(id, *pose).is_err()
             {
@@ -70,6 +72,20 @@ impl World {
             world.thing_mut(*id)?.state.rests = graph.place(*id);
         }
         Ok((world, plan))
+    }
+
+    /// What was moved may hang where it lay, or lie where it hung.
+    fn give_roles(&mut self, graph: &SceneGraph, moved: &[NodeId]) -> Result<(), PhysicsError> {
+        let roles = Roles::new(graph, self.settings);
+        for &id in moved {
+            let (Some(node), thing) = (graph.node(id), self.thing(id)?) else { continue };
+            let class = graph.classes().get(node.class());
+            let role = roles.of(node, class, &thing.form, thing.form.mass() * thing.state.mass_factor);
+            if let Some(role) = role.filter(|r| *r != thing.state.role && thing.state.role != Role::Stopped) {
+                self.set_role(id, role)?;
+            }
+        }
+        Ok(())
     }
 
     /// What differs; `None` where it is better to build.
@@ -123,6 +139,7 @@ impl World {
     }
 }
 
+/// Whether two poses are the same.
 fn same(a: &Pose, b: &Pose) -> bool {
     let turn = a.rotation.coords.dot(&b.rotation.coords).abs();
     (a.translation.vector - b.translation.vector).norm() < SAME && 1.0 - turn < SAME

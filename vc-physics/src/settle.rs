@@ -66,7 +66,7 @@ impl World {
     /// Lets steps pass until everything sleeps, `limit` at most, and tells what
     /// happened.
     ///
-    /// Bodies fall asleep half a second after they have come to rest, so some forty
+    /// Bodies fall asleep a quarter of a second after they have come to rest, so some twenty
     /// steps are the least for a scene that is awake.
     pub fn settle(&mut self, limit: u32) -> Settling {
         let before: Vec<(NodeId, Pose, Vector)> = self.loose().filter_map(|t| self.whereabouts(t)).collect();

@@ -16,7 +16,7 @@ use crate::{Settings, SnapshotError};
 /// What a snapshot begins with.
 const MAGIC: &[u8; 8] = b"VCWORLD\n";
 /// Changes whenever what follows changes.
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 /// Bytes before the content: magic, version, checksum.
 const HEAD: usize = 20;
 
@@ -101,7 +101,7 @@ impl World {
     }
 
     /// A 64-bit digest of what moves and how: poses, velocities and sleep of all
-    /// bodies, parts on joints, agents, fill levels and the time. Equal worlds have
+    /// bodies, parts on joints, agents, vehicles, water, fill levels and the time. Equal worlds have
     /// equal digests, whatever made them.
     pub fn digest(&self) -> Digest {
         let mut hash = Fnv::default();
@@ -126,6 +126,8 @@ impl World {
             hash.number(u64::from(id.0));
             hash.reals(&[*fill]);
         });
+        self.waters.iter().for_each(|water| water.feed(&mut hash));
+        self.vehicles.iter().for_each(|(id, vehicle)| vehicle.feed(*id, &mut hash));
         Digest(hash.0)
     }
 }

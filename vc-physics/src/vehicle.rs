@@ -11,6 +11,7 @@ use rapier3d::pipeline::QueryFilter;
 use serde::{Deserialize, Serialize};
 use vc_graph::{NodeId, Pose};
 
+use crate::snapshot::Fnv;
 use crate::world::World;
 use crate::{PhysicsError, Role, convert};
 
@@ -203,6 +204,13 @@ impl World {
 }
 
 impl Vehicle {
+    /// Feeds what it does and how its wheels stand into a hash.
+    pub(crate) fn feed(&self, id: NodeId, hash: &mut Fnv) {
+        hash.number(u64::from(id.0));
+        hash.reals(&[self.controls.throttle, self.controls.brake, self.controls.steering]);
+        self.controller.wheels().iter().for_each(|w| hash.reals(&[w.steering, w.rotation]));
+    }
+
     /// Spreads what the driver does over the wheels.
     fn apply(&mut self, dt: f32) {
         let driven = self.driven.iter().filter(|d| **d).count().max(1) as f32;

@@ -10,6 +10,8 @@ use serde::{Deserialize, Serialize};
 use vc_graph::asset::{Hold, Surface};
 use vc_graph::{Aabb, NodeId, Pose};
 
+use crate::agent::facing;
+use crate::snapshot::Fnv;
 use crate::world::{Thing, World};
 use crate::{PhysicsError, Role, convert};
 
@@ -26,28 +28,54 @@ const RESTLESS: f32 = 0.01;
 /// Share of the displaced water that moves with a body: that of a sphere.
 const ADDED: f32 = 0.5;
 
-/// Still water in an upright box; its surface is the top of the box.
+/// How far below its bottom a body in water may have its centre, metres: the engine lets what
+/// lies there sink in by some millimetres.
+const BELOW: f32 = 0.05;
+
+/// Still water in an upright box, turned around the vertical; its surface is level.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Water {
-    min: [f32; 3],
-    max: [f32; 3],
+    /// Middle of its bottom.
+    #[serde(with = "crate::serial::pose")]
+    at: Pose,
+    /// Half its lengths along X and Y, and its depth, metres.
+    size: [f32; 3],
     /// What it is in.
     container: Option<NodeId>,
 }
 
 impl Water {
-    fn new(aabb: &Aabb, container: Option<NodeId>) -> Result<Self, PhysicsError> {
-        let sound = (0..3).all(|i| aabb.min[i].is_finite() && aabb.max[i].is_finite() && aabb.min[i] < aabb.max[i]);
-        let water = Self { min: aabb.min.coords.into(), max: aabb.max.coords.into(), container };
+    fn new(at: Pose, size: [f32; 3], container: Option<NodeId>) -> Result<Self, PhysicsError> {
+        let sound = convert::is_sound(&at) && size.iter().all(|s| s.is_finite() && *s > 0.0);
+        let water = Self { at, size, container };
         if sound { Ok(water) } else { Err(PhysicsError::BadWater("its box is empty or not finite")) }
     }
 
     fn holds(&self, p: &Point3<f32>) -> bool {
-        (0..2).all(|i| self.min[i] <= p[i] && p[i] <= self.max[i]) && p.z >= self.min[2] - 1.0
+        let p = self.at.inverse_transform_point(p);
+        (0..2).all(|i| p[i].abs() <= self.size[i]) && p.z >= -BELOW
     }
 
+    /// Height of its surface, metres.
     fn level(&self) -> f32 {
-        self.max[2]
+        self.at.translation.z + self.size[2]
+    }
+
+    /// The box around it along the world's axes.
+    fn aabb(&self) -> Aabb {
+        let [x, y, depth] = self.size;
+        let sides = [(-x, -y), (-x, y), (x, -y), (x, y)];
+        let corners = sides.iter().flat_map(|&(x, y)| [0.0, depth].map(|z| self.at * Point3::new(x, y, z)));
+        let empty = (Point3::from([f32::INFINITY; 3]), Point3::from([f32::NEG_INFINITY; 3]));
+        let (min, max) = corners.fold(empty, |(low, high), p| (low.inf(&p), high.sup(&p)));
+        Aabb { min, max }
+    }
+
+    /// Feeds what it pushes with into a hash.
+    pub(crate) fn feed(&self, hash: &mut Fnv) {
+        hash.reals(self.at.translation.vector.as_slice());
+        hash.reals(self.at.rotation.coords.as_slice());
+        hash.reals(&self.size);
     }
 }
 
@@ -57,14 +85,15 @@ impl World {
     /// # Errors
     /// [`PhysicsError::BadWater`].
     pub fn add_water(&mut self, filled: &Aabb) -> Result<(), PhysicsError> {
-        self.waters.push(Water::new(filled, None)?);
-        self.wake_in(filled);
+        let (size, centre) = (filled.max - filled.min, filled.centre());
+        let at = Pose::translation(centre.x, centre.y, filled.min.z);
+        self.pour(Water::new(at, [size.x / 2.0, size.y / 2.0, size.z], None)?);
         Ok(())
     }
 
-    /// The boxes of water, pools first added, then what containers are filled with.
+    /// The boxes around water along the world's axes, in the order in which it was added.
     pub fn waters(&self) -> Vec<Aabb> {
-        self.waters.iter().map(|w| Aabb { min: w.min.into(), max: w.max.into() }).collect()
+        self.waters.iter().map(Water::aabb).collect()
     }
 
     /// Fills a container to a level, 0 to 1. In what is fixed and has room inside (a
@@ -79,14 +108,21 @@ impl World {
         }
         let level = level.clamp(0.0, 1.0);
         let basin = (thing.state.role == Role::Fixed).then(|| self.basin(thing, level)).flatten();
+        self.drain(id);
         self.fills.insert(id, level);
-        self.waters.retain(|w| w.container != Some(id));
-        self.engine.bodies.iter_mut().for_each(|(_, body)| let_go(body));
-        if let Some(aabb) = basin.filter(|_| level > 0.0) {
-            self.waters.push(Water::new(&aabb, Some(id))?);
-            self.wake_in(&aabb);
+        if let Some((at, size)) = basin.filter(|_| level > 0.0) {
+            self.pour(Water::new(at, size, Some(id))?);
         }
         Ok(())
+    }
+
+    /// Takes the water out of a container.
+    pub(crate) fn drain(&mut self, id: NodeId) {
+        self.fills.remove(&id);
+        if self.waters.iter().any(|w| w.container == Some(id)) {
+            self.waters.retain(|w| w.container != Some(id));
+            self.engine.bodies.iter_mut().for_each(|(_, body)| let_go(body));
+        }
     }
 
     /// How full a container is, 0 to 1; 0 where nobody filled it.
@@ -104,31 +140,31 @@ impl World {
         Some(if inner > 0.0 { inner } else { 0.6 * size.x * size.y * size.z })
     }
 
-    /// The water in a container's largest inner surface at a level.
-    fn basin(&self, thing: &Thing, level: f32) -> Option<Aabb> {
+    /// Where the water of a container's largest inner surface is at a level, and its size.
+    fn basin(&self, thing: &Thing, level: f32) -> Option<(Pose, [f32; 3])> {
         let area = |s: &&Surface| s.half.0 * s.half.1;
         let inner = thing.form.surfaces.iter().filter(|s| s.hold == Hold::Inside && s.joint.is_none());
         let surface = inner.max_by(|a, b| area(a).total_cmp(&area(b)))?;
         let pose = self.engine.pose(thing.state.base)?;
         let depth = surface.clearance.unwrap_or(thing.form.extent.1.z - surface.centre.z).max(0.0) * level;
-        let corner =
-            |x: f32, y: f32, z: f32| pose * (surface.centre + Vector3::new(x * surface.half.0, y * surface.half.1, z));
-        let corners =
-            [corner(-1.0, -1.0, 0.0), corner(1.0, 1.0, depth), corner(-1.0, 1.0, 0.0), corner(1.0, -1.0, 0.0)];
-        let (min, max) = corners.iter().fold((corners[0], corners[0]), |(l, h), p| (l.inf(p), h.sup(p)));
-        Some(Aabb { min, max })
+        let (bottom, front) = (pose * surface.centre, pose * Vector3::x());
+        let at = Pose::from_parts(bottom.into(), facing(front.x, front.y));
+        Some((at, [surface.half.0, surface.half.1, depth]))
     }
 
-    fn wake_in(&mut self, aabb: &Aabb) {
+    /// Adds water, and wakes what is in it.
+    fn pour(&mut self, water: Water) {
         let loose = self.things.iter().filter(|t| t.state.role == Role::Loose).map(|t| t.state.base);
         let bodies: Vec<_> = loose.collect();
         for body in bodies {
-            if let Some(rigid) = self.engine.bodies.get_mut(body)
-                && aabb.contains(&convert::point3(rigid.center_of_mass()))
-            {
-                rigid.wake_up(true);
+            if let Some(rigid) = self.engine.bodies.get_mut(body) {
+                let centre = convert::point3(rigid.center_of_mass());
+                if water.holds(&centre) && centre.z <= water.level() {
+                    rigid.wake_up(true);
+                }
             }
         }
+        self.waters.push(water);
     }
 
     /// Pushes what is awake and in water.

@@ -205,36 +205,3 @@ fn shapes_are_kept_between_worlds_and_dropped_with_their_library() {
     World::build(&other, &shapes, plain()).unwrap();
     assert!(shapes.is_empty());
 }
-
-#[test]
-fn fill_levels() {
-    let mut scene = Scene::default();
-    scene.floor(5.0, 0.5);
-    let w = scene.wood;
-    let side = |x: f32, y: f32, half: [f32; 3]| part("side", block(half), at(x, y, 0.3), w);
-    let parts = vec![
-        part("bottom", block([0.4, 0.8, 0.02]), at(0.0, 0.0, 0.02), w),
-        side(0.39, 0.0, [0.01, 0.8, 0.26]),
-        side(-0.39, 0.0, [0.01, 0.8, 0.26]),
-        side(0.0, 0.79, [0.38, 0.01, 0.26]),
-        side(0.0, -0.79, [0.38, 0.01, 0.26]),
-    ];
-    let surfaces = vec![surface("basin", Hold::Inside, [0.0, 0.0, 0.04], (0.37, 0.77), Some(0.5))];
-    let bath = scene.asset(Asset { name: "bath".into(), parts, surfaces, ..Asset::default() });
-    let bath = scene.add("bathtub", bath, at(0.0, 0.0, 0.0));
-    let duck = scene.ball(0.06, at(0.0, 0.0, 0.11));
-    let mut world = scene.world();
-    assert!((world.capacity(bath).unwrap() - 4.0 * 0.37 * 0.77 * 0.5).abs() < 1e-4);
-    world.settle(200);
-    assert_eq!(world.level(bath), 0.0);
-    world.fill(bath, 0.6).unwrap();
-    assert_eq!((world.level(bath), world.waters().len()), (0.6, 1));
-    world.settle(1200);
-    let z = world.pose(duck).unwrap().translation.z;
-    assert!(z > 0.32 && z < 0.36, "the duck floats: {z}");
-    world.fill(bath, 0.0).unwrap();
-    world.wake(duck).unwrap();
-    world.settle(400);
-    assert!(world.pose(duck).unwrap().translation.z < 0.11 && world.waters().is_empty());
-    assert!(world.fill(duck, f32::NAN).is_err());
-}

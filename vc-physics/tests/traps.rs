@@ -171,10 +171,10 @@ fn no_tunnelling() {
         scene.floor(4.2, 0.5);
         scene.room([-4.0, -4.0], [4.0, 4.0]);
         for (low, high) in [
-            ([-4.2, -4.2, 0.0], [-4.0, 4.2, 30.0]),
-            ([4.0, -4.2, 0.0], [4.2, 4.2, 30.0]),
-            ([-4.0, -4.2, 0.0], [4.0, -4.0, 30.0]),
-            ([-4.0, 4.0, 0.0], [4.0, 4.2, 30.0]),
+            ([-4.1, -4.1, 0.0], [-4.0, 4.1, 30.0]),
+            ([4.0, -4.1, 0.0], [4.1, 4.1, 30.0]),
+            ([-4.0, -4.1, 0.0], [4.0, -4.0, 30.0]),
+            ([-4.0, 4.0, 0.0], [4.0, 4.1, 30.0]),
         ] {
             scene.wall(low, high);
         }
@@ -194,13 +194,12 @@ fn no_tunnelling() {
             let v = Vector3::new(rng.between(-8.0, 8.0), rng.between(-8.0, 8.0), rng.between(-15.0, 0.0));
             world.set_velocity(*thing, v, Vector3::new(rng.between(-9.0, 9.0), 0.0, 3.0)).unwrap();
         }
-        let report = world.settle(400);
-        assert!(report.stopped.is_empty());
+        let report = world.settle(2000);
+        assert!(report.at_rest && report.stopped.is_empty() && report.outside.is_empty(), "{report:?}");
         for thing in &things {
             let p = world.centre_of_mass(*thing).unwrap();
             out += usize::from(p.x.abs() > 4.0 || p.y.abs() > 4.0 || p.z < 0.0);
         }
-        assert_eq!(report.outside.len(), world.outside().len());
     }
     assert_eq!(out, 0, "of 10,000 things went through the floor or a wall");
 }

@@ -6,8 +6,8 @@ mod walk;
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use rapier3d::dynamics::{RigidBodyBuilder, RigidBodyHandle};
-use rapier3d::geometry::ColliderBuilder;
-use rapier3d::math::Vector;
+use rapier3d::geometry::{ColliderBuilder, InteractionGroups, SharedShape};
+use rapier3d::math::{Pose as EnginePose, Vector};
 use serde::{Deserialize, Serialize};
 use vc_graph::{NodeId, Pose, Relation, SceneGraph};
 
@@ -17,6 +17,9 @@ use crate::{AgentError, PhysicsError, convert, group};
 
 pub use hands::Hand;
 pub use walk::Walk;
+
+/// Height of one who sits above the seat, as a part of the height.
+const SITTING: f32 = 0.52;
 
 /// How an agent is built and what it can do.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -67,6 +70,22 @@ impl BodyPlan {
     /// Height of the eyes above the feet, metres.
     pub fn eye(&self) -> f32 {
         0.93 * self.height
+    }
+
+    /// The capsule of a body in a posture, where it is from the feet or the seat, and what it
+    /// collides with.
+    fn body(&self, posture: Posture) -> (SharedShape, EnginePose, InteractionGroups) {
+        let (half, middle) = (self.height / 2.0 - self.radius, self.height / 2.0);
+        let above = |z: f32| EnginePose::from_translation(Vector::new(0.0, 0.0, z));
+        match posture {
+            Posture::Standing => (SharedShape::capsule_z(half, self.radius), above(middle), group::agent()),
+            Posture::Sitting(..) => {
+                let middle = SITTING * self.height / 2.0;
+                let half = (middle - self.radius).max(0.01);
+                (SharedShape::capsule_z(half, self.radius), above(middle), group::seated())
+            }
+            Posture::Lying(..) => (SharedShape::capsule_x(half, self.radius), above(self.radius), group::seated()),
+        }
     }
 
     fn is_sound(&self) -> bool {
@@ -133,6 +152,13 @@ impl Agent {
         self.feet
     }
 
+    /// Whether it stands where it was added, but for the way down to the floor.
+    pub(crate) fn has_only_landed(&self) -> bool {
+        let way = self.feet.translation.vector - self.written.translation.vector;
+        let turn = self.feet.rotation.angle_to(&upright(&self.written).rotation);
+        self.posture == Posture::Standing && way.xy().norm() < 1e-3 && way.z.abs() < self.plan.step && turn < 1e-2
+    }
+
     pub(crate) fn shoulder(&self) -> Point3<f32> {
         let height = match self.posture {
             Posture::Standing => self.plan.shoulder(),
@@ -192,10 +218,9 @@ impl World {
         let (written, feet) = (feet, upright(&feet));
         let builder = RigidBodyBuilder::kinematic_position_based().pose(convert::pose(&feet));
         let body = self.engine.bodies.insert(builder.user_data(group::mark(id, 0)));
-        let half = plan.height / 2.0 - plan.radius;
-        let capsule =
-            ColliderBuilder::capsule_z(half, plan.radius).translation(Vector::new(0.0, 0.0, plan.height / 2.0));
-        let capsule = capsule.friction(0.3).collision_groups(group::agent()).user_data(group::mark(id, 0));
+        let (shape, at, groups) = plan.body(Posture::Standing);
+        let capsule = ColliderBuilder::new(shape).position(at).friction(0.3);
+        let capsule = capsule.collision_groups(groups).user_data(group::mark(id, 0));
         self.engine.add_collider(capsule.build(), body);
         self.engine.refresh(body);
         let agent = Agent {
@@ -262,13 +287,15 @@ impl World {
     fn embody(&mut self, id: NodeId, at_once: bool) {
         let Some(agent) = self.agents.get(&id) else { return };
         let (body, feet) = (agent.body, convert::pose(&agent.feet));
-        let groups = if agent.posture == Posture::Standing { group::agent() } else { group::nothing() };
+        let (shape, at, groups) = agent.plan.body(agent.posture);
         let held = agent.holdings();
         if at_once {
             let colliders = self.engine.bodies.get(body).map_or_else(Vec::new, |b| b.colliders().to_vec());
             for collider in colliders {
-                if let Some(collider) = self.engine.colliders.get_mut(collider) {
+                if let Some(collider) = self.engine.colliders.get_mut(collider).filter(|c| c.collision_groups() != groups) {
                     collider.set_collision_groups(groups);
+                    collider.set_shape(shape.clone());
+                    collider.set_position_wrt_parent(at);
                 }
             }
         }

@@ -3,6 +3,7 @@
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use rapier3d::geometry::{Collider, ColliderHandle};
 use rapier3d::math::Pose as EnginePose;
+use rapier3d::parry;
 use rapier3d::parry::shape::Capsule;
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::asset::Hold;
@@ -18,6 +19,10 @@ const STEP: f32 = 1.5;
 const WIDTH: f32 = 0.5;
 /// Heights of surfaces one sits on, metres above the floor.
 const SEATS: std::ops::Range<f32> = 0.2..0.95;
+/// Up to which mass what lies on a seat is sat upon, kilograms.
+const LIGHT: f32 = 2.0;
+/// Up to which height above the seat, metres: that of a folded duvet.
+const FLAT: f32 = 0.25;
 /// Distances from the place at which one may get up, metres.
 const EXITS: [f32; 5] = [0.45, 0.6, 0.8, 1.0, 1.25];
 
@@ -48,11 +53,13 @@ impl World {
         (0..count).map(seat).collect()
     }
 
-    /// Sits an agent down on the nearest free place of a node.
+    /// Sits an agent down on the nearest free place of a node. Cushions, covers and what else
+    /// is light or flat do not count: one sits on them.
     ///
     /// # Errors
     /// [`AgentError::Posture`] if it does not stand, [`AgentError::NoSeat`],
-    /// [`AgentError::OutOfReach`], [`AgentError::SeatTaken`].
+    /// [`AgentError::OutOfReach`], [`AgentError::SeatTaken`] by others,
+    /// [`AgentError::SeatCovered`] by things.
     pub fn sit(&mut self, agent: NodeId, on: NodeId) -> Result<(), AgentError> {
         let places = self.seats(on);
         self.settle_down(agent, on, &places, Posture::Sitting)
@@ -84,13 +91,38 @@ impl World {
         if nearest > STEP {
             return Err(AgentError::OutOfReach { agent, id: on, distance: nearest, reach: STEP });
         }
-        let &(_, place) = order.iter().find(|(_, i)| !taken(*i)).ok_or(AgentError::SeatTaken(on))?;
+        let free: Vec<u32> = order.iter().map(|(_, i)| *i).filter(|i| !taken(*i)).collect();
+        let &first = free.first().ok_or(AgentError::SeatTaken(on))?;
+        let covered = |i: u32| self.covers(agent, on, &places[i as usize], posture(on, i));
+        let Some(&place) = free.iter().find(|i| covered(**i).is_none()) else {
+            return Err(covered(first).map_or(AgentError::SeatTaken(on), |by| AgentError::SeatCovered { seat: on, by }));
+        };
         let body = self.agent_mut(agent)?;
         body.feet = super::upright(&places[place as usize]);
         body.posture = posture(on, place);
         body.walk = super::walk::Motion::Still;
         self.embody(agent, true);
         Ok(())
+    }
+
+    /// What stands on a seat where the body of an agent would be.
+    fn covers(&self, agent: NodeId, seat: NodeId, place: &Pose, posture: Posture) -> Option<NodeId> {
+        let (body, seat) = (self.agent(agent).ok()?, self.thing(seat).ok()?);
+        let (shape, at, _) = body.plan.body(posture);
+        let at = convert::pose(&super::upright(place)) * at;
+        let stands = |id: &NodeId| self.aabb(*id).is_some_and(|b| b.max.z > place.translation.z + FLAT);
+        let heavy = |id: &NodeId| self.mass(*id).is_some_and(|mass| mass > LIGHT);
+        let meets = |id: &NodeId| {
+            let bodies = self.thing(*id).into_iter().flat_map(Thing::bodies).filter_map(|b| self.engine.bodies.get(b));
+            let colliders = bodies.flat_map(|b| b.colliders()).filter_map(|c| self.engine.colliders.get(*c));
+            let meets = |c: &Collider| {
+                let between = at.inv_mul(c.position());
+                let met = parry::query::intersection_test(&EnginePose::IDENTITY, &*shape, &between, c.shape());
+                met.is_ok_and(|met| met.intersecting)
+            };
+            colliders.into_iter().any(meets)
+        };
+        self.load_of(seat.state.base).into_iter().find(|id| stands(id) && heavy(id) && meets(id))
     }
 
     /// Gets an agent up from where it sits or lies, to the nearest free place beside

@@ -109,7 +109,7 @@ impl World {
         thing.bodies().for_each(|b| self.engine.remove(b));
         self.driven.retain(|(d, _)| *d != id);
         self.vehicles.remove(&id);
-        self.fills.remove(&id);
+        self.drain(id);
         Ok(())
     }
 

@@ -55,7 +55,7 @@ impl World {
         }
     }
 
-    /// Moves a node at once, at rest; moving parts come along. Look first whether
+    /// Moves a node at once, at rest; moving parts and the water in it come along. Look first whether
     /// the spot is free, with [`overlaps`](Self::overlaps).
     ///
     /// # Errors
@@ -77,7 +77,10 @@ impl World {
             let to = if body == self.thing(id)?.state.base { pose } else { motion * own };
             self.engine.place(body, convert::pose(&to));
         }
-        Ok(())
+        match self.fills.get(&id) {
+            Some(&level) => self.fill(id, level),
+            None => Ok(()),
+        }
     }
 
     /// Pushes a node with an impulse at a point, newton seconds and metres; something
