@@ -6,6 +6,7 @@
 
 use nalgebra::Point3;
 use rapier3d::control::{DynamicRayCastVehicleController, WheelTuning};
+use rapier3d::dynamics::RigidBody;
 use rapier3d::math::Vector;
 use rapier3d::pipeline::QueryFilter;
 use serde::{Deserialize, Serialize};
@@ -14,6 +15,9 @@ use vc_graph::{NodeId, Pose};
 use crate::snapshot::Fnv;
 use crate::world::World;
 use crate::{PhysicsError, Role, convert};
+
+/// Part of its weight by which springs may press more or less than it at rest.
+const CARRIED: f32 = 0.005;
 
 /// A wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -187,7 +191,8 @@ impl World {
         vehicle.controller.wheels().iter().map(pose).collect()
     }
 
-    /// Lets the wheels push. What sleeps with no foot on the throttle stays asleep.
+    /// Lets the wheels push. What sleeps with no foot on the throttle stays asleep, and what its
+    /// springs do not carry yet does not fall asleep: at the turn of a bounce it is slow.
     pub(crate) fn push_vehicles(&mut self) {
         let dt = self.engine.dt();
         let mut vehicles = std::mem::take(&mut self.vehicles);
@@ -197,9 +202,24 @@ impl World {
                 vehicle.apply(dt);
                 let filter = QueryFilter::default().exclude_rigid_body(chassis).exclude_sensors();
                 vehicle.controller.update_vehicle(dt, self.engine.queries_mut(filter));
+                if self.engine.bodies.get(chassis).is_some_and(|b| self.bounces(vehicle, b))
+                    && let Some(body) = self.engine.bodies.get_mut(chassis)
+                {
+                    body.activation_mut().time_since_can_sleep = 0.0;
+                }
             }
         }
         self.vehicles = vehicles;
+    }
+
+    /// Whether a vehicle's springs press otherwise than its weight wants, and nothing else
+    /// carries it.
+    fn bounces(&self, vehicle: &Vehicle, body: &RigidBody) -> bool {
+        let pressed: f32 = vehicle.controller.wheels().iter().map(|w| w.wheel_suspension_force).sum();
+        let weight = body.mass() * self.settings.gravity;
+        let across = weight * (*body.rotation() * Vector::Z).z;
+        let mut pairs = body.colliders().iter().flat_map(|&c| self.engine.narrow.contact_pairs_with(c));
+        (pressed - across).abs() > CARRIED * weight && !pairs.any(|p| p.has_any_active_contact())
     }
 }
 

@@ -22,6 +22,8 @@ const DRAG: f32 = 1.0;
 /// How fast waves carry away what a body bobs and rolls, per second, where it displaces its own
 /// mass: a block loses a third of its swing from one bob to the next.
 const WAVES: f32 = 3.0;
+/// From which share of it below the surface on a body makes no waves.
+const DEEP: f32 = 0.999;
 /// From which speed on a floating body may not fall asleep, metres a second: a millimetre or
 /// two from where it floats.
 const RESTLESS: f32 = 0.01;
@@ -265,8 +267,8 @@ fn float(body: &mut RigidBody, below: &Submerged, dt: f32, gravity: f32) {
     let area = nalgebra::ComplexField::cbrt(below.volume).powi(2);
     let drag = 0.5 * DENSITY * DRAG * area * velocity.length() * dt / (mass + ADDED * displaced);
     // Waves go with the water a body moves, not with how much of the body is below: what is
-    // light and floats high would bob for minutes.
-    let waves = WAVES * displaced / (mass + ADDED * displaced) * dt;
+    // light and floats high would bob for minutes. What is deep makes none.
+    let waves = if below.share < DEEP { WAVES * displaced / (mass + ADDED * displaced) * dt } else { 0.0 };
     let slow = 1.0 / (1.0 + drag + waves);
     let spin = 1.0 / (1.0 + waves + body.angvel().length() * below.share * dt);
     body.set_linvel(velocity * slow, false);

@@ -62,6 +62,38 @@ fn walls_stairs_and_slopes() {
     assert!(position(&world, climber).z.abs() < 0.05, "and comes down behind");
 }
 
+/// A slope of less than forty degrees is climbed, a steeper one is not, nor a step of thirty
+/// centimetres.
+#[test]
+fn what_is_too_steep_or_too_high() {
+    let ends = [0.5, 0.9].map(|slope: f32| {
+        let mut scene = Scene::default();
+        scene.floor(20.0, 0.9);
+        let ramp = scene.solid("ramp", block([4.0, 1.0, 0.1]), scene.wood);
+        let (sin, cos) = slope.sin_cos();
+        // Its upper side begins at the floor, a metre ahead.
+        let middle = Vector3::new(1.0 + 4.0 * cos + 0.1 * sin, 0.0, 4.0 * sin - 0.1 * cos);
+        scene.add("floor", ramp, turned(middle.x, 0.0, middle.z, Vector3::y(), -slope));
+        let me = scene.agent(at(0.0, 0.0, 0.0));
+        let mut world = scene.world();
+        world.go(me, Vector2::new(1.2, 0.0)).unwrap();
+        world.run(180);
+        position(&world, me)
+    });
+    assert!(ends[0].z > 0.5, "it climbs: {:?}", ends[0]);
+    assert!(ends[1].z < 0.25, "it does not: {:?}", ends[1]);
+
+    let mut scene = Scene::default();
+    scene.floor(20.0, 0.5);
+    scene.wall([1.0, -2.0, 0.0], [5.0, 2.0, 0.3]);
+    let me = scene.agent(at(0.0, 0.0, 0.0));
+    let mut world = scene.world();
+    world.go(me, Vector2::new(1.2, 0.0)).unwrap();
+    world.run(180);
+    let p = position(&world, me);
+    assert!(p.x < 0.85 && p.z < 0.05, "{p:?}");
+}
+
 #[test]
 fn jumping_and_landing() {
     let mut scene = Scene::default();
@@ -214,10 +246,8 @@ fn held_in_the_graph() {
     assert!(position(&world, toy).x < 1.0);
 }
 
-#[test]
-fn sitting_lying_and_getting_up() {
-    let mut scene = Scene::default();
-    scene.floor(10.0, 0.5);
+/// A sofa of three seats 2 m ahead, its front towards the origin.
+fn sofa(scene: &mut Scene) -> NodeId {
     let w = scene.wood;
     let parts = vec![
         part("seat", block([0.3, 0.8, 0.2]), at(0.0, 0.0, 0.2), w),
@@ -225,7 +255,14 @@ fn sitting_lying_and_getting_up() {
     ];
     let surfaces = vec![common::surface("seat", vc_graph::asset::Hold::On, [0.0, 0.0, 0.4], (0.3, 0.75), None)];
     let sofa = scene.asset(Asset { name: "sofa".into(), parts, surfaces, ..Asset::default() });
-    let sofa = scene.add("sofa", sofa, turned(2.0, 0.0, 0.0, Vector3::z(), std::f32::consts::PI));
+    scene.add("sofa", sofa, turned(2.0, 0.0, 0.0, Vector3::z(), std::f32::consts::PI))
+}
+
+#[test]
+fn sitting_lying_and_getting_up() {
+    let mut scene = Scene::default();
+    scene.floor(10.0, 0.5);
+    let sofa = sofa(&mut scene);
     let people: Vec<_> = (0..4).map(|i| scene.agent(at(1.0, 0.7 * i as f32 - 1.0, 0.0))).collect();
     let mut world = scene.world();
     world.run(5);
@@ -251,7 +288,53 @@ fn sitting_lying_and_getting_up() {
     assert!(matches!(world.lie(people[3], sofa), Err(AgentError::OutOfReach { .. })));
     world.teleport(people[3], at(1.2, 0.0, 0.0)).unwrap();
     world.lie(people[3], sofa).unwrap();
+    assert!(matches!(world.posture(people[3]), Some(Posture::Lying(on, 0)) if on == sofa));
+    let p = position(&world, people[3]);
+    assert!((p - Vector3::new(2.0, 0.0, 0.4)).norm() < 1e-4, "{p:?}");
     world.stand_up(people[3]).unwrap();
+    assert!(position(&world, people[3]).z.abs() < 0.01);
+}
+
+/// One sits beside a box and upon a cushion; where there is no room but on boxes, one is told.
+#[test]
+fn seats_that_are_covered() {
+    let mut scene = Scene::default();
+    scene.floor(10.0, 0.5);
+    let sofa = sofa(&mut scene);
+    let cushion = scene.library.add_material(common::material("down", 20.0, 0.5, 0.0)).unwrap();
+    let cushion = scene.solid("cushion", block([0.15, 0.15, 0.15]), cushion);
+    scene.add("cushion", cushion, at(2.0, 0.5, 0.551));
+    let boxes = [0.0, -0.5].map(|y| scene.cube(0.15, at(2.0, y, 0.551)));
+    let people: Vec<_> = (0..2).map(|i| scene.agent(at(1.2, -0.5 + 0.6 * i as f32, 0.0))).collect();
+    let mut world = scene.world();
+    world.settle(200);
+    world.sit(people[0], sofa).unwrap();
+    assert!((position(&world, people[0]).y - 0.5).abs() < 0.05, "on the cushion: {:?}", world.pose(people[0]));
+    let refused = AgentError::SeatCovered { seat: sofa, by: boxes[0] };
+    assert_eq!(world.sit(people[1], sofa), Err(refused));
+    world.place(boxes[0], at(0.0, 3.0, 0.151)).unwrap();
+    world.settle(200);
+    world.sit(people[1], sofa).unwrap();
+    assert!(position(&world, people[1]).y.abs() < 0.05);
+}
+
+/// Nobody walks through one who sits.
+#[test]
+fn who_sits_is_in_the_way() {
+    let mut scene = Scene::default();
+    scene.floor(10.0, 0.5);
+    let stool = scene.solid("stool", block([0.15, 0.15, 0.05]), scene.wood);
+    let stool = scene.add("stool", stool, at(0.0, 0.0, 0.05));
+    let (sitter, walker) = (scene.agent(at(0.5, 0.5, 0.0)), scene.agent(at(-2.0, 0.0, 0.0)));
+    let mut world = scene.world();
+    world.sit(sitter, stool).unwrap();
+    world.go(walker, Vector2::new(1.0, 0.0)).unwrap();
+    let mut least = f32::MAX;
+    for _ in 0..240 {
+        world.step();
+        least = least.min((position(&world, walker) - position(&world, sitter)).xy().norm());
+    }
+    assert!(least > 0.38, "as near as {least} m");
 }
 
 /// Walled in on all sides, there is nowhere to get up to.
@@ -275,7 +358,28 @@ fn no_exit() {
     assert_eq!(world.stand_up(me), Err(AgentError::NoExit(stool)));
 }
 
-/// Four people change places across a room without touching.
+/// Two who meet in a doorway, and in a narrow corridor, both come through.
+#[test]
+fn people_meet_where_it_is_narrow() {
+    for (half_width, length) in [(0.42, 0.1), (0.6, 3.0)] {
+        let mut scene = Scene::default();
+        scene.floor(10.0, 0.5);
+        scene.wall([-length / 2.0, half_width, 0.0], [length / 2.0, 6.0, 2.5]);
+        scene.wall([-length / 2.0, -6.0, 0.0], [length / 2.0, -half_width, 2.5]);
+        let people = [scene.agent(at(-3.0, 0.0, 0.0)), scene.agent(at(3.0, 0.0, 0.0))];
+        let mut world = scene.world();
+        for (person, x) in people.iter().zip([3.0, -3.0]) {
+            world.follow(*person, &[Point2::new(x, 0.0)], false).unwrap();
+        }
+        world.run(1500);
+        for (person, x) in people.iter().zip([3.0, -3.0]) {
+            let p = position(&world, *person);
+            assert!((p.x - x).abs() < 0.1, "{half_width}: {p:?}, {:?}", world.walk(*person));
+        }
+    }
+}
+
+/// Six people change places across a room without touching.
 #[test]
 fn people_walk_past_each_other() {
     let mut scene = Scene::default();

@@ -4,10 +4,11 @@
 
 mod common;
 
-use common::{Scene, at, block, plain};
+use common::{Scene, at, block, part, plain};
 use nalgebra::{Point3, Vector3};
-use vc_graph::State;
-use vc_physics::{PhysicsError, Shapes, World};
+use vc_graph::asset::{Joint, JointKind};
+use vc_graph::{Asset, State};
+use vc_physics::{PhysicsError, Settings, Shapes, World};
 
 #[test]
 fn doors_and_drawers_follow_the_graph_and_back() {
@@ -99,4 +100,124 @@ fn a_drawer_does_not_rub_against_its_neighbours() {
     assert!(world.openness(chests[1]).unwrap() > 0.99);
     assert_eq!([world.openness(chests[0]), world.openness(chests[2])], [Some(0.0), Some(0.0)]);
     assert_eq!(world.pose(snug), Some(at(0.1, 0.265, 0.3)));
+}
+
+/// A chest of one board with a lid of another, hinged at the back: its axis lies level, and it
+/// opens towards negative angles.
+fn lidded(scene: &mut Scene) -> vc_graph::NodeId {
+    let joint =
+        Joint { kind: JointKind::Hinge, anchor: Point3::new(-0.3, 0.0, 0.4), axis: Vector3::y(), limits: (-1.4, 0.0) };
+    let base = part("base", block([0.3, 0.4, 0.2]), at(0.0, 0.0, 0.2), scene.wood);
+    let mut lid = part("lid", block([0.3, 0.4, 0.01]), at(0.0, 0.0, 0.41), scene.wood);
+    lid.joint = Some(joint);
+    let chest = scene.asset(Asset { name: "chest".into(), parts: vec![base, lid], ..Asset::default() });
+    scene.add("kitchen_cabinet", chest, at(0.0, 0.0, 0.0))
+}
+
+/// A lid that a spring balances stays where it is left; one that none does falls shut.
+#[test]
+fn lids_stay_or_fall() {
+    for balanced in [true, false] {
+        let mut scene = Scene::default();
+        scene.floor(5.0, 0.5);
+        let chest = lidded(&mut scene);
+        let mut world = scene.world_with(Settings { balanced, ..plain() });
+        world.put_open(chest, 0, 0.6).unwrap();
+        assert!(world.part_pose(chest, 0).unwrap().rotation.angle() > 0.5);
+        world.settle(600);
+        let open = world.openness(chest).unwrap();
+        assert!(if balanced { (open - 0.6).abs() < 0.01 } else { open < 0.01 }, "{balanced}: {open}");
+    }
+}
+
+/// What stands in the door of a fridge comes along and stays there.
+#[test]
+fn milk_rides_in_the_fridge_door() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.6);
+    let w = scene.wood;
+    let hinge =
+        Joint { kind: JointKind::Hinge, anchor: Point3::new(0.3, 0.3, 0.0), axis: Vector3::z(), limits: (0.0, 1.6) };
+    let moving = |name: &str, half: [f32; 3], x: f32, z: f32| {
+        let mut board = part(name, block(half), at(x, 0.0, z), w);
+        board.joint = Some(hinge);
+        board
+    };
+    let parts = vec![
+        part("body", block([0.25, 0.3, 0.8]), at(-0.05, 0.0, 0.8), w),
+        moving("leaf", [0.02, 0.3, 0.8], 0.36, 0.8),
+        moving("shelf", [0.06, 0.26, 0.01], 0.28, 1.0),
+        moving("rail", [0.005, 0.26, 0.04], 0.215, 1.05),
+    ];
+    let fridge = scene.asset(Asset { name: "fridge".into(), parts, ..Asset::default() });
+    let fridge = scene.add("fridge", fridge, at(0.0, 0.0, 0.0));
+    let milk = scene.cube(0.04, at(0.28, -0.1, 1.051));
+    let mut world = scene.world();
+    world.settle(300);
+    let (before, closed) = (world.pose(milk).unwrap(), world.part_pose(fridge, 0).unwrap());
+    world.drive(fridge, 0, 1.0).unwrap();
+    assert!(world.settle(900).at_rest);
+    assert!(world.openness(fridge).unwrap() > 0.98);
+    let carried = world.part_pose(fridge, 0).unwrap() * closed.inverse() * before;
+    let now = world.pose(milk).unwrap();
+    assert!((now.translation.vector - carried.translation.vector).norm() < 0.05, "{now}, carried {carried}");
+    assert!((now.translation.z - before.translation.z).abs() < 0.006);
+}
+
+/// The two leaves of a window open and shut one by one.
+#[test]
+fn a_window_of_two_leaves() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let w = scene.wood;
+    let leaf = |side: f32| {
+        let limits = if side > 0.0 { (0.0, 1.5) } else { (-1.5, 0.0) };
+        let anchor = Point3::new(0.0, 0.5 * side, 0.0);
+        let mut leaf = part("leaf", block([0.02, 0.25, 0.6]), at(0.0, 0.25 * side, 1.5), w);
+        leaf.joint = Some(Joint { kind: JointKind::Hinge, anchor, axis: Vector3::z(), limits });
+        leaf
+    };
+    let sill = part("sill", block([0.1, 0.5, 0.05]), at(0.0, 0.0, 0.8), w);
+    let window =
+        scene.asset(Asset { name: "window".into(), parts: vec![sill, leaf(1.0), leaf(-1.0)], ..Asset::default() });
+    let window = scene.add("window", window, at(0.0, 0.0, 0.0));
+    let mut world = scene.world();
+    let open = |world: &World| world.moving_parts(window).iter().map(|p| p.open).collect::<Vec<f32>>();
+    world.drive(window, 1, 1.0).unwrap();
+    assert!(world.settle(600).at_rest);
+    let now = open(&world);
+    assert!(now[0] < 0.01 && now[1] > 0.98, "{now:?}");
+    world.put_all_open(window, 0.5).unwrap();
+    assert!(open(&world).iter().all(|o| (o - 0.5).abs() < 1e-3), "{:?}", open(&world));
+    world.drive(window, 0, 0.0).unwrap();
+    world.drive(window, 1, 0.0).unwrap();
+    world.settle(600);
+    assert_eq!(world.open_state(window), Some(State::Closed));
+}
+
+/// A door that is opened at once is where it is when it has been opened in time; where a
+/// person is in the way it stays as it was.
+#[test]
+fn doors_that_leap() {
+    let scene = |person: bool| {
+        let mut scene = Scene::default();
+        scene.floor(5.0, 0.5);
+        let door = scene.door_asset();
+        let door = scene.add("door", door, at(0.0, 0.0, 0.0));
+        if person {
+            scene.agent(at(0.45, 0.0, 0.0));
+        }
+        (scene.world(), door)
+    };
+    let ((mut driven, door), (mut leapt, _)) = (scene(false), scene(false));
+    driven.drive(door, 0, 1.0).unwrap();
+    driven.settle(600);
+    assert!(leapt.leap_open(door, 1.0).unwrap());
+    leapt.settle(100);
+    let angle = |world: &World| world.moving_parts(door)[0].position;
+    assert!((angle(&driven) - angle(&leapt)).abs() < 0.01, "{} {}", angle(&driven), angle(&leapt));
+    let (mut blocked, door) = scene(true);
+    let before = blocked.digest();
+    assert!(!blocked.leap_open(door, 1.0).unwrap());
+    assert_eq!(blocked.digest(), before);
 }

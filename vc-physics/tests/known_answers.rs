@@ -8,7 +8,7 @@ use common::{Scene, at, block, material, part, plain, turned};
 use nalgebra::{Point3, Vector3};
 use vc_graph::Asset;
 use vc_graph::asset::{Joint, JointKind, Shape};
-use vc_physics::{Controls, Fixing, Settings, VehiclePlan};
+use vc_physics::{Controls, Fixing, Settings, VehiclePlan, World};
 
 #[test]
 fn free_fall() {
@@ -80,17 +80,22 @@ fn a_stack_of_ten_rests() {
     assert_eq!(world.supports(cubes[5]), [cubes[4]]);
 }
 
-/// A leaf that hangs from a level hinge swings with the period of its pendulum.
-#[test]
-fn period_of_a_pendulum_door() {
-    let mut scene = Scene::default();
+/// A leaf a metre high that hangs from a level hinge.
+fn flap(scene: &mut Scene) -> vc_graph::NodeId {
     let joint =
         Joint { kind: JointKind::Hinge, anchor: Point3::new(0.0, 0.0, 2.0), axis: Vector3::y(), limits: (-1.5, 1.5) };
     let mut leaf = part("leaf", block([0.02, 0.4, 0.5]), at(0.0, 0.0, 1.5), scene.wood);
     leaf.joint = Some(joint);
     let beam = part("beam", block([0.1, 0.5, 0.05]), at(0.0, 0.0, 2.05), scene.wood);
     let flap = scene.asset(Asset { name: "flap".into(), parts: vec![beam, leaf], ..Asset::default() });
-    let flap = scene.add("door", flap, at(0.0, 0.0, 0.0));
+    scene.add("door", flap, at(0.0, 0.0, 0.0))
+}
+
+/// It swings with the period of its pendulum.
+#[test]
+fn period_of_a_pendulum_door() {
+    let mut scene = Scene::default();
+    let flap = flap(&mut scene);
     let settings = Settings { balanced: false, latches: false, hinge_friction: 0.0, substeps: 4, ..plain() };
     let mut world = scene.world_with(settings);
     world.put_open(flap, 0, 0.1).unwrap();
@@ -110,6 +115,36 @@ fn period_of_a_pendulum_door() {
     }
     let measured = (crossings[4] - crossings[0]) / 4.0 / 60.0;
     assert!((measured / period - 1.0).abs() < 0.02, "{measured} s, should be {period} s");
+}
+
+/// Under a friction torque M each swing to the other side ends 2 M / (m g d) short of the
+/// last one.
+#[test]
+fn friction_of_a_pendulum_door() {
+    let mut scene = Scene::default();
+    let flap = flap(&mut scene);
+    let friction = 0.05;
+    let settings = Settings { balanced: false, latches: false, hinge_friction: friction, substeps: 4, ..plain() };
+    let mut world = scene.world_with(settings);
+    world.put_open(flap, 0, 0.6).unwrap();
+    let position = |world: &World| world.moving_parts(flap)[0].position;
+    let (mut ends, mut before) = (vec![position(&world)], [position(&world); 2]);
+    for _ in 0..600 {
+        world.step();
+        let now = position(&world);
+        if (before[1] - before[0]) * (now - before[1]) < 0.0 && ends.len() < 6 {
+            ends.push(before[1]);
+        }
+        before = [before[1], now];
+    }
+    // Of larger swings the weight's torque goes with the sine: energies are compared.
+    let (arm, gravity) = (0.5_f32, 9.81_f32);
+    for pair in ends.windows(2) {
+        let energy = |angle: f32| gravity * arm * (1.0 - angle.cos());
+        let (lost, way) = (energy(pair[0]) - energy(pair[1]), (pair[0] - pair[1]).abs());
+        assert!((lost / (friction * way) - 1.0).abs() < 0.15, "{ends:?}: {lost} J/kg over {way} rad");
+    }
+    assert!(ends.len() > 4, "{ends:?}");
 }
 
 /// A drawer pulled hard stops at its limits, both ways.
@@ -195,6 +230,22 @@ fn momentum_of_a_collision() {
     assert!((vb - 2.0 / 4.375 * 3.0).abs() < 0.15, "{vb}");
 }
 
+/// A stone sinks as fast as its drag lets it: with `2 (m - rho V) g = rho A c v^2`.
+#[test]
+fn speed_of_a_sinking_stone() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let stone = scene.library.add_material(material("granite", 2600.0, 0.5, 0.0)).unwrap();
+    let stone = scene.solid("stone", block([0.05; 3]), stone);
+    let stone = scene.add("toy", stone, at(0.0, 0.0, 40.0));
+    let mut world = scene.world();
+    world.add_water(&vc_graph::Aabb { min: [-5.0, -5.0, 0.0].into(), max: [5.0, 5.0, 45.0].into() }).unwrap();
+    world.run(240);
+    let speed = -world.velocity(stone).unwrap().z;
+    let expected = (2.0_f32 * 0.001 * 1600.0 * 9.81 / (1000.0 * 0.01)).sqrt();
+    assert!((speed / expected - 1.0).abs() < 0.1, "{speed} m/s, should be {expected} m/s");
+}
+
 fn car(scene: &mut Scene, mass: f32) -> vc_graph::NodeId {
     let density = mass / (4.2 * 1.7 * 0.6);
     let steel = scene.library.add_material(material("car", density, 0.5, 0.0)).unwrap();
@@ -230,6 +281,39 @@ fn stopping_distance_of_a_car() {
     assert!((distance / expected - 1.0).abs() < 0.1, "{distance} m, should be {expected} m");
     world.run(120);
     assert!((world.pose(car).unwrap().translation.x - from - distance).abs() < 0.1, "it stands");
+}
+
+/// Let down from its stand, a car bounces at the rate of its springs, and each bounce is lower
+/// than the last as its dampers want.
+#[test]
+fn springs_and_dampers_of_a_car() {
+    let mut scene = Scene::default();
+    scene.floor(50.0, 0.9);
+    let car = car(&mut scene, 1300.0);
+    let mut world = scene.world_with(Settings { substeps: 4, ..plain() });
+    world.add_vehicle(car, &VehiclePlan::car(1300.0, 2.6, 1.5, 0.32, 0.32)).unwrap();
+    world.run(240);
+    let height = |world: &World| world.pose(car).unwrap().translation.z;
+    let rest = height(&world);
+    world.place(car, at(0.0, 0.0, rest - 0.06)).unwrap();
+    let (mut crossings, mut peaks, mut before) = (Vec::new(), Vec::new(), [-0.06_f32; 2]);
+    for step in 0..240 {
+        world.step();
+        let now = height(&world) - rest;
+        if before[1] < 0.0 && now >= 0.0 {
+            crossings.push(step as f32 - now / (now - before[1]));
+        }
+        if before[1] > before[0] && now < before[1] {
+            peaks.push(before[1]);
+        }
+        before = [before[1], now];
+    }
+    // Of 1.5 Hz and 0.3 of the critical damping.
+    let damped = 1.5 * (1.0_f32 - 0.09).sqrt();
+    let measured = 60.0 / (crossings[1] - crossings[0]);
+    assert!((measured / damped - 1.0).abs() < 0.1, "{measured} Hz, should be {damped} Hz");
+    let decay = (-std::f32::consts::PI * 0.3 / (1.0_f32 - 0.09).sqrt()).exp();
+    assert!((peaks[0] / (0.06 * decay) - 1.0).abs() < 0.25, "{peaks:?}, the first should be {}", 0.06 * decay);
 }
 
 #[test]

@@ -292,7 +292,9 @@ impl World {
         if at_once {
             let colliders = self.engine.bodies.get(body).map_or_else(Vec::new, |b| b.colliders().to_vec());
             for collider in colliders {
-                if let Some(collider) = self.engine.colliders.get_mut(collider).filter(|c| c.collision_groups() != groups) {
+                if let Some(collider) =
+                    self.engine.colliders.get_mut(collider).filter(|c| c.collision_groups() != groups)
+                {
                     collider.set_collision_groups(groups);
                     collider.set_shape(shape.clone());
                     collider.set_position_wrt_parent(at);
