@@ -28,10 +28,15 @@ pub(crate) fn point3(v: Vector) -> Point3<f32> {
     vector3(v).into()
 }
 
-/// Whether every number of a pose is finite and its rotation a rotation.
+/// How far from the origin anything may be, metres: there floats are six centimetres apart.
+pub(crate) const FARTHEST: f32 = 1e6;
+/// How large anything may be, metres.
+pub(crate) const LARGEST: f32 = 1e4;
+
+/// Whether a pose is within bounds and its rotation a rotation.
 pub(crate) fn is_sound(pose: &Pose) -> bool {
-    let all = pose.translation.vector.iter().chain(pose.rotation.coords.iter()).all(|v| v.is_finite());
-    all && (pose.rotation.coords.norm() - 1.0).abs() < 1e-3
+    let near = pose.translation.vector.iter().all(|v| v.abs() <= FARTHEST);
+    near && (pose.rotation.coords.norm() - 1.0).abs() < 1e-3
 }
 
 /// Whether every number of a vector is finite.

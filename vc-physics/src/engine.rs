@@ -12,6 +12,8 @@ use rapier3d::math::Pose as EnginePose;
 use rapier3d::pipeline::{PhysicsPipeline, QueryFilter, QueryPipeline};
 use serde::{Deserialize, Serialize};
 
+use vc_graph::portable::Portable;
+
 use crate::convert;
 
 /// How far apart two bodies get their contact points, metres. The engine's own two
@@ -25,6 +27,9 @@ const AHEAD: f32 = 0.25;
 const FAST: f32 = 2.5;
 /// So are those that turn faster, radians a second.
 const WHIRLING: f32 = 15.0;
+/// What is faster than this, metres or radians a second, has left all that is simulated: long
+/// before numbers end, the engine's distances do not work any more.
+const WILD: f32 = 1e4;
 /// What turns slower keeps its spin: the gyroscopic moment goes with its square, and is
 /// worked out in every part of a step. Radians a second.
 const TURNING: f32 = 1.0;
@@ -154,16 +159,20 @@ impl Engine {
 
     /// Lets fast bodies look ahead, and slow ones not: that costs time. Slow is who
     /// gets less far in a step than contacts are looked for anyway. What turns slowly
-    /// turns as if it had no gyroscopic moment, and only steps in which something is so
+    /// turns as if it had no gyroscopic moment, what has gone wild is stopped, and only steps in which something is so
     /// fast that looking ahead may not do sweep bodies along their ways.
     fn look_ahead(&mut self) {
-        let slow = (PREDICTION / self.parameters.dt).powi(2);
+        let slow = (PREDICTION / self.parameters.dt).raised(2);
         let ahead = |body: &RigidBody| if body.linvel().length_squared() > slow { AHEAD } else { 0.0 };
         let turns = |body: &RigidBody| body.angvel().length_squared() > TURNING * TURNING;
-        let (mut differing, mut swept) = (Vec::new(), false);
+        let (mut differing, mut wild, mut swept) = (Vec::new(), Vec::new(), false);
         for handle in self.islands.active_bodies() {
             let Some(body) = self.bodies.get(handle) else { continue };
             let (speed, spin) = (body.linvel().length_squared(), body.angvel().length_squared());
+            let place = body.position().translation;
+            if speed > WILD * WILD || spin > WILD * WILD || place.abs().max_element() > convert::FARTHEST {
+                wild.push(handle);
+            }
             swept |= speed > FAST * FAST || spin > WHIRLING * WHIRLING;
             if body.soft_ccd_prediction() != ahead(body) || body.gyroscopic_forces_enabled() != turns(body) {
                 differing.push(handle);
@@ -173,6 +182,12 @@ impl Engine {
             if let Some(body) = self.bodies.get_mut(handle) {
                 body.set_soft_ccd_prediction(ahead(body));
                 body.enable_gyroscopic_forces(turns(body));
+            }
+        }
+        for handle in wild {
+            if let Some(body) = self.bodies.get_mut(handle) {
+                // What is no number the engine stops and names.
+                body.set_linvel(rapier3d::math::Vector::splat(f32::NAN), false);
             }
         }
         self.parameters.max_ccd_substeps = usize::from(swept);

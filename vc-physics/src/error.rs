@@ -18,8 +18,8 @@ pub enum PhysicsError {
     /// The node has a body already.
     #[error("{0} has a body already; move it instead")]
     Duplicate(NodeId),
-    /// A number is not finite, or a rotation is none.
-    #[error("{0} of {1} is not finite")]
+    /// A number is not finite, a place is more than 1,000 km away, or a rotation is none.
+    #[error("{0} of {1} is not finite, or farther than 1,000 km")]
     NotFinite(&'static str, NodeId),
     /// The node has no such moving part.
     #[error("{id} has {count} moving parts, asked for part {part}")]

@@ -5,6 +5,7 @@ use rapier3d::geometry::{Collider, ColliderHandle, Ray, SharedShape};
 use rapier3d::math::Pose as EnginePose;
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::asset::{Hold, Surface};
+use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose, Seed};
 
 use crate::world::{Thing, World};
@@ -106,7 +107,7 @@ impl World {
 
     /// Whether a box of half lengths at a pose overlaps nothing.
     pub fn is_free(&self, half: Vector3<f32>, pose: &Pose) -> bool {
-        if !convert::is_finite(&half) || half.min() <= 0.0 || !convert::is_sound(pose) {
+        if !is_size(&half) || !convert::is_sound(pose) {
             return false;
         }
         let mut free = true;
@@ -133,20 +134,43 @@ impl World {
         yaw: f32,
         order: Order,
     ) -> Result<Option<Pose>, PhysicsError> {
-        let (thing, below) = (self.thing(id)?, self.thing(on)?);
-        let count = below.form.surfaces.len();
-        let missing = PhysicsError::NoSuchSurface { id: on, surface, count };
-        let shelf = self.shelf_of(below, surface).ok_or(missing)?;
-        if !yaw.is_finite() {
-            return Err(PhysicsError::NotFinite("the yaw", id));
-        }
-        let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
+        let thing = self.thing(id)?;
+        let shelf = self.shelf(on, surface)?;
+        let turn = turn(yaw, id)?;
         let free = |spot: &Pose| {
             let mut clear = true;
             self.for_overlaps(thing, spot, &mut |_| clear = false);
             clear
         };
-        Ok(spots(thing, &shelf, &turn, order).into_iter().find(free))
+        Ok(spots(thing.form.extent, &shelf, &turn, order).into_iter().find(free))
+    }
+
+    /// As [`Self::free_spot`], for a box of half lengths that no node has yet: the pose of its
+    /// middle.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NoSuchSurface`],
+    /// [`PhysicsError::NotFinite`] of the yaw or of lengths that are not positive.
+    pub fn free_spot_for(
+        &self,
+        half: Vector3<f32>,
+        on: NodeId,
+        surface: usize,
+        yaw: f32,
+        order: Order,
+    ) -> Result<Option<Pose>, PhysicsError> {
+        let shelf = self.shelf(on, surface)?;
+        if !is_size(&half) {
+            return Err(PhysicsError::NotFinite("the footprint", on));
+        }
+        let spots = spots((Point3::from(-half), Point3::from(half)), &shelf, &turn(yaw, on)?, order);
+        Ok(spots.into_iter().find(|spot| self.is_free(half, spot)))
+    }
+
+    fn shelf(&self, on: NodeId, surface: usize) -> Result<Shelf, PhysicsError> {
+        let below = self.thing(on)?;
+        let count = below.form.surfaces.len();
+        self.shelf_of(below, surface).ok_or(PhysicsError::NoSuchSurface { id: on, surface, count })
     }
 
     /// As [`Self::free_spot`], on whichever surface of a node has one: those inside
@@ -177,9 +201,10 @@ impl World {
     /// Nodes of which some part is within a distance of a point, nearest first, with
     /// the distance; walls and floors with them.
     pub fn within(&self, centre: Point3<f32>, radius: f32) -> Vec<(NodeId, f32)> {
-        if !convert::is_finite(&centre.coords) || !radius.is_finite() || radius < 0.0 {
+        if !centre.iter().all(|c| c.abs() <= convert::FARTHEST) || !radius.is_finite() || radius < 0.0 {
             return Vec::new();
         }
+        let radius = radius.min(convert::FARTHEST);
         let ball = rapier3d::parry::shape::Ball::new(radius.max(1e-4));
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors());
         let at = EnginePose::from_translation(convert::point(centre));
@@ -209,9 +234,25 @@ impl World {
     }
 }
 
-/// The spots of a surface where a thing fits within edges and height, best first.
-fn spots(thing: &Thing, shelf: &Shelf, turn: &UnitQuaternion<f32>, order: Order) -> Vec<Pose> {
-    let (low, high) = thing.form.extent;
+/// Whether half lengths are those of a box.
+fn is_size(half: &Vector3<f32>) -> bool {
+    half.iter().all(|h| *h > 0.0 && *h <= convert::LARGEST)
+}
+
+/// A turn around the vertical.
+fn turn(yaw: f32, of: NodeId) -> Result<UnitQuaternion<f32>, PhysicsError> {
+    let sound = yaw.is_finite().then(|| UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw));
+    sound.ok_or(PhysicsError::NotFinite("the yaw", of))
+}
+
+/// The spots of a surface where a thing between two corners fits within edges and height, best
+/// first.
+fn spots(
+    (low, high): (Point3<f32>, Point3<f32>),
+    shelf: &Shelf,
+    turn: &UnitQuaternion<f32>,
+    order: Order,
+) -> Vec<Pose> {
     let size = high - low;
     let (cos, sin) = ((turn * Vector3::x()).x.abs(), (turn * Vector3::x()).y.abs());
     let half = ((size.x * cos + size.y * sin) / 2.0, (size.x * sin + size.y * cos) / 2.0);
@@ -238,7 +279,7 @@ fn steps(room: f32) -> impl Iterator<Item = f32> {
 fn ordered(mut raster: Vec<(f32, f32)>, shelf: &Shelf, order: Order) -> Vec<(f32, f32)> {
     let nearest = |to: (f32, f32)| {
         move |a: &(f32, f32), b: &(f32, f32)| {
-            let far = |p: &(f32, f32)| (p.0 - to.0).powi(2) + (p.1 - to.1).powi(2);
+            let far = |p: &(f32, f32)| (p.0 - to.0).raised(2) + (p.1 - to.1).raised(2);
             far(a).total_cmp(&far(b))
         }
     };

@@ -78,7 +78,7 @@ impl World {
         let things = shapes.session(graph.assets(), |session| {
             let form = |(id, state): (NodeId, State)| {
                 let node = graph.node(id).ok_or(SnapshotError::OtherScene(id))?;
-                let form = session.form(node, node.affords(vc_graph::Property::Openable), || hollow(graph, id));
+                let form = session.form(graph, node);
                 let form = form.filter(|f| f.links.len() == state.moving.len() + 1);
                 Ok(Thing { id, form: form.ok_or(SnapshotError::OtherScene(id))?, state })
             };
@@ -130,10 +130,6 @@ impl World {
         self.vehicles.iter().for_each(|(id, vehicle)| vehicle.feed(*id, &mut hash));
         Digest(hash.0)
     }
-}
-
-fn hollow(graph: &SceneGraph, id: NodeId) -> bool {
-    graph.relating(vc_graph::Relation::Inside, id).next().is_some()
 }
 
 fn decoded(bytes: &[u8]) -> Result<Content, SnapshotError> {

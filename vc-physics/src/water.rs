@@ -8,6 +8,7 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::RigidBody;
 use serde::{Deserialize, Serialize};
 use vc_graph::asset::{Hold, Surface};
+use vc_graph::portable::Portable;
 use vc_graph::{Aabb, NodeId, Pose};
 
 use crate::agent::facing;
@@ -264,7 +265,7 @@ fn float(body: &mut RigidBody, below: &Submerged, dt: f32, gravity: f32) {
     // Gravity itself is added by the engine: what counts is the difference.
     let lift = displaced * gravity - weight;
     let velocity = body.linvel();
-    let area = nalgebra::ComplexField::cbrt(below.volume).powi(2);
+    let area = nalgebra::ComplexField::cbrt(below.volume).raised(2);
     let drag = 0.5 * DENSITY * DRAG * area * velocity.length() * dt / (mass + ADDED * displaced);
     // Waves go with the water a body moves, not with how much of the body is below: what is
     // light and floats high would bob for minutes. What is deep makes none.

@@ -360,6 +360,41 @@ fn places_to_stand() {
     let _ = high;
 }
 
+/// The place to stand is the nearest on foot of all from which a thing is within reach and in
+/// sight: not behind the board that hides it.
+#[test]
+fn the_nearest_place_to_stand() {
+    let mut scene = Scene::default();
+    scene.floor(6.0, 0.5);
+    // A stand, and a board before its near side.
+    scene.wall([-0.15, -0.15, 0.0], [0.15, 0.15, 0.74]);
+    scene.wall([-0.19, -0.4, 0.0], [-0.17, 0.4, 2.2]);
+    let cup = scene.cube(0.05, at(0.0, 0.0, 0.79));
+    let me = scene.agent(at(-3.0, 0.2, 0.0));
+    let mut world = scene.world();
+    world.run(5);
+    let floor = Floor::of(&world, FloorPlan::default());
+    let (plan, from) = (BodyPlan::default(), Point2::new(-3.0, 0.2));
+    let stand = floor.stand(&world, &plan, from, cup).unwrap().unwrap();
+    let length = |spot: Point2<f32>| floor.route(from, spot).map(|r| r.length);
+    // Of all spots of a fine raster at which one could stand, asked as an agent is asked there.
+    let mut best = f32::MAX;
+    for (i, k) in (0..70).flat_map(|i| (0..70).map(move |k| (i, k))) {
+        let spot = Point2::new(-1.4 + 0.04 * i as f32, -1.4 + 0.04 * k as f32);
+        let feet = at(spot.x, spot.y, 0.0);
+        if floor.is_free(spot) && length(spot).is_some_and(|l| l < best) {
+            world.teleport(me, feet).unwrap();
+            let reach = world.in_reach(me).unwrap().iter().any(|(id, far)| *id == cup && *far < plan.reach - 0.06);
+            if reach && world.can_see(me, cup).unwrap() {
+                best = length(spot).unwrap();
+            }
+        }
+    }
+    let feet: Point2<f32> = stand.feet.translation.vector.xy().into();
+    assert!(feet.x > -0.2 || feet.y.abs() > 0.4, "not where the board hides it: {feet}");
+    assert!(stand.route.length < best + 0.15, "{} m, where {best} m are enough", stand.route.length);
+}
+
 #[test]
 fn odd_floors() {
     let plan = FloorPlan::default();

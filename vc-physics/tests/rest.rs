@@ -57,6 +57,42 @@ fn what_is_on_a_hook_hangs() {
     assert_eq!(world.settle(400).fell, [falls]);
 }
 
+/// What certainly rests may sleep at once; what is about to tip, or stands on that, may not.
+#[test]
+fn who_dozes_off() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let table = scene.table(at(0.0, 0.0, 0.0));
+    let safe = scene.cube(0.05, at(0.0, 0.0, 0.79));
+    let stacked = scene.cube(0.05, at(0.0, 0.0, 0.89));
+    let edge = scene.cube(0.05, at(0.402, 0.3, 0.79));
+    let burden = scene.cube(0.03, at(0.402, 0.3, 0.87));
+    let mut world = scene.world();
+    world.run(3);
+    world.doze();
+    world.step();
+    let asleep = [safe, stacked, edge, burden].map(|id| world.is_asleep(id));
+    assert_eq!(asleep, [true, true, false, false]);
+    // Nothing has been stopped: it falls in time.
+    assert_eq!(world.settle(400).fell, [edge, burden]);
+    assert_eq!(world.supports(safe), [table]);
+}
+
+/// What is pinned stays where it is, at no cost, until it is pushed.
+#[test]
+fn what_is_pinned_stays() {
+    let mut scene = Scene::default();
+    let floor = scene.floor(5.0, 0.5);
+    let cube = scene.cube(0.05, at(0.0, 0.0, 1.0));
+    let mut world = scene.world();
+    world.pin(cube).unwrap();
+    world.settle(100);
+    assert_eq!((world.role(cube), world.pose(cube).unwrap().translation.z), (Some(Role::Hung), 1.0));
+    world.push(cube, Vector3::new(0.01, 0.0, 0.0), Point3::new(0.0, 0.0, 1.0)).unwrap();
+    assert_eq!((world.settle(300).fell, world.role(cube)), (vec![cube], Some(Role::Loose)));
+    assert!(world.pin(floor).is_err());
+}
+
 /// Light things on small feet come to rest and stay where they are.
 #[test]
 fn small_things_do_not_tremble() {

@@ -87,6 +87,63 @@ fn free_spots() {
     assert!(!world.is_free(Vector3::repeat(0.2), &at(1.0, 1.0, 0.7)));
 }
 
+/// A spot for what is not there yet is one at which it stands once it is.
+#[test]
+fn free_spots_for_a_footprint() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let table = scene.table(at(1.0, 1.0, 0.0));
+    let taken = scene.cube(0.3, at(1.0, 0.6, 1.041));
+    let cube = scene.solid("cube", block([0.1; 3]), scene.wood);
+    let mut graph = scene.graph();
+    let shapes = Shapes::new();
+    let mut world = World::build(&graph, &shapes, plain()).unwrap();
+    let near = Order::Near(Point3::new(1.0, 0.6, 0.8));
+    let spot = world.free_spot_for(Vector3::repeat(0.1), table, 0, 0.4, near).unwrap().unwrap();
+    assert!((spot.translation.z - 0.841).abs() < 1e-4, "the middle of the box: {spot}");
+    let mut edit = graph.edit();
+    let new = edit.add(Draft { asset: Some(cube), ..Draft::new("toy").at(spot) }).unwrap();
+    edit.commit();
+    world.insert(&graph, new, &shapes).unwrap();
+    assert!(world.overlaps(new, &spot).unwrap().is_empty());
+    let report = world.settle(200);
+    assert!(report.at_rest && report.fell.is_empty(), "{report:?}");
+    assert_eq!((world.supports(new), world.supports(taken)), (vec![table], vec![table]));
+    let too_large = world.free_spot_for(Vector3::new(0.5, 0.5, 0.1), table, 0, 0.0, Order::Middle);
+    assert_eq!(too_large.unwrap(), None);
+    for half in [Vector3::zeros(), Vector3::new(0.1, f32::NAN, 0.1), Vector3::new(-0.1, 0.1, 0.1)] {
+        assert!(world.free_spot_for(half, table, 0, 0.0, Order::Middle).is_err());
+    }
+    assert!(world.free_spot_for(Vector3::repeat(0.1), table, 0, f32::INFINITY, Order::Middle).is_err());
+    assert!(world.free_spot_for(Vector3::repeat(0.1), table, 9, 0.0, Order::Middle).is_err());
+}
+
+/// However many parts a wall has, its window stays open.
+#[test]
+fn a_wall_of_many_parts_keeps_its_window() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    // A raster of bricks half a metre wide, without those of the window.
+    let bricks =
+        (0..8).flat_map(|i| (0..5).map(move |k| (i, k))).filter(|(i, k)| !(3..5).contains(i) || !(2..4).contains(k));
+    let brick = |(i, k): (i32, i32)| {
+        let pose = at(0.0, -1.75 + 0.5 * i as f32, 0.25 + 0.5 * k as f32);
+        part("brick", block([0.05, 0.25, 0.25]), pose, scene.wood)
+    };
+    let parts: Vec<_> = bricks.map(brick).collect();
+    assert_eq!(parts.len(), 36);
+    let wall = scene.asset(Asset { name: "wall".into(), parts, ..Asset::default() });
+    scene.add("wall", wall, at(2.0, 0.0, 0.0));
+    let (through, against) = (scene.ball(0.05, at(0.0, 0.0, 1.5)), scene.ball(0.05, at(0.0, 1.2, 1.5)));
+    let mut world = scene.world();
+    for ball in [through, against] {
+        world.set_velocity(ball, Vector3::new(8.0, 0.0, 1.0), Vector3::zeros()).unwrap();
+    }
+    world.run(60);
+    let x = |id| world.pose(id).unwrap().translation.x;
+    assert!(x(through) > 2.5 && x(against) < 2.0, "{} {}", x(through), x(against));
+}
+
 #[test]
 fn free_spots_in_containers_keep_below_their_roof() {
     let mut scene = Scene::default();

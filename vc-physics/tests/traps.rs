@@ -8,6 +8,7 @@ use std::f32::consts::FRAC_PI_2;
 
 use common::{Scene, at, part, plain, surface};
 use nalgebra::{Point3, Vector3};
+use proptest::prelude::*;
 use vc_graph::Asset;
 use vc_graph::asset::{Hold, Shape};
 use vc_physics::{Settings, Shapes, World};
@@ -157,6 +158,59 @@ fn faces_with_many_corners_carry_everywhere() {
     for pot in pots {
         let z = world.pose(pot).unwrap().translation.z;
         assert!((z - 0.7).abs() < 0.006, "{z}");
+    }
+}
+
+fn hostile(sound: std::ops::Range<f32>) -> impl Strategy<Value = f32> {
+    let odd = prop::sample::select(vec![0.0, -0.1, 1e-30, 1e30, -1e30, f32::NAN, f32::INFINITY, f32::NEG_INFINITY]);
+    prop_oneof![6 => sound, 1 => odd]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Whatever the measures, poses and orders: done or refused, never a panic, and what is
+    /// left is finite.
+    #[test]
+    fn hostile_worlds(
+        boxes in prop::collection::vec(prop::array::uniform7(hostile(0.01..2.0)), 1..6),
+        orders in prop::collection::vec((0..12_u8, 1..9_u32, prop::array::uniform3(hostile(-3.0..3.0))), 0..16),
+    ) {
+        let mut scene = Scene::default();
+        scene.floor(4.0, 0.5);
+        let door = scene.door_asset();
+        scene.add("door", door, at(0.0, 3.0, 0.0));
+        scene.agent(at(3.0, 3.0, 0.0));
+        for [x, y, z, sx, sy, sz, turn] in boxes {
+            let pose = common::turned(x, y, z, Vector3::new(0.2, 1.0, 0.4), turn);
+            let bounds = vc_graph::Bounds::standing(Vector3::new(sx, sy, sz));
+            // The graph refuses some of these itself.
+            drop(scene.builder.add(vc_graph::Draft::new("toy").at(pose).bounds(bounds)));
+        }
+        let mut world = scene.world();
+        let agent = world.agents().next().unwrap();
+        for (order, id, [a, b, c]) in orders {
+            let (id, v) = (vc_graph::NodeId(id), Vector3::new(a, b, c));
+            match order {
+                0 => drop(world.push(id, v, v.into())),
+                1 => drop(world.set_velocity(id, v, v)),
+                2 => drop(world.place(id, at(a, b, c))),
+                3 => drop(world.go(agent, v.xy())),
+                4 => drop(world.follow(agent, &[v.xy().into()], true)),
+                5 => drop(world.grab(agent, vc_physics::Hand::Right, id)),
+                6 => drop(world.put_open(id, 0, a)),
+                7 => drop(world.fill(id, a)),
+                8 => drop(world.add_water(&vc_graph::Aabb { min: v.into(), max: (v * 2.0).into() })),
+                9 => drop(world.sit(agent, id)),
+                10 => drop(world.remove(id)),
+                _ => drop(world.free_spot_for(v, id, 0, a, vc_physics::Order::Near(v.into()))),
+            }
+            world.run(2);
+        }
+        let finite = |v: &Vector3<f32>| v.iter().all(|c| c.is_finite());
+        for (id, pose) in world.poses() {
+            prop_assert!(finite(&pose.translation.vector) || world.stopped().contains(&id), "{id}: {pose}");
+        }
     }
 }
 

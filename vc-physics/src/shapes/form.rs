@@ -80,8 +80,29 @@ impl Link {
     }
 }
 
+/// What is made of an asset.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Kind {
+    /// One body.
+    Rigid,
+    /// A base, and parts that move on joints.
+    Jointed,
+    /// A part of the building. Of its pieces none are joined: that would wall up its doors and
+    /// windows.
+    Building,
+}
+
+/// What the links of a form are made with.
+struct Making<'a> {
+    library: &'a AssetLibrary,
+    by: &'a Vector3<f32>,
+    surfaces: &'a [Surface],
+    joins: bool,
+}
+
 impl Form {
-    pub(super) fn of_asset(asset: &Asset, library: &AssetLibrary, scale: &Vector3<f32>, moving: bool) -> Self {
+    pub(super) fn of_asset(asset: &Asset, library: &AssetLibrary, scale: &Vector3<f32>, kind: Kind) -> Self {
+        let (moving, by) = (kind == Kind::Jointed, scale);
         let mut joints: Vec<Option<Joint>> = vec![None];
         for part in asset.parts.iter().chain(&asset.collision).filter(|p| moving && p.joint.is_some()) {
             if !joints.contains(&part.joint) {
@@ -90,13 +111,14 @@ impl Form {
         }
         let surfaces: Vec<Surface> = asset.surfaces.iter().map(|s| scale::surface(s, scale)).collect();
         let mine = |part: &&Part, joint: &Option<Joint>| if moving { part.joint == *joint } else { true };
+        let making = Making { library, by, surfaces: &surfaces, joins: kind != Kind::Building };
         let link = |joint: &Option<Joint>| {
             let parts: Vec<&Part> = asset.parts.iter().filter(|p| mine(p, joint)).collect();
             let given: Vec<&Part> = asset.collision.iter().filter(|p| mine(p, joint)).collect();
             let solid = if asset.collision.is_empty() { &parts } else { &given };
             let name = parts.first().map_or_else(|| "".into(), |p| p.name.clone());
             let joint = joint.as_ref().map(|j| scale::joint(j, scale));
-            Link::new(name, joint, &parts, solid, library, scale, &surfaces)
+            Link::new(name, joint, &parts, solid, &making)
         };
         Self::new(joints.iter().map(link).collect(), surfaces.clone())
     }
@@ -120,7 +142,8 @@ impl Form {
         let parts: Vec<Part> = walls.into_iter().map(part).collect();
         let parts: Vec<&Part> = parts.iter().collect();
         let library = AssetLibrary::default();
-        let link = Link::new("box".into(), None, &parts, &parts, &library, &Vector3::repeat(1.0), &[]);
+        let making = Making { library: &library, by: &Vector3::repeat(1.0), surfaces: &[], joins: true };
+        let link = Link::new("box".into(), None, &parts, &parts, &making);
         Self::new(vec![link], Vec::new())
     }
 
@@ -130,6 +153,12 @@ impl Form {
         let extent = corners.fold(start, |(low, high), p| (low.inf(&p), high.sup(&p)));
         let extent = if extent.0.x <= extent.1.x { extent } else { (Point3::origin(), Point3::origin()) };
         Self { links, surfaces, extent }
+    }
+
+    /// Whether it is no larger than anything may be.
+    pub(crate) fn is_of_this_world(&self) -> bool {
+        let (low, high) = self.extent;
+        low.iter().chain(high.iter()).all(|c| c.abs() <= convert::LARGEST)
     }
 
     /// Mass of all links, kilograms.
@@ -148,18 +177,12 @@ impl Form {
 }
 
 impl Link {
-    fn new(
-        name: Arc<str>,
-        joint: Option<Joint>,
-        parts: &[&Part],
-        solid: &[&Part],
-        library: &AssetLibrary,
-        by: &Vector3<f32>,
-        surfaces: &[Surface],
-    ) -> Self {
+    fn new(name: Arc<str>, joint: Option<Joint>, parts: &[&Part], solid: &[&Part], making: &Making<'_>) -> Self {
+        let Making { library, by, surfaces, joins } = *making;
         let mut sum = Sum::default();
         parts.iter().for_each(|p| sum.add(p, library, by));
-        let pieces = merge::merged(solid.iter().flat_map(|p| hollow::pieces(p, by, surfaces)).collect(), surfaces);
+        let pieces = solid.iter().flat_map(|p| hollow::pieces(p, by, surfaces)).collect();
+        let pieces = if joins { merge::merged(pieces, surfaces) } else { pieces };
         let (mass, friction, restitution) = sum.finish(&pieces);
         Self {
             name,

@@ -14,9 +14,11 @@ mod slab;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, Weak};
 
-use vc_graph::{AssetId, AssetLibrary, Node};
+use vc_graph::{AssetId, AssetLibrary, Node, Property, Relation, SceneGraph};
 
+use crate::role::is_structure;
 pub(crate) use footprint::{Footprint, levels};
+use form::Kind;
 pub(crate) use form::{Form, Link};
 pub(crate) use mass::scaled;
 
@@ -30,7 +32,9 @@ pub(crate) use mass::scaled;
 /// any, else its parts; a mesh is its convex hull, but for the space above a surface that
 /// holds things: a bathtub stays hollow. What moves together is one body of convex pieces; if these
 /// are more than 24, those are joined whose common box wastes the least volume, but
-/// never across the free space above a surface that holds things. Mass and inertia
+/// never across the free space above a surface that holds things; those of the building
+/// never, so that doorways stay open, and a wall is best made of parts: a mesh that is one is
+/// its hull. Mass and inertia
 /// always come from the parts and their materials.
 #[derive(Default)]
 pub struct Shapes {
@@ -44,8 +48,8 @@ struct Library {
     forms: HashMap<Key, Arc<Form>>,
 }
 
-/// Asset, scale, and whether its parts move.
-type Key = (AssetId, [u32; 3], bool);
+/// Asset, scale, and what is made of it.
+type Key = (AssetId, [u32; 3], Kind);
 
 impl std::fmt::Debug for Shapes {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -93,21 +97,27 @@ pub(crate) struct Session<'a> {
 
 impl Session<'_> {
     /// The form of a node, if it has an asset with parts, or a box.
-    pub(crate) fn form(&mut self, node: &Node, moving: bool, hollow: impl FnOnce() -> bool) -> Option<Arc<Form>> {
+    pub(crate) fn form(&mut self, graph: &SceneGraph, node: &Node) -> Option<Arc<Form>> {
         let spec = node.spec();
         if let Some((id, asset)) = spec.asset.and_then(|id| Some((id, self.library.get(id)?)))
             && !asset.parts.is_empty()
         {
-            let moving = moving && asset.parts.iter().any(|p| p.joint.is_some());
-            let key = (id, [spec.scale.x, spec.scale.y, spec.scale.z].map(f32::to_bits), moving);
+            let moves = node.affords(Property::Openable) && asset.parts.iter().any(|p| p.joint.is_some());
+            let kind = match is_structure(node, graph.classes().get(node.class())) {
+                _ if moves => Kind::Jointed,
+                true => Kind::Building,
+                false => Kind::Rigid,
+            };
+            let key = (id, [spec.scale.x, spec.scale.y, spec.scale.z].map(f32::to_bits), kind);
             if let Some(form) = self.forms.get(&key) {
                 return Some(form.clone());
             }
-            let form = Arc::new(Form::of_asset(asset, self.library, &spec.scale, moving));
+            let form = Arc::new(Form::of_asset(asset, self.library, &spec.scale, kind));
             self.forms.insert(key, form.clone());
             return Some(form);
         }
         let bounds = spec.bounds?;
-        Some(Arc::new(Form::of_box(&bounds, node.pose()?, hollow())))
+        let hollow = graph.relating(Relation::Inside, node.id()).next().is_some();
+        Some(Arc::new(Form::of_box(&bounds, node.pose()?, hollow)))
     }
 }

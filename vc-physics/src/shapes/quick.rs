@@ -186,6 +186,8 @@ fn in_order(mut edge: Vec<(u32, u32, u32)>) -> Option<Vec<(u32, u32, u32)>> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 mod tests {
+    use vc_graph::portable::Portable;
+
     use super::*;
 
     /// Volume enclosed, and how far the farthest point is outside.
@@ -217,7 +219,7 @@ mod tests {
         let point = |i: u32| {
             let (turn, rise) = (i as f32 * 2.4, (i as f32 + 0.5) / 150.0 - 1.0);
             let ring = (1.0 - rise * rise).max(0.0).sqrt();
-            Point3::new(ring * turn.cos(), ring * turn.sin(), rise) * 0.2 + nalgebra::Vector3::new(3.0, -2.0, 1.0)
+            Point3::new(ring * turn.cosine(), ring * turn.sine(), rise) * 0.2 + nalgebra::Vector3::new(3.0, -2.0, 1.0)
         };
         let points: Vec<_> = (0..300).map(point).collect();
         let triangles = triangles(&points).unwrap();

@@ -7,7 +7,7 @@ use rapier3d::dynamics::{RigidBodyBuilder, RigidBodyHandle};
 use rapier3d::geometry::{ColliderBuilder, SharedShape};
 use rapier3d::math::Pose as EnginePose;
 use vc_graph::class::Category;
-use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, Relation, SceneGraph};
+use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph};
 
 use super::rest::Watch;
 use super::{State, Thing, World};
@@ -116,8 +116,7 @@ impl World {
     fn embody_node(&mut self, graph: &SceneGraph, node: &Node, roles: &Roles<'_>, session: &mut Session<'_>) -> bool {
         let Some(&pose) = node.pose().filter(|p| convert::is_sound(p)) else { return false };
         let class = graph.classes().get(node.class());
-        let hollow = || graph.relating(Relation::Inside, node.id()).next().is_some();
-        let Some(form) = session.form(node, node.affords(Property::Openable), hollow) else { return false };
+        let Some(form) = session.form(graph, node).filter(|f| f.is_of_this_world()) else { return false };
         let mass_range = class.and_then(|c| c.mass).filter(|_| self.settings.class_masses);
         let mass_factor = form.mass_factor(mass_range, node.spec().scale.product());
         let Some(role) = roles.of(node, class, &form, form.mass() * mass_factor) else { return false };

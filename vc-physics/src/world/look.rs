@@ -109,7 +109,7 @@ impl World {
         &self.settings
     }
 
-    /// Nodes that became non-finite, in the order in which they did: they stand still
+    /// Nodes that became non-finite or flew off, in the order in which they did: they stand still
     /// where they last were, and nothing touches them.
     pub fn stopped(&self) -> &[NodeId] {
         &self.stopped

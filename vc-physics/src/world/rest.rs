@@ -7,6 +7,7 @@
 use rapier3d::dynamics::{RigidBodyActivation, RigidBodyHandle};
 use rapier3d::math::Pose as EnginePose;
 use serde::{Deserialize, Serialize};
+use vc_graph::portable::Portable;
 
 use super::World;
 use crate::group;
@@ -40,7 +41,7 @@ impl Watch {
             0..3 => pose.translation.to_array()[i],
             _ => pose.rotation.to_array()[i - 3],
         });
-        let far = |from: usize, to: usize| (from..to).map(|i| (now[i] - self.at[i]).powi(2)).sum::<f32>().sqrt();
+        let far = |from: usize, to: usize| (from..to).map(|i| (now[i] - self.at[i]).raised(2)).sum::<f32>().sqrt();
         // A turn by an angle moves the imaginary parts by half of it.
         if far(0, 3) + 2.0 * far(3, 7) * size > ABOUT {
             (self.at, self.looks) = (now, 0);
