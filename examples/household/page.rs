@@ -42,25 +42,20 @@ fn save(folder: &Path, name: &str, bytes: &[u8]) -> Result<(), Complaint> {
     std::fs::write(&path, bytes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))
 }
 
-/// A picture of the beginning of each action, eight at most.
+/// A picture of each action, eight at most: of when the hand is at what it is done to.
 fn strip(film: &Film) -> Picture {
-    let titles = film.titles();
-    let every = titles.len().div_ceil(8).max(1);
-    let shown = titles.iter().step_by(every).filter_map(|(at, _)| film.pictures().get(*at)).cloned();
+    let starts: Vec<usize> = film.titles().iter().map(|(at, _)| *at).chain([film.len()]).collect();
+    let every = film.titles().len().div_ceil(8).max(1);
+    let moment = |pair: &[usize]| pair[0] + (pair[1] - pair[0]) * 4 / 5;
+    let shown = starts.windows(2).step_by(every).filter_map(|pair| film.pictures().get(moment(pair))).cloned();
     Picture::sheet(&shown.collect::<Vec<_>>(), 2, 4)
 }
 
 /// The home from above, and the way.
 fn map(home: &Environment, story: &Story) -> Result<Picture, Complaint> {
-    let wanted = Modality::Instance | Modality::Normal;
-    let frame = home.render(Viewpoint::Overhead, wanted, MAP.0, MAP.1).map_err(Complaint::new)?;
+    let frame = home.render(Viewpoint::Overhead, Modality::Rgb, MAP.0, MAP.1).map_err(Complaint::new)?;
     let camera = home.camera(Viewpoint::Overhead, MAP.0, MAP.1).map_err(Complaint::new)?;
-    let mut picture = picture::instances(&frame);
-    // Pale, and what is level paler still, as on a plan.
-    for (pixel, normal) in picture.pixels.iter_mut().zip(&frame.normal) {
-        let pale = 0.5 + 0.3 * normal[2].abs();
-        *pixel = pixel.map(|c| (f32::from(c) * (1.0 - pale) + 255.0 * pale) as u8);
-    }
+    let mut picture = picture::rgb(&frame);
     let (count, level) = (story.way.len().max(1) as f32, home.floor().plan().level);
     for (i, pair) in story.way.windows(2).enumerate() {
         let share = i as f32 / count;

@@ -164,6 +164,10 @@ impl Player {
             b.nearest(&(feet * Point3::new(0.3, 0.0, 1.05)))
         });
         let parts = show.world.moving_parts(id).len();
+        if show.world.is_driven(id) {
+            // The hand stays at it.
+            self.time = self.time.min(REACHING + show.world.settings().dt);
+        }
         let over = self.by_hand(show, at, before, |show| {
             for part in 0..parts {
                 drop(show.world.drive(id, part, open));

@@ -16,6 +16,11 @@ const STRETCH: f32 = 0.985;
 /// How far one bends at the waist, radians.
 const BEND: f32 = 1.25;
 
+/// Where the eyes are from the neck: before the face.
+const EYES: Vector3<f32> = Vector3::new(0.14, 0.0, 0.13);
+/// How far a head turns to the side, and up or down, radians.
+const NECK: (f32, f32) = (1.2, 0.9);
+
 /// What a body is shown to do beside standing, sitting or lying.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Doing {
@@ -68,7 +73,7 @@ impl Skeleton {
 
     /// Where the eyes are, looking along X: before the face, so that it is not seen.
     pub(crate) fn eyes(&self) -> Pose {
-        let eyes = Bone::Head.anchor() + Vector3::new(0.14, 0.0, 0.13);
+        let eyes = Bone::Head.anchor() + EYES;
         self.motion(Bone::Head) * Pose::translation(eyes.x, eyes.y, eyes.z)
     }
 
@@ -95,10 +100,24 @@ impl Skeleton {
         self.carry(Pose::translation(-0.25 * reach.1, 0.0, -bob - reach.1));
         self.turn(Bone::Chest, pitch(reach.0 + if doing.walked.is_some() { 0.06 } else { 0.0 }));
         self.turn(Bone::Head, pitch(-0.4 * reach.0));
+        if let Some((point, share)) = doing.reach {
+            self.look(point, share);
+        }
         for side in Side::BOTH {
             self.put_foot(side, step(side, doing.walked));
         }
         self.dance(doing);
+    }
+
+    /// Turns the head towards a point by a share of the way, as far as a neck turns.
+    fn look(&mut self, point: Point3<f32>, share: f32) {
+        let chest = self.motion(Bone::Chest);
+        let way = chest.inverse() * point - (Bone::Head.anchor() + EYES);
+        let yaw = way.y.angle_to(way.x).clamp(-NECK.0, NECK.0);
+        let down = (-way.z).angle_to(way.xy().norm()).clamp(-NECK.1, NECK.1);
+        let there = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw) * pitch(down);
+        let ahead = chest.rotation.inverse() * self.motion(Bone::Head).rotation;
+        self.turn(Bone::Head, ahead.try_slerp(&there, share, 1e-6).unwrap_or(there));
     }
 
     /// What a gesture does to the trunk.
@@ -265,6 +284,18 @@ mod tests {
                     assert!((own - hand).norm() < 0.01, "{own:?} instead of {hand:?}");
                 }
             }
+        }
+    }
+
+    /// Who reaches for something looks at it.
+    #[test]
+    fn eyes_follow_the_hand() {
+        for point in [Point3::new(0.5, 0.0, 0.3), Point3::new(0.4, -0.3, 1.0), Point3::new(0.35, 0.2, 1.9)] {
+            let doing = Doing { reach: Some((point, 1.0)), ..Doing::default() };
+            let eyes = Skeleton::new(Attitude::Standing, &doing, [None, None]).eyes();
+            let way = eyes.inverse() * point;
+            let off = (way.coords.normalize() - Vector3::x()).norm();
+            assert!(off < 0.25, "{point}: {way}");
         }
     }
 

@@ -112,20 +112,40 @@ impl Lighting {
 
     /// What brings the light around an eye to a picture's middle grey.
     pub(crate) fn exposure(&self, eye: [f32; 3]) -> f32 {
-        let within = |(low, high): &([f32; 3], [f32; 3])| (0..3).all(|i| eye[i] >= low[i] && eye[i] <= high[i]);
-        // Boxes of rooms with corners reach over their neighbours.
         let floor = |i: usize| {
             let (low, high) = self.rooms[i];
             (high[0] - low[0]) * (high[1] - low[1])
         };
-        let outside = self.rooms.len() - 1;
-        let around = (0..outside).filter(|&i| within(&self.rooms[i]));
-        let index = around.min_by(|&a, &b| floor(a).total_cmp(&floor(b))).unwrap_or(outside);
+        let index = self.room_for(eye, floor);
         let lamps = self.lamps.iter().filter(|l| usize::from(l.room) == index);
         let own: f32 = lamps.map(|l| brightness(l.flux)).sum();
         // Mean radiance of a grey room: thrown back, and straight from the lamps.
         let mean = self.grids[index].middling() + 0.25 * own / (floor(index) * 4.0).max(1.0);
         0.8 / mean.max(1e-4)
+    }
+
+    /// The room for whose light a picture is exposed: the one the eye is in; from above, the
+    /// one below if it fills half of the view, else the largest.
+    fn room_for(&self, eye: [f32; 3], floor: impl Fn(usize) -> f32) -> usize {
+        let outside = self.rooms.len() - 1;
+        let over = |i: &usize| {
+            let (low, high) = self.rooms[*i];
+            (0..2).all(|k| eye[k] >= low[k] && eye[k] <= high[k])
+        };
+        let within = |i: &usize| over(i) && eye[2] >= self.rooms[*i].0[2] && eye[2] <= self.rooms[*i].1[2];
+        let by_floor = |a: &usize, b: &usize| floor(*a).total_cmp(&floor(*b));
+        // Boxes of rooms with corners reach over their neighbours.
+        if let Some(around) = (0..outside).filter(within).min_by(by_floor) {
+            return around;
+        }
+        let fills = |i: &usize| {
+            let (low, high) = self.rooms[*i];
+            (high[0] - low[0]).max(high[1] - low[1]) >= 0.65 * (eye[2] - high[2])
+        };
+        let under = || (0..outside).filter(|i| over(i) && fills(i)).min_by(by_floor);
+        let is_above = (0..outside).any(|i| over(&i) && eye[2] > self.rooms[i].1[2]);
+        let seen = if is_above { under().or_else(|| (0..outside).max_by(by_floor)) } else { None };
+        seen.unwrap_or(outside)
     }
 }
 
