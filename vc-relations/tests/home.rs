@@ -40,5 +40,5 @@ fn every_support_and_container_is_found() {
 fn the_box_traces_do_what_has_been_measured() {
     let (right, of, containments, found, wrong) = score(500, Rule::BoxTrace);
     eprintln!("box traces: {right} of {of} supports, {found} of {containments} containments, {wrong} false ones");
-    assert!(right < of && found + wrong != containments);
+    assert_eq!((right, of, found, containments, wrong), (460, 500, 120, 220, 260));
 }

@@ -51,5 +51,13 @@ fn every_support_and_containment_is_found_and_none_is_false() {
 #[test]
 fn the_box_traces_are_reported_beside_it() {
     let Some(score) = score(500, Rule::BoxTrace) else { return };
-    assert!(score.supports.0 < score.supports.1 && score.containments.0 < score.containments.1);
+    let reported = Score { supports: (400, 500), containments: (100, 220), false_ones: 80 };
+    assert_eq!(score, reported);
+}
+
+#[test]
+fn there_are_as_many_relations_as_reported() {
+    let Some(peers) = shared::peers::read(500) else { return };
+    let relations = Relations::new(&peers.graph, Rule::Repaired, peers.evidence).unwrap();
+    assert_eq!(relations.edges().len(), 12_656);
 }

@@ -56,7 +56,8 @@ impl Score {
     }
 }
 
-const COMPARED: [Relation; 5] = [Relation::Near, Relation::Between, Relation::Inside, Relation::On, Relation::InRoom];
+const COMPARED: [Relation; 6] =
+    [Relation::Near, Relation::Between, Relation::Inside, Relation::On, Relation::InRoom, Relation::Facing];
 
 /// Edges of a kind from objects; characters' are written by VirtualHome's actions.
 fn of_kind(graph: &SceneGraph, edges: impl Iterator<Item = Edge>, relation: Relation) -> BTreeSet<Edge> {
@@ -65,9 +66,9 @@ fn of_kind(graph: &SceneGraph, edges: impl Iterator<Item = Edge>, relation: Rela
     edges.filter(|e| e.relation == relation && !agent(e.from) && !agent(e.to) && !room(e.from)).collect()
 }
 
-fn scores(rule: Rule) -> Option<[Score; 5]> {
+fn scores(rule: Rule) -> Option<[Score; COMPARED.len()]> {
     let scenes = scenes();
-    let mut scores = [Score::default(); 5];
+    let mut scores = [Score::default(); COMPARED.len()];
     for graph in &scenes {
         let relations = Relations::new(graph, rule, Evidence::default()).unwrap();
         for (score, relation) in scores.iter_mut().zip(COMPARED) {
@@ -88,11 +89,13 @@ fn scores(rule: Rule) -> Option<[Score; 5]> {
 
 #[test]
 fn its_own_definitions_give_its_own_edges() {
-    let Some([near, between, inside, on, _]) = scores(Rule::VirtualHome) else { return };
+    let Some([near, between, inside, on, in_room, _]) = scores(Rule::VirtualHome) else { return };
     assert_eq!((near.false_ones, near.missed), (0, 0));
     assert_eq!((between.false_ones, between.missed), (0, 0));
     assert!(inside.f1() >= 0.99, "{inside:?}");
     assert!(on.f1() >= 0.92, "{on:?}");
+    assert_eq!(format!("{:.3} {:.3} {:.3}", on.f1(), on.precision(), on.recall()), "0.922 0.875 0.975");
+    assert_eq!(format!("{:.3} {:.3}", inside.f1(), in_room.f1()), "1.000 0.965");
 }
 
 /// What a pair is by an edge list, as far as where things rest goes.
@@ -106,10 +109,26 @@ fn place(edges: &BTreeSet<Edge>, from: NodeId, to: NodeId) -> &'static str {
     }
 }
 
-/// Precision and recall of the default rule, and which relation of theirs is which of ours.
+/// Precision and recall of the default rule, to the digits the benches' front page reports.
+///
+/// Facing is hardly the same thing: theirs is from every object with a clear view of a thing to
+/// look at, floors, ceilings and plates among them, and to picture frames for the most part.
+/// Ours is from agents, of which these scenes have none that counts here, and from seats, and
+/// asks not for the view of a corner but for no wall between.
 #[test]
-fn the_default_rule_is_reported_beside_it() {
-    scores(Rule::Repaired);
+fn the_default_rule_scores_what_is_reported() {
+    let Some(scores) = scores(Rule::Repaired) else { return };
+    let three = |share: f64| (share * 1000.0).round() / 1000.0;
+    let found = scores.map(|s| (three(s.precision()), three(s.recall())));
+    let reported = [(0.998, 0.383), (0.492, 1.0), (0.809, 0.792), (0.469, 0.697), (0.992, 0.991), (0.299, 0.014)];
+    for ((relation, found), reported) in COMPARED.iter().zip(found).zip(reported) {
+        assert_eq!(found, reported, "{relation}");
+    }
+}
+
+/// Which relation of theirs is which of ours, as the benches' front page has it.
+#[test]
+fn pairs_are_taken_for_what_is_reported() {
     let mut table: BTreeMap<(&str, &str), Confusion> = BTreeMap::new();
     for graph in scenes() {
         let found: BTreeSet<Edge> =
@@ -130,5 +149,11 @@ fn the_default_rule_is_reported_beside_it() {
         most.sort_by(|a, b| b.1.cmp(a.1).then(a.0.cmp(b.0)));
         most.truncate(12);
         eprintln!("theirs {theirs:>6}, ours {ours:>6}: {count:>6}  {most:?}");
+    }
+    let count = |theirs, ours| table.get(&(theirs, ours)).map_or(0, |c| c.0);
+    let row = |theirs| ["inside", "on", "under", "none"].map(|ours| count(theirs, ours));
+    if !table.is_empty() {
+        assert_eq!([row("inside"), row("on")], [[397, 28, 0, 76], [23, 560, 0, 221]]);
+        assert_eq!(row("none")[..3], [71, 607, 381]);
     }
 }
