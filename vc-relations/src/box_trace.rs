@@ -21,9 +21,10 @@ use crate::solid::{Solid, sweep};
 use crate::threshold::{NEAR_REACH, UNDER_REACH};
 use crate::world::World;
 
-/// One of the six traces.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Trace {
+/// One of the thesis's six box traces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Trace {
     /// To a side of the object.
     Side(Side),
     /// Up, whichever way the object is turned.
@@ -33,6 +34,16 @@ pub(crate) enum Trace {
 }
 
 impl Trace {
+    /// All six.
+    pub const ALL: [Self; 6] = [
+        Self::Side(Side::Front),
+        Self::Side(Side::Back),
+        Self::Side(Side::Left),
+        Self::Side(Side::Right),
+        Self::Up,
+        Self::Down,
+    ];
+
     fn way(self, body: &Body) -> (Vector3<f32>, f32) {
         let axis = |i: usize| -> Vector3<f32> { body.heading.column(i).into() };
         match self {

@@ -3,10 +3,13 @@
 use vc_graph::{Edge, Relation};
 
 use crate::body::{Body, Posture};
+use crate::explanation::Verdict;
+use crate::facts::Facts;
 use crate::near::Side;
 use crate::pair::Pair;
-use crate::support::{Facts, Supports};
-use crate::threshold::{FACING_COSINE, FACING_REACH, TOUCH_GAP};
+use crate::sight;
+use crate::support::Supports;
+use crate::threshold::{FACING_REACH, TOUCH_GAP};
 use crate::world::World;
 
 pub(crate) struct Reader<'w> {
@@ -37,9 +40,8 @@ impl<'w> Reader<'w> {
         if let Some(room) = body.room {
             add(Relation::InRoom, room);
         }
-        for edge in self.supports.facts.holding(body.id) {
-            add(edge.relation, edge.to);
-        }
+        let held = self.supports.facts.holding(body.id).iter().filter(|e| self.world().index(e.to).is_some());
+        held.for_each(|edge| add(edge.relation, edge.to));
         if let Some(over) = self.over(index) {
             add(Relation::Under, self.world().ids[over]);
         }
@@ -70,7 +72,7 @@ impl<'w> Reader<'w> {
     }
 
     /// What an agent sits or lies on.
-    fn seat(&self, index: usize, body: &Body) -> Option<(Relation, usize)> {
+    pub(crate) fn seat(&self, index: usize, body: &Body) -> Option<(Relation, usize)> {
         if !body.traits.agent {
             return None;
         }
@@ -124,27 +126,19 @@ impl<'w> Reader<'w> {
 
     /// Things to look at that an agent or seat faces: within its field, not behind a wall.
     fn facing(&self, index: usize, body: &Body, add: &mut impl FnMut(Relation, vc_graph::NodeId)) {
-        if !body.traits.agent && !body.traits.sittable {
+        if !sight::can_face(body) {
             return;
         }
         let world = self.world();
         let mut faced = Vec::new();
         world.targets.each(&body.region.grown(FACING_REACH, FACING_REACH), |other| {
             let Some(target) = world.bodies[other].as_ref() else { return };
-            if other != index && faces(body, target) && !world.walls.between(body, target) {
+            if other != index && sight::verdict(body, target, &world.walls) == Verdict::Counts {
                 faced.push(world.ids[other]);
             }
         });
         faced.into_iter().for_each(|to| add(Relation::Facing, to));
     }
-}
-
-/// Whether a target is within the angle and reach in which something is faced.
-pub(crate) fn faces(body: &Body, target: &Body) -> bool {
-    let way = (target.whole.centre - body.whole.centre).xy();
-    let front = body.heading.column(0).xy();
-    let (far, length) = (way.norm(), front.norm());
-    far <= FACING_REACH && length > 1e-3 && way.dot(&front) >= FACING_COSINE * far * length
 }
 
 /// The relation for near at a side.

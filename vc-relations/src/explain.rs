@@ -1,119 +1,90 @@
-//! Why a relation holds between two things, or does not.
-
-use std::fmt;
+//! Finding out why a relation holds between two things, or does not.
 
 use nalgebra::{Point3, Vector3};
-use vc_graph::{NodeId, Relation};
+use vc_graph::{Edge, NodeId};
 
 use crate::body::Body;
+use crate::box_trace::{self, Trace};
 use crate::edges::Reader;
-use crate::near::Side;
-use crate::pair::{self, Contact};
+use crate::explanation::{Explanation, Hit, Hook, Seat, Traced, Verdict, Within};
+use crate::pair::{self, Contact, Hooked};
+use crate::region::Region;
 use crate::relations::Relations;
-use crate::support::{Ground, Support};
-use crate::threshold::{CORNERS_WITHIN, NEAR_REACH, SUPPORT_NORMAL, SUPPORT_SINK, TOUCH_GAP, UNDER_REACH};
-
-/// What became of a hit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Verdict {
-    /// It makes the relation.
-    Counts,
-    /// It is farther than a support may be.
-    TooFar,
-    /// It is sunk in deeper than a support gives.
-    TooDeep,
-    /// The contact is too steep to carry: the thing leans there.
-    TooSteep,
-    /// What was hit is inside the traced thing, or in its hull.
-    Content,
-    /// Something else is a nearer support, or joints, contacts or hands decide.
-    Outranked,
-    /// What was hit rests on the traced thing.
-    Carried,
-    /// What was hit holds or carries the traced thing, or is the building.
-    Shade,
-    /// Something nearer is above.
-    Shaded,
-}
-
-/// Where a vertical trace met something.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hit {
-    /// What it met.
-    pub what: NodeId,
-    /// Number of the traced thing's convex piece, and of the one that was met.
-    pub pieces: (usize, usize),
-    /// How far it went from the face (down) or from the middle (up), metres; negative where
-    /// one is sunk into the other.
-    pub distance: f32,
-    /// About where, in the world, metres.
-    pub at: Point3<f32>,
-    /// The contact's normal, towards the traced thing.
-    pub normal: Vector3<f32>,
-    /// What became of it.
-    pub verdict: Verdict,
-}
-
-/// How far a thing is within one of another's hollows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Within {
-    /// Whether its centre is in it, or over its rim by no more than content may be.
-    pub centre: bool,
-    /// How many of its eight corners are in it; four are needed.
-    pub corners: u32,
-}
-
-/// Everything that decides about the relations from one thing to another.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Explanation {
-    /// The thing asked about.
-    pub from: NodeId,
-    /// The other.
-    pub to: NodeId,
-    /// The relations that hold from one to the other.
-    pub holds: Vec<Relation>,
-    /// What the traces down from the thing's pieces met, nearest first: for each other
-    /// thing its best contact.
-    pub down: Vec<Hit>,
-    /// What the trace up from its middle met, nearest first.
-    pub up: Vec<Hit>,
-    /// What it rests on in the end, and how that is known.
-    pub supports: Vec<Support>,
-    /// How far it is within each hollow of the other.
-    pub within: Vec<Within>,
-    /// Gap between the nearest parts, metres; none beyond the distance at which things hang.
-    pub gap: Option<f32>,
-    /// Distance of the boxes, metres; none beyond reach or behind a wall.
-    pub distance: Option<f32>,
-    /// At which side of the thing the other is.
-    pub side: Option<Side>,
-    /// Whether part of the building stands between them.
-    pub walled: bool,
-}
+use crate::rule::Rule;
+use crate::sight;
+use crate::support::Ground;
+use crate::threshold::{HOOK_REACH, ROOM_MARGIN, SUPPORT_NORMAL, SUPPORT_SINK, UNDER_REACH};
 
 impl Relations {
-    /// Why relations hold from one thing to another, by the repaired rule, or do not. `None`
-    /// if one of them has no pose or no shape. Costs some ten microseconds.
+    /// Why relations hold from one thing to another or to a room, or do not. `None` if the
+    /// thing has no pose or no shape, or the other is neither a room nor has both. Costs some
+    /// ten microseconds.
+    ///
+    /// Hits, supports, seats, hooks and looks are those of the repaired rule, and empty by
+    /// another; [`Rule::BoxTrace`] has its six traces instead.
     pub fn explain(&self, from: NodeId, to: NodeId) -> Option<Explanation> {
         let (i, j) = (self.world.index(from)?, self.world.index(to)?);
-        let (a, b) = (self.world.bodies[i].as_ref()?, self.world.bodies[j].as_ref()?);
+        let (a, b) = (self.world.bodies[i].as_ref()?, self.world.bodies[j].as_ref());
+        let mut why = self.alone(i, a, to);
+        match b {
+            Some(b) => self.beside((i, a), (j, b), &mut why),
+            None if !why.rooms.iter().any(|r| r.0 == to) => return None,
+            None => {}
+        }
+        Some(why)
+    }
+
+    /// What one thing is by itself and among all others.
+    fn alone(&self, index: usize, body: &Body, to: NodeId) -> Explanation {
+        let repaired = self.rule() == Rule::Repaired;
+        let reader = Reader::new(&self.world, &self.facts);
+        let mut held: Vec<Edge> = reader.supports.held(body.id).copied().collect();
+        held.sort_unstable();
+        let rooms = &self.world.rooms;
+        let mut depths = rooms.depths(&body.whole.centre);
+        depths.retain(|(room, depth)| *depth >= -ROOM_MARGIN || *room == to);
+        let sides = body.traits.door.then(|| rooms.sides(body).map(|(at, room)| (Point3::from(at), room)));
+        Explanation {
+            from: body.id,
+            to,
+            holds: self.between(body.id, to),
+            traces: if self.rule() == Rule::BoxTrace { self.traces(index) } else { Vec::new() },
+            down: if repaired { self.down(index, body) } else { Vec::new() },
+            up: if repaired { self.up(index, body) } else { Vec::new() },
+            supports: if repaired { self.supports(body.id) } else { Vec::new() },
+            held,
+            seat: None,
+            hook: None,
+            sight: None,
+            rooms: depths,
+            sides: sides.into_iter().flatten().collect(),
+            within: Vec::new(),
+            gap: None,
+            distance: None,
+            side: None,
+            walled: false,
+        }
+    }
+
+    /// What it is to the other.
+    fn beside(&self, (i, a): (usize, &Body), (j, b): (usize, &Body), why: &mut Explanation) {
         let pair = self.world.pair(i, j);
         let finite = |v: Option<f32>| v.filter(|v| v.is_finite());
-        let within = b.cavities_with(a).into_iter().map(|(centre, corners)| Within { centre, corners });
-        Some(Explanation {
-            from,
-            to,
-            holds: self.between(from, to),
-            down: self.down(i, a),
-            up: self.up(i, a),
-            supports: self.supports(from),
-            within: within.collect(),
-            gap: finite(pair.map(|p| p.gap)),
-            distance: finite(pair.map(|p| p.distance)),
-            side: pair.and_then(|p| p.side),
-            walled: self.world.walls.between(a, b),
-        })
+        why.within = b.cavities_with(a).into_iter().map(|(centre, corners)| Within { centre, corners }).collect();
+        why.gap = finite(pair.map(|p| p.gap));
+        why.distance = finite(pair.map(|p| p.distance));
+        why.side = pair.and_then(|p| p.side);
+        why.walled = self.world.walls.between(a, b);
+        if self.rule() == Rule::Repaired {
+            why.seat = self.seat((i, a), (j, b));
+            why.hook = self.hook(a, b);
+            why.sight = Some(sight::sight(a, b, &self.world.walls));
+        }
+    }
+
+    fn traces(&self, index: usize) -> Vec<Traced> {
+        let hit = |trace| box_trace::trace(&self.world, index, trace).map(|(other, way)| (self.world.ids[other], way));
+        Trace::ALL.map(|trace| Traced { trace, hit: hit(trace) }).to_vec()
     }
 
     fn down(&self, index: usize, body: &Body) -> Vec<Hit> {
@@ -139,9 +110,8 @@ impl Relations {
                 _ => Verdict::TooFar,
             };
             let (s, t) = (&body.solids[contact.parts.0], &other.solids[contact.parts.1]);
-            let (low, high) = (s.low.sup(&t.low), s.high.inf(&t.high));
-            let at = Point3::new(f32::midpoint(low.x, high.x), f32::midpoint(low.y, high.y), s.low.z - contact.down);
-            let (pieces, normal) = (contact.parts, contact.normal);
+            let at = over_both(&s.region(), &t.region(), s.low.z - contact.down);
+            let (pieces, normal) = ((Some(contact.parts.0), contact.parts.1), contact.normal);
             hits.push(Hit { what: other.id, pieces, distance: contact.down, at, normal, verdict });
         }
         hits.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.what.cmp(&b.what)));
@@ -151,11 +121,12 @@ impl Relations {
     fn up(&self, index: usize, body: &Body) -> Vec<Hit> {
         let reader = Reader::new(&self.world, &self.facts);
         let under = reader.over(index);
-        let mut above: Vec<(f32, usize)> =
-            self.world.pairs[index].iter().filter(|p| p.over.is_finite()).map(|p| (p.over, p.other as usize)).collect();
-        above.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let mut open = true;
-        let judge = |(over, other): (f32, usize)| {
+        let met = |other: usize| Some((pair::over(body, self.world.bodies[other].as_ref()?)?, other));
+        let mut above: Vec<((f32, usize), usize)> =
+            self.world.pairs[index].iter().filter_map(|p| met(p.other as usize)).collect();
+        above.sort_by(|a, b| a.0.0.total_cmp(&b.0.0).then(a.1.cmp(&b.1)));
+        let (middle, mut open) = (pair::middle_of(body).region(), true);
+        let judge = |((over, piece), other): ((f32, usize), usize)| {
             let verdict = match under {
                 Some(u) if u == other => Verdict::Counts,
                 _ if reader.is_carried(other, index) => Verdict::Carried,
@@ -163,62 +134,53 @@ impl Relations {
                 _ => Verdict::Shaded,
             };
             open &= verdict == Verdict::Carried;
-            let at = Point3::from(body.whole.centre + Vector3::z() * over);
-            Hit { what: self.world.ids[other], pieces: (0, 0), distance: over, at, normal: -Vector3::z(), verdict }
+            let solid = self.world.bodies[other].as_ref()?.solids.get(piece)?;
+            let at = over_both(&middle, &solid.region(), body.whole.centre.z + over);
+            let (what, normal) = (self.world.ids[other], -Vector3::z());
+            Some(Hit { what, pieces: (None, piece), distance: over, at, normal, verdict })
         };
-        above.into_iter().map(judge).collect()
+        above.into_iter().filter_map(judge).collect()
+    }
+
+    fn seat(&self, (i, a): (usize, &Body), (j, b): (usize, &Body)) -> Option<Seat> {
+        if !a.traits.agent {
+            return None;
+        }
+        let taken = Reader::new(&self.world, &self.facts).seat(i, a);
+        let share = pair::seat_share(a, b);
+        let pair = self.world.pair(i, j);
+        let (lies, rests) = (a.lies(), pair.is_some_and(|p| p.rest.is_finite()));
+        let verdict = match share {
+            _ if taken.is_some_and(|t| t.1 == j) => Verdict::Counts,
+            _ if !(if lies { b.traits.lieable } else { b.traits.sittable }) => Verdict::Unfit,
+            _ if pair.is_some_and(|p| p.seated) || (rests && taken.is_some()) => Verdict::Outranked,
+            _ if lies => Verdict::TooFar,
+            Some(_) => Verdict::WrongHeight,
+            None => Verdict::Aside,
+        };
+        Some(Seat { share, verdict })
+    }
+
+    fn hook(&self, a: &Body, b: &Body) -> Option<Hook> {
+        let rank = |h: &Hooked| (!h.holds(), h.distance);
+        let best = pair::hooks(a, b).min_by(|g, h| {
+            let (g, h) = (rank(g), rank(h));
+            g.0.cmp(&h.0).then(g.1.total_cmp(&h.1))
+        })?;
+        let hangs = self.supports(a.id).iter().any(|s| s.by == b.id && s.ground == Ground::Hook);
+        let verdict = match best.distance {
+            _ if hangs => Verdict::Counts,
+            _ if a.traits.fixed => Verdict::Unfit,
+            far if far > HOOK_REACH => Verdict::TooFar,
+            _ if !best.is_high => Verdict::WrongHeight,
+            _ => Verdict::Outranked,
+        };
+        Some(Hook { at: best.at.into(), distance: best.distance, verdict })
     }
 }
 
-fn because(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Counts => "counts",
-        Verdict::TooFar => "too far to rest on",
-        Verdict::TooDeep => "too deep to rest on",
-        Verdict::TooSteep => "too steep to rest on",
-        Verdict::Content => "is in it",
-        Verdict::Outranked => "something else carries it",
-        Verdict::Carried => "rests on it",
-        Verdict::Shade => "holds it or is the building",
-        Verdict::Shaded => "something is between",
-    }
-}
-
-/// Some sentences for people.
-impl fmt::Display for Explanation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let holds: Vec<&str> = self.holds.iter().map(|&r| vc_graph::Word::as_str(r)).collect();
-        let holds = if holds.is_empty() { "nothing".to_owned() } else { holds.join(", ") };
-        writeln!(f, "from {} to {}: {holds}", self.from, self.to)?;
-        for (way, hits) in [("down", &self.down), ("up", &self.up)] {
-            for hit in hits {
-                let (what, at) = (hit.what, hit.at);
-                // Tenths of millimetres are shown as none, not as minus none.
-                let way_long = (hit.distance * 1000.0).round() / 10.0 + 0.0;
-                write!(f, "  trace {way} meets {what} after {way_long:.1} cm ")?;
-                writeln!(f, "at {:.2} {:.2} {:.2}: {}", at.x, at.y, at.z, because(hit.verdict))?;
-            }
-        }
-        for support in &self.supports {
-            let how = match support.ground {
-                Ground::Joint => "a joint holds it",
-                Ground::Contact => "a contact pushes it up",
-                Ground::Trace => "by the trace down",
-                Ground::Hook => "it hangs on a hook",
-                Ground::Container => "it is inside, and nothing is found below",
-                Ground::Hanging => "nothing is below, and they touch",
-            };
-            writeln!(f, "  it rests on {}: {how}", support.by)?;
-        }
-        for within in self.within.iter().filter(|w| w.centre || w.corners > 0) {
-            let centre = if within.centre { "its centre" } else { "not its centre" };
-            writeln!(f, "  in a hollow are {centre} and {} corners of {CORNERS_WITHIN} needed", within.corners)?;
-        }
-        match (self.gap, self.distance) {
-            (Some(gap), _) if gap <= TOUCH_GAP => writeln!(f, "  they touch: the gap is {:.1} mm", gap * 1000.0),
-            (_, Some(d)) => writeln!(f, "  they are {d:.2} m apart, near is up to {NEAR_REACH} m"),
-            _ if self.walled => writeln!(f, "  a wall is between them"),
-            _ => writeln!(f, "  they are not near each other"),
-        }
-    }
+/// The middle of what is over both of two regions, at some height.
+fn over_both(a: &Region, b: &Region, height: f32) -> Point3<f32> {
+    let (low, high) = (a.low.sup(&b.low), a.high.inf(&b.high));
+    Point3::new(f32::midpoint(low.x, high.x), f32::midpoint(low.y, high.y), height)
 }

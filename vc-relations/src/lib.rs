@@ -58,7 +58,7 @@
 //! | [`Relations`] | the relations of a scene: [`edges`](Relations::edges), [`of`](Relations::of), [`has`](Relations::has); [`update`](Relations::update) after moves |
 //! | [`Evidence`] | contacts, joints, positions of drawers and doors, what is held |
 //! | [`Support`], [`Near`], [`Side`] | the figures beside on and near |
-//! | [`Explanation`] | why a relation holds or does not: which trace met what, where |
+//! | [`Explanation`] | why a relation holds or does not: which trace met what, where; how far within rooms, off the front, from seat and hook |
 //! | [`Rule`] | which rule decides |
 //!
 //! # Cost and upkeep
@@ -82,7 +82,8 @@
 //! # What is approximate
 //!
 //! Shapes are traced as boxes, cylinders and ellipsoids: a hull as its box, a cone as its
-//! cylinder, a turned shape as discs and rings of eight boxes, a mesh as 8 by 8 columns.
+//! cylinder, a turned shape as discs and rings of eight boxes, an extruded outline as six slices
+//! at most (exact where it has right angles; so are rooms over such floors), a mesh as 8 by 8 columns.
 //! Scaling a part that is turned against its asset's axes keeps its right angles. Of a thing
 //! of which only the box is known, what is put on it may be in the upper half of its box.
 
@@ -96,6 +97,8 @@ mod edges;
 mod error;
 mod evidence;
 mod explain;
+mod explanation;
+mod facts;
 mod form;
 mod hollow;
 mod lanes;
@@ -105,6 +108,7 @@ mod region;
 mod relations;
 mod room;
 mod rule;
+mod sight;
 mod solid;
 mod support;
 mod sweep;
@@ -116,9 +120,10 @@ mod walls;
 mod world;
 mod write;
 
+pub use box_trace::Trace;
 pub use error::{Flaw, InputError};
 pub use evidence::{Attachment, Contact, Evidence};
-pub use explain::{Explanation, Hit, Verdict, Within};
+pub use explanation::{Explanation, Hit, Hook, Seat, Sight, Traced, Verdict, Within};
 pub use near::Side;
 pub use relations::{Near, Relations, relations};
 pub use rule::Rule;

@@ -77,8 +77,8 @@ pub(crate) fn measure((i, a): (usize, &Body), (j, b): (usize, &Body), walls: &Am
         touch(a, b, &mut ab, &mut ba);
     }
     if columns_meet {
-        ab.over = over(a, b);
-        ba.over = over(b, a);
+        let way = |above: Option<(f32, usize)>| above.map_or(f32::INFINITY, |a| a.0);
+        (ab.over, ba.over) = (way(over(a, b)), way(over(b, a)));
         (ab.is_below, ba.is_below) = (ba.over.is_finite(), ab.over.is_finite());
     }
     if is_near
@@ -204,53 +204,81 @@ fn below(part: &Solid, core: &Solid, other: &Solid, limit: f32) -> Option<(f32, 
     (strike.way >= 0.0).then_some((strike.way - raise - (full - thin), strike.normal))
 }
 
-/// How far another body is above the middle of this one, by a trace of the middle of its
-/// box straight up.
-pub(crate) fn over(a: &Body, b: &Body) -> f32 {
+/// How far another body is above the middle of this one and with which of its pieces, by a
+/// trace of the middle of its box straight up.
+pub(crate) fn over(a: &Body, b: &Body) -> Option<(f32, usize)> {
     let middle = a.whole.centre.z;
     if a.traits.structure || b.region.high.z <= middle || b.region.low.z > a.region.high.z + UNDER_REACH {
-        return f32::INFINITY;
+        return None;
     }
     let middle_half = (a.whole.high - a.whole.low) * (UNDER_CORE / 2.0);
     let middle_region = Region { low: a.whole.centre - middle_half, high: a.whole.centre + middle_half };
     if !middle_region.meets_in_plan(&b.region) {
-        return f32::INFINITY;
+        return None;
     }
-    let mut half = a.whole.half * UNDER_CORE;
-    half[a.whole.axes.row(2).abs().transpose().imax()] = 0.0;
-    let core = Solid::new(a.whole.centre, a.whole.axes, half, a.whole.round);
+    let core = middle_of(a);
     let meets = |t: &Solid| {
         if plans_apart(&core, t) || t.high.z <= middle {
             return None;
         }
         sweep_upright(&core, t, 1.0, a.whole.half.norm() + UNDER_REACH).filter(|s| s.way >= 0.0)
     };
-    b.solids.iter().filter_map(meets).map(|s| s.way).fold(f32::INFINITY, f32::min)
+    let met = b.solids.iter().enumerate().filter_map(|(piece, t)| Some((meets(t)?.way, piece)));
+    met.reduce(|best, other| if other.0 < best.0 { other } else { best })
+}
+
+/// What the trace up carries: the middle of the box, flat.
+pub(crate) fn middle_of(a: &Body) -> Solid {
+    let mut half = a.whole.half * UNDER_CORE;
+    half[a.whole.axes.row(2).abs().transpose().imax()] = 0.0;
+    Solid::new(a.whole.centre, a.whole.axes, half, a.whole.round)
+}
+
+/// A hook of one body, from another that may hang on it.
+pub(crate) struct Hooked {
+    pub(crate) at: Vector3<f32>,
+    /// How far it is from the other's box, metres.
+    pub(crate) distance: f32,
+    /// Whether it is at the upper half of that.
+    pub(crate) is_high: bool,
+}
+
+impl Hooked {
+    pub(crate) fn holds(&self) -> bool {
+        self.distance <= HOOK_REACH && self.is_high
+    }
+}
+
+/// The hooks of one body as they are to another.
+pub(crate) fn hooks(a: &Body, b: &Body) -> impl Iterator<Item = Hooked> {
+    b.hooks().map(|at| {
+        let distance = (a.whole.nearest(&at) - at).norm();
+        Hooked { at, distance, is_high: at.z >= a.whole.centre.z }
+    })
 }
 
 /// Whether a body hangs on a hook of another: the hook is at the upper half of its box.
 fn hooked(a: &Body, b: &Body) -> bool {
-    if b.form.hooks.is_empty() || a.traits.fixed {
-        return false;
-    }
-    let at = |hook: Vector3<f32>| {
-        let near = (a.whole.nearest(&hook) - hook).norm() <= HOOK_REACH;
-        near && hook.z >= a.whole.centre.z
-    };
-    b.hooks().any(at)
+    !b.form.hooks.is_empty() && !a.traits.fixed && hooks(a, b).any(|h| h.holds())
 }
 
 /// Whether an agent's box has a seat of the other at the height of its hips, under its
 /// middle.
 fn seated(a: &Body, b: &Body) -> bool {
-    if !a.traits.agent || !b.traits.sittable || a.posture == Posture::Lying {
-        return false;
-    }
-    let (low, height) = (a.region.low.z, a.region.high.z - a.region.low.z);
-    let centre = a.whole.centre;
-    b.solids.iter().any(|s| {
-        let share = (s.high.z - low) / height.max(1e-3);
-        let over = (s.low.x..=s.high.x).contains(&centre.x) && (s.low.y..=s.high.y).contains(&centre.y);
-        over && (SEAT_RANGE.0..=SEAT_RANGE.1).contains(&share)
-    })
+    let may = a.traits.agent && b.traits.sittable && a.posture != Posture::Lying;
+    may && seat_share(a, b).is_some_and(|share| past_hips(share) == 0.0)
+}
+
+/// The top of what of another is under a body's middle, as a share of the body's height: of
+/// several pieces the one nearest to the hips.
+pub(crate) fn seat_share(a: &Body, b: &Body) -> Option<f32> {
+    let (low, height, centre) = (a.region.low.z, a.region.high.z - a.region.low.z, a.whole.centre);
+    let is_below = |s: &&Solid| (s.low.x..=s.high.x).contains(&centre.x) && (s.low.y..=s.high.y).contains(&centre.y);
+    let shares = b.solids.iter().filter(is_below).map(|s| (s.high.z - low) / height.max(1e-3));
+    shares.reduce(|best, other| if past_hips(other) < past_hips(best) { other } else { best })
+}
+
+/// How far a share of the height is past those at which seats are.
+fn past_hips(share: f32) -> f32 {
+    (SEAT_RANGE.0 - share).max(share - SEAT_RANGE.1).max(0.0)
 }

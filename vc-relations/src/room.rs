@@ -1,19 +1,25 @@
 //! Which room something is in, also where rooms are not rectangles.
 
-use nalgebra::Vector3;
+use std::collections::BTreeMap;
+
+use nalgebra::{Matrix3, Vector3};
 use vc_graph::{Kind, NodeId, Relation, SceneGraph};
 
 use crate::body::Body;
 use crate::region::Region;
+use crate::solid::{Round, Solid};
 use crate::threshold::{BESIDE_DOOR, DOOR_SQUARE, ROOM_MARGIN, STOREY};
 use crate::tree::Tree;
 
-/// Rooms as boxes over their floors.
+/// Rooms as boxes over their floors, turned as these are.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Rooms {
-    boxes: Vec<(Region, NodeId)>,
+    boxes: Vec<(Solid, NodeId)>,
     tree: Tree,
 }
+
+/// A point beside a door, and the room there.
+pub(crate) type Beyond = (Vector3<f32>, Option<NodeId>);
 
 impl Rooms {
     /// A room is where its floors are, else its own shape, else its box.
@@ -22,25 +28,22 @@ impl Rooms {
         for &room in graph.rooms() {
             let own = body(room);
             let height = own.as_ref().map(|b| (b.region.low.z, b.region.high.z));
-            let mut put = |region: Region, floor: bool| {
-                let storey =
-                    if floor { (region.high.z, region.high.z + STOREY) } else { (region.low.z, region.high.z) };
-                let (low, high) = height.unwrap_or(storey);
-                let mut region = region;
-                (region.low.z, region.high.z) = (low, high);
-                boxes.push((region, room));
-            };
             let floors: Vec<Body> = floors_of(graph, room).filter_map(&body).collect();
+            let mut put = |s: &Solid, storey: (f32, f32)| boxes.push((over(s, height.unwrap_or(storey)), room));
             if floors.is_empty() {
-                let solids = own.iter().flat_map(|b| &b.solids);
-                solids.for_each(|s| put(s.region(), false));
+                own.iter().flat_map(|b| &b.solids).for_each(|s| put(s, (s.low.z, s.high.z)));
             } else {
-                let solids = floors.iter().flat_map(|b| &b.solids);
-                solids.for_each(|s| put(s.region(), true));
+                floors.iter().flat_map(|b| &b.solids).for_each(|s| put(s, (s.high.z, s.high.z + STOREY)));
             }
         }
-        let tree = Tree::new(&boxes.iter().map(|b| b.0.grown(ROOM_MARGIN, ROOM_MARGIN)).collect::<Vec<_>>());
+        let reach = |b: &(Solid, NodeId)| b.0.region().grown(ROOM_MARGIN, ROOM_MARGIN);
+        let tree = Tree::new(&boxes.iter().map(reach).collect::<Vec<_>>());
         Self { boxes, tree }
+    }
+
+    /// Whether a node is a room that is somewhere.
+    pub(crate) fn has(&self, id: NodeId) -> bool {
+        self.boxes.iter().any(|b| b.1 == id)
     }
 
     /// The room of a point: of several the one in which it is deepest; of none the
@@ -48,8 +51,8 @@ impl Rooms {
     pub(crate) fn at(&self, point: &Vector3<f32>) -> Option<NodeId> {
         let mut best: Option<(f32, NodeId)> = None;
         self.tree.each(&Region { low: *point, high: *point }, |index| {
-            let (region, room) = self.boxes[index];
-            let depth = depth(&region, point);
+            let (over, room) = &self.boxes[index];
+            let (depth, room) = (depth(over, point), *room);
             if best.is_none_or(|(d, r)| depth > d || (depth == d && room < r)) {
                 best = Some((depth, room));
             }
@@ -57,30 +60,61 @@ impl Rooms {
         best.filter(|(depth, _)| *depth >= -ROOM_MARGIN).map(|(_, room)| room)
     }
 
-    /// The rooms on the two sides of a door, smaller number first; only one if the other side
-    /// is outside. The box around a leaf that stands open is about as thick as wide and does
-    /// not say which way the door leads: the way on which there are two rooms.
-    pub(crate) fn beside(&self, door: &Body) -> Vec<NodeId> {
-        let half = &door.whole.half;
-        let thin = usize::from(half.x > half.y);
-        let rooms = self.along(door, thin);
-        if rooms.len() < 2 && half[thin] >= DOOR_SQUARE * half[1 - thin] {
-            let other = self.along(door, 1 - thin);
-            return if other.len() == 2 { other } else { rooms };
+    /// How deep a point is in each room, metres, negative outside of it: the deepest first.
+    pub(crate) fn depths(&self, point: &Vector3<f32>) -> Vec<(NodeId, f32)> {
+        let mut depths: BTreeMap<NodeId, f32> = BTreeMap::new();
+        for (over, room) in &self.boxes {
+            let deepest = depths.entry(*room).or_insert(f32::NEG_INFINITY);
+            *deepest = deepest.max(depth(over, point));
         }
-        rooms
+        let mut depths: Vec<(NodeId, f32)> = depths.into_iter().collect();
+        depths.sort_by(|a, b| b.1.total_cmp(&a.1));
+        depths
     }
 
-    /// The rooms at the two ends of an axis of a door.
-    fn along(&self, door: &Body, axis: usize) -> Vec<NodeId> {
-        let whole = &door.whole;
-        let across: Vector3<f32> = whole.axes.column(axis).into();
-        let way = across * (whole.half[axis] + BESIDE_DOOR);
-        let mut rooms: Vec<NodeId> = [way, -way].iter().filter_map(|w| self.at(&(whole.centre + w))).collect();
+    /// The rooms on the two sides of a door, smaller number first; only one if the other side
+    /// is outside.
+    pub(crate) fn beside(&self, door: &Body) -> Vec<NodeId> {
+        let mut rooms: Vec<NodeId> = self.sides(door).into_iter().filter_map(|s| s.1).collect();
         rooms.sort_unstable();
         rooms.dedup();
         rooms
     }
+
+    /// What is on the two sides of a door. The box around a leaf that stands open is about as
+    /// thick as wide and does not say which way the door leads: the way on which there are two
+    /// rooms.
+    pub(crate) fn sides(&self, door: &Body) -> [Beyond; 2] {
+        let half = &door.whole.half;
+        let thin = usize::from(half.x > half.y);
+        let across = self.along(door, thin);
+        if joins_two(&across) || half[thin] < DOOR_SQUARE * half[1 - thin] {
+            return across;
+        }
+        let other = self.along(door, 1 - thin);
+        if joins_two(&other) { other } else { across }
+    }
+
+    /// What is at the two ends of an axis of a door.
+    fn along(&self, door: &Body, axis: usize) -> [Beyond; 2] {
+        let whole = &door.whole;
+        let across: Vector3<f32> = whole.axes.column(axis).into();
+        let way = across * (whole.half[axis] + BESIDE_DOOR);
+        [whole.centre + way, whole.centre - way].map(|at| (at, self.at(&at)))
+    }
+}
+
+fn joins_two([one, other]: &[Beyond; 2]) -> bool {
+    one.1.is_some() && other.1.is_some() && one.1 != other.1
+}
+
+/// The box over a piece of floor from one height to another; over one that leans, the
+/// world-aligned box.
+fn over(floor: &Solid, (low, high): (f32, f32)) -> Solid {
+    let lying = (Matrix3::identity(), (floor.high - floor.low) / 2.0);
+    let (axes, half) = if floor.upright { (floor.axes, floor.half) } else { lying };
+    let centre = Vector3::new(floor.centre.x, floor.centre.y, f32::midpoint(low, high));
+    Solid::new(centre, axes, Vector3::new(half.x, half.y, (high - low) / 2.0), Round::No)
 }
 
 fn floors_of(graph: &SceneGraph, room: NodeId) -> impl Iterator<Item = NodeId> + '_ {
@@ -92,10 +126,10 @@ fn floors_of(graph: &SceneGraph, room: NodeId) -> impl Iterator<Item = NodeId> +
     graph.relating(Relation::InRoom, room).filter(is_floor)
 }
 
-/// How far a point is from the sides of a region it is in; the negative distance to one it
-/// is not in.
-fn depth(region: &Region, point: &Vector3<f32>) -> f32 {
-    let inner = (point - region.low).inf(&(region.high - point));
+/// How far a point is from the sides of a box it is in; the negative distance to one it is
+/// not in.
+fn depth(over: &Solid, point: &Vector3<f32>) -> f32 {
+    let inner = over.half - over.axes.tr_mul(&(point - over.centre)).abs();
     let outside = inner.inf(&Vector3::zeros()).norm();
     if outside > 0.0 { -outside } else { inner.x.min(inner.y) }
 }

@@ -2,12 +2,11 @@
 
 use std::borrow::Cow;
 use std::cell::Cell;
-use std::collections::BTreeMap;
 
-use vc_graph::{Edge, NodeId, Relation};
+use vc_graph::{Edge, NodeId};
 
 use crate::body::Body;
-use crate::evidence::Evidence;
+use crate::facts::Facts;
 use crate::pair::Pair;
 use crate::threshold::{HANG_GAP, IMPULSE_SHARE, SUPPORT_SINK, SUPPORT_TIE, TOUCH_GAP};
 use crate::world::World;
@@ -43,72 +42,6 @@ pub struct Support {
     /// Gap between the two, metres; negative where one is sunk into the other. Zero for
     /// joints and contacts.
     pub gap: f32,
-}
-
-/// The evidence in the order in which it is asked.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Facts {
-    attached: BTreeMap<NodeId, Vec<NodeId>>,
-    /// Upward impulse on a thing by each other.
-    pushed: BTreeMap<NodeId, BTreeMap<NodeId, f32>>,
-    /// What agents hold and wear: by thing, the edge.
-    held: BTreeMap<NodeId, Vec<Edge>>,
-    holding: BTreeMap<NodeId, Vec<Edge>>,
-}
-
-impl Facts {
-    pub(crate) fn new(evidence: &Evidence) -> Self {
-        let mut facts = Self::default();
-        for a in &evidence.attachments {
-            facts.attached.entry(a.child).or_default().push(a.parent);
-        }
-        for contact in &evidence.contacts {
-            let (first, second) = contact.between;
-            if contact.impulse.z.is_finite() && first != second {
-                *facts.pushed.entry(second).or_default().entry(first).or_default() += contact.impulse.z;
-                *facts.pushed.entry(first).or_default().entry(second).or_default() -= contact.impulse.z;
-            }
-        }
-        for edge in &evidence.held {
-            facts.hold(*edge);
-        }
-        facts
-    }
-
-    /// Notes that something is held or worn; other relations do not count.
-    pub(crate) fn hold(&mut self, edge: Edge) {
-        let thing = match edge.relation {
-            Relation::HoldsRight | Relation::HoldsLeft => edge.to,
-            Relation::WornBy => edge.from,
-            _ => return,
-        };
-        for (map, key) in [(&mut self.held, thing), (&mut self.holding, edge.from)] {
-            let list = map.entry(key).or_default();
-            if !list.contains(&edge) {
-                list.push(edge);
-            }
-        }
-    }
-
-    /// Forgets what a node holds, wears, and is held and worn by.
-    pub(crate) fn forget(&mut self, id: NodeId) {
-        for map in [&mut self.held, &mut self.holding] {
-            map.retain(|_, edges| {
-                edges.retain(|e| e.from != id && e.to != id);
-                !edges.is_empty()
-            });
-        }
-    }
-
-    /// By what hand or body a thing is held or worn.
-    pub(crate) fn held(&self, thing: NodeId) -> &[Edge] {
-        self.held.get(&thing).map_or(&[], Vec::as_slice)
-    }
-
-    /// Edges of holding and wearing that start at a node.
-    pub(crate) fn holding(&self, from: NodeId) -> &[Edge] {
-        self.holding.get(&from).map_or(&[], Vec::as_slice)
-    }
 }
 
 /// Supports before cycles are looked for. `soft` ones do not go downwards and could close
@@ -171,14 +104,24 @@ impl<'w> Supports<'w> {
         found.into()
     }
 
+    /// By what hands and bodies a thing is held or worn. Those that the scene does not have
+    /// hold nothing.
+    pub(crate) fn held(&self, thing: NodeId) -> impl Iterator<Item = &'w Edge> {
+        let is_there = |id: NodeId| self.world.index(id).is_some();
+        self.facts.held(thing).iter().filter(move |e| is_there(e.from) && is_there(e.to))
+    }
+
     /// What a body rests on: by joint, else by contact, else by trace. Held and worn things
     /// rest on nothing, nor does the building.
     fn find(&self, index: usize, out: &mut Vec<Candidate>) {
         let Some(body) = &self.world.bodies[index] else { return };
-        if !self.facts.held(body.id).is_empty() {
+        if self.held(body.id).next().is_some() {
             return;
         }
-        if let Some(parents) = self.facts.attached.get(&body.id) {
+        let is_there = |id: &NodeId| self.world.index(*id).is_some();
+        let attached = self.facts.attached.get(&body.id).into_iter().flatten();
+        let parents: Vec<NodeId> = attached.copied().filter(is_there).collect();
+        if !parents.is_empty() {
             let share = 1.0 / parents.len() as f32;
             let support = |&by| Support { by, ground: Ground::Joint, share, gap: 0.0 };
             return self.put(index, parents.iter().map(support), out);
@@ -188,8 +131,9 @@ impl<'w> Supports<'w> {
         }
         let start = out.len();
         if let Some(pushes) = self.facts.pushed.get(&body.id) {
-            let sum: f32 = pushes.values().filter(|v| **v > 0.0).sum();
-            let carries = pushes.iter().filter(|(_, v)| **v > 0.0 && **v >= IMPULSE_SHARE * sum);
+            let up = || pushes.iter().filter(|(by, v)| **v > 0.0 && is_there(by));
+            let sum: f32 = up().map(|p| p.1).sum();
+            let carries = up().filter(|(_, v)| **v >= IMPULSE_SHARE * sum);
             let support = |(&by, v): (_, &f32)| Support { by, ground: Ground::Contact, share: v / sum, gap: 0.0 };
             self.put(index, carries.map(support), out);
         }

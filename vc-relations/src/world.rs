@@ -1,12 +1,13 @@
 //! All bodies of a scene, their rooms, and the facts of every pair: kept up to date.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use vc_graph::{AssetId, AssetLibrary, Kind, Node, NodeId, Property, Relation, SceneGraph};
 
 use crate::body::Body;
 use crate::evidence::Evidence;
+use crate::facts::Facts;
 use crate::form::Form;
 use crate::pair::{self, Pair};
 use crate::region::Region;
@@ -21,6 +22,8 @@ use crate::walls::{Among, Walls};
 #[derive(Debug, Clone, Default)]
 pub(crate) struct World {
     pub(crate) ids: Vec<NodeId>,
+    /// Nodes that have been removed since all was built; they keep their number.
+    gone: BTreeSet<NodeId>,
     /// `None` for nodes without geometry, and for rooms.
     pub(crate) bodies: Vec<Option<Body>>,
     pub(crate) pairs: Vec<Vec<Pair>>,
@@ -77,6 +80,7 @@ impl World {
         }
         self.rooms = self.find_rooms(graph);
         self.ids = graph.nodes().map(Node::id).collect();
+        self.gone.clear();
         self.bodies.clear();
         for node in graph.nodes() {
             let body = self.body(node, evidence);
@@ -113,8 +117,9 @@ impl World {
         Some(body)
     }
 
+    /// The number of the body of a node that is there.
     pub(crate) fn index(&self, id: NodeId) -> Option<usize> {
-        self.ids.binary_search(&id).ok()
+        self.ids.binary_search(&id).ok().filter(|_| !self.gone.contains(&id))
     }
 
     fn measure_all(&mut self) {
@@ -141,18 +146,21 @@ impl World {
     }
 
     /// Reads one node again and measures its pairs. Returns what it had to do with before
-    /// and has now; `None` if the scene has to be built anew: a part of the building, a
+    /// and has now; `None` if the scene has to be built anew: a room or part of the building, a
     /// node of which nothing was known, or one that could not be looked at.
     pub(crate) fn update(&mut self, graph: &SceneGraph, id: NodeId, evidence: &Evidence) -> Option<Vec<u32>> {
         let index = self.index(id)?;
         let node = graph.node(id);
         let body = node.and_then(|n| self.body(n, evidence));
         let is_building = |b: &Option<Body>| b.as_ref().is_some_and(|b| b.traits.structure);
-        let is_room = node.is_some_and(|n| n.kind() == Kind::Room);
+        let is_room = node.map_or_else(|| self.rooms.has(id), |n| n.kind() == Kind::Room);
         if is_room || is_building(&body) || is_building(&self.bodies[index]) {
             return None;
         }
         self.targets.set(index, &body)?;
+        if node.is_none() {
+            self.gone.insert(id);
+        }
         let mut met: Vec<u32> = self.pairs[index].iter().map(|p| p.other).collect();
         for &other in &met {
             self.pairs[other as usize].retain(|p| p.other as usize != index);
@@ -208,10 +216,10 @@ impl World {
         found
     }
 
-    /// Adds what touches bodies, directly or through others, but for the building, and what
-    /// is below any of these: what they rest on, and what they are under, depends on each
-    /// other. Returns the nodes, by number.
-    pub(crate) fn spread(&self, mut met: Vec<u32>) -> Vec<NodeId> {
+    /// Adds what touches bodies or may rest on them by joint or contact, directly or through
+    /// others, but for the building, and what is below any of these: what they rest on, and
+    /// what they are under, depends on each other. Returns the nodes, by number.
+    pub(crate) fn spread(&self, mut met: Vec<u32>, facts: &Facts) -> Vec<NodeId> {
         let mut known = vec![false; self.bodies.len()];
         met.retain(|&m| !std::mem::replace(&mut known[m as usize], true));
         let mut next = 0;
@@ -220,9 +228,11 @@ impl World {
             if self.bodies[index as usize].as_ref().is_some_and(|b| b.traits.structure) {
                 continue;
             }
-            for pair in self.pairs[index as usize].iter().filter(|p| p.gap.is_finite() || p.hooked) {
-                if !std::mem::replace(&mut known[pair.other as usize], true) {
-                    met.push(pair.other);
+            let touching = self.pairs[index as usize].iter().filter(|p| p.gap.is_finite() || p.hooked);
+            let carried = facts.carried(self.ids[index as usize]).filter_map(|id| self.index(id));
+            for other in touching.map(|p| p.other).chain(carried.map(|i| i as u32)) {
+                if !std::mem::replace(&mut known[other as usize], true) {
+                    met.push(other);
                 }
             }
         }

@@ -222,21 +222,6 @@ fn joints_take_the_place_of_support() {
 }
 
 #[test]
-fn explanations_tell_what_was_met_where() {
-    let scene =
-        shared::scene(["floor = floor 4 4", "table = table 0.8 1.2 0.75", "cup = mug 0.08 0.1 @ 0.1 0.2 0.752"]);
-    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap();
-    let why = relations.explain(scene.id("cup"), scene.id("table")).unwrap();
-    assert_eq!(why.down[0].what, scene.id("table"));
-    assert!((why.down[0].distance - 0.002).abs() < 1e-4);
-    assert!((why.down[0].at - Point3::new(0.1, 0.2, 0.75)).norm() < 0.02);
-    assert_eq!(why.down[0].verdict, vc_relations::Verdict::Counts);
-    assert_eq!(why.down[1].what, scene.id("floor"));
-    assert_eq!(why.down[1].verdict, vc_relations::Verdict::TooFar);
-    assert!(why.to_string().contains("by the trace down"));
-}
-
-#[test]
 fn what_is_written_back_is_sound() {
     let (mut home, truth) = shared::home::home(50);
     let relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap();

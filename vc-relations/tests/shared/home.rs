@@ -13,6 +13,11 @@ pub(crate) struct Truth {
 
 /// A home with at least `objects` objects, and what is true in it.
 pub(crate) fn home(objects: usize) -> (Named, Vec<Truth>) {
+    home_with(objects, &[])
+}
+
+/// The same with more things in it.
+pub(crate) fn home_with(objects: usize, more: &[&str]) -> (Named, Vec<Truth>) {
     let modules = objects.div_ceil(25);
     let side = (modules as f32).sqrt().ceil() as usize;
     let (mut lines, mut truth) = (Vec::new(), Vec::new());
@@ -20,7 +25,7 @@ pub(crate) fn home(objects: usize) -> (Named, Vec<Truth>) {
         let (x, y) = ((module % side) as f32 * 4.2, (module / side) as f32 * 4.2);
         room(module, x, y, &mut lines, &mut truth);
     }
-    let scene = super::scene(lines.iter().map(String::as_str));
+    let scene = super::scene(lines.iter().map(String::as_str).chain(more.iter().copied()));
     (scene, truth)
 }
 

@@ -97,6 +97,13 @@ pub(crate) fn make(name: &str, m: &[f32], slots: bool) -> (&'static str, Asset) 
     let k = &mut kit;
     let class = match name {
         "floor" => (k.block([-m(0) / 2.0, -m(1) / 2.0, -0.2], [m(0) / 2.0, m(1) / 2.0, 0.0]), "floor").1,
+        "l_floor" => {
+            // Square, without the corner at +X and +Y: arms `m(1)` wide.
+            let (far, near) = (m(0) / 2.0, m(1) - m(0) / 2.0);
+            let outline = vec![(far, -far), (far, near), (near, near), (near, far), (-far, far), (-far, -far)];
+            k.shape(Shape::Extrusion { outline, height: 0.2 }, [0.0, 0.0, -0.2]);
+            "floor"
+        }
         "ceiling" => (k.block([-m(0) / 2.0, -m(1) / 2.0, 0.0], [m(0) / 2.0, m(1) / 2.0, 0.2]), "ceiling").1,
         "wall" => (upright(k, m(0), m(1), m(2)), "wall").1,
         "door" => (upright(k, 0.04, m(0), m(1)), "door").1,

@@ -1,0 +1,66 @@
+//! Who faces what.
+
+use vc_graph::portable::Portable;
+
+use crate::body::Body;
+use crate::explanation::{Sight, Verdict};
+use crate::threshold::{FACING_COSINE, FACING_REACH};
+use crate::walls::Walls;
+
+/// Agents and seats face things; all else has a front and looks nowhere.
+pub(crate) fn can_face(body: &Body) -> bool {
+    body.traits.agent || body.traits.sittable
+}
+
+/// Whether a body faces another, or why it does not.
+pub(crate) fn verdict(body: &Body, target: &Body, walls: &Walls) -> Verdict {
+    let front = Front::new(body, target);
+    if !can_face(body) || !target.traits.lookable {
+        Verdict::Unfit
+    } else if front.far > FACING_REACH || !body.region.grown(FACING_REACH, FACING_REACH).meets(&target.region) {
+        Verdict::TooFar
+    } else if !front.is_towards() {
+        Verdict::Aside
+    } else if walls.between(body, target) {
+        Verdict::Walled
+    } else {
+        Verdict::Counts
+    }
+}
+
+/// The same with its figures.
+pub(crate) fn sight(body: &Body, target: &Body, walls: &Walls) -> Sight {
+    let front = Front::new(body, target);
+    Sight { angle: front.angle(), distance: front.far, verdict: verdict(body, target, walls) }
+}
+
+/// The way to another thing and the front of one, from above.
+struct Front {
+    /// Product of the two, and the part of the way across the front times its length.
+    along: f32,
+    across: f32,
+    /// Length of the way, metres, and of the front: less than one where it leans.
+    far: f32,
+    length: f32,
+}
+
+impl Front {
+    fn new(body: &Body, target: &Body) -> Self {
+        let way = (target.whole.centre - body.whole.centre).xy();
+        let front = body.heading.column(0).xy();
+        Self { along: way.dot(&front), across: front.perp(&way), far: way.norm(), length: front.norm() }
+    }
+
+    /// Whether there is a front to look from.
+    fn is_level(&self) -> bool {
+        self.length > 1e-3
+    }
+
+    fn is_towards(&self) -> bool {
+        self.is_level() && self.along >= FACING_COSINE * self.far * self.length
+    }
+
+    fn angle(&self) -> f32 {
+        if self.is_level() { self.across.abs().angle_to(self.along) } else { std::f32::consts::PI }
+    }
+}
