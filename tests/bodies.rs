@@ -1,12 +1,13 @@
-//! Generated apartments as worlds of bodies: they stay as they are, and every room can
-//! be walked to.
+//! Scenes as worlds of bodies: generated apartments stay as they are, and every room can be
+//! walked to; what bodies rest on, relations are told.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
-use nalgebra::Point2;
-use virtualcity::graph::{NodeId, SceneGraph, Seed};
+use nalgebra::{Point2, UnitQuaternion, Vector3};
+use virtualcity::graph::{Bounds, Draft, NodeId, Pose, Relation, SceneBuilder, SceneGraph, Seed};
 use virtualcity::physics::{Doors, Floor, FloorPlan, Settings, Shapes, World};
 use virtualcity::procgen::Apartment;
+use virtualcity::relations::{Contact, Evidence, Ground, Relations, Rule};
 
 fn home(seed: u64) -> Option<SceneGraph> {
     Apartment::from_seed(Seed(seed)).ok().map(|home| home.scene())
@@ -60,4 +61,58 @@ fn every_room_can_be_walked_to() {
         let ways = |floor: &Floor| places.iter().filter(|p| floor.route(places[0], **p).is_some()).count();
         assert!(ways(&shut) < ways(&open), "{}", graph.name());
     }
+}
+
+/// The contacts of a world as relations take them: physics has how hard and which way, they
+/// want the impulse on the second of the two.
+fn told(world: &World) -> Evidence {
+    let contacts = world.contacts().into_iter();
+    let contact = |c: virtualcity::physics::Contact| Contact { between: (c.a, c.b), impulse: c.normal * c.impulse };
+    Evidence { contacts: contacts.map(contact).collect(), ..Evidence::default() }
+}
+
+/// A plank on two tables and a ladder that leans on a wall, a little above where they come to
+/// rest.
+fn leaning() -> (SceneGraph, [NodeId; 6]) {
+    let mut scene = SceneBuilder::new("workshop");
+    let mut put = |class: &str, size: [f32; 3], pose: Pose| {
+        scene.add(Draft::new(class).bounds(Bounds::standing(size.into())).at(pose)).unwrap()
+    };
+    let floor = put("floor", [8.0, 8.0, 0.1], Pose::translation(0.0, 0.0, -0.1));
+    let wall = put("wall", [0.1, 4.0, 2.5], Pose::translation(2.05, 0.0, 0.0));
+    let tables = [-0.8, 0.8].map(|y| put("kitchen_table", [0.6, 0.6, 0.75], Pose::translation(0.0, y, 0.0)));
+    let plank = put("plank", [0.2, 2.2, 0.04], Pose::translation(0.0, 0.1, 0.752));
+    let tilt = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 20.0_f32.to_radians());
+    let foot = Vector3::new(1.285, 0.0, 0.0125);
+    let ladder = put("ladder", [0.06, 0.4, 2.0], Pose::from_parts(foot.into(), tilt));
+    (scene.build(), [floor, wall, tables[0], tables[1], plank, ladder])
+}
+
+#[test]
+fn contacts_of_bodies_tell_relations_what_rests_where() {
+    let (mut graph, [floor, wall, left, right, plank, ladder]) = leaning();
+    let mut world = build(&graph);
+    let report = world.settle(900);
+    assert!(report.fell.is_empty() && report.stopped.is_empty(), "{report:?}");
+    let mut edit = graph.edit();
+    world.poses().into_iter().for_each(|(id, pose)| edit.set_pose(id, Some(pose)).unwrap());
+    edit.commit();
+    let relations = Relations::new(&graph, Rule::Repaired, told(&world)).unwrap();
+    for (id, expected) in [(plank, vec![left, right]), (ladder, vec![floor])] {
+        let supports = relations.supports(id);
+        assert!(supports.iter().all(|s| s.ground == Ground::Contact), "{supports:?}");
+        let mut by: Vec<NodeId> = supports.iter().map(|s| s.by).collect();
+        let mut physical = world.supports(id);
+        by.sort_unstable();
+        physical.sort_unstable();
+        assert_eq!(by, expected, "{supports:?}");
+        assert_eq!(physical, expected);
+    }
+    // The plank lies a little more on the right table.
+    let share = |by| relations.supports(plank).iter().find(|s| s.by == by).unwrap().share;
+    assert!(share(left) > 0.3 && share(right) > share(left), "{:?}", relations.supports(plank));
+    // The wall pushes the ladder, but not up.
+    assert!(world.contacts_of(ladder).iter().any(|c| (c.a, c.b) == (wall, ladder) && c.impulse > 0.0));
+    let leans = relations.between(ladder, wall);
+    assert!(leans.contains(&Relation::Touching) && !leans.contains(&Relation::On), "{leans:?}");
 }
