@@ -1,6 +1,6 @@
 //! Pictures of a run: from the agent's eyes, and from a corner of the room it is in.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point2;
 use vc_graph::NodeId;
@@ -27,8 +27,10 @@ pub(crate) struct Film {
     every: u32,
     ticks: u32,
     room: Option<NodeId>,
-    /// All modalities of the moment in which most was going on.
+    /// All modalities of the moment that tells most, from the eyes and from the corner.
     pub(crate) modalities: Option<[Picture; 2]>,
+    /// How much that moment tells.
+    most_telling: usize,
     /// The moment of the last picture, for flow.
     before: Option<Environment>,
     pub(crate) last: Option<Picture>,
@@ -46,6 +48,7 @@ impl Film {
             ticks: 0,
             room: home.graph().room_of(me),
             modalities: None,
+            most_telling: 0,
             before: None,
             last: None,
         }
@@ -129,9 +132,14 @@ impl Film {
         home.render(view, wanted, self.size.0, self.size.1).map_err(Complaint::new)
     }
 
-    /// Keeps all modalities of a moment in which the agent holds something and walks.
+    /// Keeps all modalities of the moment that tells most.
     fn look(&mut self, home: &Environment, views: [Viewpoint; 2]) -> Result<(), Complaint> {
-        let Some(before) = self.before.take().filter(|b| self.is_telling(b, home)) else { return Ok(()) };
+        let Some(before) = self.before.take() else { return Ok(()) };
+        let telling = self.telling(&before, home, views[0])?;
+        if telling <= self.most_telling {
+            return Ok(());
+        }
+        self.most_telling = telling;
         let sheet = |view| -> Result<Picture, Complaint> {
             let frame = before.render_until(home, view, Modalities::SIX, self.size.0, self.size.1);
             Ok(six(&frame.map_err(Complaint::new)?))
@@ -140,10 +148,16 @@ impl Film {
         Ok(())
     }
 
-    fn is_telling(&self, before: &Environment, now: &Environment) -> bool {
+    /// How much a moment tells: nothing unless the agent moves; more while it holds something,
+    /// and the more things it sees.
+    fn telling(&self, before: &Environment, now: &Environment, eyes: Viewpoint) -> Result<usize, Complaint> {
+        if (self.feet(before) - self.feet(now)).norm() <= 1e-3 {
+            return Ok(0);
+        }
+        let frame = now.render(eyes, Modality::Instance, 80, 60).map_err(Complaint::new)?;
+        let seen: BTreeSet<NodeId> = frame.instance.iter().copied().collect();
         let holds = now.graph().held(self.me).next().is_some();
-        let moves = (self.feet(before) - self.feet(now)).norm() > 1e-3;
-        moves && (self.modalities.is_none() || holds)
+        Ok(seen.len() + if holds { 1000 } else { 0 })
     }
 
     /// The end: one more picture, from the corner.

@@ -55,7 +55,7 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     let mut film = Film::new(&home, me, options.width);
     let run = act(options, home.clone(), me, task, &mut film)?;
     page::write(&options.out, &run, &film, &home)?;
-    let metres: f32 = run.way.windows(2).map(|p| (p[1] - p[0]).norm()).sum();
+    let metres: f32 = run.way.windows(2).fold(0.0, |sum, p| sum + (p[1] - p[0]).norm());
     say!(
         "\n{:?}: {} actions, {metres:.1} m, {:.0} s in the home, {:.0}% of the goal holds; {:.1} s here",
         run.outcome,

@@ -19,7 +19,7 @@ const BEND: f32 = 1.25;
 /// Where the eyes are from the neck: before the face.
 const EYES: Vector3<f32> = Vector3::new(0.14, 0.0, 0.13);
 /// How far a head turns to the side, and up or down, radians.
-const NECK: (f32, f32) = (1.2, 0.9);
+const NECK: (f32, f32) = (1.2, 1.25);
 
 /// What a body is shown to do beside standing, sitting or lying.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -109,13 +109,15 @@ impl Skeleton {
         self.dance(doing);
     }
 
-    /// Turns the head towards a point by a share of the way, as far as a neck turns.
+    /// Turns the head towards a point by a share of the way, as far as a neck turns, and
+    /// upright however the chest is bent.
     fn look(&mut self, point: Point3<f32>, share: f32) {
         let chest = self.motion(Bone::Chest);
-        let way = chest.inverse() * point - (Bone::Head.anchor() + EYES);
+        let way = point - chest * (Bone::Head.anchor() + EYES);
         let yaw = way.y.angle_to(way.x).clamp(-NECK.0, NECK.0);
         let down = (-way.z).angle_to(way.xy().norm()).clamp(-NECK.1, NECK.1);
         let there = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw) * pitch(down);
+        let there = chest.rotation.inverse() * there;
         let ahead = chest.rotation.inverse() * self.motion(Bone::Head).rotation;
         self.turn(Bone::Head, ahead.try_slerp(&there, share, 1e-6).unwrap_or(there));
     }
