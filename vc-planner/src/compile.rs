@@ -84,6 +84,9 @@ pub(crate) fn compile(
     known: &dyn Fn(NodeId) -> bool,
     manners: Manners,
 ) -> Result<Compiled> {
+    if let Some(part) = demands.refuted {
+        return Err(Unreachable::NoInstance(part.to_string()));
+    }
     let number = demands.all.len();
     let problem = Problem::for_demands(number);
     let mut c = Compiler {

@@ -1,6 +1,6 @@
 //! A goal taken apart into demands on things.
 
-use vc_graph::goal::{Comparison, Goal, Literal, Pairs, Predicate, Quantified, Situation, Term, Variable};
+use vc_graph::goal::{Comparison, Goal, Literal, Pairs, Predicate, Quantified, Situation, Term};
 use vc_graph::{NodeId, State};
 
 /// So many things of a list are to satisfy a predicate.
@@ -76,6 +76,8 @@ pub(crate) struct Demands<'g> {
     pub(crate) all: Vec<Demand<'g>>,
     /// Parts that are no demands: orders, upper bounds, negations.
     pub(crate) rest: bool,
+    /// A part that is false whatever is done: that one thing is another.
+    pub(crate) refuted: Option<&'g Goal>,
     /// Sitting and lying is left to regression, which sees when a seat is at hand anyway.
     pub(crate) regress_postures: bool,
 }
@@ -99,6 +101,7 @@ impl<'a, 'g> Reader<'a, 'g> {
     fn part(&mut self, goal: &'g Goal) {
         match goal {
             Goal::Literal(literal) => self.demand(goal, literal, 1),
+            Goal::Same(a, b) => self.same(goal, a, b, true),
             Goal::Count { literal, comparison, number } => {
                 if *comparison != Comparison::AtMost {
                     self.demand(goal, literal, *number as usize);
@@ -127,14 +130,16 @@ impl<'a, 'g> Reader<'a, 'g> {
             Goal::ForN { comparison, number, of } => self.so_many(*comparison, *number as usize, of),
             Goal::ForPairs(pairs) => self.pairs(pairs),
             Goal::ForAll(q) => {
-                for id in self.range(q) {
+                for id in self.range(q.class.as_deref()) {
                     self.with(q, id);
                 }
             }
             Goal::Exists(q) => {
-                let mut range = self.range(q);
+                let mut range = self.range(q.class.as_deref());
                 // Those of which most holds already are tried first.
-                range.sort_by_key(|&id| std::cmp::Reverse(self.met(q, id)));
+                range.sort_by_cached_key(|&id| {
+                    std::cmp::Reverse(self.bound_to(&[(&q.variable, id)], |r| r.met(&q.body)))
+                });
                 if !range.is_empty() {
                     let chosen = self.choice.pick(range.len());
                     self.with(q, range[chosen]);
@@ -145,27 +150,44 @@ impl<'a, 'g> Reader<'a, 'g> {
         }
     }
 
-    /// How many parts of a body hold of a thing now.
-    fn met(&self, q: &Quantified, id: NodeId) -> usize {
-        let parts = match &*q.body {
-            Goal::And(parts) => parts.as_slice(),
-            whole => std::slice::from_ref(whole),
-        };
-        let stands_for = |term: &Term| match term {
-            Term::Variable(name) if *name == q.variable => vec![id],
-            other => self.candidates(other),
-        };
-        let holds = |part: &&Goal| {
-            let Goal::Literal(literal) = part else { return false };
-            let things = |i: usize| literal.terms.get(i).map_or_else(Vec::new, stands_for);
-            let (first, second) = (things(0), things(1));
-            let with = |a| match second.as_slice() {
-                [] => self.now.holds(literal.predicate, [Some(a), None]),
-                others => others.iter().any(|&b| self.now.holds(literal.predicate, [Some(a), Some(b)])),
-            };
-            first.into_iter().any(with)
-        };
-        parts.iter().filter(holds).count()
+    /// How many parts of a body hold now of what its variables stand for.
+    fn met(&self, body: &Goal) -> usize {
+        body.conjuncts().iter().filter(|part| self.holds(part)).count()
+    }
+
+    /// Whether a literal, or that things are the same or not, holds now; of the rest of the
+    /// language nothing is said.
+    fn holds(&self, part: &Goal) -> bool {
+        match part {
+            Goal::Same(a, b) => self.meant(a).is_some_and(|a| self.meant(b) == Some(a)),
+            Goal::Not(part) => matches!(**part, Goal::Same(..)) && !self.holds(part),
+            Goal::Literal(literal) => {
+                let things = |i: usize| literal.terms.get(i).map_or_else(Vec::new, |t| self.candidates(t));
+                let (first, second) = (things(0), things(1));
+                let with = |a| match second.as_slice() {
+                    [] => self.now.holds(literal.predicate, [Some(a), None]),
+                    others => others.iter().any(|&b| self.now.holds(literal.predicate, [Some(a), Some(b)])),
+                };
+                first.into_iter().any(with)
+            }
+            _ => false,
+        }
+    }
+
+    /// The thing a term stands for, if it is one thing.
+    fn meant(&self, term: &Term) -> Option<NodeId> {
+        match term {
+            Term::Class(_) | Term::Anything => None,
+            one => self.candidates(one).first().copied(),
+        }
+    }
+
+    /// That one thing is another, or is not, is so or never will be.
+    fn same(&mut self, part: &'g Goal, a: &Term, b: &Term, wanted: bool) {
+        let same = self.meant(a).is_some_and(|a| self.meant(b) == Some(a));
+        if same != wanted {
+            self.found.refuted = Some(part);
+        }
     }
 
     /// So many of a class, those first of which the part holds already.
@@ -174,7 +196,7 @@ impl<'a, 'g> Reader<'a, 'g> {
         if comparison == Comparison::AtMost {
             return;
         }
-        let range = self.range(q);
+        let range = self.range(q.class.as_deref());
         self.found.rest |= range.len() < number;
         let chosen = if range.len() > number { self.choice.pick(range.len()) } else { 0 };
         for &id in range.iter().cycle().skip(chosen).take(number.min(range.len())) {
@@ -182,31 +204,53 @@ impl<'a, 'g> Reader<'a, 'g> {
         }
     }
 
-    /// Things of two classes, one with one in order.
+    /// Things of two classes, one with one: pairs that hold already, then the others in
+    /// order.
     fn pairs(&mut self, pairs: &'g Pairs) {
         self.found.rest = true;
-        let all = |v: &Variable| match &v.class {
-            Some(class) => self.now.graph.of_class(class),
-            None => Vec::new(),
+        let (comparison, number) = match pairs.number {
+            Some((comparison, number)) => (comparison, number as usize),
+            None => (Comparison::AtLeast, usize::MAX),
         };
-        let (first, second) = (all(&pairs.first), all(&pairs.second));
-        let number = pairs.number.map_or(usize::MAX, |(_, n)| n as usize);
-        for (a, b) in first.into_iter().zip(second).take(number) {
-            self.bound.push((&pairs.first.name, a));
-            self.bound.push((&pairs.second.name, b));
-            self.part(&pairs.body);
-            self.bound.truncate(self.bound.len() - 2);
+        if comparison == Comparison::AtMost {
+            return;
+        }
+        let [mut first, mut second] = [&pairs.first, &pairs.second].map(|v| self.range(v.class.as_deref()));
+        let names = [&*pairs.first.name, &*pairs.second.name];
+        let mut chosen = Vec::new();
+        first.retain(|&a| {
+            let fits =
+                |&b: &NodeId| a != b && self.bound_to(&[(names[0], a), (names[1], b)], |r| r.holds_now(&pairs.body));
+            let found = second.iter().position(fits);
+            chosen.extend(found.map(|at| (a, second.remove(at))));
+            found.is_none()
+        });
+        chosen.extend(first.into_iter().zip(second).filter(|(a, b)| a != b));
+        for (a, b) in chosen.into_iter().take(number) {
+            self.bound_to(&[(names[0], a), (names[1], b)], |r| r.part(&pairs.body));
         }
     }
 
-    fn with(&mut self, q: &'g Quantified, id: NodeId) {
-        self.bound.push((&q.variable, id));
-        self.part(&q.body);
-        self.bound.pop();
+    /// Whether all parts of a body hold now.
+    fn holds_now(&self, body: &Goal) -> bool {
+        self.met(body) == body.conjuncts().len()
     }
 
-    fn range(&self, q: &Quantified) -> Vec<NodeId> {
-        match &q.class {
+    fn with(&mut self, q: &'g Quantified, id: NodeId) {
+        self.bound_to(&[(&q.variable, id)], |r| r.part(&q.body));
+    }
+
+    /// With variables standing for things.
+    fn bound_to<T>(&mut self, things: &[(&'g str, NodeId)], read: impl FnOnce(&mut Self) -> T) -> T {
+        let outer = self.bound.len();
+        self.bound.extend_from_slice(things);
+        let result = read(self);
+        self.bound.truncate(outer);
+        result
+    }
+
+    fn range(&self, class: Option<&str>) -> Vec<NodeId> {
+        match class {
             Some(class) => self.now.graph.of_class(class),
             None => self.now.candidates(&Term::Anything),
         }
@@ -222,9 +266,23 @@ impl<'a, 'g> Reader<'a, 'g> {
             State::Dirty => Some(State::Clean),
             _ => None,
         };
-        let Goal::Literal(literal) = part else {
-            self.found.rest = true;
-            return;
+        let literal = match part {
+            Goal::Literal(literal) => literal,
+            Goal::Same(a, b) => return self.same(part, a, b, false),
+            Goal::Not(part) => return self.part(part),
+            Goal::Imply(condition, then) => {
+                self.part(condition);
+                return self.not(then);
+            }
+            Goal::Or(parts) => return parts.iter().for_each(|p| self.not(p)),
+            Goal::And(parts) if !parts.is_empty() => {
+                let chosen = self.choice.pick(parts.len());
+                return self.not(&parts[chosen]);
+            }
+            _ => {
+                self.found.rest = true;
+                return;
+            }
         };
         let Predicate::State(state) = literal.predicate else {
             self.found.rest = true;
@@ -250,9 +308,11 @@ impl<'a, 'g> Reader<'a, 'g> {
     fn demand(&mut self, part: &'g Goal, literal: &'g Literal, number: usize) {
         let terms = &literal.terms;
         let things = [0, 1].map(|i| terms.get(i).map_or_else(Vec::new, |t| self.candidates(t)));
-        // Of what is held, not of who holds it, there may be several.
+        // Of what is held, not of who holds it, there may be several; one thing that is to
+        // be at some place is a need of one, whatever the places.
         let held = literal.predicate == Predicate::Holds;
-        let counted = if held { 1 } else { literal.counted().unwrap_or(0).min(1) };
+        let one = number == 1 && matches!(terms.first(), Some(Term::Variable(_) | Term::Node(..)));
+        let counted = if held { 1 } else { literal.counted().filter(|_| !one).unwrap_or(0).min(1) };
         if terms.iter().any(|t| matches!(t, Term::Anything)) && !matches!(literal.predicate, Predicate::Did(_)) {
             self.found.rest = true;
             return;

@@ -173,7 +173,7 @@ impl Planner {
         let known: Known = graph.nodes().map(Node::id).collect();
         let mut way = Regression::new(graph, agent, &known, events, goal);
         let posture = compiled.problem.last != 0;
-        let mut rest = compiled.rest || !way.follow(&actions);
+        let mut rest = !way.follow(&actions) || compiled.rest;
         if !rest && way.holds(goal) {
             // A seat may be at hand without a walk, which is not packed.
             let plan = Plan { actions: way.actions(), wants: Vec::new(), proved: proved && !posture };

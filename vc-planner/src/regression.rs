@@ -24,6 +24,8 @@ pub(crate) struct Regression<'a> {
     graph: &'a mut SceneGraph,
     agent: NodeId,
     known: &'a Known,
+    /// Everything is known: whether the goal holds can be seen.
+    knows_all: bool,
     hints: Hints,
     events: Vec<Event>,
     done_before: usize,
@@ -44,10 +46,12 @@ impl<'a> Regression<'a> {
         events: &[Event],
         goal: &Goal,
     ) -> Self {
+        let knows_all = graph.nodes().all(|n| known.contains(n.id()));
         Self {
             graph,
             agent,
             known,
+            knows_all,
             hints: Hints::of(goal),
             events: events.to_vec(),
             done_before: events.len(),
@@ -77,7 +81,14 @@ impl<'a> Regression<'a> {
     ) -> Result<Plan, Unreachable> {
         let mut wants = Vec::new();
         loop {
+            if self.knows_all && self.holds(goal) {
+                return Ok(Plan { actions: self.actions(), wants, proved: false });
+            }
             let subgoals = self.view().subgoals(goal)?;
+            if self.knows_all && subgoals.is_empty() {
+                // What is left came too late, or too early.
+                return Err(Unreachable::NoPlan(goal.to_string()));
+            }
             if self.cut || subgoals.is_empty() || (horizon == Horizon::NextSubgoal && !self.trail.is_empty()) {
                 return Ok(Plan { actions: self.actions(), wants, proved: false });
             }

@@ -1,7 +1,11 @@
 //! From a goal to the things that are still to be brought about.
 
-use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Quantified, Situation, Term};
-use vc_graph::{Action, Condition, Node, NodeId, Property, Relation, SceneGraph, State, Verb};
+mod literal;
+mod number;
+mod wants;
+
+use vc_graph::goal::{Goal, Predicate, Quantified, Situation, Term};
+use vc_graph::{NodeId, SceneGraph};
 
 use crate::Known;
 use crate::want::{Subgoal, Unreachable, Want};
@@ -28,6 +32,13 @@ impl View<'_> {
     /// the goal is known to hold.
     pub(crate) fn subgoals(&self, goal: &Goal) -> Found {
         let mut found = self.open(goal, &mut Vec::new())?;
+        for part in goal.conjuncts().iter().filter(|part| presses(part)) {
+            let pressing = self.open(part, &mut Vec::new())?;
+            if !pressing.is_empty() {
+                found = pressing;
+                break;
+            }
+        }
         found.sort_by_key(|s| s.options.first().map_or(u8::MAX, |w| self.stage(w)));
         Ok(found)
     }
@@ -36,59 +47,88 @@ impl View<'_> {
         match goal {
             Goal::Literal(literal) => self.at_least(goal, literal, 1, bound),
             Goal::Count { literal, comparison, number } => {
-                self.count(goal, literal, *comparison, *number as usize, bound)
+                self.number(*comparison, *number, &mut |limit| self.literals(goal, literal, limit, bound))
             }
-            Goal::And(parts) => {
-                let all: Result<Vec<_>, _> = parts.iter().map(|p| self.open(p, bound)).collect();
-                Ok(all?.concat())
-            }
+            Goal::Same(a, b) if self.same(a, b, bound) => Ok(Vec::new()),
+            Goal::Same(..) => Err(Unreachable::NoInstance(goal.to_string())),
+            Goal::And(parts) => all(parts.iter().map(|p| self.open(p, bound))),
             Goal::Or(parts) => self.any(goal, parts.iter().map(|p| self.open(p, bound)).collect()),
             Goal::Not(part) => self.not(part, bound),
-            Goal::ForAll(q) => {
-                let each = self.range(q).into_iter().map(|id| bind(q, id, bound, |b| self.open(&q.body, b)));
-                Ok(each.collect::<Result<Vec<_>, _>>()?.concat())
-            }
-            Goal::Exists(q) => {
-                let each = self.range(q).into_iter().map(|id| bind(q, id, bound, |b| self.open(&q.body, b))).collect();
-                self.any(goal, each)
-            }
+            Goal::ForAll(q) => all(self.each(q, bound, |b| self.open(&q.body, b)).into_iter()),
+            Goal::Exists(q) => self.any(goal, self.each(q, bound, |b| self.open(&q.body, b))),
             Goal::Then(parts) => self.in_order(parts, bound),
             Goal::Imply(condition, part) => self.any(goal, vec![self.not(condition, bound), self.open(part, bound)]),
             Goal::Eventually(part) | Goal::AtEnd(part) | Goal::Always(part) | Goal::Within(_, part) => {
                 self.open(part, bound)
             }
-            Goal::Until(_, part) | Goal::Before(part, _) => self.open(part, bound),
-            Goal::ForN { comparison: Comparison::AtLeast, number, of } => {
-                self.so_many(goal, *number as usize, of, bound)
+            Goal::Until(meanwhile, part) => self.until(meanwhile, part, bound),
+            Goal::Before(part, later) => self.before(part, later, bound),
+            Goal::ForN { comparison, number, of } => {
+                self.number(*comparison, *number, &mut |limit| self.so_many(goal, of, limit, bound))
+            }
+            Goal::ForPairs(pairs) => {
+                let (comparison, number) = self.pairs_wanted(pairs);
+                self.number(comparison, number, &mut |limit| self.pairs(goal, pairs, limit, bound))
             }
             _ => Err(Unreachable::NoPlan(goal.to_string())),
         }
     }
 
-    fn range(&self, q: &Quantified) -> Vec<NodeId> {
-        match &q.class {
+    /// The second part; the first must be so up to then. Of a state only what it is now is
+    /// known: it matters if the second part is a deed, before which there was a step.
+    fn until<'g>(&self, meanwhile: &'g Goal, part: &'g Goal, bound: &mut Bindings<'g>) -> Found {
+        let open = self.open(part, bound)?;
+        if !open.is_empty() || !speaks_of_deeds(part) || speaks_of_deeds(meanwhile) {
+            return Ok(open);
+        }
+        self.open(meanwhile, bound)
+    }
+
+    /// The first part; the second must not be so up to then. A state that is so now is
+    /// taken to have been so before.
+    fn before<'g>(&self, part: &'g Goal, later: &'g Goal, bound: &mut Bindings<'g>) -> Found {
+        let open = self.open(part, bound)?;
+        if !open.is_empty() || speaks_of_deeds(later) {
+            return Ok(open);
+        }
+        self.not(later, bound)
+    }
+
+    /// Whether two terms stand for the same thing.
+    fn same(&self, a: &Term, b: &Term, bound: &Bindings<'_>) -> bool {
+        let meant = |term: &Term| match term {
+            Term::Variable(name) => bound.iter().rev().find(|(n, _)| n == name).map(|&(_, id)| id),
+            Term::Node(_, id) => Some(*id),
+            Term::Me => Some(self.now.agent),
+            Term::Class(_) | Term::Anything => None,
+        };
+        meant(a).is_some_and(|a| meant(b) == Some(a))
+    }
+
+    fn range(&self, class: Option<&str>) -> Vec<NodeId> {
+        match class {
             Some(class) => self.graph().of_class(class),
             None => self.now.candidates(&Term::Anything),
         }
     }
 
-    /// The part for so many things of a class: those with least to do.
-    fn so_many<'g>(&self, goal: &Goal, number: usize, q: &'g Quantified, bound: &mut Bindings<'g>) -> Found {
-        let each = self.range(q).into_iter().map(|id| bind(q, id, bound, |b| self.open(&q.body, b)));
-        let mut possible: Vec<Vec<Subgoal>> = each.flatten().collect();
-        if possible.len() < number {
-            return Err(Unreachable::NoInstance(goal.to_string()));
-        }
-        possible.sort_by_key(Vec::len);
-        Ok(possible.into_iter().take(number).flatten().collect())
+    /// What is found with the variable standing for each thing of its class.
+    fn each<'g>(
+        &self,
+        q: &'g Quantified,
+        bound: &mut Bindings<'g>,
+        mut find: impl FnMut(&mut Bindings<'g>) -> Found,
+    ) -> Vec<Found> {
+        let range = self.range(q.class.as_deref());
+        range.into_iter().map(|id| bind(&q.variable, id, bound, &mut find)).collect()
     }
 
     /// One of several ways: the one with least to do; single steps are pooled.
     fn any(&self, goal: &Goal, ways: Vec<Found>) -> Found {
-        let mut possible: Vec<Vec<Subgoal>> = ways.into_iter().flatten().collect();
+        let (mut possible, reason) = sift(ways);
         possible.sort_by_key(Vec::len);
         match possible.first() {
-            None => Err(Unreachable::NoInstance(goal.to_string())),
+            None => Err(reason.unwrap_or_else(|| Unreachable::NoInstance(goal.to_string()))),
             Some(way) if way.len() == 1 => {
                 let single = possible.into_iter().take_while(|w| w.len() == 1);
                 let mut options: Vec<Want> = single.flatten().flat_map(|s| s.options).collect();
@@ -127,243 +167,74 @@ impl View<'_> {
     fn not<'g>(&self, part: &'g Goal, bound: &mut Bindings<'g>) -> Found {
         match part {
             Goal::Literal(literal) => self.at_most(part, literal, 0, bound),
-            Goal::Count { literal, comparison: Comparison::AtLeast, number } => {
-                self.at_most(part, literal, (*number as usize).saturating_sub(1), bound)
+            Goal::Count { literal, comparison, number } => {
+                self.other_number(part, *comparison, *number, &mut |limit| self.literals(part, literal, limit, bound))
             }
-            Goal::Count { literal, comparison: Comparison::AtMost, number } => {
-                self.at_least(part, literal, *number as usize + 1, bound)
-            }
-            Goal::Count { literal, number, .. } => {
-                let more = self.at_least(part, literal, *number as usize + 1, bound);
-                let fewer = match *number {
-                    0 => Err(Unreachable::NoInstance(part.to_string())),
-                    n => self.at_most(part, literal, n as usize - 1, bound),
-                };
-                self.any(part, vec![fewer, more])
-            }
+            Goal::Same(a, b) if !self.same(a, b, bound) => Ok(Vec::new()),
+            Goal::Same(..) => Err(Unreachable::NoInstance(part.to_string())),
             Goal::Not(inner) => self.open(inner, bound),
             Goal::And(parts) | Goal::Then(parts) => {
                 let ways = parts.iter().map(|p| self.not(p, bound)).collect();
                 self.any(part, ways)
             }
-            Goal::Or(parts) => {
-                let all: Result<Vec<_>, _> = parts.iter().map(|p| self.not(p, bound)).collect();
-                Ok(all?.concat())
+            Goal::Or(parts) => all(parts.iter().map(|p| self.not(p, bound))),
+            Goal::Imply(condition, then) => Ok([self.open(condition, bound)?, self.not(then, bound)?].concat()),
+            Goal::ForAll(q) => self.any(part, self.each(q, bound, |b| self.not(&q.body, b))),
+            Goal::Exists(q) => all(self.each(q, bound, |b| self.not(&q.body, b)).into_iter()),
+            Goal::ForN { comparison, number, of } => {
+                self.other_number(part, *comparison, *number, &mut |limit| self.so_many(part, of, limit, bound))
             }
-            Goal::ForAll(q) => {
-                let ways = self.range(q).into_iter().map(|id| bind(q, id, bound, |b| self.not(&q.body, b))).collect();
-                self.any(part, ways)
+            Goal::ForPairs(pairs) => {
+                let (comparison, number) = self.pairs_wanted(pairs);
+                self.other_number(part, comparison, number, &mut |limit| self.pairs(part, pairs, limit, bound))
             }
-            Goal::Exists(q) => {
-                let each = self.range(q).into_iter().map(|id| bind(q, id, bound, |b| self.not(&q.body, b)));
-                Ok(each.collect::<Result<Vec<_>, _>>()?.concat())
+            Goal::Eventually(inner) | Goal::AtEnd(inner) | Goal::Always(inner) | Goal::Within(_, inner) => {
+                self.not(inner, bound)
             }
+            Goal::Until(meanwhile, then) => self.any(part, vec![self.not(then, bound), self.not(meanwhile, bound)]),
+            Goal::Before(first, later) => self.any(part, vec![self.not(first, bound), self.open(later, bound)]),
             _ => Err(Unreachable::NoPlan(part.to_string())),
-        }
-    }
-
-    fn count(
-        &self,
-        goal: &Goal,
-        literal: &Literal,
-        comparison: Comparison,
-        number: usize,
-        bound: &Bindings<'_>,
-    ) -> Found {
-        let fewer = || self.at_most(goal, literal, number, bound);
-        let more = || self.at_least(goal, literal, number, bound);
-        match comparison {
-            Comparison::AtLeast => more(),
-            Comparison::AtMost => fewer(),
-            Comparison::Exactly => Ok([fewer()?, more()?].concat()),
-        }
-    }
-
-    /// So many different things must satisfy a literal.
-    fn at_least(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
-        if literal.terms.is_empty() {
-            let done = self.now.holds(literal.predicate, [None, None]);
-            let options = self.wants(literal.predicate, [None, None]);
-            return Ok((!done).then_some(Subgoal { options }).into_iter().collect());
-        }
-        let choices = self.choices(literal, bound);
-        if choices.len() < number {
-            return Err(Unreachable::NoInstance(goal.to_string()));
-        }
-        let mut met = 0;
-        let mut options: Vec<Want> = Vec::new();
-        for (_, things) in &choices {
-            let holding = || things.iter().filter(|t| self.now.holds(literal.predicate, **t));
-            if holding().any(|t| self.is_known(literal, t)) {
-                met += 1;
-            } else if let Some(guessed) = holding().next() {
-                options.extend(self.to_see(literal, guessed));
-            } else {
-                options.extend(things.iter().flat_map(|t| self.wants(literal.predicate, *t)));
-            }
-        }
-        if met >= number {
-            return Ok(Vec::new());
-        }
-        if options.is_empty() {
-            return Err(Unreachable::NoPlan(goal.to_string()));
-        }
-        options.sort_by_cached_key(|w| self.cost(w));
-        // One subgoal for all that are missing: after each the rest is counted anew.
-        Ok(vec![Subgoal { options }])
-    }
-
-    /// At most so many things may satisfy a literal.
-    fn at_most(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
-        let mut holding = Vec::new();
-        let mut unseen = Vec::new();
-        for (_, things) in self.choices(literal, bound) {
-            for t in things {
-                if self.now.holds(literal.predicate, t) {
-                    holding.push(t);
-                } else if !self.is_known(literal, &t) {
-                    unseen.extend(self.to_see(literal, &t));
-                }
-            }
-        }
-        let excess = holding.len().saturating_sub(number);
-        if excess > 0 {
-            let mut options: Vec<Want> = holding.iter().flat_map(|t| self.undo(literal.predicate, *t)).collect();
-            options.sort_by_cached_key(|w| self.cost(w));
-            let irrevocable = options.is_empty();
-            return if irrevocable {
-                Err(Unreachable::Irrevocable(goal.to_string()))
-            } else {
-                Ok(vec![Subgoal { options }])
-            };
-        }
-        let subgoal = |want| Subgoal { options: vec![want] };
-        Ok(unseen.into_iter().map(subgoal).collect())
-    }
-
-    /// For each thing that counts, the choices of all things with it.
-    fn choices(&self, literal: &Literal, bound: &Bindings<'_>) -> Vec<(NodeId, Vec<[Option<NodeId>; 2]>)> {
-        let lists: Vec<Vec<NodeId>> =
-            literal.terms.iter().enumerate().map(|(i, t)| self.candidates(literal.predicate, i, t, bound)).collect();
-        let counted = literal.counted().unwrap_or(0);
-        let Some(first) = lists.get(counted) else { return Vec::new() };
-        let others = lists.get(1 - counted).filter(|_| lists.len() > 1);
-        let pair = |a: NodeId| match others {
-            None => vec![[Some(a), None]],
-            Some(others) if counted == 0 => others.iter().map(|&b| [Some(a), Some(b)]).collect(),
-            Some(others) => others.iter().map(|&b| [Some(b), Some(a)]).collect(),
-        };
-        first.iter().map(|&a| (a, pair(a))).collect()
-    }
-
-    fn candidates(&self, predicate: Predicate, position: usize, term: &Term, bound: &Bindings<'_>) -> Vec<NodeId> {
-        match (term, predicate) {
-            (Term::Variable(name), _) => {
-                bound.iter().rev().find(|(n, _)| n == name).map(|&(_, id)| id).into_iter().collect()
-            }
-            (Term::Anything, Predicate::Did(verb)) => self.fit_for(verb, position),
-            _ => self.now.candidates(term),
-        }
-    }
-
-    /// The things a verb can be done to, by what they are.
-    fn fit_for(&self, verb: Verb, position: usize) -> Vec<NodeId> {
-        let fits = |node: &&Node| {
-            let id = node.id();
-            let probe =
-                if position == 0 { Action::one(verb, id) } else { Action { verb, object: None, target: Some(id) } };
-            let needs = vc_graph::rule::preconditions(&probe);
-            needs.iter().filter(|c| c.is_lasting()).all(|c| c.holds(self.graph(), self.now.agent))
-        };
-        self.graph().nodes().filter(|n| n.kind() == vc_graph::Kind::Object).filter(fits).map(Node::id).collect()
-    }
-
-    fn is_known(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> bool {
-        matches!(literal.predicate, Predicate::Did(_)) || things.iter().flatten().all(|&id| self.known.contains(id))
-    }
-
-    /// What to look at to be sure of a literal.
-    fn to_see(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> Vec<Want> {
-        if matches!(literal.predicate, Predicate::Did(_)) {
-            return Vec::new();
-        }
-        things.iter().flatten().filter(|&&id| !self.known.contains(id)).take(1).map(|&id| Want::See(id)).collect()
-    }
-
-    /// What would make a predicate true of things.
-    fn wants(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<Want> {
-        let me = self.now.agent;
-        let hold = |c| vec![Want::Hold(c)];
-        match (predicate, things) {
-            (Predicate::State(state), [Some(id), _]) => hold(Condition::In(id, state)),
-            (Predicate::Holds, [Some(agent), Some(id)]) if agent == me => hold(Condition::Holding(id)),
-            (Predicate::Relation(relation), [Some(from), Some(to)]) => self.wants_relation(from, relation, to),
-            (Predicate::Did(verb), [object, target]) => {
-                let things: Vec<NodeId> = object.into_iter().chain(target).collect();
-                Action::with(verb, &things).map(Want::Do).into_iter().collect()
-            }
-            _ => Vec::new(),
-        }
-    }
-
-    fn wants_relation(&self, from: NodeId, relation: Relation, to: NodeId) -> Vec<Want> {
-        let me = self.now.agent;
-        let room = self.graph().rooms().contains(&to);
-        let related = |relation| vec![Want::Hold(Condition::Related(from, relation, to))];
-        let fixed = from != me && !Condition::Graspable(from).holds(self.graph(), me);
-        if from == to || (fixed && matches!(relation, Relation::On | Relation::Inside | Relation::InRoom)) {
-            return Vec::new();
-        }
-        match relation {
-            Relation::On if from == me => {
-                let node = self.graph().node(to);
-                let affords = |p| node.is_some_and(|n| n.affords(p));
-                let lie = affords(Property::Lieable).then_some(Relation::LyingOn);
-                let sit = affords(Property::Sittable).then_some(Relation::SittingOn);
-                let (first, second) = if self.hints.lying { (lie, sit) } else { (sit, lie) };
-                first.into_iter().chain(second).flat_map(related).collect()
-            }
-            Relation::On if to == me => vec![Want::Hold(Condition::Worn(from))],
-            Relation::Inside | Relation::InRoom if room => related(Relation::InRoom),
-            Relation::Near if from == me && room => vec![Want::Hold(Condition::Related(me, Relation::InRoom, to))],
-            Relation::Near if from == me => vec![Want::Hold(Condition::Near(to))],
-            Relation::Facing if from == me => vec![Want::Hold(Condition::Facing(to))],
-            _ => related(relation),
-        }
-    }
-
-    /// What would make a predicate false of things.
-    fn undo(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<Want> {
-        let me = self.now.agent;
-        match (predicate, things) {
-            (Predicate::State(State::Sitting | State::Lying), [Some(id), _]) if id == me => {
-                vec![Want::Hold(Condition::Upright)]
-            }
-            (Predicate::State(state), [Some(id), _]) => {
-                state.opposites().iter().map(|s| Want::Hold(Condition::In(id, s))).collect()
-            }
-            (Predicate::Holds, [_, Some(id)]) => vec![Want::Do(Action::one(Verb::Drop, id))],
-            (Predicate::Relation(relation), [Some(from), Some(to)]) => match relation {
-                Relation::HoldsRight | Relation::HoldsLeft => vec![Want::Do(Action::one(Verb::Drop, to))],
-                Relation::SittingOn | Relation::LyingOn => vec![Want::Hold(Condition::Upright)],
-                Relation::On | Relation::Inside if from == me => vec![Want::Hold(Condition::Upright)],
-                Relation::On | Relation::Inside | Relation::WornBy | Relation::InRoom => {
-                    vec![Want::Hold(Condition::Holding(from))]
-                }
-                _ => Vec::new(),
-            },
-            _ => Vec::new(),
         }
     }
 }
 
+/// Whether a part has to be done before others: later it may be too late for it.
+fn presses(part: &Goal) -> bool {
+    matches!(part, Goal::Within(..) | Goal::Before(..))
+}
+
+/// Whether some part is about what has been done.
+fn speaks_of_deeds(goal: &Goal) -> bool {
+    match goal {
+        Goal::Literal(literal) | Goal::Count { literal, .. } => matches!(literal.predicate, Predicate::Did(_)),
+        _ => goal.parts().into_iter().any(speaks_of_deeds),
+    }
+}
+
+/// What all parts come to; the first that cannot be says why.
+fn all(parts: impl Iterator<Item = Found>) -> Found {
+    Ok(parts.collect::<Result<Vec<_>, _>>()?.concat())
+}
+
+/// The ways there are, and why the first of the others is none.
+fn sift(ways: Vec<Found>) -> (Vec<Vec<Subgoal>>, Option<Unreachable>) {
+    let (mut possible, mut reason) = (Vec::new(), None);
+    for way in ways {
+        match way {
+            Ok(way) => possible.push(way),
+            Err(why) => reason = reason.or(Some(why)),
+        }
+    }
+    (possible, reason)
+}
+
 fn bind<'g, T>(
-    q: &'g Quantified,
+    variable: &'g str,
     id: NodeId,
     bound: &mut Bindings<'g>,
     with: impl FnOnce(&mut Bindings<'g>) -> T,
 ) -> T {
-    bound.push((&q.variable, id));
+    bound.push((variable, id));
     let result = with(bound);
     bound.pop();
     result

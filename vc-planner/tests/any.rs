@@ -60,7 +60,20 @@ fn any_goal(stream: &mut Stream, depth: usize) -> String {
     let number = class(&["1", "2", "3", "7", "<= 0", "= 1"]);
     if depth > 0 {
         let (p, q) = (any_goal(stream, depth - 1), any_goal(stream, depth - 1));
-        return match stream.below(8) {
+        let (number, other) = (stream.below(3), stream.below(20));
+        return match stream.below(20) {
+            8 => format!("({p}) => ({q})"),
+            9 => format!("!(({p}) => ({q}))"),
+            10 => format!("exactly {number} ?x: {a}. ({binary}(?x, {b}))"),
+            11 => format!("at most {number} ?x: {a}. (({binary}(?x, {b})) & ({q}))"),
+            12 => format!("!(at least {number} ?x: {a}. ({binary}(?x, {b})))"),
+            13 => format!("exists ?x: {a}. (?x != #{other} & ({binary}(?x, {b})))"),
+            14 => format!("pairs ?x: {a}, ?y: {b}. ({binary}(?x, ?y) & ({q}))"),
+            15 => format!("at most {number} pairs ?x: {a}, ?y: {b}. {binary}(?x, ?y)"),
+            16 => format!("eventually ({p}) & always ({q})"),
+            17 => format!("({p}) before ({q})"),
+            18 => format!("({p}) until ({q})"),
+            19 => format!("within {other} steps ({p})"),
             0 => format!("({p}) | ({q})"),
             1 => format!("!({p}) & ({q})"),
             2 => format!("({p}) then ({q})"),

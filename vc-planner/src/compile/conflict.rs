@@ -1,5 +1,7 @@
 //! Whether the needs of a problem ask for more than there is.
 
+use vc_graph::goal::largest_matching;
+
 use super::Compiled;
 use crate::packed::{Problem, ones};
 
@@ -24,28 +26,12 @@ impl Compiled {
     }
 }
 
-/// Whether every unit that must be carried has an item of its own: a matching, by
-/// augmenting paths (Kuhn 1955).
+/// Whether every unit that must be carried has an item of its own.
 fn matched(problem: &Problem, items: &[u32]) -> bool {
-    let mut taken: Vec<Option<usize>> = vec![None; items.len()];
-    let units: Vec<usize> = ones(problem.index.carried).map(|u| problem.index.need_of[u] as usize).collect();
-    (0..units.len()).all(|unit| assign(unit, &units, items, &mut taken, &mut vec![false; items.len()]))
-}
-
-fn assign(unit: usize, units: &[usize], items: &[u32], taken: &mut [Option<usize>], tried: &mut [bool]) -> bool {
-    for i in 0..items.len() {
-        if tried[i] || items[i] >> units[unit] & 1 == 0 {
-            continue;
-        }
-        tried[i] = true;
-        let free = match taken[i] {
-            None => true,
-            Some(other) => assign(other, units, items, taken, tried),
-        };
-        if free {
-            taken[i] = Some(unit);
-            return true;
-        }
-    }
-    false
+    let serving = |unit: usize| {
+        let need = problem.index.need_of[unit];
+        (0..items.len()).filter(|&i| items[i] >> need & 1 != 0).collect()
+    };
+    let rows: Vec<Vec<usize>> = ones(problem.index.carried).map(serving).collect();
+    largest_matching(&rows, items.len()) == rows.len()
 }

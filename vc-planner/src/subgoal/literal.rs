@@ -1,0 +1,129 @@
+//! What is open of a literal: of which things it is to hold, or no longer.
+
+use vc_graph::goal::{Goal, Literal, Predicate, Term};
+use vc_graph::{Action, Node, NodeId, Verb};
+
+use super::number::Limit;
+use super::{Bindings, Found, View};
+use crate::want::{Subgoal, Unreachable, Want};
+
+impl View<'_> {
+    /// So many different things at least, or at most, are to satisfy a literal.
+    pub(super) fn literals(&self, goal: &Goal, literal: &Literal, limit: Limit, bound: &Bindings<'_>) -> Found {
+        match limit {
+            Limit::AtLeast(number) => self.at_least(goal, literal, number, bound),
+            Limit::AtMost(number) => self.at_most(goal, literal, number, bound),
+        }
+    }
+
+    /// So many different things must satisfy a literal.
+    pub(super) fn at_least(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
+        if literal.terms.is_empty() {
+            let done = self.now.holds(literal.predicate, [None, None]);
+            let options = self.wants(literal.predicate, [None, None]);
+            return Ok((!done).then_some(Subgoal { options }).into_iter().collect());
+        }
+        let choices = self.choices(literal, bound);
+        if choices.len() < number {
+            return Err(Unreachable::NoInstance(goal.to_string()));
+        }
+        let mut met = 0;
+        let mut options: Vec<Want> = Vec::new();
+        for (_, things) in &choices {
+            let holding = || things.iter().filter(|t| self.now.holds(literal.predicate, **t));
+            if holding().any(|t| self.is_known(literal, t)) {
+                met += 1;
+            } else if let Some(guessed) = holding().next() {
+                options.extend(self.to_see(literal, guessed));
+            } else {
+                options.extend(things.iter().flat_map(|t| self.wants(literal.predicate, *t)));
+            }
+        }
+        if met >= number {
+            return Ok(Vec::new());
+        }
+        if options.is_empty() {
+            return Err(Unreachable::NoPlan(goal.to_string()));
+        }
+        options.sort_by_cached_key(|w| self.cost(w));
+        // One subgoal for all that are missing: after each the rest is counted anew.
+        Ok(vec![Subgoal { options }])
+    }
+
+    /// At most so many things may satisfy a literal.
+    pub(super) fn at_most(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
+        let mut holding = Vec::new();
+        let mut unseen = Vec::new();
+        for (_, things) in self.choices(literal, bound) {
+            for t in things {
+                if self.now.holds(literal.predicate, t) {
+                    holding.push(t);
+                } else if !self.is_known(literal, &t) {
+                    unseen.extend(self.to_see(literal, &t));
+                }
+            }
+        }
+        let excess = holding.len().saturating_sub(number);
+        if excess > 0 {
+            let mut options: Vec<Want> = holding.iter().flat_map(|t| self.undo(literal.predicate, *t)).collect();
+            options.sort_by_cached_key(|w| self.cost(w));
+            let irrevocable = options.is_empty();
+            return if irrevocable {
+                Err(Unreachable::Irrevocable(goal.to_string()))
+            } else {
+                Ok(vec![Subgoal { options }])
+            };
+        }
+        let subgoal = |want| Subgoal { options: vec![want] };
+        Ok(unseen.into_iter().map(subgoal).collect())
+    }
+
+    /// For each thing that counts, the choices of all things with it.
+    fn choices(&self, literal: &Literal, bound: &Bindings<'_>) -> Vec<(NodeId, Vec<[Option<NodeId>; 2]>)> {
+        let lists: Vec<Vec<NodeId>> =
+            literal.terms.iter().enumerate().map(|(i, t)| self.candidates(literal.predicate, i, t, bound)).collect();
+        let counted = literal.counted().unwrap_or(0);
+        let Some(first) = lists.get(counted) else { return Vec::new() };
+        let others = lists.get(1 - counted).filter(|_| lists.len() > 1);
+        let pair = |a: NodeId| match others {
+            None => vec![[Some(a), None]],
+            Some(others) if counted == 0 => others.iter().map(|&b| [Some(a), Some(b)]).collect(),
+            Some(others) => others.iter().map(|&b| [Some(b), Some(a)]).collect(),
+        };
+        first.iter().map(|&a| (a, pair(a))).collect()
+    }
+
+    fn candidates(&self, predicate: Predicate, position: usize, term: &Term, bound: &Bindings<'_>) -> Vec<NodeId> {
+        match (term, predicate) {
+            (Term::Variable(name), _) => {
+                bound.iter().rev().find(|(n, _)| n == name).map(|&(_, id)| id).into_iter().collect()
+            }
+            (Term::Anything, Predicate::Did(verb)) => self.fit_for(verb, position),
+            _ => self.now.candidates(term),
+        }
+    }
+
+    /// The things a verb can be done to, by what they are.
+    fn fit_for(&self, verb: Verb, position: usize) -> Vec<NodeId> {
+        let fits = |node: &&Node| {
+            let id = node.id();
+            let probe =
+                if position == 0 { Action::one(verb, id) } else { Action { verb, object: None, target: Some(id) } };
+            let needs = vc_graph::rule::preconditions(&probe);
+            needs.iter().filter(|c| c.is_lasting()).all(|c| c.holds(self.graph(), self.now.agent))
+        };
+        self.graph().nodes().filter(|n| n.kind() == vc_graph::Kind::Object).filter(fits).map(Node::id).collect()
+    }
+
+    fn is_known(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> bool {
+        matches!(literal.predicate, Predicate::Did(_)) || things.iter().flatten().all(|&id| self.known.contains(id))
+    }
+
+    /// What to look at to be sure of a literal.
+    fn to_see(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> Vec<Want> {
+        if matches!(literal.predicate, Predicate::Did(_)) {
+            return Vec::new();
+        }
+        things.iter().flatten().filter(|&&id| !self.known.contains(id)).take(1).map(|&id| Want::See(id)).collect()
+    }
+}
