@@ -3,11 +3,12 @@
 use std::collections::VecDeque;
 
 use vc_graph::goal::{Situation, Term};
-use vc_graph::{Action, Event, Goal, History, NodeId, Observation, Place, Refusal, SceneGraph, Verb, rule};
+use vc_graph::{Action, Event, Goal, History, NodeId, Observation, Place, Refusal, SceneGraph, State, Verb, rule};
 
-use crate::compile::{Manners, anchor};
+use crate::compile::{Compiled, anchor};
 use crate::demand::Choice;
 use crate::look::{Look, best_look};
+use crate::manners::Manners;
 use crate::packed::Way;
 use crate::plan::{Horizon, Planner, Sketch, plan_in_belief};
 use crate::search::Effort;
@@ -283,8 +284,8 @@ impl Agent {
     }
 
     fn decide_by_regression(&mut self) -> Decision {
-        let plan =
-            plan_in_belief(&mut self.belief, self.id, &self.goal, self.history.events(), self.horizon, self.pursued);
+        let intent = (self.pursued, self.planner.tidy());
+        let plan = plan_in_belief(&mut self.belief, self.id, &self.goal, self.history.events(), self.horizon, intent);
         self.pursued = plan.as_ref().ok().and_then(|p| p.wants.first()).map(|(want, _)| *want);
         match plan {
             Ok(plan) => match plan.actions.first() {
@@ -320,7 +321,7 @@ impl Agent {
             ending && a.object.is_some_and(|id| doors_lacking(&sketch).any(|d| d == id))
         };
         let known = sketch.actions.first().copied().filter(|a| !early(a) && self.is_at_hand(a));
-        if let Some(action) = known {
+        if let Some(action) = known.or_else(|| self.put_back(&sketch)) {
             return self.act(action, sketch.actions);
         }
         match best_look(&self.belief, self.id, &sketch.compiled, self.planner.manners) {
@@ -329,6 +330,22 @@ impl Agent {
             Some(Look::Do(action)) => self.go_and(action),
             None => self.decide_by_regression(),
         }
+    }
+
+    /// For those with manners, the closing of what was opened in vain, while it is at hand.
+    fn put_back(&self, sketch: &Sketch) -> Option<Action> {
+        let Compiled { problem, start, .. } = &sketch.compiled;
+        let useful = |id: NodeId| {
+            let door = problem.doors.iter().position(|d| d.node == id);
+            door.and_then(|d| problem.index.doors.get(d))
+                .is_some_and(|p| start.piles & p.behind | start.needs & p.through != 0)
+        };
+        let mut amiss = self.planner.tidy()?.amiss(self.belief.graph());
+        amiss.find_map(|(id, was)| {
+            let close = Action::one(Verb::Close, id);
+            let idle = was == State::Closed && !useful(id) && doors_lacking(sketch).all(|d| d != id);
+            (idle && self.is_at_hand(&close)).then_some(close)
+        })
     }
 
     /// Does something after the walk it takes, unless that shows something new.
@@ -428,7 +445,7 @@ impl Agent {
                 Refusal::Hidden { inside, .. } => Action::one(Verb::Open, inside.id),
                 Refusal::Shut(container) => Action::one(Verb::Open, container.id),
                 Refusal::NoFreeHand => self.put_down()?,
-                Refusal::InState(thing, vc_graph::State::On) => Action::one(Verb::SwitchOff, thing.id),
+                Refusal::InState(thing, State::On) => Action::one(Verb::SwitchOff, thing.id),
                 _ => return None,
             };
         }
@@ -451,6 +468,7 @@ impl Agent {
     /// Takes note of what it has done.
     pub fn did(&mut self, action: &Action) {
         self.belief.expect(action);
+        self.planner.touched.note(action);
         self.history.push(Event { agent: self.id, action: *action });
     }
 

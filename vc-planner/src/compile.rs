@@ -7,32 +7,11 @@ use vc_graph::goal::{Predicate, Situation};
 use vc_graph::{Condition, Kind, NodeId, Property, Relation, SceneGraph, State as Word, Verb, rule};
 
 use crate::demand::{Demand, Demands};
+use crate::manners::Touched;
 use crate::packed::{BITS, MOST, Need, Problem, State, Way, bit, run_of};
 use crate::want::Unreachable;
 
 pub(crate) use site::{anchor, is_ground};
-
-/// How a home is to be left.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
-pub enum Manners {
-    /// Only the goal counts.
-    #[default]
-    GoalOnly,
-    /// What was closed is closed again, too.
-    Tidy,
-}
-
-impl Manners {
-    /// Settles how a door or a switch is to be left: a goal overrules manners, and
-    /// cannot ask for both.
-    fn settle(self, want: &mut Option<bool>, to: bool, demand: &Demand<'_>) -> Result<()> {
-        if self == Self::GoalOnly && *want == Some(!to) {
-            return Err(Unreachable::Conflicting(demand.part.to_string()));
-        }
-        *want = Some(to);
-        Ok(())
-    }
-}
 
 /// So many things of a demand are not known to be anywhere.
 #[derive(Debug, Clone)]
@@ -62,7 +41,8 @@ const PLACES: usize = 4;
 pub(crate) struct Compiler<'a> {
     now: &'a Situation<'a>,
     known: &'a dyn Fn(NodeId) -> bool,
-    manners: Manners,
+    /// What has been touched, for those who put it back.
+    tidy: Option<&'a Touched>,
     out: Compiled,
     /// What serves the goal where it is.
     reserved: Vec<NodeId>,
@@ -82,7 +62,7 @@ pub(crate) fn compile(
     demands: &Demands<'_>,
     now: &Situation<'_>,
     known: &dyn Fn(NodeId) -> bool,
-    manners: Manners,
+    tidy: Option<&Touched>,
 ) -> Result<Compiled> {
     if let Some(part) = demands.refuted {
         return Err(Unreachable::NoInstance(part.to_string()));
@@ -92,7 +72,7 @@ pub(crate) fn compile(
     let mut c = Compiler {
         now,
         known,
-        manners,
+        tidy,
         out: Compiled { problem, rest: demands.rest, ..Compiled::default() },
         reserved: Vec::new(),
         items: Vec::with_capacity(2 * number),
@@ -121,6 +101,9 @@ impl Compiler<'_> {
         self.hands();
         self.piles();
         words.into_iter().try_for_each(|(demand, short)| self.demand(demand, short))?;
+        if let Some(touched) = self.tidy {
+            self.tidy_up(touched);
+        }
         self.rest_last();
         self.finish();
         Ok(())
@@ -353,7 +336,7 @@ impl Compiler<'_> {
                     match self.door(id, spot) {
                         Some(d) => {
                             let want = &mut self.out.problem.doors[d as usize].want;
-                            self.manners.settle(want, word == Word::Open, demand)?;
+                            settle(want, word == Word::Open, demand)?;
                         }
                         None => self.out.rest = true,
                     }
@@ -368,7 +351,7 @@ impl Compiler<'_> {
                     match self.switch(id) {
                         Some(w) => {
                             let want = &mut self.out.problem.switches[w as usize].want;
-                            self.manners.settle(want, word == Word::On, demand)?;
+                            settle(want, word == Word::On, demand)?;
                         }
                         None => self.out.rest = true,
                     }
@@ -506,6 +489,15 @@ impl Compiler<'_> {
         let ways: Vec<Way> = simple.iter().take(1 + SPARE).filter_map(|&id| self.use_way(verb, Some(id))).collect();
         self.use_need(demand, short, ways)
     }
+}
+
+/// Settles how a door or a switch is to be left: a goal cannot ask for both.
+fn settle(want: &mut Option<bool>, to: bool, demand: &Demand<'_>) -> Result<()> {
+    if *want == Some(!to) {
+        return Err(Unreachable::Conflicting(demand.part.to_string()));
+    }
+    *want = Some(to);
+    Ok(())
 }
 
 fn is_door_or_switch(demand: &Demand<'_>) -> bool {

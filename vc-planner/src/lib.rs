@@ -12,6 +12,7 @@ mod hunt;
 mod known;
 pub mod language;
 mod look;
+mod manners;
 mod offline;
 mod packed;
 mod plan;
@@ -28,12 +29,12 @@ mod weigh;
 
 pub use agent::{Agent, Decision};
 pub use belief::{Belief, Learned};
-pub use compile::Manners;
 pub use episode::{Episode, Run, Step, Summary, run_episode};
 pub use habitual::Habitual;
 pub use helper::{Helper, run_together};
 pub use known::Known;
 pub use language::LanguageModel;
+pub use manners::Manners;
 pub use offline::Transition;
 #[cfg(feature = "parquet")]
 pub use offline::{TableError, write_parquet};

@@ -6,8 +6,9 @@
 use vc_graph::{Action, NodeId, Place, Relation, SceneGraph, Verb};
 
 use crate::Belief;
-use crate::compile::{Compiled, Manners, anchor};
+use crate::compile::{Compiled, anchor};
 use crate::hunt::{Hunt, Item, Lacking, MOST_LACKS, MOST_QUARRIES, MOST_ROOMS, MOST_SITES, Move, Quarry, Site, Target};
+use crate::manners::Manners;
 use crate::packed::Way;
 
 /// What to do next.

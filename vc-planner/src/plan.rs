@@ -3,8 +3,9 @@
 use vc_graph::goal::{Goal, Situation};
 use vc_graph::{Action, Event, History, Node, NodeId, SceneGraph};
 
-use crate::compile::{Compiled, Manners, compile};
+use crate::compile::{Compiled, compile};
 use crate::demand::{Choice, Demands, Reader};
+use crate::manners::{Manners, Touched};
 use crate::packed::Op;
 use crate::regression::Regression;
 use crate::search::{Effort, Found, Search};
@@ -79,12 +80,19 @@ pub struct Planner {
     pub effort: Effort,
     /// How it leaves the home.
     pub manners: Manners,
+    /// What it has opened and switched so far, with how it was.
+    pub(crate) touched: Touched,
 }
 
 impl Planner {
     /// A planner that searches so much, without manners.
     pub fn trying(effort: Effort) -> Self {
         Self { effort, ..Self::default() }
+    }
+
+    /// What has been touched, for those who put it back.
+    pub(crate) fn tidy(&self) -> Option<&Touched> {
+        (self.manners == Manners::Tidy).then_some(&self.touched)
     }
 
     /// Plans to the goal with full knowledge. The scene is put back before this
@@ -99,21 +107,26 @@ impl Planner {
         goal: &Goal,
         events: &[Event],
     ) -> Result<Plan, Unreachable> {
-        if goal.holds(&Situation { graph, agent, events }) && self.manners == Manners::GoalOnly {
+        let is_tidy = self.tidy().is_none_or(|touched| touched.amiss(graph).next().is_none());
+        if is_tidy && goal.holds(&Situation { graph, agent, events }) {
             return Ok(Plan { proved: true, ..Plan::default() });
         }
-        let mut best: Option<Plan> = None;
+        // The tidiest, then the shortest.
+        let mut best: Option<(usize, Plan)> = None;
+        let mut offer = |amiss: usize, plan: Plan| {
+            if best.as_ref().is_none_or(|(least, b)| (amiss, plan.actions.len()) < (*least, b.actions.len())) {
+                best = Some((amiss, plan));
+            }
+        };
         let mut reason = None;
         let mut choice = Choice::default();
-        let mut general = false;
+        let (mut general, mut found) = (false, false);
         for _ in 0..ALTERNATIVES {
             for regress_postures in [false, true] {
                 match self.attempt(graph, agent, goal, events, (&mut choice, regress_postures)) {
                     Ok((plan, left)) => {
-                        general |= left.rest;
-                        if best.as_ref().is_none_or(|b| plan.actions.len() < b.actions.len()) {
-                            best = Some(plan);
-                        }
+                        (general, found) = (general || left.rest, true);
+                        offer(left.amiss, plan);
                         if !left.posture {
                             break;
                         }
@@ -125,15 +138,16 @@ impl Planner {
                 break;
             }
         }
-        if best.is_none() || general {
+        if general || !found {
             let known: Known = graph.nodes().map(Node::id).collect();
-            match Regression::new(graph, agent, &known, events, goal).run(goal, Horizon::Goal, None) {
-                Ok(plan) if best.as_ref().is_none_or(|b| plan.actions.len() < b.actions.len()) => best = Some(plan),
-                Ok(_) => {}
+            let mut way = Regression::new(graph, agent, &known, events, goal).tidying(self.tidy());
+            match way.work(goal, Horizon::Goal, None) {
+                Ok(plan) => offer(way.amiss().len(), plan),
                 Err(why) => reason = reason.or(Some(why)),
             }
+            way.rewind(0);
         }
-        best.ok_or_else(|| reason.unwrap_or_else(|| Unreachable::NoPlan(goal.to_string())))
+        best.map(|(_, plan)| plan).ok_or_else(|| reason.unwrap_or_else(|| Unreachable::NoPlan(goal.to_string())))
     }
 
     /// A plan for what of a goal can be packed, by the first of its alternatives and
@@ -151,7 +165,7 @@ impl Planner {
     ) -> Result<Vec<Action>, Unreachable> {
         let now = Situation { graph, agent, events };
         let demands = Reader::read(goal, &now, &mut Choice::default());
-        let compiled = compile(&demands, &now, &|_| true, self.manners)?;
+        let compiled = compile(&demands, &now, &|_| true, self.tidy())?;
         let (ops, _) = self.solve(&compiled, goal)?;
         Ok(Tour::write(&compiled.problem, compiled.start, &ops))
     }
@@ -167,23 +181,25 @@ impl Planner {
     ) -> Result<(Plan, Left), Unreachable> {
         let now = Situation { graph, agent, events };
         let demands = Demands { regress_postures, ..Reader::read(goal, &now, choice) };
-        let compiled = compile(&demands, &now, &|_| true, self.manners)?;
+        let compiled = compile(&demands, &now, &|_| true, self.tidy())?;
         let (ops, proved) = self.solve(&compiled, goal)?;
         let actions = Tour::write(&compiled.problem, compiled.start, &ops);
         let known: Known = graph.nodes().map(Node::id).collect();
-        let mut way = Regression::new(graph, agent, &known, events, goal);
+        let mut way = Regression::new(graph, agent, &known, events, goal).tidying(self.tidy());
         let posture = compiled.problem.last != 0;
         let mut rest = !way.follow(&actions) || compiled.rest;
         if !rest && way.holds(goal) {
             // A seat may be at hand without a walk, which is not packed.
             let plan = Plan { actions: way.actions(), wants: Vec::new(), proved: proved && !posture };
+            let amiss = way.amiss().len();
             way.rewind(0);
-            return Ok((plan, Left { rest, posture }));
+            return Ok((plan, Left { rest, posture, amiss }));
         }
         rest |= !way.holds(goal);
         let plan = way.work(goal, Horizon::Goal, None);
+        let amiss = way.amiss().len();
         way.rewind(0);
-        Ok((plan?, Left { rest, posture }))
+        Ok((plan?, Left { rest, posture, amiss }))
     }
 
     /// Macros for a packed problem, and whether they are proved to be the best.
@@ -208,7 +224,7 @@ impl Planner {
         // Where poses say what is at hand, it is regression that sees it.
         let regress_postures = now.graph.node(now.agent).is_some_and(|n| n.pose().is_some());
         let demands = Demands { regress_postures, ..Reader::read(goal, now, choice) };
-        let compiled = compile(&demands, now, &|id| known.contains(id), self.manners)?;
+        let compiled = compile(&demands, now, &|id| known.contains(id), self.tidy())?;
         let (ops, _) = self.solve(&compiled, goal)?;
         let actions = Tour::write(&compiled.problem, compiled.start, &ops);
         Ok(Sketch { compiled, actions })
@@ -221,6 +237,8 @@ struct Left {
     rest: bool,
     /// A posture was packed.
     posture: bool,
+    /// How many doors and switches are not left as they were.
+    amiss: usize,
 }
 
 /// A plan not yet carried out, for what is known.
@@ -231,7 +249,8 @@ pub(crate) struct Sketch {
 }
 
 /// Plans for an agent in the state it believes in by regression alone. What it pursued
-/// before it goes on pursuing, if that is still open.
+/// before it goes on pursuing, if that is still open; what it has touched it puts back, if
+/// it has manners.
 ///
 /// # Errors
 /// As [`plan`].
@@ -241,8 +260,8 @@ pub(crate) fn plan_in_belief(
     goal: &Goal,
     events: &[Event],
     horizon: Horizon,
-    pursued: Option<Want>,
+    (pursued, touched): (Option<Want>, Option<&Touched>),
 ) -> Result<Plan, Unreachable> {
     let (graph, known) = belief.sampled_and_known();
-    Regression::new(graph, agent, known, events, goal).run(goal, horizon, pursued)
+    Regression::new(graph, agent, known, events, goal).tidying(touched).run(goal, horizon, pursued)
 }

@@ -4,8 +4,7 @@ use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Seed
 use vc_tasks::library::THESIS_VERBS;
 use vc_tasks::{Task, WorldError};
 
-use crate::compile::Manners;
-use crate::{Agent, Belief, Decision, Horizon, Learned, Plan, Prior};
+use crate::{Agent, Belief, Decision, Horizon, Learned, Manners, Plan, Prior};
 
 /// What a policy is told when an episode begins.
 #[derive(Debug, Clone, Copy)]

@@ -1,10 +1,13 @@
 //! Backwards from what is wanted to what can be done now, through the transition
 //! rule: any predicate, any verb. It finds some way, not the shortest.
 
+mod tidy;
+
 use vc_graph::goal::{Goal, Situation};
 use vc_graph::{Action, ChangeSet, Condition, Event, NodeId, Property, Refusal, SceneGraph, Verb, rule};
 
 use crate::Known;
+use crate::manners::Touched;
 use crate::plan::{Horizon, Plan};
 use crate::subgoal::View;
 use crate::want::{Unreachable, Want};
@@ -26,6 +29,8 @@ pub(crate) struct Regression<'a> {
     known: &'a Known,
     /// Everything is known: whether the goal holds can be seen.
     knows_all: bool,
+    /// What has been opened and switched before, for those who put it back.
+    touched: Option<&'a Touched>,
     hints: Hints,
     events: Vec<Event>,
     done_before: usize,
@@ -52,6 +57,7 @@ impl<'a> Regression<'a> {
             agent,
             known,
             knows_all,
+            touched: None,
             hints: Hints::of(goal),
             events: events.to_vec(),
             done_before: events.len(),
@@ -60,6 +66,11 @@ impl<'a> Regression<'a> {
             budget: BUDGET,
             cut: false,
         }
+    }
+
+    /// Makes it leave doors and switches as they were at first.
+    pub(crate) fn tidying(self, touched: Option<&'a Touched>) -> Self {
+        Self { touched, ..self }
     }
 
     pub(crate) fn run(mut self, goal: &Goal, horizon: Horizon, pursued: Option<Want>) -> Result<Plan, Unreachable> {
@@ -81,16 +92,19 @@ impl<'a> Regression<'a> {
     ) -> Result<Plan, Unreachable> {
         let mut wants = Vec::new();
         loop {
-            if self.knows_all && self.holds(goal) {
+            let ends = self.cut || (horizon == Horizon::NextSubgoal && !self.trail.is_empty());
+            let reached = self.knows_all && self.holds(goal);
+            let subgoals = if ends || reached { Vec::new() } else { self.view().subgoals(goal)? };
+            if let Some(done) = if ends { None } else { self.put_back(goal, &subgoals) } {
+                wants.push(done);
+                continue;
+            }
+            if ends || reached || (subgoals.is_empty() && !self.knows_all) {
                 return Ok(Plan { actions: self.actions(), wants, proved: false });
             }
-            let subgoals = self.view().subgoals(goal)?;
-            if self.knows_all && subgoals.is_empty() {
+            if subgoals.is_empty() {
                 // What is left came too late, or too early.
                 return Err(Unreachable::NoPlan(goal.to_string()));
-            }
-            if self.cut || subgoals.is_empty() || (horizon == Horizon::NextSubgoal && !self.trail.is_empty()) {
-                return Ok(Plan { actions: self.actions(), wants, proved: false });
             }
             let before = self.trail.len();
             let options = || subgoals.iter().flat_map(|s| s.options.iter().take(OPTIONS));

@@ -3,7 +3,8 @@
 
 use vc_graph::{Condition, Kind, NodeId, Place, Property, Relation, SceneGraph, State as Word};
 
-use super::{Compiler, Manners, SPARE};
+use super::{Compiler, SPARE};
+use crate::manners::Touched;
 use crate::packed::{BITS, Door, MOST, Pile, Spot, Switch, Way, bit, ones, run_of};
 
 impl Compiler<'_> {
@@ -60,8 +61,7 @@ impl Compiler<'_> {
         if number == BITS {
             return None;
         }
-        let want = (self.manners == Manners::Tidy && !open).then_some(false);
-        self.out.problem.doors.push(Door { node, spot, unsafe_when_on: None, want });
+        self.out.problem.doors.push(Door { node, spot, unsafe_when_on: None, want: None });
         if open {
             self.out.start.open |= bit(number as u8);
         }
@@ -88,6 +88,39 @@ impl Compiler<'_> {
         let (spot, door) = self.site(node)?;
         self.out.problem.switches.push(Switch { node, spot, door, want: None });
         Some(number as u8)
+    }
+
+    /// Wants doors and switches left as they are now, or as they were before they were
+    /// touched, where the goal says nothing about them. While there is more to do than is
+    /// packed what was touched is left: it may be needed for that.
+    pub(super) fn tidy_up(&mut self, touched: &Touched) {
+        let graph = self.now.graph;
+        let more = self.out.rest;
+        for (id, was) in touched.amiss(graph).filter(|_| !more) {
+            match was {
+                Word::Open | Word::Closed => {
+                    let spot = self.spot(anchor(graph, id));
+                    let door = spot.and_then(|spot| self.door(id, spot));
+                    if let Some(d) = door {
+                        self.out.problem.doors[d as usize].want.get_or_insert(was == Word::Open);
+                    }
+                }
+                _ => {
+                    if let Some(w) = self.switch(id) {
+                        self.out.problem.switches[w as usize].want.get_or_insert(was == Word::On);
+                    }
+                }
+            }
+        }
+        let (open, on) = (self.out.start.open, self.out.start.on);
+        for door in
+            self.out.problem.doors.iter_mut().enumerate().filter(|(d, _)| open >> d & 1 == 0).map(|(_, door)| door)
+        {
+            door.want.get_or_insert(false);
+        }
+        for (w, switch) in self.out.problem.switches.iter_mut().enumerate() {
+            switch.want.get_or_insert(on >> w & 1 != 0);
+        }
     }
 
     /// What is held now.

@@ -4,7 +4,7 @@ use vc_graph::NodeId;
 use vc_graph::goal::{Comparison, Goal, Pairs, Quantified};
 
 use super::{Bindings, Found, View, bind, sift};
-use crate::want::{Subgoal, Unreachable};
+use crate::want::{Subgoal, Unreachable, Want};
 
 /// How many there are to be.
 #[derive(Debug, Clone, Copy)]
@@ -63,7 +63,8 @@ impl View<'_> {
         if possible.len() < number {
             return Err(reason.unwrap_or_else(|| Unreachable::NoInstance(goal.to_string())));
         }
-        possible.sort_by_key(Vec::len);
+        // What need only be looked at comes before what would have to be undone.
+        possible.sort_by_key(|way| (matches!(limit, Limit::AtMost(_)) && !is_look(way), way.len()));
         Ok(possible.into_iter().take(number).flatten().collect())
     }
 
@@ -115,7 +116,9 @@ impl View<'_> {
                 if pairs.pairing.number(&rows, seconds.len()) <= number {
                     return Ok(Vec::new());
                 }
-                let ways: Vec<Found> = table.into_iter().filter(|t| !t.2.is_empty()).map(|t| Ok(t.2)).collect();
+                let open = table.into_iter().map(|(.., open)| open).filter(|open| !open.is_empty());
+                let (looks, undoing): (Vec<_>, Vec<_>) = open.partition(|way| is_look(way));
+                let ways: Vec<Found> = if looks.is_empty() { undoing } else { looks }.into_iter().map(Ok).collect();
                 match reason {
                     Some(why) if ways.is_empty() => Err(why),
                     _ => self.any(goal, ways),
@@ -123,6 +126,11 @@ impl View<'_> {
             }
         }
     }
+}
+
+/// Whether a way is only to look, or nothing at all.
+fn is_look(way: &[Subgoal]) -> bool {
+    way.iter().all(|s| matches!(s.options.first(), Some(Want::See(_))))
 }
 
 /// What is open of so many pairs: those with little to do are taken first, and no pair

@@ -1,0 +1,49 @@
+//! How a home is to be left.
+
+use vc_graph::{Action, NodeId, SceneGraph, State, Verb};
+
+/// How a home is to be left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub enum Manners {
+    /// Only the goal counts.
+    #[default]
+    GoalOnly,
+    /// What was closed is closed again and what was off switched off, unless the goal
+    /// wants it otherwise; what was open or on is left so, too.
+    Tidy,
+}
+
+/// Doors and switches that have been touched, each with the state it was in at first.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Touched(Vec<(NodeId, State)>);
+
+impl Touched {
+    /// Takes note of an action that was done.
+    pub(crate) fn note(&mut self, action: &Action) {
+        let (Some(id), Some(was)) = (action.object, before(action.verb)) else { return };
+        let same = |(other, state): &(NodeId, State)| *other == id && is_door(*state) == is_door(was);
+        if !self.0.iter().any(same) {
+            self.0.push((id, was));
+        }
+    }
+
+    /// Those that are not as they were, the last touched first.
+    pub(crate) fn amiss(&self, graph: &SceneGraph) -> impl Iterator<Item = (NodeId, State)> {
+        self.0.iter().rev().copied().filter(|(id, was)| graph.node(*id).is_some_and(|n| !n.is(*was)))
+    }
+}
+
+/// What a thing must have been before a verb could be done to it.
+fn before(verb: Verb) -> Option<State> {
+    match verb {
+        Verb::Open => Some(State::Closed),
+        Verb::Close => Some(State::Open),
+        Verb::SwitchOn => Some(State::Off),
+        Verb::SwitchOff => Some(State::On),
+        _ => None,
+    }
+}
+
+fn is_door(state: State) -> bool {
+    matches!(state, State::Open | State::Closed)
+}
