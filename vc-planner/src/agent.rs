@@ -208,6 +208,7 @@ impl Agent {
 
     /// What others have promised to bring where: that counts as done.
     pub(crate) fn count_on(&mut self, promised: Vec<(NodeId, Place)>) {
+        self.planner.awaited = promised.iter().map(|(_, place)| place.at).collect();
         self.counted_on = promised;
         self.next.clear();
     }

@@ -7,7 +7,7 @@ use vc_graph::goal::{Predicate, Situation};
 use vc_graph::{Condition, Kind, NodeId, Property, Relation, SceneGraph, State as Word, Verb, rule};
 
 use crate::demand::{Demand, Demands};
-use crate::manners::Touched;
+use crate::manners::Leave;
 use crate::packed::{BITS, MOST, Need, Problem, State, Way, bit, run_of};
 use crate::want::Unreachable;
 
@@ -41,8 +41,7 @@ const PLACES: usize = 4;
 pub(crate) struct Compiler<'a> {
     now: &'a Situation<'a>,
     known: &'a dyn Fn(NodeId) -> bool,
-    /// What has been touched, for those who put it back.
-    tidy: Option<&'a Touched>,
+    leave: Leave<'a>,
     out: Compiled,
     /// What serves the goal where it is.
     reserved: Vec<NodeId>,
@@ -62,7 +61,7 @@ pub(crate) fn compile(
     demands: &Demands<'_>,
     now: &Situation<'_>,
     known: &dyn Fn(NodeId) -> bool,
-    tidy: Option<&Touched>,
+    leave: Leave<'_>,
 ) -> Result<Compiled> {
     if let Some(part) = demands.refuted {
         return Err(Unreachable::NoInstance(part.to_string()));
@@ -72,7 +71,7 @@ pub(crate) fn compile(
     let mut c = Compiler {
         now,
         known,
-        tidy,
+        leave,
         out: Compiled { problem, rest: demands.rest, ..Compiled::default() },
         reserved: Vec::new(),
         items: Vec::with_capacity(2 * number),
@@ -101,7 +100,7 @@ impl Compiler<'_> {
         self.hands();
         self.piles();
         words.into_iter().try_for_each(|(demand, short)| self.demand(demand, short))?;
-        if let Some(touched) = self.tidy {
+        if let Some(touched) = self.leave.tidy {
             self.tidy_up(touched);
         }
         self.rest_last();
@@ -326,6 +325,7 @@ impl Compiler<'_> {
         let mut chosen = demand.subjects().to_vec();
         chosen.sort_by_cached_key(|&id| (!demand.holds(self.now, id), touched(id) == away));
         chosen.truncate(demand.number);
+        chosen.retain(|id| word == Word::Open || !self.leave.awaited.contains(id));
         match word {
             Word::Open | Word::Closed => {
                 for id in chosen {

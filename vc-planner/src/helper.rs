@@ -1,10 +1,11 @@
 //! Somebody who helps another whose goal it has to infer: Watch-And-Help's challenge.
 
-use vc_graph::goal::{Predicate, Situation};
-use vc_graph::{Action, Event, Goal, NodeId, Observation, Relation, SceneGraph, Scope, Verb, rule};
+use vc_graph::goal::Situation;
+use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Verb, rule};
 use vc_tasks::{Outcome, Task, World, WorldError};
 
 use crate::policy::{Brief, Policy, Reaction};
+use crate::shared::shared;
 use crate::team::next_trip;
 use crate::{Agent, Belief, Decision, Effort, Learned, Planner, Prior, TeamEpisode, Watcher};
 
@@ -162,26 +163,6 @@ impl Policy for Helper {
 
     fn belief(&self) -> Option<&Belief> {
         self.agent.as_ref().map(Agent::belief)
-    }
-}
-
-/// What of a goal anybody can bring about: where things are and in what state. What the
-/// other is to hold, eat or sit on is its own affair.
-fn shared(goal: &Goal) -> Goal {
-    let anybodys = |predicate: Predicate| match predicate {
-        Predicate::Relation(relation) => matches!(relation, Relation::On | Relation::Inside | Relation::InRoom),
-        Predicate::State(_) => true,
-        _ => false,
-    };
-    let is_shared = |part: &Goal| match part {
-        Goal::Literal(literal) | Goal::Count { literal, .. } => anybodys(literal.predicate),
-        Goal::ForAll(_) | Goal::Exists(_) | Goal::Or(_) => true,
-        _ => false,
-    };
-    match goal {
-        Goal::And(parts) => Goal::And(parts.iter().filter(|part| is_shared(part)).cloned().collect()),
-        whole if is_shared(whole) => whole.clone(),
-        _ => Goal::And(Vec::new()),
     }
 }
 

@@ -21,6 +21,7 @@ mod prior;
 mod record;
 mod regression;
 mod search;
+mod shared;
 mod subgoal;
 mod team;
 mod tour;

@@ -13,6 +13,15 @@ pub enum Manners {
     Tidy,
 }
 
+/// How doors and switches are to be left, beside what the goal says.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Leave<'a> {
+    /// What has been touched, for those who put it back.
+    pub(crate) tidy: Option<&'a Touched>,
+    /// To these another is bringing something: they are neither closed nor switched.
+    pub(crate) awaited: &'a [NodeId],
+}
+
 /// Doors and switches that have been touched, each with the state it was in at first.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Touched(Vec<(NodeId, State)>);

@@ -5,7 +5,7 @@ use vc_graph::{Action, Event, History, Node, NodeId, SceneGraph};
 
 use crate::compile::{Compiled, compile};
 use crate::demand::{Choice, Demands, Reader};
-use crate::manners::{Manners, Touched};
+use crate::manners::{Leave, Manners, Touched};
 use crate::packed::Op;
 use crate::regression::Regression;
 use crate::search::{Effort, Found, Search};
@@ -82,6 +82,8 @@ pub struct Planner {
     pub manners: Manners,
     /// What it has opened and switched so far, with how it was.
     pub(crate) touched: Touched,
+    /// What another is bringing something to.
+    pub(crate) awaited: Vec<NodeId>,
 }
 
 impl Planner {
@@ -93,6 +95,10 @@ impl Planner {
     /// What has been touched, for those who put it back.
     pub(crate) fn tidy(&self) -> Option<&Touched> {
         (self.manners == Manners::Tidy).then_some(&self.touched)
+    }
+
+    fn leave(&self) -> Leave<'_> {
+        Leave { tidy: self.tidy(), awaited: &self.awaited }
     }
 
     /// Plans to the goal with full knowledge. The scene is put back before this
@@ -165,7 +171,7 @@ impl Planner {
     ) -> Result<Vec<Action>, Unreachable> {
         let now = Situation { graph, agent, events };
         let demands = Reader::read(goal, &now, &mut Choice::default());
-        let compiled = compile(&demands, &now, &|_| true, self.tidy())?;
+        let compiled = compile(&demands, &now, &|_| true, self.leave())?;
         let (ops, _) = self.solve(&compiled, goal)?;
         Ok(Tour::write(&compiled.problem, compiled.start, &ops))
     }
@@ -181,7 +187,7 @@ impl Planner {
     ) -> Result<(Plan, Left), Unreachable> {
         let now = Situation { graph, agent, events };
         let demands = Demands { regress_postures, ..Reader::read(goal, &now, choice) };
-        let compiled = compile(&demands, &now, &|_| true, self.tidy())?;
+        let compiled = compile(&demands, &now, &|_| true, self.leave())?;
         let (ops, proved) = self.solve(&compiled, goal)?;
         let actions = Tour::write(&compiled.problem, compiled.start, &ops);
         let known: Known = graph.nodes().map(Node::id).collect();
@@ -224,7 +230,7 @@ impl Planner {
         // Where poses say what is at hand, it is regression that sees it.
         let regress_postures = now.graph.node(now.agent).is_some_and(|n| n.pose().is_some());
         let demands = Demands { regress_postures, ..Reader::read(goal, now, choice) };
-        let compiled = compile(&demands, now, &|id| known.contains(id), self.tidy())?;
+        let compiled = compile(&demands, now, &|id| known.contains(id), self.leave())?;
         let (ops, _) = self.solve(&compiled, goal)?;
         let actions = Tour::write(&compiled.problem, compiled.start, &ops);
         Ok(Sketch { compiled, actions })

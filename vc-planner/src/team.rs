@@ -4,13 +4,16 @@ use vc_graph::goal::Situation;
 use vc_graph::{Action, Event, Goal, NodeId, Place, Relation, SceneGraph, Scope, Verb};
 use vc_tasks::{Outcome, Task, World};
 
+use crate::shared::shared;
 use crate::{Agent, Decision, Effort, Planner};
 
 /// Agents that share a goal and tell each other what they see and what they will do.
 ///
 /// What one has promised (to bring this there) counts as done for the others: no thing
-/// is fetched twice, and the rest of the goal is what they see to. A promise is for one
-/// trip, two things at most.
+/// is fetched twice, and the rest of the goal is what they see to. Nobody closes or starts
+/// what another is bringing something to. A promise is for one trip, two things at most.
+/// What the goal says of the agent itself (what it holds, where it sits) is about the
+/// first of them.
 #[derive(Debug, Clone)]
 pub struct Team {
     agents: Vec<Agent>,
@@ -36,13 +39,18 @@ const IDLE: usize = 2;
 impl Team {
     /// Agents that know the plan of the home and no more.
     pub fn newcomers(graph: &SceneGraph, ids: &[NodeId], goal: &Goal, seed: u64) -> Self {
-        let agents = ids.iter().map(|&id| Agent::newcomer(graph, id, goal.clone(), seed)).collect();
-        Self { agents, ids: ids.to_vec() }
+        Self::of(ids, goal, |id, goal| Agent::newcomer(graph, id, goal, seed))
     }
 
     /// Agents that know everything there is.
     pub fn residents(graph: &SceneGraph, ids: &[NodeId], goal: &Goal) -> Self {
-        let agents = ids.iter().map(|&id| Agent::resident(graph, id, goal.clone())).collect();
+        Self::of(ids, goal, |id, goal| Agent::resident(graph, id, goal))
+    }
+
+    /// The first has the whole goal, which speaks of it; the others what anybody can do.
+    fn of(ids: &[NodeId], goal: &Goal, agent: impl Fn(NodeId, Goal) -> Agent) -> Self {
+        let part = |index| if index == 0 { goal.clone() } else { shared(goal) };
+        let agents = ids.iter().enumerate().map(|(index, &id)| agent(id, part(index))).collect();
         Self { agents, ids: ids.to_vec() }
     }
 

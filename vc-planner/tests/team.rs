@@ -2,18 +2,26 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
-use vc_graph::{Draft, Event, Goal, History, NodeId, SceneBuilder, SceneGraph, Seed, Simulator};
+use vc_graph::{Draft, Event, Goal, History, NodeId, SceneBuilder, SceneGraph, Seed, Simulator, Verb};
 use vc_planner::{Helper, Newcomer, Policy, Team, Watcher, plan, run_together};
 use vc_tasks::{Outcome, Task};
 
 /// A home with two people, and one of each of eight things anywhere.
 fn home(seed: u64) -> SceneGraph {
+    home_with(seed, &[])
+}
+
+/// The same with more in the kitchen.
+fn home_with(seed: u64, more: &[&str]) -> SceneGraph {
     let mut stream = Seed(seed).child("team").stream();
     let mut scene = SceneBuilder::new("home");
     let rooms: Vec<NodeId> =
         ["kitchen", "living_room", "bedroom"].iter().map(|r| scene.add(Draft::new(*r)).unwrap()).collect();
     scene.add_in(rooms[0], Draft::new("kitchen_table")).unwrap();
     scene.add_in(rooms[0], Draft::new("fridge")).unwrap();
+    for class in more {
+        scene.add_in(rooms[0], Draft::new(*class)).unwrap();
+    }
     let places = ["desk", "nightstand", "coffee_table", "dresser", "kitchen_counter", "sofa"];
     let places: Vec<NodeId> =
         places.iter().map(|p| scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new(*p)).unwrap()).collect();
@@ -49,6 +57,61 @@ fn two_need_at_most_two_thirds_of_the_rounds_of_one() {
         let two: usize = (0..20).map(|seed| rounds(known, 2, seed)).sum();
         println!("all known: {known}, one {one}, two {two}: {:.3}", two as f64 / one as f64);
         assert!(two * 100 <= one * 65, "{known}: {two} of {one}");
+    }
+}
+
+/// Lets two do a task together; returns the scene as it was, and what they did.
+fn together(known: bool, seed: u64, goal: &str) -> (SceneGraph, Vec<Event>) {
+    let scene = home_with(seed, &["dishwasher"]);
+    let task = Task::new("together", goal.parse().unwrap());
+    let ids = scene.agents();
+    let mut team = match known {
+        true => Team::residents(&scene, ids, &task.goal),
+        false => Team::newcomers(&scene, ids, &task.goal, seed),
+    };
+    let mut world = Simulator::new(scene.clone());
+    let episode = team.run(&task, &mut world);
+    assert_eq!(episode.outcome, Outcome::Won, "{known} {seed} {goal}: {episode:?}");
+    let events = world.history().events().to_vec();
+    (scene, events)
+}
+
+/// What the first is to hold, eat and sit on is its own affair.
+#[test]
+fn nobody_does_what_is_asked_of_another() {
+    let goals = [
+        "Holds(book) & On(apple, kitchen_table) & On(mug, kitchen_table) & On(fork, kitchen_table)",
+        "Sit(sofa) & On(book, kitchen_table) & On(mug, kitchen_table) & Inside(milk, fridge)",
+        "Eat(apple) & (Holds(book) | Holds(cellphone)) & On(mug, kitchen_table)",
+    ];
+    for (seed, goal) in (0..20).flat_map(|seed| goals.map(|goal| (seed, goal))) {
+        for known in [true, false] {
+            let (scene, events) = together(known, seed, goal);
+            let second = scene.agents()[1];
+            for event in events.iter().filter(|e| e.agent == second) {
+                let own = matches!(event.action.verb, Verb::Sit | Verb::Eat);
+                let book = event.action.verb == Verb::Grab && event.action.object == Some(scene.of_class("book")[0]);
+                assert!(!own && !(book && goal.contains("Holds(book)")), "{known} {seed} {goal}: {event:?}");
+            }
+        }
+    }
+}
+
+/// Nobody closes or starts what another is bringing something to.
+#[test]
+fn what_is_waited_for_is_not_shut() {
+    let goal = "Inside(milk, fridge) & Inside(apple, fridge) & Inside(bowl, dishwasher) & Inside(plate, dishwasher) & \
+                Inside(mug, dishwasher) & Inside(fork, dishwasher) & Closed(fridge) & Closed(dishwasher) & \
+                SwitchedOn(dishwasher)";
+    for (seed, known) in (0..20).flat_map(|seed| [(seed, true), (seed, false)]) {
+        let (scene, events) = together(known, seed, goal);
+        for class in ["fridge", "dishwasher"] {
+            let id = scene.of_class(class)[0];
+            let times = |verb| events.iter().filter(|e| e.action == vc_graph::Action::one(verb, id)).count();
+            let told: Vec<String> =
+                events.iter().map(|e| format!("{} {}", e.agent, e.action.describe(&scene))).collect();
+            assert!(times(Verb::Open) <= 1 && times(Verb::SwitchOn) <= 1, "{known} {seed} {class}: {told:#?}");
+        }
     }
 }
 

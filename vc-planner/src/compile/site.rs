@@ -96,7 +96,8 @@ impl Compiler<'_> {
     pub(super) fn tidy_up(&mut self, touched: &Touched) {
         let graph = self.now.graph;
         let more = self.out.rest;
-        for (id, was) in touched.amiss(graph).filter(|_| !more) {
+        let awaited = self.leave.awaited;
+        for (id, was) in touched.amiss(graph).filter(|(id, _)| !more && !awaited.contains(id)) {
             match was {
                 Word::Open | Word::Closed => {
                     let spot = self.spot(anchor(graph, id));
