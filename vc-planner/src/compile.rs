@@ -43,8 +43,12 @@ pub(crate) struct Compiler<'a> {
     known: &'a dyn Fn(NodeId) -> bool,
     leave: Leave<'a>,
     out: Compiled,
+    /// What is not to be reserved, as another demand lacks it.
+    contested: &'a [NodeId],
     /// What serves the goal where it is.
     reserved: Vec<NodeId>,
+    /// What is reserved, and would have to serve a demand that conflicts.
+    disputed: Vec<NodeId>,
     /// Items with the needs they serve.
     items: Vec<(NodeId, u32)>,
     bits: u8,
@@ -67,19 +71,28 @@ pub(crate) fn compile(
         return Err(Unreachable::NoInstance(part.to_string()));
     }
     let number = demands.all.len();
-    let problem = Problem::for_demands(number);
-    let mut c = Compiler {
-        now,
-        known,
-        leave,
-        out: Compiled { problem, rest: demands.rest, ..Compiled::default() },
-        reserved: Vec::new(),
-        items: Vec::with_capacity(2 * number),
-        bits: 0,
-        regress_postures: demands.regress_postures,
-    };
-    c.run(demands)?;
-    Ok(c.out)
+    let mut contested: Vec<NodeId> = Vec::new();
+    loop {
+        let problem = Problem::for_demands(number);
+        let mut c = Compiler {
+            now,
+            known,
+            leave,
+            out: Compiled { problem, rest: demands.rest, ..Compiled::default() },
+            contested: &contested,
+            reserved: Vec::new(),
+            disputed: Vec::new(),
+            items: Vec::with_capacity(2 * number),
+            bits: 0,
+            regress_postures: demands.regress_postures,
+        };
+        let done = c.run(demands);
+        // What serves one part where it is may be all there is for another.
+        match (done, c.disputed) {
+            (Err(Unreachable::Conflicting(_)), disputed) if !disputed.is_empty() => contested.extend(disputed),
+            (done, _) => return done.map(|()| c.out),
+        }
+    }
 }
 
 impl Compiler<'_> {
@@ -119,9 +132,10 @@ impl Compiler<'_> {
             if met == demand.number {
                 break;
             }
-            if (self.known)(id) && demand.holds(self.now, id) {
+            let moved = moves(demand.predicate);
+            if (self.known)(id) && demand.holds(self.now, id) && !(moved && self.contested.contains(&id)) {
                 met += 1;
-                if moves(demand.predicate) {
+                if moved {
                     self.reserved.push(id);
                 }
             }
@@ -199,10 +213,11 @@ impl Compiler<'_> {
             return Err(Unreachable::NoInstance(demand.part.to_string()));
         }
         if missing.is_empty() {
-            self.check_reach(demand, &known)?;
+            self.check_reach(demand, &known, short)?;
         }
         if known.len() < short {
             if missing.is_empty() {
+                self.disputed = demand.subjects().iter().copied().filter(|id| self.reserved.contains(id)).collect();
                 return Err(Unreachable::Conflicting(demand.part.to_string()));
             }
             self.out.lacks.push(Lack { subjects: missing, number: short - known.len(), ways: ways.clone() });
@@ -217,12 +232,16 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// Whether some item can be got at.
-    fn check_reach(&self, demand: &Demand<'_>, items: &[NodeId]) -> Result<()> {
+    /// Whether some items can be got at, and so many are not in the hands of others.
+    fn check_reach(&self, demand: &Demand<'_>, items: &[NodeId], number: usize) -> Result<()> {
         let graph = self.graph();
         let part = || demand.part.to_string();
         if items.iter().all(|&id| graph.room_of(id).is_none() && graph.holder(id).is_none()) && !items.is_empty() {
             return Err(Unreachable::NoRoute(part()));
+        }
+        let free = items.iter().filter(|&&id| !self.is_held_by_another(id)).take(number).count();
+        if items.len() >= number && free < number {
+            return Err(Unreachable::HeldByAnother(part()));
         }
         // What runs and has no switch is never opened.
         let runs_on = |id: NodeId| {
@@ -233,6 +252,12 @@ impl Compiler<'_> {
         };
         let sealed = |id: &NodeId| graph.hidden_in(*id).is_some_and(runs_on);
         if items.iter().all(sealed) && !items.is_empty() { Err(Unreachable::Sealed(part())) } else { Ok(()) }
+    }
+
+    pub(super) fn is_held_by_another(&self, id: NodeId) -> bool {
+        let (graph, me) = (self.now.graph, self.now.agent);
+        graph.holder(id).is_some_and(|holder| holder.at != me)
+            || Condition::NotElsewhereHeld(id).check(graph, me).is_err()
     }
 
     fn push_need(&mut self, number: usize, ways: Vec<Way>) {

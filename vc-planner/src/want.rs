@@ -67,6 +67,9 @@ pub enum Unreachable {
     /// All that could serve is shut in something that does not open.
     #[error("`{0}`: what it is about is shut in and cannot be got out")]
     Sealed(String),
+    /// Others have in their hands what is needed, or wear it.
+    #[error("`{0}`: others hold what it is about")]
+    HeldByAnother(String),
     /// Every state that matters was looked at.
     #[error("all {checked} states that matter were looked at, and `{goal}` holds in none")]
     SearchExhausted {

@@ -250,6 +250,26 @@ fn what_is_sealed_or_nowhere_is_told() {
 }
 
 #[test]
+fn what_another_holds_is_told() {
+    let (scene, me) = flat();
+    let kitchen = scene.of_class("kitchen")[0];
+    let mut builder = SceneBuilder::of(scene);
+    let other = builder.add_in(kitchen, Draft::new("character")).unwrap();
+    let mut world = Simulator::new(builder.build());
+    for (class, verb) in ["book", "mug"].into_iter().flat_map(|c| [(c, Verb::Walk), (c, Verb::Grab)]) {
+        let id = world.graph().of_class(class)[0];
+        world.step(other, &Action::one(verb, id)).unwrap();
+    }
+    let scene = world.into_graph();
+    let find = |text: &str| plan(&mut scene.clone(), me, &text.parse().unwrap(), &History::default());
+    for text in ["Holds(book)", "On(book, desk) & On(apple, desk)", "On(mug, desk), 2"] {
+        assert!(matches!(find(text), Err(Unreachable::HeldByAnother(_))), "{text}: {:?}", find(text));
+    }
+    // There is another mug.
+    assert!(find("On(mug, desk) & Holds(apple)").is_ok());
+}
+
+#[test]
 fn what_has_been_done_cannot_be_undone() {
     let (scene, me) = flat();
     let apple = scene.of_class("apple")[0];

@@ -176,6 +176,35 @@ fn no_form_is_refused_that_can_be_met() {
     assert!(ours * 100 <= least * 105, "{ours} {least}");
 }
 
+/// What serves one part where it is may be the only thing for another.
+#[test]
+fn what_holds_is_given_up_where_that_is_best() {
+    let (mut compared, mut moved) = (0, 0);
+    for seed in 0..14 {
+        let mut world = world(seed);
+        // Only the two apples matter.
+        world.items.truncate(2);
+        let (first, other) = (world.items[0], world.items[1]);
+        for text in [
+            format!("On(apple, kitchen_table) & Inside(apple.{}, fridge)", first.0),
+            format!("On(apple, desk) & Inside(apple.{}, fridge)", other.0),
+            format!("On(apple, desk) & On(apple.{}, nightstand) & Closed(fridge)", first.0),
+            format!("Inside(apple, fridge) & On(apple.{}, desk) & On(apple.{}, desk), <= 1", first.0, other.0),
+        ] {
+            let goal: Goal = text.parse().unwrap();
+            let found = plan(&mut world.scene.clone(), world.me, &goal, &History::default());
+            let found = found.unwrap_or_else(|why| panic!("{seed} {text}: {why}"));
+            if let Ok(shorter) = shortest(&world, &goal, found.actions.len(), 12_000) {
+                assert_eq!(shorter, None, "{seed} {text}: {:?}", found.actions);
+                compared += 1;
+                moved += usize::from(found.actions.iter().filter(|a| a.verb == Verb::Grab).count() > 1);
+            }
+        }
+    }
+    println!("{compared} compared, {moved} of which move both");
+    assert!(compared >= 30 && moved >= 8, "{compared} {moved}");
+}
+
 /// A book and a mug on a desk, a closed nightstand elsewhere: with both hands full it
 /// cannot be opened, unless one puts something down.
 #[test]

@@ -1,7 +1,7 @@
 //! What is there for packed plans to work on: spots to walk to, doors, switches, hands and
 //! piles of things.
 
-use vc_graph::{Condition, Kind, NodeId, Place, Property, Relation, SceneGraph, State as Word};
+use vc_graph::{Kind, NodeId, Place, Property, Relation, SceneGraph, State as Word};
 
 use super::{Compiler, SPARE};
 use crate::manners::Touched;
@@ -157,7 +157,7 @@ impl Compiler<'_> {
         let mut piles: Vec<Lot> = Vec::with_capacity(items.len().min(MOST));
         for (id, serves) in items {
             // What another holds or wears is left to it.
-            if graph.holder(id).is_some() || Condition::NotElsewhereHeld(id).check(graph, self.now.agent).is_err() {
+            if self.is_held_by_another(id) {
                 continue;
             }
             let at = Standing::of(graph, id);
