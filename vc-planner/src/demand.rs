@@ -42,7 +42,7 @@ impl Demand<'_> {
 }
 
 /// Which of several ways is taken at each `or`, as the digits of a counter.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Choice {
     digits: Vec<(usize, usize)>,
     next: usize,

@@ -227,14 +227,38 @@ impl Planner {
         known: &Known,
         choice: &mut Choice,
     ) -> Result<Sketch, Unreachable> {
-        // Where poses say what is at hand, it is regression that sees it.
-        let regress_postures = now.graph.node(now.agent).is_some_and(|n| n.pose().is_some());
-        let demands = Demands { regress_postures, ..Reader::read(goal, now, choice) };
-        let compiled = compile(&demands, now, &|id| known.contains(id), self.leave())?;
-        let (ops, _) = self.solve(&compiled, goal)?;
+        let compiled = compile(&demands_in_view(goal, now, choice), now, &|id| known.contains(id), self.leave())?;
+        let (ops, proved) = self.solve(&compiled, goal)?;
         let actions = Tour::write(&compiled.problem, compiled.start, &ops);
-        Ok(Sketch { compiled, actions })
+        Ok(Sketch { compiled, actions, proved })
     }
+
+    /// The rest of a plan in fewer actions than it has, with half the effort of improving
+    /// a new one.
+    pub(crate) fn refine(
+        &mut self,
+        goal: &Goal,
+        now: &Situation<'_>,
+        known: &Known,
+        choice: &mut Choice,
+        than: usize,
+    ) -> Refined {
+        let compiled = compile(&demands_in_view(goal, now, choice), now, &|id| known.contains(id), self.leave());
+        let Some(Compiled { problem, start, .. }) = compiled.ok().filter(|c| !c.rest && c.lacks.is_empty()) else {
+            return Refined::Best;
+        };
+        match self.search.shorter(&problem, start, than, self.effort.improve / 2) {
+            Found::Way { ops, best, .. } => Refined::Shorter(Tour::write(&problem, start, &ops), best),
+            Found::Exhausted(_) => Refined::Best,
+            Found::Unfinished(_) => Refined::Unknown,
+        }
+    }
+}
+
+/// The demands of a goal; where poses say what is at hand, it is regression that sees it.
+fn demands_in_view<'g>(goal: &'g Goal, now: &Situation<'_>, choice: &mut Choice) -> Demands<'g> {
+    let regress_postures = now.graph.node(now.agent).is_some_and(|n| n.pose().is_some());
+    Demands { regress_postures, ..Reader::read(goal, now, choice) }
 }
 
 /// What an attempt packed and what it left.
@@ -252,6 +276,19 @@ struct Left {
 pub(crate) struct Sketch {
     pub(crate) compiled: Compiled,
     pub(crate) actions: Vec<Action>,
+    /// No plan of the packed problem is shorter.
+    pub(crate) proved: bool,
+}
+
+/// What became of looking for a shorter plan.
+#[derive(Debug)]
+pub(crate) enum Refined {
+    /// A shorter one, and whether none is shorter still.
+    Shorter(Vec<Action>, bool),
+    /// None is shorter.
+    Best,
+    /// None was found.
+    Unknown,
 }
 
 /// Plans for an agent in the state it believes in by regression alone. What it pursued

@@ -102,6 +102,19 @@ impl Search {
         Found::Way { ops, cost, best }
     }
 
+    /// A way of fewer actions than `than`, if there is one and the budget allows it;
+    /// [`Found::Exhausted`] if there is none.
+    pub(crate) fn shorter(&mut self, problem: &Problem, start: State, than: usize, budget: usize) -> Found {
+        let under = (than as u32) << FINE;
+        let found = self.best_first(problem, start, 2, budget / 2, under);
+        if !matches!(found, Found::Unfinished(_)) {
+            return found;
+        }
+        let width = (budget / (2 * than.max(1))).clamp(1, WIDEST);
+        let beam = self.beam(problem, start, width, under);
+        beam.map_or(found, |(ops, cost)| Found::Way { ops, cost, best: false })
+    }
+
     /// A* with the bound weighted by `weight` halves; only ways of fewer actions than
     /// `under`.
     fn best_first(&mut self, problem: &Problem, start: State, weight: u32, budget: usize, under: u32) -> Found {

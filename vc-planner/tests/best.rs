@@ -2,13 +2,16 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
+#[path = "../benches/support/homes.rs"]
+mod homes;
+
 use std::collections::HashSet;
 
 use vc_graph::goal::Situation;
 use vc_graph::{
-    Action, Draft, Goal, History, NodeId, Property, SceneBuilder, SceneGraph, Seed, Simulator, State, Verb, rule,
+    Action, Draft, Goal, History, NodeId, Property, SceneBuilder, SceneGraph, Scope, Seed, Simulator, State, Verb, rule,
 };
-use vc_planner::plan;
+use vc_planner::{Agent, Decision, plan};
 
 /// A small home at random, what can be moved in it, and where it can be put.
 struct World {
@@ -174,6 +177,34 @@ fn no_form_is_refused_that_can_be_met() {
     assert!(compared >= 100, "{compared}");
     // Regression finds some way, not the shortest.
     assert!(ours * 100 <= least * 105, "{ours} {least}");
+}
+
+/// A plan of many parts is not proved to be the best when it is begun: what is left of it
+/// is improved on the way, and never made longer.
+#[test]
+fn long_plans_are_improved_on_the_way() {
+    let (mut planned, mut done) = (0, 0);
+    for seed in 0..60 {
+        let scene = homes::home(120, seed);
+        let me = scene.agents()[0];
+        let goal: Goal = homes::errands(&scene, 12, seed).join(" & ").parse().unwrap();
+        let mut agent = Agent::resident(&scene, me, goal.clone());
+        let mut world = Simulator::new(scene);
+        let (mut first, mut steps) = (None, 0);
+        loop {
+            agent.see(&world.graph().observe(me, Scope::Whole));
+            let Decision::Act(action, plan) = agent.decide() else { break };
+            first.get_or_insert(plan.actions.len());
+            world.step(me, &action).unwrap();
+            agent.did(&action);
+            steps += 1;
+        }
+        assert!(goal.holds(&Situation::new(world.graph(), me, world.history())), "{seed} {goal}");
+        assert!(first.is_some_and(|first| steps <= first), "{seed}: {steps} of {first:?} {goal}");
+        (planned, done) = (planned + first.unwrap_or(0), done + steps);
+    }
+    println!("{planned} actions planned at first, {done} done");
+    assert!(done < planned, "{done} {planned}");
 }
 
 /// What serves one part where it is may be the only thing for another.

@@ -1,0 +1,66 @@
+//! From an action in a plan to one that can be done now.
+
+use vc_graph::{Action, Property, Refusal, Relation, State, Verb, rule};
+
+use super::{Agent, Decision};
+use crate::Plan;
+use crate::compile::anchor;
+
+impl Agent {
+    /// Acts, after what the action needs first: a walk, an opening, a free hand.
+    pub(super) fn act(&mut self, action: Action, plan: Vec<Action>) -> Decision {
+        // A walk that is not needed for what comes after it is left out.
+        let spared = match plan.as_slice() {
+            [walk, then, ..] if walk.verb == Verb::Walk && *walk == action && then.verb != Verb::Walk => {
+                self.refusals(then).is_empty().then_some(*then)
+            }
+            _ => None,
+        };
+        let first = spared.or_else(|| self.doable(action));
+        match first {
+            Some(first) => {
+                let rest = if plan.is_empty() { vec![action] } else { plan };
+                let actions = if rest.first() == Some(&first) { rest } else { [&[first], rest.as_slice()].concat() };
+                Decision::Act(first, Plan { actions, ..Plan::default() })
+            }
+            None => self.decide_by_regression(),
+        }
+    }
+
+    pub(super) fn refusals(&self, action: &Action) -> Vec<Refusal> {
+        rule::refusals(self.belief.graph(), self.id, action)
+    }
+
+    /// Whether an action can be done at once and does not lead away.
+    pub(super) fn is_at_hand(&self, action: &Action) -> bool {
+        action.verb != Verb::Walk && self.refusals(action).is_empty()
+    }
+
+    /// An action, or what has to be done before it.
+    fn doable(&self, mut action: Action) -> Option<Action> {
+        for _ in 0..6 {
+            let Some(refusal) = self.refusals(&action).into_iter().next() else { return Some(action) };
+            action = match refusal {
+                Refusal::NotUpright => Action::zero(Verb::Stand),
+                Refusal::NotNear { thing, .. } => Action::one(Verb::Walk, anchor(self.belief.graph(), thing.id)),
+                Refusal::Hidden { inside, .. } => Action::one(Verb::Open, inside.id),
+                Refusal::Shut(container) => Action::one(Verb::Open, container.id),
+                Refusal::NoFreeHand => self.put_down()?,
+                Refusal::InState(thing, State::On) => Action::one(Verb::SwitchOff, thing.id),
+                _ => return None,
+            };
+        }
+        None
+    }
+
+    /// Frees a hand: on a surface at hand, else on the floor.
+    fn put_down(&self) -> Option<Action> {
+        let held = self.belief.graph().held(self.id).last()?;
+        let graph = self.belief.graph();
+        let near = graph.related(self.id, Relation::Near).filter(|id| {
+            graph.node(*id).is_some_and(|n| n.affords(Property::Surface) && !n.affords(Property::Graspable))
+        });
+        let on = near.map(|at| Action::two(Verb::Place, held, at)).find(|a| self.refusals(a).is_empty());
+        Some(on.unwrap_or(Action::one(Verb::Drop, held)))
+    }
+}

@@ -1,0 +1,220 @@
+//! What to do now.
+
+use vc_graph::goal::Situation;
+use vc_graph::{Action, NodeId, State, Verb};
+
+use super::{Agent, Decision, Mind};
+use crate::Plan;
+use crate::compile::Compiled;
+use crate::demand::Choice;
+use crate::look::{Look, best_look};
+use crate::packed::Way;
+use crate::plan::{Refined, Sketch, plan_in_belief};
+use crate::want::Unreachable;
+
+/// After so many searches of everything a faithful agent gives up.
+const PATIENCE: usize = 4;
+/// So many decisions without learning anything are a sign of going in circles.
+const CIRCLES: usize = 300;
+/// How often it does the same before it takes that for going in circles.
+const AGAIN: usize = 2;
+/// How many ways to take a goal's alternatives are tried.
+const ALTERNATIVES: usize = 12;
+/// How many actions it takes, roughly, to find something.
+const SEARCH: usize = 6;
+
+impl Agent {
+    /// As [`Agent::think`], but who goes round in circles goes on as the thesis's agent
+    /// does: one subgoal after the other.
+    pub(super) fn think_on(&mut self) -> Decision {
+        let decision = self.think();
+        let Decision::Act(action, _) = &decision else { return decision };
+        let again = action.verb != Verb::Walk && self.tried.iter().filter(|a| *a == action).count() >= AGAIN;
+        self.tried.push(*action);
+        if self.mind == Mind::Faithful || !again {
+            return decision;
+        }
+        self.mind = Mind::Faithful;
+        self.next.clear();
+        self.decide_by_regression()
+    }
+
+    fn think(&mut self) -> Decision {
+        let patience = if self.mind == Mind::Faithful { PATIENCE } else { 1 };
+        if self.belief.widened() > patience && self.is_missing_something() {
+            return Decision::GiveUp(Unreachable::Searched(self.belief.widened()));
+        }
+        self.idle += 1;
+        if self.idle > CIRCLES {
+            return Decision::GiveUp(Unreachable::NoPlan(self.goal.to_string()));
+        }
+        if self.mind == Mind::Faithful {
+            return self.decide_by_regression();
+        }
+        self.refine();
+        if let Some(action) = self.next.pop_front() {
+            if self.refusals(&action).is_empty() {
+                let plan = std::iter::once(action).chain(self.next.iter().copied()).collect();
+                return Decision::Act(action, Plan { actions: plan, ..Plan::default() });
+            }
+            self.next.clear();
+        }
+        self.decide_best()
+    }
+
+    /// Looks for a shorter way to do what is left of a plan, with what it would cost to
+    /// improve a new one: the less is left the more of the ways are seen.
+    fn refine(&mut self) {
+        let Some(mut choice) = self.unproved.take().filter(|_| !self.next.is_empty()) else { return };
+        let now = Situation { graph: self.belief.graph(), agent: self.id, events: self.history.events() };
+        match self.planner.refine(&self.goal, &now, self.belief.known(), &mut choice, self.next.len()) {
+            Refined::Shorter(actions, best) => {
+                self.next = actions.into();
+                self.unproved = (!best).then_some(choice);
+            }
+            Refined::Best => {}
+            Refined::Unknown => self.unproved = Some(choice),
+        }
+    }
+
+    fn is_missing_something(&self) -> bool {
+        self.concerns.iter().any(|&id| self.belief.is_missing(id))
+    }
+
+    pub(super) fn decide_by_regression(&mut self) -> Decision {
+        let intent = (self.pursued, self.planner.tidy());
+        let plan = plan_in_belief(&mut self.belief, self.id, &self.goal, self.history.events(), self.horizon, intent);
+        self.pursued = plan.as_ref().ok().and_then(|p| p.wants.first()).map(|(want, _)| *want);
+        match plan {
+            Ok(plan) => match plan.actions.first() {
+                Some(&action) => Decision::Act(action, plan),
+                None => Decision::Done,
+            },
+            Err(reason) => Decision::GiveUp(reason),
+        }
+    }
+
+    /// Plans for what is known; where something is lacking, looks for it unless there
+    /// is something to do at hand or the hands are full.
+    fn decide_best(&mut self) -> Decision {
+        let (sketch, choice) = match self.best_sketch() {
+            Ok(found) => found,
+            Err(reason) => {
+                return match self.decide_by_regression() {
+                    Decision::GiveUp(_) => Decision::GiveUp(reason),
+                    other => other,
+                };
+            }
+        };
+        let lacks = &sketch.compiled.lacks;
+        if lacks.is_empty() {
+            if sketch.compiled.rest {
+                return self.decide_with_rest(sketch.actions);
+            }
+            let decision = self.start(sketch.actions);
+            self.unproved = (!sketch.proved).then_some(choice);
+            return decision;
+        }
+        // What is still to be filled is neither closed nor switched on.
+        let early = |a: &Action| {
+            let ending = matches!(a.verb, Verb::Close | Verb::SwitchOn | Verb::SwitchOff);
+            ending && a.object.is_some_and(|id| doors_lacking(&sketch).any(|d| d == id))
+        };
+        let known = sketch.actions.first().copied().filter(|a| !early(a) && self.is_at_hand(a));
+        if let Some(action) = known.or_else(|| self.put_back(&sketch)) {
+            return self.act(action, sketch.actions);
+        }
+        match best_look(&self.belief, self.id, &sketch.compiled, self.planner.manners) {
+            Some(Look::Visit(at)) => self.act(Action::one(Verb::Walk, at), Vec::new()),
+            Some(Look::Open(at)) => self.go_and(Action::one(Verb::Open, at)),
+            Some(Look::Do(action)) => self.go_and(action),
+            None => self.decide_by_regression(),
+        }
+    }
+
+    /// For those with manners, the closing of what was opened in vain, while it is at hand.
+    fn put_back(&self, sketch: &Sketch) -> Option<Action> {
+        let Compiled { problem, start, .. } = &sketch.compiled;
+        let useful = |id: NodeId| {
+            let door = problem.doors.iter().position(|d| d.node == id);
+            door.and_then(|d| problem.index.doors.get(d))
+                .is_some_and(|p| start.piles & p.behind | start.needs & p.through != 0)
+        };
+        let mut amiss = self.planner.tidy()?.amiss(self.belief.graph());
+        amiss.find_map(|(id, was)| {
+            let close = Action::one(Verb::Close, id);
+            let idle = was == State::Closed && !useful(id) && doors_lacking(sketch).all(|d| d != id);
+            (idle && self.is_at_hand(&close)).then_some(close)
+        })
+    }
+
+    /// Does something after the walk it takes, unless that shows something new.
+    fn go_and(&mut self, action: Action) -> Decision {
+        let decision = self.act(action, Vec::new());
+        if matches!(decision, Decision::Act(first, _) if first.verb == Verb::Walk) {
+            self.next = [action].into();
+        }
+        decision
+    }
+
+    /// The alternative of the goal that promises the least to do.
+    fn best_sketch(&mut self) -> Result<(Sketch, Choice), Unreachable> {
+        let (mut best, mut reason) = (None::<(usize, Sketch, Choice)>, None);
+        let mut choice = Choice::default();
+        let imagined = (!self.counted_on.is_empty()).then(|| self.imagined());
+        let graph = imagined.as_ref().unwrap_or(self.belief.graph());
+        let now = Situation { graph, agent: self.id, events: self.history.events() };
+        for _ in 0..ALTERNATIVES {
+            match self.planner.sketch(&self.goal, &now, self.belief.known(), &mut choice) {
+                Ok(sketch) => {
+                    let lacking: usize = sketch.compiled.lacks.iter().map(|l| l.number).sum();
+                    let cost = sketch.actions.len() + SEARCH * lacking;
+                    if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
+                        best = Some((cost, sketch, choice.clone()));
+                    }
+                }
+                Err(why) => reason = reason.or(Some(why)),
+            }
+            if !choice.advance() {
+                break;
+            }
+        }
+        best.map(|(_, sketch, choice)| (sketch, choice))
+            .ok_or_else(|| reason.unwrap_or_else(|| Unreachable::NoPlan(self.goal.to_string())))
+    }
+
+    /// What the packed plan leaves is left to regression, once the plan is done.
+    fn decide_with_rest(&mut self, actions: Vec<Action>) -> Decision {
+        if actions.is_empty() { self.decide_by_regression() } else { self.start(actions) }
+    }
+
+    /// Begins a plan whose rest is kept for the next decisions.
+    fn start(&mut self, actions: Vec<Action>) -> Decision {
+        match actions.first() {
+            // What is left is what others have promised.
+            None if !self.counted_on.is_empty() => Decision::Done,
+            None => self.decide_by_regression(),
+            Some(&first) => {
+                let decision = self.act(first, actions.clone());
+                if let Decision::Act(action, _) = &decision {
+                    // What was put before the plan does not use it up.
+                    let used = actions.iter().position(|a| a == action).map_or(0, |i| i + 1);
+                    self.next = actions[used..].iter().copied().collect();
+                }
+                decision
+            }
+        }
+    }
+}
+
+/// Containers that what is lacking will be put into.
+fn doors_lacking(sketch: &Sketch) -> impl Iterator<Item = NodeId> {
+    sketch.compiled.lacks.iter().flat_map(|l| &l.ways).filter_map(|way| door(sketch, way))
+}
+
+fn door(sketch: &Sketch, way: &Way) -> Option<NodeId> {
+    match way {
+        Way::Put { door: Some(d), .. } => sketch.compiled.problem.doors.get(*d as usize).map(|d| d.node),
+        _ => None,
+    }
+}
