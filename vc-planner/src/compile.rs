@@ -1,6 +1,7 @@
 //! From demands in a scene to a packed problem.
 
 mod conflict;
+mod piles;
 mod site;
 mod uses;
 
@@ -32,6 +33,8 @@ pub(crate) struct Compiled {
     pub(crate) lacks: Vec<Lack>,
     /// Some demand is beyond packed planning.
     pub(crate) rest: bool,
+    /// Some demand found no room: it can be packed when others are met.
+    pub(crate) more: bool,
 }
 
 /// How many piles of a need are kept, besides its number: the rest are no better.
@@ -113,7 +116,12 @@ impl Compiler<'_> {
         others.into_iter().try_for_each(|(demand, short)| self.demand(demand, short))?;
         self.hands();
         self.piles();
-        words.into_iter().try_for_each(|(demand, short)| self.demand(demand, short))?;
+        if self.out.more {
+            // Doors are closed, and machines started, when all the rest is done.
+            self.out.rest |= !words.is_empty();
+        } else {
+            words.into_iter().try_for_each(|(demand, short)| self.demand(demand, short))?;
+        }
         if let Some(touched) = self.leave.tidy {
             self.tidy_up(touched);
         }
@@ -191,6 +199,7 @@ impl Compiler<'_> {
     fn need(&mut self, demand: &Demand<'_>, short: usize, ways: Vec<Way>) -> Result<()> {
         let number = self.out.problem.needs.len();
         if number == MOST || ways.is_empty() {
+            self.out.more |= number == MOST;
             self.out.rest = true;
             return Ok(());
         }
@@ -268,7 +277,8 @@ impl Compiler<'_> {
         });
         let units = run_of(self.out.start.needs, number);
         // What finds no bits is left for later.
-        self.out.rest |= units.count_ones() < number as u32;
+        self.out.more |= units.count_ones() < number as u32;
+        self.out.rest |= self.out.more;
         self.out.start.needs |= units;
         self.out.problem.needs.push(Need { ways, units, spots });
     }

@@ -17,8 +17,8 @@ use vc_graph::{NodeId, Verb};
 
 use index::Index;
 
-/// Most piles and needs of a problem, and how much is needed or lies in piles in all;
-/// larger goals are planned in parts.
+/// Most piles and needs of a problem, and how much is needed or lies in piles in all; of
+/// larger goals the rest is packed where the plan for these ends.
 pub(crate) const MOST: usize = 32;
 pub(crate) const UNITS: usize = 64;
 /// Most spots, doors, switches and uses: they are bits of a word.

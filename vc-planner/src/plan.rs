@@ -65,6 +65,8 @@ pub fn plan(graph: &mut SceneGraph, agent: NodeId, goal: &Goal, history: &Histor
 
 /// How many ways to take a goal's alternatives are tried.
 const ALTERNATIVES: usize = 24;
+/// How many parts a goal too large to be packed at once is planned in.
+const PARTS: usize = 64;
 
 /// A planner with its memory, kept from one plan to the next.
 ///
@@ -191,9 +193,13 @@ impl Planner {
         let (ops, proved) = self.solve(&compiled, goal)?;
         let actions = Tour::write(&compiled.problem, compiled.start, &ops);
         let known: Known = graph.nodes().map(Node::id).collect();
-        let mut way = Regression::new(graph, agent, &known, events, goal).tidying(self.tidy());
+        let touched = self.tidy().cloned();
+        let mut way = Regression::new(graph, agent, &known, events, goal).tidying(touched.as_ref());
         let posture = compiled.problem.last != 0;
         let mut rest = !way.follow(&actions) || compiled.rest;
+        if compiled.more {
+            rest = !self.go_on(&mut way, goal, choice);
+        }
         if !rest && way.holds(goal) {
             // A seat may be at hand without a walk, which is not packed.
             let plan = Plan { actions: way.actions(), wants: Vec::new(), proved: proved && !posture };
@@ -206,6 +212,25 @@ impl Planner {
         let amiss = way.amiss().len();
         way.rewind(0);
         Ok((plan?, Left { rest, posture, amiss }))
+    }
+
+    /// Packs and does what is left of a goal too large to be packed at once, part by part;
+    /// whether that was all of it.
+    fn go_on(&mut self, way: &mut Regression<'_>, goal: &Goal, choice: &mut Choice) -> bool {
+        for _ in 0..PARTS {
+            let now = way.now();
+            let compiled = compile(&Reader::read(goal, &now, choice), &now, &|_| true, self.leave());
+            let Ok(compiled) = compiled else { return false };
+            let Ok((ops, _)) = self.solve(&compiled, goal) else { return false };
+            let actions = Tour::write(&compiled.problem, compiled.start, &ops);
+            if !way.follow(&actions) {
+                return false;
+            }
+            if actions.is_empty() || !compiled.more {
+                return !compiled.rest;
+            }
+        }
+        false
     }
 
     /// Macros for a packed problem, and whether they are proved to be the best.

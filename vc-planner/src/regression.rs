@@ -79,9 +79,12 @@ impl<'a> Regression<'a> {
         result
     }
 
+    pub(crate) fn now(&self) -> Situation<'_> {
+        Situation { graph: self.graph, agent: self.agent, events: &self.events }
+    }
+
     fn view(&self) -> View<'_> {
-        let now = Situation { graph: self.graph, agent: self.agent, events: &self.events };
-        View { now, known: self.known, hints: &self.hints }
+        View { now: self.now(), known: self.known, hints: &self.hints }
     }
 
     pub(crate) fn work(
@@ -163,7 +166,7 @@ impl<'a> Regression<'a> {
 
     /// Whether a goal holds now.
     pub(crate) fn holds(&self, goal: &Goal) -> bool {
-        goal.holds(&Situation { graph: self.graph, agent: self.agent, events: &self.events })
+        goal.holds(&self.now())
     }
 
     fn describe(&self, want: &Want) -> String {

@@ -11,7 +11,8 @@ use vc_graph::goal::Situation;
 use vc_graph::{
     Action, Draft, Goal, History, NodeId, Property, SceneBuilder, SceneGraph, Scope, Seed, Simulator, State, Verb, rule,
 };
-use vc_planner::{Agent, Decision, plan};
+use vc_planner::{Agent, Decision, Resident, plan, run_episode};
+use vc_tasks::{Outcome, Task};
 
 /// A small home at random, what can be moved in it, and where it can be put.
 struct World {
@@ -205,6 +206,55 @@ fn long_plans_are_improved_on_the_way() {
     }
     println!("{planned} actions planned at first, {done} done");
     assert!(done < planned, "{done} {planned}");
+}
+
+/// The length of a plan that has been carried out and has reached its goal.
+fn length(scene: &SceneGraph, goal: &Goal) -> usize {
+    let me = scene.agents()[0];
+    let found = plan(&mut scene.clone(), me, goal, &History::default()).unwrap_or_else(|why| panic!("{goal}: {why}"));
+    let mut world = Simulator::new(scene.clone());
+    found.actions.iter().for_each(|a| drop(world.step(me, a).unwrap()));
+    assert!(goal.holds(&Situation::new(world.graph(), me, world.history())), "{goal}");
+    found.actions.len()
+}
+
+/// More than can be packed at once is planned in parts, with both hands throughout.
+#[test]
+fn an_errand_of_forty_costs_no_more_than_one_of_twenty() {
+    let (mut few, mut many) = (0, 0);
+    let (mut done_few, mut done_many) = (0, 0);
+    for seed in 0..20 {
+        let scene = homes::home(200, seed);
+        let goal = |parts| homes::errands(&scene, parts, seed).join(" & ").parse::<Goal>().unwrap();
+        few += length(&scene, &goal(20));
+        many += length(&scene, &goal(40));
+        [done_few, done_many] = [(done_few, 20), (done_many, 40)].map(|(done, parts)| {
+            let task = Task { step_limit: 500, ..Task::new("errands", goal(parts)) };
+            let episode = run_episode(&mut Resident::default(), &task, &mut Simulator::new(scene.clone()));
+            assert_eq!(episode.outcome, Outcome::Won, "{seed}: {episode:?}");
+            done + episode.steps
+        });
+    }
+    println!("planned {few} actions for 20, {many} for 40 errands; done {done_few} and {done_many}");
+    assert!(many <= 2 * few && done_many <= 2 * done_few, "{few} {many} {done_few} {done_many}");
+}
+
+/// Of many things any will do: what is needed finds room before what could be taken instead.
+#[test]
+fn a_large_goal_about_classes_is_planned_with_both_hands() {
+    const THINGS: [&str; 12] =
+        ["plate", "fork", "mug", "apple", "book", "milk", "towel", "cellphone", "bowl", "knife", "banana", "pillow"];
+    for seed in 0..6 {
+        let scene = homes::home(600, seed);
+        let (desk, fridge) = (scene.of_class("desk")[3], scene.of_class("fridge")[2]);
+        let both = |class: &&str| format!("On({class}, desk.{}), 2 & Inside({class}, fridge.{}), 2", desk.0, fridge.0);
+        let goal: Goal = THINGS.iter().map(both).collect::<Vec<_>>().join(" & ").parse().unwrap();
+        let there = |id: NodeId| scene.rests_at(id, desk) || scene.rests_at(id, fridge);
+        let met = THINGS.iter().flat_map(|class| scene.of_class(class)).filter(|&id| there(id)).count();
+        let actions = length(&scene, &goal);
+        println!("{actions} actions, {met} of 48 things are there at first");
+        assert!(actions <= 4 * (48 - met), "{seed}: {actions} for {met}");
+    }
 }
 
 /// What serves one part where it is may be the only thing for another.

@@ -19,7 +19,7 @@ impl Compiled {
     }
 
     /// The needs that each item serves that is carried or put somewhere.
-    fn items(&self) -> Vec<u32> {
+    pub(super) fn items(&self) -> Vec<u32> {
         let in_hands = self.start.hands.iter().map(|&h| self.problem.kind(h));
         let pile = |p: &crate::packed::Pile| vec![self.problem.kinds[p.kind as usize]; p.items.len()];
         in_hands.chain(self.problem.piles.iter().flat_map(pile)).collect()

@@ -1,11 +1,10 @@
-//! What is there for packed plans to work on: spots to walk to, doors, switches, hands and
-//! piles of things.
+//! What is there for packed plans to work on: spots to walk to, doors and switches.
 
 use vc_graph::{Kind, NodeId, Place, Property, Relation, SceneGraph, State as Word};
 
-use super::{Compiler, SPARE};
+use super::Compiler;
 use crate::manners::Touched;
-use crate::packed::{BITS, Door, MOST, Pile, Spot, Switch, Way, bit, ones, run_of};
+use crate::packed::{BITS, Door, Spot, Switch, Way, bit};
 
 impl Compiler<'_> {
     pub(super) fn spot_number(&self, anchor: NodeId) -> Option<u8> {
@@ -41,7 +40,7 @@ impl Compiler<'_> {
     }
 
     /// The door something is behind, if any; `None` if there are several.
-    fn door_of(&mut self, standing: &Standing, spot: u8) -> Option<Option<u8>> {
+    pub(super) fn door_of(&mut self, standing: &Standing, spot: u8) -> Option<Option<u8>> {
         match standing.inside {
             _ if standing.nested => None,
             None => Some(None),
@@ -124,99 +123,6 @@ impl Compiler<'_> {
         }
     }
 
-    /// What is held now.
-    pub(super) fn hands(&mut self) {
-        let held: Vec<NodeId> = self.graph().held(self.now.agent).take(2).collect();
-        for (hand, &id) in held.iter().enumerate() {
-            let serves = self.items.iter().find(|(item, _)| *item == id).map_or(0, |(_, serves)| *serves);
-            self.out.problem.held[hand] = Some(id);
-            let kind = self.kind(serves);
-            self.out.start.hands[hand] = kind + 1;
-        }
-        self.items.retain(|(id, _)| !held.contains(id));
-        let [a, b] = self.out.start.hands;
-        if a < b {
-            self.out.start.hands.swap(0, 1);
-            self.out.problem.held.swap(0, 1);
-        }
-    }
-
-    pub(super) fn kind(&mut self, serves: u32) -> u8 {
-        let kinds = &mut self.out.problem.kinds;
-        let known = kinds.iter().position(|&k| k == serves);
-        known.unwrap_or_else(|| {
-            kinds.push(serves);
-            kinds.len() - 1
-        }) as u8
-    }
-
-    /// Gathers items into piles, the most useful first where there are more than enough.
-    pub(super) fn piles(&mut self) {
-        let graph = self.now.graph;
-        let items = std::mem::take(&mut self.items);
-        let mut piles: Vec<Lot> = Vec::with_capacity(items.len().min(MOST));
-        for (id, serves) in items {
-            // What another holds or wears is left to it.
-            if self.is_held_by_another(id) {
-                continue;
-            }
-            let at = Standing::of(graph, id);
-            match piles.iter_mut().find(|p| p.at == at && p.serves == serves) {
-                Some(pile) => pile.items.push(id),
-                None => piles.push(Lot { at, serves, items: vec![id] }),
-            }
-        }
-        if piles.len() > SPARE {
-            self.rank(&mut piles);
-        }
-        let mut kept = [0usize; MOST];
-        for lot in piles {
-            let wanted = |n: usize| self.out.problem.needs[n].units.count_ones() as usize;
-            if ones(u64::from(lot.serves)).all(|n| kept[n] >= wanted(n) + SPARE) {
-                continue;
-            }
-            ones(u64::from(lot.serves)).for_each(|n| kept[n] += 1);
-            self.pile(lot);
-        }
-    }
-
-    /// Where something is to be done already, several things, nothing to open, here.
-    fn rank(&self, piles: &mut [Lot]) {
-        let graph = self.now.graph;
-        let here = graph.room_of(self.now.agent);
-        let mut spots: Vec<NodeId> = piles.iter().map(|p| p.at.anchor).collect();
-        spots.sort_unstable();
-        let several = |at: NodeId| {
-            let first = spots.partition_point(|s| *s < at);
-            spots.get(first + 1) == Some(&at)
-        };
-        piles.sort_by_cached_key(|lot| {
-            let at = lot.at.anchor;
-            let busy = self.spot_number(at).is_some() || several(at);
-            let shut = lot.at.inside.is_some();
-            (!busy, std::cmp::Reverse(lot.items.len().min(2)), shut, graph.room_of(at) != here, at)
-        });
-    }
-
-    fn pile(&mut self, lot: Lot) {
-        if self.out.problem.piles.len() == MOST {
-            return;
-        }
-        let Some(spot) = self.spot(lot.at.anchor) else { return };
-        let Some(door) = self.door_of(&lot.at, spot) else {
-            self.out.rest = true;
-            return;
-        };
-        let (kind, mut items) = (self.kind(lot.serves), lot.items);
-        // More than can serve any need are of no use.
-        let number = |n: usize| self.out.problem.needs[n].units.count_ones() as usize;
-        let useful = ones(u64::from(lot.serves)).map(number).sum();
-        let units = run_of(self.out.start.piles, items.len().min(useful));
-        items.truncate(units.count_ones() as usize);
-        self.out.start.piles |= units;
-        self.out.problem.piles.push(Pile { kind, spot, door, items, units });
-    }
-
     pub(super) fn finish(&mut self) {
         let problem = &mut self.out.problem;
         // In a room one is wherever in it one is.
@@ -250,20 +156,13 @@ impl Compiler<'_> {
 /// How far down things are looked for in each other.
 const DEEPEST: usize = 16;
 
-/// Things that serve the same needs and stand at the same place.
-struct Lot {
-    at: Standing,
-    serves: u32,
-    items: Vec<NodeId>,
-}
-
 /// Where a thing stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Standing {
     /// What one walks up to, to have it at hand: the furniture it is on or in.
     pub(crate) anchor: NodeId,
     /// The nearest container that opens around it.
-    inside: Option<NodeId>,
+    pub(super) inside: Option<NodeId>,
     /// There is another such container around that one.
     nested: bool,
 }

@@ -77,6 +77,7 @@ impl Compiler<'_> {
 
     pub(super) fn use_need(&mut self, _: &Demand<'_>, short: usize, ways: Vec<Way>) -> Result<()> {
         if ways.len() < short || self.out.problem.needs.len() == MOST {
+            self.out.more |= ways.len() >= short;
             self.out.rest = true;
             return Ok(());
         }
