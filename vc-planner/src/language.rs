@@ -11,6 +11,8 @@ use crate::{Decision, Learned, Plan, Unreachable};
 
 /// How often an answer that is none is asked for again.
 const RETRIES: usize = 3;
+/// How far down things are looked for in each other.
+const DEEPEST: usize = 16;
 /// How many actions of the past a prompt tells.
 const REMEMBERED: usize = 30;
 
@@ -129,9 +131,10 @@ pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     all.filter(|a| rule::refusals(graph, agent, a).is_empty()).collect()
 }
 
-/// An observation as text: a line for each thing, where it is and in what state.
+/// An observation as text: where one is and what is at hand, then a line for each thing,
+/// where it is and in what state.
 pub fn describe_seen(seen: &Observation) -> String {
-    let mut text = String::new();
+    let mut text = describe_self(seen);
     for node in seen.nodes().filter(|n| n.kind() == Kind::Object) {
         let _ = write!(text, "{}", node.label());
         let states: Vec<&str> = node.states().iter().map(|s| s.as_str()).collect();
@@ -143,6 +146,11 @@ pub fn describe_seen(seen: &Observation) -> String {
                 let _ = write!(text, " {} {}", place.relation.as_str(), at.label());
             }
         }
+        let room = seen.room_of(node.id()).filter(|_| seen.places(node.id()).next().is_none());
+        if let Some(room) = room.and_then(|room| seen.get(room)) {
+            let stands = if node.affords(Property::Graspable) { "on the floor of" } else { "in" };
+            let _ = write!(text, " {stands} {}", room.label());
+        }
         text.push('\n');
     }
     for edge in seen.related(seen.agent(), Relation::HoldsRight).chain(seen.related(seen.agent(), Relation::HoldsLeft))
@@ -151,6 +159,29 @@ pub fn describe_seen(seen: &Observation) -> String {
             let _ = writeln!(text, "You hold {}.", held.label());
         }
     }
+    text
+}
+
+/// Where one is, on what, and what is at hand.
+fn describe_self(seen: &Observation) -> String {
+    let me = seen.agent();
+    let mut text = String::from("You are");
+    if let Some(room) = seen.room().and_then(|room| seen.get(room)) {
+        let _ = write!(text, " in {}", room.label());
+    }
+    for place in seen.places(me) {
+        if let Some(at) = seen.get(place.at) {
+            let _ = write!(text, ", {} {}", place.relation.as_str(), at.label());
+        }
+    }
+    let near: Vec<NodeId> = seen.related(me, Relation::Near).map(|edge| edge.to).collect();
+    // What is on or in a thing is at hand with it.
+    let down = |id: &NodeId| seen.places(*id).next().map(|place| place.at);
+    let within_reach = |id| std::iter::successors(Some(id), down).take(DEEPEST).any(|at| near.contains(&at));
+    let objects = seen.nodes().filter(|n| n.kind() == Kind::Object && within_reach(n.id()));
+    let at_hand: Vec<String> = objects.map(|n| n.label().to_string()).collect();
+    let at_hand = if at_hand.is_empty() { "nothing".into() } else { at_hand.join(", ") };
+    let _ = writeln!(text, ". At hand: {at_hand}.");
     text
 }
 

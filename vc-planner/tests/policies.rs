@@ -226,6 +226,7 @@ fn a_language_model_is_asked_and_corrected() {
     let fridge = scene.add_in(kitchen, Draft::new("fridge")).unwrap();
     scene.add_in(fridge, Draft::new("milk")).unwrap();
     scene.add_in(kitchen, Draft::new("character")).unwrap();
+    scene.add_in(kitchen, Draft::new("towel")).unwrap();
     let scene = scene.build();
     let task = Task::new("fetch the milk", "Holds(milk)".parse().unwrap());
     let answers = [
@@ -246,6 +247,12 @@ fn a_language_model_is_asked_and_corrected() {
     assert!(asked[1].user.contains("is no action"));
     assert!(asked[2].user.contains("there is no `milk`"), "{}", asked[2].user);
     assert!(asked[3].user.contains("walk fridge.2"));
+    // It is told where it stands, what it can reach from there, and what lies on the floor.
+    let sees = |asked: &vc_planner::language::Prompt, line: &str| asked.user.lines().any(|l| l == line);
+    assert!(sees(&asked[0], "You are in kitchen.1. At hand: nothing."), "{}", asked[0].user);
+    assert!(sees(&asked[3], "You are in kitchen.1. At hand: fridge.2."), "{}", asked[3].user);
+    assert!(sees(&asked[4], "You are in kitchen.1. At hand: fridge.2, milk.3."), "{}", asked[4].user);
+    assert!(sees(&asked[0], "towel.5 (clean, folded) on the floor of kitchen.1"), "{}", asked[0].user);
     // What is in the closed fridge is not told.
     assert!(!asked[0].user.contains("milk.3") && asked[4].user.contains("milk.3"));
 
