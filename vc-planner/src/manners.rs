@@ -3,6 +3,25 @@
 use vc_graph::{Action, NodeId, SceneGraph, State, Verb};
 
 /// How a home is to be left.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator, State};
+/// use vc_planner::{Manners, Resident, run_episode};
+/// use vc_tasks::{Outcome, Task};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// scene.add_in(fridge, Draft::new("milk"))?;
+/// scene.add_in(kitchen, Draft::new("character"))?;
+/// let (scene, task) = (scene.build(), Task::new("milk", "Holds(milk)".parse()?));
+/// for (manners, left) in [(Manners::GoalOnly, State::Open), (Manners::Tidy, State::Closed)] {
+///     let mut world = Simulator::new(scene.clone());
+///     let episode = run_episode(&mut Resident::default().mannered(manners), &task, &mut world);
+///     assert_eq!(episode.outcome, Outcome::Won);
+///     assert!(world.graph().node(fridge).is_some_and(|n| n.is(left)));
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub enum Manners {
     /// Only the goal counts.
