@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::vocabulary::Set;
-use crate::{Node, SceneGraph};
+use crate::{Node, NodeId, Observation, SceneGraph};
 
 /// A 64-bit digest of a scene's content, the same on every machine.
 ///
@@ -64,12 +64,43 @@ impl SceneGraph {
     pub fn digest(&self) -> Digest {
         let mut hash = Fnv(OFFSET);
         hash.text(&self.name);
-        self.nodes().for_each(|node| feed(&mut hash, node));
+        self.nodes().for_each(|node| feed(&mut hash, node, |_| true));
         Digest(hash.0)
     }
 }
 
-fn feed(hash: &mut Fnv, node: &Node) {
+impl Observation {
+    /// A digest of all that is seen: by whom, in which room, the nodes, and the relations
+    /// between them.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Scope};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let [kitchen, bedroom] = ["kitchen", "bedroom"];
+    /// let (kitchen, bedroom) = (scene.add(Draft::new(kitchen))?, scene.add(Draft::new(bedroom))?);
+    /// let bed = scene.add_in(bedroom, Draft::new("bed"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let before = scene.build();
+    /// let mut after = before.clone();
+    /// let mut edit = after.edit();
+    /// edit.move_to_room(bed, kitchen)?;
+    /// edit.commit();
+    /// let seen = |graph: &vc_graph::SceneGraph, by| graph.observe(me, by).digest();
+    /// assert_eq!(seen(&before, Scope::Room), seen(&before.clone(), Scope::Room));
+    /// assert_ne!(seen(&before, Scope::Room), seen(&after, Scope::Room));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn digest(&self) -> Digest {
+        let mut hash = Fnv(OFFSET);
+        hash.number(u64::from(self.agent().0));
+        hash.number(self.room().map_or(u64::MAX, |room| u64::from(room.0)));
+        self.nodes().for_each(|node| feed(&mut hash, node, |to| self.sees(to)));
+        Digest(hash.0)
+    }
+}
+
+/// Adds a node and those of its relations whose other end is told of.
+fn feed(hash: &mut Fnv, node: &Node, told: impl Fn(NodeId) -> bool) {
     let spec = node.spec();
     hash.number(u64::from(node.id.0));
     for text in [&spec.class, &spec.spelling, &spec.category] {
@@ -92,8 +123,9 @@ fn feed(hash: &mut Fnv, node: &Node) {
         hash.number((slot.kind as u64) << 32 | u64::from(slot.number));
     }
     hash.number(spec.asset.map_or(u64::MAX, |asset| u64::from(asset.0)));
-    hash.number(node.out.len() as u64);
-    for link in &node.out {
+    let links = || node.out.iter().filter(|link| told(link.node()));
+    hash.number(links().count() as u64);
+    for link in links() {
         hash.number((link.relation() as u64) << 32 | u64::from(link.node().0));
     }
 }

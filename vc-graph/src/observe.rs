@@ -2,11 +2,14 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use crate::node::Kind;
 use crate::{Edge, Node, NodeId, Place, Relation, SceneGraph};
 
 /// How far an observation reaches.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum Scope {
     /// The agent's room, as the thesis's belief uses it.

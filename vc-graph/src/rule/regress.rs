@@ -64,6 +64,7 @@ fn candidates(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action
             into_hand(graph, agent, hand, id)
         }
         Condition::AtRest => rests(graph, agent, None),
+        Condition::Aboard => vehicles(graph, agent),
         Condition::In(id, posture @ (State::Sitting | State::Lying)) if id == agent => {
             rests(graph, agent, Some(posture))
         }
@@ -180,6 +181,15 @@ fn rests(graph: &SceneGraph, agent: NodeId, posture: Option<State>) -> Vec<Actio
     found
         .sort_by_cached_key(|&(id, _)| (!graph.rests_at(agent, id), !graph.near(agent, id), graph.room_of(id) != room));
     found.into_iter().map(|(_, action)| action).collect()
+}
+
+/// Ways to be in a vehicle: one at hand first, then one where one is.
+fn vehicles(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
+    let drivable = graph.nodes().filter(|n| n.affords(Property::Drivable));
+    let mut found: Vec<NodeId> = drivable.map(crate::Node::id).collect();
+    let room = graph.room_of(agent);
+    found.sort_by_key(|&id| (!graph.near(agent, id), graph.room_of(id) != room));
+    found.into_iter().map(|id| Action::one(Verb::Enter, id)).collect()
 }
 
 /// Ways to have something on heat: switch on what it is on, or put it there.
