@@ -157,7 +157,7 @@ pub(crate) enum Op {
         hand: u8,
         need: u8,
     },
-    /// Puts down at a spot, or drops where one stands.
+    /// Puts down at a spot or where one stands; on the floor if there is no surface.
     PutDown {
         hand: u8,
         spot: Option<u8>,

@@ -201,7 +201,7 @@ impl<'a> Regression<'a> {
 
     /// Goes where a thing is believed to be, and opens what it is believed in.
     fn come_to_see(&mut self, id: NodeId) -> bool {
-        if self.graph.room_of(id) == self.graph.room_of(self.agent) && self.graph.hidden_in(id).is_some() {
+        if self.graph.hidden_in(id).is_some() {
             return self.achieve(&Condition::Accessible(id));
         }
         let room = self.graph.room_of(id);

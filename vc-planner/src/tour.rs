@@ -138,10 +138,13 @@ impl<'a> Tour<'a> {
         if self.problem.kind(kind) == 0 {
             self.carried.remove(position);
         }
-        let at_hand = |i: &usize| self.state.at & bit(*i as u8) != 0 && self.problem.spots[*i].surface;
-        let surface = spot.map(usize::from).or_else(|| (0..self.problem.spots.len()).find(at_hand));
+        let spots = &self.problem.spots;
+        let reach = spot.map_or(self.state.at, |spot| spots[spot as usize].reach);
+        let at_hand = |i: &usize| reach & bit(*i as u8) != 0 && spots[*i].surface;
+        let itself = spot.map(usize::from).filter(at_hand);
+        let surface = itself.or_else(|| (0..spots.len()).find(at_hand));
         self.act(match surface {
-            Some(i) => Action::two(Verb::Place, id, self.problem.spots[i].anchor),
+            Some(i) => Action::two(Verb::Place, id, spots[i].anchor),
             None => Action::one(Verb::Drop, id),
         });
     }

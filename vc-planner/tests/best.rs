@@ -5,11 +5,13 @@
 #[path = "../benches/support/homes.rs"]
 mod homes;
 
-use std::collections::HashSet;
+#[path = "support/shortest.rs"]
+mod brute;
 
 use vc_graph::goal::Situation;
 use vc_graph::{
-    Action, Draft, Goal, History, NodeId, Property, SceneBuilder, SceneGraph, Scope, Seed, Simulator, State, Verb, rule,
+    Action, Draft, Event, Goal, History, NodeId, Property, SceneBuilder, SceneGraph, Scope, Seed, Simulator, State, Verb,
+    rule,
 };
 use vc_planner::{Agent, Decision, Resident, plan, run_episode};
 use vc_tasks::{Outcome, Task};
@@ -87,34 +89,14 @@ fn actions(world: &World) -> Vec<Action> {
     all
 }
 
-/// The length of the shortest plan, if it is below a limit and few enough states are
-/// met: `Err` says that too many were.
+/// The length of the shortest plan; see [`brute::shortest`].
 fn shortest(world: &World, goal: &Goal, below: usize, most: usize) -> Result<Option<usize>, ()> {
-    let actions = actions(world);
-    let mut level = vec![Simulator::new(world.scene.clone())];
-    let mut met = HashSet::new();
-    for length in 0..below {
-        let mut next = Vec::new();
-        for state in &level {
-            if goal.holds(&Situation::new(state.graph(), world.me, state.history())) {
-                return Ok(Some(length));
-            }
-            for action in actions.iter().filter(|a| rule::refusals(state.graph(), world.me, a).is_empty()) {
-                let mut after = state.clone();
-                after.step(world.me, action).unwrap();
-                let deeds: Vec<Verb> =
-                    [Verb::Eat, Verb::Read].into_iter().filter(|v| after.history().has(*v, None)).collect();
-                if met.insert((after.graph().digest(), deeds)) {
-                    next.push(after);
-                }
-            }
-            if met.len() > most {
-                return Err(());
-            }
-        }
-        level = next;
-    }
-    Ok(None)
+    let deeds = |events: &[Event]| -> Vec<Action> {
+        let done = |verb| events.iter().find(|e| e.action.verb == verb).map(|_| Action::zero(verb));
+        [Verb::Eat, Verb::Read].into_iter().filter_map(done).collect()
+    };
+    let within = brute::World { scene: &world.scene, me: world.me, actions: &actions(world), remembered: &deeds };
+    brute::shortest(&within, goal, below, most)
 }
 
 #[test]

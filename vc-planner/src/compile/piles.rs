@@ -1,11 +1,11 @@
 //! What there is to carry: what is held, and piles of things.
 
-use vc_graph::NodeId;
 use vc_graph::goal::largest_matching;
+use vc_graph::{Edge, Kind, Node, NodeId, Property, Relation};
 
 use super::site::Standing;
 use super::{Compiler, SPARE};
-use crate::packed::{MOST, Need, Pile, Way, ones, run_of};
+use crate::packed::{MOST, Need, Pile, Spot, Way, ones, run_of};
 
 impl Compiler<'_> {
     /// What is held now.
@@ -18,10 +18,23 @@ impl Compiler<'_> {
             self.out.start.hands[hand] = kind + 1;
         }
         self.items.retain(|(id, _)| !held.contains(id));
+        if held.len() == 2 {
+            self.table_at_hand();
+        }
         let [a, b] = self.out.start.hands;
         if a < b {
             self.out.start.hands.swap(0, 1);
             self.out.problem.held.swap(0, 1);
+        }
+    }
+
+    /// Where a full hand can be emptied on the spot.
+    fn table_at_hand(&mut self) {
+        let graph = self.now.graph;
+        let steady = |n: &Node| n.affords(Property::Surface) && !n.affords(Property::Graspable);
+        let mut near = graph.related(self.now.agent, Relation::Near);
+        if let Some(table) = near.find(|&id| graph.node(id).is_some_and(steady) && graph.hidden_in(id).is_none()) {
+            self.spot(table);
         }
     }
 
@@ -36,7 +49,6 @@ impl Compiler<'_> {
 
     /// Gathers items into piles, the most useful first where there are more than enough.
     pub(super) fn piles(&mut self) {
-        let graph = self.now.graph;
         let items = std::mem::take(&mut self.items);
         let mut piles: Vec<Lot> = Vec::with_capacity(items.len().min(MOST));
         for (id, serves) in items {
@@ -44,7 +56,7 @@ impl Compiler<'_> {
             if self.is_held_by_another(id) {
                 continue;
             }
-            let at = Standing::of(graph, id);
+            let at = self.standing(id);
             match piles.iter_mut().find(|p| p.at == at && p.serves == serves) {
                 Some(pile) => pile.items.push(id),
                 None => piles.push(Lot { at, serves, items: vec![id] }),
@@ -69,6 +81,24 @@ impl Compiler<'_> {
         if crowded {
             self.leave_unserved();
         }
+    }
+
+    /// Where an item stands. What lies beside something that matters anyway is at hand there
+    /// as well, and need not be walked up to.
+    fn standing(&self, id: NodeId) -> Standing {
+        let (graph, standing) = (self.now.graph, Standing::of(self.now.graph, id));
+        if standing.anchor != id || graph.near(self.now.agent, id) {
+            return standing;
+        }
+        let fixed =
+            |at: NodeId| graph.node(at).is_some_and(|n| n.kind() == Kind::Object && !n.affords(Property::Graspable));
+        let beside = |spot: &&Spot| {
+            graph.has(Edge::new(id, Relation::Near, spot.anchor))
+                && fixed(spot.anchor)
+                && graph.room_of(id) == spot.room
+        };
+        let spot = self.out.problem.spots.iter().find(beside);
+        spot.map_or(standing, |spot| Standing { anchor: spot.anchor, ..standing })
     }
 
     /// Those that are needed before those that could be taken instead.

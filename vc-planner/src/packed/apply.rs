@@ -107,7 +107,8 @@ impl Problem {
     }
 
     fn put_down(&self, s: &mut State, hand: u8, spot: Option<u8>) -> Option<u32> {
-        let untidy = if spot.is_some() { 0 } else { UNTIDY };
+        let tidy = spot.is_some_and(|spot| self.spots[spot as usize].surface);
+        let untidy = if tidy { 0 } else { UNTIDY };
         let walk = spot.map_or(0, |spot| self.go(s, spot));
         let kind = s.hands[hand as usize];
         if self.kind(kind) != 0 {

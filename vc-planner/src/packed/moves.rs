@@ -74,17 +74,30 @@ impl Problem {
         }
     }
 
-    /// With both hands full: what is of no use is put down anywhere; what is, only where
-    /// one stands and only if there is something to open.
+    /// With both hands full: what is of no use is put down anywhere; what is, only if there
+    /// is something to open, and then where one stands or, if all that is held is on its way
+    /// through shut doors, before a door.
     fn put_down_ops(&self, s: &State, hand: u8, ops: &mut Vec<Op>) {
         let useless = self.index.serves(s.hands[hand as usize]) & (s.needs | self.index.keeps) == 0;
         if useless {
             let surface = |i: &u8| self.spots[*i as usize].surface;
             ops.extend((0..self.spots.len() as u8).filter(surface).map(|spot| Op::PutDown { hand, spot: Some(spot) }));
         }
-        if useless || self.worth_opening(s) != 0 {
+        let worth = self.worth_opening(s);
+        if useless || worth != 0 {
             ops.push(Op::PutDown { hand, spot: None });
         }
+        if !useless && worth != 0 && !s.hands.iter().any(|&held| self.can_be_delivered(s, held)) {
+            let before = ones(worth).map(|d| self.doors[d].spot).filter(|spot| s.at & bit(*spot) == 0);
+            ops.extend(before.map(|spot| Op::PutDown { hand, spot: Some(spot) }));
+        }
+    }
+
+    /// Whether there is a way to put what is held where it is needed without opening a door.
+    fn can_be_delivered(&self, s: &State, held: u8) -> bool {
+        let open = |way: &Way| matches!(way, Way::Put { door, .. } if s.is_open(*door));
+        let needs = ones(self.index.serves(held) & s.needs).map(|unit| self.index.need_of[unit]);
+        needs.into_iter().any(|need| self.needs[need as usize].ways.iter().any(open))
     }
 
     /// Doors that are shut, and are to be open or have something still needed behind

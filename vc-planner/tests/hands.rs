@@ -1,0 +1,86 @@
+//! Both hands full before a closed door: something useful is put down and taken up again.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+#[path = "support/shortest.rs"]
+mod brute;
+
+use vc_graph::{Action, Draft, Goal, History, NodeId, Relation, SceneBuilder, SceneGraph, Simulator, Verb};
+use vc_planner::plan;
+
+/// A desk in one room, a closed cabinet and a fridge in another, a book, a mug and an apple.
+struct Home {
+    scene: SceneGraph,
+    me: NodeId,
+    things: Vec<NodeId>,
+    places: Vec<NodeId>,
+}
+
+/// The classes of `held` are in the hands, the other things on the desk; one stands at the
+/// cabinet or has just come in where the desk is.
+fn home(held: &[&str], at_cabinet: bool) -> Home {
+    let mut scene = SceneBuilder::new("hands");
+    let study = scene.add(Draft::new("office")).unwrap();
+    let bedroom = scene.add(Draft::new("bedroom")).unwrap();
+    let desk = scene.add_in(study, Draft::new("desk")).unwrap();
+    let cabinet = scene.add_in(bedroom, Draft::new("bathroom_cabinet")).unwrap();
+    let fridge = scene.add_in(bedroom, Draft::new("fridge")).unwrap();
+    let classes = ["book", "mug", "apple"];
+    let things: Vec<NodeId> = classes.iter().map(|c| scene.add_on(desk, Draft::new(*c)).unwrap()).collect();
+    let me = scene.add_in(study, Draft::new("character")).unwrap();
+    let mut world = Simulator::new(scene.build());
+    let mut act = |action: Action| world.step(me, &action).unwrap();
+    act(Action::one(Verb::Walk, desk));
+    for (class, &id) in classes.iter().zip(&things).filter(|(class, _)| held.contains(class)) {
+        assert!(act(Action::one(Verb::Grab, id)).changes().len() > 1, "{class}");
+    }
+    act(Action::one(Verb::Walk, if at_cabinet { cabinet } else { study }));
+    Home { scene: world.into_graph(), me, things, places: vec![desk, cabinet, fridge] }
+}
+
+fn actions(home: &Home) -> Vec<Action> {
+    let mut all = Vec::new();
+    for &place in &home.places {
+        all.extend([Verb::Walk, Verb::Open, Verb::Close].map(|verb| Action::one(verb, place)));
+        let puts = |&item: &NodeId| [Verb::Place, Verb::PutIn].map(|verb| Action::two(verb, item, place));
+        all.extend(home.things.iter().flat_map(puts));
+    }
+    let singles = |&item: &NodeId| [Verb::Walk, Verb::Grab, Verb::Drop].map(|verb| Action::one(verb, item));
+    all.extend(home.things.iter().flat_map(singles));
+    all
+}
+
+#[test]
+fn what_is_useful_is_put_down_and_taken_up_again() {
+    let both = "Inside(book, bathroom_cabinet) & Inside(mug, bathroom_cabinet)";
+    let cases: [(&[&str], bool, &str, bool); 6] = [
+        (&["book", "mug"], true, both, true),
+        (&["book", "mug"], false, both, true),
+        (&["book", "mug"], true, "Inside(book, bathroom_cabinet) & Inside(mug, fridge)", true),
+        (&["book", "mug"], true, "Inside(book, bathroom_cabinet) & Holds(mug) & Closed(bathroom_cabinet)", true),
+        // With a hand free nothing needs to be put down.
+        (&["book"], true, both, false),
+        (&[], false, both, false),
+    ];
+    for (held, at_cabinet, text, again) in cases {
+        let home = home(held, at_cabinet);
+        let goal: Goal = text.parse().unwrap();
+        let found = plan(&mut home.scene.clone(), home.me, &goal, &History::default()).unwrap();
+        let told = format!("{held:?} {at_cabinet} {text}: {:?}", found.actions);
+        let within =
+            brute::World { scene: &home.scene, me: home.me, actions: &actions(&home), remembered: &|_| Vec::new() };
+        let best = brute::shortest(&within, &goal, found.actions.len() + 1, 200_000).unwrap();
+        assert_eq!(best, Some(found.actions.len()), "{told}");
+        let held_first = |id: &NodeId| home.scene.holder(*id).is_some();
+        let retaken =
+            found.actions.iter().filter(|a| a.verb == Verb::Grab && a.object.is_some_and(|id| held_first(&id)));
+        assert_eq!(retaken.count() > 0, again, "{told}");
+        let mut world = Simulator::new(home.scene.clone());
+        found.actions.iter().for_each(|a| drop(world.step(home.me, a).unwrap()));
+        let cabinet = home.places[1];
+        assert!(
+            world.graph().places(home.things[0]).any(|p| p.relation == Relation::Inside && p.at == cabinet),
+            "{told}"
+        );
+    }
+}
