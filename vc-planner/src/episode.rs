@@ -5,6 +5,7 @@ use vc_graph::goal::Situation;
 use vc_graph::{Action, Digest, NodeId, Observation, Place, SceneGraph, Seed};
 use vc_tasks::{Outcome, Task, World};
 
+use crate::offline::as_json;
 use crate::policy::{Brief, Policy, Reaction};
 use crate::{Decision, Learned, Plan};
 
@@ -17,6 +18,11 @@ pub struct Step {
     pub room: Option<String>,
     /// How many things it saw.
     pub seen: usize,
+    /// Digest of what it saw.
+    pub sight: String,
+    /// What it saw, if the [`Run`] keeps that.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub observation: Option<serde_json::Value>,
     /// What it saw for the first time.
     pub found: Vec<String>,
     /// Things it no longer believes where it guessed them.
@@ -89,12 +95,15 @@ pub struct Run {
     pub agent: Option<NodeId>,
     /// Where the policy's randomness comes from.
     pub seed: Seed,
+    /// Whether each step keeps all that was seen, not only its digest: many times as much,
+    /// in the form of [`Transition::observation`](crate::Transition::observation).
+    pub keeps_observations: bool,
 }
 
 impl Run {
     /// A run with a seed.
     pub fn seeded(seed: u64) -> Self {
-        Self { agent: None, seed: Seed(seed) }
+        Self { seed: Seed(seed), ..Self::default() }
     }
 
     /// Lets a policy pursue a task until it is done, gives up or runs out of steps,
@@ -113,7 +122,7 @@ impl Run {
             return Episode { outcome: Outcome::Lost, score: 0.0, steps: 0, reason, digest };
         };
         policy.begin(&Brief { scene: world.graph(), agent, task, seed: self.seed });
-        let mut running = Running { agent, task, world, done: 0 };
+        let mut running = Running { agent, task, world, done: 0, keeps_observations: self.keeps_observations };
         let (outcome, reason) = loop {
             if let Some(end) = running.step(policy, watch) {
                 break end;
@@ -131,6 +140,7 @@ struct Running<'a> {
     task: &'a Task,
     world: &'a mut dyn World,
     done: usize,
+    keeps_observations: bool,
 }
 
 impl Running<'_> {
@@ -149,6 +159,7 @@ impl Running<'_> {
             Decision::GiveUp(why) => return Some((Outcome::Lost, Some(why.to_string()))),
         };
         let mut step = describe(self.world.graph(), policy, &seen, &learned, action, &plan);
+        step.observation = self.keeps_observations.then(|| as_json(&seen));
         // The scene's nodes are shared with what is seen: letting go saves a copy.
         drop(seen);
         self.done += 1;
@@ -197,6 +208,8 @@ fn describe(
         step: 0,
         room: seen.room().as_ref().map(label),
         seen: seen.len(),
+        sight: seen.digest().to_string(),
+        observation: None,
         found: learned.found.iter().map(label).collect(),
         disproved: learned.disproved.iter().map(label).collect(),
         believed: policy.guesses().iter().map(|&(id, place)| guess(graph, id, place)).collect(),

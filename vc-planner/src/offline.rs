@@ -1,6 +1,6 @@
 //! Trajectories as transitions, for reinforcement learning from what others have done.
 //!
-//! A record says what was done, not all that was seen. Since actions on a scene are
+//! A record need not say all that was seen. Since actions on a scene are
 //! deterministic, the observations are made again by replaying it from its first scene.
 
 #[cfg(feature = "parquet")]
@@ -47,9 +47,7 @@ impl Trajectory {
     /// [`Fault::OtherScene`] if it began in another scene, [`Fault::Refused`] if a step
     /// that was done cannot be done there.
     pub fn transitions(&self, initial: &SceneGraph, scope: Scope) -> Result<Vec<Transition>, Fault> {
-        if initial.digest().to_string() != self.header.digest {
-            return Err(Fault::OtherScene);
-        }
+        self.is_of(initial)?;
         let (goal, me) = (&self.header.goal, self.header.agent);
         let mut world = Simulator::new(initial.clone());
         let score = |world: &Simulator| goal.score(&Situation::new(world.graph(), me, world.history()));
@@ -57,12 +55,7 @@ impl Trajectory {
         let (mut before, mut seen) = (score(&world), look(&world));
         let mut all = Vec::new();
         for (i, step) in self.steps.iter().enumerate() {
-            if let Err(why) = world.step(me, &step.action)
-                && step.refused.is_none()
-            {
-                let why = why.first().map_or_else(String::new, ToString::to_string);
-                return Err(Fault::Refused(step.step, why));
-            }
+            self.redo(&mut world, step)?;
             let (after, now) = (score(&world), look(&world));
             let (last, won) = (i + 1 == self.steps.len(), self.summary.outcome == Outcome::Won);
             all.push(Transition {
@@ -82,7 +75,7 @@ impl Trajectory {
 
 /// An observation as JSON: `{"room": "kitchen.1", "things": [["cup.4", "CLEAN"]],
 /// "relations": [["cup.4", "ON", "table.2"]]}`.
-fn as_json(seen: &Observation) -> Value {
+pub(crate) fn as_json(seen: &Observation) -> Value {
     let label = |id| seen.get(id).map(|n| n.label().to_string());
     let things = seen.nodes().filter(|n| n.kind() == Kind::Object).map(|node| {
         let states = node.states().iter().map(|s| s.to_string().into());

@@ -4,13 +4,14 @@ use std::fmt::Write as _;
 
 use serde::{Deserialize, Serialize};
 use vc_graph::goal::Situation;
-use vc_graph::{Action, Edge, Goal, NodeId, Relation, SceneGraph, Seed, Simulator, Verb};
+use vc_graph::{Action, Edge, Goal, NodeId, Observation, Refusal, Relation, SceneGraph, Scope, Seed, Simulator, Verb};
 use vc_tasks::{Outcome, Task, World};
 
+use crate::offline::as_json;
 use crate::{Policy, Run, Step, Summary};
 
 /// The first line of a record: what the episode was about.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Header {
     /// The scene's name.
     pub scene: String,
@@ -24,6 +25,8 @@ pub struct Header {
     pub agent: NodeId,
     /// The policy's name.
     pub policy: String,
+    /// How far it saw.
+    pub scope: Scope,
     /// Its seed.
     pub seed: Seed,
 }
@@ -72,6 +75,10 @@ pub enum Fault {
     /// An action was refused, though it can be done.
     #[error("step {0}: it was refused, and can be done")]
     NotRefused(usize),
+    /// What was seen before a step is something else: the room, the number of things, or
+    /// the digest.
+    #[error("step {0}: what was seen before it is something else")]
+    OtherSight(usize),
     /// The scene after a step is another.
     #[error("step {0}: the scene after it is another")]
     OtherState(usize),
@@ -86,19 +93,26 @@ pub enum Fault {
     Met,
 }
 
-impl Trajectory {
-    /// Runs an episode and records it.
-    pub fn record(run: &Run, policy: &mut dyn Policy, task: &Task, world: &mut dyn World) -> Self {
-        let graph = world.graph();
-        let header = Header {
+impl Header {
+    /// The header of an episode that is about to begin in a scene.
+    pub fn of(run: &Run, policy: &dyn Policy, task: &Task, graph: &SceneGraph) -> Self {
+        Self {
             scene: graph.name().to_owned(),
             digest: graph.digest().to_string(),
             task: task.title.clone(),
             goal: task.goal.clone(),
             agent: run.agent.or_else(|| graph.agents().first().copied()).unwrap_or(NodeId(0)),
             policy: policy.name().to_owned(),
+            scope: policy.scope(),
             seed: run.seed,
-        };
+        }
+    }
+}
+
+impl Trajectory {
+    /// Runs an episode and records it.
+    pub fn record(run: &Run, policy: &mut dyn Policy, task: &Task, world: &mut dyn World) -> Self {
+        let header = Header::of(run, policy, task, world.graph());
         let mut steps = Vec::new();
         let episode = run.episode(policy, task, world, &mut |step| steps.push(step.clone()));
         Self { header, steps, summary: episode.summary() }
@@ -129,11 +143,40 @@ impl Trajectory {
         Ok(Self { header: read(first)?, steps: steps?, summary: read(last)? })
     }
 
+    /// The scenes an episode went through, replayed symbolically: the first one, then that
+    /// after each step. They share what did not change.
+    ///
+    /// # Errors
+    /// [`Fault::OtherScene`] if it began in another scene, [`Fault::Refused`] if a step
+    /// that was done cannot be done there.
+    pub fn replay(&self, initial: &SceneGraph) -> Result<Vec<SceneGraph>, Fault> {
+        self.is_of(initial)?;
+        let mut world = Simulator::new(initial.clone());
+        let mut scenes = vec![initial.clone()];
+        for step in &self.steps {
+            self.redo(&mut world, step)?;
+            scenes.push(world.graph().clone());
+        }
+        Ok(scenes)
+    }
+
+    pub(crate) fn is_of(&self, initial: &SceneGraph) -> Result<(), Fault> {
+        if initial.digest().to_string() == self.header.digest { Ok(()) } else { Err(Fault::OtherScene) }
+    }
+
+    /// Does a step once more. What was refused changes nothing.
+    pub(crate) fn redo(&self, world: &mut Simulator, step: &Step) -> Result<(), Fault> {
+        if step.refused.is_some() {
+            return Ok(());
+        }
+        world.step(self.header.agent, &step.action).map(drop).map_err(|why| refused(step, &why))
+    }
+
     /// What is wrong with the trajectory when it is replayed symbolically from a scene:
     /// the thesis's post-processing check. Empty if nothing is.
     pub fn check(&self, initial: &SceneGraph) -> Vec<Fault> {
-        if initial.digest().to_string() != self.header.digest {
-            return vec![Fault::OtherScene];
+        if let Err(fault) = self.is_of(initial) {
+            return vec![fault];
         }
         let mut faults = Vec::new();
         let mut world = Simulator::new(initial.clone());
@@ -156,11 +199,12 @@ impl Trajectory {
         if last == Some(step.action) {
             faults.push(Fault::Duplicate(number));
         }
+        if !saw(step, &world.graph().observe(me, self.header.scope), world.graph()) {
+            faults.push(Fault::OtherSight(number));
+        }
         match (world.step(me, &step.action), &step.refused) {
             (Ok(_), Some(_)) => faults.push(Fault::NotRefused(number)),
-            (Err(why), None) => {
-                faults.push(Fault::Refused(number, why.first().map_or_else(String::new, ToString::to_string)));
-            }
+            (Err(why), None) => faults.push(refused(step, &why)),
             (Ok(_), None) => {
                 if let Some(edge) = expected(world.graph(), me, &step.action).filter(|e| !world.graph().has(*e)) {
                     faults.push(Fault::Relation(number, edge.to_string()));
@@ -172,6 +216,17 @@ impl Trajectory {
             faults.push(Fault::OtherState(number));
         }
     }
+}
+
+fn refused(step: &Step, why: &[Refusal]) -> Fault {
+    Fault::Refused(step.step, why.first().map_or_else(String::new, ToString::to_string))
+}
+
+/// Whether a step's record of what was seen is right.
+fn saw(step: &Step, seen: &Observation, graph: &SceneGraph) -> bool {
+    let room = seen.room().map(|id| graph.label(id).to_string());
+    let whole = step.observation.as_ref().is_none_or(|told| *told == as_json(seen));
+    whole && room == step.room && seen.len() == step.seen && seen.digest().to_string() == step.sight
 }
 
 fn read<T: serde::de::DeserializeOwned>(&(line, text): &(usize, &str)) -> Result<T, RecordError> {
