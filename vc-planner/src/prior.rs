@@ -25,6 +25,38 @@ pub enum Prior {
 
 /// That things of a class are found at a place, so many times as likely as at one
 /// with weight 1.
+///
+/// Things that are not where habit puts them may be anywhere, so no chance is zero: the
+/// weights say how much is added to that.
+///
+/// ```
+/// use vc_graph::{Draft, Place, Relation, SceneBuilder};
+/// use vc_planner::{Belief, Habit, Prior};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let [cupboard, counter, table] = ["kitchen_cabinet", "kitchen_counter", "kitchen_table"];
+/// let cupboard = scene.add_in(kitchen, Draft::new(cupboard))?;
+/// let counter = scene.add_in(kitchen, Draft::new(counter))?;
+/// let table = scene.add_in(kitchen, Draft::new(table))?;
+/// let mug = scene.add_in(cupboard, Draft::new("mug"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+///
+/// let habit = |relation, at: &str, weight| Habit {
+///     class: "mug".into(),
+///     room: Some("kitchen".into()),
+///     relation,
+///     at: at.into(),
+///     weight,
+/// };
+/// let habits = [habit(Relation::Inside, "kitchen_cabinet", 3.0), habit(Relation::On, "kitchen_counter", 1.0)];
+/// let belief = Belief::by_prior(&scene.build(), me, 0, Prior::Habits(habits.into()));
+/// let chance = |relation, at| belief.probability(mug, Place { relation, at });
+/// let astray = chance(Relation::On, table);
+/// let (often, seldom) = (chance(Relation::Inside, cupboard), chance(Relation::On, counter));
+/// assert!(((often - astray) / (seldom - astray) - 3.0).abs() < 1e-9);
+/// assert!(often > seldom && seldom > astray && astray > 0.0);
+/// # Ok::<(), vc_graph::EditError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Habit {
     /// Class of the thing, `mug`; kinds of it are meant as well.

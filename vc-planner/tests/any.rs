@@ -3,10 +3,14 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap and tell")]
 
+#[path = "support/shortest.rs"]
+mod brute;
+
 use vc_graph::goal::Situation;
+use vc_graph::rule::{self, Effect};
 use vc_graph::{
-    Action, ChangeSet, Draft, Goal, History, NodeId, Property, PropertySet, SceneBuilder, SceneGraph, Seed, Simulator,
-    State, Stream, Verb,
+    Action, ChangeSet, Draft, Event, Goal, History, Kind, NodeId, Property, PropertySet, SceneBuilder, SceneGraph,
+    Seed, Simulator, State, Stream, Verb, Word,
 };
 use vc_planner::{Newcomer, Policy, Resident, Run, Unreachable, plan};
 use vc_tasks::{Outcome, Task, World, WorldError};
@@ -96,6 +100,53 @@ fn any_goals(number: u64) -> impl Iterator<Item = (u64, String, Goal)> {
         let goal = text.parse().ok()?;
         Some((seed, text, goal))
     })
+}
+
+/// What can be done about what a goal names, and about what that is on or in.
+fn actions_about(scene: &SceneGraph, text: &str) -> Vec<Action> {
+    let named = scene.nodes().filter(|n| n.kind() != Kind::Agent && text.contains(&**n.class())).map(|n| n.id());
+    let mut things: Vec<NodeId> = named.flat_map(|id| [Some(id), scene.place(id).map(|p| p.at)]).flatten().collect();
+    things.sort_unstable();
+    things.dedup();
+    // To look at things and the like changes nothing, unless it is asked for.
+    let idle = |verb: Verb| !verb.rule().does.iter().any(|e| !matches!(e, Effect::Face(_)));
+    let named = |verb: Verb| text.contains(&format!("{verb:?}("));
+    let useful = |verb: &Verb| *verb != Verb::Run && *verb != Verb::Find && (named(*verb) || !idle(*verb));
+    let turn = text.contains("Facing(").then_some(Verb::TurnTo);
+    let verbs: Vec<Verb> = Verb::ALL.iter().copied().filter(useful).chain(turn).collect();
+    let mut all: Vec<Action> = Vec::new();
+    for &verb in &verbs {
+        match verb.arity() {
+            0 => all.push(Action::zero(verb)),
+            1 => all.extend(things.iter().map(|&id| Action::one(verb, id))),
+            _ => all.extend(things.iter().flat_map(|&a| things.iter().map(move |&b| Action::two(verb, a, b)))),
+        }
+    }
+    let me = scene.agents()[0];
+    all.retain(|a| rule::preconditions(a).iter().filter(|c| c.is_lasting()).all(|c| c.holds(scene, me)));
+    all
+}
+
+/// What is refused is not to be had by a few actions, whichever they are.
+#[test]
+fn what_is_refused_cannot_be_had_by_a_few_actions() {
+    const DEPTH: usize = 5;
+    let (mut whole, mut cut) = (0, 0);
+    for (seed, text, goal) in any_goals(300) {
+        let scene = home(seed);
+        let me = scene.agents()[0];
+        let Err(why) = plan(&mut scene.clone(), me, &goal, &History::default()) else { continue };
+        let asked = |a: &Action| text.contains(&format!("{:?}(", a.verb));
+        let deeds = |events: &[Event]| events.iter().map(|e| e.action).filter(asked).collect();
+        let actions = actions_about(&scene, &text);
+        let world = brute::World { scene: &scene, me, actions: &actions, remembered: &deeds };
+        match brute::shortest(&world, &goal, DEPTH + 1, 3_000) {
+            Ok(found) => assert_eq!((found, whole += 1).0, None, "{seed} {text}: {why}"),
+            Err(()) => cut += 1,
+        }
+    }
+    println!("{whole} refused goals searched to {DEPTH} actions, {cut} to so many states");
+    assert!(whole >= 20, "{whole} {cut}");
 }
 
 #[test]

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
+use std::collections::BTreeMap;
+
 use vc_graph::{Draft, Event, Goal, History, NodeId, SceneBuilder, SceneGraph, Seed, Simulator, Verb};
 use vc_planner::{Helper, Newcomer, Policy, Team, Watcher, plan, run_together};
 use vc_tasks::{Outcome, Task};
@@ -116,6 +118,45 @@ fn what_is_waited_for_is_not_shut() {
     }
 }
 
+/// Nobody fetches what another has fetched, unless that one had to put it down on the way to
+/// free a hand: then it is taken over, which is rare.
+#[test]
+fn each_thing_is_fetched_by_one() {
+    let (mut fetched, mut taken_over) = (0, 0);
+    for seed in 0..20 {
+        for known in [true, false] {
+            let scene = home(seed);
+            let task = Task::new("together", GOAL.parse().unwrap());
+            let mut team = match known {
+                true => Team::residents(&scene, scene.agents(), &task.goal),
+                false => Team::newcomers(&scene, scene.agents(), &task.goal, seed),
+            };
+            let mut world = Simulator::new(scene);
+            assert_eq!(team.run(&task, &mut world).outcome, Outcome::Won);
+            // Who had each thing last in hand, and how often it was put down since.
+            let mut last: BTreeMap<NodeId, (NodeId, usize)> = BTreeMap::new();
+            for event in world.history().events() {
+                let Some(item) = event.action.object else { continue };
+                match event.action.verb {
+                    Verb::Grab => {
+                        if let Some((agent, put)) = last.insert(item, (event.agent, 0)) {
+                            assert!(put > 0, "{seed} {known}: {item} is grabbed twice");
+                            taken_over += usize::from(agent != event.agent);
+                        } else {
+                            fetched += 1;
+                        }
+                    }
+                    Verb::Place | Verb::PutIn | Verb::Drop => last.get_mut(&item).unwrap().1 += 1,
+                    _ => {}
+                }
+            }
+        }
+    }
+    println!("{fetched} things fetched, {taken_over} of them taken over on the way");
+    assert!(fetched > 200, "{fetched}");
+    assert!(taken_over * 100 <= fetched, "{taken_over} of {fetched}");
+}
+
 #[test]
 fn what_somebody_does_tells_its_goal() {
     let goals = [
@@ -149,8 +190,9 @@ const POSSIBLE: [&str; 4] = [
     "On(book, coffee_table) & On(cellphone, coffee_table) & On(fork, coffee_table) & On(bowl, coffee_table)",
 ];
 
-#[test]
-fn a_helper_saves_steps() {
+/// Rounds alone and helped in twenty homes, and how often the helper knew the goal in the
+/// end.
+fn helped_by(helper: fn(Vec<Goal>) -> Helper) -> (usize, usize, usize) {
     let goals: Vec<Goal> = POSSIBLE.iter().map(|g| g.parse().unwrap()).collect();
     let (mut alone, mut helped, mut right) = (0, 0, 0);
     for seed in 0..20 {
@@ -163,11 +205,24 @@ fn a_helper_saves_steps() {
         };
         let ids = scene.agents();
         alone += rounds(&mut [(ids[0], &mut Newcomer::best())]);
-        let mut helper = Helper::resident(goals.clone());
+        let mut helper = helper(goals.clone());
         helped += rounds(&mut [(ids[0], &mut Newcomer::best()), (ids[1], &mut helper)]);
         right += usize::from(*helper.likely()[0].0 == task.goal);
     }
     println!("alone {alone}, helped {helped}: {:.3}; {right} of 20 goals inferred", helped as f64 / alone as f64);
+    (alone, helped, right)
+}
+
+#[test]
+fn a_helper_saves_steps() {
+    let (alone, helped, right) = helped_by(Helper::resident);
     assert!(right >= 18, "{right}");
     assert!(helped * 100 <= alone * 80, "{helped} of {alone}");
+}
+
+/// Who sees only the room it is in sees less of what the other does, and helps less.
+#[test]
+fn a_helper_that_has_just_moved_in_saves_steps_too() {
+    let (alone, helped, _) = helped_by(Helper::newcomer);
+    assert!(helped < alone, "{helped} of {alone}");
 }

@@ -1,0 +1,68 @@
+//! A language model as a policy: what the world refuses is told to it, and it is not
+//! asked for ever.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+use vc_graph::{Draft, SceneBuilder, SceneGraph, Simulator};
+use vc_planner::language::Prompt;
+use vc_planner::{Episode, LanguageModel, run_episode};
+use vc_tasks::{Outcome, Task};
+
+fn flat() -> SceneGraph {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let fridge = scene.add_in(kitchen, Draft::new("fridge")).unwrap();
+    scene.add_in(fridge, Draft::new("milk")).unwrap();
+    scene.add_in(kitchen, Draft::new("character")).unwrap();
+    scene.build()
+}
+
+/// An episode with these answers, the last of which is given again and again, and all
+/// that was asked.
+fn episode(answers: &[&str]) -> (Episode, Vec<Prompt>) {
+    let task = Task::new("fetch the milk", "Holds(milk)".parse().unwrap());
+    let mut asked: Vec<Prompt> = Vec::new();
+    let mut model = LanguageModel::new(|prompt: &Prompt| {
+        asked.push(prompt.clone());
+        Ok((*answers.get(asked.len() - 1).or(answers.last()).unwrap()).to_owned())
+    });
+    let episode = run_episode(&mut model, &task, &mut Simulator::new(flat()));
+    drop(model);
+    (episode, asked)
+}
+
+const REFUSED: &str = "Your last answer was not possible";
+
+#[test]
+fn what_the_world_refuses_is_told_with_its_reason() {
+    let (episode, asked) = episode(&["open fridge.2", "walk fridge.2", "open fridge.2", "grab milk.3"]);
+    assert_eq!((episode.outcome, episode.steps), (Outcome::Won, 4), "{asked:#?}");
+    assert!(!asked[0].user.contains(REFUSED));
+    let line = asked[1].user.lines().find(|l| l.starts_with(REFUSED)).unwrap();
+    assert!(line.contains("open") && line.contains("near"), "{line}");
+    // What could not be done is not told as done, and what then went well ends the blame.
+    assert!(asked[1].user.contains("You have done:\n\n"), "{}", asked[1].user);
+    assert!(!asked[2].user.contains(REFUSED) && asked[2].user.contains("You have done:\nwalk fridge.2\n"));
+}
+
+#[test]
+fn after_four_refusals_it_is_over() {
+    let (over, asked) = episode(&["open fridge.2"]);
+    assert_eq!((over.outcome, over.steps, asked.len()), (Outcome::Aborted, 4, 4));
+    let reason = over.reason.unwrap();
+    assert!(reason.contains("open fridge.2") && reason.contains("near"), "{reason}");
+    assert!(asked[1..].iter().all(|prompt| prompt.user.contains(REFUSED)));
+    // Three in a row are borne, and counted anew after something was done.
+    let stubborn = ["open fridge.2", "open fridge.2", "open fridge.2", "walk fridge.2"];
+    let again = ["grab milk.3", "grab milk.3", "grab milk.3", "open fridge.2", "grab milk.3"];
+    let (won, asked) = episode(&[&stubborn[..], &again[..]].concat());
+    assert_eq!(won.outcome, Outcome::Won, "{won:?}\n{asked:#?}");
+}
+
+#[test]
+fn answers_that_say_nothing_end_it() {
+    let (lost, asked) = episode(&["I would rather not."]);
+    assert_eq!((lost.outcome, lost.steps, asked.len()), (Outcome::Lost, 0, 4));
+    assert!(lost.reason.unwrap().starts_with("no usable answer"));
+    assert!(asked[1].user.contains("is no action"));
+}
