@@ -5,11 +5,14 @@
 //! Table 5.2 beside ours and writes tables and plots. The results do not depend on the
 //! number of threads.
 
+#[path = "support/chart.rs"]
+mod chart;
 #[expect(dead_code, reason = "this example reads no files")]
 mod support;
 
 use std::path::{Path, PathBuf};
 
+use chart::{Bars, Line, bars, lines};
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -111,16 +114,22 @@ const THESIS: [(&str, [f64; 3]); 3] = [
     ("thesis: planner", [82.07, 27.61, 11.80]),
 ];
 
+/// Watch-And-Help's planner, run on tasks of five predicates, and the optimum with full
+/// knowledge: steps on average.
+const WATCH_AND_HELP: (usize, [f64; 2]) = (5, [60.5, 26.9]);
+
+/// The rows of Table 5.2: the thesis's, then ours.
+fn table(report: &Report) -> Vec<(String, [f64; 3])> {
+    let thesis = THESIS.iter().map(|(name, figures)| ((*name).to_owned(), *figures));
+    let ours = policies().map(|p| (p.name().to_owned(), figures(report, p.name(), |_| true)));
+    thesis.chain(ours).collect()
+}
+
 fn show(report: &Report, environments: usize, unmade: usize) {
     say!("{environments} environments, {unmade} of them could not be made");
     say!("{:<34}{:>12}{:>12}{:>22}", "", "completed", "steps", "steps when completed");
     let row = |name: &str, [done, steps, won]: [f64; 3]| say!("{name:<34}{done:>11.2}%{steps:>12.2}{won:>22.2}");
-    for (name, figures) in THESIS {
-        row(name, figures);
-    }
-    for policy in policies() {
-        row(policy.name(), figures(report, policy.name(), |_| true));
-    }
+    table(report).iter().for_each(|(name, figures)| row(name, *figures));
     let solvable: Vec<&Run> = report.runs.iter().filter(|r| r.agent == "oracle" && r.best_steps.is_some()).collect();
     say!("\nThe oracle solves {} of {}. Of these:", solvable.len(), environments - unmade);
     for policy in policies() {
@@ -129,7 +138,14 @@ fn show(report: &Report, environments: usize, unmade: usize) {
     say!(
         "\nSteps as a multiple of the oracle's, by the number of things a goal asks for, where all but random succeed:"
     );
-    ratios(report);
+    let names: Vec<String> = compared().iter().map(|name| format!("{name:>18}")).collect();
+    say!("{:>10}{:>14}  {}", "things", "environments", names.concat());
+    for Ratios { things, environments, of } in ratios(report) {
+        let cells: Vec<String> = of.iter().map(|ratio| format!("{ratio:>18.2}")).collect();
+        say!("{things:>10}{environments:>14}  {}", cells.concat());
+    }
+    let (things, [theirs, best]) = WATCH_AND_HELP;
+    say!("Watch-And-Help's planner against the optimum at {things}: {theirs} / {best} = {:.2}", theirs / best);
 }
 
 /// Completion in percent, steps (100 where the task is not completed, as in the
@@ -145,31 +161,79 @@ fn figures(report: &Report, name: &str, which: impl Fn(&Run) -> bool) -> [f64; 3
     [100.0 * won.len() as f64 / all, (sum + NOT_COMPLETED * failed) / all, sum / won.len().max(1) as f64]
 }
 
-fn ratios(report: &Report) {
-    let names: Vec<String> = policies().iter().skip(1).map(|p| p.name().to_owned()).collect();
-    say!("{:>10}{:>14}  {}", "things", "environments", names.iter().map(|n| format!("{n:>18}")).collect::<String>());
+/// All but random, which hardly ever succeeds.
+fn compared() -> Vec<String> {
+    policies().iter().skip(1).map(|p| p.name().to_owned()).collect()
+}
+
+/// Steps as a multiple of the oracle's where a goal asks for so many things.
+struct Ratios {
+    things: usize,
+    environments: usize,
+    /// In the order of [`compared`].
+    of: Vec<f64>,
+}
+
+fn ratios(report: &Report) -> Vec<Ratios> {
     let mut numbers: Vec<usize> = report.runs.iter().map(|r| r.predicates).collect();
     numbers.sort_unstable();
     numbers.dedup();
-    for number in numbers {
-        let group: Vec<&[Run]> = report.runs.chunks(policies().len()).filter(|g| g[0].predicates == number).collect();
-        let all_won: Vec<&&[Run]> =
-            group.iter().filter(|g| g[1..].iter().all(|r| r.outcome == Outcome::Won && r.steps > 0)).collect();
-        let oracle: usize = all_won.iter().map(|g| g[g.len() - 1].steps).sum();
-        let cell = |i: usize| {
-            let steps: usize = all_won.iter().map(|g| g[i].steps).sum();
-            format!("{:>18.2}", steps as f64 / oracle.max(1) as f64)
-        };
-        let cells: String = (1..policies().len()).map(cell).collect();
-        say!("{number:>10}{:>14}  {cells}", all_won.len());
+    let row = |things: usize| {
+        let group = report.runs.chunks(policies().len()).filter(|g| g[0].predicates == things);
+        let all_won: Vec<&[Run]> =
+            group.filter(|g| g[1..].iter().all(|r| r.outcome == Outcome::Won && r.steps > 0)).collect();
+        let steps = |i: usize| all_won.iter().map(|g| g[i].steps).sum::<usize>() as f64;
+        let oracle = steps(policies().len() - 1).max(1.0);
+        let of = (1..policies().len()).map(|i| steps(i) / oracle).collect();
+        Ratios { things, environments: all_won.len(), of }
+    };
+    numbers.into_iter().map(row).filter(|row| row.environments > 0).collect()
+}
+
+fn table_csv(rows: &[(String, [f64; 3])]) -> String {
+    let line = |(name, [done, steps, won]): &(String, [f64; 3])| format!("\"{name}\",{done:.2},{steps:.2},{won:.2}\n");
+    "policy,completed_percent,steps,steps_when_completed\n".to_owned() + &rows.iter().map(line).collect::<String>()
+}
+
+fn table_svg(rows: &[(String, [f64; 3])]) -> String {
+    let group = |(name, values): &(String, [f64; 3])| Bars { name: name.clone(), values: values.to_vec() };
+    let groups: Vec<Bars> = rows.iter().map(group).collect();
+    let measures = [("completed, %", 100.0), ("steps", 100.0), ("steps when completed", 100.0)];
+    bars("Table 5.2: the thesis's rows and ours", &measures, &groups)
+}
+
+fn ratios_csv(rows: &[Ratios]) -> String {
+    let (things, [theirs, best]) = WATCH_AND_HELP;
+    let names: String = compared().iter().map(|name| format!(",\"{name}\"")).collect();
+    let mut csv = format!("things,environments{names},Watch-And-Help\n");
+    for row in rows {
+        let cells: String = row.of.iter().map(|ratio| format!(",{ratio:.3}")).collect();
+        let reference = if row.things == things { format!("{:.3}", theirs / best) } else { String::new() };
+        csv += &format!("{},{}{cells},{reference}\n", row.things, row.environments);
     }
+    csv
+}
+
+fn ratios_svg(rows: &[Ratios]) -> String {
+    let (things, [theirs, best]) = WATCH_AND_HELP;
+    let points = |i: usize| rows.iter().map(|row| (row.things as f64, row.of[i])).collect();
+    let ours = compared().into_iter().enumerate().map(|(i, name)| Line { name, points: points(i), joined: true });
+    let theirs =
+        Line { name: "Watch-And-Help's planner".into(), points: vec![(things as f64, theirs / best)], joined: false };
+    let all: Vec<Line> = ours.chain([theirs]).collect();
+    lines("Steps as a multiple of the oracle's", "things a goal asks for", "multiple", &all)
 }
 
 fn write(report: &Report, out: &Path) -> Result<(), Complaint> {
     std::fs::create_dir_all(out).map_err(|e| Complaint::new(format!("{}: {e}", out.display())))?;
     let agents = report.table(By::Agent);
     let by_number = report.table(By::Predicates);
+    let (table, ratios) = (table(report), ratios(report));
     let files = [
+        ("table_5_2.csv", table_csv(&table)),
+        ("table_5_2.svg", table_svg(&table)),
+        ("ratios.csv", ratios_csv(&ratios)),
+        ("ratios.svg", ratios_svg(&ratios)),
         ("runs.csv", report.csv()),
         ("agents.csv", agents.csv()),
         ("predicates.csv", by_number.csv()),

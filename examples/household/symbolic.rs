@@ -7,7 +7,7 @@ use std::sync::Arc;
 use vc_graph::format::read_scene;
 use vc_graph::goal::Situation;
 use vc_graph::{Action, ClassTable, Goal, Kind, NodeId, SceneGraph, Simulator, Verb, Word};
-use vc_planner::{Episode, Run, Step};
+use vc_planner::{Episode, Header, Run, Step};
 use vc_tasks::{Outcome, Task};
 
 use crate::Options;
@@ -54,9 +54,10 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     say!("goal   {}\n", task.goal);
     let mut policy = options.policy.policy();
     let mut world = Simulator::new(scene.clone());
-    let mut record = Record::create(&options.out.with_extension("jsonl"), scene, task, options.seed)?;
-    let mut failed = None;
     let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
+    let mut record = Record::create(&options.out.with_extension("jsonl"))?;
+    record.line(&Header::of(&run, policy.as_ref(), task, scene))?;
+    let mut failed = None;
     let episode = run.episode(policy.as_mut(), task, &mut world, &mut |step| {
         show(step);
         failed = failed.take().or(record.line(step).err());
@@ -133,23 +134,21 @@ fn yes(condition: bool, then: &'static str, otherwise: &'static str) -> &'static
     if condition { then } else { otherwise }
 }
 
-/// The trajectory: a line about the episode, one for each step, and the result.
+/// The trajectory, written line by line so that a run that is broken off leaves what it did:
+/// as [`Trajectory::read_json_lines`](vc_planner::Trajectory::read_json_lines) reads it.
 struct Record {
     file: std::io::BufWriter<std::fs::File>,
     path: PathBuf,
 }
 
 impl Record {
-    fn create(path: &Path, scene: &SceneGraph, task: &Task, seed: u64) -> Result<Self, Complaint> {
+    fn create(path: &Path) -> Result<Self, Complaint> {
         let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", path.display()));
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(fail)?;
         }
         let file = std::io::BufWriter::new(std::fs::File::create(path).map_err(fail)?);
-        let mut record = Self { file, path: path.to_owned() };
-        let digest = scene.digest().to_string();
-        record.line(&serde_json::json!({"scene": scene.name(), "digest": digest, "goal": task.goal, "seed": seed}))?;
-        Ok(record)
+        Ok(Self { file, path: path.to_owned() })
     }
 
     fn line(&mut self, value: &impl serde::Serialize) -> Result<(), Complaint> {
@@ -192,5 +191,32 @@ fn list(scene: &SceneGraph, me: NodeId) {
     say!("\ngoals that make sense here, for --goal");
     for task in vc_tasks::household().iter().filter(|t| t.obstacles(scene).is_empty()) {
         say!("  {}", task.goal);
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
+mod tests {
+    use clap::Parser;
+    use vc_planner::Trajectory;
+
+    use super::*;
+
+    #[test]
+    fn what_is_written_is_read_back_and_replays() {
+        let folder = std::env::temp_dir().join(format!("vc-household-{}", std::process::id()));
+        let out = folder.join("symbolic");
+        for who in ["planner", "oracle"] {
+            let words = ["household", "--symbolic", "--policy", who, "--out", out.to_str().unwrap()];
+            super::main(&Options::parse_from(words)).unwrap();
+            let text = std::fs::read_to_string(out.with_extension("jsonl")).unwrap();
+            let trajectory = Trajectory::read_json_lines(&text).unwrap();
+            let scene = read_scene(APARTMENT, &ClassTable::builtin()).unwrap();
+            assert_eq!(trajectory.check(&scene), []);
+            assert_eq!(trajectory.summary.outcome, Outcome::Won);
+            assert_eq!(trajectory.header.goal, GOAL.parse().unwrap());
+            assert_eq!(trajectory.replay(&scene).unwrap().len(), trajectory.steps.len() + 1);
+        }
+        std::fs::remove_dir_all(folder).unwrap();
     }
 }
