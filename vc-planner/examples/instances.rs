@@ -15,7 +15,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use homes::{errands, home};
-use vc_graph::{Draft, Goal, SceneBuilder, SceneGraph};
+use vc_graph::{Action, Draft, Goal, SceneBuilder, SceneGraph, Simulator, Verb};
 use vc_planner::{Effort, Planner};
 use vc_tasks::format::pddl::{self, Keep};
 
@@ -80,8 +80,10 @@ fn main() {
         let scene = home(OBJECTS, 200 + seed);
         write(format!("errands-12-{seed}"), 12, &scene, &errands(&scene, 12, seed).join(" & "));
     }
-    let (scene, goal) = hands();
-    write("hands".into(), 2, &scene, goal);
+    for (name, full) in [("hands", false), ("hands-full", true)] {
+        let (scene, goal) = hands(full);
+        write(name.into(), 2, &scene, goal);
+    }
     std::fs::write(folder.join("instances.csv"), &list).unwrap();
     println!("{} instances written to {}", list.lines().count() - 1, folder.display());
 }
@@ -97,15 +99,20 @@ fn best(mut call: impl FnMut()) -> Duration {
 }
 
 /// Two things at one place, to be shut away at another: with both hands full nothing
-/// can be opened.
-fn hands() -> (SceneGraph, &'static str) {
+/// can be opened. Where they are in the hands already one must be put down and taken up
+/// again.
+fn hands(full: bool) -> (SceneGraph, &'static str) {
     let mut scene = SceneBuilder::new("hands");
     let study = scene.add(Draft::new("office")).unwrap();
     let bedroom = scene.add(Draft::new("bedroom")).unwrap();
     let desk = scene.add_in(study, Draft::new("desk")).unwrap();
     scene.add_in(bedroom, Draft::new("bathroom_cabinet")).unwrap();
-    scene.add_on(desk, Draft::new("book")).unwrap();
-    scene.add_on(desk, Draft::new("mug")).unwrap();
-    scene.add_in(study, Draft::new("character")).unwrap();
-    (scene.build(), "Inside(book, bathroom_cabinet) & Inside(mug, bathroom_cabinet)")
+    let things = ["book", "mug"].map(|class| scene.add_on(desk, Draft::new(class)).unwrap());
+    let me = scene.add_in(study, Draft::new("character")).unwrap();
+    let mut world = Simulator::new(scene.build());
+    if full {
+        world.step(me, &Action::one(Verb::Walk, desk)).unwrap();
+        things.iter().for_each(|&id| drop(world.step(me, &Action::one(Verb::Grab, id)).unwrap()));
+    }
+    (world.into_graph(), "Inside(book, bathroom_cabinet) & Inside(mug, bathroom_cabinet)")
 }

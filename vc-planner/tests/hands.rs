@@ -5,7 +5,7 @@
 #[path = "support/shortest.rs"]
 mod brute;
 
-use vc_graph::{Action, Draft, Goal, History, NodeId, Relation, SceneBuilder, SceneGraph, Simulator, Verb};
+use vc_graph::{Action, Draft, Goal, History, NodeId, Place, Relation, SceneBuilder, SceneGraph, Simulator, Verb};
 use vc_planner::plan;
 
 /// A desk in one room, a closed cabinet and a fridge in another, a book, a mug and an apple.
@@ -83,4 +83,32 @@ fn what_is_useful_is_put_down_and_taken_up_again() {
             "{told}"
         );
     }
+}
+
+/// What is of no use and in the way is put on the table at hand; nothing else is touched.
+#[test]
+fn a_full_hand_is_emptied_on_the_table_at_hand() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let [table, fridge, sofa] =
+        ["kitchen_table", "fridge", "sofa"].map(|class| scene.add_in(kitchen, Draft::new(class)).unwrap());
+    let [apple, book] = ["apple", "book"].map(|class| scene.add_on(table, Draft::new(class)).unwrap());
+    let chicken = scene.add_in(fridge, Draft::new("chicken")).unwrap();
+    let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let mut world = Simulator::new(scene.build());
+    for (verb, id) in [(Verb::Walk, table), (Verb::Grab, apple), (Verb::Grab, book)] {
+        world.step(me, &Action::one(verb, id)).unwrap();
+    }
+    let goal: Goal = "On(chicken, sofa)".parse().unwrap();
+    let found = plan(&mut world.graph().clone(), me, &goal, &History::default()).unwrap();
+    found.actions.iter().for_each(|a| drop(world.step(me, a).unwrap()));
+    let graph = world.graph();
+    let on = |at| Some(Place { relation: Relation::On, at });
+    assert_eq!(graph.place(chicken), on(sofa));
+    // One hand is enough: the other keeps what it holds.
+    let held: Vec<NodeId> = graph.held(me).collect();
+    let put = if held == [book] { apple } else { book };
+    assert!(held == [apple] || held == [book], "{:?}", found.actions);
+    assert_eq!(graph.place(put), on(table), "{:?}", found.actions);
+    assert_eq!(found.actions.len(), 6, "{:?}", found.actions);
 }

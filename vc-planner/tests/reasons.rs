@@ -1,9 +1,8 @@
-//! Goals that cannot be reached, and the reason for each; what is asked for in vain is not
-//! to be had by a few actions either.
+//! Goals that cannot be reached, and the exact reason.
 
-#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-use vc_graph::{Action, Draft, Goal, History, NodeId, Place, Relation, SceneBuilder, SceneGraph, Simulator, Verb};
+use vc_graph::{Draft, History, NodeId, SceneBuilder, SceneGraph};
 use vc_planner::{Unreachable, plan};
 
 /// One apple and one book on a table, a sofa, a fridge with a chicken in it.
@@ -55,33 +54,4 @@ fn what_only_a_search_can_tell_says_how_much_was_checked() {
     let mut scene = SceneBuilder::of(scene);
     scene.add_on(table, Draft::new("apple")).unwrap();
     assert!(plan(&mut scene.build(), me, &goal.parse().unwrap(), &History::default()).is_ok());
-}
-
-/// What is in the hands and in the way is put down near by, on furniture; nothing else is
-/// touched.
-#[test]
-fn full_hands_are_emptied_where_it_does_no_harm() {
-    let (scene, me) = flat();
-    let [book, apple, chicken, sofa] = ["book", "apple", "chicken", "sofa"].map(|c| scene.of_class(c)[0]);
-    let table = scene.of_class("kitchen_table")[0];
-    let mut world = Simulator::new(scene);
-    for (verb, id) in [(Verb::Walk, table), (Verb::Grab, apple), (Verb::Grab, book)] {
-        world.step(me, &Action::one(verb, id)).unwrap();
-    }
-    let history = world.history().clone();
-    let mut scene = world.into_graph();
-    let goal: Goal = "On(chicken, sofa)".parse().unwrap();
-    let found = plan(&mut scene, me, &goal, &history).unwrap();
-    let mut world = Simulator::new(scene.clone());
-    found.actions.iter().for_each(|a| drop(world.step(me, a).unwrap()));
-    let graph = world.graph();
-    assert_eq!(graph.place(chicken).map(|p| p.at), Some(sofa));
-    // One hand is enough: the other keeps what it holds.
-    let held: Vec<NodeId> = graph.held(me).collect();
-    assert_eq!(held.len(), 1, "{:?}", found.actions);
-    let put: NodeId = if held[0] == book { apple } else { book };
-    assert_eq!(graph.place(put), Some(Place { relation: Relation::On, at: table }), "{:?}", found.actions);
-    let moved = |a: &Action| matches!(a.verb, Verb::Grab | Verb::Place | Verb::PutIn | Verb::Drop).then_some(a.object);
-    let touched: Vec<Option<NodeId>> = found.actions.iter().filter_map(moved).collect();
-    assert!(touched.iter().flatten().all(|id| [put, chicken].contains(id)), "{:?}", found.actions);
 }
