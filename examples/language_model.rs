@@ -6,7 +6,6 @@
 
 #[path = "support/breakfast.rs"]
 mod breakfast;
-#[expect(dead_code, reason = "this example reads no packed files")]
 mod support;
 
 use std::path::PathBuf;
