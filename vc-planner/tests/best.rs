@@ -10,8 +10,8 @@ mod brute;
 
 use vc_graph::goal::Situation;
 use vc_graph::{
-    Action, Draft, Event, Goal, History, NodeId, Property, SceneBuilder, SceneGraph, Scope, Seed, Simulator, State, Verb,
-    rule,
+    Action, Draft, Event, Goal, History, NodeId, Property, SceneBuilder, SceneGraph, Scope, Seed, Simulator, State,
+    Verb, rule,
 };
 use vc_planner::{Agent, Decision, Resident, plan, run_episode};
 use vc_tasks::{Outcome, Task};

@@ -164,7 +164,7 @@ pub(crate) struct Standing {
     /// The nearest container that opens around it.
     pub(super) inside: Option<NodeId>,
     /// There is another such container around that one.
-    nested: bool,
+    pub(super) nested: bool,
 }
 
 impl Standing {
