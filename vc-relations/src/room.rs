@@ -16,6 +16,8 @@ use crate::tree::Tree;
 pub(crate) struct Rooms {
     boxes: Vec<(Solid, NodeId)>,
     tree: Tree,
+    /// Of which room a floor is.
+    floors: BTreeMap<NodeId, NodeId>,
 }
 
 /// A point beside a door, and the room there.
@@ -24,11 +26,12 @@ pub(crate) type Beyond = (Vector3<f32>, Option<NodeId>);
 impl Rooms {
     /// A room is where its floors are, else its own shape, else its box.
     pub(crate) fn new(graph: &SceneGraph, body: impl Fn(NodeId) -> Option<Body>) -> Self {
-        let mut boxes = Vec::new();
+        let (mut boxes, mut of_rooms) = (Vec::new(), BTreeMap::new());
         for &room in graph.rooms() {
             let own = body(room);
             let height = own.as_ref().map(|b| (b.region.low.z, b.region.high.z));
             let floors: Vec<Body> = floors_of(graph, room).filter_map(&body).collect();
+            of_rooms.extend(floors.iter().map(|floor| (floor.id, room)));
             let mut put = |s: &Solid, storey: (f32, f32)| boxes.push((over(s, height.unwrap_or(storey)), room));
             if floors.is_empty() {
                 own.iter().flat_map(|b| &b.solids).for_each(|s| put(s, (s.low.z, s.high.z)));
@@ -38,7 +41,13 @@ impl Rooms {
         }
         let reach = |b: &(Solid, NodeId)| b.0.region().grown(ROOM_MARGIN, ROOM_MARGIN);
         let tree = Tree::new(&boxes.iter().map(reach).collect::<Vec<_>>());
-        Self { boxes, tree }
+        Self { boxes, tree, floors: of_rooms }
+    }
+
+    /// The room of a thing: the one its middle is in. A floor is of its own room: the middle of
+    /// one with corners can be in the next.
+    pub(crate) fn of(&self, body: &Body) -> Option<NodeId> {
+        self.floors.get(&body.id).copied().or_else(|| self.at(&body.whole.centre))
     }
 
     /// Whether a node is a room that is somewhere.

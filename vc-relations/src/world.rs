@@ -113,7 +113,7 @@ impl World {
         let position = |link| evidence.positions.get(&(node.id(), link)).copied();
         let positions = (0..form.joints.len() as u32).map(|link| position(link).unwrap_or(0.0)).collect();
         let mut body = Body::new(node, form, positions)?;
-        body.room = self.rooms.at(&body.whole.centre);
+        body.room = self.rooms.of(&body);
         Some(body)
     }
 
