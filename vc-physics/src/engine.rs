@@ -10,11 +10,11 @@ use rapier3d::dynamics::{
 use rapier3d::geometry::{BroadPhaseBvh, Collider, ColliderHandle, ColliderSet, NarrowPhase};
 use rapier3d::math::Pose as EnginePose;
 use rapier3d::pipeline::{PhysicsPipeline, QueryFilter, QueryPipeline};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use vc_graph::portable::Portable;
 
-use crate::convert;
+use crate::{convert, footing};
 
 /// How far apart two bodies get their contact points, metres. The engine's own two
 /// centimetres are as long as a cup's foot is wide: points that do not touch crowd out
@@ -53,6 +53,7 @@ pub(crate) struct Engine {
     pub(crate) joints: ImpulseJointSet,
     islands: IslandManager,
     broad: BroadPhaseBvh,
+    #[serde(deserialize_with = "with_footings")]
     pub(crate) narrow: NarrowPhase,
     // Unused, but the engine asks for them.
     multibodies: MultibodyJointSet,
@@ -90,7 +91,7 @@ impl Engine {
             joints: ImpulseJointSet::new(),
             islands: IslandManager::new(),
             broad: BroadPhaseBvh::new(),
-            narrow: NarrowPhase::new(),
+            narrow: NarrowPhase::with_query_dispatcher(footing::dispatcher()),
             multibodies: MultibodyJointSet::new(),
             softs: SoftBodySet::new(),
             parameters: parameters(dt),
@@ -277,6 +278,13 @@ impl Engine {
     }
 }
 
+/// What finds the contacts is not written with them.
+fn with_footings<'de, D: Deserializer<'de>>(from: D) -> Result<NarrowPhase, D::Error> {
+    let mut narrow = NarrowPhase::deserialize(from)?;
+    narrow.set_query_dispatcher(footing::dispatcher());
+    Ok(narrow)
+}
+
 fn damped(contacts: SpringCoefficients<f32>) -> SpringCoefficients<f32> {
     SpringCoefficients { damping_ratio: DAMPING, ..contacts }
 }
@@ -290,7 +298,7 @@ fn parameters(dt: f32) -> IntegrationParameters {
         contact_softness: damped(SpringCoefficients::contact_defaults()),
         static_contact_softness: damped(SpringCoefficients::contact_static_defaults()),
         // It would keep four points of all that touch in a plane, whether or not they
-        // are the ones that carry.
+        // are the ones that carry; `footing` asks.
         contact_clustering: false,
         ..IntegrationParameters::default()
     }

@@ -6,6 +6,7 @@ mod contact;
 mod convert;
 mod engine;
 mod error;
+mod footing;
 mod group;
 mod joints;
 mod nav;

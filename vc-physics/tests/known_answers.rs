@@ -47,6 +47,37 @@ fn slope_at_the_friction_angle() {
     }
 }
 
+/// A tall stool on legs tips over once its centre of mass is beyond the outer edge of its feet,
+/// whether they are four or six.
+#[test]
+fn what_stands_on_legs_tips_over_their_edge() {
+    let lean = |feet: &[(f32, f32)], angle: f32| {
+        let mut scene = Scene::default();
+        let rough = scene.library.add_material(material("rough", 500.0, 0.9, 0.0)).unwrap();
+        let slab = scene.solid("slab", block([5.0, 2.0, 0.1]), rough);
+        scene.add("floor", slab, turned(0.0, 0.0, 0.0, Vector3::y(), angle));
+        let leg = |&(x, y): &(f32, f32)| part("leg", block([0.02, 0.02, 0.2]), at(x, y, 0.2), rough);
+        let mut parts: Vec<_> = feet.iter().map(leg).collect();
+        parts.push(part("seat", block([0.16, 0.16, 0.1]), at(0.0, 0.0, 0.5), rough));
+        let stool = scene.asset(Asset { name: "stool".into(), parts, ..Asset::default() });
+        let tilt = turned(0.0, 0.0, 0.0, Vector3::y(), angle);
+        let stool = scene.add("stool", stool, tilt * at(0.0, 0.0, 0.1002));
+        let mut world = scene.world();
+        world.run(240);
+        (world.pose(stool).unwrap().rotation.inverse() * tilt.rotation).angle()
+    };
+    let square = [(0.14, 0.14), (0.14, -0.14), (-0.14, 0.14), (-0.14, -0.14)];
+    let six = [(0.14, 0.08), (0.0, 0.16), (-0.14, 0.08), (-0.14, -0.08), (0.0, -0.16), (0.14, -0.08)];
+    for (feet, legs) in [(&square[..], 4.0_f32), (&six[..], 6.0)] {
+        // Volumes: a leg of 0.00064 m3 at 0.2 m, the seat of 0.02048 at 0.5.
+        let (leg, seat) = (0.00064 * legs, 0.02048);
+        let height = (leg * 0.2 + seat * 0.5) / (leg + seat);
+        let steepest = (0.16 / height).atan();
+        assert!(lean(feet, steepest - 0.03) < 0.02, "{legs} legs tip too early");
+        assert!(lean(feet, steepest + 0.03) > 0.2, "{legs} legs stand too long");
+    }
+}
+
 /// A ball rolls until rolling resistance, 0.03 of its weight, has stopped it: of a full
 /// sphere the resistance slows the roll by 5/7 of that.
 #[test]
