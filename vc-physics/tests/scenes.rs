@@ -6,7 +6,7 @@ mod common;
 
 use common::{Scene, at, block, part, plain, surface, turned};
 use nalgebra::{Point3, Vector3};
-use vc_graph::asset::Hold;
+use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, Bounds, Draft, Edge, Relation, SceneBuilder};
 use vc_physics::{Fixing, Order, Role, Settings, Shapes, World};
 
@@ -142,6 +142,36 @@ fn a_wall_of_many_parts_keeps_its_window() {
     world.run(60);
     let x = |id| world.pose(id).unwrap().translation.x;
     assert!(x(through) > 2.5 && x(against) < 2.0, "{} {}", x(through), x(against));
+}
+
+/// A wall of one mesh, as model files have it, keeps its doorway.
+#[test]
+fn a_wall_of_one_mesh_keeps_its_doorway() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    // The outline of the wall around the doorway, drawn along x.
+    let outline = [(-2.0, 0.0), (-0.5, 0.0), (-0.5, 2.0), (0.5, 2.0), (0.5, 0.0), (2.0, 0.0), (2.0, 2.6), (-2.0, 2.6)];
+    let vertices: Vec<Point3<f32>> =
+        [-0.05, 0.05].iter().flat_map(|&x| outline.map(|(y, z)| Point3::new(x, y, z))).collect();
+    let front = [[0, 1, 2], [0, 2, 7], [2, 3, 7], [7, 3, 6], [3, 5, 6], [3, 4, 5]];
+    let mut triangles: Vec<[u32; 3]> = front.map(|[a, b, c]| [a + 8, b + 8, c + 8]).to_vec();
+    triangles.extend(front.map(|[a, b, c]| [a, c, b]));
+    for i in 0..8 {
+        let j = (i + 1) % 8;
+        triangles.extend([[i, j, j + 8], [i, j + 8, i + 8]]);
+    }
+    let mesh = Shape::Mesh { vertices, triangles };
+    let wall = scene.solid("wall", mesh, scene.wood);
+    scene.add("wall", wall, at(2.0, 0.0, 0.0));
+    let low = [(-1.0, 0.5), (0.0, 0.5), (0.0, 1.7), (0.0, 2.3), (1.0, 1.5)];
+    let balls = low.map(|(y, z)| scene.ball(0.05, at(0.0, y, z)));
+    let mut world = scene.world();
+    for ball in balls {
+        world.set_velocity(ball, Vector3::new(8.0, 0.0, 0.5), Vector3::zeros()).unwrap();
+    }
+    world.run(30);
+    let through = balls.map(|ball| world.pose(ball).unwrap().translation.x > 2.2);
+    assert_eq!(through, [false, true, true, false, false]);
 }
 
 #[test]

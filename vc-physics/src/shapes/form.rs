@@ -13,7 +13,7 @@ use vc_graph::{Asset, AssetLibrary, Bounds, Frame, Pose};
 use super::footprint::{self, Footprint};
 use super::mass::{self, Moments};
 use super::piece::{self, Piece};
-use super::{hollow, merge, scale};
+use super::{cut, hollow, merge, scale};
 use crate::convert;
 
 /// Density of things of which nothing is known but a box, kilograms per cubic metre.
@@ -181,7 +181,13 @@ impl Link {
         let Making { library, by, surfaces, joins } = *making;
         let mut sum = Sum::default();
         parts.iter().for_each(|p| sum.add(p, library, by));
-        let pieces = solid.iter().flat_map(|p| hollow::pieces(p, by, surfaces)).collect();
+        let pieces = |part: &&Part| match &part.shape {
+            Shape::Mesh { vertices, triangles } if !joins => {
+                cut::along_faces(cut::polygons(part, vertices, triangles, by))
+            }
+            _ => hollow::pieces(part, by, surfaces),
+        };
+        let pieces = solid.iter().flat_map(pieces).collect();
         let pieces = if joins { merge::merged(pieces, surfaces) } else { pieces };
         let (mass, friction, restitution) = sum.finish(&pieces);
         Self {

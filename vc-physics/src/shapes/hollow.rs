@@ -8,12 +8,11 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::geometry::SharedShape;
 use vc_graph::asset::{Hold, Part, Shape, Surface};
 
+use super::cut::{self, Plane, Polygon, clipped};
 use super::form;
 use super::merge::Box3;
 use super::piece::Piece;
 use crate::convert;
-
-type Polygon = Vec<Point3<f32>>;
 
 /// Height of the space above a surface that does not say, metres.
 const CLEARANCE: f32 = 0.3;
@@ -35,10 +34,8 @@ pub(super) fn pieces(part: &Part, by: &Vector3<f32>, surfaces: &[Surface]) -> Ve
     if !whole.iter().any(|p| spaces.iter().any(|s| fills(p, s))) {
         return whole;
     }
-    let at = |v: &u32| Some(Point3::from((part.pose * vertices.get(*v as usize)?).coords.component_mul(by)));
-    let polygons = triangles.iter().filter_map(|t| t.iter().map(at).collect()).collect();
     let mut cut = Vec::new();
-    split(polygons, &spaces, &mut cut);
+    split(cut::polygons(part, vertices, triangles, by), &spaces, &mut cut);
     cut
 }
 
@@ -72,22 +69,8 @@ fn split(polygons: Vec<Polygon>, spaces: &[Box3], out: &mut Vec<Piece>) {
         (1, high.y, true),
         (2, high.z, true),
     ] {
-        split(clipped(&rest, axis, at, beyond), others, out);
-        rest = clipped(&rest, axis, at, !beyond);
+        let plane = Plane::across(axis, at);
+        split(clipped(&rest, plane, beyond), others, out);
+        rest = clipped(&rest, plane, !beyond);
     }
-}
-
-/// What polygons have on one side of a plane: beyond `at` along the axis, or before it
-/// (Sutherland and Hodgman, 1974).
-fn clipped(polygons: &[Polygon], axis: usize, at: f32, beyond: bool) -> Vec<Polygon> {
-    let inside = |p: &Point3<f32>| if beyond { p[axis] >= at } else { p[axis] <= at };
-    let cut = |polygon: &Polygon| {
-        let ends = polygon.iter().zip(polygon.iter().cycle().skip(1));
-        ends.flat_map(|(a, b)| {
-            let crossing = (inside(a) != inside(b)).then(|| a + (b - a) * ((at - a[axis]) / (b[axis] - a[axis])));
-            inside(a).then_some(*a).into_iter().chain(crossing)
-        })
-        .collect::<Polygon>()
-    };
-    polygons.iter().map(cut).filter(|p| p.len() > 2).collect()
 }

@@ -1,5 +1,6 @@
 //! From assets to what the engine needs, made once and shared.
 
+mod cut;
 mod footprint;
 mod form;
 mod hollow;
