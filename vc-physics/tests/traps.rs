@@ -9,8 +9,8 @@ use std::f32::consts::FRAC_PI_2;
 use common::{Scene, at, part, plain, surface};
 use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
-use vc_graph::Asset;
 use vc_graph::asset::{Hold, Shape};
+use vc_graph::{Asset, Draft};
 use vc_physics::{Settings, Shapes, World};
 
 /// Bodies inserted asleep fall into what they rest on: `rest` finds contacts first.
@@ -214,8 +214,8 @@ proptest! {
     }
 }
 
-/// Ten thousand things dropped at random into a room: none goes through its floor or
-/// its walls.
+/// Ten thousand things thrown at random into a room, while others fly and fall there: none goes
+/// through its floor or its walls.
 #[test]
 fn no_tunnelling() {
     let mut out = 0;
@@ -236,18 +236,34 @@ fn no_tunnelling() {
         let ball = scene.solid("ball", vc_graph::asset::Shape::Sphere { radius: 0.04 }, scene.wood);
         let can = vc_graph::asset::Shape::Cylinder { radius: 0.035, half_height: 0.06 };
         let can = scene.solid("can", can, scene.wood);
+        let mut graph = scene.graph();
+        let shapes = Shapes::new();
+        let mut world = World::build(&graph, &shapes, plain()).unwrap();
         let things: Vec<_> = (0..500)
             .map(|i| {
-                let (x, y, z) = (rng.between(-3.8, 3.8), rng.between(-3.8, 3.8), rng.between(0.2, 6.0));
-                let turn = common::turned(x, y, z, Vector3::new(1.0, 0.3, 0.2), rng.between(-3.0, 3.0));
-                scene.add("toy", [cube, ball, can][i % 3], turn)
+                let mut pose = || {
+                    let (x, y, z) = (rng.between(-3.8, 3.8), rng.between(-3.8, 3.8), rng.between(0.2, 6.0));
+                    common::turned(x, y, z, Vector3::new(1.0, 0.3, 0.2), rng.between(-3.0, 3.0))
+                };
+                let mut edit = graph.edit();
+                let toy = Draft { asset: Some([cube, ball, can][i % 3]), ..Draft::new("toy").at(pose()) };
+                let thing = edit.add(toy).unwrap();
+                edit.commit();
+                world.insert(&graph, thing, &shapes).unwrap();
+                // Others are under way where it is to be.
+                let mut spot = world.pose(thing).unwrap();
+                while !world.overlaps(thing, &spot).unwrap().is_empty() {
+                    spot = pose();
+                }
+                world.place(thing, spot).unwrap();
+                let v = Vector3::new(rng.between(-8.0, 8.0), rng.between(-8.0, 8.0), rng.between(-15.0, 0.0));
+                world.set_velocity(thing, v, Vector3::new(rng.between(-9.0, 9.0), 0.0, 3.0)).unwrap();
+                if i % 50 == 0 {
+                    world.step();
+                }
+                thing
             })
             .collect();
-        let mut world = scene.world();
-        for thing in &things {
-            let v = Vector3::new(rng.between(-8.0, 8.0), rng.between(-8.0, 8.0), rng.between(-15.0, 0.0));
-            world.set_velocity(*thing, v, Vector3::new(rng.between(-9.0, 9.0), 0.0, 3.0)).unwrap();
-        }
         let report = world.settle(2000);
         assert!(report.at_rest && report.stopped.is_empty() && report.outside.is_empty(), "{report:?}");
         for thing in &things {
