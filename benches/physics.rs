@@ -26,10 +26,7 @@ fn at(name: &str, objects: u32) -> BenchmarkId {
 
 fn worlds(c: &mut Criterion<Cpu>) {
     for objects in SIZES {
-        let Some(graph) = scene::read(objects) else {
-            eprintln!("no scene of {objects} objects in ../shared/peers/physics or where VC_PEERS points: skipped");
-            continue;
-        };
+        let graph = scene::read(objects);
         let shapes = Shapes::new();
         let build = || World::build(&graph, &shapes, scene::settings()).unwrap();
         let fresh = build();
@@ -122,7 +119,7 @@ fn moved(graph: &SceneGraph, settled: &World, count: usize) -> SceneGraph {
 fn memory(_: &mut Criterion<Cpu>) {
     let mut kept = Vec::new();
     for objects in SIZES {
-        let Some(graph) = scene::read(objects) else { continue };
+        let graph = scene::read(objects);
         let mut world = World::build(&graph, &Shapes::new(), scene::settings()).unwrap();
         world.settle(300);
         eprintln!(
@@ -166,6 +163,11 @@ fn apartments(c: &mut Criterion<Cpu>) {
     });
     group.bench_function("step, all asleep", |b| b.iter(|| settled.step()));
     group.bench_function("floor", |b| b.iter_with_large_drop(|| Floor::of(&worlds[0], FloorPlan::default())));
+    // What lies on it is outlined once for all worlds with the same shapes; here, each time.
+    group.bench_function("floor, no shapes known", |b| {
+        let fresh = || World::build(&scenes[0], &Shapes::new(), Settings::default()).unwrap();
+        b.iter_batched(fresh, |world| (Floor::of(&world, FloorPlan::default()), world), BatchSize::LargeInput);
+    });
     let floors: Vec<Floor> = worlds.iter().map(|w| Floor::of(w, FloorPlan::default())).collect();
     let queries: Vec<(&Floor, Point2<f32>, Point2<f32>)> = floors.iter().flat_map(|f| pairs(f, 200)).collect();
     report_ways(&queries);

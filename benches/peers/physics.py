@@ -8,8 +8,9 @@ A peer that is not installed is skipped with a message. Times are CPU time of th
 thread, medians of several runs where a run is short.
 
 Scenes: scene_N.json.gz in ../shared/peers/physics beside the project, or where
-VC_PEERS points. Room modules of 25 objects; floor and walls
-stand still, everything else is loose, fridge doors are on hinges.
+VC_PEERS points, or in target/peers, where the bench writes rooms of its own if it
+finds no others. Room modules of 25 objects; floor and walls stand still, everything
+else is loose, fridge doors are on hinges.
 """
 
 import gzip
@@ -26,10 +27,12 @@ FRICTION = 0.6
 
 
 def read(count):
-    beside = pathlib.Path(__file__).resolve().parents[3] / "shared" / "peers" / "physics"
-    path = pathlib.Path(os.environ.get("VC_PEERS", beside)) / f"scene_{count}.json.gz"
-    if not path.exists():
-        print(f"no {path.name} in {path.parent} (VC_PEERS says where): skipped", flush=True)
+    project = pathlib.Path(__file__).resolve().parents[2]
+    given = pathlib.Path(os.environ.get("VC_PEERS", project.parent / "shared" / "peers" / "physics"))
+    paths = [folder / f"scene_{count}.json.gz" for folder in (given, project / "target" / "peers")]
+    path = next((path for path in paths if path.exists()), None)
+    if path is None:
+        print(f"no scene of {count} objects: run `cargo bench --bench physics` first, which writes it", flush=True)
         return None
     with gzip.open(path, "rt") as file:
         return json.load(file)

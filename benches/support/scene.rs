@@ -1,24 +1,30 @@
 //! The scene on which physics is timed beside its peers: room modules of 25 objects
-//! each, everything but floor and walls loose, read from `peers/scenes`.
+//! each, everything but floor and walls loose.
 
-use std::io::Read;
+#[path = "rooms.rs"]
+mod rooms;
+
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use flate2::Compression;
 use flate2::read::GzDecoder;
+use flate2::write::GzEncoder;
 use nalgebra::{Point3, UnitQuaternion, Vector3};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use virtualcity::graph::asset::{Joint, JointKind, Material, Part, Shape};
 use virtualcity::graph::{Asset, AssetId, AssetLibrary, Draft, NodeId, Pose, SceneBuilder, SceneGraph};
 use virtualcity::physics::{Fixing, Settings};
 
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 struct File {
     objs: Vec<Object>,
     walls: Vec<([f32; 3], [f32; 3])>,
     floor: ([f32; 3], [f32; 3]),
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 struct Object {
     id: u32,
     class: String,
@@ -29,20 +35,20 @@ struct Object {
     hinge: Option<Hinge>,
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 struct Piece {
     pos: [f32; 3],
     geo: Geometry,
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 enum Geometry {
     Box([f32; 3]),
     Cyl { r: f32, h: f32 },
     Ball(f32),
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 struct Hinge {
     parent: u32,
     anchor: [f32; 3],
@@ -50,17 +56,25 @@ struct Hinge {
     lim: (f32, f32),
 }
 
-/// The scene of so many objects (100, 500 or 2000): the peers' own file, in
-/// `../shared/peers/physics` or where `VC_PEERS` points; `None` where there is none.
-pub(crate) fn read(objects: u32) -> Option<SceneGraph> {
-    let folder = std::env::var("VC_PEERS").map_or_else(
-        |_| std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/peers/physics"),
-        std::path::PathBuf::from,
-    );
-    let file = std::fs::File::open(folder.join(format!("scene_{objects}.json.gz"))).ok()?;
-    let mut text = String::new();
-    GzDecoder::new(file).read_to_string(&mut text).unwrap();
-    Some(build(&serde_json::from_str(&text).unwrap()))
+/// The scene of so many objects (100, 500 or 2000): the one that the figures in README are of, in
+/// `../shared/peers/physics` or where `VC_PEERS` points, or rooms of our own, which are
+/// written to `target/peers` so that the peers find them.
+pub(crate) fn read(objects: u32) -> SceneGraph {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = std::env::var("VC_PEERS").map_or_else(|_| root.join("../shared/peers/physics"), PathBuf::from);
+    if let Ok(file) = std::fs::File::open(folder.join(format!("scene_{objects}.json.gz"))) {
+        let mut text = String::new();
+        GzDecoder::new(file).read_to_string(&mut text).unwrap();
+        return build(&serde_json::from_str(&text).unwrap());
+    }
+    let (file, own) = (rooms::rooms(objects), root.join("target/peers"));
+    std::fs::create_dir_all(&own).unwrap();
+    let path = own.join(format!("scene_{objects}.json.gz"));
+    let mut packed = GzEncoder::new(std::fs::File::create(&path).unwrap(), Compression::default());
+    packed.write_all(serde_json::to_string(&file).unwrap().as_bytes()).unwrap();
+    packed.finish().unwrap();
+    eprintln!("no scene of {objects} objects in {}: rooms of our own, in {}", folder.display(), path.display());
+    build(&file)
 }
 
 /// As the peers have it: only the building stands still, doors swing freely, masses

@@ -1,0 +1,136 @@
+//! All policies in one environment.
+
+use vc_graph::{Action, ChangeSet, History, NodeId, SceneGraph, Seed, Simulator};
+use vc_planner::{Habitual, Newcomer, Policy, Prior, Random, Resident, Run as Episodes};
+use vc_tasks::library::Activity;
+use vc_tasks::report::{Run, predicates};
+use vc_tasks::{Outcome, World, WorldError};
+use virtualcity::Environment;
+use virtualcity::ActionError;
+use virtualcity::initial::{AtHome, at_home, generator};
+
+/// Everybody who tries, in the order of the tables; the oracle is the last.
+pub(crate) fn policies(symbolic: bool) -> Vec<Box<dyn Policy>> {
+    let mut all: Vec<Box<dyn Policy>> = vec![Box::new(Random::default())];
+    if symbolic {
+        all.push(Box::new(Habitual::default()));
+        all.push(Box::new(Newcomer::faithful()));
+        all.push(Box::new(Newcomer::best().supposing(Prior::Uniform).named("planner, uniform")));
+    }
+    all.push(Box::new(Newcomer::best()));
+    all.push(Box::new(Resident::default()));
+    all
+}
+
+/// What came out of it.
+#[derive(Default)]
+pub(crate) struct Attempt {
+    pub(crate) runs: Vec<Run>,
+    /// Why what was not won was not, a line each.
+    pub(crate) failures: Vec<String>,
+    /// Number of actions that bodies did.
+    pub(crate) done: usize,
+    /// Actions after which bodies were not as the rule says, a line each.
+    pub(crate) disagreements: Vec<String>,
+}
+
+impl Attempt {
+    pub(crate) fn append(&mut self, other: Self) {
+        self.runs.extend(other.runs);
+        self.failures.extend(other.failures);
+        self.done += other.done;
+        self.disagreements.extend(other.disagreements);
+    }
+}
+
+/// Lets all policies try a task in the home of a seed.
+pub(crate) fn attempt(activity: &Activity, seed: u64, steps: usize, symbolic: bool) -> Result<Attempt, String> {
+    let unmade = |e: virtualcity::initial::NoHome| format!("{} in home {seed}: {e}", activity.id);
+    if symbolic {
+        let made = at_home(activity, Seed(seed), &generator(), |home| Ok(Simulator::new(home))).map_err(unmade)?;
+        return tried(activity, seed, steps, made, policies(true)).map(|(attempt, _)| attempt);
+    }
+    let made = at_home(activity, Seed(seed), &generator(), Bodies::of).map_err(unmade)?;
+    let (mut attempt, bodies) = tried(activity, seed, steps, made, policies(false))?;
+    let named = |line: String| format!("{} in home {seed}: {line}", activity.id);
+    (attempt.done, attempt.disagreements) = (bodies.done, bodies.disagreements.into_iter().map(named).collect());
+    Ok(attempt)
+}
+
+fn tried<W: World>(
+    activity: &Activity,
+    seed: u64,
+    steps: usize,
+    made: AtHome<W>,
+    policies: Vec<Box<dyn Policy>>,
+) -> Result<(Attempt, W), String> {
+    let AtHome { mut world, initial, .. } = made;
+    let (scene, mut task) = (initial.scene, initial.task);
+    task.goal = activity.goal.clone();
+    task.step_limit = steps;
+    let mut attempt = Attempt::default();
+    for mut policy in policies {
+        world.reset(&scene).map_err(|e| e.to_string())?;
+        let how = Episodes { agent: Some(initial.agent), ..Episodes::seeded(seed) };
+        let episode = how.episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+        if episode.outcome != Outcome::Won {
+            let why = episode.reason.unwrap_or_else(|| format!("not done after {} steps", episode.steps));
+            attempt.failures.push(format!("{}, {} in home {seed}: {why}", policy.name(), activity.id));
+        }
+        attempt.runs.push(Run {
+            agent: policy.name().to_owned(),
+            task: activity.id.clone(),
+            seed,
+            predicates: predicates(&task.goal),
+            outcome: episode.outcome,
+            credit: episode.score,
+            steps: episode.steps,
+            ..Run::default()
+        });
+    }
+    // What the oracle needs is the best that is known.
+    let best = attempt.runs.last().filter(|r| r.outcome == Outcome::Won).map(|r| r.steps);
+    attempt.runs.iter_mut().for_each(|r| r.best_steps = best);
+    Ok((attempt, world))
+}
+
+/// A home with bodies that counts what they do.
+struct Bodies {
+    home: Environment,
+    done: usize,
+    disagreements: Vec<String>,
+}
+
+impl Bodies {
+    fn of(home: SceneGraph) -> Result<Self, WorldError> {
+        let home = Environment::of(home, 1).map_err(|e| WorldError::Failed(e.to_string()))?;
+        Ok(Self { home, done: 0, disagreements: Vec::new() })
+    }
+}
+
+impl World for Bodies {
+    fn graph(&self) -> &SceneGraph {
+        self.home.graph()
+    }
+
+    fn history(&self) -> &History {
+        self.home.history()
+    }
+
+    fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
+        let outcome = self.home.set_action(agent, *action);
+        match &outcome {
+            Ok(_) => self.done += 1,
+            Err(ActionError::Disagreement(both)) => {
+                self.done += 1;
+                self.disagreements.push(both.to_string());
+            }
+            Err(_) => {}
+        }
+        outcome.map_err(WorldError::from)
+    }
+
+    fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError> {
+        World::reset(&mut self.home, graph)
+    }
+}

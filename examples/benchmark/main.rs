@@ -1,0 +1,134 @@
+//! The thesis's evaluation: random, oracle and both planners on the 145 tasks.
+//!
+//! `cargo run --release --example benchmark` makes an apartment for each task and seed, with
+//! bodies that move, and lets random, planner and oracle try it on all cores; it prints the
+//! thesis's Table 5.2 beside ours and writes tables and plots, with the reason of everything
+//! that failed. `--symbolic` leaves the bodies out, and lets more policies try. The results do
+//! not depend on the number of threads.
+
+mod attempt;
+#[path = "../support/chart.rs"]
+mod chart;
+#[expect(dead_code, reason = "this example reads no files")]
+#[path = "../support/mod.rs"]
+mod support;
+mod tables;
+
+use std::path::{Path, PathBuf};
+
+use attempt::{Attempt, attempt, policies};
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+use support::{Complaint, say};
+use tables::{Ratios, Tables, WATCH_AND_HELP};
+use vc_tasks::library::{Activity, Benchmark};
+use vc_tasks::report::{By, Report, Run};
+
+/// Random, oracle and both planners on the 145 tasks.
+#[derive(Parser)]
+struct Options {
+    /// How many apartments for each task.
+    #[arg(long, default_value_t = 3)]
+    seeds: u64,
+    /// After how many actions an attempt is over; the thesis stops after 100.
+    #[arg(long, default_value_t = 100)]
+    steps: usize,
+    /// Without bodies, and with all policies.
+    #[arg(long)]
+    symbolic: bool,
+    /// Only tasks whose id begins so, `put_fridge`.
+    #[arg(long, default_value = "")]
+    only: String,
+    /// How many threads; all cores, if 0.
+    #[arg(long, default_value_t = 0)]
+    threads: usize,
+    /// Where tables and plots go.
+    #[arg(long, default_value = "out/benchmark")]
+    out: PathBuf,
+}
+
+fn main() -> Result<(), Complaint> {
+    let options = Options::parse();
+    rayon::ThreadPoolBuilder::new().num_threads(options.threads).build_global().map_err(Complaint::new)?;
+    let activities: Vec<Activity> =
+        Benchmark::v1().activities.into_iter().filter(|a| a.id.starts_with(&options.only)).collect();
+    let jobs: Vec<(&Activity, u64)> = activities.iter().flat_map(|a| (0..options.seeds).map(move |s| (a, s))).collect();
+    let style =
+        ProgressStyle::with_template("{bar:40} {pos}/{len} environments, {eta} left").map_err(Complaint::new)?;
+    let bar = ProgressBar::new(jobs.len() as u64).with_style(style);
+    let done = |job: &(&Activity, u64)| {
+        let tried = attempt(job.0, job.1, options.steps, options.symbolic);
+        bar.inc(1);
+        tried
+    };
+    let tried: Vec<Result<Attempt, String>> = jobs.par_iter().map(done).collect();
+    bar.finish_and_clear();
+    let (made, unmade): (Vec<_>, Vec<_>) = tried.into_iter().partition(Result::is_ok);
+    let mut all = Attempt::default();
+    made.into_iter().flatten().for_each(|one| all.append(one));
+    let names = policies(options.symbolic).iter().map(|p| p.name().to_owned()).collect();
+    let tables = Tables { report: Report::new(all.runs), names };
+    show(&tables, jobs.len(), &unmade.into_iter().filter_map(Result::err).collect::<Vec<_>>());
+    if !options.symbolic {
+        let done = all.done.max(1) as f64;
+        let agreed = 100.0 * (done - all.disagreements.len() as f64) / done;
+        say!("\n{} actions done with bodies; rule and bodies agree on {agreed:.2}%", all.done);
+        all.disagreements.iter().for_each(|line| say!("  {line}"));
+    }
+    let failed: Vec<&String> = all.failures.iter().filter(|line| !line.starts_with("random")).collect();
+    say!("\n{} failures of others than random{}", failed.len(), if failed.is_empty() { "" } else { ":" });
+    failed.iter().for_each(|line| say!("  {line}"));
+    write(&tables, &all.failures, &options.out)
+}
+
+fn show(tables: &Tables, environments: usize, unmade: &[String]) {
+    let report = &tables.report;
+    say!("{environments} environments, {} of them could not be made", unmade.len());
+    unmade.iter().for_each(|why| say!("  {why}"));
+    say!("{:<34}{:>12}{:>12}{:>22}", "", "completed", "steps", "steps when completed");
+    let row = |name: &str, [done, steps, won]: [f64; 3]| say!("{name:<34}{done:>11.2}%{steps:>12.2}{won:>22.2}");
+    tables.rows().iter().for_each(|(name, figures)| row(name, *figures));
+    let solvable: Vec<&Run> = report.runs.iter().filter(|r| r.agent == "oracle" && r.best_steps.is_some()).collect();
+    say!("\nThe oracle solves {} of {}. Of these:", solvable.len(), environments - unmade.len());
+    for name in &tables.names {
+        row(name, tables.figures(name, |r| r.best_steps.is_some()));
+    }
+    say!(
+        "\nSteps as a multiple of the oracle's, by the number of things a goal asks for, where all but random succeed:"
+    );
+    let names: Vec<String> = tables.compared().iter().map(|name| format!("{name:>18}")).collect();
+    say!("{:>10}{:>14}  {}", "things", "environments", names.concat());
+    for Ratios { things, environments, of } in tables.ratios() {
+        let cells: Vec<String> = of.iter().map(|ratio| format!("{ratio:>18.2}")).collect();
+        say!("{things:>10}{environments:>14}  {}", cells.concat());
+    }
+    let (things, [theirs, best]) = WATCH_AND_HELP;
+    say!("Watch-And-Help's planner against the optimum at {things}: {theirs} / {best} = {:.2}", theirs / best);
+}
+
+fn write(tables: &Tables, failures: &[String], out: &Path) -> Result<(), Complaint> {
+    std::fs::create_dir_all(out).map_err(|e| Complaint::new(format!("{}: {e}", out.display())))?;
+    let report = &tables.report;
+    let agents = report.table(By::Agent);
+    let by_number = report.table(By::Predicates);
+    let failures: String = failures.iter().map(|line| format!("{line}\n")).collect();
+    let files = [
+        ("table_5_2.csv", tables.table_csv()),
+        ("table_5_2.svg", tables.table_svg()),
+        ("ratios.csv", tables.ratios_csv()),
+        ("ratios.svg", tables.ratios_svg()),
+        ("runs.csv", report.csv()),
+        ("failures.txt", failures),
+        ("agents.csv", agents.csv()),
+        ("predicates.csv", by_number.csv()),
+        ("groups.csv", report.table(By::Group).csv()),
+        ("predicates.svg", by_number.svg("Success by the number of things a goal asks for")),
+    ];
+    for (name, text) in files {
+        let path = out.join(name);
+        std::fs::write(&path, text).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))?;
+    }
+    say!("\ntables and plots written to {}", out.display());
+    Ok(())
+}
