@@ -5,8 +5,8 @@ use vc_planner::{Habitual, Newcomer, Policy, Prior, Random, Resident, Run as Epi
 use vc_tasks::library::Activity;
 use vc_tasks::report::{Run, predicates};
 use vc_tasks::{Outcome, World, WorldError};
-use virtualcity::Environment;
 use virtualcity::ActionError;
+use virtualcity::Environment;
 use virtualcity::initial::{AtHome, at_home, generator};
 
 /// Everybody who tries, in the order of the tables; the oracle is the last.

@@ -118,6 +118,10 @@ impl Deed<'_> {
         // One puts things where there is room, which is looked for later.
         let puts = matches!(action.verb, Verb::Place | Verb::PutIn | Verb::PutBack);
         match action.things().find(|id| !self.is_mine(*id)) {
+            // What hangs under the ceiling is switched at the wall, wherever the switch is.
+            Some(id) if matches!(action.verb, Verb::SwitchOn | Verb::SwitchOff) && self.is_overhead(id) => {
+                self.face(id)
+            }
             Some(id) if by_hand && !rests && !puts && !matches!(action.verb, Verb::Open | Verb::Close) => {
                 self.reach(id)
             }
@@ -157,6 +161,12 @@ impl Deed<'_> {
         let stand = self.stand_at(body, self.before.room_of(self.agent))?;
         self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?);
         Ok(())
+    }
+
+    /// Whether a thing is higher than one reaches.
+    fn is_overhead(&self, id: NodeId) -> bool {
+        let top = self.feet().translation.z + self.plan().shoulder() + self.plan().reach;
+        self.world.aabb(id).is_some_and(|aabb| aabb.min.z > top)
     }
 
     /// The thing itself, or what it is on or in if it has no body.
@@ -243,18 +253,24 @@ impl Deed<'_> {
             let route = self.floor.route(from, from)?;
             return Some(Stand { feet: self.feet(), route });
         }
-        self.nearest_stand(Some(room), aabb.centre(), f32::INFINITY)
+        self.nearest_stand(Some(room), aabb.centre(), f32::INFINITY, |_| true)
     }
 
     /// Near a thing that is out of reach of the hands, as near as one gets.
     fn stand_beside(&self, id: NodeId) -> Option<Stand> {
         let node = self.before.node(id)?;
         let centre = node.aabb().map_or_else(|| node.position(), |b| Some(b.centre()))?;
-        self.nearest_stand(self.before.room_of(id), centre, vc_graph::NEAR)
+        self.nearest_stand(self.before.room_of(id), centre, vc_graph::NEAR, |_| true)
     }
 
     /// The spot nearest to a point, in a room, to which there is a way.
-    fn nearest_stand(&self, room: Option<NodeId>, to: Point3<f32>, within: f32) -> Option<Stand> {
+    fn nearest_stand(
+        &self,
+        room: Option<NodeId>,
+        to: Point3<f32>,
+        within: f32,
+        admits: impl Fn(&Pose) -> bool,
+    ) -> Option<Stand> {
         let from: Point2<f32> = self.feet().translation.vector.xy().into();
         let middle = to.xy();
         let step = |i: i32| i as f32 * 0.15;
@@ -264,7 +280,10 @@ impl Deed<'_> {
         let far = |p: &Point2<f32>| (p - middle).norm_squared();
         spots.sort_by(|a, b| far(a).total_cmp(&far(b)));
         let level = self.floor.plan().level;
-        let good = spots.into_iter().filter(|p| self.is_good(&Pose::translation(p.x, p.y, level), room));
+        let good = spots.into_iter().filter(|p| {
+            let feet = Pose::translation(p.x, p.y, level);
+            admits(&feet) && self.is_good(&feet, room)
+        });
         let (spot, route) = good.take(64).find_map(|p| Some((p, self.floor.route(from, p)?)))?;
         let way = to.xy() - spot;
         let back = route.points.iter().rev().map(|p| spot - p).find(|w| w.norm() > 1e-3);
@@ -325,15 +344,18 @@ impl Deed<'_> {
         Ok(())
     }
 
-    /// Puts a held thing where there is room for it, nearest to the hands.
+    /// Puts a held thing where there is room for it, nearest to the hands; after a step, where
+    /// there is room nearest to them then.
     fn put(&mut self, id: NodeId, place: Place) -> Done {
         let hand = self.hand(self.before, id).ok_or(Impossible::NotModelled("it is in no hand"))?;
-        let spot = self.spot(id, place)?;
-        if self.stands() && self.reach_to_spot(id, &spot) > self.plan().reach {
-            self.step_to(place.at, &spot)?;
-        } else {
-            self.turn_to(&spot);
+        let mut spot = self.spot(id, place)?;
+        if self.stands() && !self.puts_from(&self.feet(), id, &spot) {
+            self.step_to(place.at, id, &spot)?;
+            if !self.puts_from(&self.feet(), id, &spot) {
+                spot = self.spot(id, place)?;
+            }
         }
+        self.turn_to(&spot);
         self.world.put(self.agent, hand, spot)?;
         self.beats.push(Beat::Put(hand, id, spot));
         Ok(())
@@ -351,20 +373,17 @@ impl Deed<'_> {
         spot.ok_or_else(missing)
     }
 
-    /// How far a thing put at a pose would be from the arm, as `World::put` measures it.
-    fn reach_to_spot(&self, id: NodeId, spot: &Pose) -> f32 {
-        let (Some(aabb), Some(now)) = (self.world.aabb(id), self.world.pose(id)) else { return 0.0 };
-        let middle = spot * now.inverse_transform_point(&aabb.centre());
-        let (feet, plan) = (self.feet().translation.vector, self.plan());
-        let rise = (middle.z - feet.z).clamp(0.3 * plan.height, plan.shoulder());
-        (middle - Point3::from(feet + Vector3::z() * rise)).norm() - (aabb.max - aabb.min).norm() / 2.0
+    /// Whether a thing can be put at a pose by an agent with its feet somewhere.
+    fn puts_from(&self, feet: &Pose, id: NodeId, spot: &Pose) -> bool {
+        self.world.reach_to_put(self.agent, feet, id, spot).is_ok_and(|far| far <= self.plan().reach)
     }
 
-    /// Walks to where a spot on or in a thing can be reached.
-    fn step_to(&mut self, at: NodeId, spot: &Pose) -> Done {
+    /// Walks to where a spot on or in a thing can be reached, else as near to it as one gets.
+    fn step_to(&mut self, at: NodeId, id: NodeId, spot: &Pose) -> Done {
         self.floor.update(self.world);
-        let target = Point3::from(spot.translation.vector);
-        let stand = self.nearest_stand(self.before.room_of(self.agent), target, vc_graph::NEAR);
+        let (room, target) = (self.before.room_of(self.agent), Point3::from(spot.translation.vector));
+        let within = self.nearest_stand(room, target, vc_graph::NEAR, |feet| self.puts_from(feet, id, spot));
+        let stand = within.or_else(|| self.nearest_stand(room, target, vc_graph::NEAR, |_| true));
         let stand = stand.ok_or_else(|| Impossible::NoStand(self.before.label(at)))?;
         self.walk(stand);
         Ok(())
@@ -381,7 +400,7 @@ impl Deed<'_> {
         let hand = self.hand(self.before, id).ok_or(Impossible::NotModelled("it is in no hand"))?;
         // Where it falls it may hang on a table's edge until something shakes it, or lie on a
         // book: on the floor beside these it stays.
-        if let Some(spot) = self.floor_spot(id).filter(|spot| self.reach_to_spot(id, spot) <= self.plan().reach)
+        if let Some(spot) = self.floor_spot(id).filter(|spot| self.puts_from(&self.feet(), id, spot))
             && self.world.put(self.agent, hand, spot).is_ok()
         {
             self.beats.push(Beat::Put(hand, id, spot));
@@ -470,7 +489,7 @@ impl Deed<'_> {
         if nearest > 1.4 {
             self.floor.update(self.world);
             let target = places.first().map(|p| Point3::from(p.translation.vector));
-            let stand = target.and_then(|t| self.nearest_stand(self.before.room_of(id), t, 1.4));
+            let stand = target.and_then(|t| self.nearest_stand(self.before.room_of(id), t, 1.4, |_| true));
             self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?);
         }
         if lying {

@@ -350,7 +350,7 @@ fn places_to_stand() {
         let feet: Point2<f32> = stand.feet.translation.vector.xy().into();
         assert!(floor.is_free(feet));
         let thing = world.pose(id).unwrap().translation.vector.xy();
-        assert!((thing - feet.coords).norm() < plan.reach + 0.05);
+        assert!((thing - feet.coords).norm() < plan.stretch() + 0.05);
         let front = (stand.feet.rotation * nalgebra::Vector3::x()).xy();
         assert!(front.dot(&(thing - feet.coords).normalize()) > 0.99, "it faces the thing");
         assert!((stand.route.points.last().unwrap() - feet).norm() < 1e-3);

@@ -1,15 +1,19 @@
 //! Two hands: taking, carrying, putting down.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point3, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 use vc_graph::{NodeId, Pose, Relation};
 
-use super::{Agent, BodyPlan, Posture};
+use super::{Agent, BodyPlan, LEAN, Posture};
 use crate::world::World;
 use crate::{AgentError, PhysicsError, Role, convert};
 
 /// How low a shoulder comes when one bends, as a share of the height.
 const BENT: f32 = 0.3;
+/// How high the shoulders come when it stands on its toes, metres above where they are.
+const TIPTOE: f32 = 0.08;
+/// From the hip to the shoulders, as a part of the height.
+const TORSO: f32 = 0.29;
 
 /// A hand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -89,7 +93,7 @@ impl World {
     }
 
     /// How far a thing is from an agent's shoulder, to its nearest point, metres. An
-    /// agent bends down for what is low.
+    /// agent bends down for what is low, leans towards what is far, and stands on its toes.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NoBody`].
@@ -102,12 +106,26 @@ impl World {
         Ok(self.distance_to(id, arm)?)
     }
 
-    /// Where the shoulder of a body is that reaches for a thing: as high as the
-    /// thing's middle, but no lower than one can bend.
+    /// How far from an agent's shoulder a thing would be put down at a pose by an agent with its
+    /// feet somewhere: to the middle of the thing, less half its size, metres.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`], [`PhysicsError::NoBody`].
+    pub fn reach_to_put(&self, agent: NodeId, feet: &Pose, id: NodeId, pose: &Pose) -> Result<f32, AgentError> {
+        let body = self.agent(agent)?;
+        let (low, high) = self.thing(id)?.form.extent;
+        let middle = pose * nalgebra::center(&low, &high);
+        let arm = match body.posture {
+            Posture::Standing => leaning(&body.plan, feet.translation.vector.into(), middle),
+            _ => body.shoulder(),
+        };
+        Ok((middle - arm).norm() - (high - low).norm() / 2.0)
+    }
+
+    /// Where the shoulder of a body is that reaches for a thing.
     pub(crate) fn arm(&self, plan: &BodyPlan, feet: Point3<f32>, id: NodeId) -> Result<Point3<f32>, PhysicsError> {
         let middle = self.aabb(id).ok_or(PhysicsError::NoBody(id))?.centre();
-        let rise = (middle.z - feet.z).clamp(BENT * plan.height, plan.shoulder());
-        Ok(feet + Vector3::z() * rise)
+        Ok(leaning(plan, feet, middle))
     }
 
     /// Distance of a point from the nearest point of a thing.
@@ -130,7 +148,7 @@ impl World {
         let feet = Point3::from(body.feet.translation.vector);
         // Whatever it bends for is within this of its middle.
         let middle = feet + Vector3::z() * (0.5 * body.plan.height);
-        let near = self.within(middle, body.plan.reach + 0.5 * body.plan.height);
+        let near = self.within(middle, body.plan.stretch() + 0.5 * body.plan.height);
         let carried = |id: &NodeId| self.thing(*id).is_ok_and(|t| t.state.graspable && t.state.role != Role::Carried);
         let mut found = Vec::new();
         for (id, _) in near.into_iter().filter(|(id, _)| carried(id)) {
@@ -230,13 +248,7 @@ impl World {
         if let Some(&other) = self.overlaps(id, &pose)?.first() {
             return Err(PhysicsError::Overlap { id, other }.into());
         }
-        let (low, high) = self.thing(id)?.form.extent;
-        let middle = pose * nalgebra::center(&low, &high);
-        let mut arm = body.shoulder();
-        if body.posture == Posture::Standing {
-            arm.z = middle.z.clamp(body.feet.translation.z + BENT * body.plan.height, arm.z);
-        }
-        let (distance, reach) = ((middle - arm).norm(), body.plan.reach + (high - low).norm() / 2.0);
+        let (distance, reach) = (self.reach_to_put(agent, &body.feet, id, &pose)?, body.plan.reach);
         if distance > reach {
             return Err(AgentError::OutOfReach { agent, id, distance, reach });
         }
@@ -295,4 +307,16 @@ fn grip(agent: &Agent, hand: Hand, pose: &Pose, middle: Point3<f32>) -> Pose {
     let turn = agent.feet.rotation.inverse() * pose.rotation;
     let hand = agent.hand(hand).coords;
     Pose::from_parts((hand - turn * middle.coords).into(), turn)
+}
+
+/// Where the shoulder of a standing body is that reaches for a point: leant towards it, and as
+/// high, but no lower than one can bend and no higher than a leaning body comes.
+fn leaning(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>) -> Point3<f32> {
+    let way = (to - feet).xy();
+    let forward = way.norm().min(LEAN);
+    let torso = TORSO * plan.height;
+    let sunk = torso - (torso * torso - forward * forward).max(0.0).sqrt();
+    let rise = (to.z - feet.z).clamp(BENT * plan.height, (plan.shoulder() + TIPTOE - sunk).max(BENT * plan.height));
+    let ahead = way.try_normalize(1e-6).map_or_else(Vector2::zeros, |w| w * forward);
+    feet + Vector3::new(ahead.x, ahead.y, rise)
 }

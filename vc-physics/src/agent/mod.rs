@@ -61,7 +61,15 @@ impl Default for BodyPlan {
     }
 }
 
+/// How far the shoulders come forward when one leans, metres.
+pub(crate) const LEAN: f32 = 0.3;
+
 impl BodyPlan {
+    /// How far from the middle of its feet a standing body reaches, along the floor, metres.
+    pub fn stretch(&self) -> f32 {
+        self.reach + LEAN
+    }
+
     /// Height of the shoulders above the feet, metres.
     pub fn shoulder(&self) -> f32 {
         0.82 * self.height

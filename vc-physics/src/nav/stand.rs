@@ -55,7 +55,8 @@ impl Floor {
         mut admits: impl FnMut(&Pose) -> bool,
     ) -> Result<Option<Stand>, PhysicsError> {
         let aabb = world.aabb(id).ok_or(PhysicsError::NoBody(id))?;
-        let (low, high) = (aabb.min.xy().coords.add_scalar(-plan.reach), aabb.max.xy().coords.add_scalar(plan.reach));
+        let (low, high) =
+            (aabb.min.xy().coords.add_scalar(-plan.stretch()), aabb.max.xy().coords.add_scalar(plan.stretch()));
         let mut spots: Vec<(f32, Point2<f32>)> = raster(low.into(), high.into())
             .filter(|spot| self.is_free(*spot))
             .map(|spot| ((spot - from).norm(), spot))
