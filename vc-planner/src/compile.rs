@@ -142,7 +142,8 @@ impl Compiler<'_> {
                 break;
             }
             let moved = moves(demand.predicate);
-            if (self.known)(id) && demand.holds(self.now, id) && !(moved && self.contested.contains(&id)) {
+            let fixed = !moved || !(self.contested.contains(&id) || self.is_passing(demand, id));
+            if (self.known)(id) && demand.holds(self.now, id) && fixed {
                 met += 1;
                 if moved {
                     self.reserved.push(id);
@@ -154,6 +155,11 @@ impl Compiler<'_> {
             return Some(0);
         }
         (met < demand.number).then_some(demand.number - met)
+    }
+
+    /// What is carried is in a room only until one leaves it.
+    fn is_passing(&self, demand: &Demand<'_>, id: NodeId) -> bool {
+        demand.predicate != Predicate::Holds && self.graph().holder(id).is_some_and(|hand| hand.at == self.now.agent)
     }
 
     fn demand(&mut self, demand: &Demand<'_>, short: usize) -> Result<()> {

@@ -10,6 +10,7 @@ use crate::Known;
 use crate::manners::Touched;
 use crate::plan::{Horizon, Plan};
 use crate::subgoal::View;
+use crate::tour::drops_elsewhere;
 use crate::want::{Unreachable, Want};
 use crate::weigh::Hints;
 
@@ -133,8 +134,11 @@ impl<'a> Regression<'a> {
             let walks = |a: &Action| a.verb == Verb::Walk;
             let stretch = actions[next + 1..].iter().position(walks).map_or(actions.len(), |n| next + 1 + n);
             let mark = self.trail.len();
-            let spared =
-                walks(&actions[next]) && stretch > next + 1 && actions[next + 1..stretch].iter().all(|a| self.step(a));
+            let (walk, then) = (&actions[next], &actions[next + 1..stretch]);
+            let spared = walks(walk)
+                && !then.is_empty()
+                && !drops_elsewhere(self.graph, self.agent, walk, then)
+                && then.iter().all(|a| self.step(a));
             if !spared {
                 self.rewind(mark);
                 if !actions[next..stretch].iter().all(|a| self.step_there(a)) {

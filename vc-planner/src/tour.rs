@@ -1,8 +1,15 @@
 //! From macros to actions.
 
-use vc_graph::{Action, NodeId, Verb};
+use vc_graph::{Action, NodeId, SceneGraph, Verb};
 
 use crate::packed::{Op, Problem, State, Way, bit};
+
+/// Whether a walk leads into another room and something is let go there, which stays where
+/// one stands: such a walk is needed, though what comes after it could be done without.
+pub(crate) fn drops_elsewhere(graph: &SceneGraph, agent: NodeId, walk: &Action, then: &[Action]) -> bool {
+    let leads_to = walk.object.and_then(|id| graph.room_of(id));
+    leads_to != graph.room_of(agent) && then.iter().any(|a| a.verb == Verb::Drop)
+}
 
 /// Writes macros out, with the things they are about.
 pub(crate) struct Tour<'a> {

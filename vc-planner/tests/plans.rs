@@ -51,6 +51,7 @@ const GOALS: &[(&str, usize)] = &[
     ("Holds(milk) & Holds(book)", 8),
     ("Sit(sofa) & Watch(television) & SwitchedOn(television)", 8),
     ("Sit(sofa) & Read(book)", 8),
+    ("InRoom(book, kitchen) & InRoom(milk, living_room)", 8),
     ("Sit(sofa) & On(book, kitchen_table)", 6),
     ("Lie(sofa) & On(book, kitchen_table) & Inside(jacket, dishwasher) & Closed(dishwasher)", 12),
     ("Wear(jacket)", 4),

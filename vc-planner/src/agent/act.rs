@@ -5,6 +5,7 @@ use vc_graph::{Action, Property, Refusal, Relation, State, Verb, rule};
 use super::{Agent, Decision};
 use crate::Plan;
 use crate::compile::anchor;
+use crate::tour::drops_elsewhere;
 
 impl Agent {
     /// Acts, after what the action needs first: a walk, an opening, a free hand.
@@ -12,7 +13,8 @@ impl Agent {
         // A walk that is not needed for what comes after it is left out.
         let spared = match plan.as_slice() {
             [walk, then, ..] if walk.verb == Verb::Walk && *walk == action && then.verb != Verb::Walk => {
-                self.refusals(then).is_empty().then_some(*then)
+                let needed = drops_elsewhere(self.belief.graph(), self.id, walk, &[*then]);
+                (!needed && self.refusals(then).is_empty()).then_some(*then)
             }
             _ => None,
         };

@@ -25,7 +25,7 @@ impl Compiler<'_> {
         let surface =
             node.kind() == Kind::Object && node.affords(Property::Surface) && !node.affords(Property::Graspable);
         self.out.problem.spots.push(Spot { anchor, room: Some(room), reach: bit(number as u8), surface });
-        if graph.near(me, anchor) {
+        if graph.near(me, anchor) || graph.room_of(me) == Some(anchor) {
             self.out.start.at |= bit(number as u8);
         }
         Some(number as u8)
