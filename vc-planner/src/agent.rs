@@ -1,6 +1,7 @@
 //! An agent that pursues a goal in a scene of which it sees only a part.
 
 mod act;
+mod company;
 mod decide;
 
 use std::collections::VecDeque;
@@ -12,7 +13,7 @@ use crate::demand::Choice;
 use crate::manners::Manners;
 use crate::plan::{Horizon, Planner};
 use crate::search::Effort;
-use crate::team::next_trip;
+use crate::trip::Promise;
 use crate::want::{Unreachable, Want};
 use crate::{Belief, Learned, Plan, Prior};
 
@@ -86,8 +87,8 @@ pub struct Agent {
     /// What it has done since then.
     tried: Vec<Action>,
     /// What others have promised to bring where, and what it promises itself.
-    counted_on: Vec<(NodeId, Place)>,
-    promises: Vec<(NodeId, Place)>,
+    counted_on: Vec<Promise>,
+    promises: Vec<Promise>,
 }
 
 impl Agent {
@@ -198,40 +199,13 @@ impl Agent {
         self.belief.hear(told)
     }
 
-    /// What others have promised to bring where: that counts as done.
-    pub(crate) fn count_on(&mut self, promised: Vec<(NodeId, Place)>) {
-        self.planner.awaited = promised.iter().map(|(_, place)| place.at).collect();
-        self.counted_on = promised;
-        self.next.clear();
-    }
-
-    /// What it will bring where on its next trip.
-    pub(crate) fn promises(&self) -> &[(NodeId, Place)] {
-        &self.promises
-    }
-
-    /// The sampled state, with what others have promised done.
-    fn imagined(&self) -> SceneGraph {
-        let mut graph = self.belief.graph().clone();
-        let mut edit = graph.edit();
-        for (item, place) in &self.counted_on {
-            // What cannot be imagined is not counted on.
-            let _ = edit.place(*item, *place);
-        }
-        edit.commit();
-        graph
-    }
-
     /// What it would do now.
     pub fn decide(&mut self) -> Decision {
+        self.keep_promises();
         let decision = self.think_on();
-        self.promises = match &decision {
-            Decision::Act(_, plan) => {
-                let held: Vec<NodeId> = self.belief.graph().held(self.id).collect();
-                next_trip(&held, &plan.actions)
-            }
-            _ => Vec::new(),
-        };
+        if let Decision::Act(_, plan) = &decision {
+            self.promise(plan);
+        }
         decision
     }
 

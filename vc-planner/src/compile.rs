@@ -202,7 +202,7 @@ impl Compiler<'_> {
     }
 
     /// A need that items serve.
-    fn need(&mut self, demand: &Demand<'_>, short: usize, ways: Vec<Way>) -> Result<()> {
+    fn need(&mut self, demand: &Demand<'_>, mut short: usize, ways: Vec<Way>) -> Result<()> {
         let number = self.out.problem.needs.len();
         if number == MOST || ways.is_empty() {
             self.out.more |= number == MOST;
@@ -227,6 +227,11 @@ impl Compiler<'_> {
         }
         if fit < demand.number {
             return Err(Unreachable::NoInstance(demand.part.to_string()));
+        }
+        if self.leave.in_company {
+            let before = known.len();
+            known.retain(|&id| !self.is_held_by_another(id));
+            short = short.saturating_sub(before - known.len());
         }
         if missing.is_empty() {
             self.check_reach(demand, &known, short)?;

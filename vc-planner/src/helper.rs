@@ -6,7 +6,7 @@ use vc_tasks::{Outcome, Task, World, WorldError};
 
 use crate::policy::{Brief, Policy, Reaction};
 use crate::shared::shared;
-use crate::team::next_trip;
+use crate::trip::{Promise, Trip};
 use crate::{Agent, Belief, Decision, Effort, Learned, Planner, Prior, TeamEpisode, Watcher};
 
 /// It helps with a goal when it is so likely.
@@ -84,13 +84,13 @@ impl Helper {
     /// What the other will bring where on its next trip, if it pursues a goal: of what it
     /// has in its hands or before its eyes. What it would have to look for first is
     /// sooner brought by who knows where it is.
-    fn foresee(&mut self, goal: &Goal) -> Vec<(NodeId, vc_graph::Place)> {
+    fn foresee(&mut self, goal: &Goal) -> Vec<Promise> {
         let (Some(graph), Some(other)) = (self.promised(), self.other) else { return Vec::new() };
         let plan = self.planner.outline(&graph, other, goal, &[]).unwrap_or_default();
         let held: Vec<NodeId> = graph.held(other).collect();
         let here = graph.room_of(other);
         let sees = |id: NodeId| graph.room_of(id) == here && graph.hidden_in(id).is_none();
-        let mut trip = next_trip(&held, &plan);
+        let mut trip = Trip::of(&graph, other, &plan).promises;
         trip.retain(|(item, _)| held.contains(item) || sees(*item));
         trip
     }

@@ -25,6 +25,7 @@ mod shared;
 mod subgoal;
 mod team;
 mod tour;
+mod trip;
 mod want;
 mod weigh;
 

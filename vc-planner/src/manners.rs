@@ -39,6 +39,8 @@ pub(crate) struct Leave<'a> {
     pub(crate) tidy: Option<&'a Touched>,
     /// To these another is bringing something: they are neither closed nor switched.
     pub(crate) awaited: &'a [NodeId],
+    /// What others hold they see to.
+    pub(crate) in_company: bool,
 }
 
 /// Doors and switches that have been touched, each with the state it was in at first.

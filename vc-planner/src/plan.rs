@@ -86,6 +86,8 @@ pub struct Planner {
     pub(crate) touched: Touched,
     /// What another is bringing something to.
     pub(crate) awaited: Vec<NodeId>,
+    /// Others pursue the goal as well: one tells them what one does next, and does that.
+    pub(crate) in_company: bool,
 }
 
 impl Planner {
@@ -100,7 +102,7 @@ impl Planner {
     }
 
     fn leave(&self) -> Leave<'_> {
-        Leave { tidy: self.tidy(), awaited: &self.awaited }
+        Leave { tidy: self.tidy(), awaited: &self.awaited, in_company: self.in_company }
     }
 
     /// Plans to the goal with full knowledge. The scene is put back before this

@@ -1,7 +1,7 @@
 //! Several agents with one goal, and one that helps another whose goal it infers.
 
 use vc_graph::goal::Situation;
-use vc_graph::{Action, Event, Goal, NodeId, Place, Relation, SceneGraph, Scope, Verb};
+use vc_graph::{Event, Goal, NodeId, SceneGraph, Scope, Verb};
 use vc_tasks::{Outcome, Task, World};
 
 use crate::shared::shared;
@@ -81,12 +81,12 @@ impl Team {
         let mut done = 0;
         for index in 0..self.agents.len() {
             self.look(world);
-            let promised: Vec<(NodeId, Place)> = (0..self.agents.len())
-                .filter(|&other| other != index)
-                .flat_map(|other| self.agents[other].promises().to_vec())
-                .collect();
+            if self.agents.len() > 1 {
+                let others = (0..self.agents.len()).filter(|&other| other != index);
+                let promised = others.flat_map(|other| self.agents[other].promises().to_vec()).collect();
+                self.agents[index].count_on(promised);
+            }
             let agent = &mut self.agents[index];
-            agent.count_on(promised);
             let Decision::Act(action, _) = agent.decide() else { continue };
             if world.step(self.ids[index], &action).is_ok() {
                 agent.did(&action);
@@ -111,27 +111,6 @@ impl Team {
             agent.see(&seen[index]);
         }
     }
-}
-
-/// What an agent's plan brings where on its next trip: until its hands are empty.
-pub(crate) fn next_trip(held: &[NodeId], plan: &[Action]) -> Vec<(NodeId, Place)> {
-    let mut trip: Vec<(NodeId, Place)> = Vec::new();
-    let mut hands = held.len();
-    for action in plan {
-        match (action.verb, action.object, action.target) {
-            (Verb::Grab, ..) => hands += 1,
-            (verb @ (Verb::Place | Verb::PutIn), Some(item), Some(at)) => {
-                let relation = if verb == Verb::Place { Relation::On } else { Relation::Inside };
-                trip.push((item, Place { relation, at }));
-                hands = hands.saturating_sub(1);
-                if hands == 0 || trip.len() == 2 {
-                    break;
-                }
-            }
-            _ => {}
-        }
-    }
-    trip
 }
 
 /// Infers which of some goals somebody pursues, from what it is seen to do: an action

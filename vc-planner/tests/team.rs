@@ -2,8 +2,6 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
-use std::collections::BTreeMap;
-
 use vc_graph::{Draft, Event, Goal, History, NodeId, SceneBuilder, SceneGraph, Seed, Simulator, Verb};
 use vc_planner::{Helper, Newcomer, Policy, Team, Watcher, plan, run_together};
 use vc_tasks::{Outcome, Task};
@@ -116,45 +114,6 @@ fn what_is_waited_for_is_not_shut() {
             assert!(times(Verb::Open) <= 1 && times(Verb::SwitchOn) <= 1, "{known} {seed} {class}: {told:#?}");
         }
     }
-}
-
-/// Nobody fetches what another has fetched, unless that one had to put it down on the way to
-/// free a hand: then it is taken over, which is rare.
-#[test]
-fn each_thing_is_fetched_by_one() {
-    let (mut fetched, mut taken_over) = (0, 0);
-    for seed in 0..20 {
-        for known in [true, false] {
-            let scene = home(seed);
-            let task = Task::new("together", GOAL.parse().unwrap());
-            let mut team = match known {
-                true => Team::residents(&scene, scene.agents(), &task.goal),
-                false => Team::newcomers(&scene, scene.agents(), &task.goal, seed),
-            };
-            let mut world = Simulator::new(scene);
-            assert_eq!(team.run(&task, &mut world).outcome, Outcome::Won);
-            // Who had each thing last in hand, and how often it was put down since.
-            let mut last: BTreeMap<NodeId, (NodeId, usize)> = BTreeMap::new();
-            for event in world.history().events() {
-                let Some(item) = event.action.object else { continue };
-                match event.action.verb {
-                    Verb::Grab => {
-                        if let Some((agent, put)) = last.insert(item, (event.agent, 0)) {
-                            assert!(put > 0, "{seed} {known}: {item} is grabbed twice");
-                            taken_over += usize::from(agent != event.agent);
-                        } else {
-                            fetched += 1;
-                        }
-                    }
-                    Verb::Place | Verb::PutIn | Verb::Drop => last.get_mut(&item).unwrap().1 += 1,
-                    _ => {}
-                }
-            }
-        }
-    }
-    println!("{fetched} things fetched, {taken_over} of them taken over on the way");
-    assert!(fetched > 200, "{fetched}");
-    assert!(taken_over * 100 <= fetched, "{taken_over} of {fetched}");
 }
 
 #[test]

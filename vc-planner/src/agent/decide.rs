@@ -124,7 +124,9 @@ impl Agent {
         if let Some(action) = known.or_else(|| self.put_back(&sketch)) {
             return self.act(action, sketch.actions);
         }
-        match best_look(&self.belief, self.id, &sketch.compiled, self.planner.manners) {
+        let look = best_look(&self.belief, self.id, &sketch.compiled, self.planner.manners);
+        self.promise_found(look, &sketch.actions);
+        match look {
             Some(Look::Visit(at)) => self.act(Action::one(Verb::Walk, at), Vec::new()),
             Some(Look::Open(at)) => self.go_and(Action::one(Verb::Open, at)),
             Some(Look::Do(action)) => self.go_and(action),
