@@ -1,7 +1,7 @@
 //! Plans: the best order of macros, and what is left by regression.
 
 use vc_graph::goal::{Goal, Situation};
-use vc_graph::{Action, Event, History, Node, NodeId, SceneGraph};
+use vc_graph::{Action, Event, History, Node, NodeId, Place, SceneGraph};
 
 use crate::compile::{Compiled, compile};
 use crate::demand::{Choice, Demands, Reader};
@@ -332,6 +332,7 @@ pub(crate) fn plan_in_belief(
     horizon: Horizon,
     (pursued, touched): (Option<Want>, Option<&Touched>),
 ) -> Result<Plan, Unreachable> {
+    let unseen: Vec<Place> = belief.possible_places().collect();
     let (graph, known) = belief.sampled_and_known();
-    Regression::new(graph, agent, known, events, goal).tidying(touched).run(goal, horizon, pursued)
+    Regression::new(graph, agent, known, events, goal).tidying(touched).doubting(&unseen).run(goal, horizon, pursued)
 }

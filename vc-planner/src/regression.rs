@@ -4,7 +4,9 @@
 mod tidy;
 
 use vc_graph::goal::{Goal, Situation};
-use vc_graph::{Action, ChangeSet, Condition, Event, NodeId, Property, Refusal, SceneGraph, Verb, rule};
+use vc_graph::{
+    Action, ChangeSet, Condition, Event, Node, NodeId, Place, Property, Refusal, SceneGraph, State, Verb, rule,
+};
 
 use crate::Known;
 use crate::manners::Touched;
@@ -32,6 +34,8 @@ pub(crate) struct Regression<'a> {
     knows_all: bool,
     /// What has been opened and switched before, for those who put it back.
     touched: Option<&'a Touched>,
+    /// Where things that have not been found can be.
+    unseen: &'a [Place],
     hints: Hints,
     events: Vec<Event>,
     done_before: usize,
@@ -59,6 +63,7 @@ impl<'a> Regression<'a> {
             known,
             knows_all,
             touched: None,
+            unseen: &[],
             hints: Hints::of(goal),
             events: events.to_vec(),
             done_before: events.len(),
@@ -74,6 +79,11 @@ impl<'a> Regression<'a> {
         Self { touched, ..self }
     }
 
+    /// Tells it where things that have not been found can be.
+    pub(crate) fn doubting(self, unseen: &'a [Place]) -> Self {
+        Self { unseen, ..self }
+    }
+
     pub(crate) fn run(mut self, goal: &Goal, horizon: Horizon, pursued: Option<Want>) -> Result<Plan, Unreachable> {
         let result = self.work(goal, horizon, pursued);
         self.rewind(0);
@@ -85,7 +95,7 @@ impl<'a> Regression<'a> {
     }
 
     fn view(&self) -> View<'_> {
-        View { now: self.now(), known: self.known, hints: &self.hints }
+        View { now: self.now(), known: self.known, unseen: self.unseen, hints: &self.hints }
     }
 
     pub(crate) fn work(
@@ -119,7 +129,7 @@ impl<'a> Regression<'a> {
             };
             wants.push((want, self.trail.len() - before));
             // A look ends the plan: only an observation can tell what is there.
-            if matches!(want, Want::See(_)) {
+            if want.is_look() {
                 return Ok(Plan { actions: self.actions(), wants, proved: false });
             }
         }
@@ -177,6 +187,7 @@ impl<'a> Regression<'a> {
         match want {
             Want::Do(action) => action.describe(self.graph).to_string(),
             Want::See(id) => format!("see {}", self.graph.label(*id)),
+            Want::LookInto(id) => format!("look into {}", self.graph.label(*id)),
             Want::Hold(condition) => match condition.check(self.graph, self.agent) {
                 Err(refusal) => format!("({refusal})"),
                 Ok(()) => want.to_string(),
@@ -195,6 +206,10 @@ impl<'a> Regression<'a> {
             Want::Hold(condition) => self.achieve(condition) && self.trail.len() > mark,
             Want::Do(action) => self.act(action),
             Want::See(id) => self.come_to_see(*id),
+            Want::LookInto(id) if self.graph.node(*id).is_some_and(Node::hides_contents) => {
+                self.achieve(&Condition::In(*id, State::Open))
+            }
+            Want::LookInto(id) => self.come_to_see(*id),
         };
         if !settled {
             self.rewind(mark);

@@ -5,7 +5,7 @@ mod number;
 mod wants;
 
 use vc_graph::goal::{Goal, Predicate, Quantified, Situation, Term};
-use vc_graph::{NodeId, SceneGraph};
+use vc_graph::{NodeId, Place, SceneGraph};
 
 use crate::Known;
 use crate::want::{Subgoal, Unreachable, Want};
@@ -15,6 +15,8 @@ use crate::weigh::Hints;
 pub(crate) struct View<'a> {
     pub(crate) now: Situation<'a>,
     pub(crate) known: &'a Known,
+    /// Where things that have not been found can be.
+    pub(crate) unseen: &'a [Place],
     pub(crate) hints: &'a Hints,
 }
 
@@ -149,7 +151,7 @@ impl View<'_> {
             let mut open = Ok(Vec::new());
             let mut met = None;
             for end in ends {
-                open = View { now: stretch(end), known: self.known, hints: self.hints }.open(part, bound);
+                open = View { now: stretch(end), ..*self }.open(part, bound);
                 if open.as_ref().is_ok_and(Vec::is_empty) {
                     met = Some(end);
                     break;

@@ -12,6 +12,15 @@ pub enum Want {
     Do(Action),
     /// A thing to be seen: the goal seems to hold of it, but only by guess.
     See(NodeId),
+    /// A container to be looked into: there may be something the goal forbids.
+    LookInto(NodeId),
+}
+
+impl Want {
+    /// Whether it is only to see what is so.
+    pub(crate) fn is_look(&self) -> bool {
+        matches!(self, Self::See(_) | Self::LookInto(_))
+    }
 }
 
 /// One open part of a goal: any of its options settles it.
@@ -28,6 +37,7 @@ impl std::fmt::Display for Want {
             Self::Hold(condition) => write!(f, "{condition:?}"),
             Self::Do(action) => write!(f, "{action}"),
             Self::See(id) => write!(f, "see {id}"),
+            Self::LookInto(id) => write!(f, "look into {id}"),
         }
     }
 }

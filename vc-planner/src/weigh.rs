@@ -47,7 +47,7 @@ impl View<'_> {
     pub(crate) fn stage(&self, want: &Want) -> u8 {
         let me = self.now.agent;
         match want {
-            Want::See(_) => 0,
+            Want::See(_) | Want::LookInto(_) => 0,
             Want::Hold(Condition::Related(from, Relation::On | Relation::Inside | Relation::InRoom, _))
                 if *from != me =>
             {
@@ -80,7 +80,7 @@ impl View<'_> {
     /// Roughly how far away it is to bring something about.
     pub(crate) fn cost(&self, want: &Want) -> u32 {
         match want {
-            Want::See(id) => self.way(*id) + 1,
+            Want::See(id) | Want::LookInto(id) => self.way(*id) + 1,
             Want::Do(action) => {
                 let named = |id| self.hints.named.is_empty() || self.hints.named.contains(&id);
                 action.things().map(|id| self.way(id) + UNNAMED * u32::from(!named(id))).sum()

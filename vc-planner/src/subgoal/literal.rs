@@ -1,7 +1,7 @@
 //! What is open of a literal: of which things it is to hold, or no longer.
 
 use vc_graph::goal::{Goal, Literal, Predicate, Term};
-use vc_graph::{Action, Node, NodeId, Verb};
+use vc_graph::{Action, Node, NodeId, Place, Property, Relation, Verb};
 
 use super::number::Limit;
 use super::{Bindings, Found, View};
@@ -52,14 +52,16 @@ impl View<'_> {
 
     /// At most so many things may satisfy a literal.
     pub(super) fn at_most(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
-        let mut holding = Vec::new();
-        let mut unseen = Vec::new();
+        let (mut holding, mut carried) = (Vec::new(), Vec::new());
+        let mut looks: Vec<Want> = Vec::new();
         for (_, things) in self.choices(literal, bound) {
             for t in things {
                 if self.now.holds(literal.predicate, t) {
                     holding.push(t);
-                } else if !self.is_known(literal, &t) {
-                    unseen.extend(self.to_see(literal, &t));
+                } else {
+                    carried.extend(t[0].filter(|_| self.is_carried_out(literal.predicate, t)));
+                    let doubts = self.to_rule_out(literal, &t);
+                    looks.extend(doubts.into_iter().filter(|want| !looks.contains(want)).collect::<Vec<_>>());
                 }
             }
         }
@@ -74,8 +76,21 @@ impl View<'_> {
                 Ok(vec![Subgoal { options }])
             };
         }
-        let subgoal = |want| Subgoal { options: vec![want] };
-        Ok(unseen.into_iter().map(subgoal).collect())
+        // What has been carried out of a room does not go back there with who looks on.
+        if let Some(&id) = carried.first().filter(|_| !looks.is_empty()) {
+            return Ok(vec![Subgoal { options: vec![Want::Do(Action::one(Verb::Drop, id))] }]);
+        }
+        looks.sort_by_cached_key(|want| self.cost(want));
+        Ok(looks.into_iter().map(|want| Subgoal { options: vec![want] }).collect())
+    }
+
+    /// Whether a thing is in the hand that is not to be in a room.
+    fn is_carried_out(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> bool {
+        let (Predicate::Relation(Relation::Inside | Relation::InRoom), [Some(id), Some(at)]) = (predicate, things)
+        else {
+            return false;
+        };
+        self.graph().rooms().contains(&at) && self.graph().holder(id).is_some_and(|hand| hand.at == self.now.agent)
     }
 
     /// For each thing that counts, the choices of all things with it.
@@ -125,5 +140,31 @@ impl View<'_> {
             return Vec::new();
         }
         things.iter().flatten().filter(|&&id| !self.known.contains(id)).take(1).map(|&id| Want::See(id)).collect()
+    }
+
+    /// What to look at to be sure that a literal does not hold: of where a thing is, the
+    /// places not seen that it names.
+    fn to_rule_out(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> Vec<Want> {
+        let (
+            Predicate::Relation(relation @ (Relation::On | Relation::Inside | Relation::InRoom)),
+            [Some(id), Some(at)],
+        ) = (literal.predicate, *things)
+        else {
+            return self.to_see(literal, things);
+        };
+        let graph = self.graph();
+        // What is fixed stays where it is, what has been seen is not elsewhere.
+        if self.known.contains(id) || !graph.node(id).is_some_and(|n| n.affords(Property::Graspable)) {
+            return Vec::new();
+        }
+        let there = |place: &&Place| match relation {
+            Relation::On => place.relation == relation && place.at == at,
+            _ => place.at == at || graph.room_of(place.at) == Some(at) || graph.support_chain(place.at).contains(&at),
+        };
+        let look = |place: &Place| match place.relation {
+            Relation::Inside => Want::LookInto(place.at),
+            _ => Want::See(place.at),
+        };
+        self.unseen.iter().filter(there).map(look).collect()
     }
 }

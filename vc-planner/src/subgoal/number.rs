@@ -130,7 +130,7 @@ impl View<'_> {
 
 /// Whether a way is only to look, or nothing at all.
 fn is_look(way: &[Subgoal]) -> bool {
-    way.iter().all(|s| matches!(s.options.first(), Some(Want::See(_))))
+    way.iter().all(|s| s.options.first().is_some_and(Want::is_look))
 }
 
 /// What is open of so many pairs: those with little to do are taken first, and no pair

@@ -64,6 +64,11 @@ impl View<'_> {
                 Relation::HoldsRight | Relation::HoldsLeft => vec![Want::Do(Action::one(Verb::Drop, to))],
                 Relation::SittingOn | Relation::LyingOn => vec![Want::Hold(Condition::Upright)],
                 Relation::On | Relation::Inside if from == me => vec![Want::Hold(Condition::Upright)],
+                // Who only takes it up has it there still.
+                Relation::Inside | Relation::InRoom if self.graph().rooms().contains(&to) => {
+                    let others = self.graph().rooms().iter().filter(|room| **room != to);
+                    others.map(|&room| Want::Hold(Condition::Related(from, Relation::InRoom, room))).collect()
+                }
                 Relation::On | Relation::Inside | Relation::WornBy | Relation::InRoom => {
                     vec![Want::Hold(Condition::Holding(from))]
                 }
