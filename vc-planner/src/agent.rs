@@ -178,6 +178,7 @@ impl Agent {
     pub fn pursue(&mut self, goal: Goal) {
         self.concerns = concerns(&goal, self.belief.graph());
         self.goal = goal;
+        self.promises.clear();
         self.forget_plans();
         self.idle = 0;
     }

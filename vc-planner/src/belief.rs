@@ -170,6 +170,11 @@ impl Belief {
         self.places.is_empty()
     }
 
+    /// Whether a node was in view when it looked last.
+    pub(crate) fn sees(&self, id: NodeId) -> bool {
+        self.last.as_ref().is_some_and(|seen| seen.sees(id))
+    }
+
     fn suppose(&mut self, id: NodeId, place: usize) {
         let Some(place) = self.places.get(place).copied() else { return };
         let mut edit = self.graph.edit();

@@ -9,14 +9,15 @@ use crate::shared::shared;
 use crate::trip::{Promise, Trip};
 use crate::{Agent, Belief, Decision, Effort, Learned, Planner, Prior, TeamEpisode, Watcher};
 
-/// It helps with a goal when it is so likely.
-const SURE: f64 = 0.6;
+/// It helps with a goal when it is likelier than this: than all others together.
+const SURE: f64 = 0.5;
 
 /// A policy that watches another agent, infers which of some goals it pursues, and does
 /// what that one is not about to do itself.
 ///
-/// It makes no use of the task it is told. Until one goal is likely enough, and where
-/// nothing is left for it, it decides [`Decision::Done`]: it waits.
+/// It makes no use of the task it is told. Until one goal is likely enough it watches, going
+/// after the other where it sees only its room; where nothing is left for it, it decides
+/// [`Decision::Done`]: it waits.
 ///
 /// What it sees of the other's deeds comes through [`Policy::saw`]; [`run_together`]
 /// tells those that happen in view.
@@ -29,6 +30,8 @@ pub struct Helper {
     me: NodeId,
     agent: Option<Agent>,
     other: Option<NodeId>,
+    /// Where the other was last seen to go.
+    trail: Option<NodeId>,
     /// The goal it helps with.
     helping: Option<usize>,
 }
@@ -47,7 +50,7 @@ impl Helper {
     fn with(goals: Vec<Goal>, scope: Scope) -> Self {
         let watcher = Watcher::new(goals.clone());
         let planner = Planner::trying(Effort::QUICK);
-        Self { goals, scope, watcher, planner, me: NodeId(0), agent: None, other: None, helping: None }
+        Self { goals, scope, watcher, planner, me: NodeId(0), agent: None, other: None, trail: None, helping: None }
     }
 
     /// The goals with how likely they are; likeliest first.
@@ -74,11 +77,24 @@ impl Helper {
         Some(graph)
     }
 
-    /// Puts down what it took by mistake: the other may want it.
-    fn let_go(&self) -> Decision {
-        let held = self.agent.as_ref().and_then(|agent| agent.belief().graph().held(self.me).next());
-        let drop = |id| Decision::Act(Action::one(Verb::Drop, id), crate::Plan::default());
-        held.map_or(Decision::Done, drop)
+    /// Puts down what it took by mistake, as the other may want it; else goes to where it can
+    /// see what the other does.
+    fn watch_on(&self) -> Decision {
+        let Some(belief) = self.agent.as_ref().map(Agent::belief) else { return Decision::Done };
+        let drop = belief.graph().held(self.me).next().map(|id| Action::one(Verb::Drop, id));
+        let action = drop.or_else(|| self.room_to_watch(belief).map(|room| Action::one(Verb::Walk, room)));
+        action.map_or(Decision::Done, |action| Decision::Act(action, crate::Plan::default()))
+    }
+
+    /// With nobody in view, where the other has gone, or else a room not looked at.
+    fn room_to_watch(&self, belief: &Belief) -> Option<NodeId> {
+        let graph = belief.graph();
+        if self.scope == Scope::Whole || graph.agents().iter().any(|&id| id != self.me && belief.sees(id)) {
+            return None;
+        }
+        let elsewhere = |room: &NodeId| Some(*room) != graph.room_of(self.me);
+        let unseen = || belief.possible_places().filter_map(|place| graph.room_of(place.at)).find(elsewhere);
+        self.trail.filter(elsewhere).or_else(unseen)
     }
 
     /// What the other will bring where on its next trip, if it pursues a goal: of what it
@@ -91,7 +107,8 @@ impl Helper {
         let here = graph.room_of(other);
         let sees = |id: NodeId| graph.room_of(id) == here && graph.hidden_in(id).is_none();
         let mut trip = Trip::of(&graph, other, &plan).promises;
-        trip.retain(|(item, _)| held.contains(item) || sees(*item));
+        let mine = self.agent.as_ref().map_or_else(Vec::new, |a| a.belief().graph().held(self.me).collect());
+        trip.retain(|(item, _)| !mine.contains(item) && (held.contains(item) || sees(*item)));
         trip
     }
 }
@@ -113,7 +130,7 @@ impl Policy for Helper {
             _ => Agent::supposing(scene, agent, idle, seed.0, Prior::Kept),
         });
         self.watcher = Watcher::new(self.goals.clone());
-        (self.me, self.other, self.helping) = (agent, None, None);
+        (self.me, self.other, self.trail, self.helping) = (agent, None, None, None);
     }
 
     fn see(&mut self, seen: &Observation) -> Learned {
@@ -126,13 +143,14 @@ impl Policy for Helper {
         let mut after = before.clone();
         if rule::step(&mut after, event.agent, &event.action).is_ok() {
             self.watcher.watch(&before, &after, event);
+            self.trail = after.room_of(event.agent);
         }
     }
 
     fn decide(&mut self) -> Decision {
         let likely = self.watcher.likely();
-        let Some(goal) = likely.first().filter(|(_, chance)| *chance >= SURE).map(|(goal, _)| (*goal).clone()) else {
-            return self.let_go();
+        let Some(goal) = likely.first().filter(|(_, chance)| *chance > SURE).map(|(goal, _)| (*goal).clone()) else {
+            return self.watch_on();
         };
         let number = self.goals.iter().position(|g| *g == goal);
         let promised = self.foresee(&goal);

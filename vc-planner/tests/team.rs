@@ -176,12 +176,13 @@ fn helped_by(helper: fn(Vec<Goal>) -> Helper) -> (usize, usize, usize) {
 fn a_helper_saves_steps() {
     let (alone, helped, right) = helped_by(Helper::resident);
     assert!(right >= 18, "{right}");
-    assert!(helped * 100 <= alone * 80, "{helped} of {alone}");
+    assert!(helped * 100 <= alone * 76, "{helped} of {alone}");
 }
 
-/// Who sees only the room it is in sees less of what the other does, and helps less.
+/// Who sees only the room it is in goes after the other to see what it does, and helps less.
 #[test]
 fn a_helper_that_has_just_moved_in_saves_steps_too() {
-    let (alone, helped, _) = helped_by(Helper::newcomer);
-    assert!(helped < alone, "{helped} of {alone}");
+    let (alone, helped, right) = helped_by(Helper::newcomer);
+    assert!(right >= 18, "{right}");
+    assert!(helped * 100 <= alone * 92, "{helped} of {alone}");
 }

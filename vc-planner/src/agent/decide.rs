@@ -101,6 +101,8 @@ impl Agent {
             Ok(found) => found,
             Err(reason) => {
                 return match self.decide_by_regression() {
+                    // Who has nothing else to do looks where it may be by now.
+                    Decision::GiveUp(_) if self.has_let_go(&reason) => self.decide_best(),
                     Decision::GiveUp(_) => Decision::GiveUp(reason),
                     other => other,
                 };
@@ -132,6 +134,10 @@ impl Agent {
             Some(Look::Do(action)) => self.go_and(action),
             None => self.decide_by_regression(),
         }
+    }
+
+    fn has_let_go(&mut self, reason: &Unreachable) -> bool {
+        matches!(reason, Unreachable::HeldByAnother(_)) && self.belief.let_go_of_held()
     }
 
     /// For those with manners, the closing of what was opened in vain, while it is at hand.

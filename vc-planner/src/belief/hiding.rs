@@ -51,6 +51,16 @@ impl Belief {
         self.graph.in_room(room).filter(gone).collect()
     }
 
+    /// Takes what others went out of view with to have been put down somewhere; whether there
+    /// is any.
+    pub(crate) fn let_go_of_held(&mut self) -> bool {
+        let away = self.graph.agents().iter().filter(|&&id| !self.knows_all() && id != self.agent && !self.sees(id));
+        let held: Vec<NodeId> =
+            away.flat_map(|&id| self.graph.held(id)).filter(|id| self.known.contains(*id)).collect();
+        held.iter().for_each(|&id| self.lose(id, &mut Learned::default()));
+        !held.is_empty()
+    }
+
     fn lose(&mut self, id: NodeId, learned: &mut Learned) {
         self.known.remove(id);
         self.weigh(id);
