@@ -1,0 +1,301 @@
+//! A search played to its end in one home.
+
+use std::ops::Range;
+
+use super::world::World;
+use super::{
+    FLOOR, Hunt, Item, LONGEST, MOST_ITEMS, MOST_LACKS, MOST_ROOMS, MOST_SITES, MOST_TARGETS, Move, Outlook, Target,
+};
+use crate::packed::ones;
+
+/// A search being played.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Play {
+    cost: u32,
+    room: u8,
+    /// The spot at hand; at first those the hunt says.
+    at: Option<u16>,
+    begun: bool,
+    pub(super) entered: u64,
+    seen: [u64; MOST_SITES / 64],
+    found: u32,
+    left: [u8; MOST_LACKS],
+    /// The lacks of which something is left, as bits.
+    lacking: u8,
+    items: [Item; MOST_ITEMS],
+    known: u8,
+    held: [Option<u8>; 2],
+    hands: u8,
+    /// The best look in each room, but for the rooms (bits) in which something has changed.
+    offers: [Option<(f64, Move)>; MOST_ROOMS],
+    stale: u64,
+}
+
+impl Play {
+    pub(super) fn start(hunt: &Hunt) -> Self {
+        let mut play = Self {
+            cost: 0,
+            room: hunt.room,
+            at: None,
+            begun: false,
+            entered: 0,
+            seen: [0; MOST_SITES / 64],
+            found: 0,
+            left: [0; MOST_LACKS],
+            lacking: 0,
+            items: [Item::default(); MOST_ITEMS],
+            known: 0,
+            held: [None; 2],
+            hands: hunt.blocked,
+            offers: [None; MOST_ROOMS],
+            stale: every_room(hunt),
+        };
+        for (i, lack) in hunt.lacks.iter().enumerate().take(MOST_LACKS) {
+            play.left[i] = lack.left;
+            play.lacking |= u8::from(lack.left > 0) << i;
+        }
+        hunt.items.iter().for_each(|item| play.learn(*item));
+        hunt.hands.iter().for_each(|&target| play.hold(Some(target)));
+        let empty = |(range, shut): &(Range<u16>, u16)| range.start == *shut;
+        (0..hunt.rooms.len()).filter(|&r| empty(&hunt.rooms[r])).for_each(|r| play.entered |= 1 << r);
+        play.entered |= 1 << hunt.room;
+        play
+    }
+
+    /// The cost of a move and of all that comes after it by the base policy.
+    pub(super) fn played(mut self, hunt: &Hunt, world: &World, first: Move) -> f64 {
+        self.make(hunt, world, first);
+        loop {
+            self.at_once(hunt);
+            if self.lacking == 0 || self.cost > LONGEST {
+                return f64::from(self.cost + self.rest(hunt));
+            }
+            let next = if self.full() { self.delivery() } else { None };
+            match next.or_else(|| self.look(hunt)) {
+                Some(next) => self.make(hunt, world, next),
+                None => return f64::from(self.cost + self.rest(hunt)),
+            }
+        }
+    }
+
+    fn make(&mut self, hunt: &Hunt, world: &World, next: Move) {
+        match next {
+            Move::Visit { room, spot } => self.go(hunt, world, room, spot),
+            Move::Open(site) => self.open(hunt, world, site),
+            Move::Fetch(i) => {
+                let item = self.items[i as usize];
+                if !self.at_hand(hunt, Some(item.spot)) {
+                    self.go(hunt, world, item.room, Some(item.spot));
+                }
+                self.grab(i);
+            }
+            Move::Deliver(hand) => {
+                let Some(target) = self.target(hunt, hand) else { return };
+                if !self.at_hand(hunt, Some(target.spot)) {
+                    self.go(hunt, world, target.room, Some(target.spot));
+                }
+                self.put(hunt, world, hand);
+            }
+        }
+    }
+
+    fn go(&mut self, hunt: &Hunt, world: &World, room: u8, spot: Option<u16>) {
+        // What was at hand is not any more.
+        self.stale |= if self.begun { 1 << self.room | 1 << room } else { every_room(hunt) };
+        (self.cost, self.room, self.at, self.begun) = (self.cost + 1, room, spot, true);
+        if self.entered >> room & 1 == 0 {
+            self.entered |= 1 << room;
+            let (range, shut) = &hunt.rooms[room as usize];
+            (range.start..*shut).for_each(|s| self.reveal(hunt, world, s));
+        }
+    }
+
+    fn open(&mut self, hunt: &Hunt, world: &World, site: u16) {
+        let spot = hunt.sites[site as usize].spot;
+        if !self.at_hand(hunt, spot) {
+            self.go(hunt, world, hunt.room_of[site as usize], spot);
+        }
+        self.cost += hunt.opening;
+        self.reveal(hunt, world, site);
+    }
+
+    fn reveal(&mut self, hunt: &Hunt, world: &World, site: u16) {
+        self.seen[site as usize / 64] |= 1 << (site % 64);
+        self.stale |= 1 << hunt.room_of[site as usize];
+        let new = world.things_at(site) & !self.found;
+        self.found |= new;
+        for i in ones(u64::from(new)) {
+            let lack = hunt.quarries[i].lack as usize;
+            if self.left[lack] == 0 {
+                continue;
+            }
+            self.left[lack] -= 1;
+            if self.left[lack] == 0 {
+                self.lacking &= !(1 << lack);
+                self.stale = every_room(hunt);
+            }
+            let spot = hunt.sites[site as usize].spot.unwrap_or(FLOOR | i as u16);
+            let room = hunt.room_of[site as usize];
+            // What already lies where it is to be is done.
+            let target = hunt.lacks[lack].target;
+            if target.is_none_or(|t| hunt.targets[t as usize].spot != spot) {
+                self.learn(Item { spot, room, target });
+            }
+        }
+    }
+
+    fn learn(&mut self, item: Item) {
+        if (self.known as usize) < MOST_ITEMS {
+            self.items[self.known as usize] = item;
+            self.known += 1;
+        }
+    }
+
+    fn hold(&mut self, target: Option<u8>) {
+        if self.hands < 2 && target.is_some() {
+            let free = self.held.iter().position(Option::is_none).unwrap_or(0);
+            self.held[free] = target;
+            self.hands += 1;
+        }
+    }
+
+    fn grab(&mut self, i: u8) {
+        let item = self.items[i as usize];
+        self.known -= 1;
+        self.items[i as usize] = self.items[self.known as usize];
+        self.cost += 1;
+        self.hold(item.target);
+    }
+
+    fn put(&mut self, hunt: &Hunt, world: &World, hand: u8) {
+        let Some(target) = self.target(hunt, hand) else { return };
+        if let Some(site) = target.door.filter(|s| !self.has_seen(*s)) {
+            // A full hand is put down and taken up again.
+            self.cost += 1 + 2 * u32::from(self.full());
+            self.reveal(hunt, world, site);
+        }
+        self.cost += 1;
+        (self.held[hand as usize], self.hands) = (None, self.hands - 1);
+    }
+
+    /// What takes no walk: putting down what is wanted at hand, taking what is.
+    fn at_once(&mut self, hunt: &Hunt) {
+        for hand in 0..2 {
+            let open = |t: &Target| t.door.is_none_or(|s| self.has_seen(s));
+            if self.target(hunt, hand).is_some_and(|t| self.at_hand(hunt, Some(t.spot)) && open(&t)) {
+                self.put(hunt, &World::default(), hand);
+            }
+        }
+        let mut i = 0;
+        while i < self.known && !self.full() {
+            if self.at_hand(hunt, Some(self.items[i as usize].spot)) {
+                self.grab(i);
+            } else {
+                i += 1;
+            }
+        }
+    }
+
+    fn target(&self, hunt: &Hunt, hand: u8) -> Option<Target> {
+        self.held.get(hand as usize).copied().flatten().map(|t| hunt.targets[t as usize])
+    }
+
+    fn delivery(&self) -> Option<Move> {
+        self.held.iter().position(Option::is_some).map(|hand| Move::Deliver(hand as u8))
+    }
+
+    /// Where the base policy looks next. Only rooms in which something has changed are
+    /// weighed again.
+    fn look(&mut self, hunt: &Hunt) -> Option<Move> {
+        for room in ones(self.stale) {
+            self.offers[room] = self.best_in(hunt, room as u8);
+        }
+        self.stale = 0;
+        let mut best: Option<(f64, Move)> = None;
+        for &(worth, next) in self.offers[..hunt.rooms.len()].iter().flatten() {
+            if best.is_none_or(|(most, _)| worth > most) {
+                best = Some((worth, next));
+            }
+        }
+        best.map(|(_, next)| next)
+    }
+
+    /// The look in a room that is most worth while.
+    fn best_in(&self, hunt: &Hunt, room: u8) -> Option<(f64, Move)> {
+        let (range, shut) = &hunt.rooms[room as usize];
+        let mut best: Option<(f64, Move)> = None;
+        let mut offer = |worth: f64, next: Move| {
+            if worth > best.map_or(0.0, |(most, _)| most) {
+                best = Some((worth, next));
+            }
+        };
+        let fresh = self.entered >> room & 1 == 0;
+        let outlook = if fresh { self.outlook(hunt, room) } else { Outlook::default() };
+        offer(outlook.value, Move::Visit { room, spot: outlook.spot });
+        let (mut chance, mut cost, mut first) = (outlook.value, 0.0, None);
+        let open = f64::from(hunt.opening);
+        for s in (*shut..range.end).filter(|&s| !self.has_seen(s)) {
+            let own = self.value(hunt, s);
+            // The likeliest come first: from here on none makes it more worth while.
+            if cost > 0.0 && own * cost < chance * open {
+                break;
+            }
+            let walk = if self.at_hand(hunt, hunt.sites[s as usize].spot) { 0.0 } else { 1.0 };
+            if walk == 0.0 {
+                offer(own / open, Move::Open(s));
+            }
+            (chance, cost) = (chance + own, cost + walk + open);
+            offer(chance / cost, Move::Open(*first.get_or_insert(s)));
+        }
+        best
+    }
+
+    /// How much is at least left to do with what is known: every spot and target is
+    /// walked to once for two things.
+    fn rest(&self, hunt: &Hunt) -> u32 {
+        let items = &self.items[..self.known as usize];
+        let mut into = [0u8; MOST_TARGETS];
+        let mut cost = 0;
+        for (i, item) in items.iter().enumerate() {
+            let before = items[..i].iter().filter(|other| other.spot == item.spot).count();
+            let walk = before % 2 == 0 && (before > 0 || !self.at_hand(hunt, Some(item.spot)));
+            cost += 1 + u32::from(walk);
+        }
+        for target in items.iter().map(|i| i.target).chain(self.held).flatten() {
+            into[target as usize % MOST_TARGETS] += 1;
+        }
+        for (target, &n) in hunt.targets.iter().zip(&into).filter(|(_, n)| **n > 0) {
+            let shut = target.door.is_some_and(|s| !self.has_seen(s));
+            cost += u32::from(n) + u32::from(n.div_ceil(2)) + u32::from(shut);
+        }
+        cost
+    }
+
+    /// Whether both hands are full and one can be emptied where it is wanted.
+    pub(super) fn full(&self) -> bool {
+        self.hands >= 2 && self.held != [None; 2]
+    }
+
+    pub(super) fn has_seen(&self, site: u16) -> bool {
+        self.seen[site as usize / 64] >> (site % 64) & 1 == 1
+    }
+
+    pub(super) fn at_hand(&self, hunt: &Hunt, spot: Option<u16>) -> bool {
+        let Some(spot) = spot else { return false };
+        if self.begun { self.at == Some(spot) } else { hunt.near.contains(&spot) }
+    }
+
+    /// How many of what is lacking are to be expected at a site.
+    pub(super) fn value(&self, hunt: &Hunt, site: u16) -> f64 {
+        hunt.values[self.lacking as usize * hunt.sites.len() + site as usize]
+    }
+
+    pub(super) fn outlook(&self, hunt: &Hunt, room: u8) -> Outlook {
+        hunt.outlooks[self.lacking as usize * hunt.rooms.len() + room as usize]
+    }
+}
+
+/// All rooms, as bits.
+fn every_room(hunt: &Hunt) -> u64 {
+    u64::MAX.checked_shr((MOST_ROOMS - hunt.rooms.len().min(MOST_ROOMS)) as u32).unwrap_or(0)
+}
