@@ -126,6 +126,21 @@ impl<'g> Edit<'g> {
         Ok(id)
     }
 
+    /// Adds a node of another scene, as it was seen there, which is nowhere yet.
+    ///
+    /// # Errors
+    /// [`EditError::Duplicate`].
+    pub fn add_as_seen(&mut self, node: &Node) -> Result<(), EditError> {
+        if self.graph.node(node.id()).is_some() {
+            return Err(EditError::Duplicate(node.id()));
+        }
+        let mut copy = node.clone();
+        copy.out.retain(|_| false);
+        copy.inc.retain(|_| false);
+        self.make(Change::Add(Arc::new(copy)));
+        Ok(())
+    }
+
     /// Removes a node; what rested on it stays in its room.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 mod act;
 mod company;
 mod decide;
+mod explore;
 
 use std::collections::VecDeque;
 
@@ -103,6 +104,12 @@ impl Agent {
         Self::with(id, goal, Belief::by_prior(graph, id, seed, prior), Mind::Best)
     }
 
+    /// An agent that knows the rooms and no more: what furniture there is, and which things, it
+    /// learns by walking in.
+    pub fn stranger(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
+        Self::with(id, goal, Belief::of_stranger(graph, id, seed, Prior::Kept), Mind::Best)
+    }
+
     /// The human-like agent of the thesis: every place is equally likely, one state is
     /// sampled, and one subgoal after the other is pursued.
     pub fn faithful(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
@@ -186,6 +193,9 @@ impl Agent {
     /// Takes in what it sees.
     pub fn see(&mut self, seen: &Observation) -> Learned {
         let learned = self.belief.observe(seen);
+        if self.belief.is_stranger() && !learned.found.is_empty() {
+            self.concerns = concerns(&self.goal, self.belief.graph());
+        }
         let matters = |id: &NodeId| self.concerns.binary_search(id).is_ok();
         if learned.found.iter().any(matters) || learned.disproved.iter().any(matters) {
             self.next.clear();

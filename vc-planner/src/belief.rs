@@ -49,6 +49,8 @@ pub struct Belief {
     /// Things not yet found, with the place of their guess.
     missing: Vec<(NodeId, usize)>,
     last: Option<Observation>,
+    /// It has not been told what there is: that is learned by walking in.
+    stranger: bool,
     /// Nodes whose guess the agent's own last action has changed.
     touched: Vec<NodeId>,
     widened: usize,
@@ -94,6 +96,27 @@ impl Belief {
         belief
     }
 
+    /// The belief of an agent that knows the rooms and no more, neither furniture nor which
+    /// things exist: what it sees is added, and surfaces and containers are places from then
+    /// on.
+    pub fn of_stranger(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
+        let mut belief = Self::with(graph, agent, seed);
+        (belief.prior, belief.stranger) = (prior, true);
+        let carried = graph.carried_with(agent);
+        let mut edit = belief.graph.edit();
+        let unknown = |n: &&Node| n.kind() == Kind::Object && !carried.contains(&n.id());
+        for id in graph.nodes().filter(unknown).map(Node::id) {
+            // What is there can be taken out.
+            let _ = edit.remove(id);
+        }
+        edit.commit();
+        belief.places = places::all(&belief.graph);
+        belief.seen = vec![false; belief.places.len()];
+        belief.rooms = belief.places.iter().map(|p| graph.room_of(p.at)).collect();
+        belief.known = graph.rooms().iter().copied().chain(carried).collect();
+        belief
+    }
+
     /// The belief of an agent that knows everything.
     pub fn of_resident(graph: &SceneGraph, agent: NodeId) -> Self {
         let mut belief = Self::with(graph, agent, 0);
@@ -114,6 +137,7 @@ impl Belief {
             tidiness: Tidiness::default(),
             missing: Vec::new(),
             last: None,
+            stranger: false,
             touched: Vec::new(),
             widened: 0,
             rng: ChaCha8Rng::seed_from_u64(seed),
@@ -173,6 +197,11 @@ impl Belief {
     /// Whether a node was in view when it looked last.
     pub(crate) fn sees(&self, id: NodeId) -> bool {
         self.last.as_ref().is_some_and(|seen| seen.sees(id))
+    }
+
+    /// Whether there may be things it has not heard of.
+    pub(crate) fn is_stranger(&self) -> bool {
+        self.stranger
     }
 
     fn suppose(&mut self, id: NodeId, place: usize) {

@@ -173,6 +173,8 @@ pub struct Newcomer {
     planning: Planning,
     /// What it supposes about where things are; `None` for the thesis's agent.
     prior: Option<Prior>,
+    /// It has been told what furniture and which things there are.
+    told: bool,
     manners: Manners,
 }
 
@@ -180,7 +182,14 @@ impl Newcomer {
     /// The best planner: things are where people keep them, the look that is most
     /// worth it first, two hands.
     pub fn best() -> Self {
-        Self { name: "planner", planning: Planning::NEW, prior: Some(Prior::Kept), manners: Manners::GoalOnly }
+        let prior = Some(Prior::Kept);
+        Self { name: "planner", planning: Planning::NEW, prior, told: true, manners: Manners::GoalOnly }
+    }
+
+    /// The best planner, in a home of which it knows the rooms and no more: the furniture, and
+    /// which things there are, it learns by walking in.
+    pub fn stranger() -> Self {
+        Self { name: "stranger", told: false, ..Self::best() }
     }
 
     /// The thesis's planner: a uniform sample, one subgoal after the other.
@@ -215,6 +224,7 @@ impl Policy for Newcomer {
     fn begin(&mut self, brief: &Brief<'_>) {
         let Brief { scene, agent, task, seed } = *brief;
         let agent = match &self.prior {
+            _ if !self.told => Agent::stranger(scene, agent, task.goal.clone(), seed.0),
             None => Agent::faithful(scene, agent, task.goal.clone(), seed.0),
             Some(prior) => Agent::supposing(scene, agent, task.goal.clone(), seed.0, prior.clone()),
         };

@@ -28,6 +28,7 @@ impl Agent {
     /// does: one subgoal after the other.
     pub(super) fn think_on(&mut self) -> Decision {
         let decision = self.think();
+        let decision = if self.may_be_rash(&decision) { self.explore().unwrap_or(decision) } else { decision };
         let Decision::Act(action, _) = &decision else { return decision };
         let again = action.verb != Verb::Walk && self.tried.iter().filter(|a| *a == action).count() >= AGAIN;
         self.tried.push(*action);
@@ -157,7 +158,7 @@ impl Agent {
     }
 
     /// Does something after the walk it takes, unless that shows something new.
-    fn go_and(&mut self, action: Action) -> Decision {
+    pub(super) fn go_and(&mut self, action: Action) -> Decision {
         let decision = self.act(action, Vec::new());
         if matches!(decision, Decision::Act(first, _) if first.verb == Verb::Walk) {
             self.next = [action].into();

@@ -23,7 +23,7 @@ impl Belief {
     /// disproves.
     pub(super) fn look(&mut self, seen: &Observation, learned: &mut Learned) {
         let mut lost = self.lost(seen);
-        if self.missing.is_empty() && lost.is_empty() {
+        if self.missing.is_empty() && lost.is_empty() && !self.stranger {
             return;
         }
         let found: Vec<NodeId> = self.missing.iter().map(|(id, _)| *id).filter(|id| seen.sees(*id)).collect();

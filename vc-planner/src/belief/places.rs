@@ -5,16 +5,25 @@ use vc_graph::{Kind, Node, NodeId, Observation, Place, Property, Relation, Scene
 use super::Belief;
 
 impl Belief {
-    /// A container that can be carried is a place from when it has been seen.
-    pub(super) fn learn_place(&mut self, node: &Node) {
+    /// A container that can be carried is a place from when it has been seen; for who was not
+    /// told of the furniture all surfaces and containers are.
+    pub(super) fn learn_places(&mut self, node: &Node, room: Option<NodeId>) {
         let opens = [Property::Graspable, Property::Container, Property::Openable];
-        let place = Place { relation: Relation::Inside, at: node.id() };
-        if self.missing.is_empty() || !opens.into_iter().all(|p| node.affords(p)) || self.places.contains(&place) {
+        if (self.stranger || !self.missing.is_empty()) && opens.into_iter().all(|p| node.affords(p)) {
+            self.learn_place(Place { relation: Relation::Inside, at: node.id() }, None);
+        }
+        if self.stranger {
+            fixed(node).for_each(|place| self.learn_place(place, room));
+        }
+    }
+
+    fn learn_place(&mut self, place: Place, room: Option<NodeId>) {
+        if self.places.contains(&place) {
             return;
         }
         self.places.push(place);
         self.seen.push(false);
-        self.rooms.push(None);
+        self.rooms.push(room);
         let share = self.even();
         for class in self.supposed.values_mut() {
             if let Some(places) = &mut class.places {
@@ -33,25 +42,23 @@ pub(super) fn all(graph: &SceneGraph) -> Vec<Place> {
     let bare = |room: NodeId| !floors.iter().any(|&f| graph.room_of(f) == Some(room));
     let mut places = Vec::new();
     for node in graph.nodes() {
-        let mut add = |relation| places.push(Place { relation, at: node.id() });
         match node.kind() {
-            Kind::Room if bare(node.id()) => add(Relation::InRoom),
-            Kind::Room => {}
-            Kind::Agent => {}
-            Kind::Object => {
-                let fixed = !node.affords(Property::Graspable);
-                let surface =
-                    [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(|p| node.affords(p));
-                if surface && fixed {
-                    add(Relation::On);
-                }
-                if node.affords(Property::Container) && fixed {
-                    add(Relation::Inside);
-                }
-            }
+            Kind::Room if bare(node.id()) => places.push(Place { relation: Relation::InRoom, at: node.id() }),
+            Kind::Object => places.extend(fixed(node)),
+            _ => {}
         }
     }
     places
+}
+
+/// The places that a thing which stays where it is has to offer.
+fn fixed(node: &Node) -> impl Iterator<Item = Place> {
+    let affords = |p| node.affords(p);
+    let fixed = node.kind() == Kind::Object && !affords(Property::Graspable);
+    let surface = [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(affords);
+    let offers = [(Relation::On, surface), (Relation::Inside, affords(Property::Container))];
+    let at = node.id();
+    offers.into_iter().filter(move |(_, has)| fixed && *has).map(move |(relation, _)| Place { relation, at })
 }
 
 /// Whether a place can be seen to hold what it holds.

@@ -14,6 +14,7 @@ impl Belief {
     /// Takes in what the agent sees.
     pub fn observe(&mut self, seen: &Observation) -> Learned {
         let mut learned = Learned::default();
+        self.meet(seen);
         self.take_over(seen, &mut learned);
         self.look(seen, &mut learned);
         self.last = Some(seen.clone());
@@ -24,11 +25,12 @@ impl Belief {
     pub fn hear(&mut self, told: &Observation) -> Learned {
         let mut learned = Learned::default();
         let me = self.agent;
+        self.meet(told);
         for node in told.nodes().filter(|n| n.id() != me) {
             let id = node.id();
             if self.known.insert(id) && node.kind() != Kind::Room {
                 learned.found.push(id);
-                self.learn_place(node);
+                self.learn_places(node, told.room_of(id));
             }
             self.take_over_node(told, node);
         }
@@ -36,6 +38,20 @@ impl Belief {
         // What was told may be newer than what was seen last.
         self.last = None;
         learned
+    }
+
+    /// Who has not been told what there is takes note of what it sees for the first time.
+    fn meet(&mut self, seen: &Observation) {
+        if !self.stranger {
+            return;
+        }
+        let new: Vec<&Node> = seen.nodes().filter(|n| self.graph.node(n.id()).is_none()).collect();
+        let mut edit = self.graph.edit();
+        for node in new {
+            // It is not there yet, and everything about it is taken over as it is seen.
+            let _ = edit.add_as_seen(node);
+        }
+        edit.commit();
     }
 
     /// Brings the sampled state in line with what is seen.
@@ -50,7 +66,7 @@ impl Belief {
             }
             if self.known.insert(id) && node.kind() != Kind::Room {
                 learned.found.push(id);
-                self.learn_place(node);
+                self.learn_places(node, seen.room_of(id));
             }
             self.take_over_node(seen, node);
         }

@@ -1,0 +1,90 @@
+//! Who knows the rooms and no more learns by walking in what there is.
+
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
+
+#[path = "support/homes.rs"]
+mod homes;
+
+use homes::{GOALS, home};
+use vc_graph::{Draft, Node, NodeId, Place, Property, Relation, SceneBuilder, Scope, Simulator};
+use vc_planner::{Belief, Newcomer, Policy, Prior, Run};
+use vc_tasks::{Outcome, Task};
+
+#[test]
+fn places_are_added_when_they_are_seen() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let bedroom = scene.add(Draft::new("bedroom")).unwrap();
+    let fridge = scene.add_in(kitchen, Draft::new("fridge")).unwrap();
+    let apple = scene.add_in(fridge, Draft::new("apple")).unwrap();
+    let desk = scene.add_in(bedroom, Draft::new("desk")).unwrap();
+    let book = scene.add_on(desk, Draft::new("book")).unwrap();
+    let me = scene.add_in(bedroom, Draft::new("character")).unwrap();
+    let mut world = Simulator::new(scene.build());
+    let mut belief = Belief::of_stranger(world.graph(), me, 0, Prior::Kept);
+    let knows = |belief: &Belief, ids: &[NodeId]| -> Vec<bool> {
+        ids.iter().map(|&id| belief.graph().node(id).is_some()).collect()
+    };
+    assert_eq!(
+        knows(&belief, &[kitchen, bedroom, fridge, apple, desk, book, me]),
+        [true, true, false, false, false, false, true]
+    );
+    let open = |belief: &Belief| belief.possible_places().collect::<Vec<Place>>();
+    let room = |at| Place { relation: Relation::InRoom, at };
+    assert_eq!(open(&belief), [room(kitchen), room(bedroom)]);
+
+    belief.observe(&world.graph().observe(me, Scope::Room));
+    assert_eq!(knows(&belief, &[fridge, apple, desk, book]), [false, false, true, true]);
+    assert_eq!(belief.graph().place(book), Some(Place { relation: Relation::On, at: desk }));
+    assert!(!open(&belief).contains(&room(bedroom)));
+
+    for action in ["walk fridge", "open fridge"] {
+        let action = action.replace("fridge", &world.graph().label(fridge).to_string()).parse().unwrap();
+        world.step(me, &action).unwrap();
+        belief.expect(&action);
+        belief.observe(&world.graph().observe(me, Scope::Room));
+        let inside = Place { relation: Relation::Inside, at: fridge };
+        let is_open = world.graph().node(fridge).is_some_and(|n| !n.hides_contents());
+        assert_eq!(open(&belief).contains(&inside), !is_open);
+        assert_eq!(knows(&belief, &[fridge, apple]), [true, is_open]);
+    }
+    let same = |node: &Node| belief.graph().node(node.id()).is_some_and(|n| n.states() == node.states());
+    assert!(world.graph().nodes().all(same));
+}
+
+/// It reaches every goal that one who was told of everything reaches, in more steps.
+#[test]
+fn goals_are_reached_without_knowing_the_furniture() {
+    let (mut told, mut stranger) = (0, 0);
+    for seed in 0..10 {
+        let scene = home(seed);
+        for goal in GOALS {
+            let task = Task::new("unknown home", goal.parse().unwrap());
+            let steps = |mut policy: Newcomer| {
+                let mut world = Simulator::new(scene.clone());
+                let episode = Run::seeded(seed).episode(&mut policy, &task, &mut world, &mut |_| {});
+                assert_eq!(episode.outcome, Outcome::Won, "{} {seed} {goal}: {episode:?}", policy.name());
+                episode.steps
+            };
+            told += steps(Newcomer::best());
+            stranger += steps(Newcomer::stranger());
+        }
+    }
+    println!("{told} steps, {stranger} without knowing the furniture");
+    assert!(stranger <= 2 * told, "{stranger} against {told}");
+}
+
+/// It gives up when it has looked everywhere, and not before.
+#[test]
+fn what_is_nowhere_is_given_up_when_all_has_been_seen() {
+    let scene = home(3);
+    let task = Task::new("nowhere", "Holds(unicorn)".parse().unwrap());
+    let mut world = Simulator::new(scene.clone());
+    let episode = Run::seeded(3).episode(&mut Newcomer::stranger(), &task, &mut world, &mut |_| {});
+    assert_eq!(episode.outcome, Outcome::Lost);
+    assert!(episode.reason.unwrap().contains("unicorn"));
+    let shut =
+        |n: &&Node| n.hides_contents() && n.affords(Property::Container) && world.graph().hidden_in(n.id()).is_none();
+    let left: Vec<String> = world.graph().nodes().filter(shut).map(|n| n.label().to_string()).collect();
+    assert!(left.is_empty(), "{left:?}");
+}
