@@ -203,6 +203,7 @@ impl Planner {
             rest = !self.go_on(&mut way, goal, choice);
         }
         if !rest && way.holds(goal) {
+            way.keep_in_hand(goal);
             // A seat may be at hand without a walk, which is not packed.
             let plan = Plan { actions: way.actions(), wants: Vec::new(), proved: proved && !posture };
             let amiss = way.amiss().len();

@@ -160,6 +160,20 @@ impl<'a> Regression<'a> {
         true
     }
 
+    /// What has been carried into the room where it is to be need not be let go in the end.
+    pub(crate) fn keep_in_hand(&mut self, goal: &Goal) {
+        while let Some(last) = self.events.last().copied().filter(|e| e.action.verb == Verb::Drop) {
+            if self.trail.is_empty() {
+                return;
+            }
+            self.rewind(self.trail.len() - 1);
+            if !self.holds(goal) {
+                self.step(&last.action);
+                return;
+            }
+        }
+    }
+
     /// Does an action; walks up to the thing or rises first if that is all it takes.
     fn step_there(&mut self, action: &Action) -> bool {
         for _ in 0..ROUNDS {

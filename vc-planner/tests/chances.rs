@@ -129,3 +129,24 @@ fn what_is_shut_in_something_portable_is_found() {
         }
     }
 }
+
+/// Of two of a class each is as likely anywhere, and whichever is found first will do.
+#[test]
+fn instances_of_a_class_are_interchangeable() {
+    let mut taken = Vec::new();
+    for seed in 0..12 {
+        let scene = home(seed);
+        let me = scene.agents()[0];
+        let belief = Belief::by_prior(&scene, me, seed, Prior::Kept);
+        let mugs = scene.of_class("mug");
+        assert_eq!(belief.distribution(mugs[0]), belief.distribution(mugs[1]), "{seed}");
+
+        let task = Task::new("a mug", "Holds(mug)".parse().unwrap());
+        let mut world = Simulator::new(scene.clone());
+        let episode = Run::seeded(seed).episode(&mut Newcomer::best(), &task, &mut world, &mut |_| {});
+        assert_eq!(episode.outcome, Outcome::Won, "{seed}");
+        let held = world.graph().held(me).find(|id| mugs.contains(id)).unwrap();
+        taken.push(held == mugs[0]);
+    }
+    assert!(taken.contains(&true) && taken.contains(&false), "{taken:?}");
+}

@@ -139,6 +139,27 @@ fn plans_can_be_carried_out_and_reach_the_goal() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
+/// A plan with one action left out is refused, or misses the goal.
+#[test]
+fn no_action_can_be_left_out() {
+    let mut left_out = 0;
+    for (text, _) in GOALS {
+        let (mut scene, me) = home();
+        let goal: Goal = text.parse().unwrap();
+        let actions = plan(&mut scene, me, &goal, &History::default()).unwrap().actions;
+        for gap in 0..actions.len() {
+            let mut world = Simulator::new(scene.clone());
+            let mut rest = actions[..gap].iter().chain(&actions[gap + 1..]);
+            let accepted = rest.all(|action| world.step(me, action).is_ok());
+            let reached = accepted && goal.holds(&Situation::new(world.graph(), me, world.history()));
+            let told = || actions.iter().map(|a| a.describe(&scene).to_string()).collect::<Vec<_>>();
+            assert!(!reached, "{text}: {} of {:?}", actions[gap].describe(&scene), told());
+            left_out += 1;
+        }
+    }
+    assert!(left_out > 200, "{left_out}");
+}
+
 #[test]
 fn a_goal_that_holds_needs_no_plan() {
     let (mut scene, me) = home();
