@@ -9,6 +9,7 @@ use vc_graph::goal::{Predicate, Situation};
 use vc_graph::{Condition, Kind, NodeId, Property, Relation, SceneGraph, State as Word, Verb};
 
 use crate::demand::{Demand, Demands};
+use crate::few::Few;
 use crate::manners::Leave;
 use crate::packed::{MOST, Need, Problem, State, Way, bit, run_of};
 use crate::want::Unreachable;
@@ -171,10 +172,10 @@ impl Compiler<'_> {
             Predicate::Relation(Relation::Inside | Relation::InRoom) if !demand.things[0].contains(&me) => {
                 self.carry(demand, short, Verb::PutIn)
             }
-            Predicate::Holds if demand.things[0] == [me] => self.keep(demand, short),
-            Predicate::Relation(Relation::SittingOn) if demand.things[0] == [me] => self.posture(demand, Verb::Sit),
-            Predicate::Relation(Relation::LyingOn) if demand.things[0] == [me] => self.posture(demand, Verb::Lie),
-            Predicate::State(word) if demand.things[0] != [me] => self.state(demand, short, word),
+            Predicate::Holds if *demand.things[0] == [me] => self.keep(demand, short),
+            Predicate::Relation(Relation::SittingOn) if *demand.things[0] == [me] => self.posture(demand, Verb::Sit),
+            Predicate::Relation(Relation::LyingOn) if *demand.things[0] == [me] => self.posture(demand, Verb::Lie),
+            Predicate::State(word) if *demand.things[0] != [me] => self.state(demand, short, word),
             Predicate::Did(verb) => self.deed(demand, short, verb),
             _ => {
                 self.out.rest = true;
@@ -213,7 +214,7 @@ impl Compiler<'_> {
         let graph = self.now.graph;
         let graspable = |id: &NodeId| Condition::Graspable(*id).holds(graph, self.now.agent);
         let free = |id: &NodeId| keep || !self.reserved.contains(id);
-        let (mut known, mut missing, mut fit) = (Vec::new(), Vec::new(), 0);
+        let (mut known, mut missing, mut fit) = (Few::NONE, Vec::new(), 0);
         for &id in demand.subjects().iter().filter(|id| graspable(id)) {
             fit += 1;
             match (self.known)(id) {
@@ -230,7 +231,7 @@ impl Compiler<'_> {
         }
         if self.leave.in_company {
             let before = known.len();
-            known.retain(|&id| !self.is_held_by_another(id));
+            known = known.iter().copied().filter(|&id| !self.is_held_by_another(id)).collect();
             short = short.saturating_sub(before - known.len());
         }
         if missing.is_empty() {
@@ -243,7 +244,7 @@ impl Compiler<'_> {
             }
             self.out.lacks.push(Lack { subjects: missing, number: short - known.len(), ways: ways.clone() });
         }
-        for &id in &known {
+        for &id in known.iter() {
             match self.items.iter_mut().find(|(item, _)| *item == id) {
                 Some((_, serves)) => *serves |= 1 << number,
                 None => self.items.push((id, 1 << number)),
@@ -307,7 +308,7 @@ impl Compiler<'_> {
         if others.is_empty() {
             return Err(Unreachable::NoInstance(demand.part.to_string()));
         }
-        let mut places: Vec<NodeId> = others.iter().copied().filter(fits).collect();
+        let places: Few = others.iter().copied().filter(fits).collect();
         if places.is_empty() {
             let text = demand.part.to_string();
             return Err(if verb == Verb::Place {
@@ -319,17 +320,20 @@ impl Compiler<'_> {
         let Some(&sample) = demand.subjects().first() else {
             return Err(Unreachable::NoInstance(demand.part.to_string()));
         };
-        places.retain(|&at| room(&at) || Condition::Fits(sample, at).holds(graph, me));
+        let holds = |at: &NodeId| room(at) || Condition::Fits(sample, *at).holds(graph, me);
+        let mut places: Few = places.iter().copied().filter(holds).collect();
         let (here, hand) = (graph.room_of(me), |id: NodeId| self.spot_number(anchor(graph, id)).is_some());
-        if places.len() > PLACES {
-            places.sort_by_key(|&id| (!hand(id), graph.room_of(id) != here, id));
-            places.truncate(PLACES);
+        if let Few::Many(many) = &mut places
+            && many.len() > PLACES
+        {
+            many.sort_by_key(|&id| (!hand(id), graph.room_of(id) != here, id));
+            many.truncate(PLACES);
         }
         if places.iter().all(|&id| graph.room_of(id).is_none()) && !places.is_empty() {
             return Err(Unreachable::NoRoute(demand.part.to_string()));
         }
         let mut ways = Vec::new();
-        for at in places {
+        for &at in places.iter() {
             // What stands on what moves is left to the general planner.
             if self.affords(at, Property::Graspable) {
                 continue;

@@ -3,12 +3,14 @@
 use vc_graph::goal::{Comparison, Goal, Literal, Pairs, Predicate, Quantified, Situation, Term};
 use vc_graph::{NodeId, State};
 
+use crate::few::Few;
+
 /// So many things of a list are to satisfy a predicate.
 #[derive(Debug, Clone)]
 pub(crate) struct Demand<'g> {
     pub(crate) predicate: Predicate,
     /// What can stand in each place of the predicate.
-    pub(crate) things: [Vec<NodeId>; 2],
+    pub(crate) things: [Few; 2],
     /// Which place is counted.
     pub(crate) counted: usize,
     pub(crate) number: usize,
@@ -162,13 +164,13 @@ impl<'a, 'g> Reader<'a, 'g> {
             Goal::Same(a, b) => self.meant(a).is_some_and(|a| self.meant(b) == Some(a)),
             Goal::Not(part) => matches!(**part, Goal::Same(..)) && !self.holds(part),
             Goal::Literal(literal) => {
-                let things = |i: usize| literal.terms.get(i).map_or_else(Vec::new, |t| self.candidates(t));
+                let things = |i: usize| literal.terms.get(i).map_or(Few::NONE, |t| self.candidates(t));
                 let (first, second) = (things(0), things(1));
-                let with = |a| match second.as_slice() {
+                let with = |a| match &*second {
                     [] => self.now.holds(literal.predicate, [Some(a), None]),
                     others => others.iter().any(|&b| self.now.holds(literal.predicate, [Some(a), Some(b)])),
                 };
-                first.into_iter().any(with)
+                first.iter().copied().any(with)
             }
             _ => false,
         }
@@ -292,11 +294,11 @@ impl<'a, 'g> Reader<'a, 'g> {
             self.found.rest = true;
             return;
         };
-        for id in self.candidates(&literal.terms[0]) {
+        for &id in self.candidates(&literal.terms[0]).iter() {
             if self.now.holds(literal.predicate, [Some(id), None]) {
                 self.found.all.push(Demand {
                     predicate: Predicate::State(opposite),
-                    things: [vec![id], Vec::new()],
+                    things: [Few::One(id), Few::NONE],
                     counted: 0,
                     number: 1,
                     part,
@@ -307,7 +309,7 @@ impl<'a, 'g> Reader<'a, 'g> {
 
     fn demand(&mut self, part: &'g Goal, literal: &'g Literal, number: usize) {
         let terms = &literal.terms;
-        let things = [0, 1].map(|i| terms.get(i).map_or_else(Vec::new, |t| self.candidates(t)));
+        let things = [0, 1].map(|i| terms.get(i).map_or(Few::NONE, |t| self.candidates(t)));
         // Of what is held, not of who holds it, there may be several; one thing that is to
         // be at some place is a need of one, whatever the places.
         let held = literal.predicate == Predicate::Holds;
@@ -320,13 +322,15 @@ impl<'a, 'g> Reader<'a, 'g> {
         self.found.all.push(Demand { predicate: literal.predicate, things, counted, number, part });
     }
 
-    fn candidates(&self, term: &Term) -> Vec<NodeId> {
+    fn candidates(&self, term: &Term) -> Few {
         match term {
             Term::Variable(name) => {
-                self.bound.iter().rev().find(|(n, _)| n == name).map(|&(_, id)| id).into_iter().collect()
+                self.bound.iter().rev().find(|(n, _)| n == name).map_or(Few::NONE, |&(_, id)| Few::One(id))
             }
-            Term::Anything => Vec::new(),
-            _ => self.now.candidates(term),
+            Term::Node(_, id) => Few::One(*id),
+            Term::Me => Few::One(self.now.agent),
+            Term::Anything => Few::NONE,
+            Term::Class(_) => Few::Many(self.now.candidates(term)),
         }
     }
 }

@@ -6,6 +6,7 @@ mod bound;
 mod compile;
 mod demand;
 mod episode;
+mod few;
 mod habitual;
 mod helper;
 mod hunt;

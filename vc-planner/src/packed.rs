@@ -15,6 +15,8 @@ mod moves;
 
 use vc_graph::{NodeId, Verb};
 
+use crate::few::Few;
+
 use index::Index;
 
 /// Most piles and needs of a problem, and how much is needed or lies in piles in all; of
@@ -66,7 +68,7 @@ pub(crate) struct Pile {
     pub(crate) spot: u8,
     pub(crate) door: Option<u8>,
     /// One for each bit.
-    pub(crate) items: Vec<NodeId>,
+    pub(crate) items: Few,
     pub(crate) units: u64,
 }
 

@@ -5,6 +5,7 @@ use vc_graph::{Edge, Kind, Node, NodeId, Property, Relation};
 
 use super::site::Standing;
 use super::{Compiler, SPARE};
+use crate::few::Few;
 use crate::packed::{MOST, Need, Pile, Spot, Way, ones, run_of};
 
 impl Compiler<'_> {
@@ -59,7 +60,7 @@ impl Compiler<'_> {
             let at = self.standing(id);
             match piles.iter_mut().find(|p| p.at == at && p.serves == serves) {
                 Some(pile) => pile.items.push(id),
-                None => piles.push(Lot { at, serves, items: vec![id] }),
+                None => piles.push(Lot { at, serves, items: Few::One(id) }),
             }
         }
         if piles.len() > SPARE {
@@ -178,5 +179,5 @@ impl Compiler<'_> {
 struct Lot {
     at: Standing,
     serves: u32,
-    items: Vec<NodeId>,
+    items: Few,
 }

@@ -1,0 +1,51 @@
+//! Lists of which most hold one thing.
+
+use std::ops::Deref;
+
+use vc_graph::NodeId;
+
+/// Some things, mostly one: then nothing is allocated.
+#[derive(Debug, Clone)]
+pub(crate) enum Few {
+    One(NodeId),
+    Many(Vec<NodeId>),
+}
+
+impl Few {
+    pub(crate) const NONE: Self = Self::Many(Vec::new());
+
+    pub(crate) fn push(&mut self, id: NodeId) {
+        match self {
+            Self::Many(all) if all.is_empty() => *self = Self::One(id),
+            Self::Many(all) => all.push(id),
+            Self::One(first) => *self = Self::Many(vec![*first, id]),
+        }
+    }
+
+    pub(crate) fn truncate(&mut self, number: usize) {
+        match self {
+            Self::Many(all) => all.truncate(number),
+            Self::One(_) if number == 0 => *self = Self::NONE,
+            Self::One(_) => {}
+        }
+    }
+}
+
+impl Deref for Few {
+    type Target = [NodeId];
+
+    fn deref(&self) -> &[NodeId] {
+        match self {
+            Self::One(id) => std::slice::from_ref(id),
+            Self::Many(all) => all,
+        }
+    }
+}
+
+impl FromIterator<NodeId> for Few {
+    fn from_iter<I: IntoIterator<Item = NodeId>>(ids: I) -> Self {
+        let mut few = Self::NONE;
+        ids.into_iter().for_each(|id| few.push(id));
+        few
+    }
+}
