@@ -128,6 +128,21 @@ impl<'g> Edit<'g> {
 
     /// Adds a node of another scene, as it was seen there, which is nowhere yet.
     ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let apple = scene.add_in(kitchen, Draft::new("apple"))?;
+    /// let real = scene.build();
+    /// let mut told = real.clone();
+    /// let mut edit = told.edit();
+    /// edit.remove(apple)?;
+    /// edit.add_as_seen(real.node(apple).ok_or("there")?)?;
+    /// edit.commit();
+    /// assert!(told.node(apple).is_some() && told.room_of(apple).is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`EditError::Duplicate`].
     pub fn add_as_seen(&mut self, node: &Node) -> Result<(), EditError> {

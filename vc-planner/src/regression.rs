@@ -1,18 +1,16 @@
 //! Backwards from what is wanted to what can be done now, through the transition
 //! rule: any predicate, any verb. It finds some way, not the shortest.
 
+mod follow;
 mod tidy;
 
 use vc_graph::goal::{Goal, Situation};
-use vc_graph::{
-    Action, ChangeSet, Condition, Event, Node, NodeId, Place, Property, Refusal, SceneGraph, State, Verb, rule,
-};
+use vc_graph::{Action, ChangeSet, Condition, Event, Node, NodeId, Place, Property, SceneGraph, State, Verb, rule};
 
 use crate::Known;
 use crate::manners::Touched;
 use crate::plan::{Horizon, Plan};
 use crate::subgoal::View;
-use crate::tour::drops_elsewhere;
 use crate::want::{Unreachable, Want};
 use crate::weigh::Hints;
 
@@ -133,63 +131,6 @@ impl<'a> Regression<'a> {
                 return Ok(Plan { actions: self.actions(), wants, proved: false });
             }
         }
-    }
-
-    /// Carries actions out, where need be with a walk or a rise between them, and
-    /// leaves out walks that are not needed. Stops at the first that cannot be done;
-    /// `false` if there was one.
-    pub(crate) fn follow(&mut self, actions: &[Action]) -> bool {
-        let mut next = 0;
-        while next < actions.len() {
-            let walks = |a: &Action| a.verb == Verb::Walk;
-            let stretch = actions[next + 1..].iter().position(walks).map_or(actions.len(), |n| next + 1 + n);
-            let mark = self.trail.len();
-            let (walk, then) = (&actions[next], &actions[next + 1..stretch]);
-            let spared = walks(walk)
-                && !then.is_empty()
-                && !drops_elsewhere(self.graph, self.agent, walk, then)
-                && then.iter().all(|a| self.step(a));
-            if !spared {
-                self.rewind(mark);
-                if !actions[next..stretch].iter().all(|a| self.step_there(a)) {
-                    return false;
-                }
-            }
-            next = stretch;
-        }
-        true
-    }
-
-    /// What has been carried into the room where it is to be need not be let go in the end.
-    pub(crate) fn keep_in_hand(&mut self, goal: &Goal) {
-        while let Some(last) = self.events.last().copied().filter(|e| e.action.verb == Verb::Drop) {
-            if self.trail.is_empty() {
-                return;
-            }
-            self.rewind(self.trail.len() - 1);
-            if !self.holds(goal) {
-                self.step(&last.action);
-                return;
-            }
-        }
-    }
-
-    /// Does an action; walks up to the thing or rises first if that is all it takes.
-    fn step_there(&mut self, action: &Action) -> bool {
-        for _ in 0..ROUNDS {
-            let refusals = rule::refusals(self.graph, self.agent, action);
-            let remedy = match refusals.first() {
-                None => return self.step(action),
-                Some(Refusal::NotUpright) => Action::zero(Verb::Stand),
-                Some(Refusal::NotNear { thing, .. }) => Action::one(Verb::Walk, thing.id),
-                Some(_) => return false,
-            };
-            let stuck = |s: &mut Self| !s.step(&remedy) && !s.step(&Action::zero(Verb::Stand));
-            if stuck(self) {
-                return false;
-            }
-        }
-        self.step(action)
     }
 
     /// Whether a goal holds now.
