@@ -166,6 +166,7 @@ fn material(library: &mut AssetLibrary, density: f32) -> u32 {
         metallic: 0.0,
         transmission: 0.0,
         emission: [0.0; 3],
+        texture: None,
     };
     same.map_or_else(|| library.add_material(fresh).unwrap(), |i| i as u32)
 }

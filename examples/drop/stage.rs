@@ -106,6 +106,7 @@ fn material(name: &str, colour: [f32; 3], density: f32, friction: f32, restituti
         metallic: 0.0,
         transmission: 0.0,
         emission: [0.0; 3],
+        texture: None,
     }
 }
 

@@ -79,6 +79,7 @@ pub(crate) fn build() -> Result<SceneGraph, String> {
         metallic: 0.0,
         transmission: 0.0,
         emission: [0.0; 3],
+        texture: None,
     };
     corner.library.add_material(wood).map_err(|e| e.to_string())?;
     let bowl = [(0.06, 0.0), (0.1, 0.03), (0.12, 0.09), (0.115, 0.09), (0.095, 0.03), (0.06, 0.005)];

@@ -44,6 +44,7 @@ impl Stuff {
                 metallic: 0.0,
                 transmission: 0.0,
                 emission: [0.0; 3],
+                texture: None,
             })
         };
         Ok(Self {

@@ -9,6 +9,8 @@ use crate::Pose;
 use crate::format::serial;
 use crate::geometry::is_finite;
 
+pub use crate::texture::Texture;
+
 /// Position of an [`Asset`] in its [`AssetLibrary`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(transparent)]
@@ -88,6 +90,11 @@ pub enum Shape {
         vertices: Vec<Point3<f32>>,
         /// Its triangles, counter-clockwise seen from outside.
         triangles: Vec<[u32; 3]>,
+        /// For each triangle, where its corners are in the material's [`Texture`]: across and
+        /// down in shares of its sides, from its upper left corner. None, or as many as there
+        /// are triangles.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        uvs: Vec<[[f32; 2]; 3]>,
     },
 }
 
@@ -112,6 +119,9 @@ pub struct Material {
     pub transmission: f32,
     /// Light it gives when on, watts per square metre and steradian.
     pub emission: [f32; 3],
+    /// Position in the library of a picture that `colour` is multiplied with.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub texture: Option<u32>,
 }
 
 /// How a moving part moves against the asset.
@@ -243,9 +253,10 @@ impl Part {
     }
 }
 
-/// Assets and materials that scenes share.
+/// Assets, materials and textures that scenes share.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct AssetLibrary {
+    textures: Vec<Arc<Texture>>,
     materials: Vec<Material>,
     assets: Vec<Arc<Asset>>,
 }
@@ -267,12 +278,29 @@ pub enum AssetError {
     /// A material has a figure that cannot be.
     #[error("material `{0}` has a figure that is not finite or negative, or no density")]
     BadMaterial(Arc<str>),
+    /// A material uses a texture that is not in the library.
+    #[error("material `{material}` uses texture {texture}, the library has {count}")]
+    NoSuchTexture {
+        /// Which material.
+        material: Arc<str>,
+        /// Which texture.
+        texture: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// A texture has no pixels, or not as many as its sides say.
+    #[error("texture `{0}` has no pixels, or not as many as its width times its height")]
+    BadTexture(Arc<str>),
     /// A measure is not finite, negative or zero where it must not be.
     #[error("part `{0}` has a measure that is not finite or not positive")]
     BadMeasure(Arc<str>),
     /// A mesh's triangle names a vertex it does not have.
     #[error("part `{0}` has a triangle with a vertex that does not exist")]
     BadTriangle(Arc<str>),
+    /// A mesh says for some of its triangles where they are in a texture, or places
+    /// that are not finite.
+    #[error("part `{0}` has texture coordinates that are not finite, or not for each triangle")]
+    BadCoordinates(Arc<str>),
     /// A surface's measure is not finite or is negative.
     #[error("surface `{0}` has a measure that is not finite or is negative")]
     BadSurface(Arc<str>),
@@ -282,13 +310,29 @@ pub enum AssetError {
 }
 
 impl AssetLibrary {
+    /// Adds a texture that others may share, and returns its position.
+    ///
+    /// # Errors
+    /// [`AssetError::BadTexture`].
+    pub fn add_texture(&mut self, texture: Arc<Texture>) -> Result<u32, AssetError> {
+        if !texture.is_sound() {
+            return Err(AssetError::BadTexture(texture.name.clone()));
+        }
+        self.textures.push(texture);
+        Ok(self.textures.len() as u32 - 1)
+    }
+
     /// Adds a material after checking it, and returns its position.
     ///
     /// # Errors
-    /// [`AssetError::BadMaterial`].
+    /// [`AssetError::BadMaterial`], [`AssetError::NoSuchTexture`].
     pub fn add_material(&mut self, material: Material) -> Result<u32, AssetError> {
         if !material.is_sound() {
             return Err(AssetError::BadMaterial(material.name));
+        }
+        let count = self.textures.len();
+        if let Some(texture) = material.texture.filter(|t| *t as usize >= count) {
+            return Err(AssetError::NoSuchTexture { material: material.name, texture, count });
         }
         self.materials.push(material);
         Ok(self.materials.len() as u32 - 1)
@@ -320,6 +364,11 @@ impl AssetLibrary {
         self.assets.get(id.0 as usize)
     }
 
+    /// The texture at a position.
+    pub fn texture(&self, index: u32) -> Option<&Arc<Texture>> {
+        self.textures.get(index as usize)
+    }
+
     /// The material at a position.
     pub fn material(&self, index: u32) -> Option<&Material> {
         self.materials.get(index as usize)
@@ -345,6 +394,9 @@ impl AssetLibrary {
         }
         if !part.shape.triangles_exist() {
             return Err(AssetError::BadTriangle(name));
+        }
+        if !part.shape.coordinates_are_sound() {
+            return Err(AssetError::BadCoordinates(name));
         }
         match part.joint {
             Some(joint) if !joint.is_sound() => Err(AssetError::BadJoint(name)),
@@ -411,7 +463,19 @@ impl Shape {
 
     fn triangles_exist(&self) -> bool {
         match self {
-            Self::Mesh { vertices, triangles } => triangles.iter().flatten().all(|&v| (v as usize) < vertices.len()),
+            Self::Mesh { vertices, triangles, .. } => {
+                triangles.iter().flatten().all(|&v| (v as usize) < vertices.len())
+            }
+            _ => true,
+        }
+    }
+
+    fn coordinates_are_sound(&self) -> bool {
+        match self {
+            Self::Mesh { triangles, uvs, .. } => {
+                let finite = uvs.iter().flatten().flatten().all(|v| v.is_finite());
+                finite && (uvs.is_empty() || uvs.len() == triangles.len())
+            }
             _ => true,
         }
     }

@@ -27,6 +27,7 @@ mod seed;
 mod simulator;
 mod state;
 mod store;
+mod texture;
 mod validate;
 mod vocabulary;
 

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Point3, Vector3};
-use vc_graph::asset::{AssetError, Joint, JointKind, Material, Part, Shape};
+use vc_graph::asset::{AssetError, Joint, JointKind, Material, Part, Shape, Texture};
 use vc_graph::format::native;
 use vc_graph::{Asset, AssetLibrary, ClassTable, Draft, Pose, SceneBuilder};
 
@@ -20,6 +20,7 @@ fn oak() -> Material {
         metallic: 0.0,
         transmission: 0.0,
         emission: [0.0; 3],
+        texture: None,
     }
 }
 
@@ -43,7 +44,7 @@ fn shapes() -> Vec<Shape> {
         Shape::Hull { points: corners.clone() },
         Shape::Lathe { profile: vec![(0.0, 0.0), (0.1, 0.0), (0.05, 0.2)] },
         Shape::Extrusion { outline: vec![(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)], height: 0.1 },
-        Shape::Mesh { vertices: corners, triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] },
+        Shape::Mesh { vertices: corners, triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], uvs: Vec::new() },
     ]
 }
 
@@ -66,6 +67,78 @@ fn a_scene_keeps_its_shapes() {
     assert_eq!(again.assets().get(cabinet).unwrap().parts.len(), shapes().len());
 }
 
+fn label() -> Texture {
+    let pixels = vec![[255, 0, 0], [0, 255, 0], [0, 0, 255], [1, 2, 3], [16, 32, 64], [170, 187, 204]];
+    Texture { name: "label".into(), width: 3, height: 2, pixels }
+}
+
+/// A square in a texture, and the other way round on its second triangle.
+fn square(uvs: Vec<[[f32; 2]; 3]>) -> Shape {
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from).to_vec();
+    Shape::Mesh { vertices: corners, triangles: vec![[0, 1, 2], [0, 2, 3]], uvs }
+}
+
+const CORNERS: [[[f32; 2]; 3]; 2] = [[[0.0, 1.0], [1.0, 1.0], [1.0, 0.0]], [[1.0, 0.0], [0.0, 1.0], [0.5, -2.0]]];
+
+#[test]
+fn a_scene_keeps_its_textures() {
+    let mut library = AssetLibrary::default();
+    let texture = library.add_texture(Arc::new(label())).unwrap();
+    library.add_material(Material { texture: Some(texture), ..oak() }).unwrap();
+    let parts = vec![part(square(CORNERS.to_vec()))];
+    library.add(Asset { name: "sign_1".into(), parts, ..Asset::default() }).unwrap();
+    let mut scene = SceneBuilder::new("flat");
+    scene.assets(Arc::new(library));
+    scene.add(Draft::new("kitchen")).unwrap();
+    let graph = scene.build();
+    let text = native::write(&graph);
+    let again = native::read(&text, &ClassTable::builtin()).unwrap();
+    assert_eq!(graph.assets(), again.assets());
+    assert_eq!(**again.assets().texture(0).unwrap(), label());
+    assert_eq!(native::write(&again), text);
+    for broken in ["ff000", "ff000g", "ff00é"] {
+        let message = native::read(&text.replace("ff0000", broken), &ClassTable::builtin()).unwrap_err().to_string();
+        assert!(message.contains("six hexadecimal digits"), "{message}");
+    }
+    let short = text.replace("\"width\":3", "\"width\":4");
+    assert!(native::read(&short, &ClassTable::builtin()).unwrap_err().to_string().contains("texture `label`"));
+}
+
+#[test]
+fn meshes_keep_their_place_in_a_texture() {
+    let Shape::Mesh { vertices, mut triangles, mut uvs } = square(CORNERS.to_vec()) else { unreachable!() };
+    // A triangle without area is left out, with its coordinates.
+    triangles.insert(1, [0, 1, 1]);
+    uvs.insert(1, [[9.0; 2]; 3]);
+    let mut mesh = Shape::Mesh { vertices, triangles, uvs }.mesh(0.0);
+    assert_eq!(mesh.uvs, CORNERS);
+    let plain = Shape::Sphere { radius: 0.1 }.mesh(0.01);
+    let count = plain.triangles.len();
+    mesh.append(&plain);
+    assert_eq!((mesh.uvs.len(), mesh.uvs[2]), (2 + count, [[0.0; 2]; 3]));
+    let mut other = plain;
+    other.append(&square(CORNERS.to_vec()).mesh(0.0));
+    assert_eq!(other.uvs[count..], CORNERS);
+}
+
+#[test]
+fn unsound_textures_are_refused_by_name() {
+    let mut library = AssetLibrary::default();
+    for bad in
+        [Texture { width: 0, ..label() }, Texture { height: 3, ..label() }, Texture { width: u32::MAX, ..label() }]
+    {
+        assert_eq!(library.add_texture(Arc::new(bad)), Err(AssetError::BadTexture("label".into())));
+    }
+    let material = Material { texture: Some(0), ..oak() };
+    let message = library.add_material(material).unwrap_err().to_string();
+    assert_eq!(message, "material `oak` uses texture 0, the library has 0");
+    library.add_material(oak()).unwrap();
+    for bad in [vec![CORNERS[0]], vec![CORNERS[0], [[f32::NAN; 2]; 3]]] {
+        let asset = Asset { name: "bad".into(), parts: vec![part(square(bad))], ..Asset::default() };
+        assert_eq!(library.add(asset), Err(AssetError::BadCoordinates("part".into())));
+    }
+}
+
 #[test]
 fn extents_enclose_the_shape() {
     for shape in shapes() {
@@ -86,7 +159,7 @@ fn unsound_parts_are_refused_by_name() {
     assert_eq!(add(Part { material: 7, ..ball() }).to_string(), "part `part` uses material 7, the library has 1");
     assert!(matches!(add(part(Shape::Sphere { radius: f32::NAN })), AssetError::BadMeasure(_)));
     assert!(matches!(add(part(Shape::Box { half: Vector3::new(0.1, 0.0, 0.1) })), AssetError::BadMeasure(_)));
-    let loose = Shape::Mesh { vertices: vec![Point3::origin()], triangles: vec![[0, 0, 1]] };
+    let loose = Shape::Mesh { vertices: vec![Point3::origin()], triangles: vec![[0, 0, 1]], uvs: Vec::new() };
     assert!(matches!(add(part(loose)), AssetError::BadTriangle(_)));
     let joint = |axis, limits| Part { joint: Some(hinge(axis, limits)), ..ball() };
     assert!(matches!(add(joint(Vector3::zeros(), (0.0, 1.0))), AssetError::BadJoint(_)));

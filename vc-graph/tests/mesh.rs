@@ -112,10 +112,10 @@ fn curves_are_smooth_and_edges_are_sharp() {
     let cube = Shape::Box { half: Vector3::repeat(1.0) };
     let vertices: Vec<_> = cube.mesh(0.1).positions;
     let triangles = cube.mesh(0.1).triangles;
-    let again = check(&Shape::Mesh { vertices, triangles }, 0.1);
+    let again = check(&Shape::Mesh { vertices, triangles, uvs: Vec::new() }, 0.1);
     assert_eq!(again.positions.len(), 24);
     let vertices = sphere.positions.clone();
-    let again = Shape::Mesh { vertices, triangles: sphere.triangles.clone() }.mesh(0.1);
+    let again = Shape::Mesh { vertices, triangles: sphere.triangles.clone(), uvs: Vec::new() }.mesh(0.1);
     let off = |(p, n): (&Point3<f32>, &Vector3<f32>)| (p.coords / 2.0 - n).norm();
     assert!(again.positions.iter().zip(&again.normals).all(|pair| off(pair) < 0.02));
 }
@@ -243,7 +243,7 @@ fn odd() -> impl Strategy<Value = Shape> {
         (pairs(3), positive()).prop_map(|(outline, height)| Shape::Extrusion { outline, height }),
         prop::collection::vec(point(), 4..30).prop_map(|points| Shape::Hull { points }),
         (prop::collection::vec(point(), 6), prop::collection::vec(triangle(6), 0..20))
-            .prop_map(|(vertices, triangles)| Shape::Mesh { vertices, triangles }),
+            .prop_map(|(vertices, triangles)| Shape::Mesh { vertices, triangles, uvs: Vec::new() }),
     ]
 }
 
@@ -289,7 +289,7 @@ proptest! {
         let mut library = AssetLibrary::default();
         let material = Material {
             name: "oak".into(), colour: [0.4; 3], density: 700.0, friction: 0.5, restitution: 0.1,
-            roughness: 0.6, metallic: 0.0, transmission: 0.0, emission: [0.0; 3],
+            roughness: 0.6, metallic: 0.0, transmission: 0.0, emission: [0.0; 3], texture: None,
         };
         library.add_material(material).unwrap();
         let part = Part { name: "part".into(), shape: shape.clone(), material: 0, pose: Pose::identity(), joint: None };

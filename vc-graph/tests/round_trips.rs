@@ -175,6 +175,7 @@ fn material() -> vc_graph::asset::Material {
         metallic: 0.0,
         transmission: 0.0,
         emission: [0.0; 3],
+        texture: None,
     }
 }
 

@@ -99,7 +99,7 @@ fn a_tub_of_one_mesh_is_hollow() {
     let triangles = sides.chain([[0, 2, 1], [0, 3, 2], [12, 13, 14], [12, 14, 15]]).collect();
     let tub = Asset {
         name: "tub".into(),
-        parts: vec![part("tub", Shape::Mesh { vertices, triangles }, at(0.0, 0.0, 0.0), scene.wood)],
+        parts: vec![part("tub", Shape::Mesh { vertices, triangles, uvs: Vec::new() }, at(0.0, 0.0, 0.0), scene.wood)],
         surfaces: vec![surface("basin", Hold::Inside, [0.0, 0.0, 0.12], (0.65, 0.65), Some(0.38))],
         ..Asset::default()
     };

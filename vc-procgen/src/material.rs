@@ -320,7 +320,8 @@ fn material(name: &str, family: Family, colour: u32) -> Material {
     let channel = |shift: u32| linear(((colour >> shift) & 0xff) as f32 / 255.0);
     let colour = [channel(16), channel(8), channel(0)];
     let emission = if family == Family::Glow { colour.map(|c| c * 40.0) } else { [0.0; 3] };
-    Material { name: name.into(), colour, density, friction, restitution, roughness, metallic, transmission, emission }
+    let (name, texture) = (name.into(), None);
+    Material { name, colour, density, friction, restitution, roughness, metallic, transmission, emission, texture }
 }
 
 /// sRGB's transfer function (IEC 61966-2-1), to linear.

@@ -23,6 +23,7 @@ fn library() -> AssetLibrary {
         metallic: 0.0,
         transmission: 0.0,
         emission: [0.0; 3],
+        texture: None,
     };
     let lamp = Material { name: "lamp".into(), emission: [8.0, 4.0, 2.0], ..oak.clone() };
     let glass = Material { name: "glass".into(), transmission: 0.75, emission: [0.5, 0.0, 0.0], ..oak.clone() };
@@ -49,7 +50,7 @@ fn shapes() -> Vec<Shape> {
         Shape::Hull { points: corners.clone() },
         Shape::Lathe { profile: vec![(0.1, 0.0), (0.1, 0.2), (0.09, 0.2), (0.09, 0.02)] },
         Shape::Extrusion { outline: vec![(0.0, 0.0), (0.3, 0.0), (0.1, 0.1), (0.0, 0.3)], height: 0.1 },
-        Shape::Mesh { vertices: corners, triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] },
+        Shape::Mesh { vertices: corners, triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], uvs: Vec::new() },
     ]
 }
 
@@ -168,7 +169,11 @@ fn physics_gets_convex_pieces() {
         assert_eq!(collision(shape.clone()).len() == 1, convex, "{shape:?}");
     }
     let flat = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    let rug = Shape::Mesh { vertices: flat.into_iter().map(Point3::from).collect(), triangles: vec![[0, 1, 2]] };
+    let rug = Shape::Mesh {
+        vertices: flat.into_iter().map(Point3::from).collect(),
+        triangles: vec![[0, 1, 2]],
+        uvs: Vec::new(),
+    };
     assert!((volume(&collision(rug)) - 0.0005).abs() < 1e-5);
 }
 

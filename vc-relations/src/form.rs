@@ -185,7 +185,7 @@ fn pieces(part: &Part, push: &mut dyn FnMut(Piece)) {
     match &part.shape {
         Shape::Lathe { profile } => carve::lathe(profile, &mut put),
         Shape::Extrusion { outline, height } => carve::extrusion(outline, *height, &mut put),
-        Shape::Mesh { vertices, triangles } => carve::mesh(vertices, triangles, &mut put),
+        Shape::Mesh { vertices, triangles, .. } => carve::mesh(vertices, triangles, &mut put),
         shape => {
             let (low, high): (Point3<f32>, Point3<f32>) = shape.extent();
             put((low.coords + high.coords) / 2.0, plain, (high - low) / 2.0, round(shape));

@@ -23,6 +23,7 @@ fn a_floor_is_of_its_own_room() {
             metallic: 0.0,
             transmission: 0.0,
             emission: [0.0; 3],
+            texture: None,
         })
         .unwrap();
     let mut scene = SceneBuilder::new("flat");

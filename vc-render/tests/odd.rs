@@ -83,12 +83,22 @@ fn triangles_across_the_eye_are_cut_at_the_near_plane() {
 #[test]
 fn meshes_without_triangles_or_area_are_not_seen() {
     let mut stage = Stage::new();
-    stage.one("ball", Shape::Mesh { vertices: Vec::new(), triangles: Vec::new() }, Pose::identity(), 0);
+    stage.one(
+        "ball",
+        Shape::Mesh { vertices: Vec::new(), triangles: Vec::new(), uvs: Vec::new() },
+        Pose::identity(),
+        0,
+    );
     let point = Point3::new(0.1, 0.2, 0.3);
-    let flat = Shape::Mesh { vertices: vec![point; 3], triangles: vec![[0, 1, 2], [0, 0, 0]] };
+    let flat = Shape::Mesh { vertices: vec![point; 3], triangles: vec![[0, 1, 2], [0, 0, 0]], uvs: Vec::new() };
     stage.one("ball", flat, Pose::identity(), 0);
     let needle = vec![Point3::origin(), Point3::new(1.0, 0.0, 0.0), Point3::new(2.0, 0.0, 0.0)];
-    stage.one("ball", Shape::Mesh { vertices: needle, triangles: vec![[0, 1, 2]] }, Pose::identity(), 2);
+    stage.one(
+        "ball",
+        Shape::Mesh { vertices: needle, triangles: vec![[0, 1, 2]], uvs: Vec::new() },
+        Pose::identity(),
+        2,
+    );
     let mut renderer = Renderer::new();
     let snapshot = renderer.snapshot(&stage.build()).unwrap();
     let camera = Camera::with_fov(32, 24, 1.0).looking(Point3::new(-2.0, 0.1, 0.2), Point3::origin());

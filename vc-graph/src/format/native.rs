@@ -24,7 +24,8 @@ use crate::node::{Kind, Node, Spec};
 use crate::vocabulary::key;
 use crate::{
     Asset, AssetId, AssetLibrary, ClassTable, Edge, EditError, NodeId, PropertySet, Relation, SceneBuilder, SceneGraph,
-    Set, StateSet, Word, asset::Material,
+    Set, StateSet, Word,
+    asset::{Material, Texture},
 };
 
 /// The version this program writes, and the latest it reads.
@@ -37,6 +38,8 @@ struct File {
     name: String,
     nodes: Vec<NodeFile>,
     edges: Vec<(NodeId, Relation, NodeId)>,
+    #[serde(default)]
+    textures: Vec<Arc<Texture>>,
     #[serde(default)]
     materials: Vec<Material>,
     #[serde(default)]
@@ -114,7 +117,7 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
         return Err(source.error("virtualcity".into(), Problem::Version(file.virtualcity, VERSION)));
     }
     let mut graph = SceneGraph::new(file.name.as_str(), classes.clone());
-    graph.assets = Arc::new(library(&source, file.materials, file.assets)?);
+    graph.assets = Arc::new(library(&source, file.textures, file.materials, file.assets)?);
     for (index, node) in file.nodes.into_iter().enumerate() {
         let at = |field: &str| format!("nodes[{index}]{field}");
         if graph.node(node.id).is_some() {
@@ -131,8 +134,16 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
     Ok(builder.build())
 }
 
-fn library(source: &Source<'_>, materials: Vec<Material>, assets: Vec<Asset>) -> Result<AssetLibrary, FormatError> {
+fn library(
+    source: &Source<'_>,
+    textures: Vec<Arc<Texture>>,
+    materials: Vec<Material>,
+    assets: Vec<Asset>,
+) -> Result<AssetLibrary, FormatError> {
     let mut library = AssetLibrary::default();
+    for (index, texture) in textures.into_iter().enumerate() {
+        library.add_texture(texture).map_err(|e| source.error(format!("textures[{index}]"), e))?;
+    }
     for (index, material) in materials.into_iter().enumerate() {
         library.add_material(material).map_err(|e| source.error(format!("materials[{index}]"), e))?;
     }
@@ -146,6 +157,7 @@ fn library(source: &Source<'_>, materials: Vec<Material>, assets: Vec<Asset>) ->
 pub fn write(graph: &SceneGraph) -> String {
     let mut text = format!("{{\"virtualcity\": {VERSION}, \"name\": {},\n", json(&graph.name()));
     let library = graph.assets();
+    let textures: Vec<&Arc<Texture>> = (0..).map_while(|i| library.texture(i)).collect();
     let materials: Vec<&Material> = (0..).map_while(|i| library.material(i)).collect();
     let assets: Vec<&Arc<Asset>> = (0..library.len() as u32).filter_map(|i| library.get(AssetId(i))).collect();
     list(&mut text, "nodes", graph.nodes().map(|n| json(&NodeFile::from(n))));
@@ -153,6 +165,10 @@ pub fn write(graph: &SceneGraph) -> String {
     // A symmetric relation is written once.
     let once = graph.edges().filter(|e| !e.relation.is_symmetric() || e.from <= e.to);
     list(&mut text, "edges", once.map(|e| json(&(e.from, e.relation, e.to))));
+    if !textures.is_empty() {
+        text.push_str(",\n");
+        list(&mut text, "textures", textures.into_iter().map(|t| json(&**t)));
+    }
     if !materials.is_empty() || !assets.is_empty() {
         text.push_str(",\n");
         list(&mut text, "materials", materials.into_iter().map(json));

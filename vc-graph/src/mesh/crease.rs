@@ -27,9 +27,10 @@ impl Groups {
 
 /// The triangles with vertices shared across smooth edges and split at sharp ones.
 /// Triangles with corners that do not exist or are in one place are left out.
-pub(super) fn with_normals(vertices: &[Point3<f32>], triangles: &[[u32; 3]]) -> TriangleMesh {
+pub(super) fn with_normals(vertices: &[Point3<f32>], triangles: &[[u32; 3]], uvs: &[[[f32; 2]; 3]]) -> TriangleMesh {
     let welded = Welded::new(vertices);
     let faces: Vec<[u32; 3]> = triangles.iter().filter_map(|&t| welded.triangle(t)).collect();
+    let kept = triangles.iter().zip(uvs).filter(|(t, _)| welded.triangle(**t).is_some());
     let place = |v: u32| vertices[v as usize].cast::<f64>();
     let flat = |&[a, b, c]: &[u32; 3]| (place(b) - place(a)).cross(&(place(c) - place(a)));
     let normals: Vec<Vector3<f64>> = faces.iter().map(|f| flat(f).try_normalize(0.0).unwrap_or_default()).collect();
@@ -40,7 +41,7 @@ pub(super) fn with_normals(vertices: &[Point3<f32>], triangles: &[[u32; 3]]) -> 
         let [own, next, last] = [i, i + 1, i + 2].map(|k| place(face[k % 3]));
         sums[groups.root(corner)] += normals[corner / 3] * angle(next - own, last - own);
     }
-    let mut mesh = TriangleMesh::default();
+    let mut mesh = TriangleMesh { uvs: kept.map(|(_, uvs)| *uvs).collect(), ..TriangleMesh::default() };
     let mut made = vec![None; sums.len()];
     for (t, face) in faces.iter().enumerate() {
         let corners = [0, 1, 2].map(|i| {

@@ -41,6 +41,8 @@ pub struct TriangleMesh {
     pub normals: Vec<Vector3<f32>>,
     /// Three vertices each, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
+    /// Where the corners of each triangle are in a texture; empty where nothing is known.
+    pub uvs: Vec<[[f32; 2]; 3]>,
 }
 
 impl Shape {
@@ -73,7 +75,7 @@ impl Shape {
             Self::Hull { points } => solid::faceted(points, &hull::triangles(points)),
             Self::Lathe { profile } => lathe::turned(profile, tolerance),
             Self::Extrusion { outline, height } => extrude::drawn_up(outline, *height),
-            Self::Mesh { vertices, triangles } => crease::with_normals(vertices, triangles),
+            Self::Mesh { vertices, triangles, uvs } => crease::with_normals(vertices, triangles, uvs),
         };
         mesh.cleaned()
     }
@@ -120,11 +122,18 @@ impl TriangleMesh {
             positions: self.positions.iter().map(|p| pose * p).collect(),
             normals: self.normals.iter().map(|n| pose * n).collect(),
             triangles: self.triangles.clone(),
+            uvs: self.uvs.clone(),
         }
     }
 
-    /// Adds the triangles of another mesh.
+    /// Adds the triangles of another mesh. If only one of them has texture coordinates,
+    /// those of the other's corners are all zero.
     pub fn append(&mut self, other: &Self) {
+        if !self.uvs.is_empty() || !other.uvs.is_empty() {
+            self.uvs.resize(self.triangles.len(), Default::default());
+            self.uvs.extend_from_slice(&other.uvs);
+            self.uvs.resize(self.triangles.len() + other.triangles.len(), Default::default());
+        }
         let first = self.positions.len() as u32;
         self.positions.extend_from_slice(&other.positions);
         self.normals.extend_from_slice(&other.normals);
@@ -151,7 +160,12 @@ impl TriangleMesh {
             return Self::default();
         }
         let at = |v: u32| self.positions[v as usize];
-        self.triangles.retain(|&[a, b, c]| at(a) != at(b) && at(b) != at(c) && at(c) != at(a));
+        let sound = |&[a, b, c]: &[u32; 3]| at(a) != at(b) && at(b) != at(c) && at(c) != at(a);
+        if !self.uvs.is_empty() {
+            let mut kept = self.triangles.iter().map(sound);
+            self.uvs.retain(|_| kept.next().unwrap_or(false));
+        }
+        self.triangles.retain(sound);
         self
     }
 }

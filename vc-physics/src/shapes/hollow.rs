@@ -29,7 +29,7 @@ pub(super) fn space(surface: &Surface) -> Option<Box3> {
 /// asset's surfaces.
 pub(super) fn pieces(part: &Part, by: &Vector3<f32>, surfaces: &[Surface]) -> Vec<Piece> {
     let whole = form::placed(part, by);
-    let Shape::Mesh { vertices, triangles } = &part.shape else { return whole };
+    let Shape::Mesh { vertices, triangles, .. } = &part.shape else { return whole };
     let spaces: Vec<Box3> = surfaces.iter().filter_map(space).collect();
     if !whole.iter().any(|p| spaces.iter().any(|s| fills(p, s))) {
         return whole;

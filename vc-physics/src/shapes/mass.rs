@@ -63,7 +63,7 @@ impl Moments {
             Shape::Sphere { radius } => Self::capsule(*radius, 0.0),
             Shape::Lathe { profile } => Self::turned(profile),
             Shape::Extrusion { outline, height } => Self::drawn_up(outline, *height),
-            Shape::Mesh { vertices, triangles } => Self::enclosed(vertices, triangles),
+            Shape::Mesh { vertices, triangles, .. } => Self::enclosed(vertices, triangles),
             Shape::Hull { points } => {
                 hull::triangles(points).map_or_else(Self::default, |t| Self::enclosed(points, &t))
             }

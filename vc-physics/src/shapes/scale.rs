@@ -29,7 +29,9 @@ pub(crate) fn shape(shape: &Shape, by: f32) -> Shape {
         Shape::Hull { points: list } => Shape::Hull { points: points(list) },
         Shape::Lathe { profile } => Shape::Lathe { profile: pairs(profile) },
         Shape::Extrusion { outline, height } => Shape::Extrusion { outline: pairs(outline), height: height * by },
-        Shape::Mesh { vertices, triangles } => Shape::Mesh { vertices: points(vertices), triangles: triangles.clone() },
+        Shape::Mesh { vertices, triangles, .. } => {
+            Shape::Mesh { vertices: points(vertices), triangles: triangles.clone(), uvs: Vec::new() }
+        }
         other => other.clone(),
     }
 }

@@ -27,6 +27,7 @@ pub(crate) fn material(name: &str, density: f32, friction: f32, restitution: f32
         metallic: 0.0,
         transmission: 0.0,
         emission: [0.0; 3],
+        texture: None,
     }
 }
 

@@ -3,6 +3,13 @@
 use super::GltfError;
 use super::document::{BYTE, Document, FLOAT, INT, SHORT};
 
+/// The bytes of a buffer view.
+pub(super) fn slice<'a>(document: &Document, file: &'a [u8], index: usize) -> Result<&'a [u8], GltfError> {
+    let view = document.buffer_views.get(index).ok_or(GltfError::missing("buffer view", index))?;
+    let bytes = range(buffer(document, file, view.buffer)?, view.byte_offset, Some(view.byte_length));
+    bytes.ok_or(GltfError::BadView(index))
+}
+
 /// The elements of an accessor.
 pub(super) struct Elements<'a> {
     bytes: &'a [u8],
@@ -24,6 +31,9 @@ impl<'a> Elements<'a> {
         let component = accessor.component_type;
         let size = match (kind, component) {
             ("VEC3", FLOAT) => 12,
+            ("VEC2", FLOAT) => 8,
+            ("VEC2", SHORT) if accessor.normalized => 4,
+            ("VEC2", BYTE) if accessor.normalized => 2,
             ("SCALAR", INT) => 4,
             ("SCALAR", SHORT) => 2,
             ("SCALAR", BYTE) => 1,
@@ -50,6 +60,11 @@ impl<'a> Elements<'a> {
         Self::new(document, file, index, "SCALAR")
     }
 
+    /// Pairs of numbers, those of bytes and shorts in shares of their greatest.
+    pub(super) fn pairs(document: &Document, file: &'a [u8], index: usize) -> Result<Self, GltfError> {
+        Self::new(document, file, index, "VEC2")
+    }
+
     fn element(&self, at: usize) -> Option<&'a [u8]> {
         if at >= self.count {
             return None;
@@ -62,6 +77,16 @@ impl<'a> Elements<'a> {
         let bytes = self.element(at)?;
         let word = |i: usize| Some(f32::from_le_bytes(bytes.get(i * 4..i * 4 + 4)?.try_into().ok()?));
         Some([word(0)?, word(1)?, word(2)?])
+    }
+
+    pub(super) fn pair(&self, at: usize) -> Option<[f32; 2]> {
+        let bytes = self.element(at)?;
+        let part = |i: usize| match self.component {
+            FLOAT => Some(f32::from_le_bytes(bytes.get(i * 4..i * 4 + 4)?.try_into().ok()?)),
+            SHORT => Some(f32::from(u16::from_le_bytes(bytes.get(i * 2..i * 2 + 2)?.try_into().ok()?)) / 65_535.0),
+            _ => bytes.get(i).map(|&b| f32::from(b) / 255.0),
+        };
+        Some([part(0)?, part(1)?])
     }
 
     pub(super) fn index(&self, at: usize) -> Option<usize> {

@@ -66,7 +66,7 @@ impl Soup {
 
 /// The connected parts of a mesh.
 fn components(part: &Part) -> Vec<Soup> {
-    let Shape::Mesh { vertices, triangles } = &part.shape else { return Vec::new() };
+    let Shape::Mesh { vertices, triangles, .. } = &part.shape else { return Vec::new() };
     let mut leader: Vec<usize> = (0..vertices.len()).collect();
     fn find(leader: &mut [usize], mut v: usize) -> usize {
         while leader[v] != v {
@@ -106,7 +106,8 @@ fn components(part: &Part) -> Vec<Soup> {
 /// a line.
 fn whole_hull(soup: &Soup) -> Option<Vec<Point3<f32>>> {
     let Some(hull) = hull(&soup.points) else { return Some(hull(&thickened(soup)).unwrap_or_default()) };
-    let own = Shape::Mesh { vertices: soup.points.clone(), triangles: soup.triangles.clone() }.mesh(0.0);
+    let own =
+        Shape::Mesh { vertices: soup.points.clone(), triangles: soup.triangles.clone(), uvs: Vec::new() }.mesh(0.0);
     let around = Shape::Hull { points: hull.clone() }.mesh(0.0);
     (own.is_closed() && own.volume() >= FULL * around.volume()).then_some(hull)
 }

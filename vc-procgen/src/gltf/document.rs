@@ -35,6 +35,8 @@ object! { Document {
     nodes: Vec<Node>,
     meshes: Vec<Mesh>,
     materials: Vec<Material>,
+    textures: Vec<Texture>,
+    images: Vec<Image>,
     accessors: Vec<Accessor>,
     buffer_views: Vec<View>,
     buffers: Vec<Buffer>,
@@ -101,6 +103,8 @@ object! { Primitive {
 object! { Attributes {
     #[serde(rename = "POSITION")] position: Option<usize>,
     #[serde(rename = "NORMAL")] normal: Option<usize>,
+    #[serde(rename = "TEXCOORD_0")] first: Option<usize>,
+    #[serde(rename = "TEXCOORD_1")] second: Option<usize>,
 }}
 
 object! { Material {
@@ -114,8 +118,35 @@ object! { Material {
 
 object! { Surface {
     base_color_factor: Option<[f32; 4]>,
+    base_color_texture: Option<TextureOf>,
     metallic_factor: Option<f32>,
     roughness_factor: Option<f32>,
+}}
+
+object! {
+/// Which texture a material has, and which coordinates of its meshes are in it.
+TextureOf { index: Option<usize>, tex_coord: usize, extensions: TextureExtensions, }}
+
+object! { TextureExtensions {
+    #[serde(rename = "KHR_texture_transform")] transform: Option<Transform>,
+}}
+
+object! {
+/// What is done to coordinates first.
+Transform {
+    offset: [f32; 2],
+    rotation: f32,
+    scale: Option<[f32; 2]>,
+    tex_coord: Option<usize>,
+}}
+
+object! { Texture { source: Option<usize>, } }
+
+object! { Image {
+    name: String,
+    uri: Option<String>,
+    mime_type: Option<String>,
+    buffer_view: Option<usize>,
 }}
 
 object! { Extensions {

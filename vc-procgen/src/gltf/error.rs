@@ -27,6 +27,9 @@ pub enum GltfError {
         /// Its number.
         index: usize,
     },
+    /// A buffer view has no data.
+    #[error("buffer view {0} reaches beyond its buffer")]
+    BadView(usize),
     /// An accessor's data cannot be used.
     #[error("accessor {index} {reason}")]
     BadAccessor {
@@ -34,6 +37,17 @@ pub enum GltfError {
         index: usize,
         /// What is wrong with it.
         reason: &'static str,
+    },
+    /// A texture has no picture of a kind that is read.
+    #[error("texture {0} has no picture that is read: export it as PNG or JPEG")]
+    NoPicture(usize),
+    /// A picture cannot be used.
+    #[error("image `{name}` {reason}")]
+    BadImage {
+        /// Its name in the file.
+        name: String,
+        /// What is wrong with it.
+        reason: String,
     },
     /// A node is its own ancestor, or has two parents.
     #[error("node {0} has more than one parent: every node may be listed once")]

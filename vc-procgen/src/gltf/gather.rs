@@ -9,6 +9,7 @@ use vc_graph::portable::Portable;
 
 use super::GltfError;
 use super::access::Elements;
+use super::coordinates::TextureMap;
 use super::document::{Document, Node, Primitive};
 use super::note::{JointNote, NodeNote, SurfaceNote, noted};
 
@@ -24,6 +25,8 @@ pub(super) struct Piece {
     pub(super) material: Option<usize>,
     pub(super) points: Vec<Point3<f64>>,
     pub(super) triangles: Vec<[u32; 3]>,
+    /// As many as there are triangles, or none.
+    pub(super) uvs: Vec<[[f32; 2]; 3]>,
 }
 
 pub(super) struct FoundJoint {
@@ -53,8 +56,8 @@ pub(super) struct Gathered {
     triangles: usize,
 }
 
-/// Points and the triangles between them.
-type Triangles = (Vec<Point3<f64>>, Vec<[u32; 3]>);
+/// Points, the triangles between them, and where these are in a texture.
+type Triangles = (Vec<Point3<f64>>, Vec<[u32; 3]>, Vec<[[f32; 2]; 3]>);
 
 /// A node to visit: its number, its parent's frame and the joint it moves with.
 type Visit = (usize, Matrix4<f64>, Option<usize>);
@@ -152,10 +155,10 @@ impl Gathered {
         let mesh = document.meshes.get(index).ok_or(GltfError::missing("mesh", index))?;
         let name = [&node.name, &mesh.name].into_iter().find(|n| !n.is_empty());
         for primitive in &mesh.primitives {
-            let (points, triangles) = self.primitive(document, bytes, primitive, frame)?;
+            let (points, triangles, uvs) = self.primitive(document, bytes, primitive, frame)?;
             if !triangles.is_empty() {
                 let name = name.cloned().unwrap_or_else(|| format!("mesh_{index}"));
-                self.pieces.push(Piece { name, joint, material: primitive.material, points, triangles });
+                self.pieces.push(Piece { name, joint, material: primitive.material, points, triangles, uvs });
             }
         }
         Ok(())
@@ -172,6 +175,7 @@ impl Gathered {
         let (4..=6, Some(position)) = (mode, primitive.attributes.position) else { return Ok(Default::default()) };
         let positions = Elements::vectors(document, bytes, position)?;
         let indices = primitive.indices.map(|i| Elements::indices(document, bytes, i)).transpose()?;
+        let map = TextureMap::of(document, bytes, primitive)?;
         let corners = indices.as_ref().map_or(positions.count, |i| i.count);
         let count = if mode == 4 { corners / 3 } else { corners.saturating_sub(2) };
         // An empty one counts too, so that no file takes long.
@@ -181,16 +185,20 @@ impl Gathered {
         }
         let mirrored = frame.fixed_view::<3, 3>(0, 0).determinant() < 0.0;
         let mut welder = Welder { positions, frame, at: position, known: HashMap::new(), points: Vec::new() };
-        let mut triangles = Vec::new();
+        let (mut triangles, mut uvs) = (Vec::new(), Vec::new());
         for t in 0..count {
             let [a, b, c] = corners_of(mode, t);
             let corner = |i: usize| indices.as_ref().map_or(Some(i), |all| all.index(i)).unwrap_or(usize::MAX);
-            let [a, b, c] = [welder.vertex(corner(a))?, welder.vertex(corner(b))?, welder.vertex(corner(c))?];
+            let turned = if mirrored { [a, c, b] } else { [a, b, c] }.map(corner);
+            let [a, b, c] = [welder.vertex(turned[0])?, welder.vertex(turned[1])?, welder.vertex(turned[2])?];
             if a != b && b != c && c != a {
-                triangles.push(if mirrored { [a, c, b] } else { [a, b, c] });
+                triangles.push([a, b, c]);
+                if let Some(map) = &map {
+                    uvs.push([map.at(turned[0])?, map.at(turned[1])?, map.at(turned[2])?]);
+                }
             }
         }
-        Ok((welder.points, triangles))
+        Ok((welder.points, triangles, uvs))
     }
 }
 

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::{Matrix4, Point3, Vector3};
-use vc_graph::asset::{Joint, JointKind, Material, Part, Shape, Surface};
+use vc_graph::asset::{Joint, JointKind, Material, Part, Shape, Surface, Texture};
 use vc_graph::{Asset, AssetId, AssetLibrary, Pose};
 
 use super::gather::{FoundJoint, FoundSurface, Gathered, Piece, gather};
+use super::image::Decoder;
 use super::{GltfError, collision, document, glb, paint};
 
 /// How large a model becomes.
@@ -69,8 +70,10 @@ impl Default for Options {
 pub struct Imported {
     /// The asset; its parts number their materials by `materials`.
     pub asset: Asset,
-    /// Its materials.
+    /// Its materials; they number their textures by `textures`.
     pub materials: Vec<Material>,
+    /// Pictures of their colours.
+    pub textures: Vec<Arc<Texture>>,
     /// What it is, if the file has a note of it.
     pub class: Option<Arc<str>>,
     /// Whether each of its parts encloses a volume.
@@ -78,7 +81,7 @@ pub struct Imported {
 }
 
 impl Imported {
-    /// Adds the asset and its materials to a library.
+    /// Adds the asset, its materials and textures to a library.
     ///
     /// # Errors
     /// [`GltfError::Asset`] if a figure is not one the library takes; the library is
@@ -89,7 +92,11 @@ impl Imported {
     }
 
     fn put_into(&self, library: &mut AssetLibrary) -> Result<AssetId, vc_graph::asset::AssetError> {
-        let added = self.materials.iter().map(|m| library.add_material(m.clone()));
+        let added = self.textures.iter().map(|t| library.add_texture(t.clone()));
+        let textures = added.collect::<Result<Vec<u32>, _>>()?;
+        let own = |t: u32| textures.get(t as usize).copied().unwrap_or(u32::MAX);
+        let added = self.materials.iter().map(|m| Material { texture: m.texture.map(own), ..m.clone() });
+        let added = added.map(|m| library.add_material(m));
         let numbers = added.collect::<Result<Vec<u32>, _>>()?;
         let mut asset = self.asset.clone();
         for part in asset.parts.iter_mut().chain(&mut asset.collision) {
@@ -117,7 +124,7 @@ pub fn read(file: &[u8], options: &Options) -> Result<Imported, GltfError> {
     }
     let found = gather(&document, bytes, upright(options.quarter_turns))?;
     let placing = Placing::new(&found, options)?;
-    let mut paints = Paints { document: &document, options, numbers: BTreeMap::new(), all: Vec::new() };
+    let mut paints = Paints::new(&document, bytes, options);
     let joints: Vec<Joint> = found.joints.iter().map(|j| placing.joint(j)).collect();
     let mut parts = Vec::with_capacity(found.pieces.len());
     for piece in &found.pieces {
@@ -128,7 +135,8 @@ pub fn read(file: &[u8], options: &Options) -> Result<Imported, GltfError> {
     let collision = collision::pieces(&parts, options.hulls);
     let closed = parts.iter().all(|p| p.shape.mesh(0.0).is_closed());
     let asset = Asset { name: name(&document, options, &parts), parts, surfaces, collision };
-    Ok(Imported { asset, materials: paints.all, class: found.class.map(Into::into), closed })
+    let Paints { all: materials, textures, .. } = paints;
+    Ok(Imported { asset, materials, textures, class: found.class.map(Into::into), closed })
 }
 
 /// From Y up and Z in front to Z up and X in front, and quarter turns.
@@ -212,15 +220,40 @@ fn corners<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Option<(Point3<f64>, 
     points.reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))
 }
 
-/// The materials in use.
+/// The materials in use, and their textures.
 struct Paints<'a> {
     document: &'a document::Document,
+    bytes: &'a [u8],
     options: &'a Options,
     numbers: BTreeMap<Option<usize>, u32>,
     all: Vec<Material>,
+    decoder: Decoder,
+    /// By image.
+    pictures: BTreeMap<usize, u32>,
+    textures: Vec<Arc<Texture>>,
 }
 
-impl Paints<'_> {
+impl<'a> Paints<'a> {
+    fn new(document: &'a document::Document, bytes: &'a [u8], options: &'a Options) -> Self {
+        let (numbers, pictures, decoder) = (BTreeMap::new(), BTreeMap::new(), Decoder::new());
+        Self { document, bytes, options, numbers, all: Vec::new(), decoder, pictures, textures: Vec::new() }
+    }
+
+    /// The number of a material's picture, decoded when it is met first.
+    fn picture(&mut self, material: &document::Material) -> Result<Option<u32>, GltfError> {
+        let texture = material.pbr_metallic_roughness.base_color_texture.as_ref();
+        let Some(index) = texture.and_then(|t| t.index) else { return Ok(None) };
+        let texture = self.document.textures.get(index).ok_or(GltfError::missing("texture", index))?;
+        let image = texture.source.ok_or(GltfError::NoPicture(index))?;
+        if let Some(&known) = self.pictures.get(&image) {
+            return Ok(Some(known));
+        }
+        self.textures.push(self.decoder.texture(self.document, self.bytes, image)?);
+        let number = self.textures.len() as u32 - 1;
+        self.pictures.insert(image, number);
+        Ok(Some(number))
+    }
+
     fn number(&mut self, index: Option<usize>) -> Result<u32, GltfError> {
         if let Some(&known) = self.numbers.get(&index) {
             return Ok(known);
@@ -230,7 +263,8 @@ impl Paints<'_> {
             Some(i) => self.document.materials.get(i).ok_or(GltfError::missing("material", i))?,
             None => &plain,
         };
-        self.all.push(paint::read(written, index.unwrap_or(0), self.options)?);
+        let texture = self.picture(written)?;
+        self.all.push(paint::read(written, index.unwrap_or(0), texture, self.options)?);
         self.numbers.insert(index, self.all.len() as u32 - 1);
         Ok(self.all.len() as u32 - 1)
     }
@@ -238,6 +272,6 @@ impl Paints<'_> {
 
 fn part(piece: &Piece, material: u32, joint: Option<Joint>, placing: &Placing) -> Part {
     let vertices = piece.points.iter().map(|p| placing.point(p)).collect();
-    let shape = Shape::Mesh { vertices, triangles: piece.triangles.clone() };
+    let shape = Shape::Mesh { vertices, triangles: piece.triangles.clone(), uvs: piece.uvs.clone() };
     Part { name: piece.name.as_str().into(), shape, material, pose: Pose::identity(), joint }
 }

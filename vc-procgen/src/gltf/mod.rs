@@ -56,18 +56,20 @@
 //!
 //! # What is not read
 //!
-//! Pictures (a material's colour is its base colour factor), skins, morph targets,
-//! animations, cameras and lights. Points and lines are passed over. Sparse and
+//! Pictures but those of base colours (PNG and JPEG; their alpha is passed over, and all of
+//! them repeat), skins, morph targets, animations, cameras and lights. Points and lines are passed over. Sparse and
 //! quantised vertices, compression and files beside the file are refused with an
 //! error that says how to export instead.
 
 mod access;
 mod collision;
+mod coordinates;
 mod document;
 mod error;
 mod export;
 mod gather;
 mod glb;
+mod image;
 mod import;
 mod note;
 mod paint;

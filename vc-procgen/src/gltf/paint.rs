@@ -2,6 +2,7 @@
 
 use vc_graph::asset::Material;
 
+use super::coordinates::TRANSFORM;
 use super::document as json;
 use super::note::{MaterialNote, Physics, noted, written};
 use super::{GltfError, Options};
@@ -13,7 +14,8 @@ fn share(value: f32) -> f32 {
     value.clamp(0.0, 1.0)
 }
 
-pub(super) fn write(material: &Material) -> json::Material {
+/// A material, and which of the file's textures it has.
+pub(super) fn write(material: &Material, texture: Option<usize>) -> json::Material {
     let [r, g, b] = material.colour.map(share);
     let most = material.emission.iter().fold(1.0f32, |a, &b| a.max(b));
     let physics = Physics { density: material.density, friction: material.friction, restitution: material.restitution };
@@ -21,6 +23,7 @@ pub(super) fn write(material: &Material) -> json::Material {
         name: material.name.to_string(),
         pbr_metallic_roughness: json::Surface {
             base_color_factor: Some([r, g, b, 1.0]),
+            base_color_texture: texture.map(|index| json::TextureOf { index: Some(index), ..Default::default() }),
             metallic_factor: Some(share(material.metallic)),
             roughness_factor: Some(share(material.roughness)),
         },
@@ -42,14 +45,19 @@ pub(super) fn extensions(materials: &[json::Material]) -> Vec<String> {
     all.into_iter().filter(|(_, used)| *used).map(|(name, _)| name.to_owned()).collect()
 }
 
-/// Whether a required extension is one of those above.
+/// Whether a required extension is one that is read.
 pub(super) fn understands(extension: &str) -> bool {
-    [STRENGTH, TRANSMISSION].contains(&extension)
+    [STRENGTH, TRANSMISSION, TRANSFORM].contains(&extension)
 }
 
-/// A material as glTF's defaults fill it in; the physical figures are the options'
-/// where the file has none.
-pub(super) fn read(material: &json::Material, index: usize, options: &Options) -> Result<Material, GltfError> {
+/// A material as glTF's defaults fill it in, with this texture; the physical figures are the
+/// options' where the file has none.
+pub(super) fn read(
+    material: &json::Material,
+    index: usize,
+    texture: Option<u32>,
+    options: &Options,
+) -> Result<Material, GltfError> {
     let note: MaterialNote = noted(material.extras.as_ref(), || format!("material {index}"))?;
     let physics = note.physics;
     let surface = &material.pbr_metallic_roughness;
@@ -67,5 +75,6 @@ pub(super) fn read(material: &json::Material, index: usize, options: &Options) -
         metallic: share(surface.metallic_factor.unwrap_or(1.0)),
         transmission: transmission.unwrap_or(blended),
         emission: material.emissive_factor.unwrap_or([0.0; 3]).map(|v| (share(v) * strength).clamp(0.0, 1e9)),
+        texture,
     })
 }

@@ -7,10 +7,17 @@ use vc_graph::asset::{Joint, Part};
 use vc_graph::{Asset, AssetLibrary, Pose, TriangleMesh};
 
 use super::document::{self as json, Document};
-use super::{GltfError, glb, paint};
+use super::{GltfError, glb, image, paint};
 
 const VERTICES: u32 = 34962;
 const INDICES: u32 = 34963;
+
+/// Kinds of numbers, by where they are among a writer's bytes, and how far vertices are apart.
+const VECTORS: usize = 0;
+const PAIRS: usize = 1;
+const WORDS: usize = 2;
+const SHORTS: usize = 3;
+const STRIDES: [Option<usize>; 4] = [Some(12), Some(8), None, None];
 
 /// Parts of an asset that move together.
 pub(super) struct Link {
@@ -24,16 +31,23 @@ pub(super) struct Writer<'a> {
     library: &'a AssetLibrary,
     tolerance: f32,
     pub(super) document: Document,
-    /// Positions and normals, indices of four bytes, indices of two.
-    bytes: [Vec<u8>; 3],
-    materials: BTreeMap<u32, usize>,
+    /// Positions and normals, texture coordinates, indices of four bytes, indices of two.
+    bytes: [Vec<u8>; 4],
+    /// By position in the library, and whether with its texture.
+    materials: BTreeMap<(u32, bool), usize>,
+    /// By position in the library.
+    textures: BTreeMap<u32, usize>,
+    /// Encoded.
+    images: Vec<Vec<u8>>,
 }
 
 impl<'a> Writer<'a> {
     pub(super) fn new(library: &'a AssetLibrary, tolerance: f32) -> Self {
         let asset = json::Head { version: "2.0".into(), generator: "VirtualCity".into() };
         let document = Document { asset, ..Document::default() };
-        Self { library, tolerance, document, bytes: Default::default(), materials: BTreeMap::new() }
+        let (bytes, images) = Default::default();
+        let (materials, textures) = (BTreeMap::new(), BTreeMap::new());
+        Self { library, tolerance, document, bytes, materials, textures, images }
     }
 
     /// Adds a node and returns its number.
@@ -56,10 +70,11 @@ impl<'a> Writer<'a> {
 
     fn link(&mut self, asset: &Asset, joint: Option<Joint>, parts: &[&Part]) -> Result<Link, GltfError> {
         let anchor = joint.map_or(Vector3::zeros(), |j| j.anchor.coords);
-        let mut meshes: BTreeMap<u32, TriangleMesh> = BTreeMap::new();
+        let mut meshes: BTreeMap<(u32, bool), TriangleMesh> = BTreeMap::new();
         for part in parts {
             let pose = Pose::from_parts((part.pose.translation.vector - anchor).into(), part.pose.rotation);
-            meshes.entry(part.material).or_default().append(&part.shape.mesh(self.tolerance).transformed(&pose));
+            let mesh = part.shape.mesh(self.tolerance).transformed(&pose);
+            meshes.entry((part.material, !mesh.uvs.is_empty())).or_default().append(&mesh);
         }
         let filled = meshes.into_iter().filter(|(_, mesh)| !mesh.is_empty());
         let primitives =
@@ -75,8 +90,21 @@ impl<'a> Writer<'a> {
         Ok(Link { joint, name, mesh })
     }
 
-    fn primitive(&mut self, material: u32, mesh: &TriangleMesh) -> Result<json::Primitive, GltfError> {
-        let material = self.material(material)?;
+    fn primitive(
+        &mut self,
+        (material, textured): (u32, bool),
+        mesh: &TriangleMesh,
+    ) -> Result<json::Primitive, GltfError> {
+        let material = self.material(material, textured)?;
+        let apart;
+        let (mesh, first) = match textured {
+            true => {
+                let places;
+                (apart, places) = taken_apart(mesh);
+                (&apart, Some(self.pairs(&places)))
+            }
+            false => (mesh, None),
+        };
         let positions = self.vectors(mesh.positions.iter().map(|p| &p.coords));
         if let Some(bounds) = mesh.bounds() {
             let accessor = &mut self.document.accessors[positions];
@@ -85,35 +113,59 @@ impl<'a> Writer<'a> {
         }
         let normals = self.vectors(mesh.normals.iter());
         Ok(json::Primitive {
-            attributes: json::Attributes { position: Some(positions), normal: Some(normals) },
+            attributes: json::Attributes { position: Some(positions), normal: Some(normals), first, second: None },
             indices: Some(self.indices(mesh)),
             material: Some(material),
             mode: None,
         })
     }
 
-    fn material(&mut self, index: u32) -> Result<usize, GltfError> {
+    fn material(&mut self, index: u32, textured: bool) -> Result<usize, GltfError> {
         let material = self.library.material(index).ok_or(GltfError::NoSuchMaterial(index))?;
-        Ok(*self.materials.entry(index).or_insert_with(|| {
-            self.document.materials.push(paint::write(material));
-            self.document.materials.len() - 1
-        }))
+        if let Some(&known) = self.materials.get(&(index, textured)) {
+            return Ok(known);
+        }
+        let texture = material.texture.filter(|_| textured).map(|t| self.texture(t)).transpose()?;
+        self.document.materials.push(paint::write(material, texture.flatten()));
+        self.materials.insert((index, textured), self.document.materials.len() - 1);
+        Ok(self.document.materials.len() - 1)
+    }
+
+    /// The number of a texture in the file; none if the library has no such.
+    fn texture(&mut self, index: u32) -> Result<Option<usize>, GltfError> {
+        let Some(texture) = self.library.texture(index) else { return Ok(None) };
+        if let Some(&known) = self.textures.get(&index) {
+            return Ok(Some(known));
+        }
+        let number = self.images.len();
+        self.images.push(image::png(texture)?);
+        let (name, mime_type) = (texture.name.to_string(), Some("image/png".into()));
+        self.document.images.push(json::Image { name, mime_type, ..json::Image::default() });
+        self.document.textures.push(json::Texture { source: Some(number) });
+        self.textures.insert(index, number);
+        Ok(Some(number))
     }
 
     fn vectors<'v>(&mut self, vectors: impl ExactSizeIterator<Item = &'v Vector3<f32>>) -> usize {
-        let (offset, count) = (self.bytes[0].len(), vectors.len());
-        self.bytes[0].extend(vectors.flat_map(|v| v.iter().flat_map(|c| c.to_le_bytes()).collect::<Vec<_>>()));
-        self.accessor(0, offset, json::FLOAT, count, "VEC3")
+        let (offset, count) = (self.bytes[VECTORS].len(), vectors.len());
+        self.bytes[VECTORS].extend(vectors.flat_map(|v| v.iter().flat_map(|c| c.to_le_bytes()).collect::<Vec<_>>()));
+        self.accessor(VECTORS, offset, json::FLOAT, count, "VEC3")
+    }
+
+    fn pairs(&mut self, pairs: &[[f32; 2]]) -> usize {
+        let offset = self.bytes[PAIRS].len();
+        self.bytes[PAIRS].extend(pairs.as_flattened().iter().flat_map(|v| v.to_le_bytes()));
+        self.accessor(PAIRS, offset, json::FLOAT, pairs.len(), "VEC2")
     }
 
     fn indices(&mut self, mesh: &TriangleMesh) -> usize {
         let all = mesh.triangles.iter().flatten();
-        let (view, kind) = if mesh.positions.len() < 0xffff { (2, json::SHORT) } else { (1, json::INT) };
+        let (view, kind) = if mesh.positions.len() < 0xffff { (SHORTS, json::SHORT) } else { (WORDS, json::INT) };
         let offset = self.bytes[view].len();
-        if view == 2 {
-            self.bytes[2].extend(all.flat_map(|&v| (v as u16).to_le_bytes()));
+        if view == SHORTS {
+            self.bytes[SHORTS].extend(all.flat_map(|&v| (v as u16).to_le_bytes()));
         } else {
-            self.bytes[1].extend(all.flat_map(|v| v.to_le_bytes()));
+            self.bytes[WORDS].extend(all.flat_map(|v| v.to_le_bytes()));
         }
         self.accessor(view, offset, kind, mesh.triangles.len() * 3, "SCALAR")
     }
@@ -138,7 +190,7 @@ impl<'a> Writer<'a> {
         if self.document.extensions.is_some() {
             self.document.extensions_used.push(super::stage::LIGHTS.to_owned());
         }
-        let mut numbers = [None; 3];
+        let mut numbers = [None; 4];
         let mut all = Vec::new();
         for (i, bytes) in self.bytes.iter().enumerate().filter(|(_, bytes)| !bytes.is_empty()) {
             numbers[i] = Some(self.document.buffer_views.len());
@@ -146,9 +198,16 @@ impl<'a> Writer<'a> {
                 buffer: Some(0),
                 byte_offset: all.len(),
                 byte_length: bytes.len(),
-                byte_stride: (i == 0).then_some(12),
-                target: Some(if i == 0 { VERTICES } else { INDICES }),
+                byte_stride: STRIDES[i],
+                target: Some(if STRIDES[i].is_some() { VERTICES } else { INDICES }),
             });
+            all.extend(bytes);
+        }
+        for (bytes, image) in self.images.iter().zip(&mut self.document.images) {
+            image.buffer_view = Some(self.document.buffer_views.len());
+            let (byte_offset, byte_length) = (all.len(), bytes.len());
+            let view = json::View { buffer: Some(0), byte_offset, byte_length, ..json::View::default() };
+            self.document.buffer_views.push(view);
             all.extend(bytes);
         }
         for accessor in &mut self.document.accessors {
@@ -159,4 +218,24 @@ impl<'a> Writer<'a> {
         }
         glb::join(&self.document, all)
     }
+}
+
+/// The mesh with a vertex for each place in the texture, and these places by vertex.
+fn taken_apart(mesh: &TriangleMesh) -> (TriangleMesh, Vec<[f32; 2]>) {
+    let (mut apart, mut places) = (TriangleMesh::default(), Vec::new());
+    let mut known: BTreeMap<(u32, [u32; 2]), u32> = BTreeMap::new();
+    for (triangle, uvs) in mesh.triangles.iter().zip(&mesh.uvs) {
+        let corner = |i: usize| {
+            let (vertex, uv) = (triangle[i], uvs[i]);
+            *known.entry((vertex, uv.map(f32::to_bits))).or_insert_with(|| {
+                apart.positions.extend(mesh.positions.get(vertex as usize));
+                apart.normals.extend(mesh.normals.get(vertex as usize));
+                places.push(uv);
+                places.len() as u32 - 1
+            })
+        };
+        let corners = [0, 1, 2].map(corner);
+        apart.triangles.push(corners);
+    }
+    (apart, places)
 }

@@ -230,7 +230,7 @@ impl<'a> Build<'a> {
     /// A closed triangle mesh.
     pub(crate) fn mesh(&mut self, name: &str, vertices: Vec<P>, triangles: Vec<[u32; 3]>, mat: Mat) {
         let vertices = vertices.into_iter().map(Point3::from).collect();
-        self.push(name, Shape::Mesh { vertices, triangles }, Pose::identity(), mat);
+        self.push(name, Shape::Mesh { vertices, triangles, uvs: Vec::new() }, Pose::identity(), mat);
     }
 
     /// Parts for which a small object has no room are left out.

@@ -57,7 +57,7 @@ fn mirror_shape(shape: &mut Shape) {
             outline.iter_mut().for_each(|p| p.1 = -p.1);
             outline.reverse();
         }
-        Shape::Mesh { vertices, triangles } => {
+        Shape::Mesh { vertices, triangles, .. } => {
             vertices.iter_mut().for_each(|p| p.y = -p.y);
             triangles.iter_mut().for_each(|t| t.swap(1, 2));
         }

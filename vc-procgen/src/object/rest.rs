@@ -116,7 +116,7 @@ impl Body {
                 }
             };
             match &part.shape {
-                Shape::Mesh { vertices, triangles } => add(vertices, triangles),
+                Shape::Mesh { vertices, triangles, .. } => add(vertices, triangles),
                 shape => {
                     let mesh = shape.mesh((size * 0.004).max(1e-5));
                     add(&mesh.positions, &mesh.triangles);

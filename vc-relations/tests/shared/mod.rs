@@ -63,6 +63,7 @@ pub(crate) fn library() -> AssetLibrary {
         metallic: 0.0,
         transmission: 0.0,
         emission: [0.0; 3],
+        texture: None,
     };
     library.add_material(material).unwrap();
     library

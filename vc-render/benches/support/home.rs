@@ -52,6 +52,7 @@ fn material((name, colour, roughness, metallic): (&str, [f32; 3], f32, f32)) -> 
         metallic,
         transmission: 0.0,
         emission: [0.0; 3],
+        texture: None,
     }
 }
 
@@ -74,7 +75,7 @@ fn lattice(fine: i32, place: impl Fn(Vector3<f32>) -> Vector3<f32>) -> Shape {
             triangles.extend([[at, at + row, at + row + 1], [at, at + row + 1, at + 1]]);
         }
     }
-    Shape::Mesh { vertices, triangles }
+    Shape::Mesh { vertices, triangles, uvs: Vec::new() }
 }
 
 impl Site {
@@ -195,7 +196,7 @@ pub(crate) fn obj(home: &Home) -> String {
     }
     for node in home.graph.nodes() {
         let (Some(pose), Some(asset)) = (node.pose(), node.spec().asset) else { continue };
-        let Some(Shape::Mesh { vertices, triangles }) = home.graph.assets().get(asset).map(|a| &a.parts[0].shape)
+        let Some(Shape::Mesh { vertices, triangles, .. }) = home.graph.assets().get(asset).map(|a| &a.parts[0].shape)
         else {
             continue;
         };

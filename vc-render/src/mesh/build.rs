@@ -22,6 +22,7 @@ struct Loose {
     /// Which way it looks; zero where it has no area.
     normal: [f32; 3],
     face: Face,
+    uvs: [[f32; 2]; 3],
 }
 
 impl Mesh {
@@ -34,6 +35,9 @@ impl Mesh {
             if !clear {
                 mesh.opaque = mesh.clusters.len();
             }
+        }
+        if sources.iter().all(|s| s.mesh.uvs.is_empty()) {
+            mesh.uvs = Vec::new();
         }
         mesh.bounds = mesh.clusters.iter().map(|c| c.bounds).reduce(|a, b| a.joined(&b)).unwrap_or_default();
         mesh
@@ -69,6 +73,7 @@ impl Mesh {
             });
             self.corners.push(corners);
             self.faces.push(triangle.face);
+            self.uvs.push(triangle.uvs);
         }
         let normals: Vec<[f32; 3]> = loose.iter().map(|t| t.normal).filter(|n| *n != [0.0; 3]).collect();
         let (axis, spread) = cone(&normals);
@@ -85,7 +90,7 @@ impl Mesh {
 fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
     let mesh = &source.mesh;
     let grain = longest(mesh);
-    mesh.triangles.iter().filter_map(move |triangle| {
+    mesh.triangles.iter().enumerate().filter_map(move |(number, triangle)| {
         let at = triangle.map(|v| v as usize);
         let [a, b, c] = [mesh.positions.get(at[0])?, mesh.positions.get(at[1])?, mesh.positions.get(at[2])?];
         let normals = [mesh.normals.get(at[0])?, mesh.normals.get(at[1])?, mesh.normals.get(at[2])?];
@@ -99,6 +104,7 @@ fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
             middle: middle.into(),
             normal: normal.into(),
             face: Face { normals, part: source.part, surface: source.surface, flat, grain },
+            uvs: mesh.uvs.get(number).copied().unwrap_or_default(),
         })
     })
 }

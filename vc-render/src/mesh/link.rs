@@ -20,19 +20,29 @@ pub(crate) struct Link {
     pub(crate) levels: [Arc<Mesh>; TOLERANCES.len()],
 }
 
-/// A part's position, its surface, and whether one sees through it.
-type Look = (usize, u16, bool);
+/// What a part looks like.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Finish {
+    pub(crate) surface: u16,
+    /// Whether one sees through it.
+    pub(crate) clear: bool,
+    /// Whether a picture lies on it.
+    pub(crate) pictured: bool,
+}
+
+/// A part's position and looks.
+type Look = (usize, Finish);
 
 /// The links of an asset, the one without a joint first where there is one.
 ///
-/// `surface` tells a part's surface and whether one sees through it.
-pub(crate) fn links(asset: &Asset, mut surface: impl FnMut(&Part) -> (u16, bool)) -> Vec<Link> {
+/// `finish` tells what a part looks like.
+pub(crate) fn links(asset: &Asset, mut finish: impl FnMut(&Part) -> Finish) -> Vec<Link> {
     let mut groups: Vec<(Option<Joint>, Vec<Look>)> = vec![(None, Vec::new())];
     for (index, part) in asset.parts.iter().enumerate() {
-        let (surface, clear) = surface(part);
+        let look = (index, finish(part));
         match groups.iter_mut().find(|g| g.0 == part.joint) {
-            Some(group) => group.1.push((index, surface, clear)),
-            None => groups.push((part.joint, vec![(index, surface, clear)])),
+            Some(group) => group.1.push(look),
+            None => groups.push((part.joint, vec![look])),
         }
     }
     groups.retain(|g| !g.1.is_empty());
@@ -65,6 +75,7 @@ impl<'a> Coarser<'a> {
 
     fn source(&mut self, tolerance: f32) -> Source {
         let free = matches!(self.part.shape, Shape::Mesh { .. });
+        let (index, Finish { surface, clear, pictured }) = self.look;
         let mut mesh = match &mut self.simplifier {
             Some(simplifier) => {
                 simplifier.collapse(tolerance);
@@ -72,7 +83,11 @@ impl<'a> Coarser<'a> {
             }
             None => self.part.shape.mesh(tolerance),
         };
-        if free && self.simplifier.is_none() {
+        if !pictured {
+            mesh.uvs = Vec::new();
+        }
+        // Pictures would slip over what gets coarser.
+        if free && !pictured && self.simplifier.is_none() {
             self.simplifier = Some(Simplifier::new(&mesh));
         }
         mesh = mesh.transformed(&self.part.pose);
@@ -80,7 +95,6 @@ impl<'a> Coarser<'a> {
         if free && !mesh.is_closed() {
             mesh.append(&turned_over(&mesh));
         }
-        let (index, surface, clear) = self.look;
         Source { mesh, part: index.min(usize::from(u16::MAX)) as u16, surface, clear }
     }
 }
@@ -90,5 +104,6 @@ fn turned_over(mesh: &TriangleMesh) -> TriangleMesh {
         positions: mesh.positions.clone(),
         normals: mesh.normals.iter().map(|n| -n).collect(),
         triangles: mesh.triangles.iter().map(|&[a, b, c]| [a, c, b]).collect(),
+        uvs: mesh.uvs.iter().map(|&[a, b, c]| [a, c, b]).collect(),
     }
 }

@@ -7,7 +7,7 @@ mod simplify;
 
 pub(crate) use build::Source;
 pub(crate) use cluster::Cluster;
-pub(crate) use link::{Link, TOLERANCES, links};
+pub(crate) use link::{Finish, Link, TOLERANCES, links};
 
 /// Most triangles of a cluster, so that their corners fit in a byte.
 pub(crate) const MOST: usize = 85;
@@ -25,6 +25,8 @@ pub(crate) struct Mesh {
     pub(crate) corners: Vec<[u8; 3]>,
     /// What else there is to know about a triangle.
     pub(crate) faces: Vec<Face>,
+    /// Where the corners of triangles are in their surface's picture; empty if none has one.
+    pub(crate) uvs: Vec<[[f32; 2]; 3]>,
     /// The box around all, in the asset's frame.
     pub(crate) bounds: Bounds,
 }
@@ -100,5 +102,6 @@ impl Mesh {
             + self.axes.iter().map(|a| a.len() * 4).sum::<usize>()
             + self.corners.len() * 3
             + self.faces.len() * size_of::<Face>()
+            + self.uvs.len() * size_of::<[[f32; 2]; 3]>()
     }
 }

@@ -195,7 +195,7 @@ impl Simplifier {
     /// What is left, with normals of its own.
     pub(super) fn mesh(&self) -> TriangleMesh {
         let triangles = self.triangles.iter().flatten().copied().collect();
-        Shape::Mesh { vertices: self.points.clone(), triangles }.mesh(0.0)
+        Shape::Mesh { vertices: self.points.clone(), triangles, uvs: Vec::new() }.mesh(0.0)
     }
 }
 
@@ -219,7 +219,7 @@ mod tests {
         for at in (0..110).filter(|at| at % 11 != 10) {
             triangles.extend([[at, at + 11, at + 12], [at, at + 12, at + 1]]);
         }
-        let [_, few] = simplified(&Shape::Mesh { vertices, triangles }, 1e-4);
+        let [_, few] = simplified(&Shape::Mesh { vertices, triangles, uvs: Vec::new() }, 1e-4);
         assert_eq!(few.triangles.len(), 2);
         let size = few.bounds().map(|b| b.max - b.min);
         assert!(size.is_some_and(|s| (s - Vector3::new(1.0, 1.0, 0.0)).norm() < 1e-6));

@@ -89,6 +89,12 @@ impl Paths<'_> {
         spots::room(self.lighting, met)
     }
 
+    /// Width at a surface that is one point of it, metres: what the eye sees is sharp.
+    fn footprint(&self, walk: &Walk, met: &Met<'_>) -> f32 {
+        let pixel = (met.t + walk.gone) / self.camera.focal.1;
+        if walk.surfaces == 0 { pixel.min(0.002) } else { 0.002 }
+    }
+
     fn sky(&self, walk: &mut Walk) {
         let weight = walk.weight(walk.through);
         let light = self.lighting.daylight.radiance(walk.ray.along).map(|v| v * weight);
@@ -103,7 +109,7 @@ impl Paths<'_> {
             // From within a thing: nothing is seen.
             return false;
         }
-        let look = met.look(surface, 0.002);
+        let look = met.look(surface, self.footprint(walk, met));
         self.glow(walk, met, surface);
         if surface.is_mirror() {
             walk.share = [0, 1, 2].map(|i: usize| walk.share[i] * look.colour[i]);

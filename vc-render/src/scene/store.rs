@@ -6,14 +6,17 @@ use std::sync::Arc;
 use vc_graph::asset::{Material, Part, Shape};
 use vc_graph::{Asset, AssetLibrary, Pose, Spec};
 
-use crate::mesh::{Link, TOLERANCES, links};
-use crate::surface::{Role, Surface};
+use crate::mesh::{Finish, Link, TOLERANCES, links};
+use crate::surface::{Picture, Role, Surface};
 
 /// Links of all assets seen so far, and the surfaces they have.
 #[derive(Debug, Default)]
 pub(crate) struct Store {
     pub(crate) surfaces: Vec<Surface>,
-    known_surfaces: HashMap<(usize, u32, Role), u16>,
+    /// By library, material, role, and whether pictures lie on it.
+    known_surfaces: HashMap<(usize, u32, Role, bool), u16>,
+    /// By library and position in it.
+    pictures: HashMap<(usize, u32), Arc<Picture>>,
     assets: HashMap<(usize, usize), Vec<Arc<Link>>>,
     /// Keeps what the addresses above belong to.
     kept: Vec<(Arc<AssetLibrary>, Arc<Asset>)>,
@@ -50,15 +53,23 @@ impl Store {
             joint: None,
         };
         let asset = Asset { name: "box".into(), parts: vec![part], ..Asset::default() };
-        Some(links(&asset, |_| (surface, false)).into_iter().map(Arc::new).collect())
+        let finish = Finish { surface, clear: false, pictured: false };
+        Some(links(&asset, |_| finish).into_iter().map(Arc::new).collect())
     }
 
-    fn surface(&mut self, address: usize, library: &AssetLibrary, part: &Part) -> (u16, bool) {
+    fn surface(&mut self, address: usize, library: &AssetLibrary, part: &Part) -> Finish {
         let role = Role::of(part);
-        let key = (address, part.material, role);
+        let placed = matches!(&part.shape, Shape::Mesh { uvs, .. } if !uvs.is_empty());
+        let key = (address, part.material, role, placed);
         let known = self.known_surfaces.get(&key).copied();
         let index = known.unwrap_or_else(|| {
-            let made = library.material(part.material).map_or_else(Surface::plain, |m: &Material| Surface::of(m, role));
+            let material = library.material(part.material);
+            let made = material.map_or_else(Surface::plain, |m: &Material| Surface::of(m, role));
+            let made = match material.and_then(|m| self.picture(address, library, m.texture?)) {
+                Some(picture) if placed => made.with(picture),
+                Some(picture) => made.tinted(&picture),
+                None => made,
+            };
             let same = self.surfaces.iter().position(|s| *s == made);
             let index = same.unwrap_or_else(|| {
                 self.surfaces.push(made);
@@ -68,7 +79,15 @@ impl Store {
             self.known_surfaces.insert(key, index);
             index
         });
-        (index, self.surfaces[usize::from(index)].is_clear())
+        let made = &self.surfaces[usize::from(index)];
+        Finish { surface: index, clear: made.is_clear(), pictured: made.picture.is_some() }
+    }
+
+    fn picture(&mut self, address: usize, library: &AssetLibrary, texture: u32) -> Option<Arc<Picture>> {
+        let made = || library.texture(texture).map(|t| Arc::new(Picture::new(t)));
+        let known = self.pictures.get(&(address, texture)).cloned().or_else(made)?;
+        self.pictures.insert((address, texture), known.clone());
+        Some(known)
     }
 
     /// Triangles at the finest level, and bytes of all levels.

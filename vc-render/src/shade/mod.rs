@@ -14,11 +14,12 @@ mod look;
 mod occlusion;
 mod planes;
 mod surfel;
+mod texture;
 mod tone;
 
 pub(crate) use look::{Look, look};
 pub(crate) use occlusion::Openness;
-pub(crate) use tone::{encoded, film};
+pub(crate) use tone::{decoded, encoded, film};
 
 use self::edge::{Edge, Find};
 use self::extra::Extra;

@@ -1,13 +1,14 @@
 //! What is seen at every pixel, before there is light.
 
-use super::planes::{Planes, gloss_of, packed};
+use super::planes::{Planes, gloss_of};
+use super::texture::Texture;
 use crate::affine::{self, Affine, Narrow};
 use crate::label::{Bent, bent, unit};
 use crate::light::Lighting;
 use crate::raster::{Frustum, Layers, NONE, Target, Visible, refill};
 use crate::renderer::Renderer;
 use crate::scene::{Instance, NO_ROOM};
-use crate::surface::{Pattern, Role, SPAN, Span, Tile};
+use crate::surface::{Pattern, Role, SPAN, Span, Surface, Tile};
 use crate::view::View;
 
 /// What all pixels of an instance's surface have in common.
@@ -28,23 +29,13 @@ pub(crate) struct Look {
 pub(super) const NOTHING: u32 = 0;
 
 /// What pixels are coloured with.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Paint {
     look: u32,
     colour: [f32; 3],
     roughness: f32,
     metallic: f32,
     texture: Option<Texture>,
-}
-
-/// How a texture lies on a surface.
-#[derive(Debug, Clone, Copy)]
-struct Texture {
-    tile: &'static Tile,
-    /// From (x, y, 1) times depth to places in the tile.
-    places: [[f32; 4]; 2],
-    /// Along what directions of the world it leans.
-    axes: [[f32; 3]; 2],
 }
 
 /// What is known of instances and triangles of a band.
@@ -107,6 +98,12 @@ impl Known {
     }
 }
 
+impl Paint {
+    fn new(look: u32, of: &Surface, texture: Option<Texture>) -> Self {
+        Self { look, colour: of.colour, roughness: of.roughness, metallic: of.metallic, texture }
+    }
+}
+
 impl<'a> Writer<'a> {
     pub(super) fn new(
         renderer: &'a Renderer,
@@ -157,6 +154,14 @@ impl<'a> Writer<'a> {
         let face = &visible.mesh(instances).faces[visible.index()];
         let surface = &self.renderer.store.surfaces[usize::from(face.surface)];
         let look = self.look(visible.instance, face.surface, known);
+        if let Some(picture) = &surface.picture {
+            let mesh = visible.mesh(instances);
+            let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index());
+            let uvs = mesh.uvs.get(visible.index()).copied().unwrap_or_default();
+            let back = known.maps(visible.instance, instances, &self.frustum)[1];
+            let texture = Texture::picture(picture, (corners, uvs), (&back, &instance.world.narrow()));
+            return known.paint(triangle, Paint::new(look, surface, Some(texture)));
+        }
         let built = matches!(surface.role, Role::Built | Role::Floor);
         let plain = surface.pattern == Pattern::Plain;
         let facing = if built { affine::normal(&instance.inverse, face.normals[0]) } else { face.normals[0] };
@@ -169,12 +174,9 @@ impl<'a> Writer<'a> {
                 } else {
                     (known.maps(visible.instance, instances, &self.frustum)[1], instance.world.narrow())
                 };
-                let column = |c: usize| [axes[0][c], axes[1][c], axes[2][c]];
-                Texture { tile: Tile::of(surface.pattern), places: [back[u], back[v]], axes: [column(u), column(v)] }
+                Texture::tile(Tile::of(surface.pattern), (u, v), (&back, &axes))
             });
-            let (colour, roughness, metallic) = (surface.colour, surface.roughness, surface.metallic);
-            known.looks[look as usize].paints[way] = known.paints.len() as u32;
-            known.paints.push(Paint { look, colour, roughness, metallic, texture });
+            known.looks[look as usize].paints[way] = known.paint(triangle, Paint::new(look, surface, texture));
         }
         let paint = known.looks[look as usize].paints[way];
         known.triangles[triangle as usize] = paint;
@@ -242,6 +244,13 @@ impl<'a> Writer<'a> {
 }
 
 impl Known {
+    /// Keeps the paint of a triangle, and returns its number.
+    fn paint(&mut self, triangle: u32, paint: Paint) -> u32 {
+        self.paints.push(paint);
+        self.triangles[triangle as usize] = self.paints.len() as u32 - 1;
+        self.paints.len() as u32 - 1
+    }
+
     /// Writes pixels of a row of the image that have one paint.
     #[inline(always)]
     fn write(
@@ -271,8 +280,7 @@ impl Known {
         for from in (0..at.len()).step_by(SPAN) {
             let part = from..(from + SPAN).min(at.len());
             span.count = part.len();
-            let level = texture.places(span, &inverse[part.clone()], (x + from as f32, y), focal);
-            texture.tile.span(level, span);
+            let level = texture.touch(span, &inverse[part.clone()], (x + from as f32, y), focal);
             for ((out, tint), colour) in [&mut *red, green, blue].into_iter().zip(&span.tint).zip(paint.colour) {
                 for (out, tint) in out[part.clone()].iter_mut().zip(tint) {
                     *out = (colour * tint).min(1.0);
@@ -281,37 +289,7 @@ impl Known {
             for (out, roughness) in gloss[part.clone()].iter_mut().zip(&span.roughness) {
                 *out = gloss_of(paint.roughness * roughness, paint.metallic);
             }
-            if texture.tile.leans(level) {
-                texture.lean(span, &mut lean[part]);
-            } else {
-                lean[part].fill(0);
-            }
-        }
-    }
-}
-
-impl Texture {
-    /// Finds where some pixels of a row are in the tile, and the level to use for them.
-    #[inline(always)]
-    fn places(&self, span: &mut Span, inverse: &[f32], (x, y): (f32, f32), focal: f32) -> usize {
-        let [us, vs] = &self.places;
-        let (u0, v0) = (us[1] * y + us[2], vs[1] * y + vs[2]);
-        for (i, inverse) in inverse.iter().enumerate().take(SPAN) {
-            let depth = 1.0 / inverse;
-            let x = x + i as f32;
-            span.u[i] = (us[0] * x + u0) * depth + us[3];
-            span.v[i] = (vs[0] * x + v0) * depth + vs[3];
-        }
-        self.tile.level(1.0 / (inverse[inverse.len() / 2] * focal))
-    }
-
-    /// Writes down how the normals of some pixels lean.
-    #[inline(always)]
-    fn lean(&self, span: &Span, out: &mut [u32]) {
-        let [across, along] = &self.axes;
-        let [us, vs] = &span.lean;
-        for ((out, u), v) in out.iter_mut().zip(us).zip(vs) {
-            *out = packed([across[0] * u + along[0] * v, across[1] * u + along[1] * v, across[2] * u + along[2] * v]);
+            texture.lean(level, span, &mut lean[part]);
         }
     }
 }

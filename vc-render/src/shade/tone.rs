@@ -44,7 +44,7 @@ pub(crate) fn encoded(colour: [f32; 3]) -> [u8; 3] {
 
 /// A colour in sRGB as linear.
 #[inline(always)]
-pub(super) fn decoded(colour: [u8; 3]) -> [f32; 3] {
+pub(crate) fn decoded(colour: [u8; 3]) -> [f32; 3] {
     let table = &*LINEAR;
     colour.map(|v| table[usize::from(v)])
 }

@@ -2,11 +2,15 @@
 
 mod noise;
 mod pattern;
+mod picture;
 mod tile;
+
+use std::sync::Arc;
 
 use vc_graph::asset::{Material, Part};
 
 pub(crate) use pattern::Pattern;
+pub(crate) use picture::Picture;
 pub(crate) use tile::{SPAN, Span, Tile};
 
 /// A material as light meets it.
@@ -20,6 +24,8 @@ pub(crate) struct Surface {
     pub(crate) emission: [f32; 3],
     pub(crate) role: Role,
     pub(crate) pattern: Pattern,
+    /// What the colour is multiplied with, where triangles say where they are in it.
+    pub(crate) picture: Option<Arc<Picture>>,
 }
 
 /// What a part is for, where that changes how it looks.
@@ -56,7 +62,19 @@ impl Surface {
             emission: material.emission,
             role,
             pattern: Pattern::of(material, role),
+            picture: None,
         }
+    }
+
+    /// With a picture instead of a pattern.
+    pub(crate) fn with(self, picture: Arc<Picture>) -> Self {
+        Self { pattern: Pattern::Plain, picture: Some(picture), ..self }
+    }
+
+    /// With the mean of a picture, for what does not say where it is in it.
+    pub(crate) fn tinted(self, picture: &Picture) -> Self {
+        let mean = picture.mean();
+        Self { colour: [0, 1, 2].map(|i: usize| self.colour[i] * mean[i]), ..self }
     }
 
     /// Grey, matt.
@@ -69,6 +87,7 @@ impl Surface {
             emission: [0.0; 3],
             role: Role::Plain,
             pattern: Pattern::Plain,
+            picture: None,
         }
     }
 

@@ -5,7 +5,7 @@ use crate::affine::{self, Affine};
 use crate::mesh::Face;
 use crate::scene::{Instance, Snapshot};
 use crate::shade::{Look, look};
-use crate::surface::{Pattern, Role, Surface};
+use crate::surface::{Pattern, Picture, Role, Surface};
 
 /// All triangles of a snapshot: those one sees through in a tree of their own.
 #[derive(Debug, Clone)]
@@ -36,6 +36,8 @@ pub(crate) struct Met<'a> {
     pub(crate) face: &'a Face,
     /// Index of the triangle in the mesh.
     triangle: u32,
+    /// Weights of the triangle's second and third corner.
+    weights: [f32; 2],
     /// Area of the triangle, square metres.
     pub(crate) area: f32,
     /// Normal of the triangle, unit length, outwards.
@@ -110,6 +112,7 @@ impl Tracer {
             index,
             face,
             triangle,
+            weights: hit.weights,
             area: 0.5 * (across[0] * across[0] + across[1] * across[1] + across[2] * across[2]).sqrt(),
             flat,
             normal: if length > 1e-20 { crate::label::unit(normal) } else { flat },
@@ -124,8 +127,23 @@ impl Met<'_> {
         mesh.triangle(mesh.cluster_of(at), at).map(|p| affine::point(&world, p))
     }
 
+    /// The picture on the surface.
+    fn shown(&self, picture: &Picture, footprint: f32) -> [f32; 3] {
+        let uvs = self.instance.link.levels[0].uvs.get(self.triangle as usize).copied().unwrap_or_default();
+        let [a, b, c] = uvs;
+        let [second, third] = self.weights;
+        let place = [0, 1].map(|i: usize| a[i] + (b[i] - a[i]) * second + (c[i] - a[i]) * third);
+        let density = picture.texels(uvs) / self.area.sqrt().max(1e-12);
+        picture.at(picture.level(footprint * density), place)
+    }
+
     /// The surface close up; `footprint` is the width seen there, metres.
     pub(crate) fn look(&self, surface: &Surface, footprint: f32) -> Look {
+        if let Some(picture) = &surface.picture {
+            let shown = self.shown(picture, footprint);
+            let colour = [0, 1, 2].map(|i: usize| surface.colour[i] * shown[i]);
+            return Look { colour, roughness: surface.roughness, normal: self.normal };
+        }
         if surface.pattern == Pattern::Plain {
             return Look { colour: surface.colour, roughness: surface.roughness, normal: self.normal };
         }

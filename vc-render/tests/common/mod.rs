@@ -28,6 +28,7 @@ pub fn material(name: &str, colour: [f32; 3]) -> Material {
         metallic: 0.0,
         transmission: 0.0,
         emission: [0.0; 3],
+        texture: None,
     }
 }
 

@@ -1,0 +1,222 @@
+//! glTF with pictures: what is written reads back, and what cannot be read is refused by name.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+use std::sync::Arc;
+
+use nalgebra::Point3;
+use proptest::prelude::*;
+use serde_json::{Value, json};
+use vc_graph::asset::{Material, Part, Shape, Texture};
+use vc_graph::{Asset, AssetLibrary, Pose};
+use vc_procgen::gltf::{self, Imported, Options};
+
+const JPEG: &[u8] = include_bytes!("data/four.jpg");
+
+/// Corners of two triangles in a picture; they share an edge of the mesh but not of the picture.
+const UVS: [[[f32; 2]; 3]; 2] = [[[0.0, 1.0], [0.5, 1.0], [0.5, 0.0]], [[0.25, 0.0], [0.75, 1.0], [1.5, -0.5]]];
+
+fn plain() -> Options {
+    Options { hulls: 0, recentre: false, ..Options::default() }
+}
+
+fn picture() -> Texture {
+    let pixels = (0..35).map(|i| [7 * i, 255 - 7 * i, 3 * i]).collect();
+    Texture { name: "label".into(), width: 7, height: 5, pixels }
+}
+
+/// A square with a picture, and a ball of the same material.
+fn sign() -> (Asset, AssetLibrary) {
+    let mut library = AssetLibrary::default();
+    // Another one, so that numbers are not all zero.
+    library.add_texture(Arc::new(Texture { name: "other".into(), ..picture() })).unwrap();
+    let texture = library.add_texture(Arc::new(picture())).unwrap();
+    let material = Material {
+        name: "printed".into(),
+        colour: [0.5, 0.25, 1.0],
+        density: 650.0,
+        friction: 0.4,
+        restitution: 0.3,
+        roughness: 0.75,
+        metallic: 0.0,
+        transmission: 0.0,
+        emission: [0.0; 3],
+        texture: Some(texture),
+    };
+    library.add_material(material).unwrap();
+    let corners = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from).to_vec();
+    let square = Shape::Mesh { vertices: corners, triangles: vec![[0, 1, 2], [0, 2, 3]], uvs: UVS.to_vec() };
+    let part = |shape| Part { name: "part".into(), shape, material: 0, pose: Pose::identity(), joint: None };
+    let parts = vec![part(square), part(Shape::Sphere { radius: 0.1 })];
+    (Asset { name: "sign".into(), parts, ..Asset::default() }, library)
+}
+
+fn written() -> Vec<u8> {
+    let (asset, library) = sign();
+    gltf::asset(&asset, &library).unwrap()
+}
+
+/// Corners of the triangles that have a picture, with their places in it.
+fn corners(asset: &Asset) -> Vec<([f32; 3], [f32; 2])> {
+    let mut all = Vec::new();
+    for part in &asset.parts {
+        let Shape::Mesh { vertices, triangles, uvs } = &part.shape else { continue };
+        for (triangle, uvs) in triangles.iter().zip(uvs) {
+            all.extend(triangle.iter().zip(uvs).map(|(&v, &uv)| (vertices[v as usize].into(), uv)));
+        }
+    }
+    all
+}
+
+fn chunk(kind: &[u8; 4], mut content: Vec<u8>) -> Vec<u8> {
+    content.resize(content.len().next_multiple_of(4), b' ');
+    [&(content.len() as u32).to_le_bytes()[..], kind, &content].concat()
+}
+
+/// The file with its JSON changed and its first picture put in place of the last one in the bytes.
+fn edited(picture: Option<&[u8]>, edit: impl FnOnce(&mut Value)) -> Vec<u8> {
+    let file = written();
+    let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
+    let mut document: Value = serde_json::from_slice(&file[20..20 + length]).unwrap();
+    let mut bytes = file[28 + length..].to_vec();
+    if let Some(picture) = picture {
+        let view = document["images"][0]["bufferView"].as_u64().unwrap() as usize;
+        let view = &mut document["bufferViews"][view];
+        view["byteLength"] = json!(picture.len());
+        bytes.truncate(view["byteOffset"].as_u64().unwrap() as usize);
+        bytes.extend(picture);
+        document["buffers"][0]["byteLength"] = json!(bytes.len());
+    }
+    edit(&mut document);
+    let json = chunk(b"JSON", serde_json::to_vec(&document).unwrap());
+    [&file[..12], &json, &chunk(b"BIN\0", bytes)].concat()
+}
+
+fn read(picture: Option<&[u8]>, edit: impl FnOnce(&mut Value)) -> Result<Imported, String> {
+    gltf::read(&edited(picture, edit), &plain()).map_err(|e| e.to_string())
+}
+
+#[test]
+fn pictures_read_back() {
+    let (asset, library) = sign();
+    let model = gltf::read(&written(), &plain()).unwrap();
+    assert_eq!(model.textures, [library.texture(1).unwrap().clone()]);
+    assert_eq!(corners(&model.asset), corners(&asset));
+    // The square shares its vertices again, whatever the picture does there.
+    let squares = model.asset.parts.iter().filter_map(|p| match &p.shape {
+        Shape::Mesh { vertices, uvs, .. } if !uvs.is_empty() => Some(vertices.len()),
+        _ => None,
+    });
+    assert_eq!(squares.collect::<Vec<_>>(), [4]);
+    let mut mine = library.clone();
+    let id = model.add_to(&mut mine).unwrap();
+    let material = mine.get(id).unwrap().parts.iter().find_map(|p| mine.material(p.material)?.texture);
+    assert_eq!(mine.texture(material.unwrap()).map(|t| &**t), Some(&picture()));
+    // What has no coordinates is written without the picture, or no program could show it.
+    let text = String::from_utf8_lossy(&written()).into_owned();
+    assert_eq!(text.matches("baseColorTexture").count(), 1);
+    assert_eq!(text.matches("TEXCOORD_0").count(), 1);
+}
+
+#[test]
+fn pictures_may_be_jpeg_or_of_other_kinds_of_png() {
+    let jpeg = read(Some(JPEG), |_| {}).unwrap();
+    let texture = &jpeg.textures[0];
+    assert_eq!((texture.width, texture.height), (16, 16));
+    for (index, wanted) in [[200, 40, 30], [30, 160, 60], [40, 60, 190], [230, 220, 60_u8]].into_iter().enumerate() {
+        let found = texture.pixels[(4 + index / 2 * 8) * 16 + 4 + index % 2 * 8];
+        assert!((0..3).all(|i| found[i].abs_diff(wanted[i]) < 8), "{found:?}, not {wanted:?}");
+    }
+    type Kind = (png::ColorType, png::BitDepth, &'static [u8], [[u8; 3]; 2]);
+    let kinds: [Kind; 5] = [
+        (png::ColorType::Grayscale, png::BitDepth::Eight, &[10, 200], [[10; 3], [200; 3]]),
+        (png::ColorType::Grayscale, png::BitDepth::One, &[0b0100_0000], [[0; 3], [255; 3]]),
+        (png::ColorType::GrayscaleAlpha, png::BitDepth::Eight, &[10, 0, 200, 9], [[10; 3], [200; 3]]),
+        (png::ColorType::Rgba, png::BitDepth::Eight, &[1, 2, 3, 4, 5, 6, 7, 8], [[1, 2, 3], [5, 6, 7]]),
+        (png::ColorType::Rgb, png::BitDepth::Sixteen, &[1, 9, 2, 9, 3, 9, 4, 9, 5, 9, 6, 9], [[1, 2, 3], [4, 5, 6]]),
+    ];
+    for (colour, depth, data, wanted) in kinds {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 2, 1);
+        encoder.set_color(colour);
+        encoder.set_depth(depth);
+        encoder.write_header().unwrap().write_image_data(data).unwrap();
+        assert_eq!(read(Some(&bytes), |_| {}).unwrap().textures[0].pixels, wanted, "{colour:?} {depth:?}");
+    }
+}
+
+#[test]
+fn coordinates_are_found_and_moved_as_the_file_says() {
+    let moved = read(None, |d| {
+        let material = d["materials"]
+            .as_array_mut()
+            .unwrap()
+            .iter_mut()
+            .find(|m| m["pbrMetallicRoughness"].get("baseColorTexture").is_some());
+        material.unwrap()["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] =
+            json!({"KHR_texture_transform": {"offset": [0.5, 0.25], "scale": [2.0, -1.0]}});
+        d["extensionsRequired"] = json!(["KHR_texture_transform"]);
+    });
+    let wanted: Vec<[f32; 2]> = UVS.as_flattened().iter().map(|[u, v]| [2.0 * u + 0.5, 0.25 - v]).collect();
+    let found: Vec<[f32; 2]> = corners(&moved.unwrap().asset).into_iter().map(|c| c.1).collect();
+    assert_eq!(found, wanted);
+    // Coordinates that are not there are no reason to refuse the model.
+    let set = |d: &mut Value, number: u32| {
+        for material in d["materials"].as_array_mut().unwrap() {
+            if let Some(texture) = material["pbrMetallicRoughness"].get_mut("baseColorTexture") {
+                texture["texCoord"] = json!(number);
+            }
+        }
+    };
+    assert!(corners(&read(None, |d| set(d, 1)).unwrap().asset).is_empty());
+}
+
+#[test]
+fn pictures_that_cannot_be_used_are_refused_by_name() {
+    let own = written();
+    let said = |picture: Option<&[u8]>, edit: fn(&mut Value)| read(picture, edit).err().unwrap_or_default();
+    let start = own.windows(4).position(|w| w == b"\x89PNG").unwrap();
+    let png = &own[start..];
+    let huge = {
+        let mut bytes = Vec::new();
+        png::Encoder::new(&mut bytes, 20_000, 2).write_header().unwrap().write_image_data(&[0; 40_000]).unwrap();
+        bytes
+    };
+    type Case<'a> = (Option<&'a [u8]>, fn(&mut Value), &'a str);
+    let cases: [Case<'_>; 11] = [
+        (Some(b"RIFF....WEBPVP8 "), |_| {}, "image `label` is neither PNG nor JPEG"),
+        (Some(&png[..60]), |_| {}, "image `label` cannot be decoded"),
+        (Some(&JPEG[..40]), |_| {}, "image `label` cannot be decoded"),
+        (Some(&huge), |_| {}, "image `label` is 20000 by 2 pixels"),
+        (Some(b""), |_| {}, "image `label` is neither"),
+        (None, |d| d["images"][0] = json!({"uri": "wood.png"}), "image `wood.png` is not in the file"),
+        (None, |d| d["images"][0]["bufferView"] = json!(99), "buffer view 99 does not exist"),
+        (None, |d| d["images"] = json!([]), "image 0 does not exist"),
+        (None, |d| d["textures"] = json!([]), "texture 0 does not exist"),
+        (None, |d| d["textures"][0] = json!({"extensions": {}}), "texture 0 has no picture that is read"),
+        (None, |d| d["bufferViews"][1]["byteLength"] = json!(8), "more elements than its buffer holds"),
+    ];
+    for (picture, edit, expected) in cases {
+        let message = said(picture, edit);
+        assert!(message.contains(expected), "`{message}` does not say `{expected}`");
+    }
+}
+
+proptest! {
+    #[test]
+    fn no_bytes_of_pictures_cause_a_panic(
+        jpeg in any::<bool>(),
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
+        keep in any::<prop::sample::Index>(),
+    ) {
+        let own = written();
+        let start = own.windows(4).position(|w| w == b"\x89PNG").unwrap();
+        let mut bytes = if jpeg { JPEG.to_vec() } else { own[start..].to_vec() };
+        for (at, byte) in changes {
+            let at = at.index(bytes.len());
+            bytes[at] = byte;
+        }
+        let _ = read(Some(&bytes), |_| {});
+        let _ = read(Some(&bytes[..keep.index(bytes.len())]), |_| {});
+    }
+}

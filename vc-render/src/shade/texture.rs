@@ -1,0 +1,110 @@
+//! How textures lie on what a camera sees.
+
+use std::sync::Arc;
+
+use super::planes::packed;
+use crate::affine::{self, Narrow};
+use crate::surface::{Picture, SPAN, Span, Tile};
+
+/// How a texture lies on a surface.
+#[derive(Debug, Clone)]
+pub(super) struct Texture {
+    cloth: Cloth,
+    /// From (x, y, 1) times depth to places in it.
+    places: [[f32; 4]; 2],
+}
+
+/// What lies there.
+#[derive(Debug, Clone)]
+enum Cloth {
+    /// A pattern, and along what directions of the world it leans normals.
+    Tile(&'static Tile, [[f32; 3]; 2]),
+    /// A picture, and its texels to a metre.
+    Picture(Arc<Picture>, f32),
+}
+
+impl Texture {
+    /// A pattern along two axes of a frame, given the map from (x, y, 1) times depth into
+    /// that frame and the one from there to the world.
+    pub(super) fn tile(tile: &'static Tile, (u, v): (usize, usize), (back, axes): (&Narrow, &Narrow)) -> Self {
+        let column = |c: usize| [axes[0][c], axes[1][c], axes[2][c]];
+        Self { cloth: Cloth::Tile(tile, [column(u), column(v)]), places: [back[u], back[v]] }
+    }
+
+    /// A picture on a triangle, given its corners, where these are in the picture, and the same maps.
+    pub(super) fn picture(
+        picture: &Arc<Picture>,
+        (corners, uvs): ([[f32; 3]; 3], [[f32; 2]; 3]),
+        (back, world): (&Narrow, &Narrow),
+    ) -> Self {
+        let edge = |i: usize| [0, 1, 2].map(|k: usize| corners[i][k] - corners[0][k]);
+        let (b, c) = (edge(1), edge(2));
+        let across = cross(affine::vector(world, b), affine::vector(world, c));
+        let area = 0.5 * length(across);
+        let density = picture.texels(uvs) / area.sqrt().max(1e-12);
+        let normal = cross(b, c);
+        let square = (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]).max(1e-30);
+        // Vectors along which only the weight of the second or the third corner grows.
+        let (second, third) = (cross(c, normal), cross(normal, b));
+        let place = |axis: usize| {
+            let [at, to_b, to_c] = [0, 1, 2].map(|i: usize| uvs[i][axis]);
+            let slope = [0, 1, 2].map(|k: usize| ((to_b - at) * second[k] + (to_c - at) * third[k]) / square);
+            let start = at - (0..3).map(|k| slope[k] * corners[0][k]).sum::<f32>();
+            let cell = |j: usize| (0..3).map(|k| slope[k] * back[k][j]).sum::<f32>();
+            [cell(0), cell(1), cell(2), cell(3) + start]
+        };
+        Self { cloth: Cloth::Picture(picture.clone(), density), places: [place(0), place(1)] }
+    }
+
+    /// Finds where some pixels of a row are in the texture and what it says there, and the
+    /// copy that was asked.
+    #[inline(always)]
+    pub(super) fn touch(&self, span: &mut Span, inverse: &[f32], (x, y): (f32, f32), focal: f32) -> usize {
+        let [us, vs] = &self.places;
+        let (u0, v0) = (us[1] * y + us[2], vs[1] * y + vs[2]);
+        for (i, inverse) in inverse.iter().enumerate().take(SPAN) {
+            let depth = 1.0 / inverse;
+            let x = x + i as f32;
+            span.u[i] = (us[0] * x + u0) * depth + us[3];
+            span.v[i] = (vs[0] * x + v0) * depth + vs[3];
+        }
+        let footprint = 1.0 / (inverse[inverse.len() / 2] * focal);
+        match &self.cloth {
+            Cloth::Tile(tile, _) => {
+                let level = tile.level(footprint);
+                tile.span(level, span);
+                level
+            }
+            Cloth::Picture(picture, density) => {
+                let level = picture.level(footprint * density);
+                for i in 0..span.count.min(SPAN) {
+                    let colour = picture.at(level, [span.u[i], span.v[i]]);
+                    (0..3).for_each(|c| span.tint[c][i] = colour[c]);
+                }
+                span.roughness = [1.0; SPAN];
+                level
+            }
+        }
+    }
+
+    /// Writes down how the normals of some pixels lean.
+    #[inline(always)]
+    pub(super) fn lean(&self, level: usize, span: &Span, out: &mut [u32]) {
+        let Cloth::Tile(tile, [across, along]) = &self.cloth else { return out.fill(0) };
+        if !tile.leans(level) {
+            return out.fill(0);
+        }
+        let [us, vs] = &span.lean;
+        for ((out, u), v) in out.iter_mut().zip(us).zip(vs) {
+            *out = packed([across[0] * u + along[0] * v, across[1] * u + along[1] * v, across[2] * u + along[2] * v]);
+        }
+    }
+}
+
+fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn length(v: [f32; 3]) -> f32 {
+    (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
+}
