@@ -3,12 +3,13 @@
 //! `cargo run --release --example turntable -- --class armchair --out out/turntable` turns the
 //! camera once around an armchair from the catalogue; `--index 3` is another one, `--open` opens doors and
 //! drawers on the way round and shuts them again. `--labels` shows depth, normals, and what moves beside it.
+//! `--model chair.glb` shows a model of your own instead, with its textures.
 
 #[path = "support/mod.rs"]
-#[expect(dead_code, reason = "this example reads no files")]
+#[expect(dead_code, reason = "this example reads no scenes")]
 mod support;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Parser;
@@ -16,15 +17,18 @@ use nalgebra::{Point3, Vector3};
 use support::{Complaint, say};
 use virtualcity::graph::asset::{Joint, Part, Shape};
 use virtualcity::graph::portable::Portable;
-use virtualcity::graph::{Asset, Draft, NodeId, Pose, SceneBuilder, SceneGraph, Seed};
-use virtualcity::procgen::material;
-use virtualcity::procgen::object::{Object, generator};
+use virtualcity::graph::{Asset, AssetId, AssetLibrary, Draft, NodeId, Pose, SceneBuilder, SceneGraph, Seed};
+use virtualcity::procgen::object::generator;
+use virtualcity::procgen::{gltf, material};
 use virtualcity::render::picture::{self, Picture};
 use virtualcity::render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
 
 /// An object from all sides.
 #[derive(Parser)]
 struct Options {
+    /// A model to show (glTF, .glb) instead of one from the catalogue.
+    #[arg(long)]
+    model: Option<PathBuf>,
     /// Class of the object.
     #[arg(long, default_value = "armchair")]
     class: String,
@@ -56,9 +60,10 @@ struct Options {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    let made =
-        generator(&options.class).ok_or_else(|| Complaint::new(format!("no generator makes `{}`", options.class)))?;
-    let object = made.instance(Seed(options.seed), options.index).object;
+    let object = match &options.model {
+        Some(path) => model(path)?,
+        None => catalogued(&options)?,
+    };
     let (scene, node) = stage(&object)?;
     let mut renderer = Renderer::new();
     let mut snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;
@@ -80,7 +85,7 @@ fn main() -> Result<(), Complaint> {
         pictures.push(shown(&frame, &options, &object));
         snapshot = then;
     }
-    let path = options.out.join(format!("{}_{}.png", options.class, options.index));
+    let path = options.out.join(format!("{}.png", object.file));
     let bytes = picture::apng(&pictures, options.rate).map_err(Complaint::new)?;
     std::fs::create_dir_all(&options.out).map_err(Complaint::new)?;
     std::fs::write(&path, bytes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))?;
@@ -88,10 +93,47 @@ fn main() -> Result<(), Complaint> {
     Ok(())
 }
 
+/// What is shown.
+struct Object {
+    class: String,
+    /// Name of the file it is shown in.
+    file: String,
+    asset: Arc<Asset>,
+    id: AssetId,
+    library: AssetLibrary,
+}
+
+impl Object {
+    fn size(&self) -> Vector3<f32> {
+        self.asset.extent().map_or_else(Vector3::zeros, |(low, high)| high - low)
+    }
+}
+
+fn catalogued(options: &Options) -> Result<Object, Complaint> {
+    let Options { class, index, .. } = options;
+    let made = generator(class).ok_or_else(|| Complaint::new(format!("no generator makes `{class}`")))?;
+    let asset = Arc::new(made.instance(Seed(options.seed), *index).object.asset);
+    let mut library = material::library();
+    let id = library.share(asset.clone()).map_err(Complaint::new)?;
+    Ok(Object { class: class.clone(), file: format!("{class}_{index}"), asset, id, library })
+}
+
+/// A model from a file, its textures with it.
+fn model(path: &Path) -> Result<Object, Complaint> {
+    let complaint = |e: String| Complaint::new(format!("{}: {e}", path.display()));
+    let bytes = std::fs::read(path).map_err(|e| complaint(e.to_string()))?;
+    let model = gltf::read(&bytes, &gltf::Options::default()).map_err(|e| complaint(e.to_string()))?;
+    let mut library = material::library();
+    let id = model.add_to(&mut library).map_err(|e| complaint(e.to_string()))?;
+    let class = model.class.map_or_else(|| "model".to_owned(), |c| c.to_string());
+    let file = path.file_stem().map_or_else(|| class.clone(), |n| n.to_string_lossy().into_owned());
+    let asset = library.get(id).cloned().unwrap_or_default();
+    Ok(Object { class, file, asset, id, library })
+}
+
 /// The object on a floor that is wider than the picture.
 fn stage(object: &Object) -> Result<(SceneGraph, NodeId), Complaint> {
-    let mut library = material::library();
-    let asset = library.add(object.asset.clone()).map_err(Complaint::new)?;
+    let mut library = object.library.clone();
     let wide = 10.0 * object.size().norm();
     let slab = Shape::Box { half: Vector3::new(wide, wide, 0.05) };
     let part =
@@ -103,7 +145,7 @@ fn stage(object: &Object) -> Result<(SceneGraph, NodeId), Complaint> {
     let low = object.asset.extent().map_or(0.0, |(low, _)| low.z);
     let draft =
         |class: &str, asset, z| Draft { asset: Some(asset), ..Draft::new(class).at(Pose::translation(0.0, 0.0, z)) };
-    let node = scene.add_in(room, draft(object.class, asset, -low)).map_err(Complaint::new)?;
+    let node = scene.add_in(room, draft(&object.class, object.id, -low)).map_err(Complaint::new)?;
     scene.add_in(room, draft("floor", floor, -0.0501)).map_err(Complaint::new)?;
     scene.assets(Arc::new(library));
     Ok((scene.build(), node))
