@@ -12,8 +12,10 @@ a message. Times are CPU time of the process, milliseconds a picture, medians. M
 egl; Mitsuba's fast variant wants DRJIT_LIBLLVM_PATH, without it the scalar one is timed.
 
 Equal quality: of Mitsuba and of this project's path tracer, each without smoothing, the error of N paths a pixel
-against many paths of the same program is measured after an eye's curve; so is the time. The error falls
-with the root of the time, so the time for one quality follows.
+against many paths of the same program is measured on the light itself and after an eye's curve; so is the time.
+The root mean square of the light's error is given against the median brightness of the picture; of this, lights
+that are in the picture are left out (brighter than 50 medians), as each of their pixels would count for thousands.
+The square of the error falls with the time, so the time for one quality follows; a table at the end has them.
 """
 
 import argparse
@@ -322,15 +324,40 @@ def eye_curve(image, middle):
     return np.sqrt(np.clip(image / (2 * middle), 0, 1))
 
 
+# Errors for which the time is given: of the light, in medians, and after the curve.
+TARGETS = (0.1, 0.02)
+
+
 def report(name, picture, quality):
+    """Rows of the table of equal quality."""
     truth = picture(quality, 1000)[0]
     middle = np.median(truth[truth > 0])
-    truth = eye_curve(truth, middle)
+    seen = truth.max(axis=2) < 50 * middle
+    rows = []
     for samples in (4, 16):
         image, seconds = picture(samples, 1)
-        error = float(np.sqrt(np.mean((eye_curve(image, middle) - truth) ** 2)))
-        print(f"{name:28} {samples:4} paths: {seconds:7.2f} s CPU, error {error:.4f}, "
-              f"for an error of 0.02 {seconds * (error / 0.02) ** 2:8.1f} s", flush=True)
+        light = rms((image - truth)[seen] / middle)
+        curve = rms(eye_curve(image, middle) - eye_curve(truth, middle))
+        # The reference's own noise is in the error too.
+        share = quality / (quality + samples)
+        times = [seconds * (error / target) ** 2 * share for error, target in zip((light, curve), TARGETS)]
+        rows.append((name, samples, seconds, light, curve, *times))
+    QUALITY.extend(rows)
+
+
+QUALITY = []
+
+
+def rms(errors):
+    return float(np.sqrt(np.mean(np.square(errors, dtype=np.float64))))
+
+
+def table():
+    if QUALITY:
+        print(f"\n{'equal quality':28} {'paths':>5} {'s CPU':>8} {'rms light':>10} {'after curve':>12} "
+              f"{f's for {TARGETS[0]}':>10} {f's for {TARGETS[1]}':>10}")
+    for name, samples, seconds, light, curve, linear, curved in QUALITY:
+        print(f"{name:28} {samples:5} {seconds:8.2f} {light:10.4f} {curve:12.4f} {linear:10.1f} {curved:10.1f}")
 
 
 def ours(options, out, quality):
@@ -398,6 +425,7 @@ def main():
                         ("mitsuba", lambda s: mitsuba(s, options.truth))))
     if options.file is None:
         ours(options, options.out, options.truth)
+    table()
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 //!
 //! `cargo bench -p vc-render --bench rays`. Primary rays go through the pixels of sixteen views in
 //! order; bounces leave what those met, by the cosine, in any direction; shadow rays go to points of the
-//! ceiling. The throughput is in rays of one thread.
+//! ceiling. The throughput is in rays of one thread. Then a tenth of the bodies moves.
 
 #![allow(missing_docs, clippy::unwrap_used, reason = "a bench")]
 
@@ -11,7 +11,7 @@ mod common;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::{Point3, Vector3};
-use vc_graph::Seed;
+use vc_graph::{NodeId, Pose, Seed};
 use vc_render::{Camera, RayCaster, Renderer};
 
 type Ray = (Point3<f32>, Vector3<f32>);
@@ -66,9 +66,25 @@ fn rays(c: &mut Criterion) {
     let seen = || bounces.iter().filter(|(from, _)| caster.sees(from, &up(from))).count();
     group.bench_function("shadows", |b| b.iter(seen));
     group.finish();
+    let (mut other, mut moved) = (caster.clone(), snapshot.clone());
+    let bodies: Vec<NodeId> = snapshot.nodes().step_by(10).collect();
     let mut group = c.benchmark_group("tree");
-    group.sample_size(10).throughput(Throughput::Elements(snapshot.triangles() as u64));
+    group.sample_size(10);
     group.bench_function("build", |b| b.iter(|| RayCaster::new(&snapshot)));
+    let (mut turn, count) = (0.0, bodies.len());
+    group.bench_function(format!("follow_{count}_bodies"), |b| {
+        b.iter(|| {
+            turn += 0.01;
+            for (place, body) in (0..).zip(&bodies) {
+                let at = Vector3::new(0.15 * place as f32 - 2.2, 0.1 * (place % 30) as f32 - 1.5, 1.2);
+                moved.place(*body, &Pose::new(at, Vector3::new(0.0, 0.0, turn))).unwrap();
+            }
+            other.follow(&moved).unwrap();
+        });
+    });
+    group.throughput(Throughput::Elements(first.len() as u64));
+    let count = |rays: &[Ray]| rays.iter().filter(|(from, along)| other.first(from, along, 100.0).is_some()).count();
+    group.bench_function("primary_among_moved", |b| b.iter(|| count(&first)));
     group.finish();
 }
 

@@ -7,6 +7,7 @@ use super::lamp::{Lamp, lamps};
 use super::room::{self, Grid};
 use super::shadow::ShadowMap;
 use super::{Daylight, room::rooms};
+use crate::RenderError;
 use crate::renderer::Renderer;
 use crate::scene::Snapshot;
 use crate::surface::{Role, Surface};
@@ -65,6 +66,16 @@ fn ball(snapshot: &Snapshot) -> (Point3<f32>, f32) {
 }
 
 impl Lighting {
+    /// Lets mirrors and reference pictures see another moment of the same scene, as
+    /// [`RayCaster::follow`](crate::RayCaster::follow) does. The light of fast pictures and
+    /// the exposure stay as they were.
+    ///
+    /// # Errors
+    /// [`RenderError::OtherScene`] if bodies have come or gone.
+    pub fn follow(&mut self, snapshot: &Snapshot) -> Result<(), RenderError> {
+        self.tracer.follow(snapshot)
+    }
+
     /// Light from all sides that falls on a surface, from the grid of its room.
     #[inline(always)]
     pub(crate) fn around(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> [f32; 3] {

@@ -192,7 +192,7 @@ impl Lighting {
     fn seen(&self, renderer: &Renderer, ray: &Ray, met: &crate::trace::Met<'_>, room: usize) -> Seen {
         let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
         let body = &self.tracer.snapshot.bodies[met.instance.body as usize];
-        let colour = surface.colour;
+        let colour = surface.mean();
         let lamp = self.lamps.iter().any(|l| l.body == met.instance.body && usize::from(l.room) == room);
         let own = if lamp { [0.0; 3] } else { self.glow(surface, met.instance.body) };
         let direct = self.direct(met.at, met.normal, body.room);

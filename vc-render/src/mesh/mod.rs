@@ -5,9 +5,13 @@ mod cluster;
 mod link;
 mod simplify;
 
+use std::sync::OnceLock;
+
 pub(crate) use build::Source;
 pub(crate) use cluster::Cluster;
 pub(crate) use link::{Finish, Link, TOLERANCES, links};
+
+use crate::trace::Bvh;
 
 /// Most triangles of a cluster, so that their corners fit in a byte.
 pub(crate) const MOST: usize = 85;
@@ -29,6 +33,8 @@ pub(crate) struct Mesh {
     pub(crate) uvs: Vec<[[f32; 2]; 3]>,
     /// The box around all, in the asset's frame.
     pub(crate) bounds: Bounds,
+    /// Trees for rays, once they are needed.
+    pub(crate) trees: OnceLock<[Bvh; 2]>,
 }
 
 /// A box by its middle and half its lengths.

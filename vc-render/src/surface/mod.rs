@@ -71,6 +71,12 @@ impl Surface {
         Self { pattern: Pattern::Plain, picture: Some(picture), ..self }
     }
 
+    /// Its reflectance from afar.
+    pub(crate) fn mean(&self) -> [f32; 3] {
+        let picture = self.picture.as_ref().map_or([1.0; 3], |p| p.mean());
+        [0, 1, 2].map(|i: usize| self.colour[i] * picture[i])
+    }
+
     /// With the mean of a picture, for what does not say where it is in it.
     pub(crate) fn tinted(self, picture: &Picture) -> Self {
         let mean = picture.mean();

@@ -1,6 +1,7 @@
 //! Building the tree: the surface area heuristic over bins (Wald 2007).
 
 use super::bvh::{Bvh, EMPTY, LEAF, Leaf, Node, WIDE};
+use crate::mesh;
 
 /// A triangle's corners.
 pub(crate) type Corners = [[f32; 3]; 3];
@@ -46,6 +47,7 @@ impl Bvh {
     /// The tree of triangles; a triangle's number is its position. Takes about a
     /// microsecond a triangle.
     pub(crate) fn build(triangles: &[Corners]) -> Self {
+        let mut leaves = Vec::new();
         let item = |(corners, number): (&Corners, u32)| {
             let around = |b: Bounds, p: &[f32; 3]| b.with(&Bounds { low: *p, high: *p });
             let bounds = corners.iter().fold(NOWHERE, around);
@@ -53,29 +55,59 @@ impl Bvh {
             Item { bounds, middle, number }
         };
         let mut items: Vec<Item> = triangles.iter().zip(0..).map(item).collect();
-        let mut tree = Self::default();
-        if !items.is_empty() {
-            tree.node(&mut items, triangles);
-        }
-        tree
+        let nodes = grown(&mut items, WIDE, |items| {
+            leaves.push(Leaf::of(items, triangles));
+            LEAF | (leaves.len() as u32 - 1)
+        });
+        Self { nodes, leaves }
     }
+}
 
-    fn node(&mut self, items: &mut [Item], triangles: &[Corners]) -> u32 {
+/// Nodes over boxes; a child that is a leaf has the number that came with its box.
+pub(super) fn over(boxes: impl Iterator<Item = (u32, mesh::Bounds)>) -> Vec<Node> {
+    let item = |(number, around): (u32, mesh::Bounds)| {
+        let (middle, half) = (around.centre, around.half);
+        let side = |sign: f32| [0, 1, 2].map(|i: usize| middle[i] + sign * half[i]);
+        Item { bounds: Bounds { low: side(-1.0), high: side(1.0) }, middle, number }
+    };
+    let mut items: Vec<Item> = boxes.map(item).collect();
+    grown(&mut items, 1, |items| LEAF | items[0].number)
+}
+
+/// Nodes over items, with at most `fill` of them in what `leaf` makes.
+fn grown(items: &mut [Item], fill: usize, leaf: impl FnMut(&[Item]) -> u32) -> Vec<Node> {
+    let mut growth = Growth { nodes: Vec::new(), fill, leaf };
+    if !items.is_empty() {
+        growth.node(items);
+    }
+    growth.nodes
+}
+
+/// A tree in the making.
+struct Growth<F> {
+    nodes: Vec<Node>,
+    fill: usize,
+    leaf: F,
+}
+
+impl<F: FnMut(&[Item]) -> u32> Growth<F> {
+    fn node(&mut self, items: &mut [Item]) -> u32 {
+        let fill = self.fill;
         let at = self.nodes.len();
         // Boxes that end before they begin are met by no ray.
         let (low, high) = ([f32::INFINITY; WIDE], [f32::NEG_INFINITY; WIDE]);
         self.nodes.push(Node { bounds: [low, low, low, high, high, high], children: [EMPTY; WIDE] });
         let mut sets: Vec<&mut [Item]> = vec![items];
         while sets.len() < WIDE {
-            let size = |s: &&mut [Item]| if s.len() > WIDE { Bounds::around(s).area() } else { -1.0 };
+            let size = |s: &&mut [Item]| if s.len() > fill { Bounds::around(s).area() } else { -1.0 };
             let widest = (0..sets.len()).max_by(|a, b| size(&sets[*a]).total_cmp(&size(&sets[*b])));
-            let Some(widest) = widest.filter(|w| sets[*w].len() > WIDE) else { break };
+            let Some(widest) = widest.filter(|w| sets[*w].len() > fill) else { break };
             let (low, high) = cut(sets.swap_remove(widest));
             sets.extend([low, high]);
         }
         for (lane, set) in sets.into_iter().enumerate() {
             let bounds = Bounds::around(set);
-            let child = if set.len() <= WIDE { self.leaf(set, triangles) } else { self.node(set, triangles) };
+            let child = if set.len() <= fill { (self.leaf)(set) } else { self.node(set) };
             let node = &mut self.nodes[at];
             node.children[lane] = child;
             for axis in 0..3 {
@@ -85,11 +117,13 @@ impl Bvh {
         }
         at as u32
     }
+}
 
-    fn leaf(&mut self, items: &[Item], triangles: &[Corners]) -> u32 {
+impl Leaf {
+    fn of(items: &[Item], triangles: &[Corners]) -> Self {
         // Triangles of NaN are met by no ray.
         let none = [[f32::NAN; WIDE]; 3];
-        let mut leaf = Leaf { corner: none, edges: [none; 2], numbers: [EMPTY; WIDE] };
+        let mut leaf = Self { corner: none, edges: [none; 2], numbers: [EMPTY; WIDE] };
         for (lane, item) in items.iter().enumerate() {
             let [a, b, c] = triangles[item.number as usize];
             leaf.numbers[lane] = item.number;
@@ -99,8 +133,7 @@ impl Bvh {
                 leaf.edges[1][axis][lane] = c[axis] - a[axis];
             }
         }
-        self.leaves.push(leaf);
-        LEAF | (self.leaves.len() as u32 - 1)
+        leaf
     }
 }
 

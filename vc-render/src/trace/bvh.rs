@@ -79,7 +79,7 @@ impl<const ANY: bool> WithSimd for Walk<'_, ANY> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Option<Hit> {
-        self.tree.walk::<S, ANY>(simd, self.ray)
+        self.tree.meet::<S, ANY>(simd, self.ray)
     }
 }
 
@@ -107,55 +107,84 @@ impl Bvh {
     }
 
     #[inline(always)]
-    fn walk<S: Simd, const ANY: bool>(&self, simd: S, ray: &Ray) -> Option<Hit> {
-        if self.nodes.is_empty() {
-            return None;
-        }
-        let beam = Beam::new(simd, ray);
-        let (mut best, mut end) = (None, ray.end);
-        let mut stack = [(0_u32, 0.0_f32); STACK];
-        let (mut height, mut current) = (0_usize, 0_u32);
-        loop {
-            if current & LEAF != 0 {
-                if let Some(hit) = self.leaves[(current & !LEAF) as usize].meet(simd, ray, end) {
-                    (end, best) = (hit.t, Some(hit));
-                    if ANY {
-                        return best;
-                    }
-                }
-            } else {
-                let node = &self.nodes[current as usize];
-                let (enters, mut met) = node.enters(simd, &beam, end);
-                if met.is_power_of_two() {
-                    current = node.children[met.trailing_zeros() as usize];
-                    continue;
-                }
-                let first = height;
-                while met != 0 {
-                    let lane = met.trailing_zeros() as usize;
-                    met &= met - 1;
-                    let enter = enters[lane];
-                    let mut at = height;
-                    // Nearest on top; any is as good as another where any will do.
-                    while !ANY && at > first && stack[(at - 1) % STACK].1 < enter {
-                        stack[at % STACK] = stack[(at - 1) % STACK];
-                        at -= 1;
-                    }
-                    stack[at % STACK] = (node.children[lane], enter);
-                    height += 1;
+    pub(super) fn meet<S: Simd, const ANY: bool>(&self, simd: S, ray: &Ray) -> Option<Hit> {
+        walk::<S, Hit, ANY>(
+            simd,
+            &self.nodes,
+            ray,
+            #[inline(always)]
+            |leaf, end| self.leaves[leaf as usize].meet(simd, ray, end).map(|hit| (hit.t, hit)),
+        )
+    }
+
+    /// Takes triangles out; their boxes stay.
+    pub(super) fn remove(&mut self, gone: impl Fn(u32) -> bool) {
+        for leaf in &mut self.leaves {
+            for lane in 0..WIDE {
+                if leaf.numbers[lane] != EMPTY && gone(leaf.numbers[lane]) {
+                    leaf.numbers[lane] = EMPTY;
+                    leaf.corner.iter_mut().for_each(|axis| axis[lane] = f32::NAN);
                 }
             }
-            // What begins behind the nearest hit is left out.
-            loop {
-                if height == 0 {
+        }
+    }
+}
+
+/// Goes along a ray through nodes: `meet` finds what is met in a leaf before an end, and where.
+#[inline(always)]
+pub(super) fn walk<S: Simd, H, const ANY: bool>(
+    simd: S,
+    nodes: &[Node],
+    ray: &Ray,
+    mut meet: impl FnMut(u32, f32) -> Option<(f32, H)>,
+) -> Option<H> {
+    if nodes.is_empty() {
+        return None;
+    }
+    let beam = Beam::new(simd, ray);
+    let (mut best, mut end) = (None, ray.end);
+    let mut stack = [(0_u32, 0.0_f32); STACK];
+    let (mut height, mut current) = (0_usize, 0_u32);
+    loop {
+        if current & LEAF != 0 {
+            if let Some((at, hit)) = meet(current & !LEAF, end) {
+                (end, best) = (at, Some(hit));
+                if ANY {
                     return best;
                 }
-                height -= 1;
-                let (child, enter) = stack[height % STACK];
-                if enter <= end {
-                    current = child;
-                    break;
+            }
+        } else {
+            let node = &nodes[current as usize];
+            let (enters, mut met) = node.enters(simd, &beam, end);
+            if met.is_power_of_two() {
+                current = node.children[met.trailing_zeros() as usize];
+                continue;
+            }
+            let first = height;
+            while met != 0 {
+                let lane = met.trailing_zeros() as usize;
+                met &= met - 1;
+                let enter = enters[lane];
+                let mut at = height;
+                // Nearest on top; any is as good as another where any will do.
+                while !ANY && at > first && stack[(at - 1) % STACK].1 < enter {
+                    stack[at % STACK] = stack[(at - 1) % STACK];
+                    at -= 1;
                 }
+                stack[at % STACK] = (node.children[lane], enter);
+                height += 1;
+            }
+        }
+        // What begins behind the nearest hit is left out.
+        loop {
+            if height == 0 {
+                return best;
+            }
+            height -= 1;
+            let (child, enter) = stack[height % STACK];
+            if enter <= end {
+                current = child;
+                break;
             }
         }
     }

@@ -3,8 +3,9 @@
 mod build;
 mod bvh;
 mod cast;
+mod layer;
 mod scene;
 
-pub(crate) use bvh::Ray;
+pub(crate) use bvh::{Bvh, Ray};
 pub use cast::{RayCaster, RayHit};
 pub(crate) use scene::{Met, Tracer};

@@ -1,28 +1,24 @@
 //! A snapshot's triangles in the world, for rays.
 
-use super::bvh::{Bvh, Hit, Ray};
+use std::sync::Arc;
+
+use super::bvh::Ray;
+use super::layer::{Found, Layer, Origin};
+use crate::RenderError;
 use crate::affine::{self, Affine};
 use crate::mesh::Face;
 use crate::scene::{Instance, Snapshot};
 use crate::shade::{Look, look};
 use crate::surface::{Pattern, Picture, Role, Surface};
 
-/// All triangles of a snapshot: those one sees through in a tree of their own.
+/// All triangles of a snapshot: those one sees through apart from the others.
 #[derive(Debug, Clone)]
 pub(crate) struct Tracer {
     pub(crate) snapshot: Snapshot,
-    solid: Bvh,
-    clear: Bvh,
-    /// By number, of the solid and of the clear ones.
-    origins: [Vec<Origin>; 2],
-}
-
-/// Whose a triangle is.
-#[derive(Debug, Clone, Copy)]
-struct Origin {
-    instance: u32,
-    /// Its triangle in the mesh.
-    triangle: u32,
+    solid: Layer,
+    clear: Layer,
+    /// By instance, whether it has moved since.
+    moving: Vec<bool>,
 }
 
 /// What a ray has met.
@@ -48,50 +44,59 @@ pub(crate) struct Met<'a> {
 
 impl Tracer {
     pub(crate) fn new(snapshot: &Snapshot) -> Self {
-        let mut origins = [Vec::new(), Vec::new()];
-        let mut corners = [Vec::new(), Vec::new()];
-        for (index, instance) in snapshot.instances.iter().enumerate() {
-            let mesh = &instance.link.levels[0];
-            let world = instance.world.narrow();
-            for (number, cluster) in mesh.clusters.iter().enumerate() {
-                let kind = usize::from(number >= mesh.opaque);
-                for triangle in cluster.triangles.clone() {
-                    corners[kind].push(mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p)));
-                    origins[kind].push(Origin { instance: index as u32, triangle });
-                }
+        let layer = |clear: bool| Layer::new(&snapshot.instances, clear);
+        let (solid, clear) = rayon::join(|| layer(false), || layer(true));
+        Self { snapshot: snapshot.clone(), solid, clear, moving: vec![false; snapshot.instances.len()] }
+    }
+
+    /// Goes over to another moment of the same scene. What moves for the first time leaves the
+    /// tree of what stands; after that it costs a fraction of a microsecond.
+    pub(crate) fn follow(&mut self, snapshot: &Snapshot) -> Result<(), RenderError> {
+        let (own, others) = (&self.snapshot.instances, &snapshot.instances);
+        if own.len() != others.len() || own.iter().zip(others).any(|(a, b)| !Arc::ptr_eq(&a.link, &b.link)) {
+            return Err(RenderError::OtherScene { here: own.len(), there: others.len() });
+        }
+        let fresh = |((a, b), moves): ((&Instance, &Instance), &bool)| !moves && a.world != b.world;
+        let gone: Vec<bool> = own.iter().zip(others).zip(&self.moving).map(fresh).collect();
+        let any = gone.contains(&true);
+        for layer in [&mut self.solid, &mut self.clear] {
+            if any {
+                layer.loosen(&gone);
             }
         }
-        let (solid, clear) = rayon::join(|| Bvh::build(&corners[0]), || Bvh::build(&corners[1]));
-        Self { snapshot: snapshot.clone(), solid, clear, origins }
+        self.moving.iter_mut().zip(gone).for_each(|(moves, gone)| *moves |= gone);
+        self.snapshot = snapshot.clone();
+        for layer in [&mut self.solid, &mut self.clear] {
+            layer.arrange(&self.snapshot.instances, &self.moving);
+        }
+        Ok(())
     }
 
     /// The first solid thing along a ray.
     pub(crate) fn first(&self, ray: &Ray) -> Option<Met<'_>> {
-        self.solid.first(ray).map(|hit| self.met(ray, &hit, 0))
+        self.solid.first(&self.snapshot.instances, ray).map(|found| self.met(ray, &found))
     }
 
     /// The first thing along a ray, solid or clear.
     pub(crate) fn first_of_all(&self, ray: &Ray) -> Option<Met<'_>> {
-        let solid = self.solid.first(ray);
-        let nearer = Ray { end: solid.map_or(ray.end, |h| h.t), ..*ray };
-        match self.clear.first(&nearer) {
-            Some(hit) => Some(self.met(ray, &hit, 1)),
-            None => solid.map(|hit| self.met(ray, &hit, 0)),
-        }
+        let instances = &self.snapshot.instances;
+        let solid = self.solid.first(instances, ray);
+        let nearer = Ray { end: solid.map_or(ray.end, |(hit, _)| hit.t), ..*ray };
+        self.clear.first(instances, &nearer).or(solid).map(|found| self.met(ray, &found))
     }
 
     /// The first clear thing along a ray.
     pub(crate) fn first_clear(&self, ray: &Ray) -> Option<Met<'_>> {
-        self.clear.first(ray).map(|hit| self.met(ray, &hit, 1))
+        self.clear.first(&self.snapshot.instances, ray).map(|found| self.met(ray, &found))
     }
 
     /// Whether something solid is on the way.
     pub(crate) fn blocked(&self, ray: &Ray) -> bool {
-        self.solid.any(ray)
+        self.solid.any(&self.snapshot.instances, ray)
     }
 
-    fn met(&self, ray: &Ray, hit: &Hit, kind: usize) -> Met<'_> {
-        let Origin { instance: index, triangle } = self.origins[kind][hit.number as usize];
+    fn met(&self, ray: &Ray, (hit, origin): &Found) -> Met<'_> {
+        let Origin { instance: index, triangle } = *origin;
         let instance = &self.snapshot.instances[index as usize];
         let face = &instance.link.levels[0].faces[triangle as usize];
         let [b, c] = hit.edges;
