@@ -80,7 +80,7 @@ fn main() -> Result<(), Complaint> {
         }
         let wanted = Modality::Rgb | Modality::Depth | Modality::Normal | Modality::FlowForward;
         renderer
-            .render(&Shot::new(&snapshot, camera, wanted).lit(&lighting).after(&then, next), &mut frame)
+            .render(&Shot::new(&snapshot, camera, wanted).lit(&lighting).after(&then, next).finer(2), &mut frame)
             .map_err(Complaint::new)?;
         pictures.push(shown(&frame, &options, &object));
         snapshot = then;

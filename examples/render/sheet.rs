@@ -16,7 +16,7 @@ pub(crate) fn all(
     let step = Vector3::new(0.03, 0.0, 0.06);
     let next = Camera { pose: camera.pose * nalgebra::Translation3::from(step), ..*camera };
     let wanted = Modalities::SIX | Modality::Normal | Modality::Part;
-    renderer.render(&Shot::new(snapshot, camera, wanted).lit(lighting).after(snapshot, &next), frame)?;
+    renderer.render(&Shot::new(snapshot, camera, wanted).lit(lighting).after(snapshot, &next).finer(2), frame)?;
     let rgb = picture::rgb(frame);
     let pictures = [
         rgb.clone(),

@@ -141,6 +141,18 @@ impl Camera {
         Affine::of(&self.pose).inverse().unwrap_or(Affine::IDENTITY)
     }
 
+    /// The same view with so many times the pixels along each side.
+    pub(crate) fn finer(&self, times: u32) -> Self {
+        let by = times as f32;
+        Self {
+            width: self.width.saturating_mul(times),
+            height: self.height.saturating_mul(times),
+            focal: (self.focal.0 * by, self.focal.1 * by),
+            centre: (self.centre.0 * by, self.centre.1 * by),
+            ..*self
+        }
+    }
+
     pub(crate) fn check(&self) -> Result<(), RenderError> {
         let Self { width, height, .. } = *self;
         let side = 1..=MAX_SIDE;

@@ -90,6 +90,9 @@ impl Renderer {
     /// [`RenderError::BadSize`], [`RenderError::BadCamera`], [`RenderError::Missing`],
     /// [`RenderError::OtherScene`]; the frame is then as it was.
     pub fn render(&self, shot: &Shot<'_>, frame: &mut Frame) -> Result<(), RenderError> {
+        if shot.finer > 1 && shot.wanted.has(Modality::Rgb) {
+            return self.render_finer(shot, frame);
+        }
         shot.check()?;
         let View { snapshot, camera } = shot.view;
         let wanted = shot.wanted;
@@ -110,6 +113,23 @@ impl Renderer {
         if let (true, Some(lighting)) = (wanted.has(Modality::Rgb), shot.lighting) {
             self.colours(lighting, shot.view, frame);
         }
+        Ok(())
+    }
+
+    /// Labels as ever, and colours from more pixels.
+    fn render_finer(&self, shot: &Shot<'_>, frame: &mut Frame) -> Result<(), RenderError> {
+        let View { snapshot, camera } = shot.view;
+        let camera = camera.finer(shot.finer);
+        let view = View { snapshot, camera: &camera };
+        let colours = Shot { view, before: None, after: None, wanted: Modality::Rgb.into(), finer: 1, ..*shot };
+        shot.check()?;
+        colours.check()?;
+        let mut fine = frame.memory.finer.take().unwrap_or_default();
+        self.render(&Shot { wanted: shot.wanted.without(Modality::Rgb), finer: 1, ..*shot }, frame)?;
+        self.render(&colours, &mut fine)?;
+        shade::shrink(&fine, shot.finer as usize, (frame.width, &mut frame.rgb));
+        frame.holds = shot.wanted;
+        frame.memory.finer = Some(fine);
         Ok(())
     }
 

@@ -29,13 +29,15 @@ pub struct Shot<'a> {
     pub lighting: Option<&'a Lighting>,
     /// What is wanted.
     pub wanted: Modalities,
+    /// How many times finer colours are made along each side, before they are shrunk.
+    pub finer: u32,
 }
 
 impl<'a> Shot<'a> {
     /// A picture of a moment.
     pub fn new(snapshot: &'a Snapshot, camera: &'a Camera, wanted: impl Into<Modalities>) -> Self {
         let view = View { snapshot, camera };
-        Self { view, before: None, after: None, lighting: None, wanted: wanted.into() }
+        Self { view, before: None, after: None, lighting: None, wanted: wanted.into(), finer: 1 }
     }
 
     /// With the moment before.
@@ -54,6 +56,14 @@ impl<'a> Shot<'a> {
     #[must_use]
     pub fn lit(self, lighting: &'a Lighting) -> Self {
         Self { lighting: Some(lighting), ..self }
+    }
+
+    /// With colours made so many times finer along each side and then shrunk: seams and bars
+    /// thinner than a pixel, which otherwise break up into dashes, are whole. Colours
+    /// cost that number's square times as much; labels stay as they are.
+    #[must_use]
+    pub fn finer(self, times: u32) -> Self {
+        Self { finer: times.max(1), ..self }
     }
 
     pub(crate) fn check(&self) -> Result<(), RenderError> {

@@ -76,6 +76,8 @@ pub(crate) struct Memory {
     pub(crate) open: Openness,
     /// Changes to pixels at edges.
     pub(crate) changes: Vec<(u32, [f32; 3])>,
+    /// Colours before they are shrunk.
+    pub(crate) finer: Option<Box<Frame>>,
 }
 
 /// What the rendering of a band of rows needs.

@@ -13,12 +13,14 @@ mod light;
 mod look;
 mod occlusion;
 mod planes;
+mod shrink;
 mod surfel;
 mod texture;
 mod tone;
 
 pub(crate) use look::{Look, look};
 pub(crate) use occlusion::Openness;
+pub(crate) use shrink::shrink;
 pub(crate) use tone::{decoded, encoded, film};
 
 use self::edge::{Edge, Find};
