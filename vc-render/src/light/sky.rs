@@ -60,7 +60,8 @@ impl Daylight {
 
     /// Darkness, but for a little light of the sky.
     pub fn night() -> Self {
-        let dark = Vector3::new(0.004, 0.006, 0.012);
+        // Far darker than rooms with a lamp: windows are dark panes then.
+        let dark = Vector3::new(0.0004, 0.0006, 0.0012);
         Self { sun: Vector3::zeros(), zenith: dark, horizon: dark * 1.8, ground: dark * 0.4, ..Self::noon() }
     }
 
