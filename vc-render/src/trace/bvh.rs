@@ -65,6 +65,14 @@ pub(crate) struct Hit {
     pub(crate) edges: [[f32; 3]; 2],
 }
 
+/// Where in a tree a ray meets a triangle; little, because nearer and nearer ones are kept on the way.
+#[derive(Debug, Clone, Copy)]
+struct Touch {
+    leaf: u32,
+    lane: u32,
+    weights: [f32; 2],
+}
+
 /// Most nodes that wait to be visited; [`Bvh::build`](super::build) makes no deeper trees.
 const STACK: usize = 128;
 
@@ -108,13 +116,19 @@ impl Bvh {
 
     #[inline(always)]
     pub(super) fn meet<S: Simd, const ANY: bool>(&self, simd: S, ray: &Ray) -> Option<Hit> {
-        walk::<S, Hit, ANY>(
+        let (t, Touch { leaf, lane, weights }) = walk::<S, Touch, ANY>(
             simd,
             &self.nodes,
             ray,
             #[inline(always)]
-            |leaf, end| self.leaves[leaf as usize].meet(simd, ray, end).map(|hit| (hit.t, hit)),
-        )
+            |leaf, end| {
+                let (t, lane, weights) = self.leaves[leaf as usize].meet(simd, ray, end)?;
+                Some((t, Touch { leaf, lane, weights }))
+            },
+        )?;
+        let (leaf, lane) = (&self.leaves[leaf as usize], lane as usize);
+        let edges = leaf.edges.map(|edge| edge.map(|axis| axis[lane]));
+        Some(Hit { t, number: leaf.numbers[lane], weights, edges })
     }
 
     /// Takes triangles out; their boxes stay.
@@ -137,7 +151,7 @@ pub(super) fn walk<S: Simd, H, const ANY: bool>(
     nodes: &[Node],
     ray: &Ray,
     mut meet: impl FnMut(u32, f32) -> Option<(f32, H)>,
-) -> Option<H> {
+) -> Option<(f32, H)> {
     if nodes.is_empty() {
         return None;
     }
@@ -148,7 +162,7 @@ pub(super) fn walk<S: Simd, H, const ANY: bool>(
     loop {
         if current & LEAF != 0 {
             if let Some((at, hit)) = meet(current & !LEAF, end) {
-                (end, best) = (at, Some(hit));
+                (end, best) = (at, Some((at, hit)));
                 if ANY {
                     return best;
                 }
@@ -264,8 +278,9 @@ fn dot<S: Simd>(simd: S, a: Three<S>, b: Three<S>) -> S::f32s {
 }
 
 impl Leaf {
+    /// How far along a ray its first triangle is, which of them, and the weights of its corners.
     #[inline(always)]
-    fn meet<S: Simd>(&self, simd: S, ray: &Ray, end: f32) -> Option<Hit> {
+    fn meet<S: Simd>(&self, simd: S, ray: &Ray, end: f32) -> Option<(f32, u32, [f32; 2])> {
         let (mut t, mut u, mut v) = ([0.0; WIDE], [0.0; WIDE], [0.0; WIDE]);
         let along = [simd.splat_f32s(ray.along[0]), simd.splat_f32s(ray.along[1]), simd.splat_f32s(ray.along[2])];
         let (zero, one, end) = (simd.splat_f32s(0.0), simd.splat_f32s(1.0), simd.splat_f32s(end));
@@ -301,7 +316,6 @@ impl Leaf {
         }
         // None, where no bit was set.
         let t = *t.get(best)?;
-        let edges = self.edges.map(|edge| edge.map(|axis| axis[best]));
-        Some(Hit { t, number: self.numbers[best], weights: [u[best], v[best]], edges })
+        Some((t, best as u32, [u[best], v[best]]))
     }
 }

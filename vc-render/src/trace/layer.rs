@@ -113,7 +113,7 @@ impl<const ANY: bool> WithSimd for Among<'_, ANY> {
     fn with_simd<S: Simd>(self, simd: S) -> Option<Found> {
         let Self { layer, instances, ray } = self;
         let kind = usize::from(layer.clear);
-        walk::<S, Found, ANY>(
+        let met = walk::<S, Found, ANY>(
             simd,
             &layer.moving,
             ray,
@@ -129,7 +129,8 @@ impl<const ANY: bool> WithSimd for Among<'_, ANY> {
                 let triangle = hit.number + if layer.clear { mesh.first_clear() } else { 0 };
                 Some((hit.t, (Hit { edges, ..hit }, Origin { instance: number, triangle })))
             },
-        )
+        );
+        met.map(|(_, found)| found)
     }
 }
 
