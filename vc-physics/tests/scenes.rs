@@ -160,7 +160,7 @@ fn a_wall_of_one_mesh_keeps_its_doorway() {
         let j = (i + 1) % 8;
         triangles.extend([[i, j, j + 8], [i, j + 8, i + 8]]);
     }
-    let mesh = Shape::Mesh { vertices, triangles };
+    let mesh = Shape::Mesh { vertices, triangles, uvs: Vec::new() };
     let wall = scene.solid("wall", mesh, scene.wood);
     scene.add("wall", wall, at(2.0, 0.0, 0.0));
     let low = [(-1.0, 0.5), (0.0, 0.5), (0.0, 1.7), (0.0, 2.3), (1.0, 1.5)];

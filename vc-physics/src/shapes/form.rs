@@ -182,7 +182,7 @@ impl Link {
         let mut sum = Sum::default();
         parts.iter().for_each(|p| sum.add(p, library, by));
         let pieces = |part: &&Part| match &part.shape {
-            Shape::Mesh { vertices, triangles } if !joins => {
+            Shape::Mesh { vertices, triangles, .. } if !joins => {
                 cut::along_faces(cut::polygons(part, vertices, triangles, by))
             }
             _ => hollow::pieces(part, by, surfaces),
