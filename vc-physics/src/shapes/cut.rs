@@ -70,6 +70,14 @@ pub(super) fn clipped(polygons: &[Polygon], plane: Plane, front: bool) -> Vec<Po
     polygons.iter().map(cut).filter(|p| p.len() > 2).collect()
 }
 
+/// The corners of polygons, each once.
+pub(super) fn corners(polygons: &[Polygon]) -> Vec<Point3<f32>> {
+    let mut all = polygons.concat();
+    all.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)));
+    all.dedup();
+    all
+}
+
 /// Convex pieces of a closed surface, cut along its own faces.
 pub(super) fn along_faces(polygons: Vec<Polygon>) -> Vec<Piece> {
     let mut pieces = Vec::new();
@@ -78,7 +86,7 @@ pub(super) fn along_faces(polygons: Vec<Polygon>) -> Vec<Piece> {
         let may_cut = pieces.len() + open.len() + 1 < MOST && polygons.len() <= TRIANGLES;
         match may_cut.then(|| inwards(&polygons)).flatten() {
             Some(plane) => open.extend([false, true].map(|front| side(&polygons, plane, front))),
-            None => pieces.extend(Piece::hull(&polygons.concat())),
+            None => pieces.extend(Piece::hull(&corners(&polygons), &Vector3::z())),
         }
     }
     pieces

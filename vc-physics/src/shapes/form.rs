@@ -148,9 +148,9 @@ impl Form {
     }
 
     fn new(links: Vec<Link>, surfaces: Vec<Surface>) -> Self {
-        let corners = links.iter().flat_map(|l| &l.pieces).flat_map(Piece::corners);
+        let extents = links.iter().flat_map(|l| &l.pieces).map(Piece::extent);
         let start = (Point3::from([f32::INFINITY; 3]), Point3::from([f32::NEG_INFINITY; 3]));
-        let extent = corners.fold(start, |(low, high), p| (low.inf(&p), high.sup(&p)));
+        let extent = extents.fold(start, |(low, high), (l, h)| (low.inf(&l), high.sup(&h)));
         let extent = if extent.0.x <= extent.1.x { extent } else { (Point3::origin(), Point3::origin()) };
         Self { links, surfaces, extent }
     }

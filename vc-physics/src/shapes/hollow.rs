@@ -8,7 +8,7 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::geometry::SharedShape;
 use vc_graph::asset::{Hold, Part, Shape, Surface};
 
-use super::cut::{self, Plane, Polygon, clipped};
+use super::cut::{self, Plane, Polygon, clipped, corners};
 use super::form;
 use super::merge::Box3;
 use super::piece::Piece;
@@ -29,13 +29,13 @@ pub(super) fn space(surface: &Surface) -> Option<Box3> {
 /// asset's surfaces.
 pub(super) fn pieces(part: &Part, by: &Vector3<f32>, surfaces: &[Surface]) -> Vec<Piece> {
     let whole = form::placed(part, by);
-    let Shape::Mesh { vertices, triangles, .. } = &part.shape else { return whole };
+    let (Shape::Mesh { vertices, triangles, .. }, [hull]) = (&part.shape, &whole[..]) else { return whole };
     let spaces: Vec<Box3> = surfaces.iter().filter_map(space).collect();
-    if !whole.iter().any(|p| spaces.iter().any(|s| fills(p, s))) {
+    if !spaces.iter().any(|s| fills(hull, s)) {
         return whole;
     }
     let mut cut = Vec::new();
-    split(cut::polygons(part, vertices, triangles, by), &spaces, &mut cut);
+    split(cut::polygons(part, vertices, triangles, by), hull.clone(), &spaces, &mut cut);
     cut
 }
 
@@ -53,8 +53,7 @@ fn contains(shape: &SharedShape, point: Point3<f32>) -> bool {
 
 /// The hull of polygons; where it fills a space, the hulls of what is under it, on its
 /// four sides and above it.
-fn split(polygons: Vec<Polygon>, spaces: &[Box3], out: &mut Vec<Piece>) {
-    let Some(hull) = Piece::hull(&polygons.concat()) else { return };
+fn split(polygons: Vec<Polygon>, hull: Piece, spaces: &[Box3], out: &mut Vec<Piece>) {
     let Some(index) = spaces.iter().position(|s| fills(&hull, s)) else {
         out.push(hull);
         return;
@@ -70,7 +69,10 @@ fn split(polygons: Vec<Polygon>, spaces: &[Box3], out: &mut Vec<Piece>) {
         (2, high.z, true),
     ] {
         let plane = Plane::across(axis, at);
-        split(clipped(&rest, plane, beyond), others, out);
+        let side = clipped(&rest, plane, beyond);
+        if let Some(hull) = Piece::hull(&corners(&side), &Vector3::z()) {
+            split(side, hull, others, out);
+        }
         rest = clipped(&rest, plane, !beyond);
     }
 }

@@ -5,12 +5,12 @@
 //! such a face four corners are kept that lie far apart, and the others are set back a
 //! little, as if the face were bevelled there.
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 use rapier3d::geometry::SharedShape;
 use rapier3d::math::Vector;
 use rapier3d::parry::transformation::try_convex_hull;
 
-use super::quick;
+use super::quick::{self, Rough};
 use crate::convert;
 
 /// How much the corners that are not kept are set back, for each metre they are outside of
@@ -21,10 +21,52 @@ const SHORT: f32 = 1e-5;
 /// Cosine of the angle up to which triangles are one face.
 const FLAT: f32 = 0.9996;
 
-/// The hull of points, `None` where they have no volume.
-pub(super) fn hull(points: &[Point3<f32>]) -> Option<SharedShape> {
-    let (corners, triangles) = mesh(points)?;
+/// How far a hull may leave the true one, metres.
+const TRUE: f32 = 0.002;
+/// And as a part of half of its least side: of a round thing as a ring of wedges does.
+const ROUGH: f32 = 0.05;
+/// Up to where it need not be truer, metres.
+const FINE: f32 = 0.0005;
+/// From how many corners on it may leave it farther.
+const CORNERS: usize = 24;
+/// Parts of the largest coordinate that count as nothing.
+const ROUNDING: f32 = 1e-6;
+
+/// The hull of points, about; `None` where they have no volume. `up` is the way up among them,
+/// `thick` half of their least side.
+pub(super) fn hull(points: &[Point3<f32>], up: &Vector3<f32>, thick: f32) -> Option<SharedShape> {
+    let mut all: Vec<Vector> = points.iter().map(|p| convert::point(*p)).collect();
+    let first = footed(&mut all, convert::vector(*up));
+    let rough = Rough { first: &first, by: (ROUGH * thick).clamp(FINE, TRUE), corners: CORNERS };
+    let points: Vec<Point3<f32>> = all.into_iter().map(convert::point3).collect();
+    let (corners, triangles) = mesh(&points, Some(&rough))?;
     bevelled(corners, &triangles)
+}
+
+/// Bevels the faces of the box around points, and the one they stand on; gives the corners that
+/// are kept of each.
+fn footed(points: &mut [Vector], up: Vector) -> Vec<u32> {
+    let slack = ROUNDING * points.iter().fold(0.0, |most: f32, p| most.max(p.abs().max_element()));
+    let axes = [Vector::X, Vector::Y, Vector::Z, -Vector::X, -Vector::Y, -Vector::Z];
+    let tilted = axes.iter().all(|a| a.dot(up) < FLAT);
+    let mut first = Vec::new();
+    for way in axes.into_iter().chain(tilted.then_some(-up)) {
+        let most = points.iter().fold(f32::NEG_INFINITY, |most, p| most.max(p.dot(way)));
+        let face: Vec<u32> = (0..).zip(&*points).filter(|(_, p)| p.dot(way) >= most - slack).map(|(i, _)| i).collect();
+        let Some(kept) = farthest_four(&face, way, |i| points[*i as usize]) else {
+            first.extend(face);
+            continue;
+        };
+        let four = kept.map(|k| points[k as usize]);
+        for i in face.into_iter().filter(|i| !kept.contains(i)) {
+            let point = &mut points[i as usize];
+            *point -= way * (BEVEL * outside(*point, four, way));
+        }
+        first.extend(kept);
+    }
+    first.sort_unstable();
+    first.dedup();
+    first
 }
 
 /// The hull of eight corners: four around a face, counter-clockwise seen from outside, and
@@ -52,7 +94,7 @@ fn bevelled(mut corners: Vec<Vector>, triangles: &[[u32; 3]]) -> Option<SharedSh
     }
     set_back.into_iter().for_each(|(corner, by)| corners[corner] -= by);
     let corners: Vec<Point3<f32>> = corners.into_iter().map(convert::point3).collect();
-    let (corners, triangles) = mesh(&corners)?;
+    let (corners, triangles) = mesh(&corners, None)?;
     SharedShape::convex_mesh(corners, &triangles)
 }
 
@@ -63,8 +105,9 @@ pub(super) fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
 
 /// The corners of the hull of points and its triangles; by the engine's own way where ours
 /// finds no volume.
-fn mesh(points: &[Point3<f32>]) -> Option<(Vec<Vector>, Vec<[u32; 3]>)> {
-    let Some(mut triangles) = quick::triangles(points) else {
+fn mesh(points: &[Point3<f32>], rough: Option<&Rough<'_>>) -> Option<(Vec<Vector>, Vec<[u32; 3]>)> {
+    let triangles = rough.map_or_else(|| quick::triangles(points), |rough| quick::rough(points, rough));
+    let Some(mut triangles) = triangles else {
         let all: Vec<Vector> = points.iter().map(|p| convert::point(*p)).collect();
         return try_convex_hull(&all).ok();
     };
@@ -84,20 +127,27 @@ fn bevels(corners: &[Vector], triangles: &[[u32; 3]]) -> Vec<(usize, Vector)> {
         let [a, b, c] = t.map(|i| corners[i as usize]);
         (b - a).cross(c - a).normalize_or_zero()
     };
+    let at = |i: &u32| corners[*i as usize];
     let mut left: Vec<(Vector, &[u32; 3])> = triangles.iter().map(|t| (normal(t), t)).collect();
-    let mut found = Vec::new();
+    let (mut found, mut face) = (Vec::new(), Vec::new());
     while let Some((up, first)) = left.pop() {
-        let mut face = first.to_vec();
-        left.retain(|(other, t)| {
-            let same = other.dot(up) > FLAT;
-            if same {
-                face.extend_from_slice(*t);
+        face.clear();
+        face.extend_from_slice(first);
+        let mut next = 0;
+        while let Some((other, triangle)) = left.get(next) {
+            if other.dot(up) > FLAT {
+                face.extend_from_slice(*triangle);
+                left.swap_remove(next);
+            } else {
+                next += 1;
             }
-            !same
-        });
+        }
+        // Of two triangles or one there is nothing to set back.
+        if face.len() <= 6 {
+            continue;
+        }
         face.sort_unstable();
         face.dedup();
-        let at = |i: &u32| corners[*i as usize];
         if let Some(kept) = farthest_four(&face, up, at) {
             let others = face.iter().filter(|i| !kept.contains(i));
             found.extend(others.map(|i| (*i as usize, up * (BEVEL * outside(at(i), kept.map(|k| at(&k)), up)))));

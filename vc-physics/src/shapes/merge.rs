@@ -53,18 +53,21 @@ impl Pool {
         pool
     }
 
-    /// The partner with which a group wastes the least volume, and how much that is; none
-    /// with which its box reaches into a space that must stay free.
+    /// How much volume two groups waste together; `None` if their box reaches into a space that
+    /// must stay free. That is looked at where it is less than some other waste only.
+    fn waste(&self, a: usize, b: usize, less_than: f32) -> Option<f32> {
+        let (a, b) = (&self.groups[a], &self.groups[b]);
+        let joint = around(a.extent, b.extent);
+        let waste = volume(joint) - a.volume - b.volume;
+        (waste < less_than && !self.free.iter().any(|f| overlap(*f, joint))).then_some(waste)
+    }
+
+    /// The partner with which a group wastes the least volume, and how much that is.
     fn find_best(&mut self, of: usize) {
-        let own = &self.groups[of];
         let mut best: Option<(f32, usize)> = None;
-        for (i, other) in self.groups.iter().enumerate().filter(|(i, _)| *i != of) {
-            let joint = around(own.extent, other.extent);
-            let waste = volume(joint) - own.volume - other.volume;
-            let is_less = best.is_none_or(|(least, _)| waste.total_cmp(&least).is_lt());
-            if is_less && !self.free.iter().any(|f| overlap(*f, joint)) {
-                best = Some((waste, i));
-            }
+        for i in (0..self.groups.len()).filter(|&i| i != of) {
+            let least = best.map_or(f32::INFINITY, |(least, _)| least);
+            best = self.waste(of, i, least).map(|waste| (waste, i)).or(best);
         }
         self.best[of] = best;
     }
@@ -77,14 +80,26 @@ impl Pool {
         let other = self.groups.swap_remove(gone);
         self.best.swap_remove(gone);
         self.groups[keep].join(&other);
-        let last = self.groups.len();
-        for i in 0..last {
-            // Those that liked one of the two, or the one that has moved, look anew.
-            if i == keep || self.best[i].is_none_or(|(_, j)| j == keep || j == gone || j == last) {
-                self.find_best(i);
-            }
+        self.find_best(keep);
+        for i in (0..self.groups.len()).filter(|&i| i != keep) {
+            self.follow(i, keep, gone);
         }
         true
+    }
+
+    /// Sees to a group's partner after one group has grown by another, in whose place is the
+    /// last one now. Who had no partner has none: what has grown is where each of the two was.
+    fn follow(&mut self, of: usize, grown: usize, gone: usize) {
+        let Some((least, partner)) = self.best[of] else { return };
+        let lost = partner == grown || partner == gone;
+        let least = if lost { least.next_up() } else { least };
+        if let Some(waste) = self.waste(of, grown, least) {
+            self.best[of] = Some((waste, grown));
+        } else if lost {
+            self.find_best(of);
+        } else if partner == self.groups.len() {
+            self.best[of] = Some((least, gone));
+        }
     }
 }
 
@@ -97,7 +112,7 @@ struct Group {
 
 impl Group {
     fn of(piece: Piece) -> Self {
-        let extent = extent(&piece.corners());
+        let extent = piece.extent();
         Self { extent, volume: volume(extent), first: Some(piece) }
     }
 
@@ -108,7 +123,7 @@ impl Group {
     }
 
     fn piece(self) -> Option<Piece> {
-        self.first.or_else(|| Piece::hull(&[self.extent.0, self.extent.1]))
+        self.first.or_else(|| Piece::hull(&[self.extent.0, self.extent.1], &Vector3::z()))
     }
 }
 
@@ -118,11 +133,6 @@ fn free_space(surface: &Surface) -> Option<Box3> {
     let size = high - low;
     let edge = Vector3::new(0.05 * size.x, 0.05 * size.y, 0.1 * size.z);
     Some((low + edge.inf(&Vector3::new(f32::INFINITY, f32::INFINITY, 0.01)), high - edge))
-}
-
-fn extent(points: &[Point3<f32>]) -> Box3 {
-    let start = points.first().copied().unwrap_or_else(Point3::origin);
-    points.iter().fold((start, start), |(l, h), p| (l.inf(p), h.sup(p)))
 }
 
 fn around(a: Box3, b: Box3) -> Box3 {

@@ -7,7 +7,6 @@
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::geometry::SharedShape;
-use rapier3d::math::Pose as EnginePose;
 use vc_graph::Pose;
 use vc_graph::asset::Shape;
 
@@ -45,8 +44,9 @@ impl Piece {
         Self { shape, at: Pose::identity() }
     }
 
-    /// The hull of points; their box where it is thin, nothing where they are no points.
-    pub(crate) fn hull(points: &[Point3<f32>]) -> Option<Self> {
+    /// The hull of points, among which `up` is the asset's Z, about; their box where it is
+    /// thin, nothing where they are no points.
+    pub(crate) fn hull(points: &[Point3<f32>], up: &Vector3<f32>) -> Option<Self> {
         let finite = points.iter().all(|p| p.iter().all(|c| c.is_finite() && c.abs() < 1e6));
         if points.is_empty() || !finite {
             return None;
@@ -54,7 +54,7 @@ impl Piece {
         let (low, high) = points.iter().fold((points[0], points[0]), |(l, h), p| (l.inf(p), h.sup(p)));
         let half = (high - low) / 2.0;
         if half.min() > THIN
-            && let Some(shape) = hull::hull(points)
+            && let Some(shape) = hull::hull(points, up, half.min())
         {
             return Some(Self::new(shape));
         }
@@ -69,17 +69,13 @@ impl Piece {
         let (low, high) = all.iter().fold((all[0], all[0]), |(l, h), p| (l.inf(p), h.sup(p)));
         let thick = (high - low).min() > 2.0 * LEAST && all.iter().all(|p| p.iter().all(|c| c.abs() < 1e6));
         let shape = if thick { hull::hexahedron(face, across) } else { None };
-        shape.map(Self::new).or_else(|| Self::hull(&all))
+        shape.map(Self::new).or_else(|| Self::hull(&all, &Vector3::z()))
     }
 
-    /// Corners of the box around the piece, in the asset's frame.
-    pub(crate) fn corners(&self) -> [Point3<f32>; 8] {
-        let aabb = self.shape.compute_aabb(&EnginePose::IDENTITY);
-        let (low, high) = (convert::point3(aabb.mins), convert::point3(aabb.maxs));
-        std::array::from_fn(|i| {
-            let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
-            self.at * Point3::new(pick(0), pick(1), pick(2))
-        })
+    /// Least and greatest corner, in the asset's frame.
+    pub(crate) fn extent(&self) -> (Point3<f32>, Point3<f32>) {
+        let aabb = self.shape.compute_aabb(&convert::pose(&self.at));
+        (convert::point3(aabb.mins), convert::point3(aabb.maxs))
     }
 }
 
@@ -120,14 +116,14 @@ pub(crate) fn pieces(shape: &Shape, up: &Vector3<f32>) -> Vec<Piece> {
         Shape::Capsule { radius, half_height } => vec![Piece::new(SharedShape::capsule_z(*half_height, *radius))],
         Shape::Sphere { radius } => vec![Piece::new(SharedShape::ball(*radius))],
         Shape::Hull { points } | Shape::Mesh { vertices: points, .. } => {
-            Piece::hull(&footed(points, up)).into_iter().collect()
+            Piece::hull(&footed(points, up), up).into_iter().collect()
         }
         Shape::Lathe { profile } => turned(profile),
         Shape::Extrusion { outline, height } => drawn_up(outline, *height),
         // A shape of a later version is as good as the box around it.
         other => {
             let (low, high) = other.extent();
-            Piece::hull(&[low, high]).into_iter().collect()
+            Piece::hull(&[low, high], up).into_iter().collect()
         }
     }
 }
@@ -138,8 +134,19 @@ fn cylinder(radius: f32, half_height: f32) -> Piece {
 
 fn drawn_up(outline: &[(f32, f32)], height: f32) -> Vec<Piece> {
     let at = |slab: &Slab, z: f32| slab.corners().map(|(x, y)| Point3::new(x, y, z));
-    let prism = |slab: &Slab| Piece::hexahedron(at(slab, height), at(slab, 0.0));
+    let prism = |slab: &Slab| {
+        let straight = slab.low == slab.high && height.abs() > 2.0 * LEAST;
+        if straight { Some(block(slab, height)) } else { Piece::hexahedron(at(slab, height), at(slab, 0.0)) }
+    };
     slabs(&simplified(outline, TOLERANCE)).iter().filter_map(prism).collect()
+}
+
+/// A slab with right angles, drawn up.
+fn block(slab: &Slab, height: f32) -> Piece {
+    let ((left, right), (bottom, top)) = (slab.low, (slab.bottom, slab.top));
+    let half = Vector3::new(right - left, top - bottom, height) / 2.0;
+    let centre = Pose::translation(f32::midpoint(left, right), f32::midpoint(bottom, top), height / 2.0);
+    Piece { shape: cuboid(half.abs()), at: centre }
 }
 
 /// A profile of (radius, height) turned around Z.
@@ -161,11 +168,22 @@ fn turned(profile: &[(f32, f32)]) -> Vec<Piece> {
     slabs.iter().flat_map(ring).collect()
 }
 
-/// A slab of a profile turned around Z: full where it reaches the axis.
+/// A slab of a profile turned around Z: full where it reaches the axis, else a wedge, turned
+/// around it.
 fn ring(slab: &Slab) -> Vec<Piece> {
     let (inner, outer) = ((slab.low.0, slab.high.0), (slab.low.1, slab.high.1));
     if inner.0 > 0.0 || inner.1 > 0.0 {
-        return (0..WEDGES).filter_map(|i| wedge(slab, i, i + 1)).collect();
+        let turned = |first: Piece| {
+            (0..WEDGES).map(move |i| {
+                let (cos, sin) = direction(i);
+                let turn = nalgebra::Rotation3::from_matrix_unchecked(nalgebra::Matrix3::new(
+                    cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0,
+                ));
+                let turn = nalgebra::UnitQuaternion::from_rotation_matrix(&turn);
+                Piece { shape: first.shape.clone(), at: Pose::from_parts(Vector3::zeros().into(), turn) * first.at }
+            })
+        };
+        return wedge(slab, 0, 1).into_iter().flat_map(turned).collect();
     }
     if (outer.0 - outer.1).abs() < TOLERANCE {
         return vec![disc(outer.0.max(outer.1), slab.bottom, slab.top)];
@@ -198,7 +216,7 @@ fn wedge(slab: &Slab, from: usize, to: usize) -> Option<Piece> {
         return Piece::hexahedron(section(from), section(to));
     }
     let points: Vec<_> = (from..=to).flat_map(section).collect();
-    Piece::hull(&points)
+    Piece::hull(&points, &Vector3::z())
 }
 
 /// The unit vectors of the corners of a regular polygon, the same on every machine.

@@ -4,6 +4,10 @@
 //! Costs about `n log n` for `n` points. What is no farther out than a millionth of the
 //! coordinates' size, to which they were rounded, counts as within: points of one face stay in
 //! one face.
+//!
+//! What is farthest out comes next, so the hull of the first few corners is about as near as
+//! one of so many can be. A rough hull is that, from some points on that it has to have: what is
+//! within its tolerance, or comes after its last corner, is left out.
 
 use nalgebra::{Point3, Vector3};
 
@@ -31,66 +35,110 @@ struct Hull {
     faces: Vec<Face>,
     /// The next of the points that are the same face's.
     next: Vec<u32>,
+    /// Faces that have had points outside.
+    open: Vec<u32>,
     slack: f64,
+    /// How far out of all faces a point has to be to be taken in.
+    reach: f64,
+}
+
+/// How rough a hull may be.
+pub(super) struct Rough<'a> {
+    /// The points that are taken in first.
+    pub(super) first: &'a [u32],
+    /// How far points may be outside, metres.
+    pub(super) by: f32,
+    /// From how many corners on they may be farther outside.
+    pub(super) corners: usize,
 }
 
 /// The triangles of the hull, counter-clockwise seen from outside; `None` where the points have
 /// no volume, or rounding left no closed surface.
 pub(super) fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
-    let points: Vec<V> = points.iter().map(|p| p.coords.cast()).collect();
-    let largest = points.iter().fold(0.0, |most: f64, p| most.max(p.amax()));
-    let next = vec![NONE; points.len()];
-    let mut hull = Hull { points, faces: Vec::new(), next, slack: ROUNDING * largest };
-    hull.begin()?;
-    let mut open = 0;
-    while open < hull.faces.len() {
-        if hull.faces[open].alive && hull.faces[open].first != NONE {
-            hull.grow(open as u32)?;
-        }
-        open += 1;
+    let mut hull = Hull::new(points);
+    let all: Vec<u32> = (0..points.len() as u32).collect();
+    hull.begin(&all)?;
+    hull.grow_to(usize::MAX)?;
+    Some(hull.triangles())
+}
+
+/// As [`triangles`], of a hull that is about that of the points.
+pub(super) fn rough(points: &[Point3<f32>], rough: &Rough<'_>) -> Option<Vec<[u32; 3]>> {
+    let mut hull = Hull::new(points);
+    hull.begin(rough.first)?;
+    let corners = hull.grow_to(usize::MAX)?;
+    hull.reach = hull.reach.max(f64::from(rough.by));
+    if corners < rough.corners {
+        (0..points.len() as u32).for_each(|point| hull.give(point, 0));
+        hull.grow_to(rough.corners - corners)?;
     }
-    Some(hull.faces.iter().filter(|f| f.alive).map(|f| f.corners).collect())
+    Some(hull.triangles())
 }
 
 impl Hull {
+    fn new(points: &[Point3<f32>]) -> Self {
+        let points: Vec<V> = points.iter().map(|p| p.coords.cast()).collect();
+        let slack = ROUNDING * points.iter().fold(0.0, |most: f64, p| most.max(p.amax()));
+        let next = vec![NONE; points.len()];
+        Self { points, faces: Vec::new(), next, open: Vec::new(), slack, reach: slack }
+    }
+
+    fn triangles(&self) -> Vec<[u32; 3]> {
+        self.faces.iter().filter(|f| f.alive).map(|f| f.corners).collect()
+    }
+
+    /// Takes in the points that are farthest outside, so many at most; gives how many corners
+    /// there are then.
+    fn grow_to(&mut self, most: usize) -> Option<usize> {
+        let mut left = most;
+        while left > 0
+            && let Some(face) = self.farthest()
+        {
+            self.grow(face)?;
+            left -= 1;
+        }
+        // Euler's formula, of a closed surface of triangles.
+        Some(self.faces.iter().filter(|f| f.alive).count() / 2 + 2)
+    }
+
+    /// The face that a point is farthest outside of.
+    fn farthest(&mut self) -> Option<u32> {
+        self.open.retain(|&f| self.faces[f as usize].alive);
+        let far = self.open.iter().map(|&f| (f, self.faces[f as usize].farthest.1));
+        far.reduce(|best, other| if other.1 > best.1 { other } else { best }).map(|(f, _)| f)
+    }
+
     /// The tetrahedron of points that lie far apart, and to whom the others belong.
-    fn begin(&mut self) -> Option<()> {
-        let [a, b] = self.ends()?;
-        let c = self.outermost(|p, all| (p - all[a]).cross(&(all[b] - all[a])).norm_squared());
-        let up = (self.points[b] - self.points[a]).cross(&(self.points[c] - self.points[a])).try_normalize(0.0)?;
-        let d = self.outermost(|p, all| (p - all[a]).dot(&up).abs());
-        let height = (self.points[d] - self.points[a]).dot(&up);
+    fn begin(&mut self, among: &[u32]) -> Option<()> {
+        let at = |i: u32| self.points[i as usize];
+        let [a, b] = self.ends(among)?;
+        let c = self.outermost(among, |p| (p - at(a)).cross(&(at(b) - at(a))).norm_squared())?;
+        let up = (at(b) - at(a)).cross(&(at(c) - at(a))).try_normalize(0.0)?;
+        let d = self.outermost(among, |p| (p - at(a)).dot(&up).abs())?;
+        let height = (at(d) - at(a)).dot(&up);
         if height.abs() <= 8.0 * self.slack {
             return None;
         }
-        let [a, b, c, d] = [a, b, c, d].map(|i| i as u32);
         let (b, c) = if height > 0.0 { (c, b) } else { (b, c) };
         for (corners, beyond) in
             [([a, b, c], [1, 2, 3]), ([b, a, d], [0, 3, 2]), ([c, b, d], [0, 1, 3]), ([a, c, d], [0, 2, 1])]
         {
             self.push(corners, beyond)?;
         }
-        for point in 0..self.points.len() as u32 {
-            if ![a, b, c, d].contains(&point) {
-                self.give(point, 0);
-            }
-        }
+        among.iter().for_each(|&point| self.give(point, 0));
         Some(())
     }
 
     /// The two points farthest apart along the widest axis.
-    fn ends(&self) -> Option<[usize; 2]> {
-        let all = 0..self.points.len();
-        let least = |axis: usize| all.clone().min_by(|&i, &j| self.points[i][axis].total_cmp(&self.points[j][axis]));
-        let most = |axis: usize| all.clone().max_by(|&i, &j| self.points[i][axis].total_cmp(&self.points[j][axis]));
-        let spans = (0..3).filter_map(|axis| Some([least(axis)?, most(axis)?]));
-        let span = |ends: &[usize; 2]| (self.points[ends[1]] - self.points[ends[0]]).norm_squared();
-        spans.max_by(|a, b| span(a).total_cmp(&span(b)))
+    fn ends(&self, among: &[u32]) -> Option<[u32; 2]> {
+        let ends = |axis: usize| Some([self.outermost(among, |p| -p[axis])?, self.outermost(among, |p| p[axis])?]);
+        let span = |[a, b]: &[u32; 2]| (self.points[*b as usize] - self.points[*a as usize]).norm_squared();
+        (0..3).filter_map(ends).max_by(|a, b| span(a).total_cmp(&span(b)))
     }
 
-    fn outermost(&self, far: impl Fn(&V, &[V]) -> f64) -> usize {
-        let far = |i: &usize| far(&self.points[*i], &self.points);
-        (0..self.points.len()).max_by(|i, j| far(i).total_cmp(&far(j))).unwrap_or(0)
+    fn outermost(&self, among: &[u32], far: impl Fn(&V) -> f64) -> Option<u32> {
+        let all = among.iter().map(|&i| (i, far(&self.points[i as usize])));
+        all.reduce(|best, other| if other.1 > best.1 { other } else { best }).map(|(i, _)| i)
     }
 
     fn push(&mut self, corners: [u32; 3], beyond: [u32; 3]) -> Option<()> {
@@ -108,11 +156,22 @@ impl Hull {
 
     /// Gives a point to the face, of those from a number on, that it is farthest outside of.
     fn give(&mut self, point: u32, from: usize) {
-        let all = (from as u32..self.faces.len() as u32).map(|f| (f, self.outside(f, point)));
-        let Some((face, far)) = all.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, far)| *far > self.slack) else {
+        let at = self.points[point as usize];
+        let mut best = (NONE, self.reach);
+        for (number, face) in (from as u32..).zip(&self.faces[from..]).filter(|(_, f)| f.alive) {
+            let far = face.normal.dot(&at) - face.level;
+            if far > best.1 {
+                best = (number, far);
+            }
+        }
+        let (number, far) = best;
+        if number == NONE {
             return;
-        };
-        let face = &mut self.faces[face as usize];
+        }
+        let face = &mut self.faces[number as usize];
+        if face.first == NONE {
+            self.open.push(number);
+        }
         self.next[point as usize] = std::mem::replace(&mut face.first, point);
         if far > face.farthest.1 {
             face.farthest = (point, far);
@@ -214,14 +273,38 @@ mod tests {
         assert!((volume - 0.064).abs() < 1e-6 && outside < 1e-6, "{volume} {outside}");
     }
 
-    #[test]
-    fn nothing_is_outside_of_round_things() {
+    /// Points all over a ball that is not at the origin.
+    fn round() -> Vec<Point3<f32>> {
         let point = |i: u32| {
             let (turn, rise) = (i as f32 * 2.4, (i as f32 + 0.5) / 150.0 - 1.0);
             let ring = (1.0 - rise * rise).max(0.0).sqrt();
             Point3::new(ring * turn.cosine(), ring * turn.sine(), rise) * 0.2 + nalgebra::Vector3::new(3.0, -2.0, 1.0)
         };
-        let points: Vec<_> = (0..300).map(point).collect();
+        (0..300).map(point).collect()
+    }
+
+    #[test]
+    fn a_rough_hull_is_as_true_as_asked_for() {
+        let points = round();
+        let corners = |triangles: &[[u32; 3]]| triangles.len() / 2 + 2;
+        let first = [0, 40, 90, 140, 200, 299];
+        let mut fewest = points.len();
+        for by in [0.004, 0.008, 0.016] {
+            let triangles = rough(&points, &Rough { first: &first, by, corners: usize::MAX }).unwrap();
+            let (_, outside) = judged(&points, &triangles);
+            assert!(outside <= f64::from(by) + 1e-6 && outside > 0.0, "{by}: {outside}");
+            assert!(first.iter().all(|i| triangles.as_flattened().contains(i)));
+            assert!(corners(&triangles) < fewest, "{by}");
+            fewest = corners(&triangles);
+        }
+        let triangles = rough(&points, &Rough { first: &first, by: 0.0, corners: 40 }).unwrap();
+        let (volume, outside) = judged(&points, &triangles);
+        assert!(corners(&triangles) == 40 && volume > 0.025 && outside < 0.03, "{volume} {outside}");
+    }
+
+    #[test]
+    fn nothing_is_outside_of_round_things() {
+        let points = round();
         let triangles = triangles(&points).unwrap();
         let (volume, outside) = judged(&points, &triangles);
         let ball = 4.0 / 3.0 * std::f64::consts::PI * 0.008;

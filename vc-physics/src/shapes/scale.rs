@@ -68,7 +68,7 @@ pub(crate) fn surface(surface: &Surface, by: &Vector3<f32>) -> Surface {
 /// A piece stretched along the asset's axes: the hull of its stretched corners.
 pub(crate) fn stretched(piece: &Piece, by: &Vector3<f32>) -> Option<Piece> {
     let points: Vec<Point3<f32>> = corners(piece).iter().map(|p| p.coords.component_mul(by).into()).collect();
-    Piece::hull(&points)
+    Piece::hull(&points, &Vector3::z())
 }
 
 /// Corners of a piece in the asset's frame; of round pieces, of a polyhedron within.
