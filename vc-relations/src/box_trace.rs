@@ -59,14 +59,14 @@ impl Trace {
 
 /// What a trace hit first, and how far it went, metres.
 pub(crate) fn trace(world: &World, index: usize, trace: Trace) -> Option<(usize, f32)> {
-    let body = world.bodies[index].as_ref()?;
+    let body = world.bodies[index].as_deref()?;
     let (along, limit) = trace.way(body);
     let start = Region { low: body.whole.low, high: body.whole.high };
     let end = Region { low: start.low + along * limit, high: start.high + along * limit };
     let region = start.joined(&end);
     let mut best: Option<(f32, usize)> = None;
     world.tree.each(&region, |other| {
-        let Some(target) = world.bodies[other].as_ref().filter(|_| other != index) else { return };
+        let Some(target) = world.bodies[other].as_deref().filter(|_| other != index) else { return };
         let farthest = best.map_or(limit, |b| b.0);
         if let Some(way) = nearest(&body.whole, target, &along, farthest, &region)
             && best.is_none_or(|b| (way, other) < b)
@@ -87,7 +87,7 @@ fn nearest(whole: &Solid, target: &Body, along: &Vector3<f32>, limit: f32, regio
 pub(crate) fn edges(world: &World) -> Vec<Edge> {
     let mut edges = Vec::new();
     for index in 0..world.ids.len() {
-        let Some(body) = world.bodies[index].as_ref().filter(|b| !b.traits.structure) else { continue };
+        let Some(body) = world.bodies[index].as_deref().filter(|b| !b.traits.structure) else { continue };
         let id = |hit: Option<(usize, f32)>| hit.map(|(other, _)| world.ids[other]);
         let [up, down] = [Trace::Up, Trace::Down].map(|t| id(trace(world, index, t)));
         let mut add = |relation, to: NodeId| edges.push(Edge::new(body.id, relation, to));

@@ -8,6 +8,9 @@ use crate::hollow;
 use crate::solid::Round;
 use crate::threshold::{AXIS_HOLE, COLUMNS, FULL_MESH, SLICES, STAVES, THIN_SLICE};
 
+/// How far beside a triangle, in columns, it is still asked what is over it.
+const BESIDE: f32 = 0.01;
+
 type Put<'a> = &'a mut dyn FnMut(Vector3<f32>, Matrix3<f32>, Vector3<f32>, Round);
 
 /// A turned profile: discs where it is full, rings of staves where it is hollow.
@@ -121,11 +124,11 @@ fn crossings_of_columns(
 ) -> Vec<Vec<f32>> {
     let mut heights = vec![Vec::new(); COLUMNS * COLUMNS];
     for triangle in corners {
-        // One more on each side: rounding.
+        // The middles between its ends, and a little more: rounding.
         let range = |axis: usize| {
             let [a, b, c] = triangle.map(|p| (p[axis] - low[axis]) / step[axis].max(f32::MIN_POSITIVE));
-            let first = (a.min(b).min(c) - 1.5).max(0.0) as usize;
-            first..((a.max(b).max(c) + 1.5) as usize).min(COLUMNS)
+            let first = (a.min(b).min(c) + (0.5 - BESIDE)).max(0.0) as usize;
+            first..((a.max(b).max(c) + (0.5 + BESIDE)) as usize).min(COLUMNS)
         };
         for row in range(1) {
             for column in range(0) {

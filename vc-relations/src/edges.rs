@@ -77,7 +77,7 @@ impl<'w> Reader<'w> {
             return None;
         }
         let world = self.world();
-        let other = |p: &Pair| world.bodies[p.other as usize].as_ref();
+        let other = |p: &Pair| world.bodies[p.other as usize].as_deref();
         let on = |p: &&Pair| p.rest.is_finite() || p.seated;
         let candidates = world.pairs[index].iter().filter(on);
         let nearest = |p: &&Pair, q: &&Pair| p.rest.abs().total_cmp(&q.rest.abs()).then(p.other.cmp(&q.other));
@@ -99,7 +99,7 @@ impl<'w> Reader<'w> {
         let first = above.filter(is_free).min_by(|a, b| a.over.total_cmp(&b.over).then(a.other.cmp(&b.other)))?;
         let other = first.other as usize;
         let shades = first.inside
-            || world.bodies[other].as_ref().is_none_or(|b| b.traits.fixed)
+            || world.bodies[other].as_deref().is_none_or(|b| b.traits.fixed)
             || self.supports.candidates(index).iter().any(|c| c.index == other);
         (!shades).then_some(other)
     }
@@ -132,7 +132,7 @@ impl<'w> Reader<'w> {
         let world = self.world();
         let mut faced = Vec::new();
         world.targets.each(&body.region.grown(FACING_REACH, FACING_REACH), |other| {
-            let Some(target) = world.bodies[other].as_ref() else { return };
+            let Some(target) = world.bodies[other].as_deref() else { return };
             if other != index && sight::verdict(body, target, &world.walls) == Verdict::Counts {
                 faced.push(world.ids[other]);
             }

@@ -24,7 +24,7 @@ impl Relations {
     /// another; [`Rule::BoxTrace`] has its six traces instead.
     pub fn explain(&self, from: NodeId, to: NodeId) -> Option<Explanation> {
         let (i, j) = (self.world.index(from)?, self.world.index(to)?);
-        let (a, b) = (self.world.bodies[i].as_ref()?, self.world.bodies[j].as_ref());
+        let (a, b) = (self.world.bodies[i].as_deref()?, self.world.bodies[j].as_deref());
         let mut why = self.alone(i, a, to);
         match b {
             Some(b) => self.beside((i, a), (j, b), &mut why),
@@ -121,7 +121,7 @@ impl Relations {
     fn up(&self, index: usize, body: &Body) -> Vec<Hit> {
         let reader = Reader::new(&self.world, &self.facts);
         let under = reader.over(index);
-        let met = |other: usize| Some((pair::over(body, self.world.bodies[other].as_ref()?)?, other));
+        let met = |other: usize| Some((pair::over(body, self.world.bodies[other].as_deref()?)?, other));
         let mut above: Vec<((f32, usize), usize)> =
             self.world.pairs[index].iter().filter_map(|p| met(p.other as usize)).collect();
         above.sort_by(|a, b| a.0.0.total_cmp(&b.0.0).then(a.1.cmp(&b.1)));
@@ -134,7 +134,7 @@ impl Relations {
                 _ => Verdict::Shaded,
             };
             open &= verdict == Verdict::Carried;
-            let solid = self.world.bodies[other].as_ref()?.solids.get(piece)?;
+            let solid = self.world.bodies[other].as_deref()?.solids.get(piece)?;
             let at = over_both(&middle, &solid.region(), body.whole.centre.z + over);
             let (what, normal) = (self.world.ids[other], -Vector3::z());
             Some(Hit { what, pieces: (None, piece), distance: over, at, normal, verdict })

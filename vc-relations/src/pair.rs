@@ -129,9 +129,14 @@ pub(crate) fn is_within(inner: &Body, outer: &Body) -> bool {
 /// The least gap between parts, up to [`HANG_GAP`]; negative where they overlap.
 fn parts_gap(a: &Body, b: &Body) -> f32 {
     let mut least = f32::INFINITY;
+    let near: Vec<&Solid> = b.solids.iter().filter(|t| t.meets(&a.region, HANG_GAP)).collect();
+    if near.is_empty() {
+        return least;
+    }
     for s in a.solids.iter().filter(|s| s.meets(&b.region, HANG_GAP)) {
-        for t in b.solids.iter().filter(|t| t.meets(&s.region(), HANG_GAP)) {
-            let apart = gap(s, t, HANG_GAP);
+        for t in near.iter().filter(|t| t.meets(&s.region(), HANG_GAP)) {
+            // How much more than the least it is does not matter.
+            let apart = gap(s, t, least.min(HANG_GAP));
             if apart <= HANG_GAP {
                 least = least.min(apart);
             }
@@ -176,9 +181,14 @@ fn is_over_middle(a: &Body, b: &Body) -> bool {
 /// one whose middle is lower.
 pub(crate) fn contacts(a: &Body, b: &Body, limit: f32, mut found: impl FnMut(Contact)) {
     let over = |s: &Solid| s.region().meets_in_plan(&b.region) && s.low.z - b.region.high.z <= limit;
+    let under = |t: &Solid| t.region().meets_in_plan(&a.region) && a.region.low.z - t.high.z <= limit;
+    let lower: Vec<(usize, &Solid)> = b.solids.iter().enumerate().filter(|(_, t)| under(t)).collect();
+    if lower.is_empty() {
+        return;
+    }
     for (p, s) in a.solids.iter().enumerate().filter(|(_, s)| over(s)) {
         let mut core = None;
-        for (q, t) in b.solids.iter().enumerate() {
+        for &(q, t) in &lower {
             let is_below = t.centre.z < s.centre.z && s.low.z - t.high.z <= limit;
             if !is_below || plans_apart(s, t) {
                 continue;

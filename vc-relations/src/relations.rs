@@ -107,17 +107,30 @@ impl Relations {
     /// # Errors
     /// [`InputError`] if a number of the evidence, or of a node that has to be read, cannot be.
     pub fn set_evidence(&mut self, graph: &SceneGraph, evidence: Evidence) -> Result<(), InputError> {
+        self.update_with(graph, &[], evidence).map(drop)
+    }
+
+    /// [`Self::set_evidence`] and [`Self::update`] at once: a door that has turned is read once.
+    /// Returns all whose relations may be different now, by number.
+    ///
+    /// # Errors
+    /// [`InputError`] if a number of the evidence, or of a node that has to be read, cannot be.
+    pub fn update_with(
+        &mut self,
+        graph: &SceneGraph,
+        changed: &[NodeId],
+        evidence: Evidence,
+    ) -> Result<Vec<NodeId>, InputError> {
         check_evidence(&evidence)?;
         let old = std::mem::replace(&mut self.evidence, evidence);
         self.facts = Facts::of(graph, &self.evidence);
-        let changed = |(key, position): (&(NodeId, u32), &f32), other: &Evidence| {
+        let turned = |(key, position): (&(NodeId, u32), &f32), other: &Evidence| {
             (other.positions.get(key) != Some(position)).then_some(key.0)
         };
-        let mut moved: Vec<NodeId> = old.positions.iter().filter_map(|p| changed(p, &self.evidence)).collect();
-        moved.extend(self.evidence.positions.iter().filter_map(|p| changed(p, &old)));
-        moved.sort_unstable();
-        moved.dedup();
-        self.update(graph, &moved).map(drop)
+        let mut changed = changed.to_vec();
+        changed.extend(old.positions.iter().filter_map(|p| turned(p, &self.evidence)));
+        changed.extend(self.evidence.positions.iter().filter_map(|p| turned(p, &old)));
+        self.update(graph, &changed)
     }
 
     /// Reads nodes again that have moved, been added or removed, or changed state or hands,
@@ -149,7 +162,7 @@ impl Relations {
         let mut met = Vec::new();
         for &id in changed {
             let index = self.world.index(id)?;
-            let before = self.world.bodies[index].as_ref().map(|b| b.region);
+            let before = self.world.bodies[index].as_deref().map(|b| b.region);
             met.extend(self.world.update(graph, id, &self.evidence)?);
             met.push(index as u32);
             met.extend(self.watchers(index, before));
@@ -184,7 +197,7 @@ impl Relations {
 
     /// Who may face a body, where it was and is.
     fn watchers(&self, index: usize, before: Option<crate::region::Region>) -> Vec<u32> {
-        let now = self.world.bodies[index].as_ref();
+        let now = self.world.bodies[index].as_deref();
         let mut watchers = Vec::new();
         if now.is_some_and(|b| !b.traits.lookable) {
             return watchers;
@@ -192,7 +205,7 @@ impl Relations {
         let reach = crate::threshold::FACING_REACH;
         for region in now.map(|b| b.region).into_iter().chain(before) {
             self.world.tree.each(&region.grown(reach, reach), |other| {
-                let traits = self.world.bodies[other].as_ref().map(|b| b.traits);
+                let traits = self.world.bodies[other].as_deref().map(|b| b.traits);
                 if traits.is_some_and(|t| t.agent || t.sittable) {
                     watchers.push(other as u32);
                 }

@@ -148,7 +148,7 @@ impl<'w> Supports<'w> {
     }
 
     fn candidate(&self, index: usize, other: usize, support: Support) -> Candidate {
-        let base = |i: usize| self.world.bodies[i].as_ref().map_or(f32::NEG_INFINITY, Body::base);
+        let base = |i: usize| self.world.bodies[i].as_deref().map_or(f32::NEG_INFINITY, Body::base);
         Candidate { support, index: other, soft: base(other) >= base(index) }
     }
 
@@ -190,7 +190,7 @@ impl<'w> Supports<'w> {
     /// What rests on nothing hangs: on a hook, else in its container, else on the wall or
     /// ceiling, else on the nearest thing it touches that stands or hangs itself.
     fn hung(&self, index: usize, out: &mut Vec<Candidate>) {
-        if self.world.bodies[index].as_ref().is_none_or(|b| b.traits.agent) {
+        if self.world.bodies[index].as_deref().is_none_or(|b| b.traits.agent) {
             return;
         }
         let ranked = self.world.pairs[index].iter().filter_map(|p| Some((self.rank(index, p)?, p)));
@@ -220,14 +220,14 @@ impl<'w> Supports<'w> {
     }
 
     fn is_building(&self, pair: &Pair) -> bool {
-        let other = self.world.bodies[pair.other as usize].as_ref();
+        let other = self.world.bodies[pair.other as usize].as_deref();
         pair.gap <= HANG_GAP && other.is_some_and(|b| b.traits.structure)
     }
 
     /// Whether a body is held by something other than what merely touches it.
     fn is_firm(&self, index: usize) -> bool {
         let id = self.world.ids[index];
-        self.world.bodies[index].as_ref().is_some_and(|b| b.traits.fixed)
+        self.world.bodies[index].as_deref().is_some_and(|b| b.traits.fixed)
             || self.facts.attached.contains_key(&id)
             || self.facts.pushed.contains_key(&id)
             || self.world.pairs[index].iter().any(|p| p.rest.is_finite() || p.hooked || self.is_building(p))

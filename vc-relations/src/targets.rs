@@ -1,5 +1,7 @@
 //! What can be looked at.
 
+use std::sync::Arc;
+
 use crate::body::Body;
 use crate::region::Region;
 use crate::tree::Tree;
@@ -13,14 +15,14 @@ pub(crate) struct Targets {
 }
 
 impl Targets {
-    pub(crate) fn new(bodies: &[Option<Body>]) -> Self {
+    pub(crate) fn new(bodies: &[Option<Arc<Body>>]) -> Self {
         let (items, regions): (Vec<u32>, Vec<Region>) =
             (0..).zip(bodies).filter_map(|(item, body)| Some((item, region(body)?))).unzip();
         Self { items, tree: Tree::new(&regions) }
     }
 
     /// A body has moved, come or gone. `None` if it was no target before and is one now.
-    pub(crate) fn set(&mut self, item: usize, body: &Option<Body>) -> Option<()> {
+    pub(crate) fn set(&mut self, item: usize, body: &Option<Arc<Body>>) -> Option<()> {
         match (self.items.binary_search(&(item as u32)), region(body)) {
             (Ok(place), now) => self.tree.set(place, now.unwrap_or(Region::EMPTY)),
             (Err(_), Some(_)) => return None,
@@ -36,6 +38,6 @@ impl Targets {
 }
 
 /// Where a body is, if it can be looked at.
-fn region(body: &Option<Body>) -> Option<Region> {
+fn region(body: &Option<Arc<Body>>) -> Option<Region> {
     body.as_ref().filter(|b| b.traits.lookable).map(|b| b.region)
 }

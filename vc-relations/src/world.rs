@@ -24,8 +24,8 @@ pub(crate) struct World {
     pub(crate) ids: Vec<NodeId>,
     /// Nodes that have been removed since all was built; they keep their number.
     gone: BTreeSet<NodeId>,
-    /// `None` for nodes without geometry, and for rooms.
-    pub(crate) bodies: Vec<Option<Body>>,
+    /// `None` for nodes without geometry, and for rooms; shared by copies that have not moved.
+    pub(crate) bodies: Vec<Option<Arc<Body>>>,
     pub(crate) pairs: Vec<Vec<Pair>>,
     pub(crate) rooms: Rooms,
     pub(crate) tree: Tree,
@@ -86,7 +86,7 @@ impl World {
             let body = self.body(node, evidence);
             self.bodies.push(body);
         }
-        self.walls = Walls::new(self.bodies.iter().flatten());
+        self.walls = Walls::new(self.bodies.iter().flatten().map(Arc::as_ref));
         self.tree = Tree::new(&self.bodies.iter().map(region).collect::<Vec<_>>());
         self.targets = Targets::new(&self.bodies);
         self.measure_all();
@@ -105,7 +105,7 @@ impl World {
         Rooms::new(graph, |id| bodies.get(&id).cloned())
     }
 
-    fn body(&mut self, node: &Node, evidence: &Evidence) -> Option<Body> {
+    fn body(&mut self, node: &Node, evidence: &Evidence) -> Option<Arc<Body>> {
         if node.kind() == Kind::Room {
             return None;
         }
@@ -114,7 +114,7 @@ impl World {
         let positions = (0..form.joints.len() as u32).map(|link| position(link).unwrap_or(0.0)).collect();
         let mut body = Body::new(node, form, positions)?;
         body.room = self.rooms.of(&body);
-        Some(body)
+        Some(Arc::new(body))
     }
 
     /// The number of the body of a node that is there.
@@ -130,9 +130,9 @@ impl World {
         let meetings = Meetings::new(&zones);
         let mut walls = Among::new(&self.walls);
         for (i, a) in self.bodies.iter().enumerate() {
-            let Some(a) = a else { continue };
+            let Some(a) = a.as_deref() else { continue };
             let others =
-                || meetings.of(i).iter().filter_map(|&j| Some((j as usize, self.bodies[j as usize].as_ref()?)));
+                || meetings.of(i).iter().filter_map(|&j| Some((j as usize, self.bodies[j as usize].as_deref()?)));
             walls.gather(a, others().map(|(_, b)| b));
             // In this order every list comes out sorted.
             for (j, b) in others() {
@@ -152,7 +152,7 @@ impl World {
         let index = self.index(id)?;
         let node = graph.node(id);
         let body = node.and_then(|n| self.body(n, evidence));
-        let is_building = |b: &Option<Body>| b.as_ref().is_some_and(|b| b.traits.structure);
+        let is_building = |b: &Option<Arc<Body>>| b.as_ref().is_some_and(|b| b.traits.structure);
         let is_room = node.map_or_else(|| self.rooms.has(id), |n| n.kind() == Kind::Room);
         if is_room || is_building(&body) || is_building(&self.bodies[index]) {
             return None;
@@ -176,10 +176,10 @@ impl World {
 
     /// The pairs of one body; the other ends are put into their lists.
     fn measure_one(&mut self, index: usize) -> Vec<Pair> {
-        let Some(a) = &self.bodies[index] else { return Vec::new() };
+        let Some(a) = self.bodies[index].as_deref() else { return Vec::new() };
         let mut met = Vec::new();
         self.tree.each(&zone(&self.bodies[index], 1.0), |j| met.push(j));
-        let others = || met.iter().filter(|&&j| j != index).filter_map(|&j| Some((j, self.bodies[j].as_ref()?)));
+        let others = || met.iter().filter(|&&j| j != index).filter_map(|&j| Some((j, self.bodies[j].as_deref()?)));
         let mut walls = Among::new(&self.walls);
         walls.gather(a, others().map(|(_, b)| b));
         let (mut own, mut theirs) = (Vec::new(), Vec::new());
@@ -225,7 +225,7 @@ impl World {
         let mut next = 0;
         while let Some(&index) = met.get(next) {
             next += 1;
-            if self.bodies[index as usize].as_ref().is_some_and(|b| b.traits.structure) {
+            if self.bodies[index as usize].as_deref().is_some_and(|b| b.traits.structure) {
                 continue;
             }
             let touching = self.pairs[index as usize].iter().filter(|p| p.gap.is_finite() || p.hooked);
@@ -255,11 +255,11 @@ impl World {
     }
 }
 
-fn region(body: &Option<Body>) -> Region {
+fn region(body: &Option<Arc<Body>>) -> Region {
     body.as_ref().map_or(Region::EMPTY, |b| b.region)
 }
 
 /// Where something has to be for a body to have to do with it, or a share of the way there.
-fn zone(body: &Option<Body>, share: f32) -> Region {
+fn zone(body: &Option<Arc<Body>>, share: f32) -> Region {
     region(body).grown(share * (NEAR_REACH + REACH_SLACK), share * (UNDER_REACH + REACH_SLACK))
 }
