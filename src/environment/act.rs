@@ -14,7 +14,7 @@ use super::{ActionError, Disagreement, Environment, Impossible, observe};
 const CALM: u32 = 120;
 /// How often that is tried while something still moves fast.
 const AGAIN: u32 = 4;
-/// Steps between looks for what rests already.
+/// Steps between looks for what rests already; at first there is one after each.
 const DOZE: u32 = 3;
 /// What is slower is held still then, metres a second.
 const SLOW: f32 = 0.05;
@@ -161,7 +161,7 @@ pub(super) fn calm(world: &mut World) {
             world.step();
             left -= 1;
             // What surely rests need not be watched for longer.
-            if left.is_multiple_of(DOZE) {
+            if left.is_multiple_of(DOZE) || left + DOZE > CALM {
                 world.doze();
             }
         }

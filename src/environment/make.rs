@@ -150,19 +150,20 @@ fn standing_places(
     let missing = agents.saturating_sub(graph.agents().len());
     let there: Vec<Point2<f32>> = world.agents().filter_map(|a| Some(at(&world.pose(a)?))).collect();
     let middles: Vec<(NodeId, Point2<f32>)> = graph.rooms().iter().filter_map(|&r| middle(graph, floor, r)).collect();
-    let reached = |from: &Point2<f32>| middles.iter().filter(|(_, to)| floor.route(*from, *to).is_some()).count();
-    let best = middles.iter().map(|(_, p)| (reached(p), *p)).reduce(|a, b| if b.0 > a.0 { b } else { a });
+    let rooms = if missing > 0 { most_joined(floor, middles) } else { Vec::new() };
     let mut taken = there;
     let mut found = Vec::new();
-    if let Some((_, base)) = best.filter(|_| missing > 0) {
+    if let Some(&(_, base)) = rooms.first() {
         let within = |p: &Point2<f32>| floor.route(base, *p).is_some();
-        let rooms: Vec<(NodeId, Point2<f32>)> = middles.iter().copied().filter(|(_, p)| within(p)).collect();
         for ring in 0..32 {
             for (room, middle) in &rooms {
+                if found.len() == missing {
+                    return Ok(found);
+                }
                 let free = |p: &Point2<f32>| taken.iter().all(|t| (t - p).norm() >= APART);
                 let spot =
                     around(middle, ring).find(|p| floor.is_free(*p) && free(p) && is_in(graph, *room, p) && within(p));
-                if let Some(spot) = spot.filter(|_| found.len() < missing) {
+                if let Some(spot) = spot {
                     taken.push(spot);
                     found.push((*room, Pose::translation(spot.x, spot.y, floor.plan().level)));
                 }
@@ -174,6 +175,23 @@ fn standing_places(
         return Err(MakeError::NoRoom { asked: agents, found });
     }
     Ok(found)
+}
+
+/// Of the middles of rooms the most between which one can walk.
+fn most_joined(floor: &Floor, mut middles: Vec<(NodeId, Point2<f32>)>) -> Vec<(NodeId, Point2<f32>)> {
+    let mut most = Vec::new();
+    // Who gets there gets back, so each group is asked of one of its rooms.
+    while let Some(&(_, from)) = middles.first() {
+        let (joined, apart): (Vec<_>, Vec<_>) =
+            middles.into_iter().partition(|(_, to)| floor.route(from, *to).is_some());
+        middles = apart;
+        if joined.len() > most.len() {
+            most = joined;
+        } else if joined.is_empty() {
+            break;
+        }
+    }
+    most
 }
 
 fn at(pose: &Pose) -> Point2<f32> {

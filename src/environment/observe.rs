@@ -47,12 +47,7 @@ pub(super) fn look_again(
     let before = graph.clone();
     let (mut moved, poses) = write_poses(graph, world).map_err(|e| unreadable(&e))?;
     moved.extend_from_slice(changed);
-    let evidence = evidence(world);
-    moved.extend(turned(relations.evidence(), &evidence));
-    moved.sort_unstable();
-    moved.dedup();
-    relations.set_evidence(graph, evidence).map_err(|e| unreadable(&e))?;
-    let met = relations.update(graph, &moved).map_err(|e| unreadable(&e))?;
+    let met = relations.update_with(graph, &moved, evidence(world)).map_err(|e| unreadable(&e))?;
     let edges = relations.write(graph, &met).map_err(|e| unreadable(&e))?;
     let stays = |id: &NodeId| !changed.contains(id) && is_still(&before, graph, *id);
     let kept: Vec<NodeId> = met.iter().copied().filter(stays).collect();
@@ -81,15 +76,4 @@ fn keep_places(before: &SceneGraph, graph: &mut SceneGraph, nodes: &[NodeId]) ->
         }
     }
     Ok(edit.commit())
-}
-
-/// Nodes whose moving parts are elsewhere.
-pub(super) fn turned(before: &Evidence, now: &Evidence) -> Vec<NodeId> {
-    let differs = |a: &Evidence, b: &Evidence| {
-        let changed = a.positions.iter().filter(|(key, position)| b.positions.get(key) != Some(*position));
-        changed.map(|((id, _), _)| *id).collect::<Vec<_>>()
-    };
-    let mut turned = differs(before, now);
-    turned.extend(differs(now, before));
-    turned
 }

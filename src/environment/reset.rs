@@ -120,12 +120,8 @@ impl Environment {
         let differs = |n: &&vc_graph::Node| self.start.graph.node(n.id()) != Some(*n);
         changed.extend(graph.nodes().filter(differs).map(vc_graph::Node::id));
         let evidence = observe::evidence(world);
-        changed.extend(observe::turned(relations.evidence(), &evidence));
-        changed.sort_unstable();
-        changed.dedup();
         let met = if same && !anew {
-            relations.set_evidence(graph, evidence)?;
-            relations.update(graph, &changed)?
+            relations.update_with(graph, &changed, evidence)?
         } else {
             relations.rebuild(graph)?;
             relations.set_evidence(graph, evidence)?;
