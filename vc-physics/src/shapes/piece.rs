@@ -5,7 +5,7 @@
 //! slabs where its outline has corners: a bowl becomes a bottom and a ring of
 //! wedges, a vase too narrow to put anything in is solid.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 use rapier3d::geometry::SharedShape;
 use vc_graph::Pose;
 use vc_graph::asset::Shape;
@@ -86,7 +86,7 @@ fn cuboid(half: Vector3<f32>) -> SharedShape {
 
 /// A shape made for Y turned so that its axis is Z.
 fn upright(shape: SharedShape) -> Piece {
-    let turn = nalgebra::UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f32::consts::FRAC_PI_2);
+    let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f32::consts::FRAC_PI_2);
     Piece { shape, at: Pose::from_parts(Vector3::zeros().into(), turn) }
 }
 
@@ -173,17 +173,8 @@ fn turned(profile: &[(f32, f32)]) -> Vec<Piece> {
 fn ring(slab: &Slab) -> Vec<Piece> {
     let (inner, outer) = ((slab.low.0, slab.high.0), (slab.low.1, slab.high.1));
     if inner.0 > 0.0 || inner.1 > 0.0 {
-        let turned = |first: Piece| {
-            (0..WEDGES).map(move |i| {
-                let (cos, sin) = direction(i);
-                let turn = nalgebra::Rotation3::from_matrix_unchecked(nalgebra::Matrix3::new(
-                    cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0,
-                ));
-                let turn = nalgebra::UnitQuaternion::from_rotation_matrix(&turn);
-                Piece { shape: first.shape.clone(), at: Pose::from_parts(Vector3::zeros().into(), turn) * first.at }
-            })
-        };
-        return wedge(slab, 0, 1).into_iter().flat_map(turned).collect();
+        let all = |first: Piece| (0..WEDGES).map(move |i| Piece { at: turn(i) * first.at, ..first.clone() });
+        return wedge(slab, 0, 1).into_iter().flat_map(all).collect();
     }
     if (outer.0 - outer.1).abs() < TOLERANCE {
         return vec![disc(outer.0.max(outer.1), slab.bottom, slab.top)];
@@ -197,6 +188,14 @@ fn ring(slab: &Slab) -> Vec<Piece> {
     let middle = Slab { bottom: low, top: high, low: (0.0, radius(low)), high: (0.0, radius(high)) };
     let ends = [disc(outer.0, slab.bottom, slab.bottom + foot), disc(outer.1, slab.top - foot, slab.top)];
     ends.into_iter().chain(wedge(&middle, 0, WEDGES - 1)).collect()
+}
+
+/// From a ring's first corner to another.
+fn turn(corner: usize) -> Pose {
+    let (cos, sin) = direction(corner);
+    let turn = Matrix3::new(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
+    let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(turn));
+    Pose::from_parts(Vector3::zeros().into(), turn)
 }
 
 /// A disc between two heights.
