@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use crate::geometry::is_finite;
 use crate::node::{Draft, Kind, Node};
-use crate::{Change, ChangeSet, Edge, Label, NodeId, Place, Pose, Relation, SceneGraph, State, StateSet};
+use crate::{
+    Change, ChangeSet, Edge, Label, NodeId, Place, Pose, Property, PropertySet, Relation, SceneGraph, State, StateSet,
+};
 
 /// Why an edit was refused; the graph is as it was before that call.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -175,6 +177,46 @@ impl<'g> Edit<'g> {
         if let Some(bare) = self.graph.nodes.get(id).cloned() {
             self.make(Change::Remove(bare));
         }
+        Ok(())
+    }
+
+    /// Takes an affordance from a node, whatever its class says of it: for who has found that
+    /// nothing can be put on this one, or that it does not open. Its relations stay.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, Property, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let mut scene = scene.build();
+    /// let mut edit = scene.edit();
+    /// edit.bar(fridge, Property::Openable)?;
+    /// edit.commit();
+    /// let fridge = scene.node(fridge).ok_or("there")?;
+    /// assert!(!fridge.affords(Property::Openable) && fridge.affords(Property::Container));
+    /// assert_eq!(scene.room_of(fridge.id()), Some(kitchen));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`].
+    pub fn bar(&mut self, id: NodeId, property: Property) -> Result<(), EditError> {
+        let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
+        let out = node.out.iter().map(|l| Edge::new(id, l.relation(), l.node()));
+        let inc = node.inc.iter().map(|l| Edge::new(l.node(), l.relation(), id));
+        let mut edges: Vec<Edge> = out.chain(inc).collect();
+        edges.dedup();
+        let mut barred = node.clone();
+        barred.out.retain(|_| false);
+        barred.inc.retain(|_| false);
+        let spec = Arc::make_mut(&mut barred.spec);
+        spec.affordances = spec.affordances.minus(PropertySet::of(&[property]));
+        edges.iter().for_each(|edge| self.make(Change::Unlink(*edge)));
+        if let Some(bare) = self.graph.nodes.get(id).cloned() {
+            self.make(Change::Remove(bare));
+        }
+        self.make(Change::Add(Arc::new(barred)));
+        edges.into_iter().for_each(|edge| self.make(Change::Link(edge)));
         Ok(())
     }
 

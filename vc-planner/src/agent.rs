@@ -8,7 +8,7 @@ mod explore;
 use std::collections::VecDeque;
 
 use vc_graph::goal::Term;
-use vc_graph::{Action, Event, Goal, History, NodeId, Observation, Place, SceneGraph};
+use vc_graph::{Action, Event, Goal, History, NodeId, Observation, Place, Property, SceneGraph, Verb};
 
 use crate::demand::Choice;
 use crate::manners::Manners;
@@ -230,6 +230,23 @@ impl Agent {
     /// Takes note that an action was refused: what it planned does not hold.
     pub fn refused(&mut self, _: &Action) {
         self.forget_plans();
+    }
+
+    /// Expects of a thing no more what bodies could not do with it: another is taken, another
+    /// place is found. Whether there was something to expect.
+    pub fn bar(&mut self, action: &Action) -> bool {
+        let (property, id) = match (action.verb, action.object, action.target) {
+            (Verb::Grab, Some(id), _) => (Property::Graspable, id),
+            (Verb::Open | Verb::Close, Some(id), _) => (Property::Openable, id),
+            (Verb::SwitchOn | Verb::SwitchOff, Some(id), _) => (Property::Switchable, id),
+            (Verb::Sit, Some(id), _) => (Property::Sittable, id),
+            (Verb::Lie, Some(id), _) => (Property::Lieable, id),
+            (Verb::Place, _, Some(at)) => (Property::Surface, at),
+            (Verb::PutIn, _, Some(into)) => (Property::Container, into),
+            _ => return false,
+        };
+        self.forget_plans();
+        self.belief.bar(id, property)
     }
 
     fn forget_plans(&mut self) {

@@ -105,13 +105,15 @@ const REFUSALS: usize = 8;
 struct Planning {
     agent: Option<Agent>,
     refusals: usize,
+    /// What was refused last.
+    failed: Option<Action>,
 }
 
 impl Planning {
-    const NEW: Self = Self { agent: None, refusals: 0 };
+    const NEW: Self = Self { agent: None, refusals: 0, failed: None };
 
     fn begin(&mut self, agent: Agent) {
-        *self = Self { agent: Some(agent), refusals: 0 };
+        *self = Self { agent: Some(agent), refusals: 0, failed: None };
     }
 
     fn see(&mut self, seen: &Observation) -> Learned {
@@ -123,17 +125,23 @@ impl Planning {
     }
 
     fn did(&mut self, action: &Action) {
-        self.refusals = 0;
+        (self.refusals, self.failed) = (0, None);
         if let Some(agent) = &mut self.agent {
             agent.did(action);
         }
     }
 
-    fn refused(&mut self, action: &Action) -> Reaction {
+    /// What the world cannot do a second time, the agent does not expect of it any more.
+    fn refused(&mut self, action: &Action, why: &WorldError) -> Reaction {
         self.refusals += 1;
         if let Some(agent) = &mut self.agent {
             agent.refused(action);
+            let lasting = matches!(why, WorldError::Failed(_)) && self.failed == Some(*action);
+            if lasting && agent.bar(action) {
+                self.refusals = 0;
+            }
         }
+        self.failed = Some(*action);
         if self.refusals < REFUSALS { Reaction::GoOn } else { Reaction::Stop }
     }
 }
@@ -152,8 +160,8 @@ macro_rules! plans {
             self.planning.did(action);
         }
 
-        fn refused(&mut self, action: &Action, _: &WorldError) -> Reaction {
-            self.planning.refused(action)
+        fn refused(&mut self, action: &Action, why: &WorldError) -> Reaction {
+            self.planning.refused(action, why)
         }
 
         fn belief(&self) -> Option<&Belief> {

@@ -1,6 +1,8 @@
 //! What an agent sees, hears and does: its sampled state is brought in line with it.
 
-use vc_graph::{Action, Change, ChangeSet, Edge, Kind, Node, NodeId, Observation, Place, Relation, SceneGraph, rule};
+use vc_graph::{
+    Action, Change, ChangeSet, Edge, Kind, Node, NodeId, Observation, Place, Property, Relation, SceneGraph, rule,
+};
 
 use super::{Belief, Learned};
 
@@ -38,6 +40,15 @@ impl Belief {
         // What was told may be newer than what was seen last.
         self.last = None;
         learned
+    }
+
+    /// Takes an affordance from a thing; whether it had it.
+    pub(crate) fn bar(&mut self, id: NodeId, property: Property) -> bool {
+        let affords = self.graph.node(id).is_some_and(|n| n.affords(property));
+        let mut edit = self.graph.edit();
+        let barred = affords && edit.bar(id, property).is_ok();
+        edit.commit();
+        barred
     }
 
     /// Who has not been told what there is takes note of what it sees for the first time.

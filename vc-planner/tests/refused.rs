@@ -1,0 +1,67 @@
+//! What bodies cannot do is done otherwise: another thing is taken, another place is found.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+use vc_graph::{Action, ChangeSet, Draft, History, NodeId, SceneBuilder, SceneGraph, Simulator, State, Verb};
+use vc_planner::{Newcomer, Policy, Resident, Run};
+use vc_tasks::{Outcome, Task, World, WorldError};
+
+/// A world in which some things cannot be done, whatever the transition rule says.
+struct Clumsy {
+    world: Simulator,
+    cannot: Vec<Action>,
+    failures: usize,
+}
+
+impl World for Clumsy {
+    fn graph(&self) -> &SceneGraph {
+        World::graph(&self.world)
+    }
+
+    fn history(&self) -> &History {
+        World::history(&self.world)
+    }
+
+    fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
+        if self.cannot.contains(action) {
+            self.failures += 1;
+            return Err(WorldError::Failed("no room".into()));
+        }
+        World::step(&mut self.world, agent, action)
+    }
+
+    fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError> {
+        World::reset(&mut self.world, graph)
+    }
+}
+
+#[test]
+fn another_thing_is_taken_and_another_place_found() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let counter = scene.add_in(kitchen, Draft::new("kitchen_counter")).unwrap();
+    let near = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+    let far = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+    let mugs = [(); 2].map(|()| scene.add_on(counter, Draft::new("mug")).unwrap());
+    let fridge = scene.add_in(kitchen, Draft::new("fridge")).unwrap();
+    let scene = scene.build();
+    let place = |mug: NodeId, at: NodeId| Action::two(Verb::Place, mug, at);
+    let cannot = vec![Action::one(Verb::Grab, mugs[0]), place(mugs[1], near)];
+    let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
+    for mut policy in policies {
+        let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), failures: 0 };
+        let task = Task::new("lay", "On(mug, kitchen_table)".parse().unwrap());
+        let episode = Run::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+        assert_eq!(episode.outcome, Outcome::Won, "{}: {episode:?}", policy.name());
+        assert!(World::graph(&world).place(mugs[1]).is_some_and(|p| p.at == far), "{}", policy.name());
+        assert!(world.failures <= 4, "{}: {} times what cannot be done", policy.name(), world.failures);
+    }
+    // What nothing else can stand in for is given up.
+    let cannot = vec![Action::one(Verb::Open, fridge)];
+    let mut world = Clumsy { world: Simulator::new(scene), cannot, failures: 0 };
+    let task = Task::new("air", "Open(fridge)".parse().unwrap());
+    let episode = Run::seeded(1).episode(&mut Resident::default(), &task, &mut world, &mut |_| {});
+    assert!(episode.outcome != Outcome::Won && episode.steps <= 8, "{episode:?}");
+    assert!(!World::graph(&world).node(fridge).unwrap().states().contains(State::Open));
+}
