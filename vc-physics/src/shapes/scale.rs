@@ -73,8 +73,15 @@ pub(crate) fn stretched(piece: &Piece, by: &Vector3<f32>) -> Option<Piece> {
 
 /// Corners of a piece in the asset's frame; of round pieces, of a polyhedron within.
 pub(crate) fn corners(piece: &Piece) -> Vec<Point3<f32>> {
-    let (vertices, _) = mesh(piece);
-    vertices
+    match piece.shape.as_typed_shape() {
+        TypedShape::ConvexPolyhedron(s) => s.points().iter().map(|p| piece.at * convert::point3(*p)).collect(),
+        TypedShape::Cuboid(s) => {
+            let half = convert::vector3(s.half_extents);
+            let corner = |i: usize| Vector3::from_fn(|k, _| if i >> k & 1 == 0 { -half[k] } else { half[k] });
+            (0..8).map(|i| piece.at * Point3::from(corner(i))).collect()
+        }
+        _ => mesh(piece).0,
+    }
 }
 
 /// The piece as triangles, in the asset's frame.
