@@ -42,13 +42,26 @@ fn nearest(half: &Vector3<f32>, pose: &Pose, point: &Point3<f32>) -> Point3<f32>
 /// Distance of two boxes by going to and fro between them until nothing changes
 /// (alternating projections, Cheney and Goldstein 1959).
 fn slow_distance(a: &(Vector3<f32>, Pose), b: &(Vector3<f32>, Pose)) -> f32 {
+    slow_bounds(a, b).1
+}
+
+/// Between what the distance of two boxes is: two points of them are no nearer than the boxes, and
+/// no farther than these is the gap between them along the same line. Where boxes nearly touch at a
+/// slant, going to and fro takes long, and the two differ.
+fn slow_bounds(a: &(Vector3<f32>, Pose), b: &(Vector3<f32>, Pose)) -> (f32, f32) {
     let mut at = Point3::from(b.1.translation.vector);
     let mut other = at;
     for _ in 0..1000 {
         other = nearest(&a.0, &a.1, &at);
         at = nearest(&b.0, &b.1, &other);
     }
-    (at - other).norm()
+    let way = at - other;
+    let along = way.try_normalize(1e-9).unwrap_or_else(Vector3::zeros);
+    let reach = |(half, pose): &(Vector3<f32>, Pose), way: Vector3<f32>| {
+        way.dot(&pose.translation.vector) + (pose.rotation.inverse() * way).abs().dot(half)
+    };
+    let gap = -reach(b, -along) - reach(a, along);
+    (gap.max(0.0), way.norm())
 }
 
 /// How far one box falls until it meets another: it falls by their distance again and again,
@@ -74,10 +87,13 @@ proptest! {
         let (one, two) = ((a, p), (b, q));
         let graph = boxes(&[one, two]);
         let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
-        let slow = slow_distance(&one, &two);
+        let (least, most) = slow_bounds(&one, &two);
         match relations.near(NodeId(1)).first() {
-            Some(near) => prop_assert!((near.distance - slow).abs() < 2e-3, "{} against {slow}", near.distance),
-            None => prop_assert!(slow > 0.999),
+            Some(near) => {
+                let within = near.distance > least - 2e-3 && near.distance < most + 2e-3;
+                prop_assert!(within, "{} against {least} to {most}", near.distance);
+            }
+            None => prop_assert!(most > 0.999),
         }
         let back = relations.near(NodeId(2)).first().map(|n| n.distance);
         prop_assert_eq!(back, relations.near(NodeId(1)).first().map(|n| n.distance));
