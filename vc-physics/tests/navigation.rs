@@ -188,6 +188,58 @@ fn ways_are_the_shortest_over_the_cells() {
     }
 }
 
+/// Points of an ellipse, turned; some of them twice.
+fn around(centre: Point2<f32>, half: (f32, f32), corners: usize, angle: f32, twice: bool) -> Outline {
+    let corner = |i: usize| {
+        let (sin, cos) = (i as f32 / corners as f32 * std::f32::consts::TAU).sin_cos();
+        let (x, y) = (half.0 * cos, half.1 * sin);
+        centre + Vector2::new(x * angle.cos() - y * angle.sin(), x * angle.sin() + y * angle.cos())
+    };
+    (0..corners).flat_map(|i| std::iter::repeat_n(corner(i), if twice && i % 2 == 0 { 2 } else { 1 })).collect()
+}
+
+#[test]
+fn cells_are_free_whose_middles_keep_clear() {
+    let ground = rectangle(0.0, 0.0, 4.0, 3.0);
+    let (mut free, mut taken) = (0, 0);
+    for seed in 0..400 {
+        let mut rng = Seed(seed).child("clear").stream();
+        let plan = FloorPlan { radius: rng.between(0.0, 0.5), cell: rng.between(0.02, 0.2), ..FloorPlan::default() };
+        let mut one = || {
+            let centre = Point2::new(rng.between(-0.5, 4.5), rng.between(-0.5, 3.5));
+            let half = (rng.between(0.02, 0.8), rng.between(0.02, 0.8));
+            // Right angles with the axes among them.
+            let angle = if rng.chance(0.4) { 0.0 } else { rng.between(0.0, 3.0) };
+            around(centre, half, rng.count(1, 17), angle, rng.chance(0.2))
+        };
+        let obstacles = [one(), one()];
+        let floor = Floor::of_outlines(std::slice::from_ref(&ground), &obstacles, plan);
+        for (row, column) in (0..15).flat_map(|r| (0..20).map(move |c| (r, c))) {
+            let whole = |i: i32, of: i32, length: f32| (i as f32 / of as f32 * length / plan.cell).floor() + 0.5;
+            let p = Point2::new(whole(column, 20, 4.0), whole(row, 15, 3.0)) * plan.cell;
+            let edge = |o: &Outline| {
+                o.iter().zip(o.iter().cycle().skip(1)).map(|(a, b)| to_segment(p, *a, *b)).fold(f32::MAX, f32::min)
+            };
+            let clear = obstacles.iter().map(edge).fold(f32::MAX, f32::min);
+            let covered = obstacles.iter().any(|o| o.len() > 2 && distance_to(p, o) == 0.0);
+            // Within rounding of the radius or of the floor's edge either will do.
+            if (clear - plan.radius).abs() < 1e-4 || p.x > 3.999 || p.y > 2.999 {
+                continue;
+            }
+            let expected = !covered && clear > plan.radius;
+            assert_eq!(floor.is_free(p), expected, "seed {seed}, {p}: {clear} m from {obstacles:?}, {plan:?}");
+            if expected { free += 1 } else { taken += 1 }
+        }
+    }
+    assert!(free > 10_000 && taken > 10_000, "{free} free, {taken} taken");
+}
+
+fn to_segment(p: Point2<f32>, a: Point2<f32>, b: Point2<f32>) -> f32 {
+    let way = b - a;
+    let t = if way.norm_squared() > 0.0 { ((p - a).dot(&way) / way.norm_squared()).clamp(0.0, 1.0) } else { 0.0 };
+    (p - (a + way * t)).norm()
+}
+
 /// Dijkstra over all corners of cells, with lines of sight sampled finely.
 fn over_cells(floor: &Floor, cell: f32, from: Point2<f32>, to: Point2<f32>) -> Option<f32> {
     let free = |x: f32, y: f32| floor.is_free(Point2::new(x, y));

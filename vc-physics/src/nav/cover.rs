@@ -3,10 +3,10 @@
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{NodeId, Pose};
 
-use super::outline::{Outline, contains, hull};
+use super::outline::{Outline, hull};
 use super::{Doors, FloorPlan};
 use crate::Role;
-use crate::shapes::{Footprint, Link, levels};
+use crate::shapes::{Footprint, Link, levels, rectangle};
 use crate::world::{Thing, World};
 
 /// Up to which motion a door counts as shut, metres.
@@ -46,14 +46,17 @@ impl Cover {
             return cover;
         }
         let base = cover.poses.first().copied().unwrap_or_else(Pose::identity);
+        let outlines = |link: usize, pose: &Pose| {
+            outlines(&thing.form.links[link], pose, |low, high| is_in_the_way(plan, low, high))
+        };
         for (link, pose) in cover.poses.iter().enumerate() {
             let (door, open) = (thing.state.door && link > 0, !near(pose, &base));
             let aside = plan.doors == Doors::Opened && !locked && (door || open);
             if door || aside {
-                cover.gate.extend(outlines(thing, link, if door { &base } else { pose }, plan));
+                cover.gate.extend(outlines(link, if door { &base } else { pose }));
             }
             if !aside {
-                cover.outlines.extend(outlines(thing, link, pose, plan));
+                cover.outlines.extend(outlines(link, pose));
             }
         }
         cover
@@ -95,16 +98,16 @@ fn is_covered(world: &World, thing: &Thing, plan: &FloorPlan) -> bool {
     let base = world.engine.pose(at.state.base).filter(is_upright);
     let (Some(base), Some(around)) = (base, world.aabb(thing.id)) else { return false };
     let local = |p: Point2<f32>| base.inverse_transform_point(&Point3::new(p.x, p.y, 0.0)).xy();
-    let corners: Outline = rectangle(&around.min, &around.max).into_iter().map(local).collect();
+    let corners: Outline = rectangle(&around.min.xy(), &around.max.xy()).into_iter().map(local).collect();
+    let (low, high) = corners.iter().fold((corners[0], corners[0]), |(l, h), p| (l.inf(p), h.sup(p)));
     let level = base.translation.z;
-    let counts = |f: &&Footprint| is_in_the_way(plan, level + f.low, level + f.high);
-    at.form.links[0].footprints().iter().filter(counts).any(|f| contains(&f.outline, &corners))
+    let counts = |f: &&Footprint| is_in_the_way(plan, level + f.levels().0, level + f.levels().1);
+    at.form.links[0].footprints().iter().filter(counts).any(|f| f.covers(&corners, &low, &high))
 }
 
-/// Outlines of the pieces of a link that are between floor and head.
-fn outlines(thing: &Thing, link: usize, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
-    let link = &thing.form.links[link];
-    if is_upright(pose) { standing(link, pose, plan) } else { tilted(link, pose, plan) }
+/// Outlines of the pieces of a link that count, by the heights from where to where they reach.
+fn outlines(link: &Link, pose: &Pose, counts: impl Fn(f32, f32) -> bool) -> Vec<Outline> {
+    if is_upright(pose) { standing(link, pose, counts) } else { tilted(link, pose, counts) }
 }
 
 /// Whether a pose turns around the vertical only.
@@ -112,27 +115,28 @@ fn is_upright(pose: &Pose) -> bool {
     pose.rotation.i.abs() < LEVEL && pose.rotation.j.abs() < LEVEL
 }
 
+/// Whether what reaches from one height to another is between floor and head.
 fn is_in_the_way(plan: &FloorPlan, low: f32, high: f32) -> bool {
     high > plan.level + plan.step && low < plan.level + plan.height
 }
 
 /// Of what stands upright, the footprints that were made beforehand, without those
 /// that others cover.
-fn standing(link: &Link, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
+fn standing(link: &Link, pose: &Pose, counts: impl Fn(f32, f32) -> bool) -> Vec<Outline> {
     let (all, z) = (link.footprints(), pose.translation.z);
-    let counts = |f: &Footprint| is_in_the_way(plan, z + f.low, z + f.high);
+    let counts = |f: &Footprint| counts(z + f.levels().0, z + f.levels().1);
     let front = pose.rotation * Vector3::x();
     let (at, cos, sin) = (pose.translation.vector.xy(), front.x, front.y);
     let placed = |p: &Point2<f32>| Point2::new(cos * p.x - sin * p.y + at.x, sin * p.x + cos * p.y + at.y);
     let seen = all.iter().filter(|f| counts(f) && !f.within.is_some_and(|w| counts(&all[w])));
-    seen.map(|f| f.outline.iter().map(placed).collect()).collect()
+    seen.map(|f| f.outline().iter().map(placed).collect()).collect()
 }
 
-fn tilted(link: &Link, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
+fn tilted(link: &Link, pose: &Pose, counts: impl Fn(f32, f32) -> bool) -> Vec<Outline> {
     let piece = |corners: &Vec<Point3<f32>>| {
         let placed: Vec<Point3<f32>> = corners.iter().map(|p| pose * p).collect();
         let (low, high) = levels(&placed);
-        is_in_the_way(plan, low, high).then(|| hull(placed))
+        counts(low, high).then(|| hull(placed))
     };
     link.hulls().iter().filter_map(piece).collect()
 }
@@ -167,19 +171,10 @@ pub(crate) fn ground(world: &World, plan: &FloorPlan) -> Vec<Outline> {
     let mut found = Vec::new();
     for thing in world.things.iter().filter(|t| t.state.structure && t.state.role == Role::Fixed) {
         let Some(base) = world.engine.pose(thing.state.base) else { continue };
-        for corners in thing.form.links[0].hulls() {
-            let placed: Vec<Point3<f32>> = corners.iter().map(|p| base * p).collect();
-            if tops.contains(&levels(&placed).1) {
-                found.push(hull(placed));
-            }
-        }
+        found.extend(outlines(&thing.form.links[0], &base, |_, top| tops.contains(&top)));
     }
     if found.is_empty() {
-        found = world.rooms.iter().map(|(_, room)| rectangle(&room.min, &room.max)).collect();
+        found = world.rooms.iter().map(|(_, room)| rectangle(&room.min.xy(), &room.max.xy())).collect();
     }
     found
-}
-
-fn rectangle(min: &Point3<f32>, max: &Point3<f32>) -> Outline {
-    vec![min.xy(), Point2::new(max.x, min.y), max.xy(), Point2::new(min.x, max.y)]
 }

@@ -3,7 +3,7 @@
 use nalgebra::Point2;
 
 use super::outline::Outline;
-use super::spans::Spans;
+use super::spans::{Spans, ceil};
 
 /// Most cells a grid has; larger floors get larger cells.
 const MOST: f32 = 4.0e6;
@@ -59,7 +59,7 @@ impl Raster {
 
     /// The first cell whose centre is not before an offset.
     fn index(&self, offset: f32, most: usize) -> usize {
-        ((offset / self.cell - 0.5).ceil().max(0.0) as usize).min(most)
+        ceil(offset / self.cell - 0.5).min(most)
     }
 
     fn set(&mut self, row: usize, from: usize, to: usize, value: bool) {

@@ -1,7 +1,7 @@
 //! Which part of each row of a raster a grown outline covers.
 //!
-//! Every corner's disc and every side, moved outwards by the radius, is followed over
-//! the rows it crosses. What is convex needs no more than its least and greatest x.
+//! Every side, moved outwards by the radius, and every corner's arc between two sides is
+//! followed over the rows it crosses. What is convex needs no more than its least and greatest x.
 
 use std::ops::Range;
 
@@ -18,19 +18,23 @@ pub(crate) struct Spans {
 
 impl Spans {
     /// Follows a convex outline, corners counter-clockwise, grown by a radius, over
-    /// some rows from a first one on. Costs the rows that its sides cross.
+    /// some rows from a first one on. Costs the rows that its sides and arcs cross.
     pub(crate) fn trace(&mut self, outline: &[Point2<f32>], radius: f32, first: f32, pitch: f32, count: usize) {
         (self.first, self.pitch) = (first, pitch);
         self.rows.clear();
         self.rows.resize(count, (f32::INFINITY, f32::NEG_INFINITY));
-        let next = outline.iter().cycle().skip(1);
-        for (a, b) in outline.iter().zip(next) {
-            self.disc(a, radius);
-            let way = b - a;
-            if let Some(unit) = way.try_normalize(0.0) {
-                let out = Vector2::new(unit.y, -unit.x) * radius;
-                self.side(&(a + out), &(b + out));
-            }
+        let ends = outline.iter().zip(outline.iter().cycle().skip(1));
+        let outwards = |(a, b): (&Point2<f32>, &Point2<f32>)| {
+            (b - a).try_normalize(0.0).map(|unit| Vector2::new(unit.y, -unit.x) * radius)
+        };
+        let Some(mut before) = ends.clone().filter_map(outwards).last() else {
+            return outline.iter().for_each(|p| self.disc(p, radius, p.y - radius, p.y + radius));
+        };
+        for (a, b) in ends {
+            let Some(out) = outwards((a, b)) else { continue };
+            self.arc(a, radius, &before, &out);
+            self.side(&(a + out), &(b + out));
+            before = out;
         }
     }
 
@@ -40,8 +44,8 @@ impl Spans {
     }
 
     fn between(&self, low: f32, high: f32) -> Range<usize> {
-        let row = |y: f32| ((y - self.first) / self.pitch).max(0.0);
-        row(low).ceil() as usize..((row(high).floor() as usize) + usize::from(high >= self.first)).min(self.rows.len())
+        let row = |y: f32| (y - self.first) / self.pitch;
+        ceil(row(low))..(row(high).max(0.0) as usize + usize::from(high >= self.first)).min(self.rows.len())
     }
 
     fn middle(&self, row: usize) -> f32 {
@@ -53,8 +57,21 @@ impl Spans {
         *span = (span.0.min(low), span.1.max(high));
     }
 
-    fn disc(&mut self, centre: &Point2<f32>, radius: f32) {
-        for row in self.between(centre.y - radius, centre.y + radius) {
+    /// What a corner grows to between the sides before and after it, which move outwards.
+    fn arc(&mut self, corner: &Point2<f32>, radius: f32, before: &Vector2<f32>, after: &Vector2<f32>) {
+        let (mut low, mut high) = (before.y.min(after.y), before.y.max(after.y));
+        if before.x > 0.0 && after.x < 0.0 {
+            high = radius;
+        }
+        if before.x < 0.0 && after.x > 0.0 {
+            low = -radius;
+        }
+        self.disc(corner, radius, corner.y + low, corner.y + high);
+    }
+
+    /// The part of a disc between two heights.
+    fn disc(&mut self, centre: &Point2<f32>, radius: f32, low: f32, high: f32) {
+        for row in self.between(low, high) {
             let rise = self.middle(row) - centre.y;
             let half = (radius * radius - rise * rise).max(0.0).sqrt();
             self.add(row, centre.x - half, centre.x + half);
@@ -69,4 +86,11 @@ impl Spans {
             self.add(row, x, x);
         }
     }
+}
+
+/// The least whole number that is not below a number; zero for less and for none. A cast is
+/// quicker than the call that rounding is on processors as old as the target allows.
+pub(crate) fn ceil(x: f32) -> usize {
+    let whole = x as usize;
+    whole + usize::from((whole as f32) < x)
 }

@@ -1,48 +1,112 @@
 //! What pieces cover of the floor, made once for all that stand upright.
 
-use nalgebra::{Point2, Point3};
+use std::f32::consts::FRAC_1_SQRT_2;
+use std::sync::OnceLock;
 
+use nalgebra::{Point2, Point3, Vector2, Vector3};
+
+use super::piece::Piece;
+use super::scale;
 use crate::nav::outline::{Outline, contains, hull};
 
 /// What a piece covers of the floor while its asset stands upright.
+///
+/// Its box is made at once, its outline when first asked for: most pieces are too high or too
+/// low to be in anyone's way, or covered by a box.
 pub(crate) struct Footprint {
-    /// In the asset's frame, seen from above.
-    pub(crate) outline: Outline,
-    /// From where to where it reaches along Z, metres.
-    pub(crate) low: f32,
-    pub(crate) high: f32,
+    piece: Piece,
+    /// Its least and greatest corner in the asset's frame, metres.
+    low: Point3<f32>,
+    high: Point3<f32>,
+    outline: OnceLock<Outline>,
     /// Another piece that covers all of it: a table's top its legs.
     pub(crate) within: Option<usize>,
 }
 
 /// By how much an outline's box may reach beyond that of one that covers it, metres: rounding.
 const SLACK: f32 = 1e-3;
+/// Part of its volume by which a box may differ from the box around it and still be that.
+const SAME: f32 = 1e-4;
+/// By how much the height of a unit vector may differ from that of one that is upright or level.
+const LEVEL: f32 = 1e-5;
 
-/// Footprints of pieces, given as their corners. Costs the square of their number.
-pub(super) fn of(pieces: &[Vec<Point3<f32>>]) -> Vec<Footprint> {
-    let footprint = |corners: &Vec<Point3<f32>>| {
-        let (low, high) = levels(corners);
-        Footprint { outline: hull(corners.iter().copied()), low, high, within: None }
-    };
-    let mut all: Vec<Footprint> = pieces.iter().map(footprint).collect();
-    let boxes: Vec<_> = all.iter().map(|f| around(&f.outline)).collect();
-    for i in 0..all.len() {
-        let is_around = |j: usize, i: usize| {
-            let ((low, high), (own_low, own_high)) = (boxes[j], boxes[i]);
-            (0..2).all(|k| low[k] <= own_low[k] + SLACK && high[k] + SLACK >= own_high[k])
-        };
-        // Of two that cover each other the first one counts.
-        let covers = |j: usize, i: usize| is_around(j, i) && contains(&all[j].outline, &all[i].outline);
-        let other = (0..all.len()).find(|&j| j != i && covers(j, i) && (j < i || !covers(i, j)));
-        all[i].within = other;
+impl Footprint {
+    fn of(piece: &Piece) -> Self {
+        let (low, high) = piece.extent();
+        Self { piece: piece.clone(), low, high, outline: OnceLock::new(), within: None }
     }
-    all
+
+    /// From where to where it reaches along Z, metres.
+    pub(crate) fn levels(&self) -> (f32, f32) {
+        (self.low.z, self.high.z)
+    }
+
+    /// In the asset's frame, seen from above.
+    pub(crate) fn outline(&self) -> &Outline {
+        self.outline.get_or_init(|| {
+            if self.is_its_box() {
+                return rectangle(&self.low.xy(), &self.high.xy());
+            }
+            cylinder(&self.piece).unwrap_or_else(|| hull(scale::corners(&self.piece)))
+        })
+    }
+
+    /// Whether it covers all of an outline, given with its least and greatest corner.
+    pub(crate) fn covers(&self, outline: &[Point2<f32>], low: &Point2<f32>, high: &Point2<f32>) -> bool {
+        self.is_around(low, high, SLACK) && contains(self.outline(), outline)
+    }
+
+    fn is_around(&self, low: &Point2<f32>, high: &Point2<f32>, slack: f32) -> bool {
+        (0..2).all(|k| self.low[k] <= low[k] + slack && self.high[k] + slack >= high[k])
+    }
+
+    /// Whether it covers all of another.
+    fn hides(&self, other: &Self) -> bool {
+        let (low, high) = (other.low.xy(), other.high.xy());
+        self.is_around(&low, &high, SLACK)
+            && (self.is_its_box() && self.is_around(&low, &high, 0.0) || contains(self.outline(), other.outline()))
+    }
+
+    /// Whether seen from above it is the rectangle around it.
+    fn is_its_box(&self) -> bool {
+        let volume = |size: Vector3<f32>| size.x * size.y * size.z;
+        let own = self.piece.shape.as_cuboid().map(|c| 8.0 * c.half_extents.x * c.half_extents.y * c.half_extents.z);
+        own.is_some_and(|own| volume(self.high - self.low) <= own * (1.0 + SAME))
+    }
 }
 
-/// Least and greatest corner of an outline.
-fn around(outline: &Outline) -> (Point2<f32>, Point2<f32>) {
-    let start = (Point2::from([f32::INFINITY; 2]), Point2::from([f32::NEG_INFINITY; 2]));
-    outline.iter().fold(start, |(low, high), p| (low.inf(p), high.sup(p)))
+/// The corners of the rectangle between two.
+pub(crate) fn rectangle(low: &Point2<f32>, high: &Point2<f32>) -> Outline {
+    vec![*low, Point2::new(high.x, low.y), *high, Point2::new(low.x, high.y)]
+}
+
+/// A cylinder, whose axis is the engine's Y: sixteen corners where it stands, four where it lies.
+fn cylinder(piece: &Piece) -> Option<Outline> {
+    const ARC: [(f32, f32); 4] =
+        [(1.0, 0.0), (0.923_879_5, 0.382_683_43), (FRAC_1_SQRT_2, FRAC_1_SQRT_2), (0.382_683_43, 0.923_879_5)];
+    let cylinder = piece.shape.as_cylinder()?;
+    let axis = piece.at.rotation * Vector3::y();
+    let (along, across) = (axis.xy() * cylinder.half_height, Vector2::new(-axis.y, axis.x) * cylinder.radius);
+    let turned = |quarter: usize| ARC.map(|(x, y)| [(x, y), (-y, x), (-x, -y), (y, -x)][quarter]);
+    let corners: Vec<Vector2<f32>> = if axis.z.abs() > 1.0 - LEVEL {
+        (0..4).flat_map(turned).map(|(x, y)| Vector2::new(x, y) * cylinder.radius).collect()
+    } else if axis.z.abs() < LEVEL {
+        vec![along + across, -along + across, -along - across, along - across]
+    } else {
+        return None;
+    };
+    Some(corners.into_iter().map(|c| piece.at.translation.vector.xy() + c).map(Point2::from).collect())
+}
+
+/// Footprints of pieces. Costs the square of their number.
+pub(super) fn of(pieces: &[Piece]) -> Vec<Footprint> {
+    let mut all: Vec<Footprint> = pieces.iter().map(Footprint::of).collect();
+    for i in 0..all.len() {
+        // Of two that cover each other the first one counts.
+        let covers = |&j: &usize| j != i && all[j].hides(&all[i]) && (j < i || !all[i].hides(&all[j]));
+        all[i].within = (0..all.len()).find(covers);
+    }
+    all
 }
 
 /// Least and greatest height of points.

@@ -65,7 +65,7 @@ impl Link {
     /// What each of its pieces covers of the floor while the asset stands upright; made
     /// when first asked for.
     pub(crate) fn footprints(&self) -> &[Footprint] {
-        self.footprints.get_or_init(|| footprint::of(self.hulls()))
+        self.footprints.get_or_init(|| footprint::of(&self.pieces))
     }
 
     /// Whether it can roll: it has a round piece, as balls, bottles and bowls have.

@@ -18,7 +18,7 @@ use std::sync::{Arc, Mutex, Weak};
 use vc_graph::{AssetId, AssetLibrary, Node, Property, Relation, SceneGraph};
 
 use crate::role::is_structure;
-pub(crate) use footprint::{Footprint, levels};
+pub(crate) use footprint::{Footprint, levels, rectangle};
 use form::Kind;
 pub(crate) use form::{Form, Link};
 pub(crate) use mass::scaled;
