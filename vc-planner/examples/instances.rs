@@ -76,7 +76,7 @@ fn main() {
             write(format!("extra-{number}-{seed}"), parts.len(), &scene, &parts.join(" & "));
         }
     }
-    for seed in 0..10 {
+    for seed in 0..20 {
         let scene = home(OBJECTS, 200 + seed);
         write(format!("errands-12-{seed}"), 12, &scene, &errands(&scene, 12, seed).join(" & "));
     }
