@@ -436,6 +436,35 @@ fn walking_and_being_there_end_the_same() {
     }
 }
 
+/// Where one is out of the way of a door, however far it is open.
+#[test]
+fn clear_of_a_door_that_swings() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let me = scene.agent(at(3.0, 3.0, 0.0));
+    let door = scene.door_asset();
+    let door = scene.add("door", door, at(0.0, 0.0, 0.0));
+    scene.cube(0.2, at(-0.5, 0.0, 0.2));
+    let mut world = scene.world();
+    let clear = |world: &World, x: f32, y: f32, open: &[f32]| world.stands_clear(me, &at(x, y, 0.0), door, open);
+    // In its way, but neither where it begins nor where it ends.
+    assert_eq!(clear(&world, 0.5, 0.0, &[0.0]), Ok(true));
+    assert_eq!(clear(&world, 0.5, 0.0, &[0.5]), Ok(false));
+    assert_eq!(clear(&world, 0.5, -0.2, &[1.0]), Ok(true));
+    assert_eq!(clear(&world, 0.5, 0.0, &[0.0, 0.5, 1.0]), Ok(false));
+    assert_eq!(clear(&world, 0.4, -1.0, &[0.0, 0.5, 1.0]), Ok(true));
+    // Other things count wherever the door is.
+    assert_eq!(clear(&world, -0.5, 0.0, &[0.0]), Ok(false));
+    // The door counts where it would be, not where it is.
+    world.put_all_open(door, 1.0).unwrap();
+    assert_eq!(world.stands_free(me, &at(0.5, 0.4, 0.0)), Ok(false));
+    assert_eq!(clear(&world, 0.5, 0.4, &[0.0]), Ok(true));
+    assert_eq!(clear(&world, 0.5, 0.4, &[1.0]), Ok(false));
+    let nobody = NodeId(77);
+    assert_eq!(world.stands_clear(nobody, &at(0.5, 0.0, 0.0), door, &[0.0]), Err(AgentError::NoSuchAgent(nobody)));
+    assert!(world.stands_clear(me, &at(0.5, 0.0, 0.0), nobody, &[0.0]).is_err());
+}
+
 #[test]
 fn agents_refuse_nonsense() {
     let mut scene = Scene::default();

@@ -7,7 +7,7 @@ mod common;
 use common::{Scene, at, block, part, plain};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, JointKind};
-use vc_graph::{Asset, State};
+use vc_graph::{Asset, NodeId, State};
 use vc_physics::{PhysicsError, Settings, Shapes, World};
 
 #[test]
@@ -189,6 +189,9 @@ fn a_window_of_two_leaves() {
     assert!(now[0] < 0.01 && now[1] > 0.98, "{now:?}");
     world.put_all_open(window, 0.5).unwrap();
     assert!(open(&world).iter().all(|o| (o - 0.5).abs() < 1e-3), "{:?}", open(&world));
+    let before = world.digest();
+    assert!(world.put_all_open(window, f32::NAN).is_err() && world.put_all_open(NodeId(77), 0.5).is_err());
+    assert_eq!(world.digest(), before);
     world.drive(window, 0, 0.0).unwrap();
     world.drive(window, 1, 0.0).unwrap();
     world.settle(600);
