@@ -30,15 +30,31 @@ impl Environment {
     /// # Errors
     /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number
     /// is not finite; then no time has passed.
+    ///
+    /// ```
+    /// use nalgebra::Vector2;
+    /// use virtualcity::{Environment, Steering};
+    /// let mut home = Environment::make("apartment/42", 1)?;
+    /// let me = home.agents()[0];
+    /// let jump = Steering { jump: true, velocity: Vector2::new(0.4, 0.0), ..Steering::default() };
+    /// let before = home.world().pose(me).ok_or("no body")?;
+    /// home.steer(me, &jump)?;
+    /// for _ in 0..5 {
+    ///     home.steer(me, &Steering { jump: false, ..jump })?;
+    /// }
+    /// let now = home.world().pose(me).ok_or("no body")?;
+    /// assert!(now.translation.z > before.translation.z, "it is in the air");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn steer(&mut self, agent: NodeId, steering: &Steering) -> Result<ChangeSet, ActionError> {
         let impossible = |why: Impossible| ActionError::Impossible { action: "steer".into(), why };
         if !steering.heading.is_finite() {
             let refused = vc_physics::PhysicsError::NotFinite("the heading", agent);
             return Err(impossible(refused.into()));
         }
+        self.world.go(agent, steering.velocity).map_err(|e| impossible(e.into()))?;
         // What was done before cannot be done again from before this tick.
         self.undo = Undo::default();
-        self.world.go(agent, steering.velocity).map_err(|e| impossible(e.into()))?;
         if steering.jump {
             self.world.jump(agent).map_err(|e| impossible(e.into()))?;
         }
