@@ -5,6 +5,7 @@ use nalgebra::{Matrix3, Point3, Vector3};
 use vc_graph::portable::Portable;
 
 use crate::hollow;
+use crate::region::{less, more};
 use crate::solid::Round;
 use crate::threshold::{AXIS_HOLE, COLUMNS, FULL_MESH, SLICES, STAVES, THIN_SLICE};
 
@@ -84,12 +85,9 @@ pub(crate) fn mesh(vertices: &[Point3<f32>], triangles: &[[u32; 3]], put: Put<'_
     let (low, high) = vertices.iter().fold((*first, *first), |(l, h), v| (l.inf(v), h.sup(v)));
     let size = high - low;
     let whole = |put: Put<'_>| put((low.coords + high.coords) / 2.0, Matrix3::identity(), size / 2.0, Round::No);
-    let corners: Vec<[Point3<f32>; 3]> = triangles
-        .iter()
-        .filter_map(|t| {
-            Some([*vertices.get(t[0] as usize)?, *vertices.get(t[1] as usize)?, *vertices.get(t[2] as usize)?])
-        })
-        .collect();
+    let corner = |i: u32| vertices.get(i as usize).copied();
+    let mut corners: Vec<[Point3<f32>; 3]> = Vec::with_capacity(triangles.len());
+    corners.extend(triangles.iter().filter_map(|t| Some([corner(t[0])?, corner(t[1])?, corner(t[2])?])));
     let volume: f32 = corners.iter().map(|[a, b, c]| (a - low).dot(&(b - low).cross(&(c - low))) / 6.0).sum();
     if corners.is_empty() || volume.abs() > FULL_MESH * size.x * size.y * size.z {
         return whole(put);
@@ -100,10 +98,10 @@ pub(crate) fn mesh(vertices: &[Point3<f32>], triangles: &[[u32; 3]], put: Put<'_
             + Vector3::new((cell % COLUMNS) as f32 + 0.5, (cell / COLUMNS) as f32 + 0.5, 0.0).component_mul(&step)
     };
     let mut found = false;
-    for (cell, mut heights) in crossings_of_columns(&corners, &low, &step, middle).into_iter().enumerate() {
-        heights.sort_by(f32::total_cmp);
-        let at = middle(cell);
-        for (bottom, top) in heights.chunks_exact(2).map(|p| (p[0], p[1])).filter(|(a, b)| b > a) {
+    let crossings = crossings_of_columns(&corners, &low, &step, middle);
+    for column in crossings.chunk_by(|a, b| a.0 == b.0) {
+        let at = middle(column[0].0);
+        for (bottom, top) in column.chunks_exact(2).map(|p| (p[0].1, p[1].1)).filter(|(a, b)| b > a) {
             found = true;
             let centre = Vector3::new(at.x, at.y, f32::midpoint(bottom, top));
             put(centre, Matrix3::identity(), Vector3::new(step.x, step.y, top - bottom) / 2.0, Round::No);
@@ -114,31 +112,36 @@ pub(crate) fn mesh(vertices: &[Point3<f32>], triangles: &[[u32; 3]], put: Put<'_
     }
 }
 
-/// Where the vertical lines in the middles of all columns cross a mesh: each triangle is asked
-/// only about columns that its own box reaches.
+/// Where the vertical lines in the middles of all columns cross a mesh, by column and from below:
+/// each triangle is asked only about columns that its own box reaches.
 fn crossings_of_columns(
     corners: &[[Point3<f32>; 3]],
     low: &Point3<f32>,
     step: &Vector3<f32>,
     middle: impl Fn(usize) -> Vector3<f32>,
-) -> Vec<Vec<f32>> {
-    let mut heights = vec![Vec::new(); COLUMNS * COLUMNS];
+) -> Vec<(usize, f32)> {
+    let mut found = Vec::with_capacity(4 * COLUMNS * COLUMNS);
+    let per = step.map(|s| 1.0 / s.max(f32::MIN_POSITIVE));
     for triangle in corners {
         // The middles between its ends, and a little more: rounding.
         let range = |axis: usize| {
-            let [a, b, c] = triangle.map(|p| (p[axis] - low[axis]) / step[axis].max(f32::MIN_POSITIVE));
-            let first = (a.min(b).min(c) + (0.5 - BESIDE)).max(0.0) as usize;
-            first..((a.max(b).max(c) + (0.5 + BESIDE)) as usize).min(COLUMNS)
+            let [a, b, c] = triangle.map(|p| (p[axis] - low[axis]) * per[axis]);
+            let first = (less(less(a, b), c) + (0.5 - BESIDE)).max(0.0) as usize;
+            first..((more(more(a, b), c) + (0.5 + BESIDE)) as usize).min(COLUMNS)
         };
+        let columns = range(0);
+        if columns.is_empty() {
+            continue;
+        }
         for row in range(1) {
-            for column in range(0) {
-                let cell = row * COLUMNS + column;
+            for cell in columns.clone().map(|column| row * COLUMNS + column) {
                 let at = middle(cell);
-                heights[cell].extend(height_over(triangle, at.x, at.y));
+                found.extend(height_over(triangle, at.x, at.y).map(|height| (cell, height)));
             }
         }
     }
-    heights
+    found.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    found
 }
 
 fn height_over([a, b, c]: &[Point3<f32>; 3], x: f32, y: f32) -> Option<f32> {

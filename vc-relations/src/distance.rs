@@ -2,57 +2,73 @@
 
 use nalgebra::Vector3;
 
+use crate::region::less;
 use crate::solid::Solid;
 
 /// How far two boxes are apart, metres; zero where they overlap. Exact. Costs about a
 /// microsecond.
 pub(crate) fn distance(a: &Solid, b: &Solid) -> f32 {
-    if crate::solid::gap(a, b, 0.0) <= 0.0 { 0.0 } else { features(a, b) }
+    let apart = crate::solid::gap(a, b, f32::INFINITY);
+    if apart <= 0.0 { 0.0 } else { features(a, b, apart) }
 }
 
 /// The least distance of corners from boxes and edges from edges, of boxes that do not
 /// overlap.
-fn features(a: &Solid, b: &Solid) -> f32 {
+///
+/// Where two edges are nearest between their ends, the way from one to the other is across both,
+/// and no other edge of either box is farther along it. So for each two axes only the edges that
+/// lie outermost across both are measured; none where a corner is as near as the boxes are apart
+/// along some axis.
+fn features(a: &Solid, b: &Solid, apart: f32) -> f32 {
     let corner = |of: &Solid, to: &Solid| {
-        of.corners(1.0).iter().map(|c| (to.nearest(c) - c).norm()).fold(f32::INFINITY, f32::min)
+        of.corners(1.0).iter().map(|c| (to.nearest(c) - c).norm_squared()).fold(f32::INFINITY, less)
     };
-    let (edges_a, edges_b) = (edges(a), edges(b));
-    let (balls_a, balls_b) = (edges_a.map(ball), edges_b.map(ball));
-    let mut least = corner(a, b).min(corner(b, a));
-    for (e, (at, reach)) in edges_a.iter().zip(&balls_a) {
-        for (f, (other, other_reach)) in edges_b.iter().zip(&balls_b) {
-            // No point of one is nearer than the balls around the two.
-            if (at - other).norm() <= least + reach + other_reach + ROUNDING {
-                least = least.min(between(e, f));
-            }
+    let mut least = less(corner(a, b), corner(b, a));
+    if least.sqrt() <= apart + ROUNDING {
+        return least.sqrt();
+    }
+    let way = b.centre - a.centre;
+    for (i, j) in (0..9).map(|pair| (pair / 3, pair % 3)) {
+        let across = a.axes.column(i).cross(&b.axes.column(j));
+        let across = if across.dot(&way) < 0.0 { -across } else { across };
+        if across.norm_squared() > PARALLEL {
+            each_outermost(a, i, &across, |e| {
+                each_outermost(b, j, &-across, |f| least = less(least, between_squared(e, f)));
+            });
         }
     }
-    least
+    least.sqrt()
 }
 
-/// What rounding may take off a distance, metres.
-const ROUNDING: f32 = 1e-4;
+/// How much farther than that a corner may be by rounding, metres.
+const ROUNDING: f32 = 1e-6;
+/// Square of the sine up to which axes are parallel: then corners are as near as edges.
+const PARALLEL: f32 = 1e-10;
+/// Sine of the angle up to which edges lie as far out as others.
+const LEVEL: f32 = 1e-3;
 
-/// The ball around a segment.
-fn ball((from, to): Segment) -> (Vector3<f32>, f32) {
-    ((from + to) / 2.0, (to - from).norm() / 2.0)
+/// Calls `visit` with the edges along an axis that lie farthest in a direction: with one, or
+/// with all that are about as far.
+fn each_outermost(s: &Solid, along: usize, towards: &Vector3<f32>, mut visit: impl FnMut(&Segment)) {
+    let axis = |i: usize| s.axes.column(i % 3) * s.half[i % 3];
+    let (long, slack) = (axis(along), LEVEL * towards.norm());
+    let ends = |i: usize| {
+        let far = s.axes.column(i % 3).dot(towards);
+        (far >= -slack, far <= slack)
+    };
+    let signs = |(up, down): (bool, bool)| [(up, 1.0), (down, -1.0)].into_iter().filter(|s| s.0).map(|s| s.1);
+    for u in signs(ends(along + 1)) {
+        for v in signs(ends(along + 2)) {
+            let middle = s.centre + axis(along + 1) * u + axis(along + 2) * v;
+            visit(&(middle - long, middle + long));
+        }
+    }
 }
 
 type Segment = (Vector3<f32>, Vector3<f32>);
 
-fn edges(s: &Solid) -> [Segment; 12] {
-    let corners = s.corners(1.0);
-    std::array::from_fn(|i| {
-        let (bit, rest) = (i / 4, i % 4);
-        // The two other bits of a corner's number, around the one that changes.
-        let low = rest & ((1 << bit) - 1);
-        let start = (rest - low) << 1 | low;
-        (corners[start], corners[start | 1 << bit])
-    })
-}
-
-/// Distance of two segments (Ericson, Real-Time Collision Detection, 5.1.9).
-fn between(e: &Segment, f: &Segment) -> f32 {
+/// Square of the distance of two segments (Ericson, Real-Time Collision Detection, 5.1.9).
+fn between_squared(e: &Segment, f: &Segment) -> f32 {
     let (d1, d2, r) = (e.1 - e.0, f.1 - f.0, e.0 - f.0);
     let (a, c, b) = (d1.norm_squared(), d2.norm_squared(), d1.dot(&d2));
     let (dr, fr) = (d1.dot(&r), d2.dot(&r));
@@ -60,5 +76,5 @@ fn between(e: &Segment, f: &Segment) -> f32 {
     let s = ratio(b * fr - c * dr, a * c - b * b);
     let t = ratio(b * s + fr, c);
     let s = ratio(b * t - dr, a);
-    ((e.0 + d1 * s) - (f.0 + d2 * t)).norm()
+    ((e.0 + d1 * s) - (f.0 + d2 * t)).norm_squared()
 }

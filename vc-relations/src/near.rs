@@ -33,12 +33,17 @@ pub(crate) struct Beside {
 /// Measures two bodies' boxes; `None` where they are too far apart.
 pub(crate) fn beside(a: &Body, b: &Body) -> Option<Beside> {
     let rise = more(a.whole.low.z - b.whole.high.z, b.whole.low.z - a.whole.high.z);
-    let (distance, seen) = if a.level && b.level {
-        let plan = Plan::new(&a.whole, &b.whole);
-        let up = more(rise, 0.0);
-        ((up * up + plan.distance_squared(&a.whole, &b.whole)).sqrt(), plan.seen)
-    } else {
-        (distance(&a.whole, &b.whole), [Seen::turned(a, b), Seen::turned(b, a)])
+    let plan = (a.whole.upright && b.whole.upright).then(|| Plan::new(&a.whole, &b.whole));
+    let distance = match &plan {
+        Some(plan) => {
+            let up = more(rise, 0.0);
+            (up * up + plan.distance_squared(&a.whole, &b.whole)).sqrt()
+        }
+        None => distance(&a.whole, &b.whole),
+    };
+    let seen = match plan {
+        Some(plan) if a.level && b.level => plan.seen,
+        _ => [Seen::turned(a, b), Seen::turned(b, a)],
     };
     (distance <= NEAR_REACH).then(|| Beside { distance, sides: [seen[0].side(rise), seen[1].side(rise)] })
 }

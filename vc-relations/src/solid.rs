@@ -25,7 +25,8 @@ pub(crate) struct Solid {
     pub(crate) axes: Matrix3<f32>,
     pub(crate) half: Vector3<f32>,
     pub(crate) round: Round,
-    /// Whether the third axis is the world's: then fewer axes can separate.
+    /// Whether the third axis is the world's: then fewer axes can separate. A box's axes are
+    /// named so that it is where any of them is.
     pub(crate) upright: bool,
     pub(crate) low: Vector3<f32>,
     pub(crate) high: Vector3<f32>,
@@ -33,6 +34,12 @@ pub(crate) struct Solid {
 
 impl Solid {
     pub(crate) fn new(centre: Vector3<f32>, axes: Matrix3<f32>, half: Vector3<f32>, round: Round) -> Self {
+        let is_vertical = |axis: usize| axes[(2, axis)].abs() > 1.0 - 1e-6;
+        let (axes, half) = match round {
+            Round::No if is_vertical(0) => (turned_on(&axes, [1, 2, 0]), half.yzx()),
+            Round::No if is_vertical(1) => (turned_on(&axes, [2, 0, 1]), half.zxy()),
+            _ => (axes, half),
+        };
         let upright = axes[(2, 2)].abs() > 1.0 - 1e-6;
         let mut solid = Self { centre, axes, half, round, upright, low: centre, high: centre };
         let reach = solid.box_reach();
@@ -146,6 +153,11 @@ impl Solid {
         self.high += by;
         self
     }
+}
+
+/// The same axes in another order.
+fn turned_on(axes: &Matrix3<f32>, order: [usize; 3]) -> Matrix3<f32> {
+    Matrix3::from_columns(&order.map(|axis| axes.column(axis)))
 }
 
 /// Where a trace met something.
