@@ -57,17 +57,23 @@ pub(super) fn polygons(
 
 /// What polygons have on one side of a plane: in front, or behind (Sutherland and Hodgman, 1974).
 pub(super) fn clipped(polygons: &[Polygon], plane: Plane, front: bool) -> Vec<Polygon> {
-    let inside = |p: &Point3<f32>| if front { plane.height(p) >= 0.0 } else { plane.height(p) <= 0.0 };
-    let cut = |polygon: &Polygon| {
-        let ends = polygon.iter().zip(polygon.iter().cycle().skip(1));
-        ends.flat_map(|(a, b)| {
-            let (from, to) = (plane.height(a), plane.height(b));
-            let crossing = (inside(a) != inside(b)).then(|| a + (b - a) * (from / (from - to)));
-            inside(a).then_some(*a).into_iter().chain(crossing)
-        })
-        .collect::<Polygon>()
-    };
-    polygons.iter().map(cut).filter(|p| p.len() > 2).collect()
+    polygons.iter().filter_map(|p| clip(p, plane, front)).collect()
+}
+
+fn clip(polygon: &Polygon, plane: Plane, front: bool) -> Option<Polygon> {
+    let is_inside = |height: f32| if front { height >= 0.0 } else { height <= 0.0 };
+    // Most polygons are all on one side.
+    let inside = polygon.iter().filter(|p| is_inside(plane.height(p))).count();
+    if inside == 0 || inside == polygon.len() {
+        return (inside > 2).then(|| polygon.clone());
+    }
+    let mut clipped = Vec::with_capacity(polygon.len() + 1);
+    for (a, b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
+        let (from, to) = (plane.height(a), plane.height(b));
+        clipped.extend(is_inside(from).then_some(*a));
+        clipped.extend((is_inside(from) != is_inside(to)).then(|| a + (b - a) * (from / (from - to))));
+    }
+    (clipped.len() > 2).then_some(clipped)
 }
 
 /// The corners of polygons, each once.

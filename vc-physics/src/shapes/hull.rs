@@ -46,27 +46,48 @@ pub(super) fn hull(points: &[Point3<f32>], up: &Vector3<f32>, thick: f32) -> Opt
 /// Bevels the faces of the box around points, and the one they stand on; gives the corners that
 /// are kept of each.
 fn footed(points: &mut [Vector], up: Vector) -> Vec<u32> {
-    let slack = ROUNDING * points.iter().fold(0.0, |most: f32, p| most.max(p.abs().max_element()));
+    let start = (Vector::splat(f32::INFINITY), Vector::splat(f32::NEG_INFINITY));
+    let (low, high) = points.iter().fold(start, |(low, high), p| (low.min(*p), high.max(*p)));
+    let slack = ROUNDING * low.abs().max(high.abs()).max_element();
     let axes = [Vector::X, Vector::Y, Vector::Z, -Vector::X, -Vector::Y, -Vector::Z];
     let tilted = axes.iter().all(|a| a.dot(up) < FLAT);
     let mut first = Vec::new();
-    for way in axes.into_iter().chain(tilted.then_some(-up)) {
-        let most = points.iter().fold(f32::NEG_INFINITY, |most, p| most.max(p.dot(way)));
-        let face: Vec<u32> = (0..).zip(&*points).filter(|(_, p)| p.dot(way) >= most - slack).map(|(i, _)| i).collect();
-        let Some(kept) = farthest_four(&face, way, |i| points[*i as usize]) else {
-            first.extend(face);
-            continue;
+    for (number, way) in axes.into_iter().enumerate() {
+        // What is set back along one axis stays where it is along the others.
+        let axis = number % 3;
+        let face = if number < 3 {
+            of_face(points, |p| p[axis] >= high[axis] - slack)
+        } else {
+            of_face(points, |p| p[axis] <= low[axis] + slack)
         };
-        let four = kept.map(|k| points[k as usize]);
-        for i in face.into_iter().filter(|i| !kept.contains(i)) {
-            let point = &mut points[i as usize];
-            *point -= way * (BEVEL * outside(*point, four, way));
-        }
-        first.extend(kept);
+        bevel(points, face, way, &mut first);
+    }
+    if tilted {
+        let lowest = points.iter().fold(f32::INFINITY, |least, p| least.min(p.dot(up)));
+        let face = of_face(points, |p| p.dot(up) <= lowest + slack);
+        bevel(points, face, -up, &mut first);
     }
     first.sort_unstable();
     first.dedup();
     first
+}
+
+fn of_face(points: &[Vector], is_in: impl Fn(&Vector) -> bool) -> Vec<u32> {
+    (0..).zip(points).filter(|(_, p)| is_in(p)).map(|(i, _)| i).collect()
+}
+
+/// Sets back the corners of a face but for four, and adds those to the ones that are kept.
+fn bevel(points: &mut [Vector], face: Vec<u32>, way: Vector, kept: &mut Vec<u32>) {
+    let Some(four) = farthest_four(&face, way, |i| points[*i as usize]) else {
+        kept.extend(face);
+        return;
+    };
+    let corners = four.map(|k| points[k as usize]);
+    for i in face.into_iter().filter(|i| !four.contains(i)) {
+        let point = &mut points[i as usize];
+        *point -= way * (BEVEL * outside(*point, corners, way));
+    }
+    kept.extend(four);
 }
 
 /// The hull of eight corners: four around a face, counter-clockwise seen from outside, and

@@ -17,6 +17,9 @@ pub(crate) const MOST: usize = 24;
 /// Most pieces that are looked at for joining; of more, the smallest are left out.
 const LOOKED_AT: usize = 256;
 
+/// Least side of a box by which its volume is measured, metres: a flat piece is not free of cost.
+const THIN: f32 = 0.001;
+
 /// Least and largest corner.
 pub(super) type Box3 = (Point3<f32>, Point3<f32>);
 
@@ -42,34 +45,97 @@ pub(crate) fn merged(pieces: Vec<Piece>, surfaces: &[Surface]) -> Vec<Piece> {
 /// that must stay free.
 struct Pool {
     groups: Vec<Group>,
+    boxes: Boxes,
     best: Vec<Option<(f32, usize)>>,
     free: Vec<Box3>,
+    /// What each group wastes with the one that is looked at.
+    wastes: Vec<f32>,
+}
+
+/// The groups' boxes, side by side: how much volume one wastes with each is found for several at
+/// once.
+#[derive(Default)]
+struct Boxes {
+    low: [Vec<f32>; 3],
+    high: [Vec<f32>; 3],
+    volume: Vec<f32>,
+}
+
+impl Boxes {
+    fn push(&mut self, group: &Group) {
+        for axis in 0..3 {
+            self.low[axis].push(group.extent.0[axis]);
+            self.high[axis].push(group.extent.1[axis]);
+        }
+        self.volume.push(group.volume);
+    }
+
+    fn set(&mut self, at: usize, group: &Group) {
+        for axis in 0..3 {
+            self.low[axis][at] = group.extent.0[axis];
+            self.high[axis][at] = group.extent.1[axis];
+        }
+        self.volume[at] = group.volume;
+    }
+
+    fn swap_remove(&mut self, at: usize) {
+        self.low.iter_mut().chain(&mut self.high).for_each(|of| drop(of.swap_remove(at)));
+        self.volume.swap_remove(at);
+    }
+
+    /// How much volume every group wastes together with one.
+    fn wastes(&self, with: usize, wastes: &mut Vec<f32>) {
+        wastes.clear();
+        wastes.extend_from_slice(&self.volume);
+        let own = self.volume[with];
+        // In the order in which `volume` multiplies.
+        let side = |axis: usize| {
+            let (low, high) = (self.low[axis][with], self.high[axis][with]);
+            let ends = self.low[axis].iter().zip(&self.high[axis]);
+            ends.map(move |(l, h)| (more(*h, high) - less(*l, low)).max(THIN))
+        };
+        for (((waste, x), y), z) in wastes.iter_mut().zip(side(0)).zip(side(1)).zip(side(2)) {
+            *waste = x * y * z - (*waste + own);
+        }
+    }
+}
+
+fn less(a: f32, b: f32) -> f32 {
+    if b < a { b } else { a }
+}
+
+fn more(a: f32, b: f32) -> f32 {
+    if b > a { b } else { a }
 }
 
 impl Pool {
     fn new(groups: Vec<Group>, free: Vec<Box3>) -> Self {
-        let mut pool = Self { best: vec![None; groups.len()], groups, free };
+        let mut boxes = Boxes::default();
+        groups.iter().for_each(|g| boxes.push(g));
+        let mut pool = Self { best: vec![None; groups.len()], groups, boxes, free, wastes: Vec::new() };
         (0..pool.groups.len()).for_each(|i| pool.find_best(i));
         pool
     }
 
-    /// How much volume two groups waste together; `None` if their box reaches into a space that
-    /// must stay free. That is looked at where it is less than some other waste only.
-    fn waste(&self, a: usize, b: usize, less_than: f32) -> Option<f32> {
-        let (a, b) = (&self.groups[a], &self.groups[b]);
-        let joint = around(a.extent, b.extent);
-        let waste = volume(joint) - a.volume - b.volume;
-        (waste < less_than && !self.free.iter().any(|f| overlap(*f, joint))).then_some(waste)
+    /// Whether the box of two groups leaves free what must stay so.
+    fn may_join(&self, a: usize, b: usize) -> bool {
+        let joint = around(self.groups[a].extent, self.groups[b].extent);
+        !self.free.iter().any(|f| overlap(*f, joint))
     }
 
-    /// The partner with which a group wastes the least volume, and how much that is.
+    /// The partner with which a group wastes the least volume, and how much that is. Whether
+    /// two may be joined is looked at where they waste less than others only.
     fn find_best(&mut self, of: usize) {
-        let mut best: Option<(f32, usize)> = None;
-        for i in (0..self.groups.len()).filter(|&i| i != of) {
-            let least = best.map_or(f32::INFINITY, |(least, _)| least);
-            best = self.waste(of, i, least).map(|waste| (waste, i)).or(best);
+        let mut wastes = std::mem::take(&mut self.wastes);
+        self.boxes.wastes(of, &mut wastes);
+        let mut best = (f32::INFINITY, None);
+        for (i, &waste) in wastes.iter().enumerate() {
+            if waste < best.0 && i != of && self.may_join(of, i) {
+                best = (waste, Some(i));
+            }
         }
-        self.best[of] = best;
+        self.best[of] = best.1.map(|i| (best.0, i));
+        self.wastes = wastes;
     }
 
     /// Joins the two that waste least; `false` if none may be joined.
@@ -79,21 +145,25 @@ impl Pool {
         let (keep, gone) = (a.min(b), a.max(b));
         let other = self.groups.swap_remove(gone);
         self.best.swap_remove(gone);
+        self.boxes.swap_remove(gone);
         self.groups[keep].join(&other);
+        self.boxes.set(keep, &self.groups[keep]);
         self.find_best(keep);
+        let mut wastes = Vec::with_capacity(self.groups.len());
+        self.boxes.wastes(keep, &mut wastes);
         for i in (0..self.groups.len()).filter(|&i| i != keep) {
-            self.follow(i, keep, gone);
+            self.follow(i, keep, gone, wastes[i]);
         }
         true
     }
 
     /// Sees to a group's partner after one group has grown by another, in whose place is the
     /// last one now. Who had no partner has none: what has grown is where each of the two was.
-    fn follow(&mut self, of: usize, grown: usize, gone: usize) {
+    fn follow(&mut self, of: usize, grown: usize, gone: usize, waste: f32) {
         let Some((least, partner)) = self.best[of] else { return };
         let lost = partner == grown || partner == gone;
         let least = if lost { least.next_up() } else { least };
-        if let Some(waste) = self.waste(of, grown, least) {
+        if waste < least && self.may_join(of, grown) {
             self.best[of] = Some((waste, grown));
         } else if lost {
             self.find_best(of);
@@ -140,8 +210,7 @@ fn around(a: Box3, b: Box3) -> Box3 {
 }
 
 fn volume((low, high): Box3) -> f32 {
-    // A flat piece is not free of cost.
-    (high - low).iter().map(|side| side.max(0.001)).product()
+    (high - low).iter().map(|side| side.max(THIN)).product()
 }
 
 fn overlap(a: Box3, b: Box3) -> bool {
