@@ -7,7 +7,7 @@ mod common;
 use common::{Scene, at, block, part, plain};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, JointKind};
-use vc_graph::{Asset, NodeId, State};
+use vc_graph::{Asset, NodeId, Pose, State};
 use vc_physics::{PhysicsError, Settings, Shapes, World};
 
 #[test]
@@ -223,4 +223,61 @@ fn doors_that_leap() {
     let before = blocked.digest();
     assert!(!blocked.leap_open(door, 1.0).unwrap());
     assert_eq!(blocked.digest(), before);
+}
+
+/// A cupboard with a board that slides out, and a door before it with a rack; a jar stands on
+/// the rack, before the board. Beyond, there may be a wall that the jar meets while the door opens.
+fn racked(wall: bool) -> (World, vc_graph::NodeId, vc_graph::NodeId) {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let slide = Joint { kind: JointKind::Slide, anchor: Point3::origin(), axis: Vector3::x(), limits: (0.0, 0.3) };
+    let hinge =
+        Joint { kind: JointKind::Hinge, anchor: Point3::new(0.4, -0.3, 0.0), axis: Vector3::z(), limits: (-1.5, 0.0) };
+    let on = |joint: Option<Joint>, half: [f32; 3], pose: Pose| {
+        let mut part = part("board", block(half), pose, scene.wood);
+        part.joint = joint;
+        part
+    };
+    let parts = vec![
+        on(None, [0.3, 0.3, 0.02], at(0.0, 0.0, 0.02)),
+        on(Some(slide), [0.25, 0.25, 0.01], at(0.0, 0.0, 0.18)),
+        on(Some(hinge), [0.01, 0.3, 0.3], at(0.4, 0.0, 0.4)),
+        on(Some(hinge), [0.05, 0.3, 0.01], at(0.34, 0.0, 0.15)),
+    ];
+    let asset = scene.asset(Asset { name: "cupboard".into(), parts, ..Asset::default() });
+    let cupboard = scene.add("kitchen_cabinet", asset, at(0.0, 0.0, 0.0));
+    let jar = scene.cube(0.03, at(0.34, 0.25, 0.195));
+    if wall {
+        let wall = scene.solid("wall", block([0.05, 0.5, 0.5]), scene.wood);
+        scene.add("wall", wall, at(0.95, -0.1, 0.5));
+    }
+    let mut world = scene.world();
+    world.settle(200);
+    (world, cupboard, jar)
+}
+
+/// A door is opened before what is behind it, and shut after it, with all that stands in it.
+#[test]
+fn what_is_in_the_way_moves_first() {
+    let (mut world, cupboard, jar) = racked(false);
+    let open = |world: &World| world.moving_parts(cupboard).iter().map(|p| p.open).collect::<Vec<f32>>();
+    for wanted in [1.0, 0.0] {
+        assert!(world.leap_open(cupboard, wanted).unwrap());
+        world.settle(200);
+        assert!(open(&world).iter().all(|o| (o - wanted).abs() < 0.01), "{:?}", open(&world));
+        assert_eq!(world.supports(jar), [cupboard]);
+    }
+}
+
+/// A door opens no farther than what stands in it may go.
+#[test]
+fn a_door_opens_as_far_as_its_load_goes() {
+    let (mut world, cupboard, jar) = racked(true);
+    assert!(world.leap_open(cupboard, 1.0).unwrap());
+    let parts = world.moving_parts(cupboard);
+    assert!(parts[0].open > 0.99 && (0.5..0.9).contains(&parts[1].open), "{parts:?}");
+    let before = world.pose(jar).unwrap().translation.vector;
+    world.settle(200);
+    assert!((world.pose(jar).unwrap().translation.vector - before).norm() < 0.01);
+    assert_eq!(world.supports(jar), [cupboard]);
 }

@@ -3,51 +3,103 @@
 use rapier3d::geometry::{Collider, ColliderHandle};
 use rapier3d::math::Pose as EnginePose;
 use rapier3d::pipeline::QueryFilter;
+use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, Pose};
 
+use super::motion::fraction;
 use crate::world::World;
 use crate::{PhysicsError, convert, group};
 
 /// Positions looked at on the way, its end with them.
 const LOOKS: usize = 8;
+/// Share of its way that a part opens at least, if it cannot open all the way.
+const HALF: f32 = 0.5;
 /// What overlaps less is only touched, metres.
 const SKIN: f32 = 0.001;
 
 impl World {
-    /// Opens or closes every part of a node at once, what lies in a drawer with it, if
-    /// nothing loose and nobody is in the way; gives whether it did. Where it does, the parts
-    /// end where [`drive`](Self::drive) takes them.
+    /// Opens or closes every part of a node at once, what lies in a drawer with it, where nothing
+    /// loose and nobody is in the way; gives whether it did. Where it does, the parts end where
+    /// [`drive`](Self::drive) takes them, but for two kinds, which that would press against things:
+    /// a part that cannot open all the way, as what stands in it would meet a wall, opens as far as
+    /// it can, if that is half of the way; a drawer that cannot stays shut, if others open.
+    ///
+    /// Doors and lids open before drawers, whose content would be in their way, and shut after them.
     ///
     /// Costs some ten microseconds for each part.
     ///
     /// # Errors
     /// As [`Self::drive`].
     pub fn leap_open(&mut self, id: NodeId, open: f32) -> Result<bool, PhysicsError> {
-        let parts = self.thing(id)?.state.moving.len();
-        for part in 0..parts {
-            let target = self.target(id, part, open)?;
-            if !self.is_way_free(id, part, target) {
-                return Ok(false);
-            }
+        let form = self.thing(id)?.form.clone();
+        let slides = |part: &usize| form.links[part + 1].joint.is_some_and(|j| j.kind == JointKind::Slide);
+        let parts = 0..self.thing(id)?.state.moving.len();
+        parts.clone().try_for_each(|part| self.target(id, part, open).map(drop))?;
+        let (drawers, doors): (Vec<usize>, Vec<usize>) = parts.partition(slides);
+        if open == 0.0 {
+            return Ok(self.leap_each(id, drawers, open)? && self.leap_each(id, doors, open)?);
         }
-        self.put_all_open(id, open)?;
-        Ok(true)
+        if !self.leap_each(id, doors, open)? {
+            return Ok(false);
+        }
+        // A drawer that stays shut does not matter where anything else is open.
+        Ok(self.leap_each(id, drawers, open)? || self.openness(id).is_some_and(|o| o >= HALF))
     }
 
-    /// Whether a part may go to a position without meeting anything that it collides with,
-    /// and what it carries has room there.
-    fn is_way_free(&self, id: NodeId, part: usize, target: f32) -> bool {
-        let Ok(thing) = self.thing(id) else { return false };
+    /// Opens or closes some parts as far as they go, what is freest first; gives whether all of them
+    /// did.
+    fn leap_each(&mut self, id: NodeId, mut parts: Vec<usize>, open: f32) -> Result<bool, PhysicsError> {
+        let least = if open > 0.0 { HALF } else { 1.0 };
+        while let Some((at, share)) = self.freest(id, &parts, open)?.filter(|(_, share)| *share >= least) {
+            let part = parts.remove(at);
+            let (from, target) = self.way(id, part, open)?;
+            let limits = self.thing(id)?.state.moving[part].limits;
+            let reached = if share < 1.0 { fraction(limits, from + (target - from) * share) } else { open };
+            self.put_open(id, part, reached)?;
+        }
+        Ok(parts.is_empty())
+    }
+
+    /// Of some parts the first that can go all the way, else the one that gets farthest: its position
+    /// among them, and the share of its way.
+    fn freest(&self, id: NodeId, parts: &[usize], open: f32) -> Result<Option<(usize, f32)>, PhysicsError> {
+        let mut best: Option<(usize, f32)> = None;
+        for (at, &part) in parts.iter().enumerate() {
+            let (from, target) = self.way(id, part, open)?;
+            let share = self.free_share(id, part, from, target);
+            if best.is_none_or(|(_, most)| share > most) {
+                best = Some((at, share));
+            }
+            if share == 1.0 {
+                break;
+            }
+        }
+        Ok(best)
+    }
+
+    /// Where a part is, and where it is at a fraction of its way.
+    fn way(&self, id: NodeId, part: usize, open: f32) -> Result<(f32, f32), PhysicsError> {
+        let target = self.target(id, part, open)?;
+        Ok((self.part_position(self.thing(id)?, part).unwrap_or(target), target))
+    }
+
+    /// Up to which share of its way a part meets nothing that it collides with, and what it
+    /// carries has room.
+    fn free_share(&self, id: NodeId, part: usize, from: f32, target: f32) -> f32 {
+        let Ok(thing) = self.thing(id) else { return 0.0 };
         let (moving, link) = (&thing.state.moving[part], &thing.form.links[part + 1]);
-        let (Some(body), Some(joint)) = (moving.body, link.joint) else { return true };
-        let (Some(base), Some(from)) = (self.engine.pose(thing.state.base), self.part_position(thing, part)) else {
-            return false;
-        };
+        let (Some(body), Some(joint)) = (moving.body, link.joint) else { return 1.0 };
+        let Some(base) = self.engine.pose(thing.state.base) else { return 0.0 };
+        if from == target {
+            return 1.0;
+        }
         let load = self.load_of(body);
-        let at = |share: f32| base * joint.motion(from + (target - from) * share);
-        let free = |look: usize| self.is_part_free(id, part, &at(look as f32 / LOOKS as f32), &load);
-        let motion = at(1.0) * at(0.0).inverse();
-        (1..=LOOKS).all(free) && load.iter().all(|l| self.has_room(*l, &motion, id, &load))
+        let share = |look: usize| look as f32 / LOOKS as f32;
+        let at = |look: usize| base * joint.motion(from + (target - from) * share(look));
+        let free = (1..=LOOKS).take_while(|&look| self.is_part_free(id, part, &at(look), &load)).count();
+        let start = at(0).inverse();
+        let has_room = |look: &usize| load.iter().all(|l| self.has_room(*l, &(at(*look) * start), id, &load));
+        (1..=free).rev().find(has_room).map_or(0.0, share)
     }
 
     fn is_part_free(&self, id: NodeId, part: usize, at: &Pose, load: &[NodeId]) -> bool {

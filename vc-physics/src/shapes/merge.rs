@@ -79,7 +79,9 @@ impl Boxes {
     }
 
     fn swap_remove(&mut self, at: usize) {
-        self.low.iter_mut().chain(&mut self.high).for_each(|of| drop(of.swap_remove(at)));
+        for of in self.low.iter_mut().chain(&mut self.high) {
+            of.swap_remove(at);
+        }
         self.volume.swap_remove(at);
     }
 
