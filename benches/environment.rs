@@ -1,15 +1,37 @@
 //! The five endpoints in generated homes: what the thesis's Table 5.1 measures.
 //!
-//! `cargo bench --bench environment`. Homes of 300 to 560 nodes, one thread.
+//! `cargo bench --bench environment`. Homes of 300 to 560 nodes, one thread. `-- table` prints only
+//! the figures beside the thesis's: CPU time of the thread, but for the start of a process and
+//! for batches, of which the time that passes counts.
 
-#![allow(clippy::unwrap_used, reason = "a bench stops where something is wrong")]
+#![allow(
+    missing_docs,
+    clippy::print_stdout,
+    clippy::unwrap_used,
+    reason = "benches print and stop where something is wrong"
+)]
 
 use std::hint::black_box;
+use std::process::Command;
+use std::time::{Duration, Instant};
 
+use cpu_time::ThreadTime;
 use criterion::{BatchSize, Criterion};
-use virtualcity::graph::{Action, NodeId, Seed, Verb};
+use virtualcity::graph::{Action, NodeId, Scope, Seed, Verb};
+use virtualcity::planner::{Agent, Decision};
 use virtualcity::render::{Modalities, Modality};
-use virtualcity::{Environment, Viewpoint, legal_action};
+use virtualcity::{Batch, Environment, Viewpoint, legal_action};
+
+/// As in the bench of homes: with the system's allocator they take a fifth longer.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
+/// Told to this program when it is started to be timed until its first observation.
+const FIRST: &str = "first-observation";
+/// Environments in a batch.
+const BATCH: u64 = 16;
+/// Actions of each environment that are timed.
+const ACTIONS: usize = 40;
 
 /// Homes that are measured in turn.
 const SEEDS: std::ops::Range<u64> = 40..48;
@@ -114,9 +136,15 @@ fn by_verb(criterion: &mut Criterion, homes: &[Environment]) {
         let action = Action::one(Verb::Walk, fridge);
         b.iter_batched(|| home.clone(), |mut home| home.set_action(agent, action).unwrap(), BatchSize::LargeInput);
     });
+    let action = Action::one(Verb::Open, fridge);
     criterion.bench_function("open the fridge", |b| {
-        let action = Action::one(Verb::Open, fridge);
         b.iter_batched(|| there.clone(), |mut home| home.set_action(agent, action).unwrap(), BatchSize::LargeInput);
+    });
+    let mut open = there.clone();
+    open.set_action(agent, action).unwrap();
+    criterion.bench_function("close the fridge", |b| {
+        let action = Action::one(Verb::Close, fridge);
+        b.iter_batched(|| open.clone(), |mut home| home.set_action(agent, action).unwrap(), BatchSize::LargeInput);
     });
     criterion.bench_function("clone an environment", |b| b.iter(|| black_box(home.clone())));
 }
@@ -147,21 +175,155 @@ fn look(criterion: &mut Criterion) {
 }
 
 fn main() {
-    let mut criterion = Criterion::default().sample_size(20).configure_from_args();
-    make(&mut criterion);
-    reset(&mut criterion);
-    observe(&mut criterion);
-    act(&mut criterion);
-    look(&mut criterion);
-    thesis();
-    criterion.final_summary();
+    if std::env::args().any(|a| a == FIRST) {
+        let home = Environment::make("apartment/42", 1).unwrap();
+        println!("{}", home.room_observation(home.agents()[0]).len());
+        return;
+    }
+    if !std::env::args().any(|a| a == "table") {
+        let mut criterion = Criterion::default().sample_size(20).configure_from_args();
+        make(&mut criterion);
+        reset(&mut criterion);
+        observe(&mut criterion);
+        act(&mut criterion);
+        look(&mut criterion);
+        criterion.final_summary();
+    }
+    table();
 }
 
-/// The thesis's own figures (Table 5.1), beside which these stand.
-#[allow(clippy::print_stdout, reason = "a bench prints")]
-fn thesis() {
-    println!("the thesis's Table 5.1, seconds (Ryzen 9 5900X, RTX 3090): VirtualHome, VirtualCity");
-    println!("  starting the executable   4.56-5.07   0.42-0.95");
-    println!("  make('Apartment_0')       1.88-3.09   0.22-0.27");
-    println!("  reset()                   1.30-2.15   0.17-0.27");
+/// CPU time of this thread for something.
+fn cpu<T>(work: impl FnOnce() -> T) -> (Duration, T) {
+    let start = ThreadTime::now();
+    let made = black_box(work());
+    (start.elapsed(), made)
+}
+
+/// Median and largest of some times.
+fn spread(mut times: Vec<Duration>) -> String {
+    times.sort_unstable();
+    match times.last() {
+        Some(last) => format!("{:>10.3} ms {:>10.3} ms", ms(times[times.len() / 2]), ms(*last)),
+        None => "nothing".into(),
+    }
+}
+
+fn ms(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e3
+}
+
+/// Ours, and what the thesis has beside them.
+fn table() {
+    println!("{:<44} {:>13} {:>13}   the thesis (Table 5.1; Ryzen 9 5900X, RTX 3090)", "", "median", "most");
+    let row = |name: &str, times: Vec<Duration>, thesis: &str| println!("{name:<44} {}   {thesis}", spread(times));
+    row("process start to first observation", (0..8).map(|_| first_observation()).collect(), "0.42-0.95 s to start");
+    let name = |seed: u64| format!("apartment/{seed}");
+    let made: Vec<_> = SEEDS.map(|seed| cpu(|| Environment::make(&name(seed), 1).unwrap())).collect();
+    let homes: Vec<Environment> = made.iter().map(|(_, home)| home.clone()).collect();
+    row("make", made.into_iter().map(|(time, _)| time).collect(), "0.22-0.27 s");
+    let reset = |to: &dyn Fn(&Environment) -> virtualcity::graph::SceneGraph| -> Vec<Duration> {
+        let one = |home: &Environment| {
+            let (graph, mut home) = (to(home), home.clone());
+            cpu(|| home.reset(&graph).unwrap()).0
+        };
+        homes.iter().map(one).collect()
+    };
+    row("reset to the start", reset(&|home| home.start().clone()), "0.17-0.27 s");
+    row("reset with ten things moved", reset(&moved), "0.17-0.27 s");
+    actions(&homes, row);
+    row("next planned action (see, believe, decide)", decisions(&homes), "0.05 s");
+    fridges(&homes, row);
+    batches(&homes);
+}
+
+/// Time from starting a process to its first observation of a home.
+fn first_observation() -> Duration {
+    let start = Instant::now();
+    let done = Command::new(std::env::current_exe().unwrap()).arg(FIRST).output().unwrap();
+    assert!(done.status.success());
+    start.elapsed()
+}
+
+/// Actions at random that the rule allows, and what is seen of the room after each.
+fn actions(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
+    let mut stream = Seed(1).stream();
+    let (mut acts, mut looks) = (Vec::new(), Vec::new());
+    for mut home in homes.iter().cloned() {
+        let agent = home.agents()[0];
+        for _ in 0..ACTIONS {
+            let action = legal_action(home.graph(), agent, &mut stream);
+            acts.push(cpu(|| home.set_action(agent, action)).0);
+            looks.push(cpu(|| home.room_observation(agent)).0);
+        }
+    }
+    row("action at once, any that is legal", acts, "");
+    row("observation of the room after an action", looks, "");
+}
+
+/// Decisions of an agent that brings three things to tables, which sees its room.
+fn decisions(homes: &[Environment]) -> Vec<Duration> {
+    let mut times = Vec::new();
+    for mut home in homes.iter().cloned() {
+        let me = home.agents()[0];
+        let mut agent = Agent::newcomer(home.graph(), me, "On(novel, table), 2".parse().unwrap(), 7);
+        for _ in 0..ACTIONS / 2 {
+            let seen = home.graph().observe(me, Scope::Room);
+            let (time, decision) = cpu(|| {
+                agent.see(&seen);
+                agent.decide()
+            });
+            times.push(time);
+            let Decision::Act(action, _) = decision else { break };
+            match home.set_action(me, action) {
+                Ok(_) => agent.did(&action),
+                Err(_) => break,
+            }
+        }
+    }
+    times
+}
+
+fn fridges(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
+    let (mut opens, mut closes) = (Vec::new(), Vec::new());
+    for (_, mut there, fridge) in homes.iter().filter_map(at_the_fridge) {
+        let agent = there.agents()[0];
+        let mut time = |verb| cpu(|| there.set_action(agent, Action::one(verb, fridge)).is_ok()).0;
+        opens.push(time(Verb::Open));
+        closes.push(time(Verb::Close));
+    }
+    row("opening a full fridge", opens, "");
+    row("closing it", closes, "");
+}
+
+/// A step of a batch, and making one, on one thread and on all.
+fn batches(homes: &[Environment]) {
+    let every: Vec<Environment> = (0..BATCH).map(|i| homes[i as usize % homes.len()].clone()).collect();
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let start = Instant::now();
+        let made = pool.install(|| Batch::make((40..40 + BATCH).map(|seed| format!("apartment/{seed}")), 1).unwrap());
+        let making = start.elapsed();
+        drop(made);
+        let (mut batch, mut stream) = (Batch::of(every.clone()), Seed(3).stream());
+        let mut stepping = Duration::ZERO;
+        for _ in 0..ACTIONS {
+            let action = |home: &Environment, stream: &mut _| {
+                let agent = home.agents()[0];
+                vec![(agent, legal_action(home.graph(), agent, stream))]
+            };
+            let actions: Vec<_> = batch.environments().iter().map(|home| action(home, &mut stream)).collect();
+            let start = Instant::now();
+            black_box(pool.install(|| batch.set_actions(&actions)));
+            stepping += start.elapsed();
+        }
+        (making, stepping / ACTIONS as u32)
+    };
+    let ((make_one, step_one), (make_all, step_all)) = (on(1), on(cores));
+    let line = |what: &str, one: Duration, all: Duration| {
+        let ratio = one.as_secs_f64() / all.as_secs_f64();
+        println!("{what}: {:.2} ms on 1 thread, {:.2} ms on {cores}: {ratio:.2} times as fast", ms(one), ms(all));
+    };
+    line("making a batch of 16", make_one, make_all);
+    line("an action in each of 16", step_one, step_all);
 }
