@@ -157,51 +157,117 @@ pub(super) fn walk<S: Simd, H, const ANY: bool>(
     }
     let beam = Beam::new(simd, ray);
     let (mut best, mut end) = (None, ray.end);
-    let mut stack = [(0_u32, 0.0_f32); STACK];
-    let (mut height, mut current) = (0_usize, 0_u32);
-    loop {
+    let mut current = 0_u32;
+    // Most rays that meet little of a tree need no stack, which costs more than a node to set up.
+    let (mut enters, mut met) = loop {
         if current & LEAF != 0 {
-            if let Some((at, hit)) = meet(current & !LEAF, end) {
-                (end, best) = (at, Some((at, hit)));
-                if ANY {
-                    return best;
-                }
-            }
-        } else {
-            let node = &nodes[current as usize];
-            let (enters, mut met) = node.enters(simd, &beam, end);
-            if met.is_power_of_two() {
-                current = node.children[met.trailing_zeros() as usize];
-                continue;
-            }
-            let first = height;
-            while met != 0 {
-                let lane = met.trailing_zeros() as usize;
-                met &= met - 1;
-                let enter = enters[lane];
-                let mut at = height;
-                // Nearest on top; any is as good as another where any will do.
-                while !ANY && at > first && stack[(at - 1) % STACK].1 < enter {
-                    stack[at % STACK] = stack[(at - 1) % STACK];
-                    at -= 1;
-                }
-                stack[at % STACK] = (node.children[lane], enter);
-                height += 1;
-            }
+            return meet(current & !LEAF, end);
         }
-        // What begins behind the nearest hit is left out.
+        let node = &nodes[current as usize];
+        let (enters, met) = node.enters(simd, &beam, end);
+        if met == 0 {
+            return None;
+        }
+        if !met.is_power_of_two() {
+            break (enters, met);
+        }
+        current = node.children[met.trailing_zeros() as usize];
+    };
+    let mut stack = [(0_u32, 0.0_f32); STACK];
+    let mut height = 0_usize;
+    loop {
+        let children = &nodes[current as usize].children;
+        current = if ANY {
+            any_child(children, met, &mut stack, &mut height)
+        } else {
+            nearest_child(children, (&enters, met), &mut stack, &mut height)
+        };
+        // Down to the next node of which more than one child is met.
         loop {
-            if height == 0 {
-                return best;
+            if current & LEAF != 0 {
+                if let Some((at, hit)) = meet(current & !LEAF, end) {
+                    (end, best) = (at, Some((at, hit)));
+                    if ANY {
+                        return best;
+                    }
+                }
+                met = 0;
+            } else {
+                let node = &nodes[current as usize];
+                (enters, met) = node.enters(simd, &beam, end);
+                if met.is_power_of_two() {
+                    current = node.children[met.trailing_zeros() as usize];
+                    continue;
+                }
             }
-            height -= 1;
-            let (child, enter) = stack[height % STACK];
-            if enter <= end {
-                current = child;
+            if met != 0 {
                 break;
             }
+            // What begins behind the nearest hit is left out.
+            current = loop {
+                if height == 0 {
+                    return best;
+                }
+                height -= 1;
+                let (child, enter) = stack[height % STACK];
+                if enter <= end {
+                    break child;
+                }
+            };
         }
     }
+}
+
+/// Nodes that wait: which, and where the ray enters them.
+type Stack = [(u32, f32); STACK];
+
+/// Any of the children that are met, several of them; the others have to wait.
+#[inline(always)]
+fn any_child(children: &[u32; WIDE], mut met: u32, stack: &mut Stack, height: &mut usize) -> u32 {
+    loop {
+        let child = children[met.trailing_zeros() as usize % WIDE];
+        met &= met - 1;
+        if met == 0 {
+            return child;
+        }
+        stack[*height % STACK] = (child, 0.0);
+        *height += 1;
+    }
+}
+
+/// The nearest of the children that are met, several of them; the others have to wait, the farthest longest.
+#[inline(always)]
+fn nearest_child(
+    children: &[u32; WIDE],
+    (enters, mut met): (&Lanes, u32),
+    stack: &mut Stack,
+    height: &mut usize,
+) -> u32 {
+    let mut next = || {
+        let lane = met.trailing_zeros() as usize % WIDE;
+        met &= met.wrapping_sub(1);
+        ((children[lane], enters[lane]), met)
+    };
+    let ((a, _), (b, mut left)) = (next(), next());
+    let (mut near, far) = if b.1 < a.1 { (b, a) } else { (a, b) };
+    let first = *height;
+    stack[first % STACK] = far;
+    *height += 1;
+    while left != 0 {
+        let (child, after) = next();
+        left = after;
+        let (nearer, other) = if child.1 < near.1 { (child, near) } else { (near, child) };
+        near = nearer;
+        // Nearest on top.
+        let mut at = *height;
+        while at > first && stack[(at - 1) % STACK].1 < other.1 {
+            stack[at % STACK] = stack[(at - 1) % STACK];
+            at -= 1;
+        }
+        stack[at % STACK] = other;
+        *height += 1;
+    }
+    near.0
 }
 
 impl<S: Simd> Beam<S> {

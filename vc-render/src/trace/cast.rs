@@ -73,12 +73,12 @@ impl RayCaster {
     /// Costs a fraction of a microsecond.
     pub fn first(&self, from: &Point3<f32>, along: &Vector3<f32>, reach: f32) -> Option<RayHit> {
         let ray = ray(from, &along.try_normalize(1e-12)?, reach)?;
-        self.tracer.first_of_all(&ray).map(|met| RayHit {
+        self.tracer.touched(&ray).map(|met| RayHit {
             distance: met.t,
-            point: met.at.into(),
+            point: [0, 1, 2].map(|i: usize| ray.from[i] + met.t * ray.along[i]).into(),
             normal: met.flat.into(),
-            node: self.tracer.snapshot.bodies[met.instance.body as usize].node,
-            part: met.face.part,
+            node: self.tracer.snapshot.bodies[met.body as usize].node,
+            part: met.part,
         })
     }
 

@@ -26,6 +26,8 @@ pub(super) struct Origin {
     pub(super) instance: u32,
     /// Its triangle in the mesh.
     pub(super) triangle: u32,
+    /// Its part of the asset.
+    pub(super) part: u16,
 }
 
 /// What a ray has met: where, edges in the world, and whose it is.
@@ -63,9 +65,10 @@ impl Layer {
         let (mut corners, mut origins) = (Vec::new(), Vec::new());
         for (instance, at) in (0..).zip(instances) {
             let world = at.world.narrow();
-            for (triangle, own) in at.link.levels[0].of_kind(clear) {
+            let mesh = &*at.link.levels[0];
+            for (triangle, own) in mesh.of_kind(clear) {
                 corners.push(own.map(|p| affine::point(&world, p)));
-                origins.push(Origin { instance, triangle });
+                origins.push(Origin { instance, triangle, part: mesh.faces[triangle as usize].part });
             }
         }
         Self { standing: Bvh::build(&corners), origins, moving: Vec::new(), clear }
@@ -127,7 +130,8 @@ impl<const ANY: bool> WithSimd for Among<'_, ANY> {
                 let world = instance.world.narrow();
                 let edges = hit.edges.map(|edge| affine::vector(&world, edge));
                 let triangle = hit.number + if layer.clear { mesh.first_clear() } else { 0 };
-                Some((hit.t, (Hit { edges, ..hit }, Origin { instance: number, triangle })))
+                let part = mesh.faces[triangle as usize].part;
+                Some((hit.t, (Hit { edges, ..hit }, Origin { instance: number, triangle, part })))
             },
         );
         met.map(|(_, found)| found)

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::bvh::Ray;
+use super::bvh::{Hit, Ray};
 use super::layer::{Found, Layer, Origin};
 use crate::RenderError;
 use crate::affine::{self, Affine};
@@ -19,6 +19,31 @@ pub(crate) struct Tracer {
     clear: Layer,
     /// By instance, whether it has moved since.
     moving: Vec<bool>,
+    /// By instance, its body and whether it is mirrored.
+    owners: Vec<(u32, bool)>,
+}
+
+/// The least that is to be known of what a ray has met.
+pub(super) struct Touched {
+    pub(super) t: f32,
+    pub(super) flat: [f32; 3],
+    pub(super) body: u32,
+    pub(super) part: u16,
+}
+
+/// Normal of a triangle that was hit, unit length, outwards, and its area.
+#[inline(always)]
+fn flat(hit: &Hit, mirrored: bool) -> ([f32; 3], f32) {
+    let [b, c] = hit.edges;
+    let across = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+    let out = if mirrored { -1.0 } else { 1.0 };
+    let area = 0.5 * (across[0] * across[0] + across[1] * across[1] + across[2] * across[2]).sqrt();
+    (crate::label::unit(across.map(|v| v * out)), area)
+}
+
+/// By instance, its body and whether it is mirrored.
+fn owners(snapshot: &Snapshot) -> Vec<(u32, bool)> {
+    snapshot.instances.iter().map(|i| (i.body, i.mirrored)).collect()
 }
 
 /// What a ray has met.
@@ -46,7 +71,8 @@ impl Tracer {
     pub(crate) fn new(snapshot: &Snapshot) -> Self {
         let layer = |clear: bool| Layer::new(&snapshot.instances, clear);
         let (solid, clear) = rayon::join(|| layer(false), || layer(true));
-        Self { snapshot: snapshot.clone(), solid, clear, moving: vec![false; snapshot.instances.len()] }
+        let moving = vec![false; snapshot.instances.len()];
+        Self { snapshot: snapshot.clone(), solid, clear, moving, owners: owners(snapshot) }
     }
 
     /// Goes over to another moment of the same scene. What moves for the first time leaves the
@@ -66,6 +92,7 @@ impl Tracer {
         }
         self.moving.iter_mut().zip(gone).for_each(|(moves, gone)| *moves |= gone);
         self.snapshot = snapshot.clone();
+        self.owners = owners(snapshot);
         for layer in [&mut self.solid, &mut self.clear] {
             layer.arrange(&self.snapshot.instances, &self.moving);
         }
@@ -79,10 +106,23 @@ impl Tracer {
 
     /// The first thing along a ray, solid or clear.
     pub(crate) fn first_of_all(&self, ray: &Ray) -> Option<Met<'_>> {
+        self.nearest(ray).map(|found| self.met(ray, &found))
+    }
+
+    /// The same, only where it is, its normal as [`Met::flat`], body and part: about a sixth less time.
+    #[inline]
+    pub(super) fn touched(&self, ray: &Ray) -> Option<Touched> {
+        let (hit, origin) = self.nearest(ray)?;
+        let (body, mirrored) = self.owners[origin.instance as usize];
+        Some(Touched { t: hit.t, flat: flat(&hit, mirrored).0, body, part: origin.part })
+    }
+
+    #[inline]
+    fn nearest(&self, ray: &Ray) -> Option<Found> {
         let instances = &self.snapshot.instances;
         let solid = self.solid.first(instances, ray);
         let nearer = Ray { end: solid.map_or(ray.end, |(hit, _)| hit.t), ..*ray };
-        self.clear.first(instances, &nearer).or(solid).map(|found| self.met(ray, &found))
+        self.clear.first(instances, &nearer).or(solid)
     }
 
     /// The first clear thing along a ray.
@@ -96,17 +136,14 @@ impl Tracer {
     }
 
     fn met(&self, ray: &Ray, (hit, origin): &Found) -> Met<'_> {
-        let Origin { instance: index, triangle } = *origin;
+        let Origin { instance: index, triangle, .. } = *origin;
         let instance = &self.snapshot.instances[index as usize];
         let face = &instance.link.levels[0].faces[triangle as usize];
-        let [b, c] = hit.edges;
-        let across = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
-        let out = if instance.mirrored { -1.0 } else { 1.0 };
+        let (flat, area) = flat(hit, instance.mirrored);
         let [u, v] = hit.weights;
         let [n0, n1, n2] = face.normals;
         let bent = [0, 1, 2].map(|i: usize| n0[i] * (1.0 - u - v) + n1[i] * u + n2[i] * v);
         let normal = if face.flat { n0 } else { bent };
-        let flat = crate::label::unit(across.map(|v| v * out));
         let normal = affine::normal(&instance.inverse, normal);
         // Normals that cancel each other say nothing.
         let length = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
@@ -118,7 +155,7 @@ impl Tracer {
             face,
             triangle,
             weights: hit.weights,
-            area: 0.5 * (across[0] * across[0] + across[1] * across[1] + across[2] * across[2]).sqrt(),
+            area,
             flat,
             normal: if length > 1e-20 { crate::label::unit(normal) } else { flat },
         }
