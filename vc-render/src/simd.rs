@@ -50,6 +50,64 @@ fn differ<S: pulp::Simd>(simd: S, these: &[u32; 8], others: &[u32; 8]) -> u32 {
     (0..8).fold(0, |all, lane| all | u32::from(these[lane] != others[lane]) << lane)
 }
 
+/// Sums bytes with weights.
+#[derive(Clone, Copy)]
+pub(crate) struct Mixer {
+    #[cfg(target_arch = "x86_64")]
+    v3: Option<pulp::x86::V3>,
+}
+
+impl Mixer {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self {
+            #[cfg(target_arch = "x86_64")]
+            v3: pulp::x86::V3::try_new(),
+        }
+    }
+
+    /// Eight sums of four bytes each, their weights the same for all eight; no sum may need more than sixteen bits.
+    #[inline(always)]
+    pub(crate) fn sum(self, bytes: [[u8; 8]; 4], weights: [u16; 4]) -> [u16; 8] {
+        // The compiler takes byte by byte.
+        #[cfg(target_arch = "x86_64")]
+        if let Some(v3) = self.v3 {
+            let part = |k: usize| {
+                let wide = v3.sse4_1._mm_cvtepu8_epi16(pulp::cast([u64::from_le_bytes(bytes[k]), 0]));
+                v3.sse2._mm_mullo_epi16(wide, v3.sse2._mm_set1_epi16(weights[k] as i16))
+            };
+            let (above, below) = (v3.sse2._mm_add_epi16(part(0), part(1)), v3.sse2._mm_add_epi16(part(2), part(3)));
+            return pulp::cast(v3.sse2._mm_add_epi16(above, below));
+        }
+        std::array::from_fn(|i| (0..4).fold(0, |sum, k| sum + u16::from(bytes[k][i]) * weights[k]))
+    }
+}
+
+/// As [`runs`], where vectors are the compiler's business.
+#[inline(always)]
+pub(crate) fn stretches(row: &[u32], mut stretch: impl FnMut(u32, usize, usize)) {
+    const PART: usize = 8;
+    let (mut from, mut at) = (0, 0);
+    let (these, next) = (row.as_chunks::<PART>().0, row.get(1..).unwrap_or(&[]).as_chunks::<PART>().0);
+    for (these, next) in these.iter().zip(next) {
+        if these != next {
+            for lane in 0..PART {
+                if these[lane] != next[lane] {
+                    stretch(row[from], from, at + lane + 1);
+                    from = at + lane + 1;
+                }
+            }
+        }
+        at += PART;
+    }
+    for to in at + 1..=row.len() {
+        if row.get(to) != Some(&row[to - 1]) {
+            stretch(row[from], from, to);
+            from = to;
+        }
+    }
+}
+
 /// Cuts a row into runs of equal numbers, by their first positions and those after their last.
 #[inline(always)]
 pub(crate) fn runs<S: pulp::Simd>(simd: S, row: &[u32], mut run: impl FnMut(u32, usize, usize)) {

@@ -1,10 +1,11 @@
 //! Shadow maps: depth as a light sees it.
 
 use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
 
 use crate::affine::{self, Narrow};
 use crate::camera::Camera;
-use crate::raster::{Drawing, Frustum, Layers};
+use crate::raster::{Drawing, Frustum, Layers, Target};
 use crate::renderer::Renderer;
 use crate::scene::Snapshot;
 
@@ -17,6 +18,8 @@ pub(crate) struct ShadowMap {
     axes: [[f32; 3]; 3],
     focal: f32,
     side: i32,
+    /// Block by block, as texels that are looked at together are near each other. The lowest bits say how many
+    /// texels around show the same plane, [`CLEAR`] at most.
     depth: Vec<f32>,
     /// Least and greatest depth in every block and the eight around it.
     blocks: Vec<[f32; 2]>,
@@ -37,6 +40,8 @@ const LAMP: u32 = 256;
 const BLOCK: i32 = 8;
 /// Widest edge of a shadow, texels; less than a block.
 const WIDEST: f32 = 6.0;
+/// Greatest clearance of a texel: bits of a depth, less than a millimetre.
+const CLEAR: u32 = 15;
 /// How far the eye of the sun's map is, metres; its rays are as good as parallel.
 const FAR: f32 = 400.0;
 /// The sun's radius at that distance, and half as much again for haze.
@@ -71,10 +76,10 @@ impl ShadowMap {
         let drawing = Drawing { instances: &snapshot.instances, frustum, detail: renderer.detail.max(0.5) };
         let mut layers = Layers::default();
         layers.draw_solid(&drawing, which, (side as usize, 0..side));
-        let depth: Vec<f32> = (0..side).flat_map(|y| layers.front.inverse_row(y)).map(|v| 1.0 / v).collect();
+        let depth = blockwise(&depths(&layers.front, side, slack), side as usize);
         let turn = camera.pose.rotation.to_rotation_matrix();
         let axes = [0, 1, 2].map(|c: usize| turn.matrix().column(c).into());
-        let blocks = widened(&blocks(&depth, side), (side / BLOCK) as usize);
+        let blocks = widened(&blocks(&depth), (side / BLOCK) as usize);
         Self { map: frustum.map.narrow(), axes, focal: camera.focal.0, side, depth, blocks, source, slack }
     }
 
@@ -118,7 +123,17 @@ impl ShadowMap {
         if greatest < z - 4.0 * self.slack {
             return 0.0;
         }
-        self.share(place, z, self.slope(off, normal, z), least)
+        let slope = self.slope(off, normal, z);
+        let found = self.depth[self.texel(place[0], place[1])];
+        // Where all that is looked at is one plane, which the point is on or clearly behind, one look tells.
+        if (found.to_bits() & CLEAR) as f32 >= self.edge(z, least) + 2.0 {
+            let by = place.map(|p| p.floor() + 0.5 - p);
+            let limit = z + by[0] * slope[0] + by[1] * slope[1] - self.slack;
+            if found >= limit || found < limit - 3.0 * self.slack {
+                return if found >= limit { 1.0 } else { 0.0 };
+            }
+        }
+        self.share(place, z, slope, least)
     }
 
     /// How depth changes along a surface, to the right and down, metres for a texel.
@@ -168,7 +183,14 @@ impl ShadowMap {
     #[inline(always)]
     fn texel(&self, x: f32, y: f32) -> usize {
         let within = |v: f32| (v as i32).clamp(0, self.side - 1) as usize;
-        within(y) * self.side as usize + within(x)
+        self.row(within(y)) + column(within(x))
+    }
+
+    /// Where a row begins in the list of depths.
+    #[inline(always)]
+    fn row(&self, y: usize) -> usize {
+        const SIDE: usize = BLOCK as usize;
+        y / SIDE * (self.side as usize * SIDE) + y % SIDE * SIDE
     }
 
     /// The mean of four comparisons, smooth from texel to texel.
@@ -178,29 +200,101 @@ impl ShadowMap {
         let (x, y) = ((x - 0.5).max(0.0).min(most), (y - 0.5).max(0.0).min(most));
         let (cx, cy) = (x as usize, y as usize);
         let (fx, fy) = (x - cx as f32, y - cy as f32);
-        let at = cy * self.side as usize + cx;
-        let row = |at: usize| {
-            let two = &self.depth[at..at + 2];
-            let lit = |v: f32| if v >= limit { 1.0 } else { 0.0 };
-            lit(two[0]) * (1.0 - fx) + lit(two[1]) * fx
-        };
-        row(at) * (1.0 - fy) + row(at + self.side as usize) * fy
+        let (left, right) = (column(cx), column(cx + 1));
+        let lit = |at: usize| if self.depth[at] >= limit { 1.0 } else { 0.0 };
+        let (upper, lower) = (self.row(cy), self.row(cy + 1));
+        let above = lit(upper + left) * (1.0 - fx) + lit(upper + right) * fx;
+        let below = lit(lower + left) * (1.0 - fx) + lit(lower + right) * fx;
+        above * (1.0 - fy) + below * fy
     }
 }
 
-/// Least and greatest depth of every block.
-fn blocks(depth: &[f32], side: i32) -> Vec<[f32; 2]> {
-    let (side, block) = (side as usize, BLOCK as usize);
-    let across = side / block;
-    let mut all = vec![[f32::INFINITY, 0.0]; across * across];
-    for (i, row) in depth.chunks(side).enumerate() {
-        for (j, texels) in row.chunks(block).enumerate() {
-            let [least, greatest] = &mut all[i / block * across + j];
-            *least = texels.iter().fold(*least, |m, v| m.min(*v));
-            *greatest = texels.iter().fold(*greatest, |m, v| m.max(*v));
+/// Where a column begins in the list of depths, from its row on.
+#[inline(always)]
+fn column(x: usize) -> usize {
+    const SIDE: usize = BLOCK as usize;
+    x / SIDE * (SIDE * SIDE) + x % SIDE
+}
+
+/// Texels row by row to texels block by block.
+fn blockwise(rows: &[f32], side: usize) -> Vec<f32> {
+    let block = BLOCK as usize;
+    let mut all = Vec::with_capacity(rows.len());
+    for rows in rows.chunks(side * block) {
+        for x in (0..side).step_by(block) {
+            rows.chunks(side).for_each(|row| all.extend_from_slice(&row[x..x + block]));
         }
     }
     all
+}
+
+/// Depths row by row, with their clearance in the lowest bits.
+fn depths(target: &Target, side: i32, slack: f32) -> Vec<f32> {
+    let width = side as usize;
+    let mut clear = vec![0; width * width];
+    clear.par_chunks_mut(width).zip(0..side).filter(|(_, y)| (1..side - 1).contains(y)).for_each(|(out, y)| {
+        let [above, own, below] = [y - 1, y, y + 1].map(|y| target.inverse_row(y));
+        crate::simd::widest(
+            #[inline(always)]
+            || even([above, own, below], 0.05 * slack, out),
+        );
+    });
+    let clear = spread(&spread(&clear, 1), width);
+    let inverse = (0..side).flat_map(|y| target.inverse_row(y));
+    let depth = |(v, clear): (&f32, u8)| f32::from_bits((1.0 / v.max(1e-12)).to_bits() & !CLEAR | u32::from(clear));
+    inverse.zip(clear).map(depth).collect()
+}
+
+/// Marks texels of a row which lie between their neighbours, up to so many metres.
+#[inline(always)]
+fn even([above, own, below]: [&[f32]; 3], slack: f32, out: &mut [u8]) {
+    let count = out.len() - 2;
+    let out = &mut out[1..=count];
+    let (left, middle, right) = (&own[..count], &own[1..=count], &own[2..]);
+    let (above, below) = (&above[1..=count], &below[1..=count]);
+    for x in 0..count {
+        let twice = 2.0 * middle[x];
+        let bends = ((left[x] + right[x] - twice).abs()).max((above[x] + below[x] - twice).abs());
+        // How inverse depth changes with depth.
+        out[x] = if bends <= slack * middle[x] * middle[x] { CLEAR as u8 } else { 0 };
+    }
+}
+
+/// How far the nearest zero is along an axis, if it is nearer than a number says.
+fn spread(from: &[u8], stride: usize) -> Vec<u8> {
+    const PART: usize = 4096;
+    let mut near = from.to_vec();
+    near.par_chunks_mut(PART).enumerate().for_each(|(part, near)| {
+        let (start, end) = (part * PART, part * PART + near.len());
+        for by in 1..=WIDEST as usize + 2 {
+            // Texels at the border are zero, so none beyond is missed.
+            let after = from.get(start + by * stride..).unwrap_or(&[]);
+            let missing = (by * stride).saturating_sub(start).min(near.len());
+            let before = &from[(start + missing).saturating_sub(by * stride)..end.saturating_sub(by * stride)];
+            crate::simd::widest(
+                #[inline(always)]
+                || {
+                    lower(near, after, by as u8);
+                    lower(&mut near[missing..], before, by as u8);
+                },
+            );
+        }
+    });
+    near
+}
+
+/// Lowers numbers to others, which count for no less than so much.
+#[inline(always)]
+fn lower(these: &mut [u8], others: &[u8], least: u8) {
+    these.iter_mut().zip(others).for_each(|(this, other)| *this = (*this).min((*other).max(least)));
+}
+
+/// Least and greatest depth of every block.
+fn blocks(depth: &[f32]) -> Vec<[f32; 2]> {
+    let ends = |texels: &[f32]| {
+        texels.iter().fold([f32::INFINITY, 0.0], |[least, greatest], v| [v.min(least), v.max(greatest)])
+    };
+    depth.par_chunks((BLOCK * BLOCK) as usize).map(ends).collect()
 }
 
 /// The same of every block and those around it.

@@ -6,8 +6,7 @@
 use super::planes::Planes;
 use super::surfel::{Known, Writer};
 use super::tone::{decoded, encoded};
-use crate::affine;
-use crate::raster::{NONE, Target, Visible};
+use crate::raster::{NONE, Target};
 
 /// An edge between two pixels of a picture.
 #[derive(Debug, Clone, Copy)]
@@ -19,45 +18,107 @@ pub(crate) struct Edge {
     share: f32,
 }
 
+/// Three lines over an image: what x, y and one are multiplied with.
+pub(super) type Lines = [[f32; 3]; 3];
+
 /// Finds edges in rows of an image.
 pub(super) struct Find<'a> {
     pub(super) writer: &'a Writer<'a>,
     pub(super) solid: &'a Target,
 }
 
+/// Colours of channels that differ by no more are as good as the same.
+const SAME: u8 = 3;
+/// Pixels that are compared at once.
+const LANES: usize = 8;
+
+/// Colours of some pixels of a row, and those of their neighbours.
+type Colours<'a> = [&'a [[u8; 3]]; 2];
+
+/// All but the first.
+#[inline(always)]
+fn after<T>(list: &[T]) -> &[T] {
+    list.get(1..).unwrap_or(&[])
+}
+
 impl Find<'_> {
-    /// Finds edges between pixels of a row and with the next, if that is in the planes.
+    /// Finds edges between neighbouring pixels of a row.
     #[inline(always)]
-    pub(super) fn row(
+    pub(super) fn across(
         &self,
         (planes, first): (&Planes, usize),
-        (y, below): (i32, bool),
+        y: i32,
+        colours: &[[u8; 3]],
+        known: &mut Known,
+        edges: &mut Vec<Edge>,
+    ) {
+        let (here, looks) = (self.solid.triangle_row(y), &planes.look[first..first + planes.width]);
+        self.pairs(
+            [here, after(here)],
+            [looks, after(looks)],
+            [colours, after(colours)],
+            #[inline(always)]
+            |x| {
+                let inverse = self.solid.inverse_row(y);
+                let share = self.between((here[x], inverse[x]), (here[x + 1], inverse[x + 1]), (x, y, 0), known);
+                push(edges, y as u32 * planes.width as u32 + x as u32, 1, share);
+            },
+        );
+    }
+
+    /// Finds edges between a row and the next, which is in the planes too.
+    #[inline(always)]
+    pub(super) fn down(
+        &self,
+        (planes, first): (&Planes, usize),
+        y: i32,
+        colours: Colours<'_>,
         known: &mut Known,
         edges: &mut Vec<Edge>,
     ) {
         let width = planes.width;
-        let (here, inverse) = (self.solid.triangle_row(y), self.solid.inverse_row(y));
-        let start = y as u32 * width as u32;
-        for x in 0..width - 1 {
-            if here[x] != here[x + 1]
-                && !(planes.look[first + x] == planes.look[first + x + 1] && self.writer.smooth([here[x], here[x + 1]]))
-            {
-                let share = self.between((here[x], inverse[x]), (here[x + 1], inverse[x + 1]), (x, y, 0), known);
-                push(edges, start + x as u32, 1, share);
+        let (here, next) = (self.solid.triangle_row(y), self.solid.triangle_row(y + 1));
+        let looks = [&planes.look[first..first + width], &planes.look[first + width..first + 2 * width]];
+        self.pairs(
+            [here, next],
+            looks,
+            colours,
+            #[inline(always)]
+            |x| {
+                let (inverse, deeper) = (self.solid.inverse_row(y), self.solid.inverse_row(y + 1));
+                let share = self.between((here[x], inverse[x]), (next[x], deeper[x]), (x, y, 1), known);
+                push(edges, y as u32 * width as u32 + x as u32, width as u32, share);
+            },
+        );
+    }
+
+    /// Goes through pixels that show something else than their neighbours, and are not coloured alike.
+    #[inline(always)]
+    fn pairs(
+        &self,
+        [here, there]: [&[u32]; 2],
+        [look, other]: [&[u32]; 2],
+        [own, beside]: Colours<'_>,
+        mut edge: impl FnMut(usize),
+    ) {
+        let mut pixel = |x: usize| {
+            let same = |k: usize| own[x][k].abs_diff(beside[x][k]) <= SAME;
+            let seen = here[x] != there[x]
+                && !(same(0) && same(1) && same(2))
+                && !(look[x] == other[x] && self.writer.smooth([here[x], there[x]]));
+            if seen {
+                edge(x);
+            }
+        };
+        let count = here.len().min(there.len());
+        let (eights, others) = (here.as_chunks::<LANES>().0, there.as_chunks::<LANES>().0);
+        let whole = eights.len().min(others.len());
+        for (part, (eight, other)) in eights.iter().zip(others).enumerate() {
+            if eight != other {
+                (part * LANES..(part + 1) * LANES).for_each(&mut pixel);
             }
         }
-        if below {
-            let (next, deeper) = (self.solid.triangle_row(y + 1), self.solid.inverse_row(y + 1));
-            for x in 0..width {
-                if here[x] != next[x]
-                    && !(planes.look[first + x] == planes.look[first + width + x]
-                        && self.writer.smooth([here[x], next[x]]))
-                {
-                    let share = self.between((here[x], inverse[x]), (next[x], deeper[x]), (x, y, 1), known);
-                    push(edges, start + x as u32, width as u32, share);
-                }
-            }
-        }
+        (whole * LANES..count).for_each(pixel);
     }
 
     /// How the edge between two pixels, the second after the first along an axis, cuts them:
@@ -77,24 +138,16 @@ impl Find<'_> {
         let mut from = [x as f32 + 0.5, y as f32 + 0.5];
         from[axis] += if forward { 0.0 } else { 1.0 };
         let step = if forward { 1.0 } else { -1.0 };
-        let reach = self.reach(self.writer.visible[nearer as usize], from, (axis, step), known);
+        let reach = self.reach(nearer, from, (axis, step), known);
         // The owner of the nearer triangle ends within its own pixel.
         reach.map_or(0.0, |r| 0.5 - r) * step
     }
 
     /// How far a triangle reaches from a point in it along an axis, up to one pixel.
-    fn reach(&self, visible: Visible, from: [f32; 2], (axis, step): (usize, f32), known: &mut Known) -> Option<f32> {
-        let instances = &self.writer.view.snapshot.instances;
-        let mesh = visible.mesh(instances);
-        let map = known.maps(visible.instance, instances, &self.writer.frustum)[0];
-        let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index()).map(|p| affine::point(&map, p));
+    #[inline(always)]
+    fn reach(&self, triangle: u32, from: [f32; 2], (axis, step): (usize, f32), known: &mut Known) -> Option<f32> {
         let mut best: Option<f32> = None;
-        let area = homogeneous(corners[0], corners[1], corners[2]);
-        for k in 0..3 {
-            let (a, b) = (corners[k], corners[(k + 1) % 3]);
-            // The edge's line over the image, positive inside.
-            let line = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-            let line = line.map(|v| v * area.signum());
+        for line in known.lines(triangle, self.writer) {
             let here = (line[0] * from[0] + line[1] * from[1] + line[2]).max(0.0);
             let change = line[axis] * step;
             if here + change < 0.0 {
@@ -104,6 +157,16 @@ impl Find<'_> {
         }
         best
     }
+}
+
+/// The lines over the image along the edges of a triangle, positive inside.
+pub(super) fn lines(corners: [[f32; 3]; 3]) -> Lines {
+    let area = homogeneous(corners[0], corners[1], corners[2]).signum();
+    [0, 1, 2].map(|k: usize| {
+        let (a, b) = (corners[k], corners[(k + 1) % 3]);
+        let line = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+        line.map(|v| v * area)
+    })
 }
 
 fn homogeneous(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f32 {

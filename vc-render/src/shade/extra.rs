@@ -9,6 +9,7 @@ use crate::label::{bent, unit};
 use crate::light::{Lighting, dot};
 use crate::raster::{Frustum, Layers, NONE};
 use crate::renderer::Renderer;
+use crate::simd::stretches;
 use crate::trace::{Met, Ray};
 use crate::view::View;
 
@@ -59,27 +60,23 @@ impl Extra<'_> {
     pub(super) fn panes(&self, layers: &Layers, frustum: &Frustum, y: i32, row: &mut Row<'_>) {
         let (front, behind) = (layers.front.triangle_row(y), layers.behind.triangle_row(y));
         let inverse = layers.front.inverse_row(y);
-        let mut column = 0;
-        for same in front.chunk_by(|a, b| a == b) {
-            let (from, to) = (column, column + same.len());
-            column = to;
-            if same[0] == NONE || behind[from..to].iter().all(|b| *b == same[0]) {
-                continue;
-            }
-            for first in (from..to).step_by(SHARED) {
-                let last = (first + SHARED).min(to);
-                let pixels = (first..last).filter(|&x| behind[x] != same[0]);
-                self.pane(layers, frustum, (same[0], y), (inverse, pixels), row);
-            }
+        if front == behind {
+            return;
         }
+        stretches(front, |triangle, from, to| {
+            if triangle != NONE && behind[from..to].iter().any(|b| *b != triangle) {
+                self.pane(layers, frustum, (triangle, y), (from..to, &inverse[from..to], &behind[from..to]), row);
+            }
+        });
     }
 
+    /// Pixels of a row that show a triangle of a pane, given what is behind it.
     fn pane(
         &self,
         layers: &Layers,
         frustum: &Frustum,
         (triangle, y): (u32, i32),
-        (inverse, pixels): (&[f32], impl Iterator<Item = usize>),
+        (columns, inverse, behind): (std::ops::Range<usize>, &[f32], &[u32]),
         row: &mut Row<'_>,
     ) {
         let visible = layers.visible[triangle as usize];
@@ -90,23 +87,31 @@ impl Extra<'_> {
         let room = self.view.snapshot.bodies[instance.body as usize].room;
         let map = || frustum.map.after(&instance.world).narrow();
         let bend = bent(map, frustum.near, instances, visible);
-        let mut shared = None;
-        for x in pixels {
+        // Place, direction from the eye, normal and how much is reflected.
+        let seen = |i: usize| {
+            let x = columns.start + i;
             let normal = bend.unwrap_or_else(|bend| unit(bend.at(x as f32 + 0.5, y as f32 + 0.5)));
-            let (at, towards) = self.place((x, y), inverse[x]);
-            let facing = dot(towards, normal).abs().clamp(0.0, 1.0);
-            let edge = 1.0 - facing;
-            let fresnel = 0.06 + 0.94 * edge * edge * edge * edge * edge;
-            let (around, own) = *shared.get_or_insert_with(|| {
-                let twice = 2.0 * dot(towards, normal);
-                let along = unit([0, 1, 2].map(|i: usize| towards[i] - twice * normal[i]));
-                let sides = self.lamps.lighting.sides(at, normal, room);
-                (sides.sheen(along), sides.falls(normal))
-            });
-            let through = surface.transmission * (1.0 - fresnel);
-            for i in 0..3 {
-                let body = (1.0 - surface.transmission) * surface.colour[i] * own[i] / std::f32::consts::PI;
-                row[i][x] = row[i][x] * surface.colour[i] * through + around[i] * fresnel + body * (1.0 - fresnel);
+            let (at, towards) = self.place((x, y), inverse[i]);
+            let edge = 1.0 - dot(towards, normal).abs().clamp(0.0, 1.0);
+            (at, towards, normal, 0.06 + 0.94 * edge * edge * edge * edge * edge)
+        };
+        for first in (0..columns.len()).step_by(SHARED) {
+            let last = (first + SHARED).min(columns.len()) - 1;
+            let (at, towards, normal, start) = seen(first);
+            let twice = 2.0 * dot(towards, normal);
+            let along = unit([0, 1, 2].map(|i: usize| towards[i] - twice * normal[i]));
+            let sides = self.lamps.lighting.sides(at, normal, room);
+            let (around, own) = (sides.sheen(along), sides.falls(normal));
+            let slope = (seen(last).3 - start) / (last - first).max(1) as f32;
+            for i in (first..=last).filter(|i| behind[*i] != triangle) {
+                // Over a flat pane it changes little and evenly.
+                let fresnel = if bend.is_ok() { start + slope * (i - first) as f32 } else { seen(i).3 };
+                let through = surface.transmission * (1.0 - fresnel);
+                let x = columns.start + i;
+                for c in 0..3 {
+                    let body = (1.0 - surface.transmission) * surface.colour[c] * own[c] / std::f32::consts::PI;
+                    row[c][x] = row[c][x] * surface.colour[c] * through + around[c] * fresnel + body * (1.0 - fresnel);
+                }
             }
         }
     }

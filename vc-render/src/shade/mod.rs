@@ -40,6 +40,9 @@ use crate::view::View;
 /// however many there are.
 pub(crate) const ALIGNED: usize = 8;
 
+/// Pixels of a row that are done at once.
+const PART: usize = 64;
+
 /// What shading a band needs, and the edges found in it.
 #[derive(Default)]
 pub(crate) struct Scratch {
@@ -48,6 +51,8 @@ pub(crate) struct Scratch {
     batch: Box<Batch>,
     spots: Spots,
     linear: [Vec<f32>; 3],
+    /// Colours of the row after the band's last.
+    next: Vec<[u8; 3]>,
     edges: Vec<Edge>,
 }
 
@@ -173,29 +178,48 @@ impl Rows<'_> {
         spots.clear();
     }
 
-    /// From light to colours, and edges.
+    /// From light to colours, and edges: up to the row after these, which is known too.
     #[inline(always)]
     fn finish(&mut self, last: usize, strip: &mut Strip<'_>) {
-        let shading = self.shading;
-        let extra = Extra { renderer: shading.renderer, view: shading.view, lamps: &self.lamps };
-        let Scratch { planes, linear, known, edges, .. } = &mut *self.scratch;
-        let find = Find { writer: self.writer, solid: self.layers.solid() };
-        let mirrors = known.looks.iter().any(|l| l.mirror);
-        for (row, y) in (self.start..strip.rows.end).take(ROWS).enumerate() {
-            let first = row * planes.width;
-            planes.thrown(first, linear);
-            let [r, g, b] = linear;
-            let mut line = [r.as_mut_slice(), g.as_mut_slice(), b.as_mut_slice()];
-            if mirrors {
-                extra.mirrors(known, (planes, first), y, &mut line);
-            }
-            if self.layers.clear {
-                extra.panes(self.layers, &self.writer.frustum, y, &mut line);
-            }
-            let out = strip.row(y);
-            tone::colours(line.map(|l| &*l), shading.exposure, &mut strip.rgb[out]);
-            find.row((planes, first), (y, row < last), known, edges);
+        let mut next = std::mem::take(&mut self.scratch.next);
+        next.resize(strip.width, [0; 3]);
+        // That of the first row of all others is known from the strip before.
+        let known = usize::from(self.start > strip.rows.start);
+        for (row, y) in (0..=last).zip(self.start..).skip(known) {
+            let inside = y < strip.rows.end;
+            let at = if inside { strip.row(y) } else { 0..0 };
+            self.colour(row, if inside { &mut strip.rgb[at] } else { &mut next[..] });
         }
+        let find = Find { writer: self.writer, solid: self.layers.solid() };
+        let Scratch { planes, known, edges, .. } = &mut *self.scratch;
+        for (row, y) in (self.start..strip.rows.end).take(ROWS).enumerate() {
+            let (first, own) = (row * planes.width, &strip.rgb[strip.row(y)]);
+            find.across((planes, first), y, own, known, edges);
+            if row < last {
+                let below = if y + 1 < strip.rows.end { &strip.rgb[strip.row(y + 1)] } else { &next[..] };
+                find.down((planes, first), y, [own, below], known, edges);
+            }
+        }
+        self.scratch.next = next;
+    }
+
+    /// From light to colours in a row of the strip.
+    #[inline(always)]
+    fn colour(&mut self, row: usize, out: &mut [[u8; 3]]) {
+        let (shading, y) = (self.shading, self.start + row as i32);
+        let Scratch { planes, linear, known, .. } = &mut *self.scratch;
+        let first = row * planes.width;
+        planes.thrown(first, linear);
+        let [r, g, b] = linear;
+        let mut line = [r.as_mut_slice(), g.as_mut_slice(), b.as_mut_slice()];
+        let extra = Extra { renderer: shading.renderer, view: shading.view, lamps: &self.lamps };
+        if known.looks.iter().any(|l| l.mirror) {
+            extra.mirrors(known, (planes, first), y, &mut line);
+        }
+        if self.layers.clear {
+            extra.panes(self.layers, &self.writer.frustum, y, &mut line);
+        }
+        tone::colours(line.map(|l| &*l), shading.exposure, out);
     }
 }
 
@@ -203,22 +227,31 @@ impl Planes {
     /// Light that surfaces of a row throw to the eye.
     #[inline(always)]
     fn thrown(&self, first: usize, out: &mut [Vec<f32>; 3]) {
-        let width = self.width;
-        let (lean, drift) = (&self.lean[first..first + width], &self.drift[first..first + width]);
-        let shiny = &self.gloss[first..first + width];
-        for (c, out) in out.iter_mut().enumerate() {
-            let colour = &self.colour[c][first..first + width];
-            let falls = &self.light[c][first..first + width];
-            let sheen = &self.light[c + 3][first..first + width];
-            let out = &mut out[..width];
-            for x in 0..width {
-                let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
-                // Half as much as it would be: textures are flat, and lie.
-                let more = (1.0 + 0.5 * DRIFT * (a * u + b * v + c * w)).clamp(0.4, 1.8);
-                let (_, metallic) = gloss(shiny[x]);
-                let dull = colour[x] * (1.0 - metallic) * std::f32::consts::FRAC_1_PI;
-                let tint = 1.0 + metallic * (colour[x] - 1.0);
-                out[x] = dull * falls[x] * more + tint * sheen[x];
+        for from in (0..self.width).step_by(PART) {
+            let to = (from + PART).min(self.width);
+            self.thrown_part(first + from..first + to, out.each_mut().map(|out| &mut out[from..to]));
+        }
+    }
+
+    #[inline(always)]
+    fn thrown_part(&self, at: std::ops::Range<usize>, out: [&mut [f32]; 3]) {
+        let (lean, drift, shiny) = (&self.lean[at.clone()], &self.drift[at.clone()], &self.gloss[at.clone()]);
+        let count = at.len().min(PART);
+        let (lean, drift, shiny) = (&lean[..count], &drift[..count], &shiny[..count]);
+        let (mut more, mut metal) = ([0.0_f32; PART], [0.0_f32; PART]);
+        for x in 0..count {
+            let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
+            // Half as much as it would be: textures are flat, and lie.
+            let leant = (1.0 + 0.5 * DRIFT * (a * u + b * v + c * w)).clamp(0.4, 1.8);
+            metal[x] = gloss(shiny[x]).1;
+            more[x] = leant * (1.0 - metal[x]) * std::f32::consts::FRAC_1_PI;
+        }
+        for (c, out) in out.into_iter().enumerate() {
+            let (colour, out) = (&self.colour[c][at.start..][..count], &mut out[..count]);
+            let (falls, sheen) = (&self.light[c][at.start..][..count], &self.light[c + 3][at.start..][..count]);
+            for x in 0..count {
+                let tint = 1.0 + metal[x] * (colour[x] - 1.0);
+                out[x] = colour[x] * falls[x] * more[x] + tint * sheen[x];
             }
         }
     }

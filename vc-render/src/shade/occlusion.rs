@@ -11,14 +11,13 @@ use rayon::prelude::*;
 
 use crate::camera::Camera;
 use crate::frame::Band;
-use crate::raster::refill;
 use crate::simd;
 use crate::simd::whole;
 
 /// How far things keep light away, metres.
 const REACH: f32 = 0.45;
 /// Comparisons for each point; sixteen neighbours look in different directions.
-const TAPS: usize = 6;
+const TAPS: usize = 4;
 /// Points that are found at once.
 const LANES: usize = 64;
 /// Rows given to a thread at a time.
@@ -57,11 +56,13 @@ impl Openness {
         for band in bands {
             let solid = band.layers.solid();
             for y in band.rows.clone().filter(|y| y % 2 == 0) {
-                self.inverse.extend(solid.inverse_row(y).iter().step_by(2));
+                let (pairs, last) = solid.inverse_row(y).as_chunks::<2>();
+                self.inverse.extend(pairs.iter().map(|pair| pair[0]));
+                self.inverse.extend(last);
             }
         }
-        refill(&mut self.open, 1.0, self.across * self.down);
-        refill(&mut self.blurred, 1.0, self.across * self.down);
+        self.open.resize(self.across * self.down, 1.0);
+        self.blurred.resize(self.across * self.down, 1.0);
         let spirals = &*SPIRALS;
         let look = Look { inverse: &self.inverse, across: self.across, down: self.down, camera };
         let each = self.across * ROWS;

@@ -1,5 +1,6 @@
 //! What is seen at every pixel, before there is light.
 
+use super::edge::{Lines, lines};
 use super::planes::{Planes, gloss_of};
 use super::texture::Texture;
 use crate::affine::{self, Affine, Narrow};
@@ -8,6 +9,7 @@ use crate::light::Lighting;
 use crate::raster::{Frustum, Layers, NONE, Target, Visible, refill};
 use crate::renderer::Renderer;
 use crate::scene::{Instance, NO_ROOM};
+use crate::simd::stretches;
 use crate::surface::{Pattern, Role, SPAN, Span, Surface, Tile};
 use crate::view::View;
 
@@ -51,6 +53,9 @@ pub(crate) struct Known {
     /// By visible triangle, the position of its normals in the list below.
     bent: Vec<u32>,
     bends: Vec<Result<[f32; 3], Bent>>,
+    /// By visible triangle, the position of its edges in the list below.
+    edged: Vec<u32>,
+    lines: Vec<Lines>,
     /// By instance, the first of its looks.
     heads: Vec<u32>,
     pub(super) looks: Vec<Look>,
@@ -76,6 +81,8 @@ impl Known {
         refill(&mut self.heads, NONE, instances);
         refill(&mut self.triangles, NONE, visible);
         refill(&mut self.bent, NONE, visible);
+        refill(&mut self.edged, NONE, visible);
+        self.lines.clear();
         self.pairs.clear();
         self.bends.clear();
         self.looks.clear();
@@ -95,6 +102,25 @@ impl Known {
             self.pairs.push([map.narrow(), map.inverse().unwrap_or(Affine::IDENTITY).narrow()]);
         }
         &self.pairs[*known as usize]
+    }
+
+    /// The edges of a triangle in the image.
+    #[inline(always)]
+    pub(super) fn lines(&mut self, triangle: u32, writer: &Writer<'_>) -> &Lines {
+        if self.edged[triangle as usize] == NONE {
+            self.edge(triangle, writer);
+        }
+        &self.lines[self.edged[triangle as usize] as usize]
+    }
+
+    #[inline(never)]
+    fn edge(&mut self, triangle: u32, writer: &Writer<'_>) {
+        let (visible, instances) = (writer.visible[triangle as usize], &writer.view.snapshot.instances);
+        let (mesh, index) = (visible.mesh(instances), visible.index());
+        let map = self.maps(visible.instance, instances, &writer.frustum)[0];
+        let corners = mesh.triangle(mesh.cluster_of(index), index).map(|p| affine::point(&map, p));
+        self.edged[triangle as usize] = self.lines.len() as u32;
+        self.lines.push(lines(corners));
     }
 }
 
@@ -122,17 +148,20 @@ impl<'a> Writer<'a> {
     pub(super) fn row(&self, solid: &Target, y: i32, known: &mut Known, (planes, first): (&mut Planes, usize)) {
         let (inverse, triangles) = (solid.inverse_row(y), solid.triangle_row(y));
         planes.inverse[first..first + inverse.len()].copy_from_slice(inverse);
-        let (mut from, mut column, mut paint) = (0, 0, NOTHING);
-        for same in triangles.chunk_by(|a, b| a == b) {
-            let next = self.paint(same[0], known);
-            if next != paint && column > 0 {
-                known.write(paint, (planes, first), from..column, (y, self.frustum.focal));
-                from = column;
-            }
-            paint = next;
-            column += same.len();
-        }
-        known.write(paint, (planes, first), from..column, (y, self.frustum.focal));
+        let (mut start, mut paint) = (0, NOTHING);
+        stretches(
+            triangles,
+            #[inline(always)]
+            |triangle, from, _| {
+                let next = self.paint(triangle, known);
+                if next != paint && from > 0 {
+                    known.write(paint, (planes, first), start..from, (y, self.frustum.focal));
+                    start = from;
+                }
+                paint = next;
+            },
+        );
+        known.write(paint, (planes, first), start..triangles.len(), (y, self.frustum.focal));
     }
 
     /// The paint of a triangle.

@@ -3,15 +3,12 @@
 use std::sync::LazyLock;
 
 use super::Pattern;
-use crate::simd::whole;
+use crate::simd::{Mixer, whole};
 
 /// A point of a texture as it is kept, a byte each: what red, green and blue are multiplied
 /// with (128 is one), and the roughness (64 is one); how the normal leans along u and v
 /// (64 is one, 128 is none).
-type Texel = u64;
-
-/// Every other byte.
-const EVEN: u64 = 0x00ff_00ff_00ff_00ff;
+type Texel = [u8; 8];
 
 /// A texture, and its copies of half the size each.
 #[derive(Debug)]
@@ -70,14 +67,14 @@ impl Tile {
             let [r, g, b] = samples[i].tint.map(|t| (t * 128.0 + 0.5).clamp(0.0, 255.0) as u8);
             let roughness = (samples[i].roughness * 64.0).clamp(0.0, 255.0) as u8;
             let (lu, lv) = (lean(height(x - 1, y), height(x + 1, y)), lean(height(x, y - 1), height(x, y + 1)));
-            Texel::from_le_bytes([r, g, b, roughness, lu, lv, 0, 0])
+            [r, g, b, roughness, lu, lv, 0, 0]
         };
         let mut levels = vec![(0..texels * texels).map(texel).collect::<Vec<Texel>>()];
         while levels.last().is_some_and(|l| l.len() > 1) {
             levels.extend(levels.last().map(|l| halved(l)));
         }
         // Less than a thirtieth is not seen.
-        let even = |texel: &Texel| texel.to_le_bytes()[4..6].iter().all(|lean| lean.abs_diff(128) < 2);
+        let even = |texel: &Texel| texel[4..6].iter().all(|lean| lean.abs_diff(128) < 2);
         let leans = levels.iter().map(|level| !level.iter().all(even)).collect();
         Self { levels, texels, density: texels as f32 / pattern.side(), leans }
     }
@@ -115,50 +112,48 @@ impl Tile {
     pub(crate) fn span(&self, level: usize, span: &mut Span) {
         // Tiles to a metre, and parts of 256 of a texel to a tile.
         let (scale, parts) = (self.density / self.texels as f32, ((self.texels >> level) * 256) as f32);
-        let (mut xs, mut ys) = ([0_u32; SPAN], [0_u32; SPAN]);
+        let (texels, bits) = (self.levels[level].as_slice(), (self.texels >> level).trailing_zeros());
+        let mask = (1_u32 << bits) - 1;
+        // The four texels around each place, and their weights, of which the sum is 256.
+        let (mut around, mut weights) = ([[0_u32; SPAN]; 4], [[0_u16; SPAN]; 4]);
         for i in 0..SPAN {
             let (u, v) = (span.u[i] * scale, span.v[i] * scale);
             // From a texel's middle to its corner.
-            xs[i] = whole((u - u.floor()) * parts).wrapping_sub(128);
-            ys[i] = whole((v - v.floor()) * parts).wrapping_sub(128);
+            let x = whole((u - u.floor()) * parts).wrapping_sub(128);
+            let y = whole((v - v.floor()) * parts).wrapping_sub(128);
+            let (x0, y0) = (x >> 8 & mask, y >> 8 & mask);
+            let (x1, y1) = ((x0 + 1) & mask, (y0 + 1) & mask);
+            let (upper, lower) = (y0 << bits, y1 << bits);
+            (around[0][i], around[1][i]) = (upper | x0, upper | x1);
+            (around[2][i], around[3][i]) = (lower | x0, lower | x1);
+            let (fx, fy) = (x & 255, y & 255);
+            let both = (fx * fy) >> 8;
+            (weights[0][i], weights[1][i]) = ((256 + both - fx - fy) as u16, (fx - both) as u16);
+            (weights[2][i], weights[3][i]) = ((fy - both) as u16, both as u16);
         }
-        let (mut even, mut odd) = ([[0_u32; SPAN]; 2], [[0_u32; SPAN]; 2]);
-        let (texels, bits) = (self.levels[level].as_slice(), (self.texels >> level).trailing_zeros());
+        // Two numbers of sixteen bits in each: red and green, blue and roughness, the leans.
+        let (mixer, mut pairs) = (Mixer::new(), [[0_u32; SPAN]; 3]);
         for i in 0..span.count.min(SPAN) {
-            let (a, b) = between(texels, bits, xs[i], ys[i]);
-            (even[0][i], even[1][i]) = (a as u32, (a >> 32) as u32);
-            (odd[0][i], odd[1][i]) = (b as u32, (b >> 32) as u32);
+            let [a, b, c, d] = [0, 1, 2, 3].map(|k: usize| texels[around[k][i] as usize]);
+            let [wa, wb, wc, wd] = [0, 1, 2, 3].map(|k: usize| weights[k][i]);
+            let mixed = mixer.sum([a, b, c, d], [wa, wb, wc, wd]);
+            for (k, pairs) in pairs.iter_mut().enumerate() {
+                pairs[i] = u32::from(mixed[2 * k]) | u32::from(mixed[2 * k + 1]) << 16;
+            }
         }
         let low = |v: u32| (v & 0xffff) as i32 as f32;
         let high = |v: u32| (v >> 16) as i32 as f32;
         let tint = 1.0 / (256.0 * 128.0);
         let half = 1.0 / (256.0 * 64.0);
         for i in 0..SPAN {
-            span.tint[0][i] = low(even[0][i]) * tint;
-            span.tint[1][i] = low(odd[0][i]) * tint;
-            span.tint[2][i] = high(even[0][i]) * tint;
-            span.roughness[i] = high(odd[0][i]) * half;
-            span.lean[0][i] = (low(even[1][i]) - 32_768.0) * half;
-            span.lean[1][i] = (low(odd[1][i]) - 32_768.0) * half;
+            span.tint[0][i] = low(pairs[0][i]) * tint;
+            span.tint[1][i] = high(pairs[0][i]) * tint;
+            span.tint[2][i] = low(pairs[1][i]) * tint;
+            span.roughness[i] = high(pairs[1][i]) * half;
+            span.lean[0][i] = (low(pairs[2][i]) - 32_768.0) * half;
+            span.lean[1][i] = (high(pairs[2][i]) - 32_768.0) * half;
         }
     }
-}
-
-/// Even and odd bytes between four texels, each in sixteen bits, for a place in parts of 256.
-#[inline(always)]
-fn between(texels: &[Texel], bits: u32, x: u32, y: u32) -> (u64, u64) {
-    let mask = (1 << bits) - 1;
-    let (x0, y0) = (x >> 8 & mask, y >> 8 & mask);
-    let (x1, y1) = ((x0 + 1) & mask, (y0 + 1) & mask);
-    // Weights sum to 256, so that sums stay within the sixteen bits each byte has.
-    let (fx, fy) = (u64::from(x & 255), u64::from(y & 255));
-    let both = (fx * fy) >> 8;
-    let texel = |x: u32, y: u32| texels[(y << bits | x) as usize];
-    let (a, b, c, d) = (texel(x0, y0), texel(x1, y0), texel(x0, y1), texel(x1, y1));
-    let (wa, wb, wc) = (256 + both - fx - fy, fx - both, fy - both);
-    let even = (a & EVEN) * wa + (b & EVEN) * wb + (c & EVEN) * wc + (d & EVEN) * both;
-    let odd = (a >> 8 & EVEN) * wa + (b >> 8 & EVEN) * wb + (c >> 8 & EVEN) * wc + (d >> 8 & EVEN) * both;
-    (even, odd)
 }
 
 /// Means of two by two.
@@ -168,9 +163,8 @@ fn halved(fine: &[Texel]) -> Vec<Texel> {
     let mean = |i: usize| {
         let (x, y) = (i % half * 2, i / half * 2);
         let four = [fine[y * side + x], fine[y * side + x + 1], fine[(y + 1) * side + x], fine[(y + 1) * side + x + 1]];
-        let sum = |bytes: u64| four.iter().map(|t| t >> bytes & EVEN).sum::<u64>();
-        let mean = |sum: u64| (sum + 2 * 0x0001_0001_0001_0001) >> 2 & EVEN;
-        mean(sum(0)) | mean(sum(8)) << 8
+        let sum = |k: usize| four.iter().map(|t| u16::from(t[k])).sum::<u16>();
+        std::array::from_fn(|k| ((sum(k) + 2) >> 2) as u8)
     };
     (0..half * half).map(mean).collect()
 }
