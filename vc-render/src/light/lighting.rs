@@ -131,7 +131,7 @@ impl Lighting {
         let lamps = self.lamps.iter().filter(|l| usize::from(l.room) == index);
         let own: f32 = lamps.map(|l| brightness(l.flux)).sum();
         // Mean radiance of a grey room: thrown back, and straight from the lamps.
-        let mean = self.grids[index].middling() + 0.25 * own / (floor(index) * 4.0).max(1.0);
+        let mean = self.grids[index].middling + 0.25 * own / (floor(index) * 4.0).max(1.0);
         0.8 / mean.max(1e-4)
     }
 

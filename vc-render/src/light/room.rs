@@ -26,6 +26,9 @@ pub(crate) struct Grid {
     over: [f32; 3],
     counts: [usize; 3],
     points: Vec<Ambient>,
+    /// Light from all sides at a middling point: half of the room has more. The few by a
+    /// window or a lit door do not tell how bright a room is.
+    pub(super) middling: f32,
 }
 
 /// Where light is thrown back, which way that faces, its reflectance and room.
@@ -48,7 +51,7 @@ impl Grid {
         let size = [0, 1, 2].map(|i: usize| (high[i] - OFF[i] - low[i]).max(0.05));
         let counts = [0, 1, 2].map(|i: usize| ((size[i] / STEP[i]).ceil() as usize + 1).clamp(2, 64));
         let over = [0, 1, 2].map(|i: usize| (counts[i] - 1) as f32 / size[i]);
-        Self { low, over, counts, points: vec![Ambient::default(); counts.iter().product()] }
+        Self { low, over, counts, points: vec![Ambient::default(); counts.iter().product()], middling: 0.0 }
     }
 
     fn place(&self, index: usize) -> [f32; 3] {
@@ -109,7 +112,10 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
         }
         grids.iter_mut().for_each(Grid::mend);
     }
-    grids.iter_mut().for_each(Grid::smooth);
+    for grid in &mut grids {
+        grid.smooth();
+        grid.middling = grid.middle();
+    }
     grids
 }
 
@@ -268,9 +274,8 @@ impl Grid {
         }
     }
 
-    /// Light from all sides at a middling point: half of the room has more. The few by a
-    /// window or a lit door do not tell how bright a room is.
-    pub(super) fn middling(&self) -> f32 {
+    /// The middle one of its points' mean radiances.
+    fn middle(&self) -> f32 {
         let mut means: Vec<f32> = self.points.iter().map(Ambient::mean).collect();
         let middle = means.len() / 2;
         *means.select_nth_unstable_by(middle, f32::total_cmp).1

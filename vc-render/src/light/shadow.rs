@@ -1,5 +1,7 @@
 //! Shadow maps: depth as a light sees it.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -8,6 +10,7 @@ use crate::camera::Camera;
 use crate::raster::{Drawing, Frustum, Layers, Target};
 use crate::renderer::Renderer;
 use crate::scene::Snapshot;
+use crate::simd::whole;
 
 /// Depth over an image plane, as seen from the middle of a round light.
 #[derive(Debug, Clone)]
@@ -47,21 +50,21 @@ const FAR: f32 = 400.0;
 /// The sun's radius at that distance, and half as much again for haze.
 const DISC: f32 = 0.0047 * 1.5 * FAR;
 
-/// Points strewn evenly over a disc (Vogel's spiral).
-const DISC_POINTS: [[f32; 2]; 12] = [
-    [0.20412, 0.00000],
-    [-0.26070, 0.23882],
-    [0.03990, -0.45469],
-    [0.32859, 0.42859],
-    [-0.60301, -0.10666],
-    [0.57122, -0.36337],
-    [-0.19106, 0.71075],
-    [-0.36438, -0.70159],
-    [0.79056, 0.28871],
-    [-0.82244, 0.33949],
-    [0.39647, -0.84724],
-    [0.29298, 0.93407],
+/// Points strewn evenly over a disc.
+const POINTS: usize = 12;
+/// Vogel's spiral, and four points that only fill vectors.
+const DISC_POINTS: [[f32; LANES]; 2] = [
+    [
+        0.20412, -0.26070, 0.03990, 0.32859, -0.60301, 0.57122, -0.19106, -0.36438, 0.79056, -0.82244, 0.39647,
+        0.29298, 0.0, 0.0, 0.0, 0.0,
+    ],
+    [
+        0.00000, 0.23882, -0.45469, 0.42859, -0.10666, -0.36337, 0.71075, -0.70159, 0.28871, 0.33949, -0.84724,
+        0.93407, 0.0, 0.0, 0.0, 0.0,
+    ],
 ];
+const LANES: usize = 16;
+type Lanes = [f32; LANES];
 
 impl ShadowMap {
     fn new(
@@ -124,7 +127,8 @@ impl ShadowMap {
             return 0.0;
         }
         let slope = self.slope(off, normal, z);
-        let found = self.depth[self.texel(place[0], place[1])];
+        let texel = self.row(place[1] as u32) + column(place[0] as u32);
+        let found = self.depth[texel as usize];
         // Where all that is looked at is one plane, which the point is on or clearly behind, one look tells.
         if (found.to_bits() & CLEAR) as f32 >= self.edge(z, least) + 2.0 {
             let by = place.map(|p| p.floor() + 0.5 - p);
@@ -153,25 +157,80 @@ impl ShadowMap {
     #[inline(always)]
     fn share(&self, place: [f32; 2], z: f32, slope: [f32; 2], least: f32) -> f32 {
         let reach = self.edge(z, least) + 1.0;
-        let (mut depth, mut count) = (0.0, 0);
-        for [x, y] in DISC_POINTS {
-            let by = [x * reach, y * reach];
-            let limit = z + by[0] * slope[0] + by[1] * slope[1] - self.slack;
-            let found = self.depth[self.texel(place[0] + by[0], place[1] + by[1])];
-            depth += if found < limit { found } else { 0.0 };
-            count += i32::from(found < limit);
+        let (mut at, mut found) = ([0_u32; LANES], [f32::INFINITY; LANES]);
+        let [x, y] = Self::around(place, reach, 0.0, self.side as f32 - 1.0);
+        for i in 0..LANES {
+            at[i] = self.row(whole(y[i].floor())) + column(whole(x[i].floor()));
         }
-        if count == 0 || count == DISC_POINTS.len() as i32 {
+        for i in 0..POINTS {
+            found[i] = self.depth[at[i] as usize];
+        }
+        let limits = self.limits(z, slope, reach);
+        let (mut depth, mut count) = ([0.0_f32; LANES / 2], [0_u32; LANES / 2]);
+        for half in [0, LANES / 2] {
+            for i in 0..LANES / 2 {
+                let blocks = found[half + i] < limits[half + i];
+                depth[i] += if blocks { found[half + i] } else { 0.0 };
+                count[i] += u32::from(blocks);
+            }
+        }
+        let count = count.iter().sum::<u32>() as usize;
+        if count == 0 || count == POINTS {
             return if count == 0 { 1.0 } else { 0.0 };
         }
-        let width = self.edge(z, depth / count as f32);
-        let mut sum = 0.0;
-        for [x, y] in DISC_POINTS {
-            let by = [x * width, y * width];
-            let limit = z + by[0] * slope[0] + by[1] * slope[1] - self.slack;
-            sum += self.between(place[0] + by[0], place[1] + by[1], limit);
+        let width = self.edge(z, depth.iter().sum::<f32>() / count as f32);
+        self.softened(place, width, &self.limits(z, slope, width))
+    }
+
+    /// The points of a disc around a place, within the map.
+    #[inline(always)]
+    fn around(place: [f32; 2], radius: f32, low: f32, high: f32) -> [Lanes; 2] {
+        let mut all = DISC_POINTS;
+        for (points, place) in all.iter_mut().zip(place) {
+            for point in points {
+                *point = (place + *point * radius).max(low).min(high);
+            }
         }
-        sum * (1.0 / DISC_POINTS.len() as f32)
+        all
+    }
+
+    /// What is before these depths at the points of a disc is in the way.
+    #[inline(always)]
+    fn limits(&self, z: f32, slope: [f32; 2], radius: f32) -> Lanes {
+        let mut limits = [0.0; LANES];
+        for i in 0..LANES {
+            let by = [DISC_POINTS[0][i] * radius, DISC_POINTS[1][i] * radius];
+            limits[i] = z + by[0] * slope[0] + by[1] * slope[1] - self.slack;
+        }
+        limits
+    }
+
+    /// The mean over a disc of comparisons with four texels each, smooth from texel to texel.
+    #[inline(always)]
+    fn softened(&self, place: [f32; 2], width: f32, limits: &Lanes) -> f32 {
+        let [x, y] = Self::around(place.map(|p| p - 0.5), width, 0.0, (self.side - 2) as f32);
+        let (mut at, mut found) = ([[0_u32; LANES]; 4], [[0.0_f32; LANES]; 4]);
+        let (mut right, mut down) = ([0.0_f32; LANES], [0.0_f32; LANES]);
+        for i in 0..LANES {
+            let (cx, cy) = (x[i].floor(), y[i].floor());
+            (right[i], down[i]) = (x[i] - cx, y[i] - cy);
+            let (cx, cy) = (whole(cx), whole(cy));
+            let (upper, lower, first, second) = (self.row(cy), self.row(cy + 1), column(cx), column(cx + 1));
+            (at[0][i], at[1][i], at[2][i], at[3][i]) = (upper + first, upper + second, lower + first, lower + second);
+        }
+        for (found, at) in found.iter_mut().zip(&at) {
+            for i in 0..POINTS {
+                found[i] = self.depth[at[i] as usize];
+            }
+        }
+        let mut sums = [0.0_f32; LANES];
+        for i in 0..LANES {
+            let lit = |k: usize| if found[k][i] >= limits[i] { 1.0 } else { 0.0 };
+            let above = lit(0) * (1.0 - right[i]) + lit(1) * right[i];
+            let below = lit(2) * (1.0 - right[i]) + lit(3) * right[i];
+            sums[i] = above * (1.0 - down[i]) + below * down[i];
+        }
+        sums[..POINTS].iter().sum::<f32>() * (1.0 / POINTS as f32)
     }
 
     /// Radius of a shadow's edge, texels, where what throws it is at a depth.
@@ -180,40 +239,17 @@ impl ShadowMap {
         (self.source * (z - blocker) / blocker * self.focal / z).clamp(1.0, WIDEST)
     }
 
-    #[inline(always)]
-    fn texel(&self, x: f32, y: f32) -> usize {
-        let within = |v: f32| (v as i32).clamp(0, self.side - 1) as usize;
-        self.row(within(y)) + column(within(x))
-    }
-
     /// Where a row begins in the list of depths.
     #[inline(always)]
-    fn row(&self, y: usize) -> usize {
-        const SIDE: usize = BLOCK as usize;
-        y / SIDE * (self.side as usize * SIDE) + y % SIDE * SIDE
-    }
-
-    /// The mean of four comparisons, smooth from texel to texel.
-    #[inline(always)]
-    fn between(&self, x: f32, y: f32, limit: f32) -> f32 {
-        let most = (self.side - 2) as f32;
-        let (x, y) = ((x - 0.5).max(0.0).min(most), (y - 0.5).max(0.0).min(most));
-        let (cx, cy) = (x as usize, y as usize);
-        let (fx, fy) = (x - cx as f32, y - cy as f32);
-        let (left, right) = (column(cx), column(cx + 1));
-        let lit = |at: usize| if self.depth[at] >= limit { 1.0 } else { 0.0 };
-        let (upper, lower) = (self.row(cy), self.row(cy + 1));
-        let above = lit(upper + left) * (1.0 - fx) + lit(upper + right) * fx;
-        let below = lit(lower + left) * (1.0 - fx) + lit(lower + right) * fx;
-        above * (1.0 - fy) + below * fy
+    fn row(&self, y: u32) -> u32 {
+        (y & !(BLOCK as u32 - 1)) * self.side as u32 + (y & (BLOCK as u32 - 1)) * BLOCK as u32
     }
 }
 
 /// Where a column begins in the list of depths, from its row on.
 #[inline(always)]
-fn column(x: usize) -> usize {
-    const SIDE: usize = BLOCK as usize;
-    x / SIDE * (SIDE * SIDE) + x % SIDE
+fn column(x: u32) -> u32 {
+    (x & !(BLOCK as u32 - 1)) * BLOCK as u32 + (x & (BLOCK as u32 - 1))
 }
 
 /// Texels row by row to texels block by block.

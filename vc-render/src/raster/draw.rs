@@ -9,7 +9,7 @@ use super::cull::{Frustum, looks_away};
 use super::fill;
 use super::project::Points;
 use super::setup::{EIGHT, Setup};
-use super::target::{Target, Visible};
+use super::target::{Solid, Target, Visible};
 use crate::affine::{Affine, Narrow};
 use crate::mesh::{Cluster, Mesh, TOLERANCES};
 use crate::scene::Instance;
@@ -28,7 +28,7 @@ pub(crate) struct Drawing<'a> {
 pub(crate) struct Layers {
     /// The nearest triangles.
     pub(crate) front: Target,
-    /// The nearest triangles that are not clear; of use where [`Self::clear`] is set.
+    /// The nearest triangles that are not clear, in the rows where others are.
     pub(crate) behind: Target,
     /// Whether something clear was drawn, so that the two differ.
     pub(crate) clear: bool,
@@ -60,14 +60,15 @@ impl<I: Iterator<Item = u32>> WithSimd for Pass<'_, '_, I> {
 /// An instance in view.
 struct Placed {
     nearest: f32,
+    rows: Range<i32>,
     instance: u32,
     level: u8,
 }
 
 impl Layers {
     /// The nearest triangles that are not clear.
-    pub(crate) fn solid(&self) -> &Target {
-        if self.clear { &self.behind } else { &self.front }
+    pub(crate) fn solid(&self) -> Solid<'_> {
+        Solid { front: &self.front, behind: &self.behind }
     }
 
     /// Draws instances into some rows of the image. With `apart`, what is behind clear
@@ -113,9 +114,10 @@ impl Layers {
             mesh.opaque < mesh.clusters.len()
         };
         self.clear = apart.is_some() && order.iter().any(glazed);
-        if self.clear && apart == Some(true) {
-            self.behind.clone_from(&self.front);
-        }
+        let rows = order.iter().filter(|p| glazed(p)).map(|p| p.rows.clone());
+        let rows = rows.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end));
+        let kept = rows.filter(|_| apart == Some(true)).unwrap_or(self.front.rows.start..self.front.rows.start);
+        self.behind.copy(&self.front, kept);
         if self.clear {
             for placed in order.iter().filter(|p| glazed(p)) {
                 self.instance(simd, drawing, placed, true);
@@ -134,7 +136,8 @@ impl Layers {
             let bounds = &instance.link.levels[0].bounds;
             let Some(extent) = drawing.frustum.extent(&map, bounds) else { continue };
             let level = drawing.level(instance, extent.nearest);
-            self.order.push(Placed { nearest: extent.nearest, instance: index, level });
+            let rows = extent.low[1]..extent.high[1] + 1;
+            self.order.push(Placed { nearest: extent.nearest, rows, instance: index, level });
         }
         self.order.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest).then(a.instance.cmp(&b.instance)));
     }

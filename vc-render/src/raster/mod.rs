@@ -17,4 +17,4 @@ mod target;
 
 pub(crate) use cull::Frustum;
 pub(crate) use draw::{Drawing, Layers};
-pub(crate) use target::{NONE, Target, Visible, refill};
+pub(crate) use target::{NONE, Solid, Target, Visible, refill};

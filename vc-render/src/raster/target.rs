@@ -35,6 +35,32 @@ pub(crate) struct Target {
     tiles: Tiles,
 }
 
+/// Rows of what is not clear: where nothing clear was drawn, that is all there is.
+#[derive(Clone, Copy)]
+pub(crate) struct Solid<'a> {
+    pub(super) front: &'a Target,
+    pub(super) behind: &'a Target,
+}
+
+impl<'a> Solid<'a> {
+    #[inline(always)]
+    fn of(self, y: i32) -> &'a Target {
+        if self.behind.rows.contains(&y) { self.behind } else { self.front }
+    }
+
+    /// As [`Target::inverse_row`].
+    #[inline(always)]
+    pub(crate) fn inverse_row(self, y: i32) -> &'a [f32] {
+        self.of(y).inverse_row(y)
+    }
+
+    /// As [`Target::triangle_row`].
+    #[inline(always)]
+    pub(crate) fn triangle_row(self, y: i32) -> &'a [u32] {
+        self.of(y).triangle_row(y)
+    }
+}
+
 /// The least inverse depth in every tile, found when it is asked for.
 #[derive(Debug, Default, Clone)]
 struct Tiles {
@@ -58,6 +84,19 @@ impl Target {
         let tiles = self.tiles.across * height.div_ceil(TILE);
         refill(&mut self.tiles.least, 0.0, tiles);
         refill(&mut self.tiles.stale, false, tiles);
+    }
+
+    /// Makes it the same as some rows of another; it cannot be drawn into then.
+    pub(super) fn copy(&mut self, other: &Self, rows: Range<i32>) {
+        let rows = rows.start.max(other.rows.start)..rows.end.min(other.rows.end).max(rows.start.max(other.rows.start));
+        let row = |y: i32| (y - other.rows.start) as usize * other.stride;
+        let part = row(rows.start)..row(rows.end);
+        (self.width, self.stride) = (other.width, other.stride);
+        self.inverse.clear();
+        self.inverse.extend_from_slice(&other.inverse[part.clone()]);
+        self.triangles.clear();
+        self.triangles.extend_from_slice(&other.triangles[part]);
+        self.rows = rows;
     }
 
     /// Makes a part of it empty: columns and rows of the image, the first included, the last not.

@@ -6,7 +6,7 @@
 use super::planes::Planes;
 use super::surfel::{Known, Writer};
 use super::tone::{decoded, encoded};
-use crate::raster::{NONE, Target};
+use crate::raster::{NONE, Solid};
 
 /// An edge between two pixels of a picture.
 #[derive(Debug, Clone, Copy)]
@@ -24,7 +24,7 @@ pub(super) type Lines = [[f32; 3]; 3];
 /// Finds edges in rows of an image.
 pub(super) struct Find<'a> {
     pub(super) writer: &'a Writer<'a>,
-    pub(super) solid: &'a Target,
+    pub(super) solid: Solid<'a>,
 }
 
 /// Colours of channels that differ by no more are as good as the same.
@@ -97,28 +97,28 @@ impl Find<'_> {
     fn pairs(
         &self,
         [here, there]: [&[u32]; 2],
-        [look, other]: [&[u32]; 2],
+        [look, looks]: [&[u32]; 2],
         [own, beside]: Colours<'_>,
         mut edge: impl FnMut(usize),
     ) {
-        let mut pixel = |x: usize| {
-            let same = |k: usize| own[x][k].abs_diff(beside[x][k]) <= SAME;
-            let seen = here[x] != there[x]
-                && !(same(0) && same(1) && same(2))
-                && !(look[x] == other[x] && self.writer.smooth([here[x], there[x]]));
-            if seen {
-                edge(x);
-            }
-        };
         let count = here.len().min(there.len());
         let (eights, others) = (here.as_chunks::<LANES>().0, there.as_chunks::<LANES>().0);
-        let whole = eights.len().min(others.len());
-        for (part, (eight, other)) in eights.iter().zip(others).enumerate() {
-            if eight != other {
-                (part * LANES..(part + 1) * LANES).for_each(&mut pixel);
+        for (part, from) in (0..count).step_by(LANES).enumerate() {
+            if let (Some(eight), Some(other)) = (eights.get(part), others.get(part))
+                && eight == other
+            {
+                continue;
+            }
+            for x in from..(from + LANES).min(count) {
+                let same = |k: usize| own[x][k].abs_diff(beside[x][k]) <= SAME;
+                let seen = here[x] != there[x]
+                    && !(same(0) && same(1) && same(2))
+                    && !(look[x] == looks[x] && self.writer.smooth([here[x], there[x]]));
+                if seen {
+                    edge(x);
+                }
             }
         }
-        (whole * LANES..count).for_each(pixel);
     }
 
     /// How the edge between two pixels, the second after the first along an axis, cuts them:

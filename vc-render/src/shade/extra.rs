@@ -58,6 +58,9 @@ impl Extra<'_> {
 
     /// What panes let through, and what they reflect, in a row of the image.
     pub(super) fn panes(&self, layers: &Layers, frustum: &Frustum, y: i32, row: &mut Row<'_>) {
+        if !layers.behind.rows.contains(&y) {
+            return;
+        }
         let (front, behind) = (layers.front.triangle_row(y), layers.behind.triangle_row(y));
         let inverse = layers.front.inverse_row(y);
         if front == behind {

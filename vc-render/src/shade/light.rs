@@ -8,7 +8,7 @@ use super::surfel::{Known, Look, NOTHING, Writer};
 use crate::affine::{self, Affine, Narrow};
 use crate::label::unit;
 use crate::light::{Lamp, Lighting, brightness, dot};
-use crate::raster::Target;
+use crate::raster::Solid;
 
 /// Pixels that are lit at once.
 const BATCH: usize = 64;
@@ -21,7 +21,7 @@ type Lanes = [f32; BATCH];
 pub(super) struct Lamps<'a> {
     pub(super) lighting: &'a Lighting,
     pub(super) open: &'a Openness,
-    pub(super) solid: &'a Target,
+    pub(super) solid: Solid<'a>,
     pub(super) writer: &'a Writer<'a>,
     eye: [f32; 3],
     /// From pixels to directions in the world, of depth one.
@@ -75,7 +75,7 @@ impl Default for Batch {
 }
 
 impl<'a> Lamps<'a> {
-    pub(super) fn new(writer: &'a Writer<'a>, open: &'a Openness, solid: &'a Target) -> Self {
+    pub(super) fn new(writer: &'a Writer<'a>, open: &'a Openness, solid: Solid<'a>) -> Self {
         let camera = writer.view.camera;
         let pose: Narrow = Affine::of(&camera.pose).narrow();
         let turned = |v: [f32; 3]| affine::vector(&pose, v);
@@ -109,6 +109,12 @@ impl<'a> Lamps<'a> {
 }
 
 impl Batch {
+    /// Pixels of whole vectors, of which those past the end are not looked at.
+    #[inline(always)]
+    fn lanes(&self) -> usize {
+        self.count.next_multiple_of(8).min(BATCH)
+    }
+
     #[inline(always)]
     fn load(&mut self, lamps: &Lamps<'_>, planes: &Planes, known: &mut Known, (start, spots): (i32, &[u32])) {
         self.count = spots.len().min(BATCH);
@@ -130,7 +136,7 @@ impl Batch {
             self.head_on[i] = 0.04 + 0.96 * metallic;
             self.open[i] = lamps.open.at(x, y as usize, inverse);
         }
-        for i in 0..BATCH {
+        for i in 0..self.lanes() {
             let ray = lamps.ray(xs[i], ys[i]);
             let over = -1.0 / (ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]).sqrt();
             for k in 0..3 {
@@ -161,7 +167,7 @@ impl Batch {
                 self.drift[k][i] = lean[k] * self.open[i];
             }
         }
-        for i in 0..BATCH {
+        for i in 0..self.lanes() {
             let shine = shine(self.roughness[i], self.facing[i], self.head_on[i]);
             for k in 3..6 {
                 self.light[k][i] *= shine;
@@ -173,7 +179,7 @@ impl Batch {
     fn sun(&mut self, lighting: &Lighting) {
         let Some(map) = &lighting.sun else { return };
         let towards: [f32; 3] = lighting.daylight.towards_sun.into();
-        for i in 0..BATCH {
+        for i in 0..self.lanes() {
             for k in 0..3 {
                 self.to[k][i] = towards[k];
             }
@@ -195,7 +201,7 @@ impl Batch {
         let narrow = (x * x + y * y + z * z).sqrt().min(1.0);
         // From all around, to a half space with the cosine's law.
         let even = (1.0 - narrow) / (4.0 * std::f32::consts::PI);
-        for i in 0..BATCH {
+        for i in 0..self.lanes() {
             let to = [lamp.at[0] - self.at[0][i], lamp.at[1] - self.at[1][i], lamp.at[2] - self.at[2][i]];
             let square = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
             let over = 1.0 / square.sqrt().max(1e-6);
@@ -239,7 +245,7 @@ impl Batch {
     fn add(&mut self, flux: [f32; 3]) {
         let over = 1.0 / std::f32::consts::PI;
         let bright = brightness(flux);
-        for i in 0..BATCH {
+        for i in 0..self.lanes() {
             let (x, y, z) =
                 (self.to[0][i] + self.back[0][i], self.to[1][i] + self.back[1][i], self.to[2][i] + self.back[2][i]);
             let scale = 1.0 / (x * x + y * y + z * z + 1e-12).sqrt();

@@ -17,7 +17,7 @@ use crate::simd::whole;
 /// How far things keep light away, metres.
 const REACH: f32 = 0.45;
 /// Comparisons for each point; sixteen neighbours look in different directions.
-const TAPS: usize = 4;
+const TAPS: usize = 6;
 /// Points that are found at once.
 const LANES: usize = 64;
 /// Rows given to a thread at a time.

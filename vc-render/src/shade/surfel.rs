@@ -6,7 +6,7 @@ use super::texture::Texture;
 use crate::affine::{self, Affine, Narrow};
 use crate::label::{Bent, bent, unit};
 use crate::light::Lighting;
-use crate::raster::{Frustum, Layers, NONE, Target, Visible, refill};
+use crate::raster::{Frustum, Layers, NONE, Solid, Visible, refill};
 use crate::renderer::Renderer;
 use crate::scene::{Instance, NO_ROOM};
 use crate::simd::stretches;
@@ -145,7 +145,7 @@ impl<'a> Writer<'a> {
 
     /// Writes down a row of the image, from a place in the planes on.
     #[inline(always)]
-    pub(super) fn row(&self, solid: &Target, y: i32, known: &mut Known, (planes, first): (&mut Planes, usize)) {
+    pub(super) fn row(&self, solid: Solid<'_>, y: i32, known: &mut Known, (planes, first): (&mut Planes, usize)) {
         let (inverse, triangles) = (solid.inverse_row(y), solid.triangle_row(y));
         planes.inverse[first..first + inverse.len()].copy_from_slice(inverse);
         let (mut start, mut paint) = (0, NOTHING);

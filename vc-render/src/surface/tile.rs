@@ -1,5 +1,7 @@
 //! Textures as tiles of texels with coarser copies, made once per process.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
 use std::sync::LazyLock;
 
 use super::Pattern;
