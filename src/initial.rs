@@ -5,11 +5,19 @@ use std::sync::{Arc, LazyLock};
 
 use vc_graph::class::Class;
 use vc_graph::{AssetLibrary, Draft, SceneGraph, Seed};
+#[cfg(feature = "environment")]
+use vc_graph::{
+    Goal, Kind, NodeId, Place, Relation,
+    goal::{Predicate, Term},
+};
 use vc_procgen::object;
 use vc_procgen::{Apartment, Impossible, Specification, material};
 use vc_tasks::initial::{Generator, Initial, InitialError, Stock};
 use vc_tasks::library::Activity;
 use vc_tasks::{World, WorldError};
+
+#[cfg(feature = "environment")]
+use crate::Environment;
 
 /// Every object that `vc-procgen` can make, in any number.
 #[derive(Debug, Clone, Copy, Default)]
@@ -55,6 +63,8 @@ pub struct AtHome<W> {
     pub bare: SceneGraph,
     /// How many homes were tried, from one.
     pub homes: usize,
+    /// Why those before it did not suit.
+    pub passed_over: Vec<InitialError>,
 }
 
 /// Why no home was found for an activity.
@@ -106,19 +116,88 @@ pub fn at_home<W: World>(
     activity: &Activity,
     seed: Seed,
     generator: &Generator<'_>,
-    mut open: impl FnMut(SceneGraph) -> Result<W, WorldError>,
+    open: impl FnMut(SceneGraph) -> Result<W, WorldError>,
 ) -> Result<AtHome<W>, NoHome> {
-    let mut last = InitialError::NoRoom(activity.places.join(", "));
+    at_home_that(activity, seed, generator, open, |_, _| Ok(()))
+}
+
+/// As [`at_home`], in a home that suits besides: of one that does not, `suits` says why.
+/// [`feasible`] asks bodies.
+///
+/// # Errors
+/// As [`at_home`].
+pub fn at_home_that<W: World>(
+    activity: &Activity,
+    seed: Seed,
+    generator: &Generator<'_>,
+    mut open: impl FnMut(SceneGraph) -> Result<W, WorldError>,
+    mut suits: impl FnMut(&W, &Initial) -> Result<(), String>,
+) -> Result<AtHome<W>, NoHome> {
+    let mut passed_over = Vec::new();
     for index in 0..HOMES {
         let home = seed.child("home").nth(index as u64);
         let mut world = open(Apartment::generate(&wishes(activity, home), home)?.scene())?;
         let bare = world.graph().clone();
-        match generator.make(activity, &bare, seed, &mut world) {
-            Ok(initial) => return Ok(AtHome { initial, world, home, bare, homes: index + 1 }),
-            Err(error) => last = error,
+        let made = generator.make(activity, &bare, seed, &mut world).and_then(|initial| {
+            let tries = initial.tries;
+            let unsuited = |what| InitialError::Unconfirmed { what, tries };
+            suits(&world, &initial).map(|()| initial).map_err(unsuited)
+        });
+        match made {
+            Ok(initial) => return Ok(AtHome { initial, world, home, bare, homes: index + 1, passed_over }),
+            Err(error) => passed_over.push(error),
         }
     }
+    let last = passed_over.pop().unwrap_or_else(|| InitialError::NoRoom(activity.places.join(", ")));
     Err(NoHome::Unsuitable { homes: HOMES, last })
+}
+
+/// Whether bodies can do what an activity asks for, as far as the places of things tell: what
+/// was added and as many of all things as it needs can be got at, and there is room for what is
+/// to be put on or in something.
+///
+/// [`Environment::can_get_at`], [`Environment::has_room`].
+///
+/// # Errors
+/// What cannot be got at, or for what there is no room.
+#[cfg(feature = "environment")]
+pub fn feasible(activity: &Activity, home: &Environment, initial: &Initial) -> Result<(), String> {
+    let (graph, agent) = (home.graph(), initial.agent);
+    let gets_at = |id: &NodeId| home.can_get_at(agent, *id);
+    let objects = |class: &str| {
+        let all = graph.of_class(class).into_iter();
+        all.filter(|id| graph.node(*id).is_some_and(|n| n.kind() == Kind::Object)).collect::<Vec<NodeId>>()
+    };
+    let added = initial.added.iter().map(|a| a.id).filter(|id| *id != agent);
+    if let Some(id) = added.into_iter().find(|id| !gets_at(id)) {
+        return Err(format!("nobody gets at {}", graph.label(id)));
+    }
+    for need in activity.all_needs() {
+        let (all, number) = (objects(&need.class), need.number);
+        let there = all.iter().filter(|id| gets_at(id)).take(number).count();
+        if !all.is_empty() && there < number {
+            return Err(format!("nobody gets at {number} {}", need.class));
+        }
+    }
+    let literals = activity.goal.conjuncts().iter().filter_map(|part| match part {
+        Goal::Literal(literal) | Goal::Count { literal, .. } => Some((literal.predicate, &literal.terms[..])),
+        _ => None,
+    });
+    let targets = literals.filter_map(|literal| match literal {
+        (Predicate::Relation(relation @ (Relation::On | Relation::Inside)), [Term::Class(thing), Term::Class(at)]) => {
+            Some((relation, objects(thing), objects(at)))
+        }
+        _ => None,
+    });
+    for (relation, things, places) in targets {
+        let fits =
+            |id: &NodeId| places.iter().any(|&at| *id != at && home.has_room(agent, *id, Place { relation, at }));
+        if let (Some(first), false) = (things.first(), things.iter().any(fits)) {
+            let place = places.first().map_or_else(String::new, |at| graph.label(*at).to_string());
+            return Err(format!("there is no room for {} {relation} {place}", graph.label(*first)));
+        }
+    }
+    Ok(())
 }
 
 /// A generator that takes what is missing from the [`Catalogue`].

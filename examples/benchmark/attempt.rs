@@ -2,12 +2,13 @@
 
 use vc_graph::{Action, ChangeSet, History, NodeId, SceneGraph, Seed, Simulator};
 use vc_planner::{Habitual, Newcomer, Policy, Prior, Random, Resident, Run as Episodes};
+use vc_tasks::initial::Initial;
 use vc_tasks::library::Activity;
 use vc_tasks::report::{Run, predicates};
 use vc_tasks::{Outcome, World, WorldError};
 use virtualcity::ActionError;
 use virtualcity::Environment;
-use virtualcity::initial::{AtHome, at_home, generator};
+use virtualcity::initial::{AtHome, at_home, at_home_that, feasible, generator};
 
 /// Everybody who tries, in the order of the tables; the oracle is the last.
 pub(crate) fn policies(symbolic: bool) -> Vec<Box<dyn Policy>> {
@@ -26,12 +27,14 @@ pub(crate) fn policies(symbolic: bool) -> Vec<Box<dyn Policy>> {
 #[derive(Default)]
 pub(crate) struct Attempt {
     pub(crate) runs: Vec<Run>,
-    /// Why what was not won was not, a line each.
+    /// Why what was not won was not, and what was refused on the way.
     pub(crate) failures: Vec<String>,
     /// Number of actions that bodies did.
     pub(crate) done: usize,
     /// Actions after which bodies were not as the rule says, a line each.
     pub(crate) disagreements: Vec<String>,
+    /// Why homes were passed over, a line each.
+    pub(crate) passed_over: Vec<String>,
 }
 
 impl Attempt {
@@ -40,6 +43,7 @@ impl Attempt {
         self.failures.extend(other.failures);
         self.done += other.done;
         self.disagreements.extend(other.disagreements);
+        self.passed_over.extend(other.passed_over);
     }
 }
 
@@ -50,7 +54,8 @@ pub(crate) fn attempt(activity: &Activity, seed: u64, steps: usize, symbolic: bo
         let made = at_home(activity, Seed(seed), &generator(), |home| Ok(Simulator::new(home))).map_err(unmade)?;
         return tried(activity, seed, steps, made, policies(true)).map(|(attempt, _)| attempt);
     }
-    let made = at_home(activity, Seed(seed), &generator(), Bodies::of).map_err(unmade)?;
+    let suits = |world: &Bodies, initial: &Initial| feasible(activity, &world.home, initial);
+    let made = at_home_that(activity, Seed(seed), &generator(), Bodies::of, suits).map_err(unmade)?;
     let (mut attempt, bodies) = tried(activity, seed, steps, made, policies(false))?;
     let named = |line: String| format!("{} in home {seed}: {line}", activity.id);
     (attempt.done, attempt.disagreements) = (bodies.done, bodies.disagreements.into_iter().map(named).collect());
@@ -64,18 +69,23 @@ fn tried<W: World>(
     made: AtHome<W>,
     policies: Vec<Box<dyn Policy>>,
 ) -> Result<(Attempt, W), String> {
-    let AtHome { mut world, initial, .. } = made;
+    let AtHome { mut world, initial, passed_over, .. } = made;
     let (scene, mut task) = (initial.scene, initial.task);
     task.goal = activity.goal.clone();
     task.step_limit = steps;
-    let mut attempt = Attempt::default();
+    let passed_over = passed_over.iter().map(|why| format!("{} in home {seed}: {why}", activity.id)).collect();
+    let mut attempt = Attempt { passed_over, ..Attempt::default() };
     for mut policy in policies {
         world.reset(&scene).map_err(|e| e.to_string())?;
         let how = Episodes { agent: Some(initial.agent), ..Episodes::seeded(seed) };
-        let episode = how.episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+        let mut refused: Vec<String> = Vec::new();
+        let episode = how.episode(policy.as_mut(), &task, &mut world, &mut |step| {
+            refused.extend(step.refused.as_ref().map(|why| format!("{}. {}: {why}", step.step, step.described)));
+        });
         if episode.outcome != Outcome::Won {
             let why = episode.reason.unwrap_or_else(|| format!("not done after {} steps", episode.steps));
-            attempt.failures.push(format!("{}, {} in home {seed}: {why}", policy.name(), activity.id));
+            let all = refused.iter().map(|r| format!("\n    {r}")).collect::<String>();
+            attempt.failures.push(format!("{}, {} in home {seed}: {why}{all}", policy.name(), activity.id));
         }
         attempt.runs.push(Run {
             agent: policy.name().to_owned(),

@@ -70,6 +70,8 @@ fn main() -> Result<(), Complaint> {
     let names = policies(options.symbolic).iter().map(|p| p.name().to_owned()).collect();
     let tables = Tables { report: Report::new(all.runs), names };
     show(&tables, jobs.len(), &unmade.into_iter().filter_map(Result::err).collect::<Vec<_>>());
+    say!("\n{} homes were passed over{}", all.passed_over.len(), if all.passed_over.is_empty() { "" } else { ":" });
+    all.passed_over.iter().for_each(|line| say!("  {line}"));
     if !options.symbolic {
         let done = all.done.max(1) as f64;
         let agreed = 100.0 * (done - all.disagreements.len() as f64) / done;

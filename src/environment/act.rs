@@ -1,8 +1,10 @@
 //! Actions: the rule is asked, bodies move, the scene is observed again, both are
 //! compared.
 
-use vc_graph::{Action, ChangeSet, Event, NodeId, Relation, SceneGraph, rule};
+use nalgebra::Vector3;
+use vc_graph::{Action, ChangeSet, Edge, Event, NodeId, Relation, SceneGraph, State, rule};
 use vc_physics::{Role, World};
+use vc_relations::threshold::FACING_COSINE;
 
 use super::agree::Outcome;
 use super::beat::Beat;
@@ -18,6 +20,9 @@ const AGAIN: u32 = 4;
 const DOZE: u32 = 3;
 /// What is slower is held still then, metres a second.
 const SLOW: f32 = 0.05;
+
+/// What is no farther away over the floor is straight above or below: one looks up, metres.
+const ABOVE: f32 = 0.1;
 
 /// What came of an action.
 pub(super) struct Done {
@@ -77,12 +82,15 @@ impl Environment {
         // The floor follows the bodies whenever it is asked.
         let mut deed = Deed::new(&mut self.world, &mut self.floor, &self.start.shapes, &step);
         let outcome = deed.all(action);
-        let beats = std::mem::take(&mut deed.beats);
-        let done = outcome.and_then(|()| self.finish(agent, action, ruled, changes));
+        let (beats, folded) = (std::mem::take(&mut deed.beats), std::mem::take(&mut deed.folded));
+        let done = outcome.and_then(|()| self.finish(agent, action, ruled, changes, &folded));
         match &done {
             Ok(_) => {
                 self.history.push(Event { agent, action: *action });
                 self.undo.push(step);
+                if !folded.is_empty() {
+                    self.look_anew();
+                }
             }
             Err(_) => self.undo.take_back(&mut self.world, &mut self.floor, &self.start.shapes),
         }
@@ -99,9 +107,14 @@ impl Environment {
         action: &Action,
         ruled: SceneGraph,
         changes: ChangeSet,
+        folded: &[(NodeId, Vector3<f32>)],
     ) -> Result<ChangeSet, ActionError> {
         calm(&mut self.world);
         let mut observed = ruled.clone();
+        let mut edit = observed.edit();
+        // They are there, and their scales are sound.
+        folded.iter().for_each(|(id, scale)| drop(edit.set_scale(*id, *scale)));
+        let sizes = edit.commit();
         dress(&mut observed, &self.world, agent);
         let changed: Vec<NodeId> = changes.changes().iter().filter_map(holder).chain([agent]).collect();
         let looked = observe::look_again(&mut observed, &self.world, &mut self.relations, &changed);
@@ -110,13 +123,14 @@ impl Environment {
             self.look_at_all();
             ActionError::Impossible { action: action_text.clone(), why }
         })?;
+        let faced = keep_facing(&mut observed, &ruled, agent);
         let outcome = Outcome { before: &self.graph, ruled: &ruled, observed: &observed, world: &self.world };
         let differences = outcome.differences(agent, action, &changes, &met);
         if !differences.is_empty() {
             return Err(Disagreement { action: action_text, differences }.into());
         }
         self.graph = observed;
-        Ok(changes.then(seen))
+        Ok(changes.then(sizes).then(seen).then(faced))
     }
 
     /// Reads all relations anew from the graph and the bodies as they are.
@@ -150,6 +164,29 @@ fn dress(graph: &mut SceneGraph, world: &World, agent: NodeId) {
         let _ = edit.set_pose(id, Some(feet * vc_graph::Pose::translation(0.0, 0.0, 0.9)));
     }
     edit.commit();
+}
+
+/// Keeps what an agent has turned to, as long as it is before it. Relations know of screens and
+/// pictures only that they are faced: one turns to anything.
+fn keep_facing(observed: &mut SceneGraph, ruled: &SceneGraph, agent: NodeId) -> ChangeSet {
+    let before =
+        |id: &NodeId| !observed.has(Edge::new(agent, Relation::Facing, *id)) && is_before(observed, agent, *id);
+    let kept: Vec<NodeId> = ruled.related(agent, Relation::Facing).filter(before).collect();
+    let mut edit = observed.edit();
+    // Both are there.
+    kept.into_iter().for_each(|id| drop(edit.relate(Edge::new(agent, Relation::Facing, id))));
+    edit.commit()
+}
+
+/// Whether a thing is on the side of an agent to which its body is turned; who sits or lies turns
+/// the head.
+fn is_before(graph: &SceneGraph, agent: NodeId, id: NodeId) -> bool {
+    let (Some(body), Some(node)) = (graph.node(agent), graph.node(id)) else { return false };
+    let Some(feet) = body.pose() else { return true };
+    let Some(at) = node.aabb().map(|b| b.centre()).or_else(|| node.position()) else { return true };
+    let way = feet.inverse_transform_point(&at).xy().coords;
+    let seated = body.is(State::Sitting) || body.is(State::Lying);
+    seated || way.norm() < ABOVE || way.x >= FACING_COSINE * way.norm()
 }
 
 /// Lets what was disturbed come to rest; what only trembles or creeps is held where it is.

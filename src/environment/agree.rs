@@ -63,6 +63,7 @@ impl Outcome<'_> {
         found.extend(nodes.iter().filter_map(|&id| self.room(id)));
         found.extend(nodes.iter().filter_map(|&id| self.open(id)));
         found.extend(effects.iter().filter_map(|effect| self.nearness(agent, effect)));
+        found.extend(effects.iter().filter_map(|effect| self.facing(agent, effect)));
         found
     }
 
@@ -88,7 +89,16 @@ impl Outcome<'_> {
     fn stays(&self, id: NodeId, rule: &[Place], bodies: &[Place]) -> bool {
         let is_built = |graph: &SceneGraph, id| graph.node(id).is_none_or(|n| &*n.spec().category == "structure");
         let end = |graph: &SceneGraph| graph.support_chain(id).into_iter().rfind(|at| !is_built(graph, *at));
-        rule == bodies || end(self.ruled).is_some_and(|at| end(self.observed) == Some(at))
+        let same_end = || end(self.ruled).is_some_and(|at| end(self.observed) == Some(at));
+        rule == bodies || same_end() || self.lost_a_support(rule, bodies)
+    }
+
+    /// Whether a thing that rested on several rests on some of them still, and the others were
+    /// taken away: a box half on a newspaper and half on the table.
+    fn lost_a_support(&self, rule: &[Place], bodies: &[Place]) -> bool {
+        let moved = |at: NodeId| !self.ruled.places(at).eq(self.before.places(at));
+        let mut lost = rule.iter().filter(|p| !bodies.contains(p));
+        !bodies.is_empty() && bodies.iter().all(|p| rule.contains(p)) && lost.all(|p| moved(p.at))
     }
 
     /// Where a thing is; what only stands on the building is nowhere in particular.
@@ -120,6 +130,13 @@ impl Outcome<'_> {
             None => format!("not near {label}"),
         };
         (!self.observed.near(agent, id)).then(|| self.difference(agent, |_| format!("near {label}"), |_| far()))
+    }
+
+    fn facing(&self, agent: NodeId, effect: &Effect<NodeId>) -> Option<Difference> {
+        let Effect::Face(id) = *effect else { return None };
+        let label = self.ruled.label(id);
+        let agrees = self.observed.facing(agent, id);
+        (!agrees).then(|| self.difference(agent, |_| format!("facing {label}"), |_| format!("not facing {label}")))
     }
 
     fn difference(&self, id: NodeId, rule: impl Fn(&Self) -> String, bodies: impl Fn(&Self) -> String) -> Difference {

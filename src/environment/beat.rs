@@ -1,6 +1,6 @@
 //! What a body does one after the other in the course of an action.
 
-use nalgebra::Point2;
+use nalgebra::{Point2, Vector3};
 use vc_graph::{NodeId, Pose, Verb};
 use vc_physics::Hand;
 
@@ -13,6 +13,10 @@ pub(super) enum Beat {
     Turn(Pose),
     /// Takes a thing into a hand.
     Take(Hand, NodeId),
+    /// Folds up cloth that a hand holds, to another scale.
+    Fold(NodeId, Vector3<f32>),
+    /// Pushes things together, to these poses.
+    Push(Vec<(NodeId, Pose)>),
     /// Puts down what a hand holds.
     Put(Hand, NodeId, Pose),
     /// Lets go of what a hand holds.

@@ -5,6 +5,7 @@ mod agree;
 mod beat;
 mod deed;
 mod error;
+mod feasible;
 mod make;
 mod observe;
 mod reset;
@@ -161,6 +162,14 @@ impl Environment {
     #[cfg(feature = "render")]
     pub(crate) fn doing(&self, agent: NodeId) -> crate::figure::Doing {
         self.poses.get(&agent).copied().unwrap_or_default()
+    }
+
+    /// Forgets what pictures know of shapes: some have become others.
+    fn look_anew(&mut self) {
+        #[cfg(feature = "render")]
+        {
+            self.sight = Arc::default();
+        }
     }
 
     #[cfg(feature = "render")]

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::{Point2, Point3};
+use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Action, ChangeSet, NodeId, Pose, Verb};
 use vc_physics::Hand;
 
 use super::act::Done;
 use super::beat::Beat;
-use super::deed::towards;
+use super::deed::{comes_along, towards};
 use super::{ActionError, Environment, observe};
 use crate::figure::Doing;
 
@@ -115,7 +115,18 @@ impl Player {
             }
             Beat::Take(hand, id) => {
                 let at = show.world.aabb(*id).map(|b| b.centre());
-                self.by_hand(show, at, before, |show| drop(show.world.grab(agent, *hand, *id)))
+                self.by_hand(show, at, before, |show| {
+                    let Environment { world, graph, .. } = show;
+                    drop(world.grab_with(agent, *hand, *id, |load| comes_along(graph, load, *id)));
+                })
+            }
+            Beat::Push(moved) => {
+                moved.iter().for_each(|(id, pose)| drop(show.world.place(*id, *pose)));
+                true
+            }
+            Beat::Fold(id, scale) => {
+                fold(show, *id, *scale);
+                true
             }
             Beat::Put(hand, _, pose) => {
                 let at = Some(Point3::from(pose.translation.vector));
@@ -235,6 +246,15 @@ impl Player {
             }
         }
     }
+}
+
+fn fold(show: &mut Environment, id: NodeId, scale: Vector3<f32>) {
+    let mut edit = show.graph.edit();
+    // It is there, and the scale is sound.
+    let _ = edit.set_scale(id, scale);
+    edit.commit();
+    let _ = show.world.reshape(&show.graph, id, &show.start.shapes);
+    show.look_anew();
 }
 
 fn undress(show: &mut Environment, agent: NodeId, hand: Hand, id: NodeId) {

@@ -2,10 +2,13 @@
 
 use std::sync::Arc;
 
+use nalgebra::Vector3;
+
 use crate::geometry::is_finite;
-use crate::node::{Draft, Kind, Node};
+use crate::node::{Draft, Kind, Node, Spec};
 use crate::{
-    Change, ChangeSet, Edge, Label, NodeId, Place, Pose, Property, PropertySet, Relation, SceneGraph, State, StateSet,
+    Bounds, Change, ChangeSet, Edge, Label, NodeId, Place, Pose, Property, PropertySet, Relation, SceneGraph, State,
+    StateSet,
 };
 
 /// Why an edit was refused; the graph is as it was before that call.
@@ -201,21 +204,43 @@ impl<'g> Edit<'g> {
     /// # Errors
     /// [`EditError::NoSuchNode`].
     pub fn bar(&mut self, id: NodeId, property: Property) -> Result<(), EditError> {
+        self.respecify(id, |spec| spec.affordances = spec.affordances.minus(PropertySet::of(&[property])))
+    }
+
+    /// Gives a node another scale, along the axes of its frame: cloth that is folded up small
+    /// takes less room one way and more another. Its relations stay.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`]; [`EditError::NotFinite`] of a scale that is not positive.
+    pub fn set_scale(&mut self, id: NodeId, scale: Vector3<f32>) -> Result<(), EditError> {
+        if !scale.iter().all(|s| s.is_finite() && *s > 0.0) {
+            return Err(EditError::NotFinite(self.graph.label(id)));
+        }
+        self.respecify(id, |spec| {
+            let by = scale.component_div(&spec.scale);
+            let resized =
+                |b: Bounds| Bounds { offset: b.offset.component_mul(&by), half: b.half.component_mul(&by), ..b };
+            spec.bounds = spec.bounds.map(resized);
+            spec.scale = scale;
+        })
+    }
+
+    /// Replaces a node by one with another specification, its relations kept.
+    fn respecify(&mut self, id: NodeId, change: impl FnOnce(&mut Spec)) -> Result<(), EditError> {
         let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
         let out = node.out.iter().map(|l| Edge::new(id, l.relation(), l.node()));
         let inc = node.inc.iter().map(|l| Edge::new(l.node(), l.relation(), id));
         let mut edges: Vec<Edge> = out.chain(inc).collect();
         edges.dedup();
-        let mut barred = node.clone();
-        barred.out.retain(|_| false);
-        barred.inc.retain(|_| false);
-        let spec = Arc::make_mut(&mut barred.spec);
-        spec.affordances = spec.affordances.minus(PropertySet::of(&[property]));
+        let mut other = node.clone();
+        other.out.retain(|_| false);
+        other.inc.retain(|_| false);
+        change(Arc::make_mut(&mut other.spec));
         edges.iter().for_each(|edge| self.make(Change::Unlink(*edge)));
         if let Some(bare) = self.graph.nodes.get(id).cloned() {
             self.make(Change::Remove(bare));
         }
-        self.make(Change::Add(Arc::new(barred)));
+        self.make(Change::Add(Arc::new(other)));
         edges.into_iter().for_each(|edge| self.make(Change::Link(edge)));
         Ok(())
     }

@@ -208,3 +208,33 @@ fn the_last_number_is_not_passed() {
     scene.add_with_id(NodeId(u32::MAX), Draft::new("kitchen")).unwrap();
     assert_eq!(scene.add(Draft::new("cup")), Err(EditError::NumbersExhausted));
 }
+
+#[test]
+fn a_node_is_given_another_scale() {
+    let mut scene = SceneBuilder::new("flat");
+    let room = scene.add(Draft::new("bedroom")).unwrap();
+    let bed = scene.add_in(room, Draft::new("bed")).unwrap();
+    let size = nalgebra::Vector3::new(0.1, 0.4, 0.8);
+    let shirt = Draft::new("shirt").bounds(vc_graph::Bounds::standing(size)).at(vc_graph::Pose::identity());
+    let shirt = scene.add_on(bed, shirt).unwrap();
+    let mut graph = scene.build();
+    let before = graph.clone();
+    let mut edit = graph.edit();
+    edit.set_scale(shirt, nalgebra::Vector3::new(2.0, 0.5, 0.25)).unwrap();
+    let changes = edit.commit();
+    let node = graph.node(shirt).unwrap();
+    assert_eq!(node.spec().scale, nalgebra::Vector3::new(2.0, 0.5, 0.25));
+    assert!((node.spec().bounds.unwrap().size() - nalgebra::Vector3::new(0.2, 0.2, 0.2)).norm() < 1e-6);
+    assert!(node.aabb().unwrap().min.z.abs() < 1e-6, "it stands where it stood");
+    assert_eq!((graph.room_of(shirt), graph.place(shirt)), (Some(room), before.place(shirt)));
+    assert!(graph.validate().is_empty());
+    // As every change it can be undone, and done again.
+    changes.undo(&mut graph).unwrap();
+    assert_eq!(graph, before);
+    for wrong in [0.0, -1.0, f32::NAN, f32::INFINITY] {
+        let mut edit = graph.edit();
+        assert!(edit.set_scale(shirt, nalgebra::Vector3::new(1.0, wrong, 1.0)).is_err(), "{wrong}");
+    }
+    assert!(graph.edit().set_scale(NodeId(99), nalgebra::Vector3::repeat(1.0)).is_err());
+    assert_eq!(graph, before);
+}

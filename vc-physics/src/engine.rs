@@ -259,6 +259,15 @@ impl Engine {
         self.early.take();
     }
 
+    /// Takes all colliders off a body.
+    pub(crate) fn strip(&mut self, body: RigidBodyHandle) {
+        self.early.take();
+        let colliders = self.bodies.get(body).map(|b| b.colliders().to_vec()).unwrap_or_default();
+        for collider in colliders {
+            self.colliders.remove(collider, &mut self.islands, &mut self.bodies, &mut self.softs, true);
+        }
+    }
+
     /// Takes a body out, its colliders and joints with it.
     pub(crate) fn remove(&mut self, body: RigidBodyHandle) {
         self.early.take();

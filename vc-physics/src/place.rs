@@ -22,6 +22,56 @@ const PITCH: f32 = 0.04;
 /// Most spots tried along one side.
 const MOST: usize = 24;
 
+/// Heights above the bottom of a container at which things are let down on what is in it,
+/// metres.
+const HEAPED: [f32; 8] = [0.04, 0.08, 0.12, 0.16, 0.2, 0.25, 0.3, 0.4];
+/// How things are put into containers, the better ways first: as they stand, or on their side.
+const INTO: [Way; 2] =
+    [Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.0 }, Way { tips: &Tip::ALL, heights: &[0.0], over: 0.0 }];
+/// How they are put on what is in there.
+const HEAP: [Way; 2] =
+    [Way { tips: &[Tip::Upright], heights: &HEAPED, over: 0.0 }, Way { tips: &Tip::ALL, heights: &HEAPED, over: 0.0 }];
+/// How things are put on others: within the edges, or a little over them, as a pan on a burner.
+const ONTO: [Way; 2] = [
+    Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.0 },
+    Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.4 },
+];
+
+/// A way to put things down.
+struct Way {
+    tips: &'static [Tip],
+    /// Heights above the surface, metres.
+    heights: &'static [f32],
+    /// How much of its half width may be over the edges.
+    over: f32,
+}
+
+/// How a thing is put down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Tip {
+    /// As it stands.
+    Upright,
+    /// On the side of its X.
+    OnX,
+    /// On the side of its Y.
+    OnY,
+}
+
+impl Tip {
+    const ALL: [Self; 3] = [Self::Upright, Self::OnX, Self::OnY];
+
+    /// The turns by which it comes to lie so, a quarter apart.
+    fn turns(self) -> [UnitQuaternion<f32>; 2] {
+        let quarter = |axis| UnitQuaternion::from_axis_angle(&axis, std::f32::consts::FRAC_PI_2);
+        let tip = match self {
+            Self::Upright => UnitQuaternion::identity(),
+            Self::OnX => quarter(Vector3::y_axis()),
+            Self::OnY => quarter(Vector3::x_axis()),
+        };
+        [tip, quarter(Vector3::z_axis()) * tip]
+    }
+}
+
 /// A place that holds things, in the world's frame as it is now.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shelf {
@@ -142,7 +192,7 @@ impl World {
             self.for_overlaps(thing, spot, &mut |_| clear = false);
             clear
         };
-        Ok(spots(thing.form.extent, &shelf, &turn, order).into_iter().find(free))
+        Ok(spots(thing.form.extent, &shelf, &turn, (0.0, 0.0), order).into_iter().find(free))
     }
 
     /// As [`Self::free_spot`], for a box of half lengths that no node has yet: the pose of its
@@ -163,7 +213,7 @@ impl World {
         if !is_size(&half) {
             return Err(PhysicsError::NotFinite("the footprint", on));
         }
-        let spots = spots((Point3::from(-half), Point3::from(half)), &shelf, &turn(yaw, on)?, order);
+        let spots = spots((Point3::from(-half), Point3::from(half)), &shelf, &turn(yaw, on)?, (0.0, 0.0), order);
         Ok(spots.into_iter().find(|spot| self.is_free(half, spot)))
     }
 
@@ -174,7 +224,8 @@ impl World {
     }
 
     /// As [`Self::free_spot`], on whichever surface of a node has one: those inside
-    /// first if `inside`, otherwise those on top first.
+    /// if `inside`, otherwise those on top. What does not stand in a container is laid on its
+    /// side; what is wider than a surface is put in the middle of it and reaches over its edges.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -185,17 +236,61 @@ impl World {
         inside: bool,
         order: Order,
     ) -> Result<Option<Pose>, PhysicsError> {
-        let wanted = if inside { Hold::Inside } else { Hold::On };
-        let surfaces = &self.thing(at)?.form.surfaces;
-        let of = |hold: Hold| (0..surfaces.len()).filter(move |&s| surfaces[s].hold == hold);
-        for surface in of(wanted) {
-            for yaw in [0.0, std::f32::consts::FRAC_PI_2] {
-                if let Some(pose) = self.free_spot(id, at, surface, yaw, order)? {
-                    return Ok(Some(pose));
-                }
-            }
+        if inside {
+            self.spot_by(&INTO, id, at, Hold::Inside, order)
+        } else {
+            self.spot_by(&ONTO, id, at, Hold::On, order)
         }
-        Ok(None)
+    }
+
+    /// As [`Self::free_spot_at`], a little above what is in a container, upon which the thing is
+    /// let down.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    pub fn heaped_spot_in(&self, id: NodeId, at: NodeId, order: Order) -> Result<Option<Pose>, PhysicsError> {
+        self.spot_by(&HEAP, id, at, Hold::Inside, order)
+    }
+
+    fn spot_by(
+        &self,
+        ways: &[Way],
+        id: NodeId,
+        at: NodeId,
+        hold: Hold,
+        order: Order,
+    ) -> Result<Option<Pose>, PhysicsError> {
+        let (thing, below) = (self.thing(id)?, self.thing(at)?);
+        let all = (0..below.form.surfaces.len()).filter_map(|s| self.shelf_of(below, s));
+        let shelves: Vec<Shelf> = all.filter(|s| s.hold == hold).collect();
+        let mut spots = ways.iter().flat_map(|way| shelves.iter().map(move |shelf| (way, shelf)));
+        Ok(spots.find_map(|(way, shelf)| self.spot_among(thing, shelf, way, order)))
+    }
+
+    /// The first free spot on a surface for what is put there in a way.
+    fn spot_among(&self, thing: &Thing, shelf: &Shelf, way: &Way, order: Order) -> Option<Pose> {
+        let Way { tips, heights, over } = way;
+        let free = |spot: &Pose| {
+            let mut clear = true;
+            self.for_overlaps(thing, spot, &mut |_| clear = false);
+            clear
+        };
+        let laden = self.is_laden(thing);
+        let tips = tips.iter().filter(|tip| !laden || **tip == Tip::Upright);
+        let turns: Vec<UnitQuaternion<f32>> = tips.flat_map(|tip| tip.turns()).collect();
+        // What is heaped higher than the rim is not in it.
+        let rim = self.aabb(shelf.id).map_or(f32::INFINITY, |b| b.max.z - shelf.pose.translation.z);
+        let within = |height: &&f32| **height == 0.0 || **height < rim;
+        heights.iter().filter(within).find_map(|&height| {
+            let lifted = |turn| spots(thing.form.extent, shelf, turn, (height, *over), order);
+            turns.iter().find_map(|turn| lifted(turn).into_iter().find(free))
+        })
+    }
+
+    /// Whether there is something on or in a thing that would fall off it or run out.
+    fn is_laden(&self, thing: &Thing) -> bool {
+        let full = self.fills.get(&thing.id).is_some_and(|level| *level > 0.0);
+        full || self.is_held_with_load(thing.id) || !self.load_of(thing.state.base).is_empty()
     }
 
     /// Nodes of which some part is within a distance of a point, nearest first, with
@@ -246,25 +341,25 @@ fn turn(yaw: f32, of: NodeId) -> Result<UnitQuaternion<f32>, PhysicsError> {
 }
 
 /// The spots of a surface where a thing between two corners fits within edges and height, best
-/// first.
+/// first: so far above it, and with a part of its half width over the edges.
 fn spots(
     (low, high): (Point3<f32>, Point3<f32>),
     shelf: &Shelf,
     turn: &UnitQuaternion<f32>,
+    (above, over): (f32, f32),
     order: Order,
 ) -> Vec<Pose> {
-    let size = high - low;
-    let (cos, sin) = ((turn * Vector3::x()).x.abs(), (turn * Vector3::x()).y.abs());
-    let half = ((size.x * cos + size.y * sin) / 2.0, (size.x * sin + size.y * cos) / 2.0);
-    let room = (shelf.half.0 - half.0, shelf.half.1 - half.1);
-    let fits = room.0 >= 0.0 && room.1 >= 0.0 && shelf.clearance.is_none_or(|c| size.z + GAP <= c);
+    let half = turn.to_rotation_matrix().matrix().abs() * (high - low) / 2.0;
+    let room = (shelf.half.0 - half.x * (1.0 - over), shelf.half.1 - half.y * (1.0 - over));
+    let base = above + GAP;
+    let fits = room.0 >= 0.0 && room.1 >= 0.0 && shelf.clearance.is_none_or(|c| 2.0 * half.z + base <= c);
     if !fits || shelf.hold == Hold::Hook {
         return Vec::new();
     }
     let centre = turn * nalgebra::center(&low, &high).coords;
     let at = |(x, y): (f32, f32)| {
-        let base = Vector3::new(x - centre.x, y - centre.y, GAP - low.z);
-        shelf.pose * Pose::from_parts(base.into(), *turn)
+        let middle = Vector3::new(x, y, base + half.z);
+        shelf.pose * Pose::from_parts((middle - centre).into(), *turn)
     };
     let raster: Vec<(f32, f32)> = steps(room.0).flat_map(|x| steps(room.1).map(move |y| (x, y))).collect();
     ordered(raster, shelf, order).into_iter().map(at).collect()

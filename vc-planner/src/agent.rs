@@ -8,7 +8,7 @@ mod explore;
 use std::collections::VecDeque;
 
 use vc_graph::goal::Term;
-use vc_graph::{Action, Event, Goal, History, NodeId, Observation, Place, Property, SceneGraph, Verb};
+use vc_graph::{Action, Event, Goal, History, Kind, NodeId, Observation, Place, Property, SceneGraph, Verb};
 
 use crate::demand::Choice;
 use crate::manners::Manners;
@@ -232,21 +232,44 @@ impl Agent {
         self.forget_plans();
     }
 
+    /// Walks up to what an action is done to, and does it again from there.
+    pub(crate) fn go_back_to(&mut self, action: &Action) {
+        let at = action.target.or(action.object).filter(|_| action.verb != Verb::Walk);
+        let walk = at.map(|at| Action::one(Verb::Walk, crate::compile::anchor(self.belief.graph(), at)));
+        self.next = walk.into_iter().chain([*action]).collect();
+    }
+
     /// Expects of a thing no more what bodies could not do with it: another is taken, another
     /// place is found. Whether there was something to expect.
     pub fn bar(&mut self, action: &Action) -> bool {
-        let (property, id) = match (action.verb, action.object, action.target) {
-            (Verb::Grab, Some(id), _) => (Property::Graspable, id),
-            (Verb::Open | Verb::Close, Some(id), _) => (Property::Openable, id),
-            (Verb::SwitchOn | Verb::SwitchOff, Some(id), _) => (Property::Switchable, id),
-            (Verb::Sit, Some(id), _) => (Property::Sittable, id),
-            (Verb::Lie, Some(id), _) => (Property::Lieable, id),
-            (Verb::Place, _, Some(at)) => (Property::Surface, at),
-            (Verb::PutIn, _, Some(into)) => (Property::Container, into),
+        use Property::{Container, Graspable, Heater, Lieable, Openable, Recipient, Sittable, Surface, Switchable};
+        // Whatever would let things be put there by the rule.
+        const CARRIES: &[Property] = &[Surface, Sittable, Lieable, Container, Recipient, Heater];
+        let (properties, id): (&[Property], NodeId) = match (action.verb, action.object, action.target) {
+            (Verb::Grab, Some(id), _) => (&[Graspable], id),
+            (Verb::Walk | Verb::Run | Verb::Find, Some(id), _) => return self.avoid(id),
+            (Verb::Open | Verb::Close, Some(id), _) => (&[Openable], id),
+            (Verb::SwitchOn | Verb::SwitchOff, Some(id), _) => (&[Switchable], id),
+            (Verb::Sit, Some(id), _) => (&[Sittable], id),
+            (Verb::Lie, Some(id), _) => (&[Lieable], id),
+            (Verb::Place, _, Some(at)) => (CARRIES, at),
+            (Verb::PutIn, _, Some(into)) => (&[Container, Recipient], into),
             _ => return false,
         };
         self.forget_plans();
-        self.belief.bar(id, property)
+        // What is shut away behind it is out of reach.
+        let shunned = action.verb == Verb::Open && self.belief.shun(id);
+        properties.iter().fold(shunned, |barred, property| self.belief.bar(id, *property) | barred)
+    }
+
+    /// Plans no more with a thing there is no way to.
+    fn avoid(&mut self, id: NodeId) -> bool {
+        use Property::{Container, Graspable, Heater, Lieable, Recipient, Sittable, Surface, Switchable};
+        self.forget_plans();
+        let shunned = self.belief.shun(id);
+        let all = [Graspable, Surface, Sittable, Lieable, Container, Recipient, Heater, Switchable];
+        let there = self.belief.graph().node(id).is_some_and(|n| n.kind() == Kind::Object);
+        all.into_iter().filter(|_| there).fold(shunned, |barred, property| self.belief.bar(id, property) | barred)
     }
 
     fn forget_plans(&mut self) {

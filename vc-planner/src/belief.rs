@@ -53,6 +53,8 @@ pub struct Belief {
     stranger: bool,
     /// Nodes whose guess the agent's own last action has changed.
     touched: Vec<NodeId>,
+    /// Where it cannot get.
+    shunned: Vec<NodeId>,
     widened: usize,
     rng: ChaCha8Rng,
 }
@@ -139,6 +141,7 @@ impl Belief {
             last: None,
             stranger: false,
             touched: Vec::new(),
+            shunned: Vec::new(),
             widened: 0,
             rng: ChaCha8Rng::seed_from_u64(seed),
         }

@@ -1,6 +1,6 @@
 //! What decides: one trait for planners, baselines, scripts and language models.
 
-use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Seed, Stream};
+use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Seed, Stream, Verb};
 use vc_tasks::library::THESIS_VERBS;
 use vc_tasks::{Task, WorldError};
 
@@ -125,20 +125,29 @@ impl Planning {
     }
 
     fn did(&mut self, action: &Action) {
-        (self.refusals, self.failed) = (0, None);
+        // One walks up to what has failed before one tries again.
+        if action.verb != Verb::Walk {
+            (self.refusals, self.failed) = (0, None);
+        }
         if let Some(agent) = &mut self.agent {
             agent.did(action);
         }
     }
 
-    /// What the world cannot do a second time, the agent does not expect of it any more.
+    /// What the world cannot do, the agent walks up to; what it cannot do a second time, the
+    /// agent does not expect of it any more.
     fn refused(&mut self, action: &Action, why: &WorldError) -> Reaction {
         self.refusals += 1;
         if let Some(agent) = &mut self.agent {
             agent.refused(action);
-            let lasting = matches!(why, WorldError::Failed(_)) && self.failed == Some(*action);
-            if lasting && agent.bar(action) {
-                self.refusals = 0;
+            match why {
+                WorldError::Failed(_) if self.failed == Some(*action) => {
+                    if agent.bar(action) {
+                        self.refusals = 0;
+                    }
+                }
+                WorldError::Failed(_) => agent.go_back_to(action),
+                _ => {}
             }
         }
         self.failed = Some(*action);

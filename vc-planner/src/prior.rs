@@ -117,6 +117,14 @@ pub(crate) struct Supposed {
     pub(crate) missing: usize,
 }
 
+impl Supposed {
+    /// Expects nothing at a place any more.
+    pub(crate) fn leave_out(&mut self, place: usize) {
+        let [habit, stray] = self.places.as_ref().map_or([0.0; 2], |places| places[place]);
+        self.left = [self.left[HABIT] - habit, self.left[STRAY] - stray];
+    }
+}
+
 /// How likely each share of tidy things is after what has been found and not found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Tidiness {

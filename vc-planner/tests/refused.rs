@@ -65,3 +65,28 @@ fn another_thing_is_taken_and_another_place_found() {
     assert!(episode.outcome != Outcome::Won && episode.steps <= 8, "{episode:?}");
     assert!(!World::graph(&world).node(fridge).unwrap().states().contains(State::Open));
 }
+
+/// What there is no way to is left out of account, with all that is known or supposed there.
+#[test]
+fn what_there_is_no_way_to_is_left_alone() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let table = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+    let cabinets = [(); 3].map(|()| scene.add_in(kitchen, Draft::new("kitchen_cabinet")).unwrap());
+    let mugs = [0, 2].map(|i| scene.add_in(cabinets[i], Draft::new("mug")).unwrap());
+    let scene = scene.build();
+    let task = Task::new("lay", "On(mug, kitchen_table)".parse().unwrap());
+    // Nobody gets to the first, and the second does not open.
+    let cannot = vec![Action::one(Verb::Walk, cabinets[0]), Action::one(Verb::Open, cabinets[1])];
+    for seed in 0..20 {
+        let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
+        for mut policy in policies {
+            let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), failures: 0 };
+            let episode = Run::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+            assert_eq!(episode.outcome, Outcome::Won, "{} {seed}: {episode:?}", policy.name());
+            assert!(World::graph(&world).place(mugs[1]).is_some_and(|p| p.at == table));
+            assert!(world.failures <= 4, "{}: {} times what cannot be done", policy.name(), world.failures);
+        }
+    }
+}

@@ -12,6 +12,8 @@ use crate::{AgentError, PhysicsError, Role, convert};
 const BENT: f32 = 0.3;
 /// How high the shoulders come when it stands on its toes, metres above where they are.
 const TIPTOE: f32 = 0.08;
+/// Parts of the way one can lean that are tried.
+const LEANS: [f32; 4] = [1.0, 0.7, 0.35, 0.0];
 /// From the hip to the shoulders, as a part of the height.
 const TORSO: f32 = 0.29;
 
@@ -90,6 +92,12 @@ impl World {
     pub fn holder(&self, id: NodeId) -> Option<(NodeId, Hand)> {
         let all = self.agents.keys().flat_map(|&a| Hand::BOTH.map(|h| (a, h)));
         all.into_iter().find(|&(a, h)| self.held(a, h) == Some(id))
+    }
+
+    /// Whether a hand holds a thing with something on it or in it.
+    pub(crate) fn is_held_with_load(&self, id: NodeId) -> bool {
+        let mut held = self.agents.values().flat_map(|a| a.hands.iter().flatten());
+        held.any(|h| h.id == id && !h.load.is_empty())
     }
 
     /// How far a thing is from an agent's shoulder, to its nearest point, metres. An
@@ -198,16 +206,37 @@ impl World {
     /// [`AgentError::TooHeavy`], [`AgentError::Held`], [`PhysicsError::NotFree`] for
     /// what is fixed.
     pub fn grab(&mut self, agent: NodeId, hand: Hand, id: NodeId) -> Result<(), AgentError> {
+        self.grab_with(agent, hand, id, |_| true)
+    }
+
+    /// As [`Self::grab`]; of what lies on the thing, only that comes along which a condition
+    /// admits. The rest is left behind, and falls if nothing else carries it.
+    ///
+    /// # Errors
+    /// As [`Self::grab`].
+    pub fn grab_with(
+        &mut self,
+        agent: NodeId,
+        hand: Hand,
+        id: NodeId,
+        comes: impl Fn(NodeId) -> bool,
+    ) -> Result<(), AgentError> {
         let distance = self.reach_to(agent, id)?;
         let reach = self.agent(agent)?.plan.reach;
         if distance > reach {
             return Err(AgentError::OutOfReach { agent, id, distance, reach });
         }
-        self.take(agent, hand, id)
+        self.take(agent, hand, id, comes)
     }
 
-    /// As [`Self::grab`], from any distance.
-    pub(crate) fn take(&mut self, agent: NodeId, hand: Hand, id: NodeId) -> Result<(), AgentError> {
+    /// As [`Self::grab_with`], from any distance.
+    pub(crate) fn take(
+        &mut self,
+        agent: NodeId,
+        hand: Hand,
+        id: NodeId,
+        comes: impl Fn(NodeId) -> bool,
+    ) -> Result<(), AgentError> {
         let body = self.agent(agent)?;
         if let Some(held) = &body.hands[hand as usize] {
             return Err(AgentError::HandFull { agent, held: held.id });
@@ -226,10 +255,12 @@ impl World {
         let grip = grip(body, hand, &pose, nalgebra::center(&thing.form.extent.0, &thing.form.extent.1));
         let load = self.load_of(base);
         let at = |load: NodeId| Some(Loaded { id: load, at: pose.inverse() * self.pose(load)? });
+        let (load, left): (Vec<NodeId>, Vec<NodeId>) = load.into_iter().partition(|id| comes(*id));
         let load: Vec<Loaded> = load.into_iter().filter_map(at).collect();
         for carried in load.iter().map(|l| l.id).chain([id]) {
             self.set_role(carried, Role::Carried)?;
         }
+        left.into_iter().try_for_each(|id| self.wake(id))?;
         self.agent_mut(agent)?.hands[hand as usize] = Some(Held { id, grip, load });
         self.embody(agent, true);
         Ok(())
@@ -309,11 +340,19 @@ fn grip(agent: &Agent, hand: Hand, pose: &Pose, middle: Point3<f32>) -> Pose {
     Pose::from_parts((hand - turn * middle.coords).into(), turn)
 }
 
-/// Where the shoulder of a standing body is that reaches for a point: leant towards it, and as
-/// high, but no lower than one can bend and no higher than a leaning body comes.
+/// Where the shoulder of a standing body is that reaches for a point: leant towards it and
+/// bent down as far as that brings it nearer.
 fn leaning(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>) -> Point3<f32> {
+    let shoulders = LEANS.map(|share| leant(plan, feet, to, share * LEAN));
+    let nearer = |a: Point3<f32>, b: Point3<f32>| if (b - to).norm() < (a - to).norm() { b } else { a };
+    shoulders.into_iter().fold(shoulders[0], nearer)
+}
+
+/// Where the shoulder is that comes forward so far: as high as what it reaches for, but no lower
+/// than one can bend and no higher than a leaning body comes.
+fn leant(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>, most: f32) -> Point3<f32> {
     let way = (to - feet).xy();
-    let forward = way.norm().min(LEAN);
+    let forward = way.norm().min(most);
     let torso = TORSO * plan.height;
     let sunk = torso - (torso * torso - forward * forward).max(0.0).sqrt();
     let rise = (to.z - feet.z).clamp(BENT * plan.height, (plan.shoulder() + TIPTOE - sunk).max(BENT * plan.height));

@@ -61,8 +61,9 @@ impl Default for BodyPlan {
     }
 }
 
-/// How far the shoulders come forward when one leans, metres.
-pub(crate) const LEAN: f32 = 0.3;
+/// How far the shoulders come forward when one leans, metres: the trunk bent by 54 degrees, as
+/// over a table.
+pub(crate) const LEAN: f32 = 0.4;
 
 impl BodyPlan {
     /// How far from the middle of its feet a standing body reaches, along the floor, metres.
@@ -204,7 +205,7 @@ impl World {
             for (hand, relation) in [(Hand::Right, Relation::HoldsRight), (Hand::Left, Relation::HoldsLeft)] {
                 for held in graph.related(id, relation).collect::<Vec<_>>() {
                     // What cannot be held (it has no body, or the hand is full) stays.
-                    let _ = self.take(id, hand, held);
+                    let _ = self.take(id, hand, held, |_| true);
                 }
             }
         }

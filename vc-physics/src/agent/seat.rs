@@ -23,8 +23,11 @@ const SEATS: std::ops::Range<f32> = 0.2..0.95;
 const LIGHT: f32 = 2.0;
 /// Up to which height above the seat, metres: that of a folded duvet.
 const FLAT: f32 = 0.25;
-/// Distances from the place at which one may get up, metres.
-const EXITS: [f32; 5] = [0.45, 0.6, 0.8, 1.0, 1.25];
+/// Distances from the place at which one may get up, metres, in steps.
+const EXITS: (f32, f32) = (0.45, 1.25);
+const EXIT_STEP: f32 = 0.05;
+/// In how many directions they are looked for to each side.
+const EXIT_TURNS: usize = 12;
 
 impl World {
     /// Places to sit on a node, in the world's frame: the middle of each seat, X
@@ -142,15 +145,16 @@ impl World {
     /// Spots around a seat: near before far, before the seat first.
     fn exits(&self, body: &Agent) -> impl Iterator<Item = Pose> + use<> {
         let (place, floor) = (body.feet, body.floor);
-        EXITS.into_iter().flat_map(move |far| {
-            [0.0, 0.5, -0.5, 1.0, -1.0, 1.6, -1.6, 2.3, -2.3, std::f32::consts::PI].into_iter().map(
-                move |angle: f32| {
-                    let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle);
-                    let mut spot = place * Pose::from_parts((turn * Vector3::x() * far).into(), turn);
-                    spot.translation.z = floor;
-                    spot
-                },
-            )
+        let steps = ((EXITS.1 - EXITS.0) / EXIT_STEP).round() as usize;
+        let turn = |step: usize| std::f32::consts::PI * step as f32 / EXIT_TURNS as f32;
+        let turns = (0..=EXIT_TURNS).flat_map(move |step| [turn(step), -turn(step)]);
+        (0..=steps).map(|i| EXITS.0 + EXIT_STEP * i as f32).flat_map(move |far| {
+            turns.clone().map(move |angle: f32| {
+                let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle);
+                let mut spot = place * Pose::from_parts((turn * Vector3::x() * far).into(), turn);
+                spot.translation.z = floor;
+                spot
+            })
         })
     }
 

@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{NodeId, Pose};
 
-use super::outline::{Outline, hull};
+use super::outline::{Outline, contains, hull};
 use super::{Doors, FloorPlan};
 use crate::Role;
 use crate::shapes::{Footprint, Link, levels, rectangle};
@@ -88,7 +88,8 @@ fn poses(world: &World, thing: &Thing) -> Vec<Pose> {
 }
 
 /// Whether what a thing is on or in by the graph, or that in turn, is fixed and covers
-/// all of it: cups on a table are in nobody's way.
+/// all of it: cups on a table are in nobody's way. What lies in a drawer that stands open goes
+/// with it when it is shut.
 fn is_covered(world: &World, thing: &Thing, plan: &FloorPlan) -> bool {
     let below = |t: &Thing| world.thing(t.state.rests?.at).ok();
     let mut chain = std::iter::successors(below(thing), |t| below(t)).take(STACKED);
@@ -102,7 +103,19 @@ fn is_covered(world: &World, thing: &Thing, plan: &FloorPlan) -> bool {
     let (low, high) = corners.iter().fold((corners[0], corners[0]), |(l, h), p| (l.inf(p), h.sup(p)));
     let level = base.translation.z;
     let counts = |f: &&Footprint| is_in_the_way(plan, level + f.levels().0, level + f.levels().1);
-    at.form.links[0].footprints().iter().filter(counts).any(|f| f.covers(&corners, &low, &high))
+    let covers = at.form.links[0].footprints().iter().filter(counts).any(|f| f.covers(&corners, &low, &high));
+    covers || goes_along(world, at, &around.centre().xy(), plan)
+}
+
+/// Whether a point is over a part of a thing that stands open and is shut in passing.
+fn goes_along(world: &World, thing: &Thing, point: &Point2<f32>, plan: &FloorPlan) -> bool {
+    let locked = thing.state.moving.iter().any(|m| m.locked);
+    let poses = poses(world, thing);
+    let Some(base) = poses.first().filter(|_| plan.doors == Doors::Opened && !locked) else { return false };
+    let mut open = poses.iter().enumerate().skip(1).filter(|(_, pose)| !near(pose, base));
+    let over = |outline: &Outline| contains(outline, std::slice::from_ref(point));
+    let in_the_way = |low, high| is_in_the_way(plan, low, high);
+    open.any(|(link, pose)| outlines(&thing.form.links[link], pose, in_the_way).iter().any(over))
 }
 
 /// Outlines of the pieces of a link that count, by the heights from where to where they reach.

@@ -3,6 +3,7 @@
 mod build;
 mod doze;
 mod drive;
+mod fold;
 mod look;
 mod rest;
 

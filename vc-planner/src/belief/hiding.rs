@@ -1,11 +1,11 @@
 //! What is still missing: found, lost, or guessed anew where it was not.
 
 use rand_chacha::rand_core::Rng;
-use vc_graph::{NodeId, Observation, Place, Property, Relation};
+use vc_graph::{Kind, Node, NodeId, Observation, Place, Property, Relation};
 
 use super::places::in_view;
 use super::{Belief, Learned};
-use crate::prior::{HABIT, STRAY, Supposed};
+use crate::prior::Supposed;
 
 impl Belief {
     /// Supposes something about one more missing thing.
@@ -93,12 +93,39 @@ impl Belief {
                 continue;
             }
             (self.seen[index], new) = (true, true);
-            for class in self.supposed.values_mut() {
-                let [habit, stray] = class.places.as_ref().map_or([0.0; 2], |places| places[index]);
-                class.left = [class.left[HABIT] - habit, class.left[STRAY] - stray];
-            }
+            self.supposed.values_mut().for_each(|class| class.leave_out(index));
         }
         new
+    }
+
+    /// Expects to get at a thing no more, nor at anything on or in it: what is only guessed
+    /// there is guessed elsewhere, what is known there cannot be picked up. Whether there was
+    /// anything to expect.
+    pub(crate) fn shun(&mut self, id: NodeId) -> bool {
+        if self.graph.node(id).is_none_or(|n| n.kind() != Kind::Object) || self.shunned.contains(&id) {
+            return false;
+        }
+        self.shunned.push(id);
+        self.leave_out_shunned();
+        self.resample(&mut Learned::default());
+        let known = |n: &NodeId| self.graph.rests_at(*n, id) && !self.is_missing(*n);
+        let there: Vec<NodeId> = self.graph.nodes().map(Node::id).filter(known).collect();
+        for thing in there {
+            self.bar(thing, Property::Graspable);
+        }
+        true
+    }
+
+    /// Looks for nothing where it cannot get.
+    fn leave_out_shunned(&mut self) {
+        for index in 0..self.places.len() {
+            let at = self.places[index].at;
+            let out = self.shunned.iter().any(|&id| id == at || self.graph.rests_at(at, id));
+            if out && !self.seen[index] {
+                self.seen[index] = true;
+                self.supposed.values_mut().for_each(|class| class.leave_out(index));
+            }
+        }
     }
 
     fn resample(&mut self, learned: &mut Learned) {
@@ -137,6 +164,7 @@ impl Belief {
         self.seen.fill(false);
         self.widened += 1;
         self.supposed.values_mut().for_each(|class| class.left = [1.0; 2]);
+        self.leave_out_shunned();
         self.tidiness.settle(self.supposed.values(), 1.0);
     }
 }

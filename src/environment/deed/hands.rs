@@ -1,0 +1,193 @@
+//! What hands do: take, put down, let go, dress.
+
+use nalgebra::{Point3, Vector3};
+use vc_graph::{Edge, EditError, Node, NodeId, Place, Pose, Property, Relation, SceneGraph};
+use vc_physics::{Hand, Order, Role};
+
+use super::{Deed, Done};
+use crate::environment::Impossible;
+use crate::environment::beat::Beat;
+
+/// How far ahead of the body a hand puts things down, metres.
+const AHEAD: f32 = 0.45;
+/// Height at which things are out of everybody's way, metres.
+const AWAY: f32 = -100.0;
+
+impl Deed<'_> {
+    /// The hand in which a graph has a thing.
+    pub(super) fn hand(&self, graph: &SceneGraph, id: NodeId) -> Option<Hand> {
+        Hand::BOTH.into_iter().find(|h| graph.has(Edge::new(self.agent, h.relation(), id)))
+    }
+
+    pub(super) fn hold(&mut self, id: NodeId) -> Done {
+        if self.hand(self.before, id).is_some() {
+            return Ok(());
+        }
+        let hand = self.hand(self.after, id).ok_or(Impossible::NotModelled("the rule gives it into no hand"))?;
+        if self.world.pose(id).is_none() {
+            return self.undress(hand, id);
+        }
+        self.world.grab_with(self.agent, hand, id, |load| comes_along(self.before, load, id))?;
+        self.beats.push(Beat::Take(hand, id));
+        Ok(())
+    }
+
+    pub(super) fn undress(&mut self, hand: Hand, id: NodeId) -> Done {
+        let worn = self.before.related(id, Relation::WornBy).next() == Some(self.agent);
+        if !worn {
+            return Err(Impossible::NoBody(self.before.label(id)));
+        }
+        self.world.insert(self.before, id, self.shapes)?;
+        self.world.place(id, self.feet() * Pose::translation(0.3, 0.0, 1.0))?;
+        self.world.grab(self.agent, hand, id)?;
+        self.beats.push(Beat::Undress(hand, id));
+        Ok(())
+    }
+
+    pub(super) fn dress(&mut self, id: NodeId) -> Done {
+        self.world.remove(id)?;
+        self.beats.push(Beat::Dress(id));
+        Ok(())
+    }
+
+    /// Puts a held thing where there is room for it, nearest to the hands; after a step, where
+    /// there is room nearest to them then.
+    pub(super) fn put(&mut self, id: NodeId, place: Place) -> Done {
+        let hand = self.hand(self.before, id).ok_or(Impossible::NotModelled("it is in no hand"))?;
+        let mut spot = self.spot(id, place)?;
+        if self.stands() && !self.puts_from(&self.feet(), id, &spot) {
+            self.step_to(place.at, id, &spot)?;
+            if !self.puts_from(&self.feet(), id, &spot) {
+                spot = self.spot(id, place)?;
+            }
+        }
+        self.turn_to(&spot);
+        self.world.put(self.agent, hand, spot)?;
+        self.beats.push(Beat::Put(hand, id, spot));
+        Ok(())
+    }
+
+    /// A free spot for a thing on or in another. If there is none, cloth is folded up, what is
+    /// there is pushed together, and into containers things are put on the others at last.
+    pub(in crate::environment) fn spot(&mut self, id: NodeId, place: Place) -> Result<Pose, Impossible> {
+        let mut spot = self.free_spot(id, place)?;
+        if spot.is_none() && self.fold_up(id)? {
+            spot = self.free_spot(id, place)?;
+        }
+        if spot.is_none() {
+            spot = self.make_room(id, place)?;
+        }
+        if spot.is_none() && place.relation == Relation::Inside {
+            spot = self.world.heaped_spot_in(id, place.at, self.near_hands())?;
+        }
+        spot.ok_or_else(|| Impossible::NoSpot {
+            thing: self.before.label(id),
+            where_: if place.relation == Relation::Inside { "in" } else { "on" },
+            at: self.before.label(place.at),
+        })
+    }
+
+    fn near_hands(&self) -> Order {
+        Order::Near(self.feet() * Point3::new(AHEAD, 0.0, 1.0))
+    }
+
+    fn free_spot(&self, id: NodeId, place: Place) -> Result<Option<Pose>, Impossible> {
+        Ok(self.world.free_spot_at(id, place.at, place.relation == Relation::Inside, self.near_hands())?)
+    }
+
+    /// Pushes together what is on or in a thing, away from the hands, the largest first, until
+    /// there is room for another; if there is none then, all stays where it was.
+    fn make_room(&mut self, id: NodeId, place: Place) -> Result<Option<Pose>, Impossible> {
+        let hands = self.feet() * Point3::new(AHEAD, 0.0, 1.0);
+        let Some(around) = self.world.aabb(place.at) else { return Ok(None) };
+        let far = around.centre() + (around.centre() - hands);
+        let size = |id: &NodeId| self.world.aabb(*id).map_or(0.0, |b| (b.max - b.min).xy().norm());
+        let mut things = self.loose_at(place);
+        things.sort_by(|a, b| size(b).total_cmp(&size(a)).then(a.cmp(b)));
+        let were: Vec<(NodeId, Pose)> = things.iter().filter_map(|id| Some((*id, self.world.pose(*id)?))).collect();
+        for (index, thing) in things.iter().enumerate() {
+            // Out of the way of those that come before it.
+            self.world.place(*thing, Pose::translation(10.0 * index as f32, 0.0, AWAY))?;
+        }
+        let (inside, mut moved) = (place.relation == Relation::Inside, Vec::new());
+        for &(thing, _) in &were {
+            let Some(spot) = self.world.free_spot_at(thing, place.at, inside, Order::Near(far))? else { break };
+            self.world.place(thing, spot)?;
+            moved.push((thing, spot));
+        }
+        let spot = if moved.len() == were.len() && !were.is_empty() { self.free_spot(id, place)? } else { None };
+        if spot.is_some() {
+            self.beats.push(Beat::Push(moved));
+        } else {
+            were.into_iter().try_for_each(|(thing, was)| self.world.place(thing, was))?;
+        }
+        Ok(spot)
+    }
+
+    /// Loose things of which the graph says that they are on or in a thing and nothing else, with
+    /// nothing on them.
+    fn loose_at(&self, place: Place) -> Vec<NodeId> {
+        let alone = |id: &NodeId| self.before.places(*id).eq([place]) && self.before.resting_at(*id).next().is_none();
+        let loose = |id: &NodeId| self.world.role(*id) == Some(Role::Loose);
+        self.before.relating(place.relation, place.at).filter(|id| loose(id) && alone(id)).collect()
+    }
+
+    /// Makes a flat bundle of cloth; whether it was any larger.
+    fn fold_up(&mut self, id: NodeId) -> Result<bool, Impossible> {
+        let Some(node) = self.before.node(id).filter(|n| is_cloth(n)) else { return Ok(false) };
+        let Some(by) = self.world.bundled(id)? else { return Ok(false) };
+        let scale = node.spec().scale.component_mul(&by);
+        let graph = scaled(self.before, id, scale).map_err(|e| Impossible::Unreadable(e.to_string()))?;
+        self.world.reshape(&graph, id, self.shapes)?;
+        self.folded.push((id, scale));
+        self.beats.push(Beat::Fold(id, scale));
+        Ok(true)
+    }
+
+    pub(super) fn let_go(&mut self, id: NodeId) -> Done {
+        let hand = self.hand(self.before, id).ok_or(Impossible::NotModelled("it is in no hand"))?;
+        // Where it falls it may hang on a table's edge until something shakes it, or lie on a
+        // book: on the floor beside these it stays.
+        if let Some(spot) = self.floor_spot(id).filter(|spot| self.puts_from(&self.feet(), id, spot))
+            && self.world.put(self.agent, hand, spot).is_ok()
+        {
+            self.beats.push(Beat::Put(hand, id, spot));
+            return Ok(());
+        }
+        self.world.drop(self.agent, hand)?;
+        self.beats.push(Beat::LetGo(hand));
+        Ok(())
+    }
+
+    /// A free spot for a thing on the floor before the agent's feet.
+    pub(super) fn floor_spot(&self, id: NodeId) -> Option<Pose> {
+        let ground = self.before.place(self.agent).filter(|_| self.stands())?;
+        let toes = self.feet() * Point3::new(AHEAD, 0.0, 0.0);
+        self.world.free_spot_at(id, ground.at, false, Order::Near(toes)).ok().flatten()
+    }
+}
+
+/// Whether a thing comes along when another is taken: if it rests on nothing else. What touches
+/// that only from above, or is carried by the table as well, stays behind.
+pub(in crate::environment) fn comes_along(graph: &SceneGraph, load: NodeId, taken: NodeId) -> bool {
+    let on_it = |p: Place| p.at == taken || graph.rests_at(p.at, taken);
+    graph.rests_at(load, taken) && graph.places(load).all(on_it)
+}
+
+/// A graph in which a thing has another scale.
+fn scaled(graph: &SceneGraph, id: NodeId, scale: Vector3<f32>) -> Result<SceneGraph, EditError> {
+    let mut graph = graph.clone();
+    let mut edit = graph.edit();
+    edit.set_scale(id, scale)?;
+    edit.commit();
+    Ok(graph)
+}
+
+/// Whether a thing is of cloth and nothing else: it is folded and washed, and neither holds nor
+/// carries anything.
+fn is_cloth(node: &Node) -> bool {
+    use Property::{Breakable, Container, Foldable, Graspable, Lieable, Openable, Sittable, Surface, Washable};
+    let has = |all: &[Property]| all.iter().filter(|p| node.affords(**p)).count();
+    has(&[Foldable, Graspable, Washable]) == 3
+        && has(&[Breakable, Container, Lieable, Openable, Sittable, Surface]) == 0
+}

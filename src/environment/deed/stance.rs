@@ -1,0 +1,273 @@
+//! Where to stand for what is to be done, and getting there.
+
+use nalgebra::{Point2, Point3, Vector2};
+use vc_graph::{Kind, NodeId, Pose, Property};
+use vc_physics::Stand;
+
+use super::{Deed, Done, towards};
+use crate::environment::Impossible;
+use crate::environment::beat::Beat;
+use crate::environment::make::room_at;
+
+/// Free floor that agents keep from each other, metres.
+const APART: f32 = 0.55;
+/// How far one keeps from where the next room begins, metres: so that it is plain in which one is.
+const INNER: f32 = 0.1;
+/// What one goes up to counts as near then, metres.
+const NEAR: f32 = vc_graph::NEAR - 0.02;
+
+impl Deed<'_> {
+    /// Brings a thing within reach of the hands: by turning, by a step or by a walk.
+    pub(super) fn reach(&mut self, id: NodeId) -> Done {
+        let body = self.body_of(id)?;
+        let reach = self.plan().reach;
+        if self.world.reach_to(self.agent, body)? <= reach {
+            return self.face(body);
+        }
+        if !self.stands() {
+            let distance = self.world.reach_to(self.agent, body)?;
+            return Err(vc_physics::AgentError::OutOfReach { agent: self.agent, id: body, distance, reach }.into());
+        }
+        self.floor.update(self.world);
+        let stand = self.stand_at(body, self.before.room_of(self.agent))?;
+        self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?);
+        Ok(())
+    }
+
+    /// Whether there is a spot from which hands get at a thing.
+    pub(in crate::environment) fn can_get_at(&self, id: NodeId) -> bool {
+        let Ok(body) = self.body_of(id) else { return false };
+        if self.is_overhead(body) || self.has_cord(body) {
+            return matches!(self.stand_before(id), Ok(Some(_)));
+        }
+        let here = self.world.reach_to(self.agent, body).is_ok_and(|far| far <= self.plan().reach);
+        here || matches!(self.stand_at(body, self.before.room_of(body)), Ok(Some(_)))
+    }
+
+    /// Whether a thing is higher than one reaches.
+    pub(super) fn is_overhead(&self, id: NodeId) -> bool {
+        let top = self.feet().translation.z + self.plan().shoulder() + self.plan().reach;
+        self.world.aabb(id).is_some_and(|aabb| aabb.min.z > top)
+    }
+
+    /// A spot in a room from which the agent reaches a thing: where it sees it too, if
+    /// there is one.
+    pub(super) fn stand_at(&self, id: NodeId, room: Option<NodeId>) -> Result<Option<Stand>, Impossible> {
+        let found = self.stand_where(id, room, |feet| self.sees(feet, id))?;
+        if found.is_some() { Ok(found) } else { self.stand_where(id, room, |_| true) }
+    }
+
+    /// Whether one who stands somewhere sees a thing.
+    fn sees(&self, feet: &Pose, id: NodeId) -> bool {
+        self.floor.sees(self.world, &self.plan(), feet, id)
+    }
+
+    fn stand_where(
+        &self,
+        id: NodeId,
+        room: Option<NodeId>,
+        admits: impl Fn(&Pose) -> bool,
+    ) -> Result<Option<Stand>, Impossible> {
+        let from = self.feet().translation.vector.xy().into();
+        let good = |feet: &Pose| self.is_good(feet, room) && admits(feet);
+        Ok(self.floor.stand_where(self.world, &self.plan(), from, id, good)?)
+    }
+
+    /// Whether the agent may stand somewhere: in a room, where nobody else is, and free.
+    pub(super) fn is_good(&self, feet: &Pose, room: Option<NodeId>) -> bool {
+        let spot = Point2::from(feet.translation.vector.xy());
+        let level = self.floor.plan().level;
+        let inner = |room: NodeId| {
+            let around = [(0.0, 0.0), (INNER, 0.0), (-INNER, 0.0), (0.0, INNER), (0.0, -INNER)];
+            let at = |(x, y): &(f32, f32)| room_at(self.before, self.world, &(spot + Vector2::new(*x, *y)), level);
+            around.iter().all(|offset| at(offset).is_none_or(|r| r == room)) && at(&around[0]) == Some(room)
+        };
+        room.is_none_or(inner) && self.is_unclaimed(&spot) && self.world.stands_free(self.agent, feet).unwrap_or(false)
+    }
+
+    /// Whether no other agent is at a spot.
+    pub(super) fn is_unclaimed(&self, spot: &Point2<f32>) -> bool {
+        let others = self.world.agents().filter(|a| *a != self.agent);
+        others.filter_map(|a| self.world.pose(a)).all(|p| (p.translation.vector.xy() - spot.coords).norm() >= APART)
+    }
+
+    /// Walks to a spot at once.
+    pub(super) fn walk(&mut self, stand: Stand) {
+        let Stand { feet, route } = stand;
+        // The pose is finite and the agent is there.
+        let _ = self.world.teleport(self.agent, feet);
+        self.beats.push(Beat::Walk { points: route.points, doors: route.doors, feet, run: self.run });
+    }
+
+    pub(super) fn go_to(&mut self, id: NodeId) -> Done {
+        self.floor.update(self.world);
+        let kind = self.before.node(id).map(vc_graph::Node::kind);
+        let stand = match kind {
+            Some(Kind::Room) => self.stand_in(id),
+            Some(Kind::Agent) => self.stand_beside(id, |_| true),
+            _ => self.stand_before(id)?,
+        };
+        let stand = stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?;
+        self.walk(stand);
+        Ok(())
+    }
+
+    /// Before a thing: within reach of it and not only of its open door, else near it; else the
+    /// same for what it is on or in, as long as that is near the thing itself.
+    pub(super) fn stand_before(&self, id: NodeId) -> Result<Option<Stand>, Impossible> {
+        for at in std::iter::once(id).chain(self.before.support_chain(id)) {
+            for far in [self.plan().stretch(), NEAR] {
+                let reach = self.stand_within(id, at, far)?;
+                if reach.is_some() {
+                    return Ok(reach);
+                }
+            }
+            let beside = self.stand_beside(at, |feet| self.is_within(feet, id, NEAR));
+            if beside.is_some() {
+                return Ok(beside);
+            }
+        }
+        Ok(None)
+    }
+
+    /// Within reach of one thing, so near to another: where it is seen too, if there is such a
+    /// spot.
+    fn stand_within(&self, id: NodeId, at: NodeId, far: f32) -> Result<Option<Stand>, Impossible> {
+        if self.world.aabb(at).is_none() {
+            return Ok(None);
+        }
+        let (room, near) = (self.before.room_of(at), |feet: &Pose| self.is_within(feet, id, far));
+        let seen = self.stand_where(at, room, |feet| near(feet) && self.sees(feet, at))?;
+        if seen.is_some() { Ok(seen) } else { self.stand_where(at, room, near) }
+    }
+
+    /// Whether somebody who stands somewhere is so near to a thing, measured as the rule does.
+    fn is_within(&self, feet: &Pose, id: NodeId, far: f32) -> bool {
+        let Some(aabb) = self.before.node(id).and_then(vc_graph::Node::aabb) else { return true };
+        let feet = Point3::from(feet.translation.vector);
+        (aabb.nearest(&feet) - feet).xy().norm() < far
+    }
+
+    /// As near as possible to the middle of a room.
+    pub(super) fn stand_in(&self, room: NodeId) -> Option<Stand> {
+        let from: Point2<f32> = self.feet().translation.vector.xy().into();
+        let aabb = self.before.node(room)?.aabb()?;
+        if self.before.room_of(self.agent) == Some(room) {
+            let route = self.floor.route(from, from)?;
+            return Some(Stand { feet: self.feet(), route });
+        }
+        self.nearest_stand(Some(room), aabb.centre(), f32::INFINITY, |_| true)
+    }
+
+    /// Near a thing that is out of reach of the hands, as near as one gets.
+    fn stand_beside(&self, id: NodeId, admits: impl Fn(&Pose) -> bool) -> Option<Stand> {
+        let node = self.before.node(id)?;
+        let centre = node.aabb().map_or_else(|| node.position(), |b| Some(b.centre()))?;
+        self.nearest_stand(self.before.room_of(id), centre, f32::INFINITY, |feet| {
+            self.is_within(feet, id, NEAR) && admits(feet)
+        })
+    }
+
+    /// The spot nearest to a point, in a room, to which there is a way.
+    pub(super) fn nearest_stand(
+        &self,
+        room: Option<NodeId>,
+        to: Point3<f32>,
+        within: f32,
+        admits: impl Fn(&Pose) -> bool,
+    ) -> Option<Stand> {
+        let from: Point2<f32> = self.feet().translation.vector.xy().into();
+        let middle = to.xy();
+        let step = |i: i32| i as f32 * 0.15;
+        let all = (-24..=24).flat_map(|i| (-24..=24).map(move |j| Point2::new(middle.x + step(i), middle.y + step(j))));
+        let near = |p: &Point2<f32>| (p - middle).norm() <= within && self.floor.is_free(*p);
+        let mut spots: Vec<Point2<f32>> = all.filter(near).collect();
+        let far = |p: &Point2<f32>| (p - middle).norm_squared();
+        spots.sort_by(|a, b| far(a).total_cmp(&far(b)));
+        let level = self.floor.plan().level;
+        let good = spots.into_iter().filter(|p| {
+            let feet = Pose::translation(p.x, p.y, level);
+            admits(&feet) && self.is_good(&feet, room)
+        });
+        let (spot, route) = good.take(64).find_map(|p| Some((p, self.floor.route(from, p)?)))?;
+        let way = to.xy() - spot;
+        let back = route.points.iter().rev().map(|p| spot - p).find(|w| w.norm() > 1e-3);
+        let front = if way.norm() > 0.2 { Some(way) } else { back };
+        let turn = front.map_or(self.feet().rotation, towards);
+        let at = nalgebra::Translation3::new(spot.x, spot.y, self.floor.plan().level);
+        Some(Stand { feet: Pose::from_parts(at, turn), route })
+    }
+
+    /// Turns to a thing where the agent stands.
+    pub(super) fn face(&mut self, id: NodeId) -> Done {
+        if !self.stands() {
+            return Ok(());
+        }
+        let node = self.before.node(id);
+        let centre = self.world.aabb(id).or_else(|| node?.aabb()).map(|b| b.centre());
+        let Some(centre) = centre.or_else(|| node?.position()) else { return Ok(()) };
+        if (centre.xy() - Point2::from(self.feet().translation.vector.xy())).norm() > 0.05 {
+            self.world.face(self.agent, centre)?;
+            self.beats.push(Beat::Turn(self.feet()));
+        }
+        Ok(())
+    }
+
+    /// Whether a thing can be put at a pose by an agent with its feet somewhere.
+    pub(super) fn puts_from(&self, feet: &Pose, id: NodeId, spot: &Pose) -> bool {
+        self.world.reach_to_put(self.agent, feet, id, spot).is_ok_and(|far| far <= self.plan().reach)
+    }
+
+    /// Walks to where a spot on or in a thing can be reached, else as near to it as one gets.
+    pub(super) fn step_to(&mut self, at: NodeId, id: NodeId, spot: &Pose) -> Done {
+        self.floor.update(self.world);
+        let (room, target) = (self.before.room_of(self.agent), Point3::from(spot.translation.vector));
+        let within = self.nearest_stand(room, target, NEAR, |feet| self.puts_from(feet, id, spot));
+        let stand = within.or_else(|| self.nearest_stand(room, target, NEAR, |_| true));
+        let stand = stand.ok_or_else(|| Impossible::NoStand(self.before.label(at)))?;
+        self.walk(stand);
+        Ok(())
+    }
+
+    pub(super) fn turn_to(&mut self, spot: &Pose) {
+        let to = Point3::from(spot.translation.vector);
+        if self.stands() && self.world.face(self.agent, to).is_ok() {
+            self.beats.push(Beat::Turn(self.feet()));
+        }
+    }
+
+    /// Stands where a door is reached, and not in its way while it opens or closes; if there
+    /// is no such spot, at least not in its way then.
+    pub(super) fn stand_clear(&mut self, id: NodeId, open: f32) -> Done {
+        let swing = [open, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0 - open];
+        let clear_here = self.world.stands_clear(self.agent, &self.feet(), id, &swing)?;
+        let free = |feet: &Pose, at: &[f32]| self.world.stands_clear(self.agent, feet, id, at).unwrap_or(false);
+        let clear = |feet: &Pose| free(feet, &swing);
+        if self.world.reach_to(self.agent, id)? <= self.plan().reach && clear_here {
+            return self.face(id);
+        }
+        self.floor.update(self.world);
+        let ends = |feet: &Pose| free(feet, &swing[..1]);
+        let room = self.before.room_of(self.agent);
+        let mut found = self.stand_where(id, room, |feet| clear(feet) && self.sees(feet, id))?;
+        for at_the_end in [false, true] {
+            if found.is_none() {
+                found = self.stand_where(id, room, |feet| if at_the_end { ends(feet) } else { clear(feet) })?;
+            }
+        }
+        // Blinds and curtains are drawn by a cord, which hangs down.
+        if found.is_none() && self.has_cord(id) {
+            found = self.stand_beside(id, clear);
+        }
+        let stand = found.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?;
+        self.walk(stand);
+        Ok(())
+    }
+
+    /// Whether a thing covers a window from above.
+    fn has_cord(&self, id: NodeId) -> bool {
+        let high = self.feet().translation.z + self.plan().shoulder();
+        let covers = self.before.node(id).is_some_and(|n| n.affords(Property::Cover) && n.affords(Property::Openable));
+        covers && self.world.aabb(id).is_some_and(|aabb| aabb.max.z > high)
+    }
+}

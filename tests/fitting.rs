@@ -1,0 +1,148 @@
+//! What bodies find room for, and what they get at: as people do it at home.
+
+#![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
+
+use std::sync::LazyLock;
+
+use virtualcity::Environment;
+use virtualcity::graph::{Action, NodeId, Place, Relation, SceneGraph, Seed, Verb, Violation};
+use virtualcity::initial::{at_home_that, feasible, generator};
+use virtualcity::tasks::WorldError;
+use virtualcity::tasks::library::Benchmark;
+
+/// An environment of a benchmark's task of which bodies can do all that it asks for.
+fn environment(task: &str) -> (Environment, NodeId) {
+    let benchmark = Benchmark::v1();
+    let activity = benchmark.get(task).unwrap();
+    let open = |home: SceneGraph| Environment::of(home, 1).map_err(|e| WorldError::Failed(e.to_string()));
+    let made = at_home_that(activity, Seed(0), &generator(), open, |home, initial| feasible(activity, home, initial));
+    let made = made.unwrap();
+    (made.world, made.initial.agent)
+}
+
+/// The first of a class that the agent gets at.
+fn first(home: &Environment, agent: NodeId, class: &str) -> NodeId {
+    let all = home.graph().of_class(class);
+    all.into_iter().find(|id| home.can_get_at(agent, *id)).unwrap()
+}
+
+fn act(home: &mut Environment, agent: NodeId, verb: Verb, things: &[NodeId]) {
+    let action = Action::with(verb, things).unwrap();
+    let done = home.set_action(agent, action);
+    assert!(done.is_ok(), "{}: {}", action.describe(home.graph()), done.unwrap_err());
+}
+
+/// Two hanging shirts and a washing machine.
+static LAUNDRY: LazyLock<(Environment, NodeId)> = LazyLock::new(|| environment("do_laundry-01"));
+
+#[test]
+fn laundry_is_folded_into_the_drum() {
+    let (mut home, agent) = LAUNDRY.clone();
+    let machine = first(&home, agent, "washing_machine");
+    let shirts: Vec<NodeId> = home.graph().of_class("shirt");
+    let shirts: Vec<NodeId> = shirts.into_iter().filter(|id| home.can_get_at(agent, *id)).take(2).collect();
+    assert_eq!(shirts.len(), 2);
+    for &shirt in &shirts {
+        let mass = home.world().mass(shirt).unwrap();
+        if let Some(around) = home.graph().hidden_in(shirt) {
+            act(&mut home, agent, Verb::Walk, &[around]);
+            act(&mut home, agent, Verb::Open, &[around]);
+        }
+        act(&mut home, agent, Verb::Walk, &[shirt]);
+        act(&mut home, agent, Verb::Grab, &[shirt]);
+        act(&mut home, agent, Verb::Walk, &[machine]);
+        if home.graph().node(machine).unwrap().hides_contents() {
+            act(&mut home, agent, Verb::Open, &[machine]);
+        }
+        let before = home.digest();
+        act(&mut home, agent, Verb::PutIn, &[shirt, machine]);
+        assert_ne!(home.digest(), before);
+        assert!((home.world().mass(shirt).unwrap() - mass).abs() < 1e-4, "it weighs what it weighed");
+    }
+    let (graph, drum) = (home.graph(), home.world().aabb(machine).unwrap());
+    for &shirt in &shirts {
+        assert!(graph.places(shirt).any(|p| p == Place { relation: Relation::Inside, at: machine }));
+        let (low, high) = home.world().aabb(shirt).map(|b| (b.min, b.max)).unwrap();
+        assert!(drum.contains(&low) && drum.contains(&high), "{low} to {high} sticks out");
+        // The graph says how large it is by now, and the box is where the body is.
+        let said = graph.node(shirt).unwrap().aabb().unwrap();
+        assert!((said.max - high).norm() < 0.05 && (said.min - low).norm() < 0.05, "{said:?}");
+    }
+    // Observed things lie on others that are no surfaces by their class, as shirts on shirts.
+    let unsound = graph.validate().into_iter().filter(|v| !matches!(v, Violation::NotASurface(..)));
+    assert_eq!(unsound.collect::<Vec<_>>(), []);
+    // It is written and read as it is, and a reset spreads all out again.
+    let saved = home.save().unwrap();
+    assert_eq!(home.restore(&saved).unwrap().digest(), home.digest());
+    let before = LAUNDRY.0.graph().clone();
+    home.reset(&before).unwrap();
+    for &shirt in &shirts {
+        let (now, then) = (home.graph().node(shirt).unwrap(), before.node(shirt).unwrap());
+        assert_eq!(now.spec().scale, then.spec().scale);
+        let size = |b: virtualcity::graph::Aabb| b.max - b.min;
+        let (now, then) = (home.world().aabb(shirt).unwrap(), LAUNDRY.0.world().aabb(shirt).unwrap());
+        assert!((size(now) - size(then)).norm() < 0.02);
+    }
+}
+
+#[test]
+fn there_is_room_for_laundry_and_not_for_the_wardrobe() {
+    let (home, agent) = &*LAUNDRY;
+    let machine = first(home, *agent, "washing_machine");
+    let inside = Place { relation: Relation::Inside, at: machine };
+    assert!(home.graph().of_class("shirt").iter().all(|shirt| home.has_room(*agent, *shirt, inside)));
+    let wardrobe = home.graph().of_class("wardrobe")[0];
+    assert!(!home.has_room(*agent, wardrobe, inside));
+}
+
+/// One turns to anything, and goes on facing it while one stands there.
+#[test]
+fn what_one_turns_to_one_faces() {
+    let (mut home, agent) = environment("show_around-04");
+    let shelf = first(&home, agent, "bookshelf");
+    act(&mut home, agent, Verb::Walk, &[shelf]);
+    act(&mut home, agent, Verb::TurnTo, &[shelf]);
+    assert!(home.graph().facing(agent, shelf));
+    act(&mut home, agent, Verb::LookAt, &[shelf]);
+    act(&mut home, agent, Verb::PointAt, &[shelf]);
+    assert!(home.graph().facing(agent, shelf));
+    let other = first(&home, agent, "sofa");
+    act(&mut home, agent, Verb::Walk, &[other]);
+    act(&mut home, agent, Verb::TurnTo, &[other]);
+    assert!(home.graph().facing(agent, other) && !home.graph().facing(agent, shelf));
+}
+
+/// Who walks up to a thing gets at it, and is near what is in it, wherever its door stands.
+#[test]
+fn open_doors_do_not_keep_one_away() {
+    let (mut home, agent) = environment("put_dishwasher-04");
+    let machine = first(&home, agent, "dishwasher");
+    act(&mut home, agent, Verb::Walk, &[machine]);
+    act(&mut home, agent, Verb::Open, &[machine]);
+    for room in home.graph().rooms().to_vec() {
+        act(&mut home, agent, Verb::Walk, &[room]);
+        act(&mut home, agent, Verb::Walk, &[machine]);
+        let distance = home.graph().distance(agent, machine).unwrap();
+        assert!(distance < 1.5, "{distance} m");
+    }
+}
+
+/// Drawers stand open with what is in them, and are pushed shut in passing.
+#[test]
+fn nobody_is_trapped_behind_open_drawers() {
+    let (mut home, agent) = environment("setup_table-02");
+    let rooms = home.graph().rooms().to_vec();
+    let classes = ["dresser", "nightstand", "bookshelf", "wardrobe"];
+    let furniture: Vec<NodeId> = classes.iter().flat_map(|class| home.graph().of_class(class)).collect();
+    let mut opened = 0;
+    for id in furniture {
+        let walk = Action::one(Verb::Walk, id);
+        if home.set_action(agent, walk).is_ok() && home.set_action(agent, Action::one(Verb::Open, id)).is_ok() {
+            opened += 1;
+        }
+        for &room in &rooms {
+            act(&mut home, agent, Verb::Walk, &[room]);
+        }
+    }
+    assert!(opened > 3, "{opened} opened");
+}

@@ -1,0 +1,61 @@
+//! Cloth takes whatever form there is room for.
+
+use nalgebra::Vector3;
+use vc_graph::{NodeId, SceneGraph};
+
+use super::World;
+use super::build::collider;
+use crate::shapes::Shapes;
+use crate::{PhysicsError, group};
+
+/// How dense cloth is that has been folded up loosely, kilograms for each cubic metre: that of
+/// a full drum of laundry, 7 kg in 60 litres.
+const LOOSE: f32 = 115.0;
+/// The sides of a bundle, as parts of the longest.
+const FLAT: Vector3<f32> = Vector3::new(1.0, 1.0, 0.5);
+
+impl World {
+    /// By how much a thing's own axes would be scaled if it were cloth folded up to a flat
+    /// bundle: as much room as its mass takes. `None` where it would be no smaller.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    pub fn bundled(&self, id: NodeId) -> Result<Option<Vector3<f32>>, PhysicsError> {
+        let (low, high) = self.thing(id)?.form.extent;
+        let size = (high - low).map(|v| v.max(1e-4));
+        let volume = self.mass(id).unwrap_or(0.0) / LOOSE;
+        let bundle = FLAT * (volume / FLAT.product()).cbrt();
+        let smaller = volume > 0.0 && bundle.max() < size.max();
+        Ok(smaller.then(|| bundle.component_div(&size)))
+    }
+
+    /// Gives a node the shape that a graph has of it by now, of another scale, where it is or in
+    /// the hand that holds it. It keeps its mass.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoSuchNode`], [`PhysicsError::NoBody`]; [`PhysicsError::NotFree`] of what
+    /// has moving parts.
+    pub fn reshape(&mut self, graph: &SceneGraph, id: NodeId, shapes: &Shapes) -> Result<(), PhysicsError> {
+        let node = graph.node(id).ok_or(PhysicsError::NoSuchNode(id))?;
+        if self.thing(id)?.form.links.len() > 1 {
+            return Err(PhysicsError::NotFree(id));
+        }
+        let form = shapes.session(graph.assets(), |session| session.form(graph, node));
+        let form = form.filter(|f| f.links.len() == 1 && f.is_of_this_world()).ok_or(PhysicsError::NoBody(id))?;
+        let mass = self.mass(id).unwrap_or(0.0);
+        let spec = node.spec();
+        let thing = self.thing_mut(id)?;
+        thing.state.mass_factor = if form.mass() > 0.0 { mass / form.mass() } else { 1.0 };
+        (thing.state.asset, thing.state.scale) = (spec.asset, spec.scale.map(f32::to_bits).into());
+        thing.form = form;
+        let (form, role, base, factor) =
+            (thing.form.clone(), thing.state.role, thing.state.base, thing.state.mass_factor);
+        self.engine.strip(base);
+        if let Some((shape, at)) = &form.links[0].solid {
+            let collider = collider(&form.links[0], shape, at, factor).collision_groups(group::base(role));
+            self.engine.add_collider(collider.user_data(group::mark(id, 0)).build(), base);
+        }
+        self.engine.refresh(base);
+        Ok(())
+    }
+}
