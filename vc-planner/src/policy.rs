@@ -141,12 +141,8 @@ impl Planning {
         if let Some(agent) = &mut self.agent {
             agent.refused(action);
             match why {
-                WorldError::Failed(_) if self.failed == Some(*action) => {
-                    if agent.bar(action) {
-                        self.refusals = 0;
-                    }
-                }
-                WorldError::Failed(_) => agent.go_back_to(action),
+                WorldError::Failed(_) if self.failed != Some(*action) => agent.go_back_to(action),
+                WorldError::Failed(_) if agent.bar(action) => self.refusals = 0,
                 _ => {}
             }
         }

@@ -1,6 +1,7 @@
 //! Cloth takes whatever form there is room for.
 
 use nalgebra::Vector3;
+use vc_graph::portable::Portable;
 use vc_graph::{NodeId, SceneGraph};
 
 use super::World;
@@ -24,7 +25,7 @@ impl World {
         let (low, high) = self.thing(id)?.form.extent;
         let size = (high - low).map(|v| v.max(1e-4));
         let volume = self.mass(id).unwrap_or(0.0) / LOOSE;
-        let bundle = FLAT * (volume / FLAT.product()).cbrt();
+        let bundle = FLAT * (volume / FLAT.product()).cube_root();
         let smaller = volume > 0.0 && bundle.max() < size.max();
         Ok(smaller.then(|| bundle.component_div(&size)))
     }
