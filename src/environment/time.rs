@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Action, ChangeSet, NodeId, Pose, Verb};
-use vc_physics::Hand;
+use vc_physics::{Hand, Posture};
 
 use super::act::Done;
 use super::beat::Beat;
@@ -53,7 +53,7 @@ impl Environment {
             if !busy {
                 break;
             }
-            show.world.step();
+            show.step_around_people();
             // Poses of bodies are finite.
             let _ = observe::write_poses(&mut show.graph, &show.world);
             watch(&show);
@@ -73,6 +73,26 @@ impl Environment {
     ) -> Result<ChangeSet, ActionError> {
         let mut outcomes = self.set_actions_in_time(&[(agent, action)], watch);
         outcomes.pop().unwrap_or_else(|| Ok(ChangeSet::default()))
+    }
+}
+
+/// How far a step may take somebody who does not walk by it, metres: onto the floor.
+const PUSHED: f32 = 1e-3;
+
+impl Environment {
+    /// A step in which nobody is pushed: where people stand is known, and a door that swings
+    /// before one moves nobody beside it.
+    fn step_around_people(&mut self) {
+        let stands = |agent: &NodeId| self.world.posture(*agent) == Some(Posture::Standing);
+        let standing = self.agents().iter().copied().filter(stands);
+        let feet: Vec<(NodeId, Pose)> = standing.filter_map(|a| Some((a, self.world.pose(a)?))).collect();
+        self.world.step();
+        for (agent, before) in feet {
+            let now = self.world.pose(agent).unwrap_or(before);
+            if (now.translation.vector - before.translation.vector).xy().norm() > PUSHED {
+                let _ = self.world.teleport(agent, before);
+            }
+        }
     }
 }
 
