@@ -242,9 +242,13 @@ impl Agent {
     /// Expects of a thing no more what bodies could not do with it: another is taken, another
     /// place is found. Whether there was something to expect.
     pub fn bar(&mut self, action: &Action) -> bool {
-        use Property::{Container, Graspable, Heater, Lieable, Openable, Recipient, Sittable, Surface, Switchable};
+        use Property::{
+            Container, Drivable, Graspable, Heater, Lieable, Openable, Recipient, Sittable, Surface, Switchable,
+        };
         // Whatever would let things be put there by the rule.
         const CARRIES: &[Property] = &[Surface, Sittable, Lieable, Container, Recipient, Heater];
+        // It stands open: that it cannot be shut any more is left out of account.
+        const ENCLOSES: &[Property] = &[Container, Recipient, Openable, Drivable];
         let (properties, id): (&[Property], NodeId) = match (action.verb, action.object, action.target) {
             (Verb::Grab, Some(id), _) => (&[Graspable], id),
             (Verb::Walk | Verb::Run | Verb::Find, Some(id), _) => return self.avoid(id),
@@ -253,7 +257,7 @@ impl Agent {
             (Verb::Sit, Some(id), _) => (&[Sittable], id),
             (Verb::Lie, Some(id), _) => (&[Lieable], id),
             (Verb::Place, _, Some(at)) => (CARRIES, at),
-            (Verb::PutIn, _, Some(into)) => (&[Container, Recipient], into),
+            (Verb::PutIn, _, Some(into)) => (ENCLOSES, into),
             _ => return false,
         };
         self.forget_plans();

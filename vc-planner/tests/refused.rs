@@ -66,6 +66,31 @@ fn another_thing_is_taken_and_another_place_found() {
     assert!(!World::graph(&world).node(fridge).unwrap().states().contains(State::Open));
 }
 
+/// Where nothing goes in twice in a row, another container is taken, or it is given up.
+#[test]
+fn what_is_full_is_left_alone() {
+    for (fridges, wins) in [(1, false), (2, true)] {
+        let mut scene = SceneBuilder::new("flat");
+        let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+        scene.add_in(kitchen, Draft::new("character")).unwrap();
+        let table = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+        let milk = scene.add_on(table, Draft::new("milk")).unwrap();
+        let fridges: Vec<NodeId> = (0..fridges).map(|_| scene.add_in(kitchen, Draft::new("fridge")).unwrap()).collect();
+        let scene = scene.build();
+        let task = Task::new("tidy", "Inside(milk, fridge) & Closed(fridge)".parse().unwrap());
+        for seed in 0..5 {
+            let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
+            for mut policy in policies {
+                let cannot = vec![Action::two(Verb::PutIn, milk, fridges[0])];
+                let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot, failures: 0 };
+                let episode = Run::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+                assert_eq!(episode.outcome == Outcome::Won, wins, "{} {seed}: {episode:?}", policy.name());
+                assert!(world.failures <= 2, "{}: {} times what cannot be done", policy.name(), world.failures);
+            }
+        }
+    }
+}
+
 /// What there is no way to is left out of account, with all that is known or supposed there.
 #[test]
 fn what_there_is_no_way_to_is_left_alone() {
