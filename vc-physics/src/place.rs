@@ -267,14 +267,37 @@ impl World {
         Ok(spots.find_map(|(way, shelf)| self.spot_among(thing, shelf, way, order)))
     }
 
-    /// The first free spot on a surface for what is put there in a way.
+    /// The first free spot on a surface for what is put there in a way: one where the box around
+    /// it is free too, if there is one, as a plate does not stand under another's rim.
     fn spot_among(&self, thing: &Thing, shelf: &Shelf, way: &Way, order: Order) -> Option<Pose> {
-        let Way { tips, heights, over } = way;
-        let free = |spot: &Pose| {
+        let (low, high) = thing.form.extent;
+        let half = (high - low) / 2.0;
+        let around = SharedShape::cuboid(half.x, half.y, half.z);
+        let middle = convert::pose(&Pose::from_parts(nalgebra::center(&low, &high).into(), UnitQuaternion::identity()));
+        let clear_around = |spot: &Pose| {
+            let mut clear = true;
+            self.each_overlap(&around, &(convert::pose(spot) * middle), thing.id, &mut |_| clear = false);
+            clear
+        };
+        let clear = |spot: &Pose| {
             let mut clear = true;
             self.for_overlaps(thing, spot, &mut |_| clear = false);
             clear
         };
+        let apart = self.first_spot(thing, shelf, way, order, clear_around);
+        apart.or_else(|| self.first_spot(thing, shelf, way, order, clear))
+    }
+
+    /// The first spot that counts as free.
+    fn first_spot(
+        &self,
+        thing: &Thing,
+        shelf: &Shelf,
+        way: &Way,
+        order: Order,
+        free: impl Fn(&Pose) -> bool + Copy,
+    ) -> Option<Pose> {
+        let Way { tips, heights, over } = way;
         let laden = self.is_laden(thing);
         let tips = tips.iter().filter(|tip| !laden || **tip == Tip::Upright);
         let turns: Vec<UnitQuaternion<f32>> = tips.flat_map(|tip| tip.turns()).collect();
