@@ -115,6 +115,17 @@ impl Body {
         Some(body)
     }
 
+    /// The point that is in its room: its middle; of an agent the one above its feet, which stays
+    /// where it is when the body turns.
+    pub(crate) fn midst(&self) -> Vector3<f32> {
+        let centre = self.whole.centre;
+        if !self.traits.agent {
+            return centre;
+        }
+        let feet = self.inverse.inverse().translation.vector;
+        Vector3::new(feet.x, feet.y, centre.z)
+    }
+
     fn put_solids(&mut self, frame: &Isometry3<f32>, turn: &Matrix3<f32>) {
         let mut region = self.whole.region();
         for piece in &self.form.pieces {

@@ -41,7 +41,7 @@ impl Relations {
         let mut held: Vec<Edge> = reader.supports.held(body.id).copied().collect();
         held.sort_unstable();
         let rooms = &self.world.rooms;
-        let mut depths = rooms.depths(&body.whole.centre);
+        let mut depths = rooms.depths(&body.midst());
         depths.retain(|(room, depth)| *depth >= -ROOM_MARGIN || *room == to);
         let sides = body.traits.door.then(|| rooms.sides(body).map(|(at, room)| (Point3::from(at), room)));
         Explanation {

@@ -41,7 +41,7 @@
 //! | near, near at a side | the boxes are at most [`NEAR_REACH`](threshold::NEAR_REACH) apart, and they are in one room or no part of the building is between their centres. The side is that of the thing's own axes on which the other is; none above and below |
 //! | touching | parts at most [`TOUCH_GAP`](threshold::TOUCH_GAP) apart |
 //! | facing | an agent or a seat has a thing to look at within 75 degrees of its front, 5 m, and no wall between |
-//! | in room | its centre is over the room's floors (its shape, or its box, where it has none); in a doorway, the nearest |
+//! | in room | its centre, of an agent the point above its feet, is over the room's floors (its shape, or its box, where it has none); in a doorway, the nearest |
 //! | between | a door has these rooms on its two sides: across its thickness, or, where its box has none as around a leaf that stands open, across whichever axis leads from room to room. A frame has them beside its leaf, an outer door has one |
 //! | held, worn | the graph or the evidence says so; then it rests on nothing |
 //!

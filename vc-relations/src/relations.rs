@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use nalgebra::Point3;
 use vc_graph::{Edge, NodeId, Relation, SceneGraph};
 
 use crate::edges::Reader;
@@ -80,6 +81,24 @@ impl Relations {
     /// What the caller has said beside the geometry.
     pub fn evidence(&self) -> &Evidence {
         &self.evidence
+    }
+
+    /// The room of a point, metres: that whose floors it is over; in a doorway, and within a
+    /// wall's thickness, the nearest.
+    ///
+    /// ```
+    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// use vc_relations::{Evidence, Relations, Rule};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let size = Bounds::standing([4.0, 3.0, 2.5].into());
+    /// let hall = scene.add(Draft::new("hallway").bounds(size).at(Pose::identity()))?;
+    /// let relations = Relations::new(&scene.build(), Rule::Repaired, Evidence::default())?;
+    /// assert_eq!(relations.room_at(&[1.0, 1.0, 1.0].into()), Some(hall));
+    /// assert_eq!(relations.room_at(&[9.0, 1.0, 1.0].into()), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn room_at(&self, point: &Point3<f32>) -> Option<NodeId> {
+        self.world.rooms.at(&point.coords)
     }
 
     /// Reads everything anew; what was found out about assets is kept.

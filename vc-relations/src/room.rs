@@ -44,10 +44,10 @@ impl Rooms {
         Self { boxes, tree, floors: of_rooms }
     }
 
-    /// The room of a thing: the one its middle is in. A floor is of its own room: the middle of
+    /// The room of a thing: the one its midst is in. A floor is of its own room: the middle of
     /// one with corners can be in the next.
     pub(crate) fn of(&self, body: &Body) -> Option<NodeId> {
-        self.floors.get(&body.id).copied().or_else(|| self.at(&body.whole.centre))
+        self.floors.get(&body.id).copied().or_else(|| self.at(&body.midst()))
     }
 
     /// Whether a node is a room that is somewhere.
