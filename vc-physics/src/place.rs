@@ -9,7 +9,7 @@ use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose, Seed};
 
 use crate::world::{Thing, World};
-use crate::{PhysicsError, convert, group};
+use crate::{PhysicsError, Role, convert, group};
 
 /// Gap that is left between a thing and what it is put on, metres: it is at rest
 /// after a millimetre's fall.
@@ -17,6 +17,8 @@ const GAP: f32 = 0.001;
 /// How much smaller a thing is taken than it is when it is looked for overlaps,
 /// metres: what stands in contact does not overlap.
 const SKIN: f32 = 0.001;
+/// Room that is left around a thing where it is put, metres: rims of plates do not touch.
+const AROUND: f32 = 0.005;
 /// Distance of the spots that are tried on a surface, metres.
 const PITCH: f32 = 0.04;
 /// Most spots tried along one side.
@@ -36,6 +38,12 @@ const ONTO: [Way; 2] = [
     Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.0 },
     Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.4 },
 ];
+
+/// Least width of what is laid on its side, as a part of its height then.
+const SLENDER: f32 = 0.25;
+
+/// Half width of surfaces on which things are put in the middle, metres.
+const BURNER: f32 = 0.13;
 
 /// A way to put things down.
 struct Way {
@@ -59,6 +67,16 @@ enum Tip {
 
 impl Tip {
     const ALL: [Self; 3] = [Self::Upright, Self::OnX, Self::OnY];
+
+    /// Whether what has some sides stays so: a plate does not stand on its rim.
+    fn stands(self, sides: Vector3<f32>) -> bool {
+        let (height, along, across) = match self {
+            Self::Upright => (sides.z, sides.x, sides.y),
+            Self::OnX => (sides.x, sides.y, sides.z),
+            Self::OnY => (sides.y, sides.x, sides.z),
+        };
+        along.min(across) >= SLENDER * height
+    }
 
     /// The turns by which it comes to lie so, a quarter apart.
     fn turns(self) -> [UnitQuaternion<f32>; 2] {
@@ -268,15 +286,17 @@ impl World {
     }
 
     /// The first free spot on a surface for what is put there in a way: one where the box around
-    /// it is free too, if there is one, as a plate does not stand under another's rim.
+    /// it is free too, if there is one, as a plate does not stand under another's rim. On top of
+    /// things that box has to be free at least of what is loose.
     fn spot_among(&self, thing: &Thing, shelf: &Shelf, way: &Way, order: Order) -> Option<Pose> {
         let (low, high) = thing.form.extent;
         let half = (high - low) / 2.0;
-        let around = SharedShape::cuboid(half.x, half.y, half.z);
+        let around = SharedShape::cuboid(half.x + AROUND, half.y + AROUND, half.z);
         let middle = convert::pose(&Pose::from_parts(nalgebra::center(&low, &high).into(), UnitQuaternion::identity()));
-        let clear_around = |spot: &Pose| {
+        let clear_around = |spot: &Pose, of: &dyn Fn(NodeId) -> bool| {
             let mut clear = true;
-            self.each_overlap(&around, &(convert::pose(spot) * middle), thing.id, &mut |_| clear = false);
+            let mut met = |id| clear &= !of(id);
+            self.each_overlap(&around, &(convert::pose(spot) * middle), thing.id, &mut met);
             clear
         };
         let clear = |spot: &Pose| {
@@ -284,8 +304,9 @@ impl World {
             self.for_overlaps(thing, spot, &mut |_| clear = false);
             clear
         };
-        let apart = self.first_spot(thing, shelf, way, order, clear_around);
-        apart.or_else(|| self.first_spot(thing, shelf, way, order, clear))
+        let loose = |id| shelf.hold == Hold::On && id != shelf.id && self.role(id) == Some(Role::Loose);
+        let apart = self.first_spot(thing, shelf, way, order, |spot| clear_around(spot, &|_| true));
+        apart.or_else(|| self.first_spot(thing, shelf, way, order, |spot| clear(spot) && clear_around(spot, &loose)))
     }
 
     /// The first spot that counts as free.
@@ -298,14 +319,18 @@ impl World {
         free: impl Fn(&Pose) -> bool + Copy,
     ) -> Option<Pose> {
         let Way { tips, heights, over } = way;
+        // What reaches over the edges is balanced, and what is put on a burner is put on its middle.
+        let small = shelf.half.0.min(shelf.half.1) < BURNER && shelf.hold == Hold::On;
+        let order = if *over > 0.0 || small { Order::Middle } else { order };
+        let (low, high) = thing.form.extent;
         let laden = self.is_laden(thing);
-        let tips = tips.iter().filter(|tip| !laden || **tip == Tip::Upright);
+        let tips = tips.iter().filter(|tip| **tip == Tip::Upright || !laden && tip.stands(high - low));
         let turns: Vec<UnitQuaternion<f32>> = tips.flat_map(|tip| tip.turns()).collect();
         // What is heaped higher than the rim is not in it.
         let rim = self.aabb(shelf.id).map_or(f32::INFINITY, |b| b.max.z - shelf.pose.translation.z);
         let within = |height: &&f32| **height == 0.0 || **height < rim;
         heights.iter().filter(within).find_map(|&height| {
-            let lifted = |turn| spots(thing.form.extent, shelf, turn, (height, *over), order);
+            let lifted = |turn| spots((low, high), shelf, turn, (height, *over), order);
             turns.iter().find_map(|turn| lifted(turn).into_iter().find(free))
         })
     }

@@ -1,5 +1,6 @@
 //! Bodies of agents: a capsule that walks, two hands, a seat.
 
+mod aside;
 mod hands;
 mod seat;
 mod walk;

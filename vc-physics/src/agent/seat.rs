@@ -11,7 +11,7 @@ use vc_graph::{NodeId, Pose};
 
 use super::{Agent, Posture};
 use crate::world::{Thing, World};
-use crate::{AgentError, convert, group};
+use crate::{AgentError, PhysicsError, convert, group};
 
 /// From how far one can sit down, metres to the place: a step.
 const STEP: f32 = 1.5;
@@ -184,17 +184,30 @@ impl World {
     /// [`AgentError::NoSuchAgent`]; as [`World::drive`].
     pub fn stands_clear(&self, agent: NodeId, feet: &Pose, id: NodeId, open: &[f32]) -> Result<bool, AgentError> {
         let body = self.agent(agent)?;
-        let (shape, at) = upright(&body.plan, feet);
-        for &open in open {
-            for (solid, pose) in self.parts_at(id, open)? {
-                let between = at.inv_mul(&pose);
-                let meets = rapier3d::parry::query::intersection_test(&EnginePose::IDENTITY, &shape, &between, &*solid);
-                if meets.is_ok_and(|met| met.intersecting) {
+        for part in 0..self.thing(id)?.state.moving.len() {
+            for &open in open {
+                if self.meets_part(body, feet, id, part, open)? {
                     return Ok(false);
                 }
             }
         }
         Ok(self.fits_but(body, feet, Some(id)))
+    }
+
+    /// Whether a body with its feet at a pose would meet a part of a node that is open so far.
+    pub(super) fn meets_part(
+        &self,
+        body: &Agent,
+        feet: &Pose,
+        id: NodeId,
+        part: usize,
+        open: f32,
+    ) -> Result<bool, PhysicsError> {
+        let Some((solid, pose)) = self.part_at(id, part, open)? else { return Ok(false) };
+        let (shape, at) = upright(&body.plan, feet);
+        let between = at.inv_mul(&pose);
+        let met = rapier3d::parry::query::intersection_test(&EnginePose::IDENTITY, &shape, &between, &*solid);
+        Ok(met.is_ok_and(|met| met.intersecting))
     }
 
     /// Whether an agent's capsule is free at a spot, a little above the floor.
@@ -217,7 +230,7 @@ impl World {
 }
 
 /// The capsule of an agent that stands, a little above the floor, and where it is.
-fn upright(plan: &super::BodyPlan, feet: &Pose) -> (Capsule, EnginePose) {
+pub(super) fn upright(plan: &super::BodyPlan, feet: &Pose) -> (Capsule, EnginePose) {
     let lift = 0.02;
     let half = (plan.height / 2.0 - plan.radius - lift).max(0.01);
     let at = convert::pose(&(feet * Pose::translation(0.0, 0.0, plan.height / 2.0 + lift)));

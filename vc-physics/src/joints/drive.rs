@@ -98,21 +98,22 @@ impl World {
         (0..parts).try_for_each(|part| self.put_open(id, part, open))
     }
 
-    /// The shapes of a node's moving parts, and where they would be, all open by a fraction.
+    /// The shape of a node's moving part, if it has any, and where it would be, open by a fraction.
     ///
     /// # Errors
     /// As [`Self::drive`].
-    pub(crate) fn parts_at(&self, id: NodeId, open: f32) -> Result<Vec<(SharedShape, EnginePose)>, PhysicsError> {
+    pub(crate) fn part_at(
+        &self,
+        id: NodeId,
+        part: usize,
+        open: f32,
+    ) -> Result<Option<(SharedShape, EnginePose)>, PhysicsError> {
+        let target = self.target(id, part, open)?;
         let thing = self.thing(id)?;
         let base = self.engine.pose(thing.state.base).ok_or(PhysicsError::NoBody(id))?;
-        let mut parts = Vec::new();
-        for (part, link) in thing.form.links.iter().skip(1).enumerate() {
-            let target = self.target(id, part, open)?;
-            if let (Some(joint), Some((shape, at))) = (link.joint, &link.solid) {
-                parts.push((shape.clone(), convert::pose(&(base * joint.motion(target))) * *at));
-            }
-        }
-        Ok(parts)
+        let link = &thing.form.links[part + 1];
+        let solid = link.joint.zip(link.solid.as_ref());
+        Ok(solid.map(|(joint, (shape, at))| (shape.clone(), convert::pose(&(base * joint.motion(target))) * *at)))
     }
 
     /// Locks or unlocks a part: locked, it neither moves nor lets itself be opened.

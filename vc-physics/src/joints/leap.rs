@@ -77,6 +77,11 @@ impl World {
         Ok(best)
     }
 
+    /// Whether a part meets nothing on its way to where it is open by a fraction.
+    pub(crate) fn is_free_way(&self, id: NodeId, part: usize, open: f32) -> bool {
+        self.way(id, part, open).is_ok_and(|(from, target)| self.free_share(id, part, from, target) == 1.0)
+    }
+
     /// Where a part is, and where it is at a fraction of its way.
     fn way(&self, id: NodeId, part: usize, open: f32) -> Result<(f32, f32), PhysicsError> {
         let target = self.target(id, part, open)?;
@@ -88,12 +93,12 @@ impl World {
     fn free_share(&self, id: NodeId, part: usize, from: f32, target: f32) -> f32 {
         let Ok(thing) = self.thing(id) else { return 0.0 };
         let (moving, link) = (&thing.state.moving[part], &thing.form.links[part + 1]);
-        let (Some(body), Some(joint)) = (moving.body, link.joint) else { return 1.0 };
+        let Some(joint) = link.joint else { return 1.0 };
         let Some(base) = self.engine.pose(thing.state.base) else { return 0.0 };
         if from == target {
             return 1.0;
         }
-        let load = self.load_of(body);
+        let load = moving.body.map_or_else(Vec::new, |body| self.load_of(body));
         let share = |look: usize| look as f32 / LOOKS as f32;
         let at = |look: usize| base * joint.motion(from + (target - from) * share(look));
         let free = (1..=LOOKS).take_while(|&look| self.is_part_free(id, part, &at(look), &load)).count();

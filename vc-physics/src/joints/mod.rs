@@ -34,6 +34,8 @@ pub struct MovingPart {
     pub open: f32,
     /// Whether it is locked.
     pub locked: bool,
+    /// Whether it has a body of its own, which a motor drives; else it is opened at once.
+    pub has_motor: bool,
 }
 
 impl World {
@@ -48,7 +50,15 @@ impl World {
         let (joint, position) = (link.joint?, self.part_position(thing, part)?);
         let open = motion::fraction(joint.limits, position);
         let name = link.name.clone();
-        Some(MovingPart { name, kind: joint.kind, limits: joint.limits, position, open, locked: moving.locked })
+        Some(MovingPart {
+            name,
+            kind: joint.kind,
+            limits: joint.limits,
+            position,
+            open,
+            locked: moving.locked,
+            has_motor: moving.body.is_some(),
+        })
     }
 
     pub(crate) fn part_position(&self, thing: &Thing, part: usize) -> Option<f32> {

@@ -8,11 +8,12 @@ use std::collections::BTreeMap;
 
 use nalgebra::Point2;
 use rapier3d::dynamics::{RigidBody, RigidBodyHandle};
+use vc_graph::NodeId;
 
 use super::World;
 use crate::contact::Touch;
 use crate::nav::outline::{Outline, hull, turn};
-use crate::{Role, convert, group};
+use crate::{PhysicsError, Role, convert, group};
 
 /// How slow a thing is that rests, metres a second, its rim with it.
 const SLOW: f32 = 0.03;
@@ -62,6 +63,21 @@ impl World {
                 activation.time_since_can_sleep = activation.time_until_sleep;
             }
         }
+    }
+
+    /// Whether a thing stands by itself where it is put upright on level ground: its centre of mass
+    /// is over the middle of what touches the ground. A ball does not, nor broccoli on its stalk.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    pub fn balances(&self, id: NodeId) -> Result<bool, PhysicsError> {
+        let form = &self.thing(id)?.form;
+        let (low, high) = form.extent;
+        let hulls = form.links.iter().flat_map(|link| link.hulls().iter().flatten());
+        let foot = hulls.filter(|p| p.z <= low.z + CARRIES).copied();
+        let centre = convert::point3(form.links[0].mass.local_com).xy();
+        let margin = WITHIN.0.min(WITHIN.1 * (high - low).norm() / 2.0);
+        Ok(is_within(&hull(foot), &centre, margin))
     }
 
     /// The bodies of some that a body touches or is about to.

@@ -1,0 +1,69 @@
+//! Doors and drawers that give way to who steps up.
+
+use rapier3d::geometry::{Collider, ColliderHandle};
+use rapier3d::pipeline::QueryFilter;
+use vc_graph::{NodeId, Pose};
+
+use super::Agent;
+use super::seat::upright;
+use crate::world::World;
+use crate::{AgentError, group};
+
+/// How far open a part stays that gives way, as a fraction of its way.
+const AJAR: f32 = 0.1;
+/// Positions that are looked at, from there to wide open.
+const LOOKS: u8 = 18;
+
+impl World {
+    /// What would have to give way so that an agent could stand with its feet at a pose: moving
+    /// parts that stand open, by node and part, and how far open each would be then, a tenth of
+    /// its way at least. Nothing where the agent stands free; `None` if anything else is in the
+    /// way, or a part finds no such position.
+    ///
+    /// [`put_open`](Self::put_open) moves them. Costs some microseconds, and some for each
+    /// position of a part.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`].
+    pub fn parts_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<Vec<(NodeId, usize, f32)>>, AgentError> {
+        let body = self.agent(agent)?;
+        let aside = |(id, link): (NodeId, usize)| {
+            let part = link.checked_sub(1)?;
+            Some((id, part, self.part_aside(body, feet, id, part)?))
+        };
+        let met = self.met_at(body, feet);
+        // What lies in a drawer goes along with it.
+        let load: Vec<NodeId> = met.iter().flat_map(|(id, link)| self.load_of_link(*id, *link)).collect();
+        Ok(met.into_iter().filter(|(id, _)| !load.contains(id)).map(aside).collect())
+    }
+
+    /// What lies on or in a moving part.
+    fn load_of_link(&self, id: NodeId, link: usize) -> Vec<NodeId> {
+        let moving = self.thing(id).ok().and_then(|t| t.state.moving.get(link.checked_sub(1)?)?.body);
+        moving.map_or_else(Vec::new, |body| self.load_of(body))
+    }
+
+    /// Nodes and links that a body would overlap with its feet at a pose.
+    fn met_at(&self, body: &Agent, feet: &Pose) -> Vec<(NodeId, usize)> {
+        let (shape, at) = upright(&body.plan, feet);
+        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(body.body);
+        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
+        let mut met: Vec<(NodeId, usize)> =
+            queries.intersect_shape(at, &shape).map(|(_, c)| group::marked(c.user_data)).collect();
+        met.sort_unstable();
+        met.dedup();
+        met
+    }
+
+    /// How far open a part would be that is out of a body's way, nearest to how far it is.
+    fn part_aside(&self, body: &Agent, feet: &Pose, id: NodeId, part: usize) -> Option<f32> {
+        let now = self.moving_parts(id).get(part).map(|p| p.open).filter(|open| *open >= AJAR)?;
+        let look = |i: u8| AJAR + (1.0 - AJAR) * f32::from(i) / f32::from(LOOKS);
+        let mut looks: Vec<f32> = (0..=LOOKS).map(look).collect();
+        looks.sort_by(|a, b| (a - now).abs().total_cmp(&(b - now).abs()));
+        let clear = |open: &f32| {
+            self.meets_part(body, feet, id, part, *open).is_ok_and(|met| !met) && self.is_free_way(id, part, *open)
+        };
+        looks.into_iter().find(clear)
+    }
+}
