@@ -179,25 +179,32 @@ pub fn feasible(activity: &Activity, home: &Environment, initial: &Initial) -> R
             return Err(format!("nobody gets at {number} {}", need.class));
         }
     }
+    let wants = wanted(activity, graph, objects);
+    home.has_room(agent, &wants).map_err(|id| format!("there is no room for {} where it is wanted", graph.label(id)))
+}
+
+/// What is still to be put on or in something for an activity's goal, each with where it may go.
+#[cfg(feature = "environment")]
+fn wanted(activity: &Activity, graph: &SceneGraph, objects: impl Fn(&str) -> Vec<NodeId>) -> Vec<(NodeId, Vec<Place>)> {
     let literals = activity.goal.conjuncts().iter().filter_map(|part| match part {
-        Goal::Literal(literal) | Goal::Count { literal, .. } => Some((literal.predicate, &literal.terms[..])),
+        Goal::Literal(literal) => Some((literal, 1)),
+        Goal::Count { literal, number, .. } => Some((literal, *number as usize)),
         _ => None,
     });
-    let targets = literals.filter_map(|literal| match literal {
-        (Predicate::Relation(relation @ (Relation::On | Relation::Inside)), [Term::Class(thing), Term::Class(at)]) => {
-            Some((relation, objects(thing), objects(at)))
-        }
-        _ => None,
-    });
-    for (relation, things, places) in targets {
-        let fits =
-            |id: &NodeId| places.iter().any(|&at| *id != at && home.has_room(agent, *id, Place { relation, at }));
-        if let (Some(first), false) = (things.first(), things.iter().any(fits)) {
-            let place = places.first().map_or_else(String::new, |at| graph.label(*at).to_string());
-            return Err(format!("there is no room for {} {relation} {place}", graph.label(*first)));
-        }
+    let mut wants = Vec::new();
+    for (literal, number) in literals {
+        let (Predicate::Relation(relation @ (Relation::On | Relation::Inside)), [Term::Class(thing), Term::Class(at)]) =
+            (literal.predicate, &literal.terms[..])
+        else {
+            continue;
+        };
+        let places: Vec<Place> = objects(at).into_iter().map(|at| Place { relation, at }).collect();
+        let is_there = |id: &NodeId| graph.places(*id).any(|p| places.contains(&p));
+        let (there, others): (Vec<NodeId>, Vec<NodeId>) = objects(thing).into_iter().partition(is_there);
+        let missing = number.saturating_sub(there.len());
+        wants.extend(others.into_iter().take(missing).map(|id| (id, places.clone())));
     }
-    Ok(())
+    wants
 }
 
 /// A generator that takes what is missing from the [`Catalogue`].

@@ -89,10 +89,11 @@ fn laundry_is_folded_into_the_drum() {
 fn there_is_room_for_laundry_and_not_for_the_wardrobe() {
     let (home, agent) = &*LAUNDRY;
     let machine = first(home, *agent, "washing_machine");
-    let inside = Place { relation: Relation::Inside, at: machine };
-    assert!(home.graph().of_class("shirt").iter().all(|shirt| home.has_room(*agent, *shirt, inside)));
+    let inside = |id: NodeId| (id, vec![Place { relation: Relation::Inside, at: machine }]);
+    let shirts: Vec<_> = home.graph().of_class("shirt").into_iter().map(inside).collect();
+    assert_eq!(home.has_room(*agent, &shirts), Ok(()));
     let wardrobe = home.graph().of_class("wardrobe")[0];
-    assert!(!home.has_room(*agent, wardrobe, inside));
+    assert_eq!(home.has_room(*agent, &[shirts[0].clone(), inside(wardrobe)]), Err(wardrobe));
 }
 
 /// One turns to anything, and goes on facing it while one stands there.

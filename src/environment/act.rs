@@ -80,7 +80,7 @@ impl Environment {
         self.undo.keep(&self.world);
         let step = Step { before: self.graph.clone(), after: ruled.clone(), agent, action: *action };
         // The floor follows the bodies whenever it is asked.
-        let mut deed = Deed::new(&mut self.world, &mut self.floor, &self.start.shapes, &step);
+        let mut deed = Deed::new(&mut self.world, &mut self.floor, &self.start, &step);
         let outcome = deed.all(action);
         let (beats, folded) = (std::mem::take(&mut deed.beats), std::mem::take(&mut deed.folded));
         let done = outcome.and_then(|()| self.finish(agent, action, ruled, changes, &folded));
@@ -92,7 +92,7 @@ impl Environment {
                     self.look_anew();
                 }
             }
-            Err(_) => self.undo.take_back(&mut self.world, &mut self.floor, &self.start.shapes),
+            Err(_) => self.undo.take_back(&mut self.world, &mut self.floor, &self.start),
         }
         if done.as_ref().is_err_and(|e| !matches!(e, ActionError::Impossible { .. })) {
             self.look_at_all();

@@ -15,6 +15,8 @@ pub(super) enum Beat {
     Take(Hand, NodeId),
     /// Folds up cloth that a hand holds, to another scale.
     Fold(NodeId, Vector3<f32>),
+    /// Moves doors and drawers out of the way: which part of what, and how far open it is then.
+    Nudge(Vec<(NodeId, usize, f32)>),
     /// Pushes things together, to these poses.
     Push(Vec<(NodeId, Pose)>),
     /// Puts down what a hand holds.

@@ -5,11 +5,12 @@ mod stance;
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Action, Effect, NodeId, Place, Pose, Property, Relation, SceneGraph, State, Verb, rule};
-use vc_physics::{BodyPlan, Floor, Posture, Shapes, World};
+use vc_physics::{BodyPlan, Floor, Posture, Role, World};
 
+use super::act::calm;
 use super::beat::Beat;
 use super::undo::Step;
-use super::{ActionError, Impossible};
+use super::{ActionError, Impossible, Start};
 
 pub(super) use hands::comes_along;
 
@@ -17,6 +18,9 @@ pub(super) use hands::comes_along;
 const DRIVING: u32 = 300;
 /// Least part of its way a door has to open.
 const WIDE: f32 = 0.35;
+/// How far a loose thing may shift that is opened, metres, and the cosine of how far it may lean.
+const SHIFT: f32 = 0.1;
+const UPRIGHT: f32 = 0.9;
 /// How full a vessel is that has been filled.
 const FULL: f32 = 0.8;
 /// How long a gesture takes, seconds.
@@ -26,12 +30,14 @@ const GESTURE: f32 = 1.5;
 pub(super) struct Deed<'a> {
     pub(super) world: &'a mut World,
     pub(super) floor: &'a mut Floor,
-    pub(super) shapes: &'a Shapes,
+    pub(super) start: &'a Start,
     /// The scene before, and as the rule says it is after.
     pub(super) before: &'a SceneGraph,
     pub(super) after: &'a SceneGraph,
     pub(super) agent: NodeId,
     pub(super) run: bool,
+    /// Whether doors and drawers that stand open count as out of the way.
+    pub(super) nudges: bool,
     pub(super) beats: Vec<Beat>,
     /// Cloth that was folded up, and its scale now.
     pub(super) folded: Vec<(NodeId, Vector3<f32>)>,
@@ -40,10 +46,11 @@ pub(super) struct Deed<'a> {
 type Done = Result<(), Impossible>;
 
 impl<'a> Deed<'a> {
-    pub(super) fn new(world: &'a mut World, floor: &'a mut Floor, shapes: &'a Shapes, step: &'a Step) -> Self {
+    pub(super) fn new(world: &'a mut World, floor: &'a mut Floor, start: &'a Start, step: &'a Step) -> Self {
         let Step { before, after, agent, action } = step;
         let run = action.verb == Verb::Run;
-        Self { world, floor, shapes, before, after, agent: *agent, run, beats: Vec::new(), folded: Vec::new() }
+        let (beats, folded) = (Vec::new(), Vec::new());
+        Self { world, floor, start, before, after, agent: *agent, run, nudges: false, beats, folded }
     }
 }
 
@@ -157,16 +164,17 @@ impl Deed<'_> {
 
     /// Opens or closes whatever moves of a thing, from where nobody is in the way.
     fn drive(&mut self, id: NodeId, open: f32) -> Done {
-        if self.is_mine(id) || self.world.moving_parts(id).is_empty() {
-            if !self.is_mine(id) {
-                self.reach(id)?;
-            }
-            return Ok(());
+        if self.is_mine(id) {
+            return self.open_in_hand(id, open);
+        }
+        if self.world.moving_parts(id).is_empty() {
+            return self.reach(id);
         }
         let body = self.body_of(id)?;
         if self.stands() {
             self.stand_clear(body, open)?;
         }
+        let before = self.world.pose(id);
         if !self.world.leap_open(id, open)? {
             self.push_open(id, open)?;
         }
@@ -174,12 +182,36 @@ impl Deed<'_> {
         let now = self.world.openness(id).unwrap_or(open);
         let arrived = if open > 0.5 { now >= WIDE } else { self.world.open_state(id) == Some(State::Closed) };
         let stuck = || Impossible::Stuck { thing: self.before.label(id), open: 100.0 * now };
-        if arrived { Ok(()) } else { Err(stuck()) }
+        if arrived { self.keeps_balance(id, before) } else { Err(stuck()) }
     }
 
-    /// Opens or closes against what is in the way, which is pushed aside, or is not.
+    /// Refuses to open what falls over by that: it lies elsewhere then, or otherwise.
+    fn keeps_balance(&mut self, id: NodeId, before: Option<Pose>) -> Done {
+        if self.world.role(id) != Some(Role::Loose) {
+            return Ok(());
+        }
+        calm(self.world);
+        let moved = before.zip(self.world.pose(id)).is_some_and(|(before, now)| {
+            let far = (now.translation.vector - before.translation.vector).norm();
+            far > SHIFT || (before.rotation * Vector3::z()).dot(&(now.rotation * Vector3::z())) < UPRIGHT
+        });
+        if moved { Err(Impossible::Topples(self.before.label(id))) } else { Ok(()) }
+    }
+
+    /// Opens or closes what the agent holds: nothing is in its way.
+    fn open_in_hand(&mut self, id: NodeId, open: f32) -> Done {
+        if !self.world.moving_parts(id).is_empty() {
+            self.world.put_all_open(id, open)?;
+            self.beats.push(Beat::Drive(id, open));
+        }
+        Ok(())
+    }
+
+    /// Opens or closes against what is in the way, which is pushed aside, or is not; what has no
+    /// motor pushes nothing.
     fn push_open(&mut self, id: NodeId, open: f32) -> Done {
-        for part in 0..self.world.moving_parts(id).len() {
+        let parts = self.world.moving_parts(id);
+        for (part, _) in parts.iter().enumerate().filter(|(_, p)| p.has_motor) {
             self.world.drive(id, part, open)?;
         }
         for _ in 0..DRIVING {
@@ -202,7 +234,7 @@ impl Deed<'_> {
             self.floor.update(self.world);
             let target = places.first().map(|p| Point3::from(p.translation.vector));
             let stand = target.and_then(|t| self.nearest_stand(self.before.room_of(id), t, 1.4, |_| true));
-            self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?);
+            self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?)?;
         }
         if lying {
             self.world.lie(self.agent, id)?

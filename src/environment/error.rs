@@ -147,6 +147,9 @@ pub enum Impossible {
         /// How far open it is, percent.
         open: f32,
     },
+    /// A loose thing does not keep its balance while its lid turns.
+    #[error("{0} would fall over where it is: take it out first")]
+    Topples(Label),
     /// It has no body.
     #[error("{0} has no body")]
     NoBody(Label),

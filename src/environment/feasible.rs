@@ -8,26 +8,47 @@ use super::undo::Step;
 
 impl Environment {
     /// Whether an agent would find a way to a spot from which a thing is within reach of its
-    /// hands, in the thing's room; if the thing is shut away, the container. What hangs under
+    /// hands, in the thing's room; if the thing is shut away, the container too. What hangs under
     /// the ceiling is looked at, and switched at the wall: it need only be near.
     ///
     /// `Floor::stand_where` from where the agent is. Costs a copy of the bodies, a millisecond.
     pub fn can_get_at(&self, agent: NodeId, id: NodeId) -> bool {
-        let id = self.graph.hidden_in(id).unwrap_or(id);
         let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
         floor.update(&world);
         let action = Action::one(Verb::Walk, id);
         let step = Step { before: self.graph.clone(), after: self.graph.clone(), agent, action };
-        Deed::new(&mut world, &mut floor, &self.start.shapes, &step).can_get_at(id)
+        let mut deed = Deed::new(&mut world, &mut floor, &self.start, &step);
+        self.graph.hidden_in(id).is_none_or(|container| deed.can_get_at(container)) && deed.can_get_at(id)
     }
 
-    /// Whether there is a free spot for a thing on or in another, as an agent puts a held thing
-    /// there: cloth may be folded up for it, and what is there pushed together.
-    pub fn has_room(&self, agent: NodeId, id: NodeId, place: Place) -> bool {
-        let verb = if place.relation == Relation::Inside { Verb::PutIn } else { Verb::Place };
+    /// Whether there are free spots for all of some things, each at one of several places, as an
+    /// agent puts held things there one after the other: cloth may be folded up for it, and what
+    /// is there pushed together. From somewhere in the room each has to be within reach.
+    ///
+    /// `World::free_spot_at` and `World::place` on a copy of the bodies. Costs a millisecond, and
+    /// some for each thing.
+    ///
+    /// # Errors
+    /// The first thing for which none of its places has room.
+    pub fn has_room(&self, agent: NodeId, wants: &[(NodeId, Vec<Place>)]) -> Result<(), NodeId> {
         let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
-        let action = Action::two(verb, id, place.at);
-        let step = Step { before: self.graph.clone(), after: self.graph.clone(), agent, action };
-        Deed::new(&mut world, &mut floor, &self.start.shapes, &step).spot(id, place).is_ok()
+        floor.update(&world);
+        for (id, places) in wants {
+            let spot = places.iter().find_map(|&place| {
+                let verb = if place.relation == Relation::Inside { Verb::PutIn } else { Verb::Place };
+                let action = Action::two(verb, *id, place.at);
+                let step = Step { before: self.graph.clone(), after: self.graph.clone(), agent, action };
+                let mut deed = Deed::new(&mut world, &mut floor, &self.start, &step);
+                let spot = deed.spot(*id, place).ok()?;
+                let stand = deed.stand_to_put(self.graph.room_of(place.at), *id, &spot);
+                stand.is_ok_and(|stand| stand.is_some()).then_some(spot)
+            });
+            // The spot is finite and the thing is there.
+            let put = spot.is_some_and(|spot| world.place(*id, spot).is_ok());
+            if !put {
+                return Err(*id);
+            }
+        }
+        Ok(())
     }
 }

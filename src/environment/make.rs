@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::{Point2, Point3};
+use nalgebra::Point2;
 use vc_graph::{AssetId, Draft, History, Kind, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
 use vc_physics::{BodyPlan, Floor, FloorPlan, Order, Settings, Shapes, World};
 use vc_relations::{Relations, Rule};
@@ -203,14 +203,6 @@ fn middle(graph: &SceneGraph, floor: &Floor, room: NodeId) -> Option<(NodeId, Po
     let centre = graph.node(room)?.aabb()?.centre().xy();
     let spot = floor.nearest(centre, ASTRAY)?;
     is_in(graph, room, &spot).then_some((room, spot))
-}
-
-/// The room of which the floor is below a point, or a rug on it.
-pub(super) fn room_at(graph: &SceneGraph, world: &World, point: &Point2<f32>, level: f32) -> Option<NodeId> {
-    let agents: Vec<NodeId> = world.agents().collect();
-    let at = |rise: f32| Point3::new(point.x, point.y, level + rise);
-    let (below, _) = world.ray(at(0.2), at(-0.3), &agents)?;
-    graph.room_of(below)
 }
 
 /// Whether a point of the floor is in a room's box.

@@ -17,6 +17,7 @@ mod undo;
 
 use std::sync::Arc;
 
+use nalgebra::{Point2, Point3};
 use vc_graph::{Action, ChangeSet, Digest, History, NodeId, Observation, SceneGraph, Scope};
 use vc_physics::{Floor, Posture, Shapes, World};
 use vc_relations::Relations;
@@ -25,6 +26,9 @@ pub use agree::{Difference, Disagreement};
 pub use error::{ActionError, Impossible, MakeError, ResetError, SaveError};
 pub use reset::{Elsewhere, ResetReport, Unplaced, Why};
 pub use steer::Steering;
+
+/// At which height somebody is in a room, metres.
+const WAIST: f32 = 0.9;
 
 /// A home with bodies, in which agents act: the five endpoints.
 ///
@@ -80,6 +84,14 @@ struct Start {
     floor: Floor,
     shapes: Shapes,
     left_out: Vec<(NodeId, Arc<str>)>,
+}
+
+impl Start {
+    /// Floors stay where they are.
+    fn room_at(&self, point: Point2<f32>) -> Option<NodeId> {
+        let level = self.floor.plan().level;
+        self.relations.room_at(&Point3::new(point.x, point.y, level + WAIST))
+    }
 }
 
 impl Environment {
@@ -147,10 +159,9 @@ impl Environment {
         Digest(parts.into_iter().fold(0xcbf2_9ce4_8422_2325, mix))
     }
 
-    /// The room of whose floor a point is, metres: by the floor itself, where boxes of rooms
-    /// overlap.
-    pub fn room_at(&self, point: nalgebra::Point2<f32>) -> Option<NodeId> {
-        make::room_at(&self.graph, &self.world, &point, self.floor.plan().level)
+    /// The room whose floor is at a point of the ground, metres: [`Relations::room_at`].
+    pub fn room_at(&self, point: Point2<f32>) -> Option<NodeId> {
+        self.start.room_at(point)
     }
 
     /// What an agent's body does: stands, sits, lies.

@@ -140,6 +140,10 @@ impl Player {
                     drop(world.grab_with(agent, *hand, *id, |load| comes_along(graph, load, *id)));
                 })
             }
+            Beat::Nudge(parts) => {
+                parts.iter().for_each(|(id, part, open)| drop(show.world.put_open(*id, *part, *open)));
+                true
+            }
             Beat::Push(moved) => {
                 moved.iter().for_each(|(id, pose)| drop(show.world.place(*id, *pose)));
                 true
@@ -199,10 +203,10 @@ impl Player {
             // The hand stays at it.
             self.time = self.time.min(REACHING + show.world.settings().dt);
         }
-        let over = self.by_hand(show, at, before, |show| {
-            for part in 0..parts {
-                drop(show.world.drive(id, part, open));
-            }
+        let held = show.world.holder(id).is_some();
+        let over = self.by_hand(show, at, before, |show| match held {
+            true => drop(show.world.put_all_open(id, open)),
+            false => (0..parts).for_each(|part| drop(show.world.drive(id, part, open))),
         });
         over && !show.world.is_driven(id)
     }

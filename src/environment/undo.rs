@@ -7,10 +7,10 @@
 use std::sync::Arc;
 
 use vc_graph::{Action, NodeId, SceneGraph};
-use vc_physics::{Floor, Shapes, World};
+use vc_physics::{Floor, World};
 
-use super::act;
 use super::deed::Deed;
+use super::{Start, act};
 
 /// Most actions that are done again.
 const KEPT: usize = 8;
@@ -46,11 +46,11 @@ impl Undo {
     }
 
     /// Brings bodies back to where they were after the last action that was remembered.
-    pub(super) fn take_back(&self, world: &mut World, floor: &mut Floor, shapes: &Shapes) {
+    pub(super) fn take_back(&self, world: &mut World, floor: &mut Floor, start: &Start) {
         let Some(kept) = &self.kept else { return };
         *world = World::clone(kept);
         for step in &self.since {
-            let mut deed = Deed::new(world, floor, shapes, step);
+            let mut deed = Deed::new(world, floor, start, step);
             // It was done before, so it can be done.
             let _ = deed.all(&step.action);
             act::calm(world);

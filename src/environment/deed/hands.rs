@@ -37,7 +37,7 @@ impl Deed<'_> {
         if !worn {
             return Err(Impossible::NoBody(self.before.label(id)));
         }
-        self.world.insert(self.before, id, self.shapes)?;
+        self.world.insert(self.before, id, &self.start.shapes)?;
         self.world.place(id, self.feet() * Pose::translation(0.3, 0.0, 1.0))?;
         self.world.grab(self.agent, hand, id)?;
         self.beats.push(Beat::Undress(hand, id));
@@ -63,6 +63,10 @@ impl Deed<'_> {
         }
         self.turn_to(&spot);
         self.world.put(self.agent, hand, spot)?;
+        // What would roll away is put down so that it does not.
+        if place.relation == Relation::On && !self.world.balances(id)? {
+            self.world.pin(id)?;
+        }
         self.beats.push(Beat::Put(hand, id, spot));
         Ok(())
     }
@@ -138,7 +142,7 @@ impl Deed<'_> {
         let Some(by) = self.world.bundled(id)? else { return Ok(false) };
         let scale = node.spec().scale.component_mul(&by);
         let graph = scaled(self.before, id, scale).map_err(|e| Impossible::Unreadable(e.to_string()))?;
-        self.world.reshape(&graph, id, self.shapes)?;
+        self.world.reshape(&graph, id, &self.start.shapes)?;
         self.folded.push((id, scale));
         self.beats.push(Beat::Fold(id, scale));
         Ok(true)

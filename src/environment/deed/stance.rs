@@ -7,7 +7,6 @@ use vc_physics::Stand;
 use super::{Deed, Done, towards};
 use crate::environment::Impossible;
 use crate::environment::beat::Beat;
-use crate::environment::make::room_at;
 
 /// Free floor that agents keep from each other, metres.
 const APART: f32 = 0.55;
@@ -30,12 +29,11 @@ impl Deed<'_> {
         }
         self.floor.update(self.world);
         let stand = self.stand_at(body, self.before.room_of(self.agent))?;
-        self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?);
-        Ok(())
+        self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?)
     }
 
     /// Whether there is a spot from which hands get at a thing.
-    pub(in crate::environment) fn can_get_at(&self, id: NodeId) -> bool {
+    pub(in crate::environment) fn can_get_at(&mut self, id: NodeId) -> bool {
         let Ok(body) = self.body_of(id) else { return false };
         if self.is_overhead(body) || self.has_cord(body) {
             return matches!(self.stand_before(id), Ok(Some(_)));
@@ -52,9 +50,27 @@ impl Deed<'_> {
 
     /// A spot in a room from which the agent reaches a thing: where it sees it too, if
     /// there is one.
-    pub(super) fn stand_at(&self, id: NodeId, room: Option<NodeId>) -> Result<Option<Stand>, Impossible> {
-        let found = self.stand_where(id, room, |feet| self.sees(feet, id))?;
-        if found.is_some() { Ok(found) } else { self.stand_where(id, room, |_| true) }
+    pub(super) fn stand_at(&mut self, id: NodeId, room: Option<NodeId>) -> Result<Option<Stand>, Impossible> {
+        self.at_need_nudging(|deed| {
+            let found = deed.stand_where(id, room, |feet| deed.sees(feet, id))?;
+            if found.is_some() { Ok(found) } else { deed.stand_where(id, room, |_| true) }
+        })
+    }
+
+    /// Looks for something, first such that doors and drawers that stand open are in the way, then
+    /// such that they are moved out of it.
+    fn at_need_nudging<T>(
+        &mut self,
+        find: impl Fn(&Self) -> Result<Option<T>, Impossible>,
+    ) -> Result<Option<T>, Impossible> {
+        let found = find(self)?;
+        if found.is_some() {
+            return Ok(found);
+        }
+        self.nudges = true;
+        let found = find(self);
+        self.nudges = false;
+        found
     }
 
     /// Whether one who stands somewhere sees a thing.
@@ -73,16 +89,20 @@ impl Deed<'_> {
         Ok(self.floor.stand_where(self.world, &self.plan(), from, id, good)?)
     }
 
-    /// Whether the agent may stand somewhere: in a room, where nobody else is, and free.
+    /// Whether the agent may stand somewhere: in a room, where nobody else is, and free, or by
+    /// nudging what stands open.
     pub(super) fn is_good(&self, feet: &Pose, room: Option<NodeId>) -> bool {
         let spot = Point2::from(feet.translation.vector.xy());
-        let level = self.floor.plan().level;
         let inner = |room: NodeId| {
             let around = [(0.0, 0.0), (INNER, 0.0), (-INNER, 0.0), (0.0, INNER), (0.0, -INNER)];
-            let at = |(x, y): &(f32, f32)| room_at(self.before, self.world, &(spot + Vector2::new(*x, *y)), level);
+            let at = |(x, y): &(f32, f32)| self.start.room_at(spot + Vector2::new(*x, *y));
             around.iter().all(|offset| at(offset).is_none_or(|r| r == room)) && at(&around[0]) == Some(room)
         };
-        room.is_none_or(inner) && self.is_unclaimed(&spot) && self.world.stands_free(self.agent, feet).unwrap_or(false)
+        let free = || match self.nudges {
+            false => self.world.stands_free(self.agent, feet).unwrap_or(false),
+            true => self.world.parts_aside(self.agent, feet).is_ok_and(|parts| parts.is_some()),
+        };
+        room.is_none_or(inner) && self.is_unclaimed(&spot) && free()
     }
 
     /// Whether no other agent is at a spot.
@@ -91,25 +111,28 @@ impl Deed<'_> {
         others.filter_map(|a| self.world.pose(a)).all(|p| (p.translation.vector.xy() - spot.coords).norm() >= APART)
     }
 
-    /// Walks to a spot at once.
-    pub(super) fn walk(&mut self, stand: Stand) {
+    /// Walks to a spot at once; what stands open in its way there gives way.
+    pub(super) fn walk(&mut self, stand: Stand) -> Done {
         let Stand { feet, route } = stand;
-        // The pose is finite and the agent is there.
-        let _ = self.world.teleport(self.agent, feet);
+        let aside = self.world.parts_aside(self.agent, &feet)?.unwrap_or_default();
+        aside.iter().try_for_each(|(id, part, open)| self.world.put_open(*id, *part, *open))?;
+        self.world.teleport(self.agent, feet)?;
+        if !aside.is_empty() {
+            self.beats.push(Beat::Nudge(aside));
+        }
         self.beats.push(Beat::Walk { points: route.points, doors: route.doors, feet, run: self.run });
+        Ok(())
     }
 
     pub(super) fn go_to(&mut self, id: NodeId) -> Done {
         self.floor.update(self.world);
         let kind = self.before.node(id).map(vc_graph::Node::kind);
-        let stand = match kind {
-            Some(Kind::Room) => self.stand_in(id),
-            Some(Kind::Agent) => self.stand_beside(id, |_| true),
-            _ => self.stand_before(id)?,
-        };
-        let stand = stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?;
-        self.walk(stand);
-        Ok(())
+        let stand = self.at_need_nudging(|deed| match kind {
+            Some(Kind::Room) => Ok(deed.stand_in(id)),
+            Some(Kind::Agent) => Ok(deed.stand_beside(id, |_| true)),
+            _ => deed.stand_before(id),
+        })?;
+        self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?)
     }
 
     /// Before a thing: within reach of it and not only of its open door, else near it; else the
@@ -181,7 +204,8 @@ impl Deed<'_> {
         let step = |i: i32| i as f32 * 0.15;
         let all = (-24..=24).flat_map(|i| (-24..=24).map(move |j| Point2::new(middle.x + step(i), middle.y + step(j))));
         let near = |p: &Point2<f32>| (p - middle).norm() <= within && self.floor.is_free(*p);
-        let mut spots: Vec<Point2<f32>> = all.filter(near).collect();
+        // The raster may miss a narrow spot: at least where one is, one may stay.
+        let mut spots: Vec<Point2<f32>> = all.chain([from]).filter(near).collect();
         let far = |p: &Point2<f32>| (p - middle).norm_squared();
         spots.sort_by(|a, b| far(a).total_cmp(&far(b)));
         let level = self.floor.plan().level;
@@ -222,11 +246,20 @@ impl Deed<'_> {
     pub(super) fn step_to(&mut self, at: NodeId, id: NodeId, spot: &Pose) -> Done {
         self.floor.update(self.world);
         let (room, target) = (self.before.room_of(self.agent), Point3::from(spot.translation.vector));
-        let within = self.nearest_stand(room, target, NEAR, |feet| self.puts_from(feet, id, spot));
+        let within = self.stand_to_put(room, id, spot)?;
         let stand = within.or_else(|| self.nearest_stand(room, target, NEAR, |_| true));
-        let stand = stand.ok_or_else(|| Impossible::NoStand(self.before.label(at)))?;
-        self.walk(stand);
-        Ok(())
+        self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(at)))?)
+    }
+
+    /// The spot in a room nearest to where a thing is to be put, from where it can be.
+    pub(in crate::environment) fn stand_to_put(
+        &mut self,
+        room: Option<NodeId>,
+        id: NodeId,
+        spot: &Pose,
+    ) -> Result<Option<Stand>, Impossible> {
+        let target = Point3::from(spot.translation.vector);
+        self.at_need_nudging(|deed| Ok(deed.nearest_stand(room, target, NEAR, |feet| deed.puts_from(feet, id, spot))))
     }
 
     pub(super) fn turn_to(&mut self, spot: &Pose) {
@@ -259,9 +292,7 @@ impl Deed<'_> {
         if found.is_none() && self.has_cord(id) {
             found = self.stand_beside(id, clear);
         }
-        let stand = found.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?;
-        self.walk(stand);
-        Ok(())
+        self.walk(found.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?)
     }
 
     /// Whether a thing covers a window from above.
