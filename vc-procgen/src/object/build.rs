@@ -61,6 +61,7 @@ impl<'a> Build<'a> {
         let mut asset = self.asset;
         asset.parts.shrink_to_fit();
         let Some((low, high)) = super::reveal::reveal(&mut asset) else { return (asset, Bounds::standing(self.size)) };
+        super::lump::lump(self.class, &mut asset, high - low);
         let half = (high - low) / 2.0;
         if self.anchored {
             let offset = nalgebra::center(&low, &high).coords;

@@ -6,6 +6,7 @@
 mod build;
 mod circle;
 mod joinery;
+mod lump;
 mod mirror;
 mod rest;
 mod solids;

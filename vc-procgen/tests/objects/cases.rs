@@ -157,3 +157,10 @@ fn same(generator: &'static Generator, found: &mut dyn FnMut(Rule, String)) {
         Err(_) => found(Rule::Panic, "(catalogue seed 7, instance 0): panics".into()),
     }
 }
+
+/// Smallest and largest corner of parts as they are drawn, joints at zero.
+pub(crate) fn around<'a>(parts: impl IntoIterator<Item = &'a vc_graph::asset::Part>) -> [nalgebra::Point3<f32>; 2] {
+    let points = parts.into_iter().flat_map(|p| p.shape.mesh(0.0005).positions.into_iter().map(|at| p.pose * at));
+    let start = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]].map(nalgebra::Point3::from);
+    points.fold(start, |[low, high], p| [low.inf(&p), high.sup(&p)])
+}

@@ -143,3 +143,25 @@ fn every_class_has_the_instances_it_names() {
     }
     assert!(short.is_empty(), "too few:\n  {}", short.join("\n  "));
 }
+
+/// What is one convex body to physics is as large as what is seen of it.
+#[test]
+fn lumps_are_as_large_as_what_is_seen() {
+    let mut lumps = 0;
+    for instance in catalogue::instances(Seed(0)).filter(|i| chosen(i.generator.class)) {
+        let asset = &instance.object.asset;
+        for lump in asset.collision.iter().filter(|p| &*p.name == "lump") {
+            lumps += 1;
+            let seen = asset.parts.iter().filter(|p| p.joint == lump.joint);
+            let (around, own) = (cases::around(seen), cases::around([lump]));
+            for axis in 0..3 {
+                let (size, far) = (around[1][axis] - around[0][axis], |i: usize| own[i][axis]);
+                let slack = 0.001 + 0.04 * size;
+                let within = far(0) >= around[0][axis] - 0.001 && far(1) <= around[1][axis] + 0.001;
+                let reaches = far(0) <= around[0][axis] + slack && far(1) >= around[1][axis] - slack;
+                assert!(within && reaches, "{}, axis {axis}: {own:?} of {around:?}", instance.generator.class);
+            }
+        }
+    }
+    assert!(lumps > 100 || !generators().all(|g| chosen(g.class)), "{lumps}");
+}
