@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 
 use cpu_time::ThreadTime;
 use criterion::{BatchSize, Criterion};
-use virtualcity::graph::{Action, NodeId, Scope, Seed, Verb};
+use virtualcity::graph::{Action, NodeId, Property, Scope, Seed, Verb};
 use virtualcity::planner::{Agent, Decision};
 use virtualcity::render::{Modalities, Modality};
 use virtualcity::{Batch, Environment, Viewpoint, legal_action};
@@ -73,7 +73,9 @@ fn reset(criterion: &mut Criterion) {
 fn moved(home: &Environment) -> virtualcity::graph::SceneGraph {
     let mut graph = home.graph().clone();
     let loose = |id: &NodeId| home.world().role(*id) == Some(virtualcity::physics::Role::Loose);
-    let ids: Vec<NodeId> = home.world().nodes().into_iter().filter(loose).step_by(7).take(10).collect();
+    let small = |id: &NodeId| home.graph().node(*id).is_some_and(|n| n.affords(Property::Graspable));
+    let both = |id: &NodeId| loose(id) && small(id);
+    let ids: Vec<NodeId> = home.world().nodes().into_iter().filter(both).step_by(7).take(10).collect();
     let mut edit = graph.edit();
     for id in ids {
         let pose = home.world().pose(id).unwrap();

@@ -9,6 +9,7 @@ mod error;
 mod footing;
 mod group;
 mod joints;
+mod lower;
 mod nav;
 mod place;
 mod reset;

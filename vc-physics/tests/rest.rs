@@ -179,3 +179,51 @@ fn settle_tells_what_is_inside_what() {
     assert_eq!((a, b), (table, cube));
     assert!(depth > 0.01 && depth < 0.05, "{depth}");
 }
+
+/// What hovers a little is let down, and rests at once; what is high up is not.
+#[test]
+fn let_down_it_rests() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let table = scene.table(at(0.0, 0.0, 0.0));
+    let low = scene.cube(0.05, at(0.1, 0.0, 1.0));
+    let high = scene.cube(0.05, at(2.0, 0.0, 1.0));
+    let mut world = scene.world();
+    world.settle(300);
+    let spot = world.free_spot_at(low, table, false, vc_physics::Order::Middle).unwrap().unwrap();
+    world.place(low, at(0.0, 0.0, 0.01) * spot).unwrap();
+    world.place(high, at(2.0, 0.0, 1.0)).unwrap();
+    let by = world.lower(low, 0.02).unwrap();
+    assert!((by - 0.0105).abs() < 0.0005, "{by}");
+    assert_eq!(world.lower(high, 0.02).unwrap(), 0.0);
+    assert!(world.lower(NodeId(77), 0.02).is_err());
+    assert!(world.is_at(low, table, false) && !world.is_at(low, table, true) && !world.is_at(high, table, false));
+    world.step();
+    world.doze();
+    world.step();
+    assert!(world.is_asleep(low) && !world.is_asleep(high));
+}
+
+/// A board that leans on a wall sleeps again where it slept, without another look at it.
+#[test]
+fn what_leans_sleeps_where_it_slept() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.8);
+    scene.wall([0.5, -1.0, 0.0], [0.6, 1.0, 2.0]);
+    let board = scene.solid("board", block([0.02, 0.2, 0.4]), scene.wood);
+    let leaning = scene.add("painting", board, turned(0.3, 0.0, 0.4, Vector3::y(), 0.4));
+    let mut world = scene.world();
+    assert!(world.settle(600).at_rest);
+    let rested = world.pose(leaning).unwrap();
+    world.wake(leaning).unwrap();
+    world.step();
+    world.doze();
+    world.step();
+    assert!(world.is_asleep(leaning));
+    // Moved, it does not.
+    world.place(leaning, at(-0.01, 0.0, 0.0) * rested).unwrap();
+    world.step();
+    world.doze();
+    world.step();
+    assert!(!world.is_asleep(leaning));
+}

@@ -129,6 +129,7 @@ impl World {
             scale: [node.spec().scale.x, node.spec().scale.y, node.spec().scale.z].map(f32::to_bits),
             written: pose,
             watch: Watch::default(),
+            slept: None,
             rests: graph.place(node.id()),
             structure: is_structure(node, class),
             door: class.is_some_and(|c| c.category == Category::Door),

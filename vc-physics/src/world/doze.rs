@@ -2,21 +2,27 @@
 //!
 //! The engine lets a body sleep that has been slow for a while, because who is slow now may be
 //! about to tip. Of most things statics tells at once: whose centre of mass is over the middle
-//! of the points that carry it, and on which nothing presses beside them, cannot tip.
+//! of the points that carry it, and on which nothing presses beside them, cannot tip. And what is
+//! where it was at rest, between things of which the same holds, is at rest: books that lean on
+//! each other.
 
 use std::collections::BTreeMap;
 
 use nalgebra::Point2;
 use rapier3d::dynamics::{RigidBody, RigidBodyHandle};
-use vc_graph::NodeId;
 
-use super::World;
+use super::rest::Spot;
+use super::{Thing, World};
 use crate::contact::Touch;
 use crate::nav::outline::{Outline, hull, turn};
-use crate::{PhysicsError, Role, convert, group};
+use crate::{Role, convert, group};
 
 /// How slow a thing is that rests, metres a second, its rim with it.
 const SLOW: f32 = 0.03;
+/// How slow a thing is that has not been moved, metres a second, and how near to where it was it is,
+/// metres.
+const STILL: f32 = 0.01;
+const SAME: f32 = 0.0005;
 /// How far within the points that carry it a thing's centre of mass is, metres; of small
 /// things, as a part of their size.
 const WITHIN: (f32, f32) = (0.004, 0.05);
@@ -65,21 +71,6 @@ impl World {
         }
     }
 
-    /// Whether a thing stands by itself where it is put upright on level ground: its centre of mass
-    /// is over the middle of what touches the ground. A ball does not, nor broccoli on its stalk.
-    ///
-    /// # Errors
-    /// [`PhysicsError::NoBody`].
-    pub fn balances(&self, id: NodeId) -> Result<bool, PhysicsError> {
-        let form = &self.thing(id)?.form;
-        let (low, high) = form.extent;
-        let hulls = form.links.iter().flat_map(|link| link.hulls().iter().flatten());
-        let foot = hulls.filter(|p| p.z <= low.z + CARRIES).copied();
-        let centre = convert::point3(form.links[0].mass.local_com).xy();
-        let margin = WITHIN.0.min(WITHIN.1 * (high - low).norm() / 2.0);
-        Ok(is_within(&hull(foot), &centre, margin))
-    }
-
     /// The bodies of some that a body touches or is about to.
     fn touched(&self, body: RigidBodyHandle, number: &BTreeMap<u32, usize>) -> Vec<usize> {
         let parent = |c| self.engine.colliders.get(c).and_then(|c| c.parent());
@@ -101,8 +92,31 @@ impl World {
             // Friction holds a door, or it would be faster by now.
             return !self.is_driven(id);
         }
+        if self.is_where_it_slept(thing, rigid, size) {
+            return true;
+        }
         let alone = thing.state.role == Role::Loose && thing.state.moving.iter().all(|m| m.body.is_none());
         alone && self.stands(body, rigid, size)
+    }
+
+    /// Remembers where those are that have fallen asleep.
+    pub(crate) fn note_sleepers(&mut self, were_awake: &[RigidBodyHandle]) {
+        for &handle in were_awake {
+            let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic() && b.is_sleeping()) else {
+                continue;
+            };
+            let (spot, (id, link)) = (Spot::of(body.position()), group::marked(body.user_data));
+            if let Some(thing) = self.thing_mut(id).ok().filter(|_| link == 0) {
+                thing.state.slept = Some(spot);
+            }
+        }
+    }
+
+    /// Whether a thing is still where it was at rest. What it touches is asked the same, so it is
+    /// carried as it was.
+    fn is_where_it_slept(&self, thing: &Thing, rigid: &RigidBody, size: f32) -> bool {
+        let still = rigid.linvel().length() + rigid.angvel().length() * size <= STILL;
+        still && thing.state.slept.is_some_and(|spot| spot.distance(&Spot::of(rigid.position()), size) <= SAME)
     }
 
     /// Whether a body cannot tip: see above.

@@ -13,6 +13,7 @@ impl World {
     ///
     /// Costs a microsecond or two while everything sleeps.
     pub fn step(&mut self) {
+        let awake: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
         self.move_agents();
         for _ in 0..self.settings.substeps {
             self.push_vehicles();
@@ -23,6 +24,7 @@ impl World {
         }
         self.tend_motors();
         self.watch();
+        self.note_sleepers(&awake);
         self.ticks += 1;
     }
 
@@ -37,11 +39,12 @@ impl World {
     pub fn rest(&mut self) {
         self.step();
         let all: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
-        for body in all {
+        for &body in &all {
             if let Some(rigid) = self.engine.bodies.get_mut(body).filter(|b| b.is_dynamic()) {
                 rigid.sleep();
             }
         }
+        self.note_sleepers(&all);
     }
 
     /// Names a body that has become non-finite.

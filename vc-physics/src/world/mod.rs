@@ -73,6 +73,8 @@ pub(crate) struct State {
     pub(crate) written: Pose,
     /// Since when it has been about where it is.
     pub(crate) watch: rest::Watch,
+    /// Where it last fell asleep.
+    pub(crate) slept: Option<rest::Spot>,
     /// What the graph says it rests on.
     #[serde(with = "crate::serial::place")]
     pub(crate) rests: Option<Place>,

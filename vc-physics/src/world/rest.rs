@@ -26,24 +26,39 @@ const LOOKS: u8 = 4;
 /// How fast what stays where it is may tremble, metres a second.
 const TREMBLES: f32 = 1.0;
 
+/// Where a thing is and how it is turned.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct Spot([f32; 7]);
+
+impl Spot {
+    pub(super) fn of(pose: &EnginePose) -> Self {
+        Self(std::array::from_fn(|i| match i {
+            0..3 => pose.translation.to_array()[i],
+            _ => pose.rotation.to_array()[i - 3],
+        }))
+    }
+
+    /// How far a thing of a size is from another spot with any of its points, about, metres.
+    pub(super) fn distance(&self, other: &Self, size: f32) -> f32 {
+        let far = |from: usize, to: usize| (from..to).map(|i| (self.0[i] - other.0[i]).raised(2)).sum::<f32>().sqrt();
+        // A turn by an angle moves the imaginary parts by half of it.
+        far(0, 3) + 2.0 * far(3, 7) * size
+    }
+}
+
 /// Where a thing was first seen that has not gone far since, and how often it has been
 /// seen there.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Watch {
-    at: [f32; 7],
+    at: Spot,
     looks: u8,
 }
 
 impl Watch {
     /// Looks again at a thing of a size; gives whether it has stayed.
     fn look(&mut self, pose: &EnginePose, size: f32) -> bool {
-        let now: [f32; 7] = std::array::from_fn(|i| match i {
-            0..3 => pose.translation.to_array()[i],
-            _ => pose.rotation.to_array()[i - 3],
-        });
-        let far = |from: usize, to: usize| (from..to).map(|i| (now[i] - self.at[i]).raised(2)).sum::<f32>().sqrt();
-        // A turn by an angle moves the imaginary parts by half of it.
-        if far(0, 3) + 2.0 * far(3, 7) * size > ABOUT {
+        let now = Spot::of(pose);
+        if now.distance(&self.at, size) > ABOUT {
             (self.at, self.looks) = (now, 0);
         }
         self.looks = self.looks.saturating_add(1);

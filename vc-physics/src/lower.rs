@@ -1,0 +1,41 @@
+//! Letting things down onto what is right below.
+
+use nalgebra::Vector3;
+use rapier3d::geometry::{Collider, ColliderHandle};
+use rapier3d::parry::query::ShapeCastOptions;
+use rapier3d::pipeline::QueryFilter;
+use vc_graph::{NodeId, Pose};
+
+use crate::world::World;
+use crate::{PhysicsError, Role, convert, group};
+
+/// Gap that is left, metres: what lies so near rests at once.
+const GAP: f32 = 0.0005;
+
+impl World {
+    /// Lowers a loose thing until it almost touches what is below, by no more than so many
+    /// metres, and gives by how much: it need not fall then. Nothing is lowered below which there
+    /// is nothing so near.
+    ///
+    /// Costs some ten microseconds.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    pub fn lower(&mut self, id: NodeId, within: f32) -> Result<f32, PhysicsError> {
+        let thing = self.thing(id)?;
+        let (base, loose) = (self.engine.pose(thing.state.base), thing.state.role == Role::Loose);
+        let Some(pose) = base.filter(|_| loose && within > GAP) else { return Ok(0.0) };
+        let bodies: Vec<_> = thing.bodies().filter_map(|b| self.engine.bodies.get(b)).collect();
+        let own = bodies.iter().flat_map(|b| b.colliders()).filter_map(|&c| self.engine.colliders.get(c));
+        let other = |_: ColliderHandle, c: &Collider| group::is_solid(c) && group::marked(c.user_data).0 != id;
+        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&other));
+        let options =
+            ShapeCastOptions { max_time_of_impact: within, stop_at_penetration: false, ..ShapeCastOptions::default() };
+        let down = convert::vector(-Vector3::z());
+        let gap = |c: &Collider| queries.cast_shape(c.position(), down, c.shape(), options);
+        let gaps = own.filter_map(gap).map(|(_, hit)| hit.time_of_impact);
+        let Some(by) = gaps.reduce(f32::min).map(|gap| gap - GAP).filter(|by| *by > 0.0) else { return Ok(0.0) };
+        self.place(id, Pose::translation(0.0, 0.0, -by) * pose)?;
+        Ok(by)
+    }
+}
