@@ -147,3 +147,16 @@ fn nobody_is_trapped_behind_open_drawers() {
     }
     assert!(opened > 3, "{opened} opened");
 }
+
+/// What one holds opens in the hand.
+#[test]
+fn a_book_opens_in_the_hand() {
+    let (mut home, agent) = LAUNDRY.clone();
+    let book = first(&home, agent, "novel");
+    act(&mut home, agent, Verb::Walk, &[book]);
+    act(&mut home, agent, Verb::Grab, &[book]);
+    act(&mut home, agent, Verb::Open, &[book]);
+    assert!(home.world().openness(book) > Some(0.9));
+    act(&mut home, agent, Verb::Close, &[book]);
+    assert_eq!(home.world().openness(book), Some(0.0));
+}

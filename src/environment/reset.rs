@@ -95,6 +95,7 @@ impl Environment {
         let (mut world, _) = self.start.world.reset(&wanted, &self.start.shapes)?;
         undress(&mut world, &wanted)?;
         plan.settle_places(&mut world, &mut wanted)?;
+        plan.lower(&mut world)?;
         seat(&mut world, &wanted);
         act::calm(&mut world);
         let relations = self.observed(&mut wanted, &world, new_shapes)?;
@@ -206,6 +207,14 @@ impl Plan {
             }
         }
         edit.commit();
+        Ok(())
+    }
+
+    /// Lets down what hovers a little.
+    fn lower(&self, world: &mut World) -> Result<(), ResetError> {
+        let there = |id: &&NodeId| world.pose(**id).is_some();
+        let moved: Vec<NodeId> = self.report.moved.iter().filter(there).copied().collect();
+        moved.into_iter().try_for_each(|id| world.lower(id, HOVER).map(drop))?;
         Ok(())
     }
 

@@ -19,6 +19,8 @@ const GAP: f32 = 0.001;
 const SKIN: f32 = 0.001;
 /// Room that is left around a thing where it is put, metres: rims of plates do not touch.
 const AROUND: f32 = 0.005;
+/// How far above a surface the bottom of a thing is that is on it, metres.
+const LOW: f32 = 0.02;
 /// Distance of the spots that are tried on a surface, metres.
 const PITCH: f32 = 0.04;
 /// Most spots tried along one side.
@@ -333,6 +335,40 @@ impl World {
             let lifted = |turn| spots((low, high), shelf, turn, (height, *over), order);
             turns.iter().find_map(|turn| lifted(turn).into_iter().find(free))
         })
+    }
+
+    /// Whether a thing is on one of another's surfaces, not on what is there, or inside: the middle
+    /// of its box is over it or plainly in it, and inside half of its corners too.
+    pub fn is_at(&self, id: NodeId, at: NodeId, inside: bool) -> bool {
+        let (Some(aabb), Some(pose), Ok(thing)) = (self.aabb(id), self.pose(id), self.thing(id)) else { return false };
+        let (low, high) = thing.form.extent;
+        let middle = pose * nalgebra::center(&low, &high);
+        let margin = if inside { -AROUND } else { AROUND };
+        let over = |shelf: &Shelf, point: Point3<f32>, margin: f32| {
+            let own = shelf.pose.inverse_transform_point(&point);
+            let across = own.x.abs() <= shelf.half.0 + margin && own.y.abs() <= shelf.half.1 + margin;
+            across.then_some(own.z)
+        };
+        let within = |shelf: &Shelf, point: Point3<f32>, margin: f32| {
+            let top = shelf.clearance.unwrap_or(f32::INFINITY);
+            over(shelf, point, margin).is_some_and(|height| (-GAP..=top).contains(&height))
+        };
+        let corner = |i: usize| {
+            let at = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
+            pose * Point3::new(at(0), at(1), at(2))
+        };
+        let holds = |shelf: &Shelf| match shelf.hold {
+            Hold::Inside => {
+                let corners = (0..8).filter(|i| within(shelf, corner(*i), 0.0)).count();
+                inside && within(shelf, middle, margin) && corners >= 4
+            }
+            Hold::On => {
+                let above = aabb.min.z - shelf.pose.translation.z;
+                !inside && over(shelf, middle, margin).is_some() && above.abs() <= LOW
+            }
+            Hold::Hook => false,
+        };
+        self.shelves(at).iter().any(holds)
     }
 
     /// Whether there is something on or in a thing that would fall off it or run out.

@@ -481,3 +481,27 @@ fn agents_refuse_nonsense() {
     let boxed = Draft::new("cup").bounds(Bounds::standing(Vector3::repeat(0.1)));
     assert_eq!(boxed.pose, None);
 }
+
+/// A door that stands open gives way to who steps up; a wall does not.
+#[test]
+fn open_doors_give_way() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let me = scene.agent(at(3.0, 3.0, 0.0));
+    let door = scene.door_asset();
+    let door = scene.add("door", door, at(0.0, 0.0, 0.0));
+    scene.cube(0.2, at(-0.5, 0.0, 0.2));
+    let mut world = scene.world();
+    assert_eq!(world.parts_aside(me, &at(0.5, 0.4, 0.0)), Ok(Some(Vec::new())));
+    world.put_all_open(door, 1.0).unwrap();
+    assert_eq!(world.stands_free(me, &at(0.5, 0.4, 0.0)), Ok(false));
+    let aside = world.parts_aside(me, &at(0.5, 0.4, 0.0)).unwrap().unwrap();
+    assert!(matches!(aside[..], [(id, 0, open)] if id == door && open > 0.05 && open < 1.0), "{aside:?}");
+    aside.iter().try_for_each(|(id, part, open)| world.put_open(*id, *part, *open)).unwrap();
+    assert_eq!(world.stands_free(me, &at(0.5, 0.4, 0.0)), Ok(true));
+    assert_eq!(world.parts_aside(me, &at(-0.5, 0.0, 0.0)), Ok(None));
+    // What is shut does not open to let anybody in.
+    world.put_all_open(door, 0.0).unwrap();
+    assert_eq!(world.parts_aside(me, &at(0.0, 0.0, 0.0)), Ok(None));
+    assert!(world.parts_aside(NodeId(77), &at(0.0, 0.0, 0.0)).is_err());
+}

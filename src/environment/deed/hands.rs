@@ -6,10 +6,15 @@ use vc_physics::{Hand, Order, Role};
 
 use super::{Deed, Done};
 use crate::environment::Impossible;
+use crate::environment::act::calm;
 use crate::environment::beat::Beat;
 
 /// How far ahead of the body a hand puts things down, metres.
 const AHEAD: f32 = 0.45;
+/// How far others may be pushed aside by what is put down beside them, metres.
+const ASIDE: f32 = 0.15;
+/// How far a thing may roll from where it was put on another, metres.
+const ROLLED: f32 = 0.04;
 /// Height at which things are out of everybody's way, metres.
 const AWAY: f32 = -100.0;
 
@@ -62,13 +67,57 @@ impl Deed<'_> {
             }
         }
         self.turn_to(&spot);
+        let around = self.loose_around(place);
         self.world.put(self.agent, hand, spot)?;
-        // What would roll away is put down so that it does not.
-        if place.relation == Relation::On && !self.world.balances(id)? {
-            self.world.pin(id)?;
-        }
         self.beats.push(Beat::Put(hand, id, spot));
+        self.steady(id, place, spot, &around)
+    }
+
+    /// Sees to it that what was put down stays there, and what is beside it: if they come to rest
+    /// elsewhere, it is put in the middle instead, and if that does not help, it is balanced where
+    /// it was put.
+    fn steady(&mut self, id: NodeId, place: Place, spot: Pose, around: &[(NodeId, Pose)]) -> Done {
+        if self.comes_to_rest(id, place, spot, around) {
+            return Ok(());
+        }
+        self.clear_away(id, around)?;
+        let inside = place.relation == Relation::Inside;
+        if let Some(middle) = self.world.free_spot_at(id, place.at, inside, Order::Middle)? {
+            self.world.place(id, middle)?;
+            if self.comes_to_rest(id, place, middle, around) {
+                return Ok(());
+            }
+            self.clear_away(id, around)?;
+        }
+        self.world.place(id, spot)?;
+        self.world.rest();
         Ok(())
+    }
+
+    /// Whether a thing that was put to a spot stays at its place, on top of things about at the
+    /// spot, and those around it about where they were.
+    fn comes_to_rest(&mut self, id: NodeId, place: Place, spot: Pose, around: &[(NodeId, Pose)]) -> bool {
+        calm(self.world);
+        let far = |id: NodeId, was: &Pose| {
+            let now = self.world.pose(id);
+            now.map_or(f32::INFINITY, |now| (now.translation.vector - was.translation.vector).norm())
+        };
+        let inside = place.relation == Relation::Inside;
+        let rolled = !inside && far(id, &spot) > ROLLED;
+        !rolled && self.world.is_at(id, place.at, inside) && around.iter().all(|(id, was)| far(*id, was) < ASIDE)
+    }
+
+    /// Takes a thing out of the way, and brings back those around it.
+    fn clear_away(&mut self, id: NodeId, around: &[(NodeId, Pose)]) -> Done {
+        self.world.place(id, Pose::translation(0.0, 0.0, AWAY))?;
+        Ok(around.iter().try_for_each(|(id, was)| self.world.place(*id, *was))?)
+    }
+
+    /// Loose things at a place and on them, and where they are.
+    fn loose_around(&self, place: Place) -> Vec<(NodeId, Pose)> {
+        let loose = |id: &NodeId| self.world.role(*id) == Some(Role::Loose);
+        let there = self.before.carried_with(place.at).into_iter().filter(|id| *id != place.at && loose(id));
+        there.filter_map(|id| Some((id, self.world.pose(id)?))).collect()
     }
 
     /// A free spot for a thing on or in another. If there is none, cloth is folded up, what is

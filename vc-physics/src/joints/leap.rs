@@ -108,14 +108,16 @@ impl World {
     }
 
     fn is_part_free(&self, id: NodeId, part: usize, at: &Pose, load: &[NodeId]) -> bool {
-        let solid = self.thing(id).ok().and_then(|t| t.form.links[part + 1].solid.as_ref());
-        let Some((shape, local)) = solid else { return true };
+        let Ok(thing) = self.thing(id) else { return true };
+        let Some((shape, local)) = &thing.form.links[part + 1].solid else { return true };
+        // A lid that moves with its box collides as that does.
+        let own = thing.state.moving[part].body.map_or_else(|| group::base(thing.state.role), |_| group::leaf());
         let at = convert::pose(at) * *local;
         let other = |_: ColliderHandle, c: &Collider| {
             let node = group::marked(c.user_data).0;
             group::is_solid(c) && node != id && !load.contains(&node)
         };
-        let filter = QueryFilter::default().exclude_sensors().groups(group::leaf()).predicate(&other);
+        let filter = QueryFilter::default().exclude_sensors().groups(own).predicate(&other);
         let queries = self.engine.queries(filter);
         let mut met = queries.intersect_shape(at, &**shape);
         met.all(|(_, collider)| {
