@@ -63,7 +63,10 @@ impl Affine {
     }
 
     pub(crate) fn narrow(&self) -> Narrow {
-        self.0.map(|row| row.map(|v| v as f32))
+        three(|r| {
+            let row = &self.0[r];
+            [row[0] as f32, row[1] as f32, row[2] as f32, row[3] as f32]
+        })
     }
 
     pub(crate) fn is_finite(&self) -> bool {
@@ -72,20 +75,42 @@ impl Affine {
     }
 }
 
+/// Three of a kind by index. A list's own `map` is not always inlined, and then not compiled for the
+/// vectors that the loop around it has.
+#[inline(always)]
+pub(crate) fn three<T>(part: impl Fn(usize) -> T) -> [T; 3] {
+    [part(0), part(1), part(2)]
+}
+
+/// So many times a vector.
+#[inline(always)]
+pub(crate) fn scaled(v: [f32; 3], by: f32) -> [f32; 3] {
+    [v[0] * by, v[1] * by, v[2] * by]
+}
+
 /// Where a point goes.
 #[inline(always)]
 pub(crate) fn point(m: &Narrow, p: [f32; 3]) -> [f32; 3] {
-    [0, 1, 2].map(|r: usize| m[r][0] * p[0] + m[r][1] * p[1] + m[r][2] * p[2] + m[r][3])
+    three(
+        #[inline(always)]
+        |r| m[r][0] * p[0] + m[r][1] * p[1] + m[r][2] * p[2] + m[r][3],
+    )
 }
 
 /// Where a direction goes.
 #[inline(always)]
 pub(crate) fn vector(m: &Narrow, v: [f32; 3]) -> [f32; 3] {
-    [0, 1, 2].map(|r: usize| m[r][0] * v[0] + m[r][1] * v[1] + m[r][2] * v[2])
+    three(
+        #[inline(always)]
+        |r| m[r][0] * v[0] + m[r][1] * v[1] + m[r][2] * v[2],
+    )
 }
 
 /// Where a normal goes, given the map's inverse; not of unit length.
 #[inline(always)]
 pub(crate) fn normal(inverse: &Narrow, n: [f32; 3]) -> [f32; 3] {
-    [0, 1, 2].map(|c: usize| inverse[0][c] * n[0] + inverse[1][c] * n[1] + inverse[2][c] * n[2])
+    three(
+        #[inline(always)]
+        |c| inverse[0][c] * n[0] + inverse[1][c] * n[1] + inverse[2][c] * n[2],
+    )
 }

@@ -1,6 +1,6 @@
 //! Normals.
 
-use crate::affine::{self, Narrow};
+use crate::affine::{self, Narrow, scaled, three};
 use crate::camera::Camera;
 use crate::frame::Strip;
 use crate::raster::{Layers, Visible};
@@ -29,14 +29,14 @@ impl Bent {
             [value(0) - across * a[0] - down * a[1], across, down]
         };
         let parts = [part(0), part(1), part(2)];
-        let [start, across, down] = [0, 1, 2].map(|k: usize| parts.map(|p| p[k]));
+        let [start, across, down] = three(|k| three(|i| parts[i][k]));
         Self { start, across, down }
     }
 
     /// The normal at a place in the image, not of unit length.
     #[inline(always)]
     pub(crate) fn at(&self, x: f32, y: f32) -> [f32; 3] {
-        [0, 1, 2].map(|i: usize| self.start[i] + self.across[i] * x + self.down[i] * y)
+        three(|i| self.start[i] + self.across[i] * x + self.down[i] * y)
     }
 }
 
@@ -66,7 +66,7 @@ pub(crate) fn bent(
         Err(Bent::new(corners.map(|c| c.1), normals))
     } else {
         // What reaches behind the eye is taken as flat.
-        Ok(unit([0, 1, 2].map(|i: usize| normals[0][i] + normals[1][i] + normals[2][i])))
+        Ok(unit(three(|i| normals[0][i] + normals[1][i] + normals[2][i])))
     }
 }
 
@@ -75,7 +75,7 @@ pub(crate) fn bent(
 pub(crate) fn unit(v: [f32; 3]) -> [f32; 3] {
     let square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     let over = 1.0 / square.sqrt();
-    if over.is_finite() { v.map(|x| x * over) } else { [0.0, 0.0, 1.0] }
+    if over.is_finite() { scaled(v, over) } else { [0.0, 0.0, 1.0] }
 }
 
 /// Writes normals, where they are asked for.

@@ -2,6 +2,8 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
+use crate::affine::{scaled, three};
+
 /// Light that falls on surfaces which face along the axes, after Valve's ambient cube
 /// (McTaggart 2004): what faces a wall with a window gets nothing of the window's light.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,7 +61,7 @@ impl Ambient {
     /// Radiance from about a direction.
     #[inline(always)]
     pub(crate) fn sheen(&self, towards: [f32; 3]) -> [f32; 3] {
-        self.falls(towards).map(|v| v * (1.0 / std::f32::consts::PI))
+        scaled(self.falls(towards), 1.0 / std::f32::consts::PI)
     }
 
     /// By how much more light falls on what faces along the axes than on what faces
@@ -67,7 +69,7 @@ impl Ambient {
     #[inline(always)]
     pub(crate) fn lean(&self) -> [f32; 3] {
         let side = |s: usize| super::brightness([self.0[4 * s], self.0[4 * s + 1], self.0[4 * s + 2]]);
-        [0, 1, 2].map(|axis: usize| 0.5 * (side(axis) - side(axis + 3)))
+        three(|axis| 0.5 * (side(axis) - side(axis + 3)))
     }
 
     /// Mean radiance.

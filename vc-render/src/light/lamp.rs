@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::brightness;
 use super::shadow::Cube;
-use crate::affine;
+use crate::affine::{self, scaled, three};
 use crate::renderer::Renderer;
 use crate::scene::{Body, Snapshot};
 
@@ -113,7 +113,7 @@ impl Glow {
 
 /// Normal and area of a triangle.
 fn area([a, b, c]: [[f32; 3]; 3]) -> ([f32; 3], f32) {
-    let edge = |p: [f32; 3]| [0, 1, 2].map(|i: usize| p[i] - a[i]);
+    let edge = |p: [f32; 3]| three(|i| p[i] - a[i]);
     let (u, v) = (edge(b), edge(c));
     let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
     let length = (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
@@ -134,10 +134,10 @@ impl Lamp {
     /// length), shadows left out.
     #[inline(always)]
     pub(crate) fn falls(&self, at: [f32; 3]) -> ([f32; 3], f32) {
-        let to = [0, 1, 2].map(|i: usize| self.at[i] - at[i]);
+        let to = three(|i| self.at[i] - at[i]);
         let square = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
         let over = 1.0 / square.sqrt().max(1e-6);
-        let to = to.map(|v| v * over);
+        let to = scaled(to, over);
         let facing = -(to[0] * self.axis[0] + to[1] * self.axis[1] + to[2] * self.axis[2]);
         let [x, y, z] = self.axis;
         let narrow = (x * x + y * y + z * z).sqrt().min(1.0);
@@ -150,6 +150,6 @@ impl Lamp {
     /// The share of the lamp that is seen from a point, 0 to 1.
     #[inline(always)]
     pub(crate) fn seen(&self, at: [f32; 3], normal: [f32; 3]) -> f32 {
-        self.shadows.lit([0, 1, 2].map(|i: usize| at[i] - self.at[i]), at, normal)
+        self.shadows.lit(three(|i| at[i] - self.at[i]), at, normal)
     }
 }

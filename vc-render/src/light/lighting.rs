@@ -8,6 +8,7 @@ use super::room::{self, Grid};
 use super::shadow::ShadowMap;
 use super::{Daylight, room::rooms};
 use crate::RenderError;
+use crate::affine::{scaled, three};
 use crate::renderer::Renderer;
 use crate::scene::Snapshot;
 use crate::surface::{Role, Surface};
@@ -86,7 +87,7 @@ impl Lighting {
     #[inline(always)]
     pub(crate) fn sides(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> Ambient {
         let index = usize::from(room).min(self.grids.len() - 1);
-        self.grids[index].at([0, 1, 2].map(|i: usize| at[i] + 0.12 * normal[i]))
+        self.grids[index].at(three(|i| at[i] + 0.12 * normal[i]))
     }
 
     /// Light that falls straight from the sun and the room's lamps on a surface, with shadows.
@@ -97,7 +98,7 @@ impl Lighting {
             let facing = dot(towards, normal);
             if facing > 0.0 {
                 let share = facing * map.lit(at, normal);
-                sum = [0, 1, 2].map(|i: usize| sum[i] + share * self.daylight.sun[i]);
+                sum = three(|i| sum[i] + share * self.daylight.sun[i]);
             }
         }
         for lamp in self.lamps.iter().filter(|l| l.room == room) {
@@ -105,7 +106,7 @@ impl Lighting {
             let facing = dot(to, normal);
             if facing > 0.0 {
                 let share = facing * light * lamp.seen(at, normal);
-                sum = [0, 1, 2].map(|i: usize| sum[i] + share * lamp.flux[i]);
+                sum = three(|i| sum[i] + share * lamp.flux[i]);
             }
         }
         sum
@@ -116,8 +117,8 @@ impl Lighting {
     pub(crate) fn glow(&self, surface: &Surface, body: u32) -> [f32; 3] {
         let [gain, shade] = self.gains[body as usize];
         match surface.role {
-            Role::Shade => surface.colour.map(|c| c * shade),
-            _ => surface.emission.map(|e| e * gain),
+            Role::Shade => scaled(surface.colour, shade),
+            _ => scaled(surface.emission, gain),
         }
     }
 

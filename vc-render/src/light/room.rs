@@ -7,7 +7,7 @@
 use rayon::prelude::*;
 
 use super::{Ambient, Lighting};
-use crate::affine;
+use crate::affine::{self, three};
 use crate::renderer::Renderer;
 use crate::scene::Snapshot;
 use crate::trace::Ray;
@@ -47,17 +47,17 @@ impl Grid {
     fn over(low: [f32; 3], high: [f32; 3]) -> Self {
         // Points keep away from walls; the floor goes on below half of them.
         const OFF: [f32; 3] = [0.3, 0.3, 0.12];
-        let low = [0, 1, 2].map(|i: usize| low[i] + OFF[i]);
-        let size = [0, 1, 2].map(|i: usize| (high[i] - OFF[i] - low[i]).max(0.05));
-        let counts = [0, 1, 2].map(|i: usize| ((size[i] / STEP[i]).ceil() as usize + 1).clamp(2, 64));
-        let over = [0, 1, 2].map(|i: usize| (counts[i] - 1) as f32 / size[i]);
+        let low = three(|i| low[i] + OFF[i]);
+        let size = three(|i| (high[i] - OFF[i] - low[i]).max(0.05));
+        let counts = three(|i| ((size[i] / STEP[i]).ceil() as usize + 1).clamp(2, 64));
+        let over = three(|i| (counts[i] - 1) as f32 / size[i]);
         Self { low, over, counts, points: vec![Ambient::default(); counts.iter().product()], middling: 0.0 }
     }
 
     fn place(&self, index: usize) -> [f32; 3] {
         let [nx, ny, _] = self.counts;
         let cell = [index % nx, index / nx % ny, index / (nx * ny)];
-        [0, 1, 2].map(|i: usize| self.low[i] + cell[i] as f32 / self.over[i])
+        three(|i| self.low[i] + cell[i] as f32 / self.over[i])
     }
 
     /// Incoming light at a point.
@@ -130,10 +130,7 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
         let floor = snapshot.class(body.class).is_some_and(|c| &**c == "floor");
         let map = affine::Affine::of(&body.pose).narrow();
         let around = crate::scene::turned(&map, &body.bounds);
-        let (low, high) = (
-            [0, 1, 2].map(|i: usize| around.centre[i] - around.half[i]),
-            [0, 1, 2].map(|i: usize| around.centre[i] + around.half[i]),
-        );
+        let (low, high) = (three(|i| around.centre[i] - around.half[i]), three(|i| around.centre[i] + around.half[i]));
         // Over the plan what the floor covers, if there is one; upwards all there is.
         let (from, to) = &mut all[room];
         if floor && !floors[room] {
@@ -205,7 +202,7 @@ impl Lighting {
         let over = 1.0 / std::f32::consts::PI;
         Seen {
             towards: ray.along,
-            direct: [0, 1, 2].map(|i: usize| own[i] + colour[i] * direct[i] * over),
+            direct: three(|i| own[i] + colour[i] * direct[i] * over),
             place: Some((met.at, met.normal, colour, body.room)),
         }
     }
@@ -219,7 +216,7 @@ fn gathered(grids: &[Grid], seen: &[Seen]) -> Ambient {
         let mut radiance = one.direct;
         if let Some((at, normal, colour, room)) = &one.place {
             let falling = grids[usize::from(*room).min(grids.len() - 1)].at(*at).falls(*normal);
-            radiance = [0, 1, 2].map(|i: usize| radiance[i] + colour[i] * falling[i] / std::f32::consts::PI);
+            radiance = three(|i| radiance[i] + colour[i] * falling[i] / std::f32::consts::PI);
         }
         light.add(one.towards, radiance.map(|v| v * each));
     }

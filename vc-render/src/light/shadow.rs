@@ -5,7 +5,7 @@
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-use crate::affine::{self, Narrow};
+use crate::affine::{self, Narrow, three};
 use crate::camera::Camera;
 use crate::raster::{Drawing, Frustum, Layers, Target};
 use crate::renderer::Renderer;
@@ -81,7 +81,7 @@ impl ShadowMap {
         layers.draw_solid(&drawing, which, (side as usize, 0..side));
         let depth = blockwise(&depths(&layers.front, side, slack), side as usize);
         let turn = camera.pose.rotation.to_rotation_matrix();
-        let axes = [0, 1, 2].map(|c: usize| turn.matrix().column(c).into());
+        let axes = three(|c| turn.matrix().column(c).into());
         let blocks = widened(&blocks(&depth), (side / BLOCK) as usize);
         Self { map: frustum.map.narrow(), axes, focal: camera.focal.0, side, depth, blocks, source, slack }
     }
@@ -108,7 +108,7 @@ impl ShadowMap {
     /// width of the shadow's edge is found from what is in the way (Fernando 2005).
     #[inline(always)]
     pub(crate) fn lit(&self, at: [f32; 3], normal: [f32; 3]) -> f32 {
-        let off = [0, 1, 2].map(|i: usize| at[i] + 0.015 * normal[i]);
+        let off = three(|i| at[i] + 0.015 * normal[i]);
         let [x, y, z] = affine::point(&self.map, off);
         let over = 1.0 / z;
         let place = [x * over, y * over];
@@ -131,7 +131,7 @@ impl ShadowMap {
         let found = self.depth[texel as usize];
         // Where all that is looked at is one plane, which the point is on or clearly behind, one look tells.
         if (found.to_bits() & CLEAR) as f32 >= self.edge(z, least) + 2.0 {
-            let by = place.map(|p| p.floor() + 0.5 - p);
+            let by = [place[0].floor() + 0.5 - place[0], place[1].floor() + 0.5 - place[1]];
             let limit = z + by[0] * slope[0] + by[1] * slope[1] - self.slack;
             if found >= limit || found < limit - 3.0 * self.slack {
                 return if found >= limit { 1.0 } else { 0.0 };
@@ -144,7 +144,7 @@ impl ShadowMap {
     #[inline(always)]
     fn slope(&self, at: [f32; 3], normal: [f32; 3], z: f32) -> [f32; 2] {
         let along = |v: [f32; 3], w: [f32; 3]| v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
-        let [a, b, c] = self.axes.map(|axis| along(axis, normal));
+        let [a, b, c] = three(|axis| along(self.axes[axis], normal));
         let [x, y, _] = affine::point(&self.map, at);
         let centre = 0.5 * self.side as f32;
         let (u, v) = ((x / z - centre) / self.focal, (y / z - centre) / self.focal);
@@ -208,7 +208,7 @@ impl ShadowMap {
     /// The mean over a disc of comparisons with four texels each, smooth from texel to texel.
     #[inline(always)]
     fn softened(&self, place: [f32; 2], width: f32, limits: &Lanes) -> f32 {
-        let [x, y] = Self::around(place.map(|p| p - 0.5), width, 0.0, (self.side - 2) as f32);
+        let [x, y] = Self::around([place[0] - 0.5, place[1] - 0.5], width, 0.0, (self.side - 2) as f32);
         let (mut at, mut found) = ([[0_u32; LANES]; 4], [[0.0_f32; LANES]; 4]);
         let (mut right, mut down) = ([0.0_f32; LANES], [0.0_f32; LANES]);
         for i in 0..LANES {

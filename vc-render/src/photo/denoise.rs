@@ -5,6 +5,7 @@
 use rayon::prelude::*;
 
 use super::film::Traced;
+use crate::affine::three;
 use crate::light::{brightness, dot};
 
 /// Passes; each reaches twice as far as the one before.
@@ -51,13 +52,13 @@ pub(super) fn denoised(traced: &[Traced], width: usize, eye: [f32; 3]) -> Vec<[f
         (0..PASSES).fold(soft, |soft, pass| plane.smoothed(&soft, 1 << pass, UNLIKE[kind] * (1 + pass) as f32))
     });
     let both = sharp.iter().zip(&soft).zip(&guides);
-    both.map(|((a, b), g)| [0, 1, 2].map(|i: usize| (a.light[i] + b.light[i]) * g.colour[i])).collect()
+    both.map(|((a, b), g)| three(|i| (a.light[i] + b.light[i]) * g.colour[i])).collect()
 }
 
 impl Guide {
     fn of(traced: &Traced, eye: [f32; 3]) -> Self {
         let [colour, normal, at] = traced.guides();
-        let to = [0, 1, 2].map(|i: usize| at[i] - eye[i]);
+        let to = three(|i| at[i] - eye[i]);
         let over = 1.0 / (OFF * dot(to, to).sqrt()).max(1e-4);
         // Where surfaces meet in a pixel their mean normal is short.
         let length = dot(normal, normal).sqrt();
@@ -73,7 +74,7 @@ impl Guide {
             // Both are sky.
             return 1.0;
         }
-        let to = [0, 1, 2].map(|i: usize| other.at[i] - self.at[i]);
+        let to = three(|i| other.at[i] - self.at[i]);
         let off = dot(self.normal, to) * self.over;
         let turned = turned.max(0.0);
         let turned = turned * turned * turned * turned;
@@ -87,7 +88,7 @@ impl Soft {
     fn of(traced: &Traced, guide: &Guide, kind: usize) -> Self {
         let (light, variance) = traced.light_of(kind);
         let colour = brightness(guide.colour);
-        Self { light: [0, 1, 2].map(|i: usize| light[i] / guide.colour[i]), variance: variance / (colour * colour) }
+        Self { light: three(|i| light[i] / guide.colour[i]), variance: variance / (colour * colour) }
     }
 }
 

@@ -6,6 +6,7 @@ use super::path::{Paths, Walk, off};
 use super::sampler::Sampler;
 use super::scatter::{Scatter, frame};
 use super::spots::Way;
+use crate::affine::three;
 use crate::label::unit;
 use crate::light::{brightness, dot};
 use crate::trace::{Met, Ray};
@@ -66,7 +67,7 @@ impl Paths<'_> {
         let [u, v, middle] = frame(daylight.towards_sun.into());
         let (s, c) = (std::f32::consts::TAU * a).sine_cosine();
         let (x, y) = (SUN * b.sqrt() * c, SUN * b.sqrt() * s);
-        let towards = unit([0, 1, 2].map(|i: usize| middle[i] + x * u[i] + y * v[i]));
+        let towards = unit(three(|i| middle[i] + x * u[i] + y * v[i]));
         let way = self.reaches(point, towards, 1e4);
         let (value, _) = point.scatter.evaluate(towards);
         // Of a surface met by chance that may also have been picked as a place in the sun.
@@ -74,12 +75,12 @@ impl Paths<'_> {
         let facing = -dot(met.flat, walk.ray.along).min(-1e-4);
         let density = self.spots.density(&walk.last, point.place.room, way.crossed, dot(met.flat, towards));
         let weight = walk.weight(density * (met.t + walk.gone) * (met.t + walk.gone) / facing);
-        [0, 1, 2].map(|i: usize| value[i] * daylight.sun[i] * way.share[i] * weight)
+        three(|i| value[i] * daylight.sun[i] * way.share[i] * weight)
     }
 
     fn lamplight(&self, point: &Point<'_>, which: f32, square: [f32; 2]) -> [f32; 3] {
         let Some(lit) = self.lights.lit(&point.place, which, square) else { return [0.0; 3] };
-        let to = [0, 1, 2].map(|i: usize| lit.at[i] - point.met.at[i]);
+        let to = three(|i| lit.at[i] - point.met.at[i]);
         let square = dot(to, to).max(1e-6);
         let towards = unit(to);
         let facing = -dot(lit.normal, towards);
@@ -89,13 +90,13 @@ impl Paths<'_> {
         let share = self.reaches(point, towards, square.sqrt() * 0.999 - 2e-3).share;
         let (value, chance) = point.scatter.evaluate(towards);
         let weight = 1.0 / (lit.density * square / facing + chance);
-        [0, 1, 2].map(|i: usize| value[i] * lit.light[i] * share[i] * weight)
+        three(|i| value[i] * lit.light[i] * share[i] * weight)
     }
 
     /// Light that the sun throws on something else and that throws on to the point.
     fn spotlight(&self, point: &Point<'_>, which: f32) -> [f32; 3] {
         let Some(spot) = self.spots.pick(point.place.room, which) else { return [0.0; 3] };
-        let to = [0, 1, 2].map(|i: usize| spot.at[i] - point.met.at[i]);
+        let to = three(|i| spot.at[i] - point.met.at[i]);
         let square = dot(to, to).max(1e-6);
         let towards = unit(to);
         let facing = -dot(spot.flat, towards);
@@ -108,13 +109,13 @@ impl Paths<'_> {
         let thrown = Scatter::new(&spot.finish, spot.normal, towards.map(|v| -v)).evaluate(sun).0;
         let own = spot.density(self.spots, &point.place, sun) * square / facing;
         let weight = 1.0 / (own + chance);
-        [0, 1, 2].map(|i: usize| value[i] * thrown[i] * spot.light[i] * share[i] * weight)
+        three(|i| value[i] * thrown[i] * spot.light[i] * share[i] * weight)
     }
 
     /// Light of the sky through a pane.
     fn skylight(&self, point: &Point<'_>, which: f32, square: [f32; 2]) -> [f32; 3] {
         let Some(pane) = self.lights.window(&point.place, which, square) else { return [0.0; 3] };
-        let towards = unit([0, 1, 2].map(|i: usize| pane[i] - point.met.at[i]));
+        let towards = unit(three(|i| pane[i] - point.met.at[i]));
         let (value, chance) = point.scatter.evaluate(towards);
         let way = self.reaches(point, towards, 1e4);
         if way.chance <= 0.0 {
@@ -122,7 +123,7 @@ impl Paths<'_> {
         }
         let sky = self.lighting.daylight.radiance(towards);
         let weight = 1.0 / (way.chance + chance);
-        [0, 1, 2].map(|i: usize| value[i] * sky[i] * way.share[i] * weight)
+        three(|i| value[i] * sky[i] * way.share[i] * weight)
     }
 
     /// The way of light to a point from a direction: none passes solid things.

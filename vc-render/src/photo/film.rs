@@ -1,6 +1,7 @@
 //! What all paths of a picture have found so far.
 
 use super::path::Sample;
+use crate::affine::three;
 use crate::light::brightness;
 
 /// What all paths of a pixel found.
@@ -32,7 +33,7 @@ impl Traced {
     /// Mean light.
     pub(super) fn light(&self) -> [f32; 3] {
         let [sharp, soft] = [0, 1].map(|kind: usize| self.mean(self.sum.light[kind]));
-        [0, 1, 2].map(|i: usize| sharp[i] + soft[i])
+        three(|i| sharp[i] + soft[i])
     }
 
     /// Mean light of one kind, and the variance of the mean's brightness.

@@ -2,6 +2,7 @@
 //! so that there are shadows of glass but no caustics. Panes are too thin to bend anything.
 
 use super::path::{Paths, Walk, off};
+use crate::affine::three;
 use crate::label::unit;
 use crate::light::dot;
 use crate::renderer::Renderer;
@@ -29,7 +30,7 @@ fn fresnel(cosine: f32, denser: f32) -> (f32, f32) {
 
 pub(super) fn mirrored(along: [f32; 3], normal: [f32; 3]) -> [f32; 3] {
     let twice = 2.0 * dot(along, normal);
-    unit([0, 1, 2].map(|i: usize| along[i] - twice * normal[i]))
+    unit(three(|i| along[i] - twice * normal[i]))
 }
 
 /// What one side of a clear thing leaves of light, by colour.
@@ -52,11 +53,11 @@ impl Paths<'_> {
             walk.chance = f32::INFINITY;
         } else {
             let tint = tint(self.renderer, met);
-            walk.share = [0, 1, 2].map(|i: usize| walk.share[i] * tint[i]);
+            walk.share = three(|i| walk.share[i] * tint[i]);
             if bends {
                 let over = if entering { 1.0 / INDEX } else { INDEX };
                 let slide = over * cosine - beyond;
-                walk.ray.along = unit([0, 1, 2].map(|i: usize| over * walk.ray.along[i] + slide * normal[i]));
+                walk.ray.along = unit(three(|i| over * walk.ray.along[i] + slide * normal[i]));
             } else {
                 walk.gone += met.t;
                 let cosine = dot(walk.ray.along, met.flat).abs();

@@ -1,7 +1,7 @@
 //! What gives light, to be looked for on purpose: lamps, and panes through which the sky shines.
 
 use super::sampler::lattice;
-use crate::affine;
+use crate::affine::{self, three};
 use crate::light::{Lighting, brightness, dot};
 use crate::renderer::Renderer;
 use crate::trace::Met;
@@ -83,10 +83,10 @@ pub(super) struct Lit {
 
 impl Triangle {
     fn new([a, b, c]: [[f32; 3]; 3]) -> Self {
-        let edge = |p: [f32; 3]| [0, 1, 2].map(|i: usize| p[i] - a[i]);
+        let edge = |p: [f32; 3]| three(|i| p[i] - a[i]);
         let (u, v) = (edge(b), edge(c));
         let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-        let middle = [0, 1, 2].map(|i: usize| (a[i] + b[i] + c[i]) / 3.0);
+        let middle = three(|i| (a[i] + b[i] + c[i]) / 3.0);
         Self {
             corner: a,
             edges: [u, v],
@@ -100,7 +100,7 @@ impl Triangle {
     fn point(&self, [a, b]: [f32; 2]) -> [f32; 3] {
         let root = a.sqrt();
         let (u, v) = (1.0 - root, b * root);
-        [0, 1, 2].map(|i: usize| self.corner[i] + u * self.edges[0][i] + v * self.edges[1][i])
+        three(|i| self.corner[i] + u * self.edges[0][i] + v * self.edges[1][i])
     }
 }
 
@@ -271,7 +271,7 @@ impl Lights {
 
 impl Lamp {
     fn weight(&self, from: &Place) -> f32 {
-        let to = [0, 1, 2].map(|i: usize| self.middle[i] - from.at[i]);
+        let to = three(|i| self.middle[i] - from.at[i]);
         let near = if self.room == from.room { 1.0 } else { ELSEWHERE };
         self.power / (dot(to, to) + self.square) * near
     }
@@ -279,7 +279,7 @@ impl Lamp {
 
 impl Pane {
     fn weight(&self, from: &Place) -> f32 {
-        let to = [0, 1, 2].map(|i: usize| self.triangle.middle[i] - from.at[i]);
+        let to = three(|i| self.triangle.middle[i] - from.at[i]);
         let square = dot(to, to);
         let over = 1.0 / square.sqrt().max(1e-6);
         // The pane may reach higher over the surface than its middle.

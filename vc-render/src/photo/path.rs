@@ -7,7 +7,7 @@ use super::lights::{Lights, Place};
 use super::sampler::Sampler;
 use super::scatter::{Finish, Scatter};
 use super::spots::{self, Spots};
-use crate::affine::{self, Affine};
+use crate::affine::{self, Affine, three};
 use crate::camera::Camera;
 use crate::label::unit;
 use crate::light::{Lighting, brightness, dot};
@@ -112,7 +112,7 @@ impl Paths<'_> {
         let look = met.look(surface, self.footprint(walk, met));
         self.glow(walk, met, surface);
         if surface.is_mirror() {
-            walk.share = [0, 1, 2].map(|i: usize| walk.share[i] * look.colour[i]);
+            walk.share = three(|i| walk.share[i] * look.colour[i]);
             walk.ray.along = mirrored(walk.ray.along, met.normal);
             (walk.chance, walk.through, walk.gone) = (f32::INFINITY, 0.0, 0.0);
             walk.ray.from = off(met, walk.ray.along);
@@ -149,7 +149,7 @@ impl Paths<'_> {
         if chance <= 1e-7 || dot(met.flat, towards) <= 0.0 {
             return false;
         }
-        walk.share = [0, 1, 2].map(|i: usize| walk.share[i] * value[i] / chance);
+        walk.share = three(|i| walk.share[i] * value[i] / chance);
         (walk.chance, walk.through, walk.gone) = (chance, 0.0, 0.0);
         walk.ray.along = towards;
         walk.ray.from = off(met, towards);
@@ -167,7 +167,7 @@ impl Paths<'_> {
 /// A little off a surface towards a direction, so that the ray does not meet it again.
 pub(super) fn off(met: &Met<'_>, towards: [f32; 3]) -> [f32; 3] {
     let by = 2e-4_f32.copysign(dot(met.flat, towards)) * (1.0 + 0.2 * met.t.min(20.0));
-    [0, 1, 2].map(|i: usize| met.at[i] + by * met.flat[i])
+    three(|i| met.at[i] + by * met.flat[i])
 }
 
 impl Walk {
@@ -194,14 +194,14 @@ impl Walk {
 
     /// Takes light up, specks from afar cut off.
     pub(super) fn gain(&mut self, light: [f32; 3], sharp: bool) {
-        let mut brought = [0, 1, 2].map(|i: usize| self.share[i] * light[i]);
+        let mut brought = three(|i| self.share[i] * light[i]);
         let bright = brightness(brought);
         if self.surfaces > 0 && bright > self.most {
             brought = brought.map(|v| v * self.most / bright);
         }
         if bright.is_finite() && brought.iter().all(|v| v.is_finite()) {
             let sum = &mut self.found.light[usize::from(!sharp)];
-            *sum = [0, 1, 2].map(|i: usize| sum[i] + brought[i]);
+            *sum = three(|i| sum[i] + brought[i]);
         }
     }
 

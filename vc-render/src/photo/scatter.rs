@@ -10,6 +10,7 @@ use vc_graph::portable::Portable;
 
 use super::albedo::{self, Shares};
 use super::sampler::lattice;
+use crate::affine::three;
 use crate::label::unit;
 use crate::light::{brightness, dot};
 
@@ -61,7 +62,7 @@ impl Scatter {
         // Light that bounces between facets comes out coloured.
         let given_back = head_on.map(|h| 1.0 + h * metallic * (1.0 / all - 1.0));
         let base = colour.map(|c| c * (1.0 - metallic));
-        let shine = [0, 1, 2].map(|i: usize| given_back[i] * (head_on[i] * here[0] + at_edge * here[1]));
+        let shine = three(|i| given_back[i] * (head_on[i] * here[0] + at_edge * here[1]));
         let (matt, shine) = (brightness(base) * passes, brightness(shine));
         let by_gloss = match () {
             () if shine <= 0.0 => 0.0,
@@ -70,7 +71,7 @@ impl Scatter {
         };
         Self {
             base: base.map(|c| c * passes / (PI * mean.max(1e-3))),
-            head_on: [0, 1, 2].map(|i: usize| head_on[i] * given_back[i]),
+            head_on: three(|i| head_on[i] * given_back[i]),
             edge: given_back.map(|g| g * at_edge),
             gloss: Gloss::new(roughness),
             roughness,
@@ -88,21 +89,20 @@ impl Scatter {
         if to[2] <= 1e-4 {
             return ([0.0; 3], 0.0);
         }
-        let half = unit([0, 1, 2].map(|i: usize| to[i] + self.back[i]));
+        let half = unit(three(|i| to[i] + self.back[i]));
         let reaches = 1.0 - reflected(self.coat, albedo::shares(to[2], self.roughness));
         let seen = self.gloss.spread(half[2]) * self.gloss.masking(self.back[2]) / (4.0 * self.back[2]);
         let lobe = seen * self.gloss.masking(to[2]);
         let edge = (1.0 - dot(half, to).clamp(0.0, 1.0)).raised(5);
-        let value = [0, 1, 2].map(|i: usize| {
-            self.base[i] * reaches * to[2] + lobe * (self.head_on[i] * (1.0 - edge) + self.edge[i] * edge)
-        });
+        let value =
+            three(|i| self.base[i] * reaches * to[2] + lobe * (self.head_on[i] * (1.0 - edge) + self.edge[i] * edge));
         (value, self.by_gloss * seen + (1.0 - self.by_gloss) * to[2] / PI)
     }
 
     /// A direction of the world to go on to.
     pub(super) fn sample(&self, choice: f32, square: [f32; 2]) -> [f32; 3] {
         let own = if choice < self.by_gloss { self.gloss.bounced(self.back, square) } else { cosine(square) };
-        [0, 1, 2].map(|i: usize| own[0] * self.axes[0][i] + own[1] * self.axes[1][i] + own[2] * self.axes[2][i])
+        three(|i| own[0] * self.axes[0][i] + own[1] * self.axes[1][i] + own[2] * self.axes[2][i])
     }
 }
 
@@ -150,10 +150,10 @@ impl Gloss {
         let share = 0.5 * (1.0 + stretched[2]);
         let q = (1.0 - share) * (1.0 - p * p).max(0.0).sqrt() + share * r * s;
         let up = (1.0 - p * p - q * q).max(0.0).sqrt();
-        let bent = [0, 1, 2].map(|i: usize| p * t1[i] + q * t2[i] + up * stretched[i]);
+        let bent = three(|i| p * t1[i] + q * t2[i] + up * stretched[i]);
         let half = unit([self.alpha * bent[0], self.alpha * bent[1], bent[2].max(1e-6)]);
         let twice = 2.0 * dot(back, half);
-        [0, 1, 2].map(|i: usize| twice * half[i] - back[i])
+        three(|i| twice * half[i] - back[i])
     }
 
     /// What share of light from all sides it throws to where the cosine is this, if facets
@@ -164,7 +164,7 @@ impl Gloss {
         for index in 0..directions {
             let to = self.bounced(back, lattice(index as u32));
             if to[2] > 0.0 {
-                let half = unit([0, 1, 2].map(|i: usize| to[i] + back[i]));
+                let half = unit(three(|i| to[i] + back[i]));
                 let edge = (1.0 - dot(half, to).clamp(0.0, 1.0)).raised(5);
                 let lit = self.masking(to[2]) / directions as f32;
                 sums = [sums[0] + lit * (1.0 - edge), sums[1] + lit * edge];

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use super::glass;
 use super::lights::{Lights, Place};
 use super::scatter::Finish;
+use crate::affine::three;
 use crate::light::{Lighting, brightness, dot};
 use crate::renderer::Renderer;
 use crate::trace::{Met, Ray};
@@ -117,7 +118,7 @@ impl Spot {
             flat: met.flat,
             normal: look.normal,
             finish: Finish { colour: look.colour, metallic: surface.metallic, roughness: look.roughness },
-            light: [0, 1, 2].map(|i: usize| way.share[i] * lighting.daylight.sun[i]),
+            light: three(|i| way.share[i] * lighting.daylight.sun[i]),
             room: room(lighting, &met),
             crossed: way.crossed,
         })
@@ -155,7 +156,7 @@ impl Way {
             }
             let tint = glass::tint(renderer, &glass);
             let passes = 1.0 - glass::reflected(cosine);
-            way.share = [0, 1, 2].map(|i: usize| way.share[i] * passes * tint[i]);
+            way.share = three(|i| way.share[i] * passes * tint[i]);
             ray.from = super::path::off(&glass, ray.along);
             ray.end -= glass.t;
         }

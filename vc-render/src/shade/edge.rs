@@ -6,6 +6,7 @@
 use super::planes::Planes;
 use super::surfel::{Known, Writer};
 use super::tone::{decoded, encoded};
+use crate::affine::three;
 use crate::raster::{NONE, Solid};
 
 /// An edge between two pixels of a picture.
@@ -162,10 +163,10 @@ impl Find<'_> {
 /// The lines over the image along the edges of a triangle, positive inside.
 pub(super) fn lines(corners: [[f32; 3]; 3]) -> Lines {
     let area = homogeneous(corners[0], corners[1], corners[2]).signum();
-    [0, 1, 2].map(|k: usize| {
+    three(|k| {
         let (a, b) = (corners[k], corners[(k + 1) % 3]);
         let line = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-        line.map(|v| v * area)
+        three(|i| line[i] * area)
     })
 }
 
@@ -190,11 +191,11 @@ pub(super) fn smooth<'a>(
 ) {
     changes.clear();
     for edge in edges.flatten() {
-        let [own, other] = [edge.into, edge.from].map(|at| decoded(rgb[at as usize]));
-        changes.push((edge.into, [0, 1, 2].map(|i: usize| edge.share * (other[i] - own[i]))));
+        let (own, other) = (decoded(rgb[edge.into as usize]), decoded(rgb[edge.from as usize]));
+        changes.push((edge.into, three(|i| edge.share * (other[i] - own[i]))));
     }
     for (at, change) in changes {
         let own = decoded(rgb[*at as usize]);
-        rgb[*at as usize] = encoded([0, 1, 2].map(|i: usize| (own[i] + change[i]).max(0.0)));
+        rgb[*at as usize] = encoded(three(|i| (own[i] + change[i]).max(0.0)));
     }
 }

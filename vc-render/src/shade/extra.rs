@@ -5,6 +5,7 @@
 use super::light::Lamps;
 use super::planes::Planes;
 use super::surfel::Known;
+use crate::affine::three;
 use crate::label::{bent, unit};
 use crate::light::{Lighting, dot};
 use crate::raster::{Frustum, Layers, NONE};
@@ -29,7 +30,7 @@ impl Extra<'_> {
     fn place(&self, (x, y): (usize, i32), inverse: f32) -> ([f32; 3], [f32; 3]) {
         let eye: [f32; 3] = self.view.camera.eye().into();
         let towards = self.lamps.ray(x as f32, y as f32);
-        ([0, 1, 2].map(|i: usize| eye[i] + towards[i] / inverse), unit(towards))
+        (three(|i| eye[i] + towards[i] / inverse), unit(towards))
     }
 
     /// What is seen in mirrors, in a row of the image that begins at a place in the planes.
@@ -47,8 +48,8 @@ impl Extra<'_> {
 
     fn reflected(&self, at: [f32; 3], towards: [f32; 3], normal: [f32; 3]) -> [f32; 3] {
         let twice = 2.0 * dot(towards, normal);
-        let along = [0, 1, 2].map(|i: usize| towards[i] - twice * normal[i]);
-        let from = [0, 1, 2].map(|i: usize| at[i] + 1e-3 * normal[i]);
+        let along = three(|i| towards[i] - twice * normal[i]);
+        let from = three(|i| at[i] + 1e-3 * normal[i]);
         let lighting = self.lamps.lighting;
         match lighting.tracer.first(&Ray { from, along, end: 1e4 }) {
             Some(met) => lighting.thrown(self.renderer, &met, 0.004),
@@ -102,7 +103,7 @@ impl Extra<'_> {
             let last = (first + SHARED).min(columns.len()) - 1;
             let (at, towards, normal, start) = seen(first);
             let twice = 2.0 * dot(towards, normal);
-            let along = unit([0, 1, 2].map(|i: usize| towards[i] - twice * normal[i]));
+            let along = unit(three(|i| towards[i] - twice * normal[i]));
             let sides = self.lamps.lighting.sides(at, normal, room);
             let (around, own) = (sides.sheen(along), sides.falls(normal));
             let slope = (seen(last).3 - start) / (last - first).max(1) as f32;
@@ -130,6 +131,6 @@ impl Lighting {
         let direct = self.direct(met.at, look.normal, room);
         let glow = self.glow(surface, met.instance.body);
         let over = 1.0 / std::f32::consts::PI;
-        [0, 1, 2].map(|i: usize| glow[i] + look.colour[i] * over * (falling[i] + direct[i]))
+        three(|i| glow[i] + look.colour[i] * over * (falling[i] + direct[i]))
     }
 }

@@ -5,7 +5,7 @@
 use super::Openness;
 use super::planes::{LIGHT, Planes, gloss, packed};
 use super::surfel::{Known, Look, NOTHING, Writer};
-use crate::affine::{self, Affine, Narrow};
+use crate::affine::{self, Affine, Narrow, three};
 use crate::label::unit;
 use crate::light::{Lamp, Lighting, brightness, dot};
 use crate::raster::Solid;
@@ -88,7 +88,7 @@ impl<'a> Lamps<'a> {
     /// Direction through a pixel in the world; depth times it leads to what is seen.
     #[inline(always)]
     pub(super) fn ray(&self, x: f32, y: f32) -> [f32; 3] {
-        [0, 1, 2].map(|i: usize| self.rays[0][i] * x + self.rays[1][i] * y + self.rays[2][i])
+        three(|i| self.rays[0][i] * x + self.rays[1][i] * y + self.rays[2][i])
     }
 
     /// Finds the light at pixels of a strip that begins at a row of the image.
@@ -158,7 +158,7 @@ impl Batch {
             let part = |of: &[Lanes; 3]| [of[0][i], of[1][i], of[2][i]];
             let (at, normal, back) = (part(&self.at), part(&self.normal), part(&self.back));
             let along = 2.0 * dot(back, normal);
-            let mirrored = [0, 1, 2].map(|k: usize| along * normal[k] - back[k]);
+            let mirrored = three(|k| along * normal[k] - back[k]);
             let sides = lamps.lighting.sides(at, normal, self.rooms[i]);
             let (falls, sheen, lean) = (sides.falls(normal), sides.sheen(mirrored), sides.lean());
             for k in 0..3 {
@@ -282,7 +282,7 @@ impl Batch {
                 planes.light[k + 3][at] = self.light[k + 3][i] + look.glow[k];
             }
             let over = 1.0 / (DRIFT * brightness([self.light[0][i], self.light[1][i], self.light[2][i]])).max(1e-6);
-            planes.drift[at] = packed([0, 1, 2].map(|k: usize| self.drift[k][i] * over));
+            planes.drift[at] = packed(three(|k| self.drift[k][i] * over));
         }
     }
 

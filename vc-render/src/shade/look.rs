@@ -1,6 +1,6 @@
 //! A surface close up: its material, touched by its texture.
 
-use crate::affine::{self, Narrow};
+use crate::affine::{self, Narrow, three};
 use crate::label::unit;
 use crate::surface::{Surface, Tile};
 
@@ -25,7 +25,7 @@ pub(crate) fn look(
     let tile = Tile::of(surface.pattern);
     let (u, v) = plane(facing, grain);
     let touch = tile.at(tile.level(footprint), local[u], local[v]);
-    let colour = [0, 1, 2].map(|i: usize| surface.colour[i] * touch.tint[i]);
+    let colour = three(|i| surface.colour[i] * touch.tint[i]);
     let roughness = (surface.roughness * touch.roughness).clamp(0.02, 1.0);
     if touch.lean == [0.0; 2] {
         return Look { colour, roughness, normal };
@@ -36,7 +36,7 @@ pub(crate) fn look(
         affine::vector(axes, own)
     };
     let (a, b) = (axis(u, touch.lean[0]), axis(v, touch.lean[1]));
-    Look { colour, roughness, normal: unit([0, 1, 2].map(|i: usize| normal[i] + a[i] + b[i])) }
+    Look { colour, roughness, normal: unit(three(|i| normal[i] + a[i] + b[i])) }
 }
 
 /// The axes a texture lies along, across and with the grain.

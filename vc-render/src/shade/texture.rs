@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::planes::packed;
-use crate::affine::{self, Narrow};
+use crate::affine::{self, Narrow, three};
 use crate::surface::{Picture, SPAN, Span, Tile};
 
 /// How a texture lies on a surface.
@@ -37,7 +37,7 @@ impl Texture {
         (corners, uvs): ([[f32; 3]; 3], [[f32; 2]; 3]),
         (back, world): (&Narrow, &Narrow),
     ) -> Self {
-        let edge = |i: usize| [0, 1, 2].map(|k: usize| corners[i][k] - corners[0][k]);
+        let edge = |i: usize| three(|k| corners[i][k] - corners[0][k]);
         let (b, c) = (edge(1), edge(2));
         let across = cross(affine::vector(world, b), affine::vector(world, c));
         let area = 0.5 * length(across);
@@ -47,8 +47,8 @@ impl Texture {
         // Vectors along which only the weight of the second or the third corner grows.
         let (second, third) = (cross(c, normal), cross(normal, b));
         let place = |axis: usize| {
-            let [at, to_b, to_c] = [0, 1, 2].map(|i: usize| uvs[i][axis]);
-            let slope = [0, 1, 2].map(|k: usize| ((to_b - at) * second[k] + (to_c - at) * third[k]) / square);
+            let [at, to_b, to_c] = three(|i| uvs[i][axis]);
+            let slope = three(|k| ((to_b - at) * second[k] + (to_c - at) * third[k]) / square);
             let start = at - (0..3).map(|k| slope[k] * corners[0][k]).sum::<f32>();
             let cell = |j: usize| (0..3).map(|k| slope[k] * back[k][j]).sum::<f32>();
             [cell(0), cell(1), cell(2), cell(3) + start]

@@ -2,6 +2,7 @@
 
 use std::sync::LazyLock;
 
+use crate::affine::three;
 use crate::simd::whole;
 
 /// Steps of the table from linear to sRGB.
@@ -39,14 +40,14 @@ pub(crate) fn film(x: f32) -> f32 {
 #[inline(always)]
 pub(crate) fn encoded(colour: [f32; 3]) -> [u8; 3] {
     let table: &[u8; STEPS] = &TABLE;
-    colour.map(|v| table[((v * (STEPS - 1) as f32) as usize).min(STEPS - 1)])
+    three(|c| table[((colour[c] * (STEPS - 1) as f32) as usize).min(STEPS - 1)])
 }
 
 /// A colour in sRGB as linear.
 #[inline(always)]
 pub(crate) fn decoded(colour: [u8; 3]) -> [f32; 3] {
     let table = &*LINEAR;
-    colour.map(|v| table[usize::from(v)])
+    three(|c| table[usize::from(colour[c])])
 }
 
 /// Colours on a screen for the light of a row's pixels.
@@ -61,7 +62,7 @@ pub(super) fn colours(light: [&[f32]; 3], exposure: f32, out: &mut [[u8; 3]]) {
             }
         }
         for (i, out) in out.iter_mut().enumerate() {
-            *out = [0, 1, 2].map(|c: usize| table[steps[c][i] as usize % STEPS]);
+            *out = three(|c| table[steps[c][i] as usize % STEPS]);
         }
     }
 }

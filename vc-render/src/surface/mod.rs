@@ -5,6 +5,7 @@ mod pattern;
 mod picture;
 mod tile;
 
+use crate::affine::three;
 use std::sync::Arc;
 
 use vc_graph::asset::{Material, Part};
@@ -74,13 +75,13 @@ impl Surface {
     /// Its reflectance from afar.
     pub(crate) fn mean(&self) -> [f32; 3] {
         let picture = self.picture.as_ref().map_or([1.0; 3], |p| p.mean());
-        [0, 1, 2].map(|i: usize| self.colour[i] * picture[i])
+        three(|i| self.colour[i] * picture[i])
     }
 
     /// With the mean of a picture, for what does not say where it is in it.
     pub(crate) fn tinted(self, picture: &Picture) -> Self {
         let mean = picture.mean();
-        Self { colour: [0, 1, 2].map(|i: usize| self.colour[i] * mean[i]), ..self }
+        Self { colour: three(|i| self.colour[i] * mean[i]), ..self }
     }
 
     /// Grey, matt.

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use vc_graph::asset::Texture;
 
+use crate::affine::three;
 use crate::shade::decoded;
 
 /// A texture that others have made, between whose texels colours are mixed.
@@ -67,7 +68,7 @@ impl Picture {
         let ([y0, y1], down) = between(v, height);
         let texel = |x: usize, y: usize| pixels.get(y * width + x).map_or([0.0; 3], |p| decoded(*p));
         let (a, b, c, d) = (texel(x0, y0), texel(x1, y0), texel(x0, y1), texel(x1, y1));
-        [0, 1, 2].map(|i: usize| {
+        three(|i| {
             let (upper, lower) = (a[i] + (b[i] - a[i]) * right, c[i] + (d[i] - c[i]) * right);
             upper + (lower - upper) * down
         })

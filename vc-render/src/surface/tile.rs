@@ -5,6 +5,7 @@
 use std::sync::LazyLock;
 
 use super::Pattern;
+use crate::affine::three;
 use crate::simd::{Mixer, whole};
 
 /// A point of a texture as it is kept, a byte each: what red, green and blue are multiplied
@@ -103,7 +104,7 @@ impl Tile {
         (span.u[0], span.v[0]) = (u, v);
         self.span(level, &mut span);
         Touch {
-            tint: [0, 1, 2].map(|c: usize| span.tint[c][0]),
+            tint: three(|c| span.tint[c][0]),
             roughness: span.roughness[0],
             lean: [span.lean[0][0], span.lean[1][0]],
         }
@@ -136,9 +137,10 @@ impl Tile {
         // Two numbers of sixteen bits in each: red and green, blue and roughness, the leans.
         let (mixer, mut pairs) = (Mixer::new(), [[0_u32; SPAN]; 3]);
         for i in 0..span.count.min(SPAN) {
-            let [a, b, c, d] = [0, 1, 2, 3].map(|k: usize| texels[around[k][i] as usize]);
-            let [wa, wb, wc, wd] = [0, 1, 2, 3].map(|k: usize| weights[k][i]);
-            let mixed = mixer.sum([a, b, c, d], [wa, wb, wc, wd]);
+            let texel = |k: usize| texels[around[k][i] as usize];
+            let weight = |k: usize| weights[k][i];
+            let mixed =
+                mixer.sum([texel(0), texel(1), texel(2), texel(3)], [weight(0), weight(1), weight(2), weight(3)]);
             for (k, pairs) in pairs.iter_mut().enumerate() {
                 pairs[i] = u32::from(mixed[2 * k]) | u32::from(mixed[2 * k + 1]) << 16;
             }

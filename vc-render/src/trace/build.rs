@@ -1,6 +1,7 @@
 //! Building the tree: the surface area heuristic over bins (Wald 2007).
 
 use super::bvh::{Bvh, EMPTY, LEAF, Leaf, Node, WIDE};
+use crate::affine::three;
 use crate::mesh;
 
 /// A triangle's corners.
@@ -27,10 +28,7 @@ const NOWHERE: Bounds = Bounds { low: [f32::INFINITY; 3], high: [f32::NEG_INFINI
 
 impl Bounds {
     fn with(self, other: &Self) -> Self {
-        Self {
-            low: [0, 1, 2].map(|i: usize| self.low[i].min(other.low[i])),
-            high: [0, 1, 2].map(|i: usize| self.high[i].max(other.high[i])),
-        }
+        Self { low: three(|i| self.low[i].min(other.low[i])), high: three(|i| self.high[i].max(other.high[i])) }
     }
 
     fn around(items: &[Item]) -> Self {
@@ -38,7 +36,7 @@ impl Bounds {
     }
 
     fn area(&self) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|i: usize| (self.high[i] - self.low[i]).max(0.0));
+        let [x, y, z] = three(|i| (self.high[i] - self.low[i]).max(0.0));
         x * y + y * z + z * x
     }
 }
@@ -51,7 +49,7 @@ impl Bvh {
         let item = |(corners, number): (&Corners, u32)| {
             let around = |b: Bounds, p: &[f32; 3]| b.with(&Bounds { low: *p, high: *p });
             let bounds = corners.iter().fold(NOWHERE, around);
-            let middle = [0, 1, 2].map(|i: usize| 0.5 * (bounds.low[i] + bounds.high[i]));
+            let middle = three(|i| 0.5 * (bounds.low[i] + bounds.high[i]));
             Item { bounds, middle, number }
         };
         let mut items: Vec<Item> = triangles.iter().zip(0..).map(item).collect();
@@ -67,7 +65,7 @@ impl Bvh {
 pub(super) fn over(boxes: impl Iterator<Item = (u32, mesh::Bounds)>) -> Vec<Node> {
     let item = |(number, around): (u32, mesh::Bounds)| {
         let (middle, half) = (around.centre, around.half);
-        let side = |sign: f32| [0, 1, 2].map(|i: usize| middle[i] + sign * half[i]);
+        let side = |sign: f32| three(|i| middle[i] + sign * half[i]);
         Item { bounds: Bounds { low: side(-1.0), high: side(1.0) }, middle, number }
     };
     let mut items: Vec<Item> = boxes.map(item).collect();

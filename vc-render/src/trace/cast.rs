@@ -7,6 +7,7 @@ use vc_graph::NodeId;
 use super::bvh::Ray;
 use super::scene::Tracer;
 use crate::RenderError;
+use crate::affine::three;
 use crate::scene::Snapshot;
 
 /// Finds what rays meet in a scene, by the finest meshes.
@@ -75,7 +76,7 @@ impl RayCaster {
         let ray = ray(from, &along.try_normalize(1e-12)?, reach)?;
         self.tracer.touched(&ray).map(|met| RayHit {
             distance: met.t,
-            point: [0, 1, 2].map(|i: usize| ray.from[i] + met.t * ray.along[i]).into(),
+            point: three(|i| ray.from[i] + met.t * ray.along[i]).into(),
             normal: met.flat.into(),
             node: self.tracer.snapshot.bodies[met.body as usize].node,
             part: met.part,

@@ -4,7 +4,7 @@ use pulp::{Simd, WithSimd};
 
 use super::build::over;
 use super::bvh::{Bvh, Hit, Node, Ray, walk};
-use crate::affine;
+use crate::affine::{self, three};
 use crate::mesh::{Bounds, Mesh};
 use crate::scene::{Instance, turned};
 
@@ -141,6 +141,6 @@ impl<const ANY: bool> WithSimd for Among<'_, ANY> {
 /// The box around an instance, a little larger against rounding.
 fn reach(instance: &Instance) -> Bounds {
     let around = turned(&instance.world.narrow(), &instance.link.levels[0].bounds);
-    let half = [0, 1, 2].map(|i: usize| around.half[i] + 1e-5 * (1.0 + around.centre[i].abs() + around.half[i]));
+    let half = three(|i| around.half[i] + 1e-5 * (1.0 + around.centre[i].abs() + around.half[i]));
     Bounds { half, ..around }
 }

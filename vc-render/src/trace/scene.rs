@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::bvh::{Hit, Ray};
 use super::layer::{Found, Layer, Origin};
 use crate::RenderError;
-use crate::affine::{self, Affine};
+use crate::affine::{self, Affine, three};
 use crate::mesh::Face;
 use crate::scene::{Instance, Snapshot};
 use crate::shade::{Look, look};
@@ -142,14 +142,14 @@ impl Tracer {
         let (flat, area) = flat(hit, instance.mirrored);
         let [u, v] = hit.weights;
         let [n0, n1, n2] = face.normals;
-        let bent = [0, 1, 2].map(|i: usize| n0[i] * (1.0 - u - v) + n1[i] * u + n2[i] * v);
+        let bent = three(|i| n0[i] * (1.0 - u - v) + n1[i] * u + n2[i] * v);
         let normal = if face.flat { n0 } else { bent };
         let normal = affine::normal(&instance.inverse, normal);
         // Normals that cancel each other say nothing.
         let length = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
         Met {
             t: hit.t,
-            at: [0, 1, 2].map(|i: usize| ray.from[i] + hit.t * ray.along[i]),
+            at: three(|i| ray.from[i] + hit.t * ray.along[i]),
             instance,
             index,
             face,
@@ -183,7 +183,7 @@ impl Met<'_> {
     pub(crate) fn look(&self, surface: &Surface, footprint: f32) -> Look {
         if let Some(picture) = &surface.picture {
             let shown = self.shown(picture, footprint);
-            let colour = [0, 1, 2].map(|i: usize| surface.colour[i] * shown[i]);
+            let colour = three(|i| surface.colour[i] * shown[i]);
             return Look { colour, roughness: surface.roughness, normal: self.normal };
         }
         if surface.pattern == Pattern::Plain {
