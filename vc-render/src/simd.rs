@@ -50,7 +50,7 @@ fn differ<S: pulp::Simd>(simd: S, these: &[u32; 8], others: &[u32; 8]) -> u32 {
     (0..8).fold(0, |all, lane| all | u32::from(these[lane] != others[lane]) << lane)
 }
 
-/// Sums bytes with weights.
+/// Finds means of bytes.
 #[derive(Clone, Copy)]
 pub(crate) struct Mixer {
     #[cfg(target_arch = "x86_64")]
@@ -66,20 +66,29 @@ impl Mixer {
         }
     }
 
-    /// Eight sums of four bytes each, their weights the same for all eight; no sum may need more than sixteen bits.
+    /// Eight means of four bytes each, the same weights for all eight: the left and the right one's, eight bits
+    /// each, and the upper and the lower one's, sixteen bits each. Both sums must be 64.
     #[inline(always)]
-    pub(crate) fn sum(self, bytes: [[u8; 8]; 4], weights: [u16; 4]) -> [u16; 8] {
+    pub(crate) fn means(self, [upper, lower]: [[[u8; 8]; 2]; 2], across: u16, down: u32) -> [[i32; 4]; 2] {
         // The compiler takes byte by byte.
         #[cfg(target_arch = "x86_64")]
         if let Some(v3) = self.v3 {
-            let part = |k: usize| {
-                let wide = v3.sse4_1._mm_cvtepu8_epi16(pulp::cast([u64::from_le_bytes(bytes[k]), 0]));
-                v3.sse2._mm_mullo_epi16(wide, v3.sse2._mm_set1_epi16(weights[k] as i16))
+            let across = v3.sse2._mm_set1_epi16(across as i16);
+            let row = |pair: [[u8; 8]; 2]| {
+                let pair = pulp::cast(pair);
+                let mixed = v3.sse2._mm_unpacklo_epi8(pair, v3.sse2._mm_srli_si128::<8>(pair));
+                v3.ssse3._mm_maddubs_epi16(mixed, across)
             };
-            let (above, below) = (v3.sse2._mm_add_epi16(part(0), part(1)), v3.sse2._mm_add_epi16(part(2), part(3)));
-            return pulp::cast(v3.sse2._mm_add_epi16(above, below));
+            let (upper, lower, down) = (row(upper), row(lower), v3.sse2._mm_set1_epi32(down as i32));
+            let first = v3.sse2._mm_madd_epi16(v3.sse2._mm_unpacklo_epi16(upper, lower), down);
+            let last = v3.sse2._mm_madd_epi16(v3.sse2._mm_unpackhi_epi16(upper, lower), down);
+            return [pulp::cast(first), pulp::cast(last)];
         }
-        std::array::from_fn(|i| (0..4).fold(0, |sum, k| sum + u16::from(bytes[k][i]) * weights[k]))
+        let row = |pair: [[u8; 8]; 2], i: usize| {
+            i32::from(pair[0][i]) * i32::from(across & 255) + i32::from(pair[1][i]) * i32::from(across >> 8)
+        };
+        let mean = |i: usize| row(upper, i) * (down & 0xffff) as i32 + row(lower, i) * (down >> 16) as i32;
+        [0, 4].map(|from| std::array::from_fn(|i| mean(from + i)))
     }
 }
 

@@ -33,6 +33,11 @@ impl Bent {
         Self { start, across, down }
     }
 
+    /// The same everywhere.
+    pub(crate) fn flat(normal: [f32; 3]) -> Self {
+        Self { start: normal, across: [0.0; 3], down: [0.0; 3] }
+    }
+
     /// The normal at a place in the image, not of unit length.
     #[inline(always)]
     pub(crate) fn at(&self, x: f32, y: f32) -> [f32; 3] {

@@ -9,7 +9,7 @@ use crate::affine::{scaled, three};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Ambient(pub(super) [f32; SIDES]);
 
-/// Four numbers each (colours, and one that keeps them aligned) for +X, +Y, +Z, -X, -Y and -Z.
+/// Four numbers each (colours, and how bright they are) for +X, +Y, +Z, -X, -Y and -Z.
 pub(super) const SIDES: usize = 24;
 
 impl Default for Ambient {
@@ -30,7 +30,8 @@ impl Ambient {
     pub(super) fn add(&mut self, towards: [f32; 3], light: [f32; 3]) {
         for axis in 0..3 {
             let side = axis + if towards[axis] < 0.0 { 3 } else { 0 };
-            for (sum, light) in self.0[4 * side..].iter_mut().zip(light) {
+            let [red, green, blue] = light;
+            for (sum, light) in self.0[4 * side..].iter_mut().zip([red, green, blue, super::brightness(light)]) {
                 *sum += towards[axis].abs() * light;
             }
         }
@@ -68,13 +69,11 @@ impl Ambient {
     /// the other way.
     #[inline(always)]
     pub(crate) fn lean(&self) -> [f32; 3] {
-        let side = |s: usize| super::brightness([self.0[4 * s], self.0[4 * s + 1], self.0[4 * s + 2]]);
-        three(|axis| 0.5 * (side(axis) - side(axis + 3)))
+        three(|axis| 0.5 * (self.0[4 * axis + 3] - self.0[4 * axis + 15]))
     }
 
     /// Mean radiance.
     pub(super) fn mean(&self) -> f32 {
-        let side = |s: &[f32]| super::brightness([s[0], s[1], s[2]]);
-        self.0.chunks(4).map(side).sum::<f32>() / (6.0 * std::f32::consts::PI)
+        self.0.chunks(4).map(|side| side[3]).sum::<f32>() / (6.0 * std::f32::consts::PI)
     }
 }

@@ -150,6 +150,6 @@ impl Lamp {
     /// The share of the lamp that is seen from a point, 0 to 1.
     #[inline(always)]
     pub(crate) fn seen(&self, at: [f32; 3], normal: [f32; 3]) -> f32 {
-        self.shadows.lit(three(|i| at[i] - self.at[i]), at, normal)
+        self.shadows.lit(self.at, at, normal)
     }
 }

@@ -5,6 +5,7 @@
 mod ambient;
 mod lamp;
 mod lighting;
+mod look;
 mod room;
 mod shadow;
 mod sky;
@@ -14,5 +15,6 @@ pub(crate) use ambient::Ambient;
 pub(crate) use lamp::Lamp;
 pub use lighting::Lighting;
 pub(crate) use lighting::{brightness, dot};
+pub(crate) use look::Points;
 pub use sky::Daylight;
 pub use source::Source;

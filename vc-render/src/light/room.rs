@@ -10,6 +10,7 @@ use super::{Ambient, Lighting};
 use crate::affine::{self, three};
 use crate::renderer::Renderer;
 use crate::scene::Snapshot;
+use crate::simd::whole;
 use crate::trace::Ray;
 
 /// Distance of the grid's points over the floor and upwards, metres.
@@ -68,16 +69,18 @@ impl Grid {
         for i in 0..3 {
             let most = (self.counts[i] - 1) as f32;
             let x = ((p[i] - self.low[i]) * self.over[i]).max(0.0).min(most - 0.001);
-            cell[i] = x as usize;
-            share[i] = x - cell[i] as f32;
+            cell[i] = whole(x.floor()) as usize;
+            share[i] = x - x.floor();
         }
         let [nx, ny, _] = self.counts;
         let mut sum = Ambient::default();
-        for corner in 0..8 {
-            let bit = |axis: usize| corner >> axis & 1;
-            let part = |axis: usize| if bit(axis) == 1 { share[axis] } else { 1.0 - share[axis] };
-            let point = ((cell[2] + bit(2)) * ny + cell[1] + bit(1)) * nx + cell[0] + bit(0);
-            sum.mix(&self.points[point], part(0) * part(1) * part(2));
+        for (z, high) in [(0, 1.0 - share[2]), (1, share[2])] {
+            for (y, deep) in [(0, high * (1.0 - share[1])), (1, high * share[1])] {
+                let first = ((cell[2] + z) * ny + cell[1] + y) * nx + cell[0];
+                let pair = &self.points[first..first + 2];
+                sum.mix(&pair[0], deep * (1.0 - share[0]));
+                sum.mix(&pair[1], deep * share[0]);
+            }
         }
         sum
     }

@@ -3,8 +3,7 @@
 //! The nearer triangle of two neighbouring pixels tells how far it reaches between their
 //! centres (after Persson's geometry buffer anti-aliasing, 2011).
 
-use super::planes::Planes;
-use super::surfel::{Known, Writer};
+use super::surfel::{BENT, Known, Writer};
 use super::tone::{decoded, encoded};
 use crate::affine::three;
 use crate::raster::{NONE, Solid};
@@ -36,6 +35,16 @@ const LANES: usize = 8;
 /// Colours of some pixels of a row, and those of their neighbours.
 type Colours<'a> = [&'a [[u8; 3]]; 2];
 
+/// Whether any pixels have other looks than their neighbours, or bend and show other triangles.
+#[inline(always)]
+fn turn([here, there]: [&[u32; LANES]; 2], [look, looks]: [&[u32; LANES]; 2]) -> bool {
+    let mut all = 0;
+    for i in 0..LANES {
+        all |= (look[i] ^ looks[i]) | if look[i] & BENT != 0 { here[i] ^ there[i] } else { 0 };
+    }
+    all != 0
+}
+
 /// All but the first.
 #[inline(always)]
 fn after<T>(list: &[T]) -> &[T] {
@@ -45,15 +54,8 @@ fn after<T>(list: &[T]) -> &[T] {
 impl Find<'_> {
     /// Finds edges between neighbouring pixels of a row.
     #[inline(always)]
-    pub(super) fn across(
-        &self,
-        (planes, first): (&Planes, usize),
-        y: i32,
-        colours: &[[u8; 3]],
-        known: &mut Known,
-        edges: &mut Vec<Edge>,
-    ) {
-        let (here, looks) = (self.solid.triangle_row(y), &planes.look[first..first + planes.width]);
+    pub(super) fn across(&self, looks: &[u32], y: i32, colours: &[[u8; 3]], known: &mut Known, edges: &mut Vec<Edge>) {
+        let (here, width) = (self.solid.triangle_row(y), looks.len() as u32);
         self.pairs(
             [here, after(here)],
             [looks, after(looks)],
@@ -62,7 +64,7 @@ impl Find<'_> {
             |x| {
                 let inverse = self.solid.inverse_row(y);
                 let share = self.between((here[x], inverse[x]), (here[x + 1], inverse[x + 1]), (x, y, 0), known);
-                push(edges, y as u32 * planes.width as u32 + x as u32, 1, share);
+                push(edges, y as u32 * width + x as u32, 1, share);
             },
         );
     }
@@ -71,15 +73,14 @@ impl Find<'_> {
     #[inline(always)]
     pub(super) fn down(
         &self,
-        (planes, first): (&Planes, usize),
+        looks: [&[u32]; 2],
         y: i32,
         colours: Colours<'_>,
         known: &mut Known,
         edges: &mut Vec<Edge>,
     ) {
-        let width = planes.width;
+        let width = looks[0].len() as u32;
         let (here, next) = (self.solid.triangle_row(y), self.solid.triangle_row(y + 1));
-        let looks = [&planes.look[first..first + width], &planes.look[first + width..first + 2 * width]];
         self.pairs(
             [here, next],
             looks,
@@ -88,7 +89,7 @@ impl Find<'_> {
             |x| {
                 let (inverse, deeper) = (self.solid.inverse_row(y), self.solid.inverse_row(y + 1));
                 let share = self.between((here[x], inverse[x]), (next[x], deeper[x]), (x, y, 1), known);
-                push(edges, y as u32 * width as u32 + x as u32, width as u32, share);
+                push(edges, y as u32 * width + x as u32, width, share);
             },
         );
     }
@@ -103,10 +104,10 @@ impl Find<'_> {
         mut edge: impl FnMut(usize),
     ) {
         let count = here.len().min(there.len());
-        let (eights, others) = (here.as_chunks::<LANES>().0, there.as_chunks::<LANES>().0);
-        for (part, from) in (0..count).step_by(LANES).enumerate() {
-            if let (Some(eight), Some(other)) = (eights.get(part), others.get(part))
-                && eight == other
+        for from in (0..count).step_by(LANES) {
+            if let (Some(here), Some(there)) = (here[from..].first_chunk(), there[from..].first_chunk())
+                && let (Some(look), Some(looks)) = (look[from..].first_chunk(), looks[from..].first_chunk())
+                && !turn([here, there], [look, looks])
             {
                 continue;
             }

@@ -3,7 +3,7 @@
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
 use super::light::Lamps;
-use super::planes::Planes;
+use super::planes;
 use super::surfel::Known;
 use crate::affine::three;
 use crate::label::{bent, unit};
@@ -33,15 +33,16 @@ impl Extra<'_> {
         (three(|i| eye[i] + towards[i] / inverse), unit(towards))
     }
 
-    /// What is seen in mirrors, in a row of the image that begins at a place in the planes.
-    pub(super) fn mirrors(&self, known: &mut Known, (planes, first): (&Planes, usize), y: i32, row: &mut Row<'_>) {
-        for x in 0..planes.width {
-            if known.looks[planes.look[first + x] as usize].mirror {
-                let (at, towards) = self.place((x, y), planes.inverse[first + x]);
+    /// What is seen in mirrors, in a row of the image.
+    pub(super) fn mirrors(&self, known: &mut Known, seen: &planes::Row, y: i32, row: &mut Row<'_>) {
+        let inverse = self.lamps.solid.inverse_row(y);
+        for (x, look) in seen.looks().iter().enumerate() {
+            if known.look(*look).mirror {
+                let (at, towards) = self.place((x, y), inverse[x]);
                 let triangle = self.lamps.solid.triangle_row(y)[x];
-                let normal = self.lamps.writer.normal(triangle, (x as f32 + 0.5, y as f32 + 0.5), known);
-                let seen = self.reflected(at, towards, normal);
-                (0..3).for_each(|i| row[i][x] = seen[i] * planes.colour[i][first + x]);
+                let normal = unit(self.lamps.writer.normal(triangle, (x as f32 + 0.5, y as f32 + 0.5), known));
+                let light = self.reflected(at, towards, normal);
+                (0..3).for_each(|i| row[i][x] = light[i] * seen.colour[i][x]);
             }
         }
     }

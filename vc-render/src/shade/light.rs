@@ -3,11 +3,12 @@
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
 use super::Openness;
-use super::planes::{LIGHT, Planes, gloss, packed};
-use super::surfel::{Known, Look, NOTHING, Writer};
+use super::lattice::{LIGHT, Lattice, STEP};
+use super::planes::{Planes, gloss, packed};
+use super::surfel::{Known, NOTHING, Writer};
 use crate::affine::{self, Affine, Narrow, three};
 use crate::label::unit;
-use crate::light::{Lamp, Lighting, brightness, dot};
+use crate::light::{Ambient, Lamp, Lighting, Points, brightness, dot};
 use crate::raster::Solid;
 
 /// Pixels that are lit at once.
@@ -31,7 +32,7 @@ pub(super) struct Lamps<'a> {
 /// Pixels as light meets them.
 pub(crate) struct Batch {
     count: usize,
-    places: [u32; BATCH],
+    looks: [u32; BATCH],
     rooms: [u16; BATCH],
     at: [Lanes; 3],
     normal: [Lanes; 3],
@@ -42,12 +43,16 @@ pub(crate) struct Batch {
     /// Reflectance head on: a metal's colour comes later.
     head_on: Lanes,
     open: Lanes,
+    sides: [Ambient; BATCH],
     light: [Lanes; LIGHT],
     /// How light changes where the normal leans.
     drift: [Lanes; 3],
     to: [Lanes; 3],
     cosine: Lanes,
     power: Lanes,
+    /// One for what faces the light that is being added, and the share of it that comes there.
+    asked: [u32; BATCH],
+    share: Lanes,
 }
 
 impl Default for Batch {
@@ -56,7 +61,7 @@ impl Default for Batch {
         let three = [zero; 3];
         Self {
             count: 0,
-            places: [0; BATCH],
+            looks: [0; BATCH],
             rooms: [0; BATCH],
             at: three,
             normal: three,
@@ -65,11 +70,14 @@ impl Default for Batch {
             roughness: zero,
             head_on: zero,
             open: zero,
+            sides: [Ambient::default(); BATCH],
             light: [zero; LIGHT],
             drift: three,
             to: three,
             cosine: zero,
             power: zero,
+            asked: [0; BATCH],
+            share: zero,
         }
     }
 }
@@ -93,9 +101,15 @@ impl<'a> Lamps<'a> {
 
     /// Finds the light at pixels of a strip that begins at a row of the image.
     #[inline(always)]
-    pub(super) fn light(&self, planes: &mut Planes, known: &mut Known, start: i32, spots: &[u32], batch: &mut Batch) {
+    pub(super) fn light(
+        &self,
+        (lattice, planes): (&mut Lattice, &Planes),
+        known: &mut Known,
+        (start, spots): (i32, &[u32]),
+        batch: &mut Batch,
+    ) {
         for spots in spots.chunks(BATCH) {
-            batch.load(self, planes, known, (start, spots));
+            batch.load(self, (lattice, planes), known, (start, spots));
             batch.around(self);
             batch.sun(self.lighting);
             for lamp in &self.lighting.lamps {
@@ -103,9 +117,16 @@ impl<'a> Lamps<'a> {
                     batch.lamp(lamp);
                 }
             }
-            batch.store(planes, &known.looks);
+            batch.store(lattice, known, spots);
+            batch.sky(self, lattice, (start, spots));
         }
     }
+}
+
+/// Row and column of a spot.
+#[inline(always)]
+fn place(spot: u32) -> (usize, usize) {
+    ((spot >> 16) as usize, (spot & 0xffff) as usize)
 }
 
 impl Batch {
@@ -116,37 +137,44 @@ impl Batch {
     }
 
     #[inline(always)]
-    fn load(&mut self, lamps: &Lamps<'_>, planes: &Planes, known: &mut Known, (start, spots): (i32, &[u32])) {
+    fn load(
+        &mut self,
+        lamps: &Lamps<'_>,
+        (lattice, planes): (&Lattice, &Planes),
+        known: &mut Known,
+        (start, spots): (i32, &[u32]),
+    ) {
         self.count = spots.len().min(BATCH);
-        let (mut xs, mut ys, mut depth) = ([0.0; BATCH], [0.0; BATCH], [1.0; BATCH]);
+        let (mut xs, mut ys, mut inverse) = ([0.0; BATCH], [0.0; BATCH], [1.0; BATCH]);
+        let mut shiny = [0_u32; BATCH];
         for (i, spot) in spots.iter().enumerate().take(BATCH) {
-            let (row, x) = ((spot >> 16) as usize, (spot & 0xffff) as usize);
-            let at = row * planes.width + x;
-            self.places[i] = at as u32;
-            self.rooms[i] = known.looks[planes.look[at] as usize].room;
-            (xs[i], ys[i]) = (x as f32, (start + row as i32) as f32);
-            let inverse = planes.inverse[at];
-            depth[i] = if inverse > 0.0 { 1.0 / inverse } else { 1.0 };
+            let (row, x) = place(*spot);
             let y = start + row as i32;
+            let comb = &lattice.rows[row][x % STEP];
+            self.looks[i] = comb.look[x / STEP];
+            self.rooms[i] = known.look(self.looks[i]).room;
+            (xs[i], ys[i], inverse[i]) = (x as f32, y as f32, comb.inverse[x / STEP]);
+            shiny[i] = planes.0[row].gloss[x];
             let triangle = lamps.solid.triangle_row(y)[x];
-            let normal = lamps.writer.normal(triangle, (x as f32 + 0.5, y as f32 + 0.5), known);
+            let normal = lamps.writer.normal(triangle, (xs[i] + 0.5, ys[i] + 0.5), known);
             (self.normal[0][i], self.normal[1][i], self.normal[2][i]) = (normal[0], normal[1], normal[2]);
-            let (roughness, metallic) = gloss(planes.gloss[at]);
-            self.roughness[i] = roughness.max(0.05);
-            self.head_on[i] = 0.04 + 0.96 * metallic;
-            self.open[i] = lamps.open.at(x, y as usize, inverse);
+            self.open[i] = lamps.open.at(x, y as usize, inverse[i]);
         }
         for i in 0..self.lanes() {
+            let (roughness, metallic) = gloss(shiny[i]);
+            self.roughness[i] = roughness.max(0.05);
+            self.head_on[i] = 0.04 + 0.96 * metallic;
+            let normal = unit([self.normal[0][i], self.normal[1][i], self.normal[2][i]]);
             let ray = lamps.ray(xs[i], ys[i]);
             let over = -1.0 / (ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]).sqrt();
+            let depth = if inverse[i] > 0.0 { 1.0 / inverse[i] } else { 1.0 };
             for k in 0..3 {
-                self.at[k][i] = lamps.eye[k] + ray[k] * depth[i];
+                self.normal[k][i] = normal[k];
+                self.at[k][i] = lamps.eye[k] + ray[k] * depth;
                 self.back[k][i] = ray[k] * over;
                 self.drift[k][i] = 0.0;
             }
-            let facing = self.back[0][i] * self.normal[0][i]
-                + self.back[1][i] * self.normal[1][i]
-                + self.back[2][i] * self.normal[2][i];
+            let facing = over * dot(ray, normal);
             self.facing[i] = facing.clamp(0.02, 1.0);
         }
     }
@@ -154,23 +182,30 @@ impl Batch {
     /// Light from all sides, less what nearby things keep away.
     #[inline(always)]
     fn around(&mut self, lamps: &Lamps<'_>) {
+        let part = |of: &[Lanes; 3], i: usize| [of[0][i], of[1][i], of[2][i]];
+        let mut mirrored = [[0.0; BATCH]; 3];
+        for i in 0..self.lanes() {
+            let along = 2.0 * dot(part(&self.back, i), part(&self.normal, i));
+            (0..3).for_each(|k| mirrored[k][i] = along * self.normal[k][i] - self.back[k][i]);
+        }
+        // Step by step, so that none waits for the one before it.
         for i in 0..self.count {
-            let part = |of: &[Lanes; 3]| [of[0][i], of[1][i], of[2][i]];
-            let (at, normal, back) = (part(&self.at), part(&self.normal), part(&self.back));
-            let along = 2.0 * dot(back, normal);
-            let mirrored = three(|k| along * normal[k] - back[k]);
-            let sides = lamps.lighting.sides(at, normal, self.rooms[i]);
-            let (falls, sheen, lean) = (sides.falls(normal), sides.sheen(mirrored), sides.lean());
-            for k in 0..3 {
-                self.light[k][i] = falls[k] * self.open[i];
-                self.light[k + 3][i] = sheen[k] * (0.3 + 0.7 * self.open[i]);
-                self.drift[k][i] = lean[k] * self.open[i];
-            }
+            self.sides[i] = lamps.lighting.sides(part(&self.at, i), part(&self.normal, i), self.rooms[i]);
+        }
+        for i in 0..self.count {
+            let (falls, lean) = (self.sides[i].falls(part(&self.normal, i)), self.sides[i].lean());
+            (0..3).for_each(|k| (self.light[k][i], self.drift[k][i]) = (falls[k], lean[k]));
+        }
+        for i in 0..self.count {
+            let sheen = self.sides[i].sheen(part(&mirrored, i));
+            (0..3).for_each(|k| self.light[k + 3][i] = sheen[k]);
         }
         for i in 0..self.lanes() {
-            let shine = shine(self.roughness[i], self.facing[i], self.head_on[i]);
-            for k in 3..6 {
-                self.light[k][i] *= shine;
+            let shine = shine(self.roughness[i], self.facing[i], self.head_on[i]) * (0.3 + 0.7 * self.open[i]);
+            for k in 0..3 {
+                self.light[k][i] *= self.open[i];
+                self.drift[k][i] *= self.open[i];
+                self.light[k + 3][i] *= shine;
             }
         }
     }
@@ -191,7 +226,7 @@ impl Batch {
         self.shadow(
             sun,
             #[inline(always)]
-            |at, normal| map.lit(at, normal),
+            |points, share| map.light(points, share),
         );
     }
 
@@ -217,24 +252,31 @@ impl Batch {
         self.shadow(
             lamp.flux,
             #[inline(always)]
-            |at, normal| lamp.seen(at, normal),
+            |points, share| lamp.shadows.light(lamp.at, points, share),
         );
     }
 
     /// Takes away what is in the shadow, and adds the rest.
     #[inline(always)]
-    fn shadow(&mut self, flux: [f32; 3], lit: impl Fn([f32; 3], [f32; 3]) -> f32) {
-        let mut any = 0.0;
-        for i in 0..self.count {
-            if self.cosine[i] <= 0.0 || self.power[i] <= 0.0 {
-                self.power[i] = 0.0;
-                continue;
-            }
-            let part = |of: &[Lanes; 3]| [of[0][i], of[1][i], of[2][i]];
-            self.power[i] *= lit(part(&self.at), part(&self.normal));
-            any += self.power[i];
+    fn shadow(&mut self, flux: [f32; 3], shares: impl Fn(&Points<'_, BATCH>, &mut Lanes)) {
+        let mut any = 0;
+        for i in 0..self.lanes() {
+            let faces = (i < self.count) & (self.cosine[i] > 0.0) & (self.power[i] > 0.0);
+            self.asked[i] = u32::from(faces);
+            any |= self.asked[i];
+            self.share[i] = 0.0;
         }
-        if any > 0.0 {
+        if any == 0 {
+            return;
+        }
+        let points = Points { count: self.lanes(), at: &self.at, normal: &self.normal, asked: &self.asked };
+        shares(&points, &mut self.share);
+        let mut sum = 0.0;
+        for i in 0..self.lanes() {
+            self.power[i] *= self.share[i];
+            sum += self.share[i];
+        }
+        if sum > 0.0 {
             self.add(flux);
         }
     }
@@ -272,35 +314,40 @@ impl Batch {
     }
 
     #[inline(always)]
-    fn store(&self, planes: &mut Planes, looks: &[Look]) {
-        for i in 0..self.count {
-            let at = self.places[i] as usize;
-            let number = planes.look[at];
-            let look = &looks[number as usize];
-            for k in 0..3 {
-                planes.light[k][at] = self.light[k][i];
-                planes.light[k + 3][at] = self.light[k + 3][i] + look.glow[k];
-            }
+    fn store(&mut self, lattice: &mut Lattice, known: &Known, spots: &[u32]) {
+        let mut drift = [0_u32; BATCH];
+        for i in 0..self.lanes() {
             let over = 1.0 / (DRIFT * brightness([self.light[0][i], self.light[1][i], self.light[2][i]])).max(1e-6);
-            planes.drift[at] = packed(three(|k| self.drift[k][i] * over));
+            drift[i] = packed([self.drift[0][i] * over, self.drift[1][i] * over, self.drift[2][i] * over]);
+        }
+        for (i, spot) in spots.iter().enumerate().take(self.count) {
+            let (row, x) = place(*spot);
+            let (comb, k) = (&mut lattice.rows[row][x % STEP], x / STEP);
+            let glow = &known.look(self.looks[i]).glow;
+            for c in 0..3 {
+                comb.light[c][k] = self.light[c][i];
+                comb.light[c + 3][k] = self.light[c + 3][i] + glow[c];
+            }
+            comb.drift[k] = drift[i];
         }
     }
 
     /// The sky at pixels where nothing is seen.
     #[inline(always)]
-    pub(super) fn sky(&self, lamps: &Lamps<'_>, planes: &mut Planes, start: i32, spots: &[u32]) {
-        for spot in spots {
-            let (row, x) = ((spot >> 16) as usize, (spot & 0xffff) as usize);
-            let at = row * planes.width + x;
-            if planes.look[at] == NOTHING {
-                let towards = unit(lamps.ray(x as f32, (start + row as i32) as f32));
-                let sky = lamps.lighting.daylight.radiance(towards);
-                for k in 0..3 {
-                    planes.light[k][at] = 0.0;
-                    planes.light[k + 3][at] = sky[k];
-                }
-                planes.drift[at] = 0;
+    fn sky(&self, lamps: &Lamps<'_>, lattice: &mut Lattice, (start, spots): (i32, &[u32])) {
+        if !self.looks[..self.count].contains(&NOTHING) {
+            return;
+        }
+        for (_, spot) in self.looks.iter().zip(spots).filter(|(look, _)| **look == NOTHING) {
+            let (row, x) = place(*spot);
+            let towards = unit(lamps.ray(x as f32, (start + row as i32) as f32));
+            let sky = lamps.lighting.daylight.radiance(towards);
+            let (comb, k) = (&mut lattice.rows[row][x % STEP], x / STEP);
+            for c in 0..3 {
+                comb.light[c][k] = 0.0;
+                comb.light[c + 3][k] = sky[c];
             }
+            comb.drift[k] = 0;
         }
     }
 }

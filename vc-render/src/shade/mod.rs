@@ -25,9 +25,9 @@ pub(crate) use tone::{decoded, encoded, film};
 
 use self::edge::{Edge, Find};
 use self::extra::Extra;
-use self::lattice::{Spots, neighbours, spot};
+use self::lattice::{LIGHT, Lattice, Spots};
 use self::light::{Batch, DRIFT, Lamps};
-use self::planes::{Planes, ROWS, gloss, unpacked};
+use self::planes::{Planes, ROWS, Row, gloss, unpacked};
 use self::surfel::{Known, Writer};
 use crate::camera::Camera;
 use crate::frame::{Band, Frame, Strip};
@@ -48,6 +48,7 @@ const PART: usize = 64;
 pub(crate) struct Scratch {
     known: Known,
     planes: Planes,
+    lattice: Lattice,
     batch: Box<Batch>,
     spots: Spots,
     linear: [Vec<f32>; 3],
@@ -84,6 +85,7 @@ impl Shading<'_> {
         let View { snapshot, camera } = self.view;
         shading.known.reset(snapshot.instances.len(), layers.visible.len());
         shading.planes.prepare(camera.width as usize);
+        shading.lattice.prepare(camera.width as usize);
         shading.linear.iter_mut().for_each(|l| l.resize(camera.width as usize, 0.0));
         shading.edges.clear();
         let writer = Writer::new(self.renderer, self.lighting, self.view, layers, &strip.rows);
@@ -123,6 +125,7 @@ impl Rows<'_> {
             self.rest(last);
             self.finish(last, strip);
             self.scratch.planes.turn();
+            self.scratch.lattice.turn();
             self.start += ROWS as i32;
         }
     }
@@ -130,22 +133,18 @@ impl Rows<'_> {
     /// Writes down what is seen in a row of the strip.
     #[inline(always)]
     fn write(&mut self, row: usize) {
-        let Scratch { known, planes, .. } = &mut *self.scratch;
-        let first = row * planes.width;
-        self.writer.row(self.layers.solid(), self.start + row as i32, known, (planes, first));
+        let Scratch { known, planes, lattice, .. } = &mut *self.scratch;
+        let (solid, y) = (self.layers.solid(), self.start + row as i32);
+        self.writer.row(solid, y, known, &mut planes.0[row]);
+        lattice.write(row, planes.0[row].looks(), solid.inverse_row(y));
     }
 
     /// Light in a row by itself.
     #[inline(always)]
     fn line(&mut self, row: usize) {
-        let width = self.scratch.planes.width;
-        self.scratch.spots.extend((0..width).step_by(ROWS).map(|x| spot(row, x)));
-        self.light();
-        for step in [2, 1] {
-            let Scratch { planes, spots, .. } = &mut *self.scratch;
-            planes.along(row, step, spots);
-            self.light();
-        }
+        self.lit(|lattice, spots| lattice.first(row, spots));
+        self.lit(|lattice, spots| lattice.half(row, spots));
+        self.lit(|lattice, spots| lattice.quarters(row, spots));
     }
 
     /// Light in the rows after the first, so many.
@@ -155,27 +154,21 @@ impl Rows<'_> {
             self.line(ROWS);
         }
         if last >= 2 {
-            let Scratch { planes, spots, .. } = &mut *self.scratch;
-            planes.between(2, neighbours(2, 2, last), 2, spots);
-            self.light();
-            let Scratch { planes, spots, .. } = &mut *self.scratch;
-            planes.along(2, 1, spots);
-            self.light();
+            self.lit(|lattice, spots| lattice.between(2, 2, last, spots));
+            self.lit(|lattice, spots| lattice.quarters(2, spots));
         }
         for row in (1..=last).filter(|row| row % 2 == 1) {
-            let Scratch { planes, spots, .. } = &mut *self.scratch;
-            planes.between(row, neighbours(row, 1, last), 1, spots);
+            self.lit(|lattice, spots| lattice.between(row, 1, last, spots));
         }
-        self.light();
     }
 
-    /// Finds the light at pixels that wait for it.
+    /// Fills in light, and finds it where it is asked for.
     #[inline(always)]
-    fn light(&mut self) {
-        let Scratch { planes, spots, batch, known, .. } = &mut *self.scratch;
-        self.lamps.light(planes, known, self.start, spots, batch);
-        batch.sky(&self.lamps, planes, self.start, spots);
+    fn lit(&mut self, fill: impl FnOnce(&mut Lattice, &mut Spots)) {
+        let Scratch { lattice, planes, spots, batch, known, .. } = &mut *self.scratch;
         spots.clear();
+        fill(lattice, spots);
+        self.lamps.light((lattice, planes), known, (self.start, spots), batch);
     }
 
     /// From light to colours, and edges: up to the row after these, which is known too.
@@ -193,11 +186,12 @@ impl Rows<'_> {
         let find = Find { writer: self.writer, solid: self.layers.solid() };
         let Scratch { planes, known, edges, .. } = &mut *self.scratch;
         for (row, y) in (self.start..strip.rows.end).take(ROWS).enumerate() {
-            let (first, own) = (row * planes.width, &strip.rgb[strip.row(y)]);
-            find.across((planes, first), y, own, known, edges);
+            let own = &strip.rgb[strip.row(y)];
+            find.across(planes.0[row].looks(), y, own, known, edges);
             if row < last {
                 let below = if y + 1 < strip.rows.end { &strip.rgb[strip.row(y + 1)] } else { &next[..] };
-                find.down((planes, first), y, [own, below], known, edges);
+                let looks = [&planes.0[row], &planes.0[row + 1]].map(Row::looks);
+                find.down(looks, y, [own, below], known, edges);
             }
         }
         self.scratch.next = next;
@@ -207,14 +201,14 @@ impl Rows<'_> {
     #[inline(always)]
     fn colour(&mut self, row: usize, out: &mut [[u8; 3]]) {
         let (shading, y) = (self.shading, self.start + row as i32);
-        let Scratch { planes, linear, known, .. } = &mut *self.scratch;
-        let first = row * planes.width;
-        planes.thrown(first, linear);
+        let Scratch { planes, lattice, linear, known, .. } = &mut *self.scratch;
+        let seen = &planes.0[row];
+        seen.thrown((lattice, row), linear);
         let [r, g, b] = linear;
         let mut line = [r.as_mut_slice(), g.as_mut_slice(), b.as_mut_slice()];
         let extra = Extra { renderer: shading.renderer, view: shading.view, lamps: &self.lamps };
-        if known.looks.iter().any(|l| l.mirror) {
-            extra.mirrors(known, (planes, first), y, &mut line);
+        if known.mirrors() {
+            extra.mirrors(known, seen, y, &mut line);
         }
         if self.layers.clear {
             extra.panes(self.layers, &self.writer.frustum, y, &mut line);
@@ -223,21 +217,27 @@ impl Rows<'_> {
     }
 }
 
-impl Planes {
-    /// Light that surfaces of a row throw to the eye.
+impl Row {
+    /// Light that surfaces throw to the eye.
     #[inline(always)]
-    fn thrown(&self, first: usize, out: &mut [Vec<f32>; 3]) {
+    fn thrown(&self, (lattice, row): (&Lattice, usize), out: &mut [Vec<f32>; 3]) {
         for from in (0..self.width).step_by(PART) {
             let to = (from + PART).min(self.width);
-            self.thrown_part(first + from..first + to, out.each_mut().map(|out| &mut out[from..to]));
+            let (mut light, mut drift) = ([[0.0_f32; PART]; LIGHT], [0_u32; PART]);
+            lattice.read(row, from, &mut light, &mut drift);
+            self.part(from..to, (&light, &drift), out.each_mut().map(|out| &mut out[from..to]));
         }
     }
 
     #[inline(always)]
-    fn thrown_part(&self, at: std::ops::Range<usize>, out: [&mut [f32]; 3]) {
-        let (lean, drift, shiny) = (&self.lean[at.clone()], &self.drift[at.clone()], &self.gloss[at.clone()]);
+    fn part(
+        &self,
+        at: std::ops::Range<usize>,
+        (light, drift): (&[[f32; PART]; LIGHT], &[u32; PART]),
+        out: [&mut [f32]; 3],
+    ) {
         let count = at.len().min(PART);
-        let (lean, drift, shiny) = (&lean[..count], &drift[..count], &shiny[..count]);
+        let (lean, shiny) = (&self.lean[at.clone()][..count], &self.gloss[at.clone()][..count]);
         let (mut more, mut metal) = ([0.0_f32; PART], [0.0_f32; PART]);
         for x in 0..count {
             let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
@@ -248,7 +248,7 @@ impl Planes {
         }
         for (c, out) in out.into_iter().enumerate() {
             let (colour, out) = (&self.colour[c][at.start..][..count], &mut out[..count]);
-            let (falls, sheen) = (&self.light[c][at.start..][..count], &self.light[c + 3][at.start..][..count]);
+            let (falls, sheen) = (&light[c], &light[c + 3]);
             for x in 0..count {
                 let tint = 1.0 + metal[x] * (colour[x] - 1.0);
                 out[x] = colour[x] * falls[x] * more[x] + tint * sheen[x];

@@ -29,6 +29,7 @@ pub(crate) struct Openness {
     across: usize,
     down: usize,
     inverse: Vec<f32>,
+    depth: Vec<f32>,
     open: Vec<f32>,
     blurred: Vec<f32>,
 }
@@ -61,10 +62,12 @@ impl Openness {
                 self.inverse.extend(last);
             }
         }
+        self.depth.clear();
+        self.depth.extend(self.inverse.iter().map(|v| 1.0 / v.max(1e-6)));
         self.open.resize(self.across * self.down, 1.0);
         self.blurred.resize(self.across * self.down, 1.0);
         let spirals = &*SPIRALS;
-        let look = Look { inverse: &self.inverse, across: self.across, down: self.down, camera };
+        let look = Look { inverse: &self.inverse, depth: &self.depth, across: self.across, down: self.down, camera };
         let each = self.across * ROWS;
         self.open.par_chunks_mut(each).enumerate().for_each(|(chunk, rows)| {
             simd::widest(
@@ -137,6 +140,7 @@ fn blur(inverse: &[f32], open: &[f32], (first, step): (usize, usize), out: &mut 
 
 struct Look<'a> {
     inverse: &'a [f32],
+    depth: &'a [f32],
     across: usize,
     down: usize,
     camera: &'a Camera,
@@ -180,10 +184,10 @@ impl Look<'_> {
                 at[i] = row * self.across as u32 + column;
             }
             for i in 0..LANES {
-                there[i] = self.inverse[at[i] as usize];
+                there[i] = self.depth[at[i] as usize];
             }
             for i in 0..LANES {
-                let other = 1.0 / there[i].max(1e-6);
+                let other = there[i];
                 // How high it is over the plane, metres, and how far away.
                 let rise = (1.0 - other * (here[i] + slope[0][i] * dx[i] + slope[1][i] * dy[i])) * over[i];
                 let (flat, deep) = (depth[i] * wide, other - depth[i]);

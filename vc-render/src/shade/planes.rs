@@ -1,32 +1,30 @@
 //! A strip of rows as lists of numbers, one list for each thing that is known of a pixel.
 
 use crate::simd::whole;
+use crate::surface::SPAN;
 
 /// Rows of a strip: the light is found in one row of so many, and the first row of
 /// the next strip is the last of this one.
 pub(super) const ROWS: usize = 4;
 
-/// Light at a pixel: what falls on it (red, green, blue) and its sheen towards the eye.
-pub(super) const LIGHT: usize = 6;
-
-/// What is seen at every pixel of a strip, and the light there.
+/// What is seen at every pixel of the rows of a strip.
 #[derive(Default)]
-pub(crate) struct Planes {
+pub(crate) struct Planes(pub(super) [Row; ROWS + 1]);
+
+/// What is seen at every pixel of a row. Lists go on past its end by [`SPAN`], so that pixels are
+/// written in whole spans: the next ones write over what was too much.
+#[derive(Default)]
+pub(crate) struct Row {
     pub(super) width: usize,
     /// One over depth; zero where there is nothing.
     pub(super) inverse: Vec<f32>,
-    /// Which of the [`Looks`] it has.
+    /// Which of the looks it has.
     pub(super) look: Vec<u32>,
     pub(super) colour: [Vec<f32>; 3],
     /// Roughness and metal, [`gloss_of`].
     pub(super) gloss: Vec<u32>,
     /// How the texture leans the normal, [`packed`].
     pub(super) lean: Vec<u32>,
-    pub(super) light: [Vec<f32>; LIGHT],
-    /// By how much more light falls on what leans one way than another, [`packed`].
-    pub(super) drift: Vec<u32>,
-    /// Which pixels of a row agree with their neighbours; memory to work in.
-    pub(super) alike: Vec<bool>,
 }
 
 /// Roughness and metal in a byte each.
@@ -56,26 +54,28 @@ pub(super) fn unpacked(v: u32) -> [f32; 3] {
     [part(22), part(12), part(2)]
 }
 
+impl Row {
+    /// The looks of its pixels.
+    #[inline(always)]
+    pub(super) fn looks(&self) -> &[u32] {
+        &self.look[..self.width]
+    }
+}
+
 impl Planes {
     /// Makes room for rows of this width.
     pub(super) fn prepare(&mut self, width: usize) {
-        self.width = width;
-        self.alike.resize(width, false);
-        let count = width * (ROWS + 1);
-        for list in [&mut self.look, &mut self.gloss, &mut self.lean, &mut self.drift] {
-            list.resize(count, 0);
+        for row in &mut self.0 {
+            row.width = width;
+            for list in [&mut row.look, &mut row.gloss, &mut row.lean] {
+                list.resize(width + SPAN, 0);
+            }
+            [&mut row.inverse].into_iter().chain(&mut row.colour).for_each(|list| list.resize(width + SPAN, 0.0));
         }
-        let lists = [&mut self.inverse].into_iter().chain(&mut self.colour).chain(&mut self.light);
-        lists.for_each(|list| list.resize(count, 0.0));
     }
 
     /// Makes the last row the first.
     pub(super) fn turn(&mut self) {
-        let last = ROWS * self.width..(ROWS + 1) * self.width;
-        for list in [&mut self.look, &mut self.gloss, &mut self.lean, &mut self.drift] {
-            list.copy_within(last.clone(), 0);
-        }
-        let lists = [&mut self.inverse].into_iter().chain(&mut self.colour).chain(&mut self.light);
-        lists.for_each(|list| list.copy_within(last.clone(), 0));
+        self.0.swap(0, ROWS);
     }
 }

@@ -1,11 +1,14 @@
 //! What is seen at every pixel, before there is light.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
 use super::edge::{Lines, lines};
-use super::planes::{Planes, gloss_of};
+use super::planes::{Row, gloss_of};
 use super::texture::Texture;
 use crate::affine::{self, Affine, Narrow};
-use crate::label::{Bent, bent, unit};
+use crate::label::{Bent, bent};
 use crate::light::Lighting;
+use crate::mesh::Face;
 use crate::raster::{Frustum, Layers, NONE, Solid, Visible, refill};
 use crate::renderer::Renderer;
 use crate::scene::{Instance, NO_ROOM};
@@ -16,7 +19,9 @@ use crate::view::View;
 /// What all pixels of an instance's surface have in common.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Look {
-    pub(super) surface: u16,
+    surface: u16,
+    /// Which way it faces, so that what bends sharply has several looks.
+    facet: u16,
     pub(super) room: u16,
     pub(super) mirror: bool,
     /// Light it gives.
@@ -26,6 +31,9 @@ pub(crate) struct Look {
     /// By how its texture lies, its paint.
     paints: [u32; 9],
 }
+
+/// Set in numbers of looks of what bends.
+pub(super) const BENT: u32 = 1 << 31;
 
 /// Look and paint of pixels where nothing is seen.
 pub(super) const NOTHING: u32 = 0;
@@ -52,13 +60,13 @@ pub(crate) struct Known {
     paints: Vec<Paint>,
     /// By visible triangle, the position of its normals in the list below.
     bent: Vec<u32>,
-    bends: Vec<Result<[f32; 3], Bent>>,
+    bends: Vec<Bent>,
     /// By visible triangle, the position of its edges in the list below.
     edged: Vec<u32>,
     lines: Vec<Lines>,
     /// By instance, the first of its looks.
     heads: Vec<u32>,
-    pub(super) looks: Vec<Look>,
+    looks: Vec<Look>,
     span: Span,
 }
 
@@ -87,7 +95,8 @@ impl Known {
         self.bends.clear();
         self.looks.clear();
         self.paints.clear();
-        let look = Look { surface: 0, room: NO_ROOM, mirror: false, glow: [0.0; 3], next: NONE, paints: [NONE; 9] };
+        let look =
+            Look { surface: 0, facet: 0, room: NO_ROOM, mirror: false, glow: [0.0; 3], next: NONE, paints: [NONE; 9] };
         self.looks.push(look);
         let colour = [0.0; 3];
         self.paints.push(Paint { look: NOTHING, colour, roughness: 1.0, metallic: 0.0, texture: None });
@@ -130,6 +139,13 @@ impl Paint {
     }
 }
 
+/// Which way a flat triangle faces, in steps of an eighth; zero for one that bends.
+fn facet(face: &Face) -> u16 {
+    let step = |v: f32| ((v * 8.0).round() as i32 + 9) as u16;
+    let [x, y, z] = face.normals[0];
+    if face.flat { step(x) << 10 | step(y) << 5 | step(z) } else { 0 }
+}
+
 impl<'a> Writer<'a> {
     pub(super) fn new(
         renderer: &'a Renderer,
@@ -143,11 +159,11 @@ impl<'a> Writer<'a> {
         Self { renderer, lighting, view, visible: &layers.visible, frustum, world }
     }
 
-    /// Writes down a row of the image, from a place in the planes on.
+    /// Writes down a row of the image.
     #[inline(always)]
-    pub(super) fn row(&self, solid: Solid<'_>, y: i32, known: &mut Known, (planes, first): (&mut Planes, usize)) {
-        let (inverse, triangles) = (solid.inverse_row(y), solid.triangle_row(y));
-        planes.inverse[first..first + inverse.len()].copy_from_slice(inverse);
+    pub(super) fn row(&self, solid: Solid<'_>, y: i32, known: &mut Known, row: &mut Row) {
+        let triangles = solid.triangle_row(y);
+        row.inverse[..triangles.len()].copy_from_slice(solid.inverse_row(y));
         let (mut start, mut paint) = (0, NOTHING);
         stretches(
             triangles,
@@ -155,13 +171,13 @@ impl<'a> Writer<'a> {
             |triangle, from, _| {
                 let next = self.paint(triangle, known);
                 if next != paint && from > 0 {
-                    known.write(paint, (planes, first), start..from, (y, self.frustum.focal));
+                    known.write(paint, row, start..from, (y, self.frustum.focal));
                     start = from;
                 }
                 paint = next;
             },
         );
-        known.write(paint, (planes, first), start..triangles.len(), (y, self.frustum.focal));
+        known.write(paint, row, start..triangles.len(), (y, self.frustum.focal));
     }
 
     /// The paint of a triangle.
@@ -182,14 +198,15 @@ impl<'a> Writer<'a> {
         let instance = &instances[visible.instance as usize];
         let face = &visible.mesh(instances).faces[visible.index()];
         let surface = &self.renderer.store.surfaces[usize::from(face.surface)];
-        let look = self.look(visible.instance, face.surface, known);
+        let look = self.look(visible.instance, (face.surface, facet(face)), known);
+        let number = if face.flat { look } else { look | BENT };
         if let Some(picture) = &surface.picture {
             let mesh = visible.mesh(instances);
             let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index());
             let uvs = mesh.uvs.get(visible.index()).copied().unwrap_or_default();
             let back = known.maps(visible.instance, instances, &self.frustum)[1];
             let texture = Texture::picture(picture, (corners, uvs), (&back, &instance.world.narrow()));
-            return known.paint(triangle, Paint::new(look, surface, Some(texture)));
+            return known.paint(triangle, Paint::new(number, surface, Some(texture)));
         }
         let built = matches!(surface.role, Role::Built | Role::Floor);
         let plain = surface.pattern == Pattern::Plain;
@@ -205,14 +222,14 @@ impl<'a> Writer<'a> {
                 };
                 Texture::tile(Tile::of(surface.pattern), (u, v), (&back, &axes))
             });
-            known.looks[look as usize].paints[way] = known.paint(triangle, Paint::new(look, surface, texture));
+            known.looks[look as usize].paints[way] = known.paint(triangle, Paint::new(number, surface, texture));
         }
         let paint = known.looks[look as usize].paints[way];
         known.triangles[triangle as usize] = paint;
         paint
     }
 
-    /// The normal at a place in the image, of the triangle that is seen there.
+    /// The normal at a place in the image, of the triangle that is seen there; not of unit length.
     #[inline(always)]
     pub(super) fn normal(&self, triangle: u32, (x, y): (f32, f32), known: &mut Known) -> [f32; 3] {
         if triangle == NONE {
@@ -221,10 +238,7 @@ impl<'a> Writer<'a> {
         if known.bent[triangle as usize] == NONE {
             self.bend(triangle, known);
         }
-        match &known.bends[known.bent[triangle as usize] as usize] {
-            Ok(flat) => *flat,
-            Err(bend) => unit(bend.at(x, y)),
-        }
+        known.bends[known.bent[triangle as usize] as usize].at(x, y)
     }
 
     #[inline(never)]
@@ -233,7 +247,10 @@ impl<'a> Writer<'a> {
         let map = || known.maps(visible.instance, instances, &self.frustum)[0];
         let found = bent(map, self.frustum.near, instances, visible);
         known.bent[triangle as usize] = known.bends.len() as u32;
-        known.bends.push(found);
+        known.bends.push(match found {
+            Ok(flat) => Bent::flat(flat),
+            Err(bent) => bent,
+        });
     }
 
     /// Whether two triangles of one look meet without a crease.
@@ -252,10 +269,12 @@ impl<'a> Writer<'a> {
     }
 
     /// The number of what pixels of an instance's surface have in common.
-    fn look(&self, instance: u32, surface: u16, known: &mut Known) -> u32 {
+    fn look(&self, instance: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
         let mut at = known.heads[instance as usize];
-        while at != NONE && known.looks[at as usize].surface != surface {
-            at = known.looks[at as usize].next;
+        while let Some(look) = known.looks.get(at as usize)
+            && (look.surface, look.facet) != (surface, facet)
+        {
+            at = look.next;
         }
         if at != NONE {
             return at;
@@ -267,12 +286,23 @@ impl<'a> Writer<'a> {
         let next = known.heads[instance as usize];
         known.heads[instance as usize] = known.looks.len() as u32;
         let (room, mirror) = (body.room, of.is_mirror());
-        known.looks.push(Look { surface, room, mirror, glow, next, paints: [NONE; 9] });
+        known.looks.push(Look { surface, facet, room, mirror, glow, next, paints: [NONE; 9] });
         known.looks.len() as u32 - 1
     }
 }
 
 impl Known {
+    /// The look of a number.
+    #[inline(always)]
+    pub(super) fn look(&self, number: u32) -> &Look {
+        &self.looks[(number & !BENT) as usize]
+    }
+
+    /// Whether any look is a mirror's.
+    pub(super) fn mirrors(&self) -> bool {
+        self.looks.iter().any(|look| look.mirror)
+    }
+
     /// Keeps the paint of a triangle, and returns its number.
     fn paint(&mut self, triangle: u32, paint: Paint) -> u32 {
         self.paints.push(paint);
@@ -282,43 +312,45 @@ impl Known {
 
     /// Writes pixels of a row of the image that have one paint.
     #[inline(always)]
-    fn write(
-        &mut self,
-        paint: u32,
-        (planes, first): (&mut Planes, usize),
-        columns: std::ops::Range<usize>,
-        (y, focal): (i32, f32),
-    ) {
+    fn write(&mut self, paint: u32, row: &mut Row, at: std::ops::Range<usize>, (y, focal): (i32, f32)) {
         let Self { paints, span, .. } = self;
         let paint = &paints[paint as usize];
-        let at = first + columns.start..first + columns.end;
-        let (x, y) = (columns.start as f32 + 0.5, y as f32 + 0.5);
-        let [red, green, blue] = &mut planes.colour;
-        let (red, green, blue) = (&mut red[at.clone()], &mut green[at.clone()], &mut blue[at.clone()]);
-        planes.look[at.clone()].fill(paint.look);
-        let (gloss, lean) = (&mut planes.gloss[at.clone()], &mut planes.lean[at.clone()]);
+        row.look[at.clone()].fill(paint.look);
         let Some(texture) = &paint.texture else {
-            gloss.fill(gloss_of(paint.roughness, paint.metallic));
-            lean.fill(0);
-            for (out, colour) in [red, green, blue].into_iter().zip(paint.colour) {
-                out.fill(colour);
+            row.gloss[at.clone()].fill(gloss_of(paint.roughness, paint.metallic));
+            row.lean[at.clone()].fill(0);
+            for (out, colour) in row.colour.iter_mut().zip(paint.colour) {
+                out[at.clone()].fill(colour);
             }
             return;
         };
-        let inverse = &planes.inverse[at.clone()];
-        for from in (0..at.len()).step_by(SPAN) {
-            let part = from..(from + SPAN).min(at.len());
-            span.count = part.len();
-            let level = texture.touch(span, &inverse[part.clone()], (x + from as f32, y), focal);
-            for ((out, tint), colour) in [&mut *red, green, blue].into_iter().zip(&span.tint).zip(paint.colour) {
-                for (out, tint) in out[part.clone()].iter_mut().zip(tint) {
-                    *out = (colour * tint).min(1.0);
+        for from in at.clone().step_by(SPAN) {
+            span.count = (at.end - from).min(SPAN);
+            let place = (from as f32 + 0.5, y as f32 + 0.5);
+            let level = texture.touch(span, part(&row.inverse, from), place, focal);
+            for ((out, tint), colour) in row.colour.iter_mut().zip(&span.tint).zip(paint.colour) {
+                let out = part_mut(out, from);
+                for i in 0..SPAN {
+                    out[i] = (colour * tint[i]).min(1.0);
                 }
             }
-            for (out, roughness) in gloss[part.clone()].iter_mut().zip(&span.roughness) {
-                *out = gloss_of(paint.roughness * roughness, paint.metallic);
+            let gloss = part_mut(&mut row.gloss, from);
+            for i in 0..SPAN {
+                gloss[i] = gloss_of(paint.roughness * span.roughness[i], paint.metallic);
             }
-            texture.lean(level, span, &mut lean[part]);
+            texture.lean(level, span, part_mut(&mut row.lean, from));
         }
     }
+}
+
+/// A span of a list.
+#[inline(always)]
+fn part<T>(list: &[T], from: usize) -> &[T; SPAN] {
+    list[from..].first_chunk().expect("rows go on past their end")
+}
+
+/// The same to write to.
+#[inline(always)]
+fn part_mut<T>(list: &mut [T], from: usize) -> &mut [T; SPAN] {
+    list[from..].first_chunk_mut().expect("rows go on past their end")
 }

@@ -1,5 +1,7 @@
 //! How textures lie on what a camera sees.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
 use std::sync::Arc;
 
 use super::planes::packed;
@@ -59,16 +61,16 @@ impl Texture {
     /// Finds where some pixels of a row are in the texture and what it says there, and the
     /// copy that was asked.
     #[inline(always)]
-    pub(super) fn touch(&self, span: &mut Span, inverse: &[f32], (x, y): (f32, f32), focal: f32) -> usize {
+    pub(super) fn touch(&self, span: &mut Span, inverse: &[f32; SPAN], (x, y): (f32, f32), focal: f32) -> usize {
         let [us, vs] = &self.places;
         let (u0, v0) = (us[1] * y + us[2], vs[1] * y + vs[2]);
-        for (i, inverse) in inverse.iter().enumerate().take(SPAN) {
-            let depth = 1.0 / inverse;
+        for i in 0..SPAN {
+            let depth = 1.0 / inverse[i];
             let x = x + i as f32;
             span.u[i] = (us[0] * x + u0) * depth + us[3];
             span.v[i] = (vs[0] * x + v0) * depth + vs[3];
         }
-        let footprint = 1.0 / (inverse[inverse.len() / 2] * focal);
+        let footprint = 1.0 / (inverse[span.count / 2] * focal);
         match &self.cloth {
             Cloth::Tile(tile, _) => {
                 let level = tile.level(footprint);
@@ -89,14 +91,15 @@ impl Texture {
 
     /// Writes down how the normals of some pixels lean.
     #[inline(always)]
-    pub(super) fn lean(&self, level: usize, span: &Span, out: &mut [u32]) {
+    pub(super) fn lean(&self, level: usize, span: &Span, out: &mut [u32; SPAN]) {
         let Cloth::Tile(tile, [across, along]) = &self.cloth else { return out.fill(0) };
         if !tile.leans(level) {
             return out.fill(0);
         }
         let [us, vs] = &span.lean;
-        for ((out, u), v) in out.iter_mut().zip(us).zip(vs) {
-            *out = packed([across[0] * u + along[0] * v, across[1] * u + along[1] * v, across[2] * u + along[2] * v]);
+        for i in 0..SPAN {
+            let (u, v) = (us[i], vs[i]);
+            out[i] = packed([across[0] * u + along[0] * v, across[1] * u + along[1] * v, across[2] * u + along[2] * v]);
         }
     }
 }

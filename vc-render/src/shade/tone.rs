@@ -3,7 +3,6 @@
 use std::sync::LazyLock;
 
 use crate::affine::three;
-use crate::simd::whole;
 
 /// Steps of the table from linear to sRGB.
 const STEPS: usize = 4096;
@@ -50,19 +49,33 @@ pub(crate) fn decoded(colour: [u8; 3]) -> [f32; 3] {
     three(|c| table[usize::from(colour[c])])
 }
 
+/// Bits of a float between neighbouring entries of the table from light to colours, and its first entry.
+const PART: u32 = 15;
+const DARK: f32 = 1.0 / 4096.0;
+const BRIGHT: f32 = 16.0;
+
+/// From light, 256 steps to each doubling, to sRGB.
+static FILM: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    let (first, last) = (DARK.to_bits() >> PART, BRIGHT.to_bits() >> PART);
+    let colour = |step: u32| encoded([film(f32::from_bits(step << PART | 1 << (PART - 1))); 3])[0];
+    (first..=last).map(colour).collect()
+});
+
 /// Colours on a screen for the light of a row's pixels.
+#[allow(clippy::manual_clamp, reason = "what is no number is dark")]
 #[inline(always)]
 pub(super) fn colours(light: [&[f32]; 3], exposure: f32, out: &mut [[u8; 3]]) {
-    let table: &[u8; STEPS] = &TABLE;
+    let table = FILM.as_slice();
     let mut steps = [[0_u32; 64]; 3];
     for (part, out) in out.chunks_mut(64).enumerate() {
         for (steps, light) in steps.iter_mut().zip(light) {
             for (step, light) in steps.iter_mut().zip(&light[part * 64..]) {
-                *step = whole(film(light * exposure) * (STEPS - 1) as f32);
+                let light = (light * exposure).max(DARK).min(BRIGHT);
+                *step = (light.to_bits() - DARK.to_bits()) >> PART;
             }
         }
         for (i, out) in out.iter_mut().enumerate() {
-            *out = three(|c| table[steps[c][i] as usize % STEPS]);
+            *out = three(|c| table[steps[c][i] as usize]);
         }
     }
 }

@@ -16,6 +16,7 @@ type Texel = [u8; 8];
 /// A texture, and its copies of half the size each.
 #[derive(Debug)]
 pub(crate) struct Tile {
+    /// Rows end with their first texel once more.
     levels: Vec<Vec<Texel>>,
     texels: usize,
     /// Texels to a metre.
@@ -79,6 +80,7 @@ impl Tile {
         // Less than a thirtieth is not seen.
         let even = |texel: &Texel| texel[4..6].iter().all(|lean| lean.abs_diff(128) < 2);
         let leans = levels.iter().map(|level| !level.iter().all(even)).collect();
+        let levels = levels.iter().map(|level| closed(level)).collect();
         Self { levels, texels, density: texels as f32 / pattern.side(), leans }
     }
 
@@ -114,50 +116,52 @@ impl Tile {
     #[inline(always)]
     pub(crate) fn span(&self, level: usize, span: &mut Span) {
         // Tiles to a metre, and parts of 256 of a texel to a tile.
-        let (scale, parts) = (self.density / self.texels as f32, ((self.texels >> level) * 256) as f32);
-        let (texels, bits) = (self.levels[level].as_slice(), (self.texels >> level).trailing_zeros());
-        let mask = (1_u32 << bits) - 1;
-        // The four texels around each place, and their weights, of which the sum is 256.
-        let (mut around, mut weights) = ([[0_u32; SPAN]; 4], [[0_u16; SPAN]; 4]);
+        let side = (self.texels >> level) as u32;
+        let (scale, parts) = (self.density / self.texels as f32, (side * 256) as f32);
+        let texels = self.levels[level].as_slice();
+        // The left one of two texels above each place and of two below it, and their weights.
+        let (mut above, mut below) = ([0_u32; SPAN], [0_u32; SPAN]);
+        let (mut across, mut down) = ([0_u16; SPAN], [0_u32; SPAN]);
         for i in 0..SPAN {
             let (u, v) = (span.u[i] * scale, span.v[i] * scale);
             // From a texel's middle to its corner.
             let x = whole((u - u.floor()) * parts).wrapping_sub(128);
             let y = whole((v - v.floor()) * parts).wrapping_sub(128);
-            let (x0, y0) = (x >> 8 & mask, y >> 8 & mask);
-            let (x1, y1) = ((x0 + 1) & mask, (y0 + 1) & mask);
-            let (upper, lower) = (y0 << bits, y1 << bits);
-            (around[0][i], around[1][i]) = (upper | x0, upper | x1);
-            (around[2][i], around[3][i]) = (lower | x0, lower | x1);
-            let (fx, fy) = (x & 255, y & 255);
-            let both = (fx * fy) >> 8;
-            (weights[0][i], weights[1][i]) = ((256 + both - fx - fy) as u16, (fx - both) as u16);
-            (weights[2][i], weights[3][i]) = ((fy - both) as u16, both as u16);
+            let (column, row) = (x >> 8 & (side - 1), y >> 8 & (side - 1));
+            above[i] = row * (side + 1) + column;
+            below[i] = ((row + 1) & (side - 1)) * (side + 1) + column;
+            let (right, lower) = (x >> 2 & 63, y >> 2 & 63);
+            across[i] = ((64 - right) | (right << 8)) as u16;
+            down[i] = (64 - lower) | (lower << 16);
         }
-        // Two numbers of sixteen bits in each: red and green, blue and roughness, the leans.
-        let (mixer, mut pairs) = (Mixer::new(), [[0_u32; SPAN]; 3]);
+        let pair = |at: u32| texels[at as usize..].first_chunk::<2>().copied().unwrap_or_default();
+        let (mixer, mut colours, mut leans) = (Mixer::new(), [[0_i32; 4]; SPAN], [[0_i32; 4]; SPAN]);
         for i in 0..span.count.min(SPAN) {
-            let texel = |k: usize| texels[around[k][i] as usize];
-            let weight = |k: usize| weights[k][i];
-            let mixed =
-                mixer.sum([texel(0), texel(1), texel(2), texel(3)], [weight(0), weight(1), weight(2), weight(3)]);
-            for (k, pairs) in pairs.iter_mut().enumerate() {
-                pairs[i] = u32::from(mixed[2 * k]) | u32::from(mixed[2 * k + 1]) << 16;
-            }
+            [colours[i], leans[i]] = mixer.means([pair(above[i]), pair(below[i])], across[i], down[i]);
         }
-        let low = |v: u32| (v & 0xffff) as i32 as f32;
-        let high = |v: u32| (v >> 16) as i32 as f32;
-        let tint = 1.0 / (256.0 * 128.0);
-        let half = 1.0 / (256.0 * 64.0);
+        let (tint, half) = (1.0 / (4096.0 * 128.0), 1.0 / (4096.0 * 64.0));
         for i in 0..SPAN {
-            span.tint[0][i] = low(pairs[0][i]) * tint;
-            span.tint[1][i] = high(pairs[0][i]) * tint;
-            span.tint[2][i] = low(pairs[1][i]) * tint;
-            span.roughness[i] = high(pairs[1][i]) * half;
-            span.lean[0][i] = (low(pairs[2][i]) - 32_768.0) * half;
-            span.lean[1][i] = (high(pairs[2][i]) - 32_768.0) * half;
+            let [red, green, blue, roughness] = colours[i];
+            span.tint[0][i] = red as f32 * tint;
+            span.tint[1][i] = green as f32 * tint;
+            span.tint[2][i] = blue as f32 * tint;
+            span.roughness[i] = roughness as f32 * half;
+        }
+        if self.leans[level] {
+            for i in 0..SPAN {
+                span.lean[0][i] = (leans[i][0] - 4096 * 128) as f32 * half;
+                span.lean[1][i] = (leans[i][1] - 4096 * 128) as f32 * half;
+            }
+        } else {
+            span.lean = [[0.0; SPAN]; 2];
         }
     }
+}
+
+/// Rows with their first texel at their end once more.
+fn closed(texels: &[Texel]) -> Vec<Texel> {
+    let side = texels.len().isqrt();
+    texels.chunks(side).flat_map(|row| row.iter().chain(&row[..1]).copied()).collect()
 }
 
 /// Means of two by two.
