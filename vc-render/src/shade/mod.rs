@@ -239,12 +239,18 @@ impl Row {
         let count = at.len().min(PART);
         let (lean, shiny) = (&self.lean[at.clone()][..count], &self.gloss[at.clone()][..count]);
         let (mut more, mut metal) = ([0.0_f32; PART], [0.0_f32; PART]);
+        let mut leans = 0;
         for x in 0..count {
-            let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
-            // Half as much as it would be: textures are flat, and lie.
-            let leant = (1.0 + 0.5 * DRIFT * (a * u + b * v + c * w)).clamp(0.4, 1.8);
             metal[x] = gloss(shiny[x]).1;
-            more[x] = leant * (1.0 - metal[x]) * std::f32::consts::FRAC_1_PI;
+            more[x] = (1.0 - metal[x]) * std::f32::consts::FRAC_1_PI;
+            leans |= lean[x];
+        }
+        if leans != 0 {
+            for x in 0..count {
+                let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
+                // Half as much as it would be: textures are flat, and lie.
+                more[x] *= (1.0 + 0.5 * DRIFT * (a * u + b * v + c * w)).clamp(0.4, 1.8);
+            }
         }
         for (c, out) in out.into_iter().enumerate() {
             let (colour, out) = (&self.colour[c][at.start..][..count], &mut out[..count]);

@@ -1,4 +1,4 @@
-//! How much light from all sides nearby things keep away, at half the resolution.
+//! How much light from all sides nearby things keep away, at half the resolution or a quarter.
 //!
 //! By comparison with the plane that is seen at a pixel (after Bavoil and Sainz 2009), which
 //! needs no more than depth: inverse depth is linear over a plane's image.
@@ -23,9 +23,14 @@ const LANES: usize = 64;
 /// Rows given to a thread at a time.
 const ROWS: usize = 8;
 
-/// Half the picture: inverse depth, and how open every point is, 0 to 1.
+/// Pictures of fewer rows are looked at finely.
+const LARGE: u32 = 240;
+
+/// Every second or fourth pixel of every such row: inverse depth, and how open every point is, 0 to 1.
 #[derive(Default)]
 pub(crate) struct Openness {
+    /// How many pixels the points are apart.
+    step: usize,
     across: usize,
     down: usize,
     inverse: Vec<f32>,
@@ -52,14 +57,13 @@ impl Openness {
     /// Finds it for what has been drawn in all bands.
     pub(super) fn find(&mut self, camera: &Camera, bands: &[Band]) {
         let (width, height) = (camera.width as usize, camera.height as usize);
-        (self.across, self.down) = (width.div_ceil(2), height.div_ceil(2));
+        self.step = if camera.height < LARGE { 2 } else { 4 };
+        (self.across, self.down) = (width.div_ceil(self.step), height.div_ceil(self.step));
         self.inverse.clear();
         for band in bands {
             let solid = band.layers.solid();
-            for y in band.rows.clone().filter(|y| y % 2 == 0) {
-                let (pairs, last) = solid.inverse_row(y).as_chunks::<2>();
-                self.inverse.extend(pairs.iter().map(|pair| pair[0]));
-                self.inverse.extend(last);
+            for y in band.rows.clone().filter(|y| y % self.step as i32 == 0) {
+                self.inverse.extend(solid.inverse_row(y).iter().step_by(self.step));
             }
         }
         self.depth.clear();
@@ -67,7 +71,14 @@ impl Openness {
         self.open.resize(self.across * self.down, 1.0);
         self.blurred.resize(self.across * self.down, 1.0);
         let spirals = &*SPIRALS;
-        let look = Look { inverse: &self.inverse, depth: &self.depth, across: self.across, down: self.down, camera };
+        let look = Look {
+            share: 1.0 / self.step as f32,
+            inverse: &self.inverse,
+            depth: &self.depth,
+            across: self.across,
+            down: self.down,
+            camera,
+        };
         let each = self.across * ROWS;
         self.open.par_chunks_mut(each).enumerate().for_each(|(chunk, rows)| {
             simd::widest(
@@ -82,27 +93,38 @@ impl Openness {
                 },
             );
         });
-        self.blur(1);
-        self.blur(self.across);
+        self.blur(across);
+        self.blur(down);
     }
 
-    /// The mean over four neighbours along an axis, whose directions differ, where they are as deep.
-    fn blur(&mut self, step: usize) {
-        let (across, inverse, open) = (self.across, &self.inverse, &self.open);
-        self.blurred.par_chunks_mut(across * ROWS).enumerate().for_each(|(chunk, rows)| {
+    /// The mean over neighbours along an axis, whose directions differ, where they are as deep.
+    fn blur(&mut self, means: impl Fn(&Self, usize, &mut [f32]) + Sync) {
+        let mut blurred = std::mem::take(&mut self.blurred);
+        blurred.par_chunks_mut(self.across * ROWS).enumerate().for_each(|(chunk, rows)| {
             simd::widest(
                 #[inline(always)]
-                || blur(inverse, open, (chunk * across * ROWS, step), rows),
+                || {
+                    for (i, out) in rows.chunks_mut(self.across).enumerate() {
+                        means(self, chunk * ROWS + i, out);
+                    }
+                },
             );
         });
-        std::mem::swap(&mut self.open, &mut self.blurred);
+        self.blurred = std::mem::replace(&mut self.open, blurred);
+    }
+
+    /// Inverse depth of a row, and how open it is.
+    #[inline(always)]
+    fn row(&self, y: usize) -> (&[f32], &[f32]) {
+        let at = y * self.across..(y + 1) * self.across;
+        (&self.inverse[at.clone()], &self.open[at])
     }
 
     /// How open a pixel is: of the four points around it the one at its depth counts.
     #[inline(always)]
     pub(super) fn at(&self, x: usize, y: usize, inverse: f32) -> f32 {
-        let (x0, y0) = (x / 2, y / 2);
-        let (x1, y1) = (x.div_ceil(2).min(self.across - 1), y.div_ceil(2).min(self.down - 1));
+        let (x0, y0) = (x / self.step, y / self.step);
+        let (x1, y1) = (x.div_ceil(self.step).min(self.across - 1), y.div_ceil(self.step).min(self.down - 1));
         let (mut best, mut open) = (f32::INFINITY, 1.0);
         for at in [y0 * self.across + x0, y0 * self.across + x1, y1 * self.across + x0, y1 * self.across + x1] {
             let apart = (self.inverse[at] - inverse).abs();
@@ -112,33 +134,57 @@ impl Openness {
     }
 }
 
-/// Writes means of rows, the first of which begins at `first`.
+/// Points whose mean is taken, and their weights: neighbours' directions differ as far as that.
+const WINDOW: usize = 5;
+const WEIGHTS: [f32; WINDOW] = [0.5, 1.0, 1.0, 1.0, 0.5];
+
+/// Where the window of a point of so many begins; at the ends it is aside.
 #[inline(always)]
-fn blur(inverse: &[f32], open: &[f32], (first, step): (usize, usize), out: &mut [f32]) {
-    // At the image's border, what would be beyond is left as it is.
-    let low = (2 * step).saturating_sub(first).min(out.len());
-    let high = (inverse.len().saturating_sub(first + 2 * step)).min(out.len()).max(low);
-    out[..low].copy_from_slice(&open[first..first + low]);
-    let end = first + out.len();
-    out[high..].copy_from_slice(&open[first + high..end]);
-    let count = high - low;
-    if count == 0 {
-        return;
-    }
-    let from = first + low;
-    let [d0, d1, d2, d3, d4] = [0, 1, 2, 3, 4].map(|k: usize| &inverse[from + k * step - 2 * step..][..count]);
-    let [o0, o1, o2, o3, o4] = [0, 1, 2, 3, 4].map(|k: usize| &open[from + k * step - 2 * step..][..count]);
-    let out = &mut out[low..high];
+fn window(at: usize, count: usize) -> usize {
+    at.saturating_sub(WINDOW / 2).min(count.saturating_sub(WINDOW))
+}
+
+/// Means along a row.
+#[inline(always)]
+fn across(all: &Openness, y: usize, out: &mut [f32]) {
+    let ((inverse, open), count) = (all.row(y), out.len());
+    let mut part = |at: usize, length: usize| {
+        let first = |k: usize| (window(at, count) + k).min(count - length);
+        let lists = [inverse, open].map(|list| std::array::from_fn(|k| &list[first(k)..][..length]));
+        means(&inverse[at..at + length], lists, &mut out[at..at + length]);
+    };
+    let edge = (WINDOW / 2).min(count);
+    let middle = count.saturating_sub(2 * edge);
+    (0..edge).chain(edge + middle..count).for_each(|at| part(at, 1));
+    part(edge, middle);
+}
+
+/// Means along columns, for a row.
+#[inline(always)]
+fn down(all: &Openness, y: usize, out: &mut [f32]) {
+    let from = window(y, all.down);
+    let rows: [_; WINDOW] = std::array::from_fn(|k| all.row((from + k).min(all.down - 1)));
+    means(all.row(y).0, [rows.map(|row| row.0), rows.map(|row| row.1)], out);
+}
+
+/// Writes means of lists, of what is as deep as their own points.
+#[inline(always)]
+fn means(own: &[f32], [inverse, open]: [[&[f32]; WINDOW]; 2], out: &mut [f32]) {
+    let count = own.len().min(out.len());
     for i in 0..count {
-        let slack = 0.04 * d2[i];
-        let share = |d: f32, most: f32| if (d - d2[i]).abs() <= slack { most } else { 0.0 };
-        let [a, b, c, d] = [share(d0[i], 0.5), share(d1[i], 1.0), share(d3[i], 1.0), share(d4[i], 0.5)];
-        let sum = a * o0[i] + b * o1[i] + o2[i] + c * o3[i] + d * o4[i];
-        out[i] = sum / (1.0 + a + b + c + d);
+        let (mut sum, mut all) = (0.0, 0.0);
+        for k in 0..WINDOW {
+            let near = (inverse[k][i] - own[i]).abs() <= 0.04 * own[i];
+            let share = if near { WEIGHTS[k] } else { 0.0 };
+            (sum, all) = (sum + share * open[k][i], all + share);
+        }
+        out[i] = sum / all;
     }
 }
 
 struct Look<'a> {
+    /// Points to a pixel.
+    share: f32,
     inverse: &'a [f32],
     depth: &'a [f32],
     across: usize,
@@ -152,15 +198,15 @@ impl Look<'_> {
     fn open(&self, x0: usize, y: usize, taps: &[[[f32; LANES]; 2]; TAPS], out: &mut [f32]) {
         let count = out.len().min(LANES);
         let last = [self.across as i32 - 1, self.down as i32 - 1];
-        let focal = 0.5 * self.camera.focal.0;
-        let centre = [0.5 * self.camera.centre.0, 0.5 * self.camera.centre.1];
+        let focal = self.share * self.camera.focal.0;
+        let centre = [self.share * self.camera.centre.0, self.share * self.camera.centre.1];
         let mut here = [1.0_f32; LANES];
         let mut slope = [[0.0_f32; LANES]; 2];
         self.slopes(x0, y, (&mut here, &mut slope), count);
         let (mut over, mut radius, mut kept) = ([0.0_f32; LANES], [0.0_f32; LANES], [0.0_f32; LANES]);
-        let down = y as f32 + 0.25 - centre[1];
+        let down = y as f32 + 0.5 * self.share - centre[1];
         for i in 0..LANES {
-            let across = (x0 + i) as f32 + 0.25 - centre[0];
+            let across = (x0 + i) as f32 + 0.5 * self.share - centre[0];
             let [gx, gy] = [slope[0][i], slope[1][i]];
             let n = [gx * focal, gy * focal, here[i] - gx * across - gy * down];
             over[i] = 1.0 / (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
