@@ -103,24 +103,24 @@ impl Find<'_> {
         [own, beside]: Colours<'_>,
         mut edge: impl FnMut(usize),
     ) {
-        let count = here.len().min(there.len());
-        for from in (0..count).step_by(LANES) {
-            if let (Some(here), Some(there)) = (here[from..].first_chunk(), there[from..].first_chunk())
-                && let (Some(look), Some(looks)) = (look[from..].first_chunk(), looks[from..].first_chunk())
-                && !turn([here, there], [look, looks])
-            {
-                continue;
+        let mut look_at = |x: usize| {
+            let same = |k: usize| own[x][k].abs_diff(beside[x][k]) <= SAME;
+            let seen = here[x] != there[x]
+                && !(same(0) && same(1) && same(2))
+                && !(look[x] == looks[x] && self.writer.smooth([here[x], there[x]]));
+            if seen {
+                edge(x);
             }
-            for x in from..(from + LANES).min(count) {
-                let same = |k: usize| own[x][k].abs_diff(beside[x][k]) <= SAME;
-                let seen = here[x] != there[x]
-                    && !(same(0) && same(1) && same(2))
-                    && !(look[x] == looks[x] && self.writer.smooth([here[x], there[x]]));
-                if seen {
-                    edge(x);
-                }
+        };
+        let count = here.len().min(there.len());
+        let chunks = [here, there, look, looks].map(|list| list[..count].as_chunks::<LANES>().0.iter());
+        let [here, there, look, looks] = chunks;
+        for (part, ((here, there), (look, looks))) in here.zip(there).zip(look.zip(looks)).enumerate() {
+            if turn([here, there], [look, looks]) {
+                (part * LANES..(part + 1) * LANES).for_each(&mut look_at);
             }
         }
+        (count / LANES * LANES..count).for_each(look_at);
     }
 
     /// How the edge between two pixels, the second after the first along an axis, cuts them:
