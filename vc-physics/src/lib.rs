@@ -23,7 +23,7 @@ mod vehicle;
 mod water;
 mod world;
 
-pub use agent::{BodyPlan, Hand, Posture, Walk};
+pub use agent::{BodyPlan, Hand, PartsAside, Posture, Walk};
 pub use contact::Contact;
 pub use error::{AgentError, PhysicsError, SnapshotError};
 pub use joints::MovingPart;

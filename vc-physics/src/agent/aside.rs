@@ -14,6 +14,9 @@ const AJAR: f32 = 0.1;
 /// Positions that are looked at, from there to wide open.
 const LOOKS: u8 = 18;
 
+/// Moving parts by node and number, and how far open each would be, 0 to 1.
+pub type PartsAside = Vec<(NodeId, usize, f32)>;
+
 impl World {
     /// What would have to give way so that an agent could stand with its feet at a pose: moving
     /// parts that stand open, by node and part, and how far open each would be then, a tenth of
@@ -25,7 +28,7 @@ impl World {
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
-    pub fn parts_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<Vec<(NodeId, usize, f32)>>, AgentError> {
+    pub fn parts_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsAside>, AgentError> {
         let body = self.agent(agent)?;
         let aside = |(id, link): (NodeId, usize)| {
             let part = link.checked_sub(1)?;

@@ -16,6 +16,7 @@ use crate::snapshot::Fnv;
 use crate::world::World;
 use crate::{AgentError, PhysicsError, convert, group};
 
+pub use aside::PartsAside;
 pub use hands::Hand;
 pub use walk::Walk;
 
