@@ -74,8 +74,8 @@ pub(crate) struct Memory {
     pub(crate) alone: Layers,
     pub(crate) tally: Vec<crate::label::Tally>,
     pub(crate) open: Openness,
-    /// Changes to pixels at edges.
-    pub(crate) changes: Vec<(u32, [f32; 3])>,
+    /// What mixes colours at edges.
+    pub(crate) smoother: crate::shade::Smoother,
     /// Colours before they are shrunk.
     pub(crate) finer: Option<Box<Frame>>,
 }

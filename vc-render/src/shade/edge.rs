@@ -1,22 +1,12 @@
 //! Where the edges of things cross pixels, so that colours may be smoothed there.
 //!
 //! The nearer triangle of two neighbouring pixels tells how far it reaches between their
-//! centres (after Persson's geometry buffer anti-aliasing, 2011).
+//! centres, or else the other one (after Persson's geometry buffer anti-aliasing, 2011).
 
+use super::smooth::Edge;
 use super::surfel::{BENT, Known, Writer};
-use super::tone::{decoded, encoded};
 use crate::affine::three;
 use crate::raster::{NONE, Solid};
-
-/// An edge between two pixels of a picture.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Edge {
-    /// The pixel into which it reaches, and the one from which.
-    into: u32,
-    from: u32,
-    /// How much of the pixel is the other's.
-    share: f32,
-}
 
 /// Three lines over an image: what x, y and one are multiplied with.
 pub(super) type Lines = [[f32; 3]; 3];
@@ -64,7 +54,8 @@ impl Find<'_> {
             |x| {
                 let inverse = self.solid.inverse_row(y);
                 let share = self.between((here[x], inverse[x]), (here[x + 1], inverse[x + 1]), (x, y, 0), known);
-                push(edges, y as u32 * width + x as u32, 1, share);
+                let nearer = self.nearer([here[x], here[x + 1]], [inverse[x], inverse[x + 1]]);
+                push(edges, y as u32 * width + x as u32, 1, (share, nearer));
             },
         );
     }
@@ -89,7 +80,8 @@ impl Find<'_> {
             |x| {
                 let (inverse, deeper) = (self.solid.inverse_row(y), self.solid.inverse_row(y + 1));
                 let share = self.between((here[x], inverse[x]), (next[x], deeper[x]), (x, y, 1), known);
-                push(edges, y as u32 * width + x as u32, width, share);
+                let nearer = self.nearer([here[x], next[x]], [inverse[x], deeper[x]]);
+                push(edges, y as u32 * width + x as u32, width, (share, nearer));
             },
         );
     }
@@ -123,8 +115,19 @@ impl Find<'_> {
         (count / LANES * LANES..count).for_each(look_at);
     }
 
+    /// Which of two triangles is nearer, if they are of two things.
+    fn nearer(&self, triangles: [u32; 2], [first, second]: [f32; 2]) -> Option<u32> {
+        let [a, b] = triangles.map(|triangle| {
+            let visible = self.writer.visible.get(triangle as usize)?;
+            Some(self.writer.view.snapshot.instances[visible.instance as usize].body)
+        });
+        (a != b).then_some(u32::from(first < second))
+    }
+
     /// How the edge between two pixels, the second after the first along an axis, cuts them:
     /// positive is how much of the first is the second's.
+    ///
+    /// The nearer triangle tells, or where it goes on, as a floor does under what stands on it, the other.
     fn between(
         &self,
         first: (u32, f32),
@@ -132,17 +135,17 @@ impl Find<'_> {
         (x, y, axis): (usize, i32, usize),
         known: &mut Known,
     ) -> f32 {
+        let mut tells = |forward: bool| {
+            let triangle = if forward { first.0 } else { second.0 };
+            let mut from = [x as f32 + 0.5, y as f32 + 0.5];
+            from[axis] += if forward { 0.0 } else { 1.0 };
+            let step = if forward { 1.0 } else { -1.0 };
+            let reach = if triangle == NONE { None } else { self.reach(triangle, from, (axis, step), known) };
+            // Its owner ends within its own pixel.
+            reach.map(|reach| (0.5 - reach) * step)
+        };
         let forward = first.1 >= second.1;
-        let nearer = if forward { first.0 } else { second.0 };
-        if nearer == NONE {
-            return 0.0;
-        }
-        let mut from = [x as f32 + 0.5, y as f32 + 0.5];
-        from[axis] += if forward { 0.0 } else { 1.0 };
-        let step = if forward { 1.0 } else { -1.0 };
-        let reach = self.reach(nearer, from, (axis, step), known);
-        // The owner of the nearer triangle ends within its own pixel.
-        reach.map_or(0.0, |r| 0.5 - r) * step
+        tells(forward).or_else(|| tells(!forward)).unwrap_or(0.0)
     }
 
     /// How far a triangle reaches from a point in it along an axis, up to one pixel.
@@ -177,26 +180,9 @@ fn homogeneous(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f32 {
 
 /// An edge between a pixel and the one so many after it.
 #[inline(always)]
-fn push(edges: &mut Vec<Edge>, pixel: u32, step: u32, share: f32) {
+fn push(edges: &mut Vec<Edge>, pixel: u32, step: u32, (share, nearer): (f32, Option<u32>)) {
     let (into, from) = if share > 0.0 { (pixel, pixel + step) } else { (pixel + step, pixel) };
     if share.abs() > 0.01 {
-        edges.push(Edge { into, from, share: share.abs() });
-    }
-}
-
-/// Mixes into pixels what is their neighbours'. `changes` is memory to work in.
-pub(super) fn smooth<'a>(
-    edges: impl Iterator<Item = &'a [Edge]>,
-    rgb: &mut [[u8; 3]],
-    changes: &mut Vec<(u32, [f32; 3])>,
-) {
-    changes.clear();
-    for edge in edges.flatten() {
-        let (own, other) = (decoded(rgb[edge.into as usize]), decoded(rgb[edge.from as usize]));
-        changes.push((edge.into, three(|i| edge.share * (other[i] - own[i]))));
-    }
-    for (at, change) in changes {
-        let own = decoded(rgb[*at as usize]);
-        rgb[*at as usize] = encoded(three(|i| (own[i] + change[i]).max(0.0)));
+        edges.push(Edge { into, from, share: share.abs(), before: nearer.map(|which| pixel + which * step) });
     }
 }

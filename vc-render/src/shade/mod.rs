@@ -4,7 +4,7 @@
 //! Then, strip by strip of a few rows that stay in the processor's cache: every pixel's
 //! surface is written down ([`surfel`]); light is found ([`light`]) where it cannot be
 //! taken from neighbours ([`lattice`]); mirrors and panes are added ([`extra`]), and light
-//! becomes colours ([`tone`]). At last edges are smoothed ([`edge`]).
+//! becomes colours ([`tone`]). At last edges are found ([`edge`]) and smoothed ([`smooth`]).
 
 mod edge;
 mod extra;
@@ -14,6 +14,7 @@ mod look;
 mod occlusion;
 mod planes;
 mod shrink;
+mod smooth;
 mod surfel;
 mod texture;
 mod tone;
@@ -21,13 +22,15 @@ mod tone;
 pub(crate) use look::{Look, look};
 pub(crate) use occlusion::Openness;
 pub(crate) use shrink::shrink;
+pub(crate) use smooth::Smoother;
 pub(crate) use tone::{decoded, encoded, film};
 
-use self::edge::{Edge, Find};
+use self::edge::Find;
 use self::extra::Extra;
 use self::lattice::{LIGHT, Lattice, Spots};
 use self::light::{Batch, DRIFT, Lamps};
 use self::planes::{Planes, ROWS, Row, gloss, unpacked};
+use self::smooth::Edge;
 use self::surfel::{Known, Writer};
 use crate::camera::Camera;
 use crate::frame::{Band, Frame, Strip};
@@ -73,9 +76,9 @@ pub(crate) fn occlusion(camera: &Camera, bands: &[Band], open: &mut Openness) {
 
 /// Smooths edges.
 pub(crate) fn smooth(frame: &mut Frame) {
-    let Frame { memory, rgb, .. } = frame;
+    let Frame { memory, rgb, width, .. } = frame;
     let edges = memory.bands.iter().map(|b| b.shading.edges.as_slice());
-    edge::smooth(edges, rgb, &mut memory.changes);
+    memory.smoother.smooth(edges, *width, rgb);
 }
 
 impl Shading<'_> {
