@@ -436,16 +436,21 @@ fn walking_and_being_there_end_the_same() {
     }
 }
 
-/// Where one is out of the way of a door, however far it is open.
-#[test]
-fn clear_of_a_door_that_swings() {
+/// An agent, a door that is shut, and a cube beside it.
+fn beside_a_door() -> (World, NodeId, NodeId) {
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);
     let me = scene.agent(at(3.0, 3.0, 0.0));
     let door = scene.door_asset();
     let door = scene.add("door", door, at(0.0, 0.0, 0.0));
     scene.cube(0.2, at(-0.5, 0.0, 0.2));
-    let mut world = scene.world();
+    (scene.world(), me, door)
+}
+
+/// Where one is out of the way of a door, however far it is open.
+#[test]
+fn clear_of_a_door_that_swings() {
+    let (mut world, me, door) = beside_a_door();
     let clear = |world: &World, x: f32, y: f32, open: &[f32]| world.stands_clear(me, &at(x, y, 0.0), door, open);
     // In its way, but neither where it begins nor where it ends.
     assert_eq!(clear(&world, 0.5, 0.0, &[0.0]), Ok(true));
@@ -485,13 +490,7 @@ fn agents_refuse_nonsense() {
 /// A door that stands open gives way to who steps up; a wall does not.
 #[test]
 fn open_doors_give_way() {
-    let mut scene = Scene::default();
-    scene.floor(5.0, 0.5);
-    let me = scene.agent(at(3.0, 3.0, 0.0));
-    let door = scene.door_asset();
-    let door = scene.add("door", door, at(0.0, 0.0, 0.0));
-    scene.cube(0.2, at(-0.5, 0.0, 0.2));
-    let mut world = scene.world();
+    let (mut world, me, door) = beside_a_door();
     assert_eq!(world.parts_aside(me, &at(0.5, 0.4, 0.0)), Ok(Some(Vec::new())));
     world.put_all_open(door, 1.0).unwrap();
     assert_eq!(world.stands_free(me, &at(0.5, 0.4, 0.0)), Ok(false));
