@@ -39,7 +39,7 @@ const WAIST: f32 = 0.9;
 /// | endpoint | what it is made of |
 /// |---|---|
 /// | [`make`](Self::make) | `Apartment::from_seed`, `World::build`, `World::settle`, `Floor::of`, `World::add_agent`, `Relations::new`, `Relations::write` |
-/// | [`reset`](Self::reset) | `World::reset`, `World::free_spot_at`, `World::settle`, `Relations::update` |
+/// | [`reset`](Self::reset) | `World::reset`, `World::free_spot_at`, `World::lower`, `World::settle`, `Relations::update` |
 /// | [`observation`](Self::observation) | `SceneGraph::observe` |
 /// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::render` |
 /// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::stand`, `World::grab`, `World::free_spot_at`, `World::put`, `World::drive` ..., then `Relations::update` |

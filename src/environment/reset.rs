@@ -75,7 +75,8 @@ impl Environment {
     /// (`World::reset`). What the graph says to be on or in something else than at the
     /// start, and new things, keep their pose if it is free and something is right below;
     /// otherwise they get the free spot nearest to it (`World::free_spot_at`), and if there
-    /// is none, they are left out and reported. Then all comes to rest (`World::settle`)
+    /// is none, they are left out and reported. What hovers by less than two centimetres is let
+    /// down (`World::lower`). Then all comes to rest (`World::settle`)
     /// and is observed (`Relations::update`).
     ///
     /// # Errors
