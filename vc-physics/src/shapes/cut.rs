@@ -9,8 +9,6 @@ use vc_graph::asset::Part;
 
 use super::piece::Piece;
 
-pub(super) type Polygon = Vec<Point3<f32>>;
-
 /// How far a corner may be in front of a face of the same convex piece, metres.
 const INWARDS: f32 = 0.002;
 /// Into how many pieces a mesh is cut at most; what is left then is a hull.
@@ -36,81 +34,148 @@ impl Plane {
     }
 
     /// Of a polygon (Newell's sum); nothing if that has no area.
-    fn of(polygon: &Polygon) -> Option<Self> {
-        let ends = polygon.iter().zip(polygon.iter().cycle().skip(1));
-        let area: Vector3<f32> = ends.map(|(a, b)| (a - polygon[0]).cross(&(b - polygon[0]))).sum();
+    fn of(polygon: impl Iterator<Item = Point3<f32>> + Clone) -> Option<Self> {
+        let first = polygon.clone().next()?;
+        let ends = polygon.clone().zip(polygon.cycle().skip(1));
+        let area: Vector3<f32> = ends.map(|(a, b)| (a - first).cross(&(b - first))).sum();
         let normal = area.try_normalize(1e-9)?;
-        Some(Self { normal, at: normal.dot(&polygon[0].coords) })
+        Some(Self { normal, at: normal.dot(&first.coords) })
     }
 }
 
-/// A part's triangles in the frame of the scaled asset.
-pub(super) fn polygons(
-    part: &Part,
-    vertices: &[Point3<f32>],
-    triangles: &[[u32; 3]],
-    by: &Vector3<f32>,
-) -> Vec<Polygon> {
-    let at = |v: &u32| Some(Point3::from((part.pose * vertices.get(*v as usize)?).coords.component_mul(by)));
-    triangles.iter().filter_map(|t| t.iter().map(at).collect()).collect()
+/// The corners of polygons, where these are cut those of the cuts too.
+pub(super) struct Corners {
+    points: Vec<Point3<f32>>,
+    /// How far each is in front of the plane that cuts.
+    heights: Vec<f32>,
 }
 
-/// What polygons have on one side of a plane: in front, or behind (Sutherland and Hodgman, 1974).
-pub(super) fn clipped(polygons: &[Polygon], plane: Plane, front: bool) -> Vec<Polygon> {
-    polygons.iter().filter_map(|p| clip(p, plane, front)).collect()
+/// Polygons, by the numbers of their corners.
+#[derive(Default)]
+pub(super) struct Polygons {
+    corners: Vec<u32>,
+    /// Where each ends among the corners.
+    ends: Vec<u32>,
 }
 
-fn clip(polygon: &Polygon, plane: Plane, front: bool) -> Option<Polygon> {
-    let is_inside = |height: f32| if front { height >= 0.0 } else { height <= 0.0 };
-    // Most polygons are all on one side.
-    let inside = polygon.iter().filter(|p| is_inside(plane.height(p))).count();
-    if inside == 0 || inside == polygon.len() {
-        return (inside > 2).then(|| polygon.clone());
+impl Polygons {
+    /// The polygons, each the numbers of its corners.
+    fn iter(&self) -> impl Iterator<Item = &[u32]> {
+        let starts = std::iter::once(&0).chain(&self.ends);
+        starts.zip(&self.ends).map(|(from, to)| &self.corners[*from as usize..*to as usize])
     }
-    let mut clipped = Vec::with_capacity(polygon.len() + 1);
-    for (a, b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
-        let (from, to) = (plane.height(a), plane.height(b));
-        clipped.extend(is_inside(from).then_some(*a));
-        clipped.extend((is_inside(from) != is_inside(to)).then(|| a + (b - a) * (from / (from - to))));
+
+    fn push(&mut self, polygon: &[u32]) {
+        self.corners.extend_from_slice(polygon);
+        self.end();
     }
-    (clipped.len() > 2).then_some(clipped)
-}
 
-/// The corners of polygons, each once.
-pub(super) fn corners(polygons: &[Polygon]) -> Vec<Point3<f32>> {
-    let mut all = polygons.concat();
-    all.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)));
-    all.dedup();
-    all
-}
-
-/// Convex pieces of a closed surface, cut along its own faces.
-pub(super) fn along_faces(polygons: Vec<Polygon>) -> Vec<Piece> {
-    let mut pieces = Vec::new();
-    let mut open = vec![polygons];
-    while let Some(polygons) = open.pop() {
-        let may_cut = pieces.len() + open.len() + 1 < MOST && polygons.len() <= TRIANGLES;
-        match may_cut.then(|| inwards(&polygons)).flatten() {
-            Some(plane) => open.extend([false, true].map(|front| side(&polygons, plane, front))),
-            None => pieces.extend(Piece::hull(&corners(&polygons), &Vector3::z())),
+    /// Ends a polygon; leaves it out if it has too few corners.
+    fn end(&mut self) {
+        let from = self.ends.last().map_or(0, |end| *end as usize);
+        if self.corners.len() - from > 2 {
+            self.ends.push(self.corners.len() as u32);
+        } else {
+            self.corners.truncate(from);
         }
     }
-    pieces
 }
 
-/// What a closed surface has on one side of a plane; faces in it belong to neither side, their
-/// corners are those of their neighbours.
-fn side(polygons: &[Polygon], plane: Plane, front: bool) -> Vec<Polygon> {
-    let mut side = clipped(polygons, plane, front);
-    side.retain(|polygon| polygon.iter().any(|p| plane.height(p).abs() > INWARDS));
-    side
-}
+impl Corners {
+    /// A part's triangles in the frame of the scaled asset.
+    pub(super) fn of(
+        part: &Part,
+        vertices: &[Point3<f32>],
+        triangles: &[[u32; 3]],
+        by: &Vector3<f32>,
+    ) -> (Self, Polygons) {
+        let points = vertices.iter().map(|v| Point3::from((part.pose * v).coords.component_mul(by))).collect();
+        let mut all = Polygons::default();
+        let sound = |t: &&[u32; 3]| t.iter().all(|v| (*v as usize) < vertices.len());
+        triangles.iter().filter(sound).for_each(|t| all.push(t));
+        (Self { points, heights: Vec::new() }, all)
+    }
 
-/// The plane of a face that has corners in front of it and others behind.
-fn inwards(polygons: &[Polygon]) -> Option<Plane> {
-    let turns = |plane: &Plane| {
-        let heights = || polygons.iter().flatten().map(|p| plane.height(p));
-        heights().any(|h| h > INWARDS) && heights().any(|h| h < -INWARDS)
-    };
-    polygons.iter().filter_map(Plane::of).find(turns)
+    /// What polygons have behind a plane and in front of it (Sutherland and Hodgman, 1974).
+    pub(super) fn divided(&mut self, polygons: &Polygons, plane: Plane) -> [Polygons; 2] {
+        let Self { points, heights } = self;
+        heights.clear();
+        heights.extend(points.iter().map(|p| plane.height(p)));
+        let mut sides = [Polygons::default(), Polygons::default()];
+        for polygon in polygons.iter() {
+            let height = |v: &u32| heights[*v as usize];
+            let inside = [polygon.iter().all(|v| height(v) <= 0.0), polygon.iter().all(|v| height(v) >= 0.0)];
+            if inside[0] || inside[1] {
+                // What lies in the plane is on both sides.
+                sides.iter_mut().zip(inside).for_each(|(side, inside)| {
+                    if inside {
+                        side.push(polygon)
+                    }
+                });
+                continue;
+            }
+            for (a, b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
+                let (from, to) = (heights[*a as usize], heights[*b as usize]);
+                sides[0].corners.extend((from <= 0.0).then_some(*a));
+                sides[1].corners.extend((from >= 0.0).then_some(*a));
+                if from.min(to) < 0.0 && from.max(to) > 0.0 {
+                    let (first, second) = (points[*a as usize], points[*b as usize]);
+                    let new = points.len() as u32;
+                    points.push(first + (second - first) * (from / (from - to)));
+                    heights.push(0.0);
+                    sides.iter_mut().for_each(|side| side.corners.push(new));
+                }
+            }
+            sides.iter_mut().for_each(Polygons::end);
+        }
+        sides
+    }
+
+    /// The corners of polygons, each once.
+    pub(super) fn of_all(&self, polygons: &Polygons) -> Vec<Point3<f32>> {
+        let mut used = vec![false; self.points.len()];
+        polygons.corners.iter().for_each(|v| used[*v as usize] = true);
+        let mut all: Vec<Point3<f32>> =
+            self.points.iter().zip(used).filter(|(_, used)| *used).map(|(p, _)| *p).collect();
+        all.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)));
+        all.dedup();
+        all
+    }
+
+    fn at(&self, polygon: &[u32]) -> impl Iterator<Item = Point3<f32>> + Clone {
+        polygon.iter().map(|v| self.points[*v as usize])
+    }
+
+    /// Convex pieces of a closed surface, cut along its own faces.
+    pub(super) fn along_faces(mut self, polygons: Polygons) -> Vec<Piece> {
+        let mut pieces = Vec::new();
+        let mut open = vec![polygons];
+        while let Some(polygons) = open.pop() {
+            let may_cut = pieces.len() + open.len() + 1 < MOST && polygons.ends.len() <= TRIANGLES;
+            match may_cut.then(|| self.inwards(&polygons)).flatten() {
+                Some(plane) => open.extend(self.divided(&polygons, plane).map(|side| self.out_of(plane, &side))),
+                None => pieces.extend(Piece::hull(&self.of_all(&polygons), &Vector3::z())),
+            }
+        }
+        pieces
+    }
+
+    /// Those of the polygons that are not in a plane: faces in it belong to neither side, their
+    /// corners are those of their neighbours.
+    fn out_of(&self, plane: Plane, side: &Polygons) -> Polygons {
+        let mut out = Polygons::default();
+        let leaves = |polygon: &&[u32]| self.at(polygon).any(|p| plane.height(&p).abs() > INWARDS);
+        side.iter().filter(leaves).for_each(|polygon| out.push(polygon));
+        out
+    }
+
+    /// The plane of a face that has corners in front of it and others behind.
+    fn inwards(&self, polygons: &Polygons) -> Option<Plane> {
+        let corners = self.of_all(polygons);
+        let turns = |plane: &Plane| {
+            let heights = || corners.iter().map(|p| plane.height(p));
+            heights().any(|h| h > INWARDS) && heights().any(|h| h < -INWARDS)
+        };
+        polygons.iter().filter_map(|p| Plane::of(self.at(p))).find(turns)
+    }
 }

@@ -10,16 +10,21 @@ use vc_graph::asset::{Joint, Part, Shape, Surface};
 use vc_graph::class::Range;
 use vc_graph::{Asset, AssetLibrary, Bounds, Frame, Pose};
 
+use super::cut::Corners;
 use super::footprint::{self, Footprint};
 use super::mass::{self, Moments};
 use super::piece::{self, Piece};
-use super::{cut, hollow, merge, scale};
+use super::{hollow, merge, scale};
 use crate::convert;
 
 /// Density of things of which nothing is known but a box, kilograms per cubic metre.
 const BOX_DENSITY: f32 = 150.0;
 /// Friction of what has no material.
 const FRICTION: f32 = 0.5;
+
+/// How far what is on a box may stick out of it without being a piece of its own, metres before
+/// it is scaled: prints, labels, panes.
+const TRIM: f32 = 0.001;
 
 /// Everything the engine needs to know about an asset at a scale.
 pub(crate) struct Form {
@@ -183,11 +188,13 @@ impl Link {
         parts.iter().for_each(|p| sum.add(p, library, by));
         let pieces = |part: &&Part| match &part.shape {
             Shape::Mesh { vertices, triangles, .. } if !joins => {
-                cut::along_faces(cut::polygons(part, vertices, triangles, by))
+                let (corners, polygons) = Corners::of(part, vertices, triangles, by);
+                corners.along_faces(polygons)
             }
             _ => hollow::pieces(part, by, surfaces),
         };
-        let pieces = solid.iter().flat_map(pieces).collect();
+        let felt = if joins { without_trim(solid) } else { solid.to_vec() };
+        let pieces = felt.iter().flat_map(pieces).collect();
         let pieces = if joins { merge::merged(pieces, surfaces) } else { pieces };
         let (mass, friction, restitution) = sum.finish(&pieces);
         Self {
@@ -203,6 +210,26 @@ impl Link {
             footprints: OnceLock::new(),
         }
     }
+}
+
+/// The parts but for those that are in a box that is another part, or stick out of it by no more
+/// than [`TRIM`].
+fn without_trim<'a>(parts: &[&'a Part]) -> Vec<&'a Part> {
+    let extents: Vec<_> = parts.iter().map(|p| p.shape.extent()).collect();
+    let is_box = |i: &usize| matches!(parts[*i].shape, Shape::Box { .. } | Shape::RoundedBox { .. });
+    let boxes: Vec<usize> = (0..parts.len()).filter(is_box).collect();
+    let covers = |a: usize, b: usize| {
+        let (pose, other) = (&parts[a].pose, &parts[b].pose);
+        if a == b || pose.rotation != other.rotation {
+            return false;
+        }
+        let way = pose.rotation.inverse_transform_vector(&(other.translation.vector - pose.translation.vector));
+        let ((low, high), (least, most)) = (extents[a], extents[b]);
+        (0..3).all(|k| least[k] + way[k] >= low[k] - TRIM && most[k] + way[k] <= high[k] + TRIM)
+    };
+    // Of two that are in each other the first is kept.
+    let is_trim = |i: usize| boxes.iter().any(|&b| covers(b, i) && (b < i || !is_box(&i) || !covers(i, b)));
+    (0..parts.len()).filter(|&i| !is_trim(i)).map(|i| parts[i]).collect()
 }
 
 /// The pieces of a part in the frame of the scaled asset.

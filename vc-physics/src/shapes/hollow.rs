@@ -8,7 +8,7 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::geometry::SharedShape;
 use vc_graph::asset::{Hold, Part, Shape, Surface};
 
-use super::cut::{self, Plane, Polygon, clipped, corners};
+use super::cut::{Corners, Plane, Polygons};
 use super::form;
 use super::merge::Box3;
 use super::piece::Piece;
@@ -35,7 +35,8 @@ pub(super) fn pieces(part: &Part, by: &Vector3<f32>, surfaces: &[Surface]) -> Ve
         return whole;
     }
     let mut cut = Vec::new();
-    split(cut::polygons(part, vertices, triangles, by), hull.clone(), &spaces, &mut cut);
+    let (mut corners, polygons) = Corners::of(part, vertices, triangles, by);
+    split(&mut corners, polygons, hull.clone(), &spaces, &mut cut);
     cut
 }
 
@@ -53,7 +54,7 @@ fn contains(shape: &SharedShape, point: Point3<f32>) -> bool {
 
 /// The hull of polygons; where it fills a space, the hulls of what is under it, on its
 /// four sides and above it.
-fn split(polygons: Vec<Polygon>, hull: Piece, spaces: &[Box3], out: &mut Vec<Piece>) {
+fn split(corners: &mut Corners, polygons: Polygons, hull: Piece, spaces: &[Box3], out: &mut Vec<Piece>) {
     let Some(index) = spaces.iter().position(|s| fills(&hull, s)) else {
         out.push(hull);
         return;
@@ -68,11 +69,11 @@ fn split(polygons: Vec<Polygon>, hull: Piece, spaces: &[Box3], out: &mut Vec<Pie
         (1, high.y, true),
         (2, high.z, true),
     ] {
-        let plane = Plane::across(axis, at);
-        let side = clipped(&rest, plane, beyond);
-        if let Some(hull) = Piece::hull(&corners(&side), &Vector3::z()) {
-            split(side, hull, others, out);
+        let [behind, front] = corners.divided(&rest, Plane::across(axis, at));
+        let (side, left) = if beyond { (front, behind) } else { (behind, front) };
+        if let Some(hull) = Piece::hull(&corners.of_all(&side), &Vector3::z()) {
+            split(corners, side, hull, others, out);
         }
-        rest = clipped(&rest, plane, !beyond);
+        rest = left;
     }
 }
