@@ -40,13 +40,25 @@ pub(crate) struct Build<'a> {
     joint: Option<Joint>,
     frame: Pose,
     anchored: bool,
+    /// Parts that are seen and not felt.
+    unfelt: Vec<usize>,
 }
 
 impl<'a> Build<'a> {
     pub(crate) fn new(class: &'a str, size: Vector3<f32>, style: &'a Style, rng: Stream) -> Self {
         // Most have so many parts; growing by steps would copy them.
         let asset = Asset { name: class.into(), parts: Vec::with_capacity(PARTS), ..Asset::default() };
-        Self { class, size, style, rng, asset, joint: None, frame: Pose::identity(), anchored: false }
+        Self {
+            class,
+            size,
+            style,
+            rng,
+            asset,
+            joint: None,
+            frame: Pose::identity(),
+            anchored: false,
+            unfelt: Vec::new(),
+        }
     }
 
     /// Keeps the origin where it is: a door's is the middle of its wall, whatever
@@ -61,6 +73,10 @@ impl<'a> Build<'a> {
         let mut asset = self.asset;
         asset.parts.shrink_to_fit();
         let Some((low, high)) = super::reveal::reveal(&mut asset) else { return (asset, Bounds::standing(self.size)) };
+        if !self.unfelt.is_empty() {
+            let felt = asset.parts.iter().enumerate().filter(|(i, _)| !self.unfelt.contains(i));
+            asset.collision.extend(felt.map(|(_, part)| part.clone()));
+        }
         super::lump::lump(self.class, &mut asset, high - low);
         let half = (high - low) / 2.0;
         if self.anchored {
@@ -88,6 +104,22 @@ impl<'a> Build<'a> {
     /// Names the asset: a book's title, a poster's motif.
     pub(crate) fn name(&mut self, name: &str) {
         self.asset.name = name.into();
+    }
+
+    // --- seen and felt
+
+    /// What is built is only seen: bodies do not touch it.
+    pub(crate) fn seen(&mut self, build: impl FnOnce(&mut Self)) {
+        let from = self.asset.parts.len();
+        build(self);
+        self.unfelt.extend(from..self.asset.parts.len());
+    }
+
+    /// What is built is only felt, in place of something finer that is seen.
+    pub(crate) fn felt(&mut self, build: impl FnOnce(&mut Self)) {
+        let from = self.asset.parts.len();
+        build(self);
+        self.asset.collision.extend(self.asset.parts.drain(from..));
     }
 
     // --- where and how

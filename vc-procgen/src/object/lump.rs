@@ -5,8 +5,10 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, Part, Shape};
 use vc_graph::{Asset, ClassTable, Pose, Property};
 
-/// Least number of meshes and hulls that are worth it.
+/// Least number of costly parts that are worth it.
 const PARTS: usize = 2;
+/// Corners of an outline that is one of few pieces.
+const CORNERS: usize = 16;
 /// Greatest side of what is carried in a hand, metres.
 const SMALL: f32 = 1.4;
 /// How far from the lowest and the highest point a corner belongs to foot or top, metres.
@@ -36,8 +38,13 @@ fn is_only_carried(class: &str) -> bool {
     has(&[Graspable]) && !has(&[Container, Recipient, Surface, Sittable, Lieable])
 }
 
+/// Whether hulls have to be found for it, or many pieces made.
 fn is_costly(part: &Part) -> bool {
-    matches!(part.shape, Shape::Mesh { .. } | Shape::Hull { .. })
+    match &part.shape {
+        Shape::Mesh { .. } | Shape::Hull { .. } => true,
+        Shape::Extrusion { outline, .. } => outline.len() > CORNERS,
+        _ => false,
+    }
 }
 
 /// The hull of what moves on a joint, or its parts where these are simple.

@@ -161,9 +161,13 @@ pub(super) fn basket(b: &mut Build<'_>) {
         let z = r + (rim - r) * i as f32 / (rows - 1) as f32;
         weave.hoop(&ring(z, 0.0), r * if i + 1 == rows { 1.0 } else { 0.8 });
     }
-    weave.put(b, "weave", mat);
-    let wall: Vec<Vec<P>> = vec![ring(r * 0.2, -r * 0.2), ring(rim, -r * 0.2), ring(rim, -r * 0.7), ring(r, -r * 0.7)];
-    loft(b, "wall", &wall, mat);
+    // Of a wall as thick as the weave.
+    let wall = |out: f32| [ring(r * 0.2, out), ring(rim, out), ring(rim, -r * 0.7), ring(r, -r * 0.7)];
+    b.seen(|b| {
+        weave.put(b, "weave", mat);
+        loft(b, "wall", &wall(-r * 0.2), mat);
+    });
+    b.felt(|b| loft(b, "wall", &wall(r * 0.8), mat));
     let floor = (x * draft - 2.0 * r, y * draft - 2.0 * r);
     let fit = [0.66, 0.78, 0.86][square];
     b.inside("compartment", [0.0, 0.0, r], (floor.0 * fit, floor.1 * fit), rim - r);

@@ -397,7 +397,8 @@ pub(super) fn bread_basket(b: &mut Build<'_>) {
         sides.extend([(low, hx * k + t * 0.5, hy * k + t * 0.5), (high, hx * k - t * 0.3, hy * k - t * 0.3)]);
     }
     sides.push((z, hx, hy));
-    tub(b, "basket", &sides, round, t, mat);
+    b.seen(|b| tub(b, "basket", &sides, round, t, mat));
+    b.felt(|b| tub(b, "basket", &[sides[0], (z, hx, hy)], round, t, mat));
     let linen = b.style.linen;
     let cloth = |b: &mut Build<'_>, k: f32| {
         let at = |z: f32, grow: f32| level(z, (hx * k * grow, hy * k * grow), round);
