@@ -40,6 +40,29 @@ fn walking_at_speed_and_stopping() {
 }
 
 #[test]
+fn who_is_put_on_a_rug_stands_on_it() {
+    let mut scene = Scene::default();
+    scene.floor(10.0, 0.5);
+    let mut lying = |class: &str, half: [f32; 3], pose: Pose| {
+        let asset = scene.solid(class, block(half), scene.wood);
+        scene.add(class, asset, pose)
+    };
+    let rug = lying("rug", [1.0, 0.7, 0.007], at(0.0, 0.0, 0.007));
+    let table = lying("table", [0.3, 0.3, 0.2], at(0.6, 0.3, 0.214));
+    let bar = lying("chocolate", [0.08, 0.04, 0.005], at(0.6, 0.3, 0.419));
+    let me = scene.agent(at(3.0, 0.0, 0.0));
+    let mut world = scene.world();
+    world.run(120);
+    let before = [rug, table, bar].map(|id| position(&world, id));
+    world.teleport(me, at(0.0, -0.3, 0.0)).unwrap();
+    assert!((position(&world, me).z - 0.014).abs() < 0.002, "{:?}", position(&world, me));
+    world.run(120);
+    for (id, was) in [rug, table, bar].into_iter().zip(before) {
+        assert!((position(&world, id) - was).norm() < 0.002, "{id} was at {was:?}, is at {:?}", position(&world, id));
+    }
+}
+
+#[test]
 fn walls_stairs_and_slopes() {
     let mut scene = Scene::default();
     scene.floor(20.0, 0.5);

@@ -248,6 +248,8 @@ impl World {
             floor: feet.translation.z,
         };
         self.agents.insert(id, agent);
+        self.step_up(id);
+        self.embody(id, true);
         Ok(())
     }
 
@@ -275,7 +277,8 @@ impl World {
     }
 
     /// Puts an agent somewhere at once, standing, its feet at a pose of which only
-    /// the turn around the vertical counts. What it holds comes along.
+    /// the turn around the vertical counts; where something as low as a rug lies, it stands on
+    /// that. What it holds comes along.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NotFinite`].
@@ -288,7 +291,7 @@ impl World {
         agent.feet = upright(&feet);
         agent.posture = Posture::Standing;
         (agent.walk, agent.velocity, agent.fall, agent.grounded) = (walk::Motion::Still, [0.0; 2], 0.0, false);
-        agent.floor = agent.feet.translation.z;
+        self.step_up(id);
         self.embody(id, true);
         Ok(())
     }

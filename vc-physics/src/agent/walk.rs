@@ -4,6 +4,8 @@ use nalgebra::{Point2, Vector2, Vector3};
 use rapier3d::control::{CharacterAutostep, CharacterCollision, CharacterLength, KinematicCharacterController};
 use rapier3d::geometry::{Collider, ColliderHandle};
 use rapier3d::math::Vector;
+use rapier3d::parry::query::ShapeCastOptions;
+use rapier3d::parry::shape::Capsule;
 use rapier3d::pipeline::QueryFilter;
 use serde::{Deserialize, Serialize};
 use vc_graph::NodeId;
@@ -23,6 +25,12 @@ const PROGRESS: f32 = 0.001;
 const PUSH: f32 = 150.0;
 /// Steps between looks at the ground of one who stands still.
 const GLANCE: u64 = 8;
+
+/// Up to how deep feet are put into what lies on the floor before they stand on it, metres: a rug,
+/// which would be thrown up with all that stands on it.
+const SUNK: f32 = 0.05;
+/// How deep in the ground is not in it, metres.
+const TOUCH: f32 = 1e-3;
 
 /// How high one jumps from standing, metres (the mean of adults in vertical jump tests).
 const JUMP: f32 = 0.4;
@@ -231,13 +239,30 @@ impl World {
         let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(own);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
         let plan = &agent.plan;
-        let shape = rapier3d::parry::shape::Capsule::new_z(plan.height / 2.0 - plan.radius, plan.radius);
         let middle = agent.feet * vc_graph::Pose::translation(0.0, 0.0, plan.height / 2.0);
         let mut hits = Vec::new();
         let legs = legs(plan, desired.z > 0.0);
         let moved =
-            legs.move_shape(self.settings.dt, &queries, &shape, &convert::pose(&middle), desired, |hit| hits.push(hit));
+            legs.move_shape(self.settings.dt, &queries, &upright(plan), &convert::pose(&middle), desired, |hit| {
+                hits.push(hit)
+            });
         (convert::vector3(moved.translation), moved.grounded, hits)
+    }
+
+    /// Lifts an agent that was put down in something low onto it.
+    pub(super) fn step_up(&mut self, id: NodeId) {
+        let Some(agent) = self.agents.get(&id) else { return };
+        let own = agent.body;
+        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(own);
+        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
+        let above = agent.feet * vc_graph::Pose::translation(0.0, 0.0, agent.plan.height / 2.0 + SUNK);
+        let options = ShapeCastOptions { max_time_of_impact: SUNK, ..ShapeCastOptions::default() };
+        let ground = queries.cast_shape(&convert::pose(&above), -Vector::Z, &upright(&agent.plan), options);
+        // What meets the raised body at once is no ground.
+        let depth = ground.map(|(_, hit)| hit.time_of_impact).filter(|gap| *gap > 0.0).map(|gap| SUNK - gap);
+        let Some(agent) = self.agents.get_mut(&id) else { return };
+        agent.feet.translation.z += depth.filter(|depth| *depth > TOUCH).unwrap_or(0.0);
+        agent.floor = agent.feet.translation.z;
     }
 
     /// Pushes a loose thing that a walker has run into.
@@ -254,6 +279,11 @@ impl World {
         let impulse = (rigid.mass() * missing).clamp(0.0, PUSH * dt);
         rigid.apply_impulse(way * impulse, true);
     }
+}
+
+/// The shape of a body that stands.
+fn upright(plan: &super::BodyPlan) -> Capsule {
+    Capsule::new_z(plan.height / 2.0 - plan.radius, plan.radius)
 }
 
 /// Legs that keep to the ground, unless they jump.
