@@ -4,8 +4,9 @@ mod hands;
 mod stance;
 
 use nalgebra::{Point3, Vector3};
+use vc_graph::asset::JointKind;
 use vc_graph::{Action, Effect, NodeId, Place, Pose, Property, Relation, SceneGraph, State, Verb, rule};
-use vc_physics::{BodyPlan, Floor, Posture, Role, World};
+use vc_physics::{BodyPlan, Floor, MovingPart, Posture, Role, World};
 
 use super::act::calm;
 use super::beat::Beat;
@@ -208,10 +209,22 @@ impl Deed<'_> {
     }
 
     /// Opens or closes against what is in the way, which is pushed aside, or is not; what has no
-    /// motor pushes nothing.
+    /// motor pushes nothing. Drawers behind doors stay where they are if no door opens.
     fn push_open(&mut self, id: NodeId, open: f32) -> Done {
+        let turns = |part: &MovingPart| part.kind == JointKind::Hinge;
+        if open > 0.0 {
+            self.push_parts(id, open, turns)?;
+            let parts = self.world.moving_parts(id);
+            if parts.iter().any(turns) && !parts.iter().any(|p| turns(p) && p.open >= WIDE) {
+                return Ok(());
+            }
+        }
+        self.push_parts(id, open, |_| true)
+    }
+
+    fn push_parts(&mut self, id: NodeId, open: f32, which: impl Fn(&MovingPart) -> bool) -> Done {
         let parts = self.world.moving_parts(id);
-        for (part, _) in parts.iter().enumerate().filter(|(_, p)| p.has_motor) {
+        for (part, _) in parts.iter().enumerate().filter(|(_, p)| p.has_motor && which(p)) {
             self.world.drive(id, part, open)?;
         }
         for _ in 0..DRIVING {

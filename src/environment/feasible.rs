@@ -1,6 +1,6 @@
 //! Questions to bodies that change nothing: what can be got at, and what there is room for.
 
-use vc_graph::{Action, NodeId, Place, Relation, Verb};
+use vc_graph::{Action, NodeId, Place, Relation, State, Verb};
 
 use super::Environment;
 use super::deed::Deed;
@@ -22,11 +22,12 @@ impl Environment {
     }
 
     /// Whether there are free spots for all of some things, each at one of several places, as an
-    /// agent puts held things there one after the other: cloth may be folded up for it, and what
-    /// is there pushed together. From somewhere in the room each has to be within reach.
+    /// agent puts held things there one after the other: containers are opened, cloth may be folded
+    /// up for it, and what is there pushed together. From somewhere in the room each has to be
+    /// within reach.
     ///
-    /// `World::free_spot_at` and `World::place` on a copy of the bodies. Costs a millisecond, and
-    /// some for each thing.
+    /// `World::leap_open`, `World::free_spot_at` and `World::place` on a copy of the bodies. Costs a
+    /// millisecond, and some for each thing.
     ///
     /// # Errors
     /// The first thing for which none of its places has room.
@@ -38,6 +39,10 @@ impl Environment {
                 let verb = if place.relation == Relation::Inside { Verb::PutIn } else { Verb::Place };
                 let action = Action::two(verb, *id, place.at);
                 let step = Step { before: self.graph.clone(), after: self.graph.clone(), agent, action };
+                let is_shut = self.graph.node(place.at).is_some_and(|n| n.is(State::Closed));
+                if place.relation == Relation::Inside && is_shut && !world.leap_open(place.at, 1.0).ok()? {
+                    return None;
+                }
                 let mut deed = Deed::new(&mut world, &mut floor, &self.start, &step);
                 let spot = deed.spot(*id, place).ok()?;
                 let stand = deed.stand_to_put(self.graph.room_of(place.at), *id, &spot);
