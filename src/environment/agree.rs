@@ -5,6 +5,9 @@ use std::fmt;
 use vc_graph::{Action, Change, ChangeSet, Effect, Kind, Label, NodeId, Place, Relation, SceneGraph, State, rule};
 use vc_physics::World;
 
+/// How far a thing may come that stays where it was, metres.
+const STILL: f32 = 0.02;
+
 /// The bodies did an action, and what came out is not what the transition rule says.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{action}: the bodies and the rule disagree: {}", listed(.differences))]
@@ -90,15 +93,16 @@ impl Outcome<'_> {
         let is_built = |graph: &SceneGraph, id| graph.node(id).is_none_or(|n| &*n.spec().category == "structure");
         let end = |graph: &SceneGraph| graph.support_chain(id).into_iter().rfind(|at| !is_built(graph, *at));
         let same_end = || end(self.ruled).is_some_and(|at| end(self.observed) == Some(at));
-        rule == bodies || same_end() || self.lost_a_support(rule, bodies)
+        rule == bodies || same_end() || self.lies_still(id)
     }
 
-    /// Whether a thing that rested on several rests on some of them still, and the others were
-    /// taken away: a box half on a newspaper and half on the table.
-    fn lost_a_support(&self, rule: &[Place], bodies: &[Place]) -> bool {
-        let moved = |at: NodeId| !self.ruled.places(at).eq(self.before.places(at));
-        let mut lost = rule.iter().filter(|p| !bodies.contains(p));
-        !bodies.is_empty() && bodies.iter().all(|p| rule.contains(p)) && lost.all(|p| moved(p.at))
+    /// Whether a thing is where it was, about. What lay half on a newspaper that was taken away
+    /// lies on the table, what a sleeper was covered with on the bed: it has not moved, and is on
+    /// something else by that.
+    fn lies_still(&self, id: NodeId) -> bool {
+        let pose = |graph: &SceneGraph| graph.node(id).and_then(|n| n.pose().copied());
+        let moved = pose(self.before).zip(pose(self.observed));
+        moved.is_some_and(|(was, is)| (is.translation.vector - was.translation.vector).norm() < STILL)
     }
 
     /// Where a thing is; what only stands on the building is nowhere in particular.
