@@ -56,6 +56,7 @@
 //! | [`Batch`] | many of them, on all cores |
 //! | [`check_environment`] | the contract they keep, as a test |
 //! | [`Viewpoint`] | where a camera is |
+//! | [`Recorder`] | an episode as a folder: trajectory, film, map, page, COCO and glTF |
 //!
 //! # What is not here
 //!
@@ -72,6 +73,8 @@ mod environment;
 #[cfg_attr(not(feature = "render"), allow(dead_code, unused_imports, reason = "poses are for cameras"))]
 mod figure;
 #[cfg(all(feature = "environment", feature = "render"))]
+mod record;
+#[cfg(all(feature = "environment", feature = "render"))]
 mod sight;
 
 #[cfg(feature = "environment")]
@@ -83,6 +86,8 @@ pub use environment::{
     ActionError, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError, ResetError, ResetReport,
     SaveError, Steering, Unplaced, Why,
 };
+#[cfg(all(feature = "environment", feature = "render"))]
+pub use record::{RecordError, RecordOptions, Recorder};
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use sight::Viewpoint;
 

@@ -5,12 +5,11 @@
 //! `index.html` shows the film (from its eyes and from a corner of the room), the six
 //! modalities, the home from above with the way it went; `trajectory.jsonl` has every step.
 //! `--scene FILE` takes a scene file with poses, `--task TITLE` a task of the library,
-//! `--goal TEXT` any goal. `--symbolic` does it without bodies: by default the bundled
+//! `--goal TEXT` any goal; `--dataset` writes frames with COCO annotations and the scene as glTF
+//! as well. `--symbolic` does it without bodies: by default the bundled
 //! apartment, three apples to the kitchen table, and the fridge closed at the end.
 //! `--list` shows what can be asked of a scene.
 
-mod film;
-mod page;
 mod physical;
 #[path = "../support/mod.rs"]
 mod support;
@@ -58,6 +57,9 @@ pub(crate) struct Options {
     /// Classes of your own for a symbolic run, in the format of `ClassTable::parse`.
     #[arg(long)]
     classes: Option<PathBuf>,
+    /// Write a dataset as well: frames with their boxes and masks as COCO, the scene as glTF.
+    #[arg(long)]
+    dataset: bool,
     /// Pixels across of each picture; it is three quarters as high.
     #[arg(long, default_value_t = 320, value_parser = clap::value_parser!(u32).range(64..=1280))]
     width: u32,

@@ -1,0 +1,179 @@
+//! Pictures of an episode: from the agent's eyes, and from a corner of the room it is in.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use vc_graph::NodeId;
+use vc_render::picture::{self, Picture};
+use vc_render::{Camera, Frame, Modalities, Modality, RenderError};
+
+use super::dataset::Dataset;
+use super::{RecordError, feet};
+use crate::{Environment, Viewpoint};
+
+/// Ticks of the home between two pictures, at first.
+const EVERY: u32 = 10;
+/// Most pictures; when there are more, every other one is dropped and fewer are made.
+const MOST: usize = 180;
+
+/// Pictures of an episode.
+pub(super) struct Film {
+    me: NodeId,
+    size: (u32, u32),
+    /// Cameras in rooms, chosen when the agent first comes there.
+    corners: BTreeMap<NodeId, Camera>,
+    pictures: Vec<Picture>,
+    /// The pictures before which actions began.
+    starts: Vec<usize>,
+    every: u32,
+    ticks: u32,
+    room: Option<NodeId>,
+    /// All modalities of the moment that tells most, from the eyes and from the corner.
+    modalities: Option<[Picture; 2]>,
+    /// How much that moment tells.
+    most_telling: usize,
+    /// The moment of the last picture, for flow.
+    before: Option<Environment>,
+}
+
+impl Film {
+    pub(super) fn new(home: &Environment, me: NodeId, width: u32) -> Self {
+        Self {
+            me,
+            size: (width, width * 3 / 4),
+            corners: BTreeMap::new(),
+            pictures: Vec::new(),
+            starts: Vec::new(),
+            every: EVERY,
+            ticks: 0,
+            room: home.graph().room_of(me),
+            modalities: None,
+            most_telling: 0,
+            before: None,
+        }
+    }
+
+    pub(super) fn pictures(&self) -> &[Picture] {
+        &self.pictures
+    }
+
+    /// All modalities of the moment that tells most, from the eyes and from the corner.
+    pub(super) fn modalities(&self) -> Option<&[Picture; 2]> {
+        self.modalities.as_ref()
+    }
+
+    /// Pictures a second, at twice the speed of the home.
+    pub(super) fn rate(&self) -> u16 {
+        (2 * 60 / self.every).max(1) as u16
+    }
+
+    /// A new action begins.
+    pub(super) fn begin_action(&mut self) {
+        self.starts.push(self.pictures.len());
+    }
+
+    /// A picture of each action, eight at most: of when the hand is at what it is done to.
+    pub(super) fn strip(&self) -> Picture {
+        let starts: Vec<usize> = self.starts.iter().copied().chain([self.pictures.len()]).collect();
+        let every = self.starts.len().div_ceil(8).max(1);
+        let moment = |pair: &[usize]| pair[0] + (pair[1] - pair[0]) * 4 / 5;
+        let shown = starts.windows(2).step_by(every).filter_map(|pair| self.pictures.get(moment(pair))).cloned();
+        Picture::sheet(&shown.collect::<Vec<_>>(), 2, 4)
+    }
+
+    /// A tick has passed: now and then a picture is made, and a frame of a dataset.
+    pub(super) fn tick(&mut self, home: &Environment, dataset: Option<&mut Dataset>) -> Result<(), RecordError> {
+        self.ticks += 1;
+        if !self.ticks.is_multiple_of(self.every) {
+            return Ok(());
+        }
+        let [eyes, corner] = self.views(home)?;
+        let wanted = if dataset.is_some() { Dataset::wanted() } else { Modality::Rgb.into() };
+        let seen = self.shot(home, eyes, wanted)?;
+        let pair = [picture::rgb(&seen), picture::rgb(&self.shot(home, corner, Modality::Rgb.into())?)];
+        self.pictures.push(Picture::sheet(&pair, 2, 4));
+        if self.pictures.len() > MOST {
+            self.thin();
+        }
+        self.look(home, [eyes, corner])?;
+        self.before = Some(home.clone());
+        dataset.map_or(Ok(()), |dataset| dataset.add(seen))
+    }
+
+    /// Keeps every other picture.
+    fn thin(&mut self) {
+        let mut index = 0;
+        self.pictures.retain(|_| {
+            index += 1;
+            index % 2 == 1
+        });
+        self.starts.iter_mut().for_each(|t| *t /= 2);
+        self.every *= 2;
+    }
+
+    /// The agent's eyes, and the camera of the room it is in.
+    fn views(&mut self, home: &Environment) -> Result<[Viewpoint; 2], RenderError> {
+        self.room = home.room_at(feet(home, self.me)).or(self.room);
+        let Some(room) = self.room else { return Ok([Viewpoint::Agent(self.me); 2]) };
+        let camera = match self.corners.get(&room) {
+            Some(camera) => *camera,
+            None => {
+                let view = Viewpoint::Room(room);
+                let camera = home.camera(view, self.size.0, self.size.1)?;
+                self.corners.insert(room, camera);
+                camera
+            }
+        };
+        Ok([Viewpoint::Agent(self.me), Viewpoint::Free(camera)])
+    }
+
+    fn shot(&self, home: &Environment, view: Viewpoint, wanted: Modalities) -> Result<Frame, RenderError> {
+        home.render(view, wanted, self.size.0, self.size.1)
+    }
+
+    /// Keeps all modalities of the moment that tells most.
+    fn look(&mut self, home: &Environment, views: [Viewpoint; 2]) -> Result<(), RenderError> {
+        let Some(before) = self.before.take() else { return Ok(()) };
+        let telling = self.telling(&before, home, views[0])?;
+        if telling <= self.most_telling {
+            return Ok(());
+        }
+        self.most_telling = telling;
+        let sheet = |view| -> Result<Picture, RenderError> {
+            let frame = before.render_until(home, view, Modalities::SIX, self.size.0, self.size.1);
+            Ok(six(&frame?))
+        };
+        self.modalities = Some([sheet(views[0])?, sheet(views[1])?]);
+        Ok(())
+    }
+
+    /// How much a moment tells: nothing unless the agent moves; more while it holds something,
+    /// and the more things it sees.
+    fn telling(&self, before: &Environment, now: &Environment, eyes: Viewpoint) -> Result<usize, RenderError> {
+        if (feet(before, self.me) - feet(now, self.me)).norm() <= 1e-3 {
+            return Ok(0);
+        }
+        let frame = now.render(eyes, Modality::Instance, 80, 60)?;
+        let seen: BTreeSet<NodeId> = frame.instance.iter().copied().collect();
+        let holds = now.graph().held(self.me).next().is_some();
+        Ok(seen.len() + if holds { 1000 } else { 0 })
+    }
+
+    /// One more picture, from the corner.
+    pub(super) fn end(&mut self, home: &Environment) -> Result<Picture, RenderError> {
+        let [_, corner] = self.views(home)?;
+        Ok(picture::rgb(&self.shot(home, corner, Modality::Rgb.into())?))
+    }
+}
+
+/// The six modalities: colours, instances, classes; depth, flow, boxes with masks.
+fn six(frame: &Frame) -> Picture {
+    let all = [
+        picture::rgb(frame),
+        picture::instances(frame),
+        picture::classes(frame),
+        picture::depth(frame, 8.0),
+        picture::flow(frame, 20.0),
+        picture::with_boxes(picture::masks(frame), frame, 60),
+    ];
+    Picture::sheet(&all, 3, 4)
+}

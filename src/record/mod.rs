@@ -1,0 +1,262 @@
+//! Episodes written down while they happen, so that a person can look at them and a program can
+//! load them.
+
+mod dataset;
+mod film;
+mod map;
+mod page;
+mod trajectory;
+
+use std::path::{Path, PathBuf};
+
+use nalgebra::Point2;
+use vc_graph::{Action, ChangeSet, History, NodeId, SceneGraph};
+use vc_planner::Episode;
+use vc_render::RenderError;
+use vc_render::picture::{self, Picture};
+use vc_tasks::{Task, World, WorldError};
+
+use crate::Environment;
+use dataset::Dataset;
+use film::Film;
+use trajectory::Trajectory;
+
+/// An environment that writes down what happens in it.
+///
+/// It is a [`World`], so that a policy acts in it as in any other; each action is shown in time
+/// ([`Environment::set_action_in_time`]), and after every sixth of a second pictures are made.
+/// The folder then has
+///
+/// | file | what |
+/// |---|---|
+/// | `index.html` | a page that shows all of it |
+/// | `trajectory.jsonl` | a line about the run, one for each action that was tried, one about its end |
+/// | `film.png` | an animated PNG at twice the speed: from the agent's eyes, and from a corner of the room |
+/// | `map.png` | the home from above, and the way the agent went |
+/// | `strip.png` | a picture of each action, eight at most |
+/// | `eyes.png`, `corner.png` | the six modalities at the moment that tells most |
+/// | `end.png` | the end |
+/// | `belief.svg` | what the agent believed in the end, if it is told |
+/// | `frames/`, `annotations.json`, `scene.glb` | with [`RecordOptions::dataset`]: see there |
+///
+/// ```no_run
+/// use virtualcity::planner::{Newcomer, run_episode};
+/// use virtualcity::tasks::Task;
+/// use virtualcity::{Environment, RecordOptions, Recorder};
+///
+/// let home = Environment::make("apartment/42", 1)?;
+/// let task = Task::new("fetch a book", "Holds(novel)".parse()?);
+/// let me = home.agents()[0];
+/// let mut recorder = Recorder::create("out/episode", home, me, &task, RecordOptions::default())?;
+/// let episode = run_episode(&mut Newcomer::best(), &task, &mut recorder);
+/// let page = recorder.finish(&episode, None)?;
+/// println!("look at {}", page.display());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Costs one pair of pictures for each sixth of a second of the home's time: 320 pixels across,
+/// some ten milliseconds. The same run writes the same files.
+pub struct Recorder {
+    home: Environment,
+    agent: NodeId,
+    task: Task,
+    folder: PathBuf,
+    film: Film,
+    dataset: Option<Dataset>,
+    trajectory: Trajectory,
+    way: Vec<Point2<f32>>,
+    /// The home's time, seconds.
+    time: f64,
+    actions: Vec<(String, f64)>,
+    /// The first thing that went wrong with pictures and files.
+    failed: Option<RecordError>,
+}
+
+/// What is written down, and how large.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RecordOptions {
+    /// Pixels across of each picture; it is three quarters as high.
+    pub width: u32,
+    /// Whether a dataset is written as well: each picture from the agent's eyes as a PNG in
+    /// `frames`, boxes and masks of all that is seen in them as a COCO document for
+    /// `pycocotools`, `annotations.json`, and the scene as it was in the end as glTF, `scene.glb`.
+    pub dataset: bool,
+}
+
+impl Default for RecordOptions {
+    fn default() -> Self {
+        Self { width: 320, dataset: false }
+    }
+}
+
+/// Why an episode could not be written down.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RecordError {
+    /// A file could not be written.
+    #[error("{}: {error}", path.display())]
+    File {
+        /// Which.
+        path: PathBuf,
+        /// Why not.
+        #[source]
+        error: std::io::Error,
+    },
+    /// A picture could not be made.
+    #[error("no picture of the episode can be made: {0}")]
+    Picture(#[from] RenderError),
+    /// The scene could not be written as glTF.
+    #[error("the scene cannot be written as glTF: {0}")]
+    Scene(#[from] vc_procgen::gltf::GltfError),
+    /// The agent that is followed is none of the environment's.
+    #[error("{agent} is no agent of this environment; it has {there:?}")]
+    NoSuchAgent {
+        /// Who is to be followed.
+        agent: NodeId,
+        /// Who is there.
+        there: Vec<NodeId>,
+    },
+}
+
+impl Recorder {
+    /// Begins to write down what happens in an environment into a folder, which is made. The
+    /// camera follows one of its agents.
+    ///
+    /// # Errors
+    /// [`RecordError::NoSuchAgent`]; [`RecordError::File`] if the folder or a file in it cannot be
+    /// made.
+    pub fn create(
+        folder: impl AsRef<Path>,
+        home: Environment,
+        agent: NodeId,
+        task: &Task,
+        options: RecordOptions,
+    ) -> Result<Self, RecordError> {
+        if !home.agents().contains(&agent) {
+            return Err(RecordError::NoSuchAgent { agent, there: home.agents().to_vec() });
+        }
+        let folder = folder.as_ref().to_path_buf();
+        std::fs::create_dir_all(&folder).map_err(|error| RecordError::File { path: folder.clone(), error })?;
+        let trajectory = Trajectory::begin(&folder, &home, agent, task)?;
+        let dataset = options.dataset.then(|| Dataset::begin(&folder)).transpose()?;
+        let film = Film::new(&home, agent, options.width);
+        let way = vec![feet(&home, agent)];
+        let task = task.clone();
+        let (actions, failed) = (Vec::new(), None);
+        Ok(Self { home, agent, task, folder, film, dataset, trajectory, way, time: 0.0, actions, failed })
+    }
+
+    /// The environment as it is.
+    pub fn environment(&self) -> &Environment {
+        &self.home
+    }
+
+    /// How far the agent has gone, metres.
+    pub fn metres(&self) -> f32 {
+        self.way.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
+    }
+
+    /// The home's time, seconds.
+    pub fn seconds(&self) -> f64 {
+        self.time
+    }
+
+    /// Writes what is made at the end, `belief` (an SVG, as
+    /// [`Belief::to_svg`](vc_planner::Belief::to_svg) draws it) among it, and gives where the page
+    /// is that shows all.
+    ///
+    /// # Errors
+    /// [`RecordError`], the first that there was.
+    pub fn finish(mut self, episode: &Episode, belief: Option<&str>) -> Result<PathBuf, RecordError> {
+        if let Some(error) = self.failed.take() {
+            return Err(error);
+        }
+        self.trajectory.end(episode)?;
+        let end = self.film.end(&self.home)?;
+        self.picture("end.png", &end)?;
+        self.picture("map.png", &map::of(&self.home, &self.way)?)?;
+        self.picture("strip.png", &self.film.strip())?;
+        if !self.film.pictures().is_empty() {
+            self.bytes("film.png", &picture::apng(self.film.pictures(), self.film.rate())?)?;
+        }
+        if let Some([eyes, corner]) = self.film.modalities() {
+            self.picture("eyes.png", eyes)?;
+            self.picture("corner.png", corner)?;
+        }
+        if let Some(belief) = belief {
+            self.bytes("belief.svg", belief.as_bytes())?;
+        }
+        if let Some(dataset) = &self.dataset {
+            dataset.end(&self.home)?;
+        }
+        let page = page::Page {
+            home: self.home.graph().name(),
+            task: &self.task,
+            episode,
+            actions: &self.actions,
+            has_modalities: self.film.modalities().is_some(),
+            has_belief: belief.is_some(),
+        };
+        self.bytes("index.html", page.html().as_bytes())?;
+        Ok(self.folder.join("index.html"))
+    }
+
+    fn picture(&self, name: &str, picture: &Picture) -> Result<(), RecordError> {
+        self.bytes(name, &picture::png(picture)?)
+    }
+
+    fn bytes(&self, name: &str, bytes: &[u8]) -> Result<(), RecordError> {
+        save(&self.folder.join(name), bytes)
+    }
+
+    fn note(&mut self, outcome: Result<(), RecordError>) {
+        if self.failed.is_none() {
+            self.failed = outcome.err();
+        }
+    }
+}
+
+impl World for Recorder {
+    fn graph(&self) -> &SceneGraph {
+        self.home.graph()
+    }
+
+    fn history(&self) -> &History {
+        self.home.history()
+    }
+
+    fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
+        let words = action.describe(self.home.graph()).to_string();
+        self.film.begin_action();
+        let (mut ticks, mut failed) = (0_u32, None);
+        let done = self.home.set_action_in_time(agent, *action, |now| {
+            ticks += 1;
+            self.way.push(feet(now, self.agent));
+            if failed.is_none() {
+                failed = self.film.tick(now, self.dataset.as_mut()).err();
+            }
+        });
+        self.note(failed.map_or(Ok(()), Err));
+        self.time += f64::from(ticks) * f64::from(self.home.world().settings().dt);
+        self.way.push(feet(&self.home, self.agent));
+        let why = done.as_ref().err().map(ToString::to_string);
+        let noted = self.trajectory.step(&self.home, agent, &words, self.time, why.as_deref());
+        self.note(noted);
+        let shown = if why.is_some() { format!("{words} (could not)") } else { words };
+        self.actions.push((shown, self.time));
+        done.map_err(WorldError::from)
+    }
+
+    fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError> {
+        World::reset(&mut self.home, graph)
+    }
+}
+
+/// Where an agent's feet are.
+fn feet(home: &Environment, agent: NodeId) -> Point2<f32> {
+    home.world().pose(agent).map_or_else(Point2::origin, |p| p.translation.vector.xy().into())
+}
+
+fn save(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
+    std::fs::write(path, bytes).map_err(|error| RecordError::File { path: path.to_path_buf(), error })
+}

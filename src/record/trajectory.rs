@@ -1,0 +1,63 @@
+//! The trajectory: JSON Lines.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+use vc_graph::NodeId;
+use vc_planner::Episode;
+use vc_tasks::Task;
+
+use super::RecordError;
+use crate::Environment;
+
+/// A line about the run, one for each action, and the result.
+pub(super) struct Trajectory {
+    file: BufWriter<File>,
+    path: PathBuf,
+}
+
+impl Trajectory {
+    pub(super) fn begin(folder: &Path, home: &Environment, agent: NodeId, task: &Task) -> Result<Self, RecordError> {
+        let path = folder.join("trajectory.jsonl");
+        let file = File::create(&path).map_err(|error| RecordError::File { path: path.clone(), error })?;
+        let mut all = Self { file: BufWriter::new(file), path };
+        all.line(&json!({
+            "scene": home.graph().name(), "digest": home.digest().to_string(),
+            "agent": home.graph().label(agent).to_string(), "task": task.title, "goal": task.goal,
+        }))?;
+        Ok(all)
+    }
+
+    /// An action that was done, or refused, and what is known of the agent after it.
+    pub(super) fn step(
+        &mut self,
+        home: &Environment,
+        agent: NodeId,
+        action: &str,
+        time: f64,
+        refused: Option<&str>,
+    ) -> Result<(), RecordError> {
+        let graph = home.graph();
+        let pose = graph.node(agent).and_then(|n| n.pose());
+        let at = pose.map(|p| [p.translation.x, p.translation.y, p.translation.z]);
+        let label = |id: NodeId| graph.label(id).to_string();
+        let held: Vec<String> = graph.held(agent).map(label).collect();
+        self.line(&json!({
+            "step": home.history().events().len(), "time": time, "agent": label(agent), "action": action,
+            "refused": refused, "at": at, "room": graph.room_of(agent).map(label), "held": held,
+            "digest": home.digest().to_string(),
+        }))
+    }
+
+    pub(super) fn end(&mut self, episode: &Episode) -> Result<(), RecordError> {
+        self.line(&json!(episode.summary()))
+    }
+
+    /// Each line is on the disk before the next action.
+    fn line(&mut self, value: &Value) -> Result<(), RecordError> {
+        let written = writeln!(self.file, "{value}").and_then(|()| self.file.flush());
+        written.map_err(|error| RecordError::File { path: self.path.clone(), error })
+    }
+}

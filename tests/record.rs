@@ -1,0 +1,105 @@
+//! Records of episodes: what is in the folder, and that it is the same for the same run.
+
+#![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+use virtualcity::graph::NodeId;
+use virtualcity::planner::{Episode, Newcomer, run_episode};
+use virtualcity::tasks::{Outcome, Task};
+use virtualcity::{Environment, RecordError, RecordOptions, Recorder};
+
+const SMALL: RecordOptions = RecordOptions { width: 64, dataset: true };
+
+/// A folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    folder
+}
+
+/// An agent in a home is told to hold a novel.
+fn record(folder: &Path) -> (Episode, Environment) {
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let me = home.agents()[0];
+    let task = Task::new("fetch <a novel>", "Holds(novel)".parse().unwrap());
+    let mut recorder = Recorder::create(folder, home, me, &task, SMALL).unwrap();
+    let episode = run_episode(&mut Newcomer::best(), &task, &mut recorder);
+    let home = recorder.environment().clone();
+    assert!(recorder.metres() > 0.5 && recorder.seconds() > 0.5, "{episode:?}");
+    assert_eq!(recorder.finish(&episode, Some("<svg/>")).unwrap(), folder.join("index.html"));
+    (episode, home)
+}
+
+/// Every file under a folder.
+fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(files(&path).into_iter().map(|(name, bytes)| (Path::new("frames").join(name), bytes)));
+        } else {
+            found.insert(path.file_name().unwrap().into(), std::fs::read(&path).unwrap());
+        }
+    }
+    found
+}
+
+#[test]
+fn an_episode_is_written_down_and_read_again() {
+    let at = folder("record");
+    let (episode, home) = record(&at);
+    assert_eq!(episode.outcome, Outcome::Won);
+    let all = files(&at);
+    let lines: Vec<Value> = std::str::from_utf8(&all[Path::new("trajectory.jsonl")])
+        .unwrap()
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    assert_eq!(lines.len(), episode.steps + 2, "one about the run, one for each action, one about the end");
+    assert_eq!(lines[0]["task"], "fetch <a novel>");
+    let last = &lines[episode.steps];
+    assert_eq!(last["digest"], home.digest().to_string());
+    assert!(last["held"][0].as_str().unwrap().starts_with("novel"), "{last}");
+    assert_eq!(lines[episode.steps + 1]["outcome"], "won");
+    // Pictures are pictures, and the page shows only what is there.
+    for (name, bytes) in all.iter().filter(|(name, _)| name.extension().is_some_and(|e| e == "png")) {
+        let mut image = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+        let mut pixels = vec![0; image.output_buffer_size().unwrap()];
+        image.next_frame(&mut pixels).unwrap_or_else(|e| panic!("{}: {e}", name.display()));
+    }
+    let page = std::str::from_utf8(&all[Path::new("index.html")]).unwrap();
+    assert!(page.contains("fetch &lt;a novel&gt;") && page.contains("100% of the goal holds"), "{page}");
+    for shown in page.split("src=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
+        assert!(all.contains_key(Path::new(shown)), "{shown}");
+    }
+    // The dataset: each image of the annotations is there, each annotation is of one of them.
+    let coco: Value = serde_json::from_slice(&all[Path::new("annotations.json")]).unwrap();
+    let images = coco["images"].as_array().unwrap();
+    assert!(!images.is_empty() && !coco["annotations"].as_array().unwrap().is_empty());
+    assert!(images.iter().all(|image| all.contains_key(Path::new(image["file_name"].as_str().unwrap()))));
+    assert_eq!(&all[Path::new("scene.glb")][..4], b"glTF");
+}
+
+#[test]
+fn the_same_run_writes_the_same_files() {
+    let (first, second) = (folder("record_first"), folder("record_second"));
+    record(&first);
+    record(&second);
+    assert!(files(&first) == files(&second));
+}
+
+#[test]
+fn what_cannot_be_written_is_named() {
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let task = Task::new("nothing", "Holds(novel)".parse().unwrap());
+    let me = home.agents()[0];
+    let nobody = Recorder::create(folder("record_nobody"), home.clone(), NodeId(u32::MAX), &task, SMALL);
+    assert!(matches!(nobody, Err(RecordError::NoSuchAgent { there, .. }) if there == [me]));
+    let in_the_way = folder("record_file");
+    std::fs::write(&in_the_way, "a file").unwrap();
+    let refused = Recorder::create(in_the_way.join("episode"), home, me, &task, SMALL).err().unwrap();
+    assert!(refused.to_string().contains("record_file"), "{refused}");
+}
