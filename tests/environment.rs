@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
-use virtualcity::graph::{Action, Draft, Kind, NodeId, Place, Relation, SceneGraph, Seed, State, Verb};
+use virtualcity::graph::{Action, Draft, Kind, NodeId, Place, Pose, Relation, SceneGraph, Seed, State, Verb};
 use virtualcity::physics::Hand;
 use virtualcity::tasks::World as _;
 use virtualcity::{ActionError, Batch, Environment, MakeError, Why, check_environment, run};
@@ -53,6 +53,28 @@ fn many_random_actions() {
     }
     println!("{done} done, {impossible} impossible, {disagreements} disagreements, {breaches} breaches");
     assert_eq!(breaches, 0);
+}
+
+/// Plates, bowls and spoons come out with the racks, and go in again with them.
+#[test]
+fn what_is_in_racks_comes_along() {
+    let mut home = home(5, 1);
+    let (me, dishwasher) = (home.agents()[0], home.graph().of_class("dishwasher")[0]);
+    let inside = home.graph().carried_with(dishwasher);
+    let things: Vec<NodeId> = inside.into_iter().filter(|id| *id != dishwasher).collect();
+    assert!(things.len() > 3, "{things:?}");
+    let places = |home: &Environment| things.iter().map(|id| home.world().pose(*id).unwrap()).collect::<Vec<_>>();
+    let far = |a: &[Pose], b: &[Pose]| -> Vec<f32> {
+        a.iter().zip(b).map(|(a, b)| (a.translation.vector - b.translation.vector).norm()).collect()
+    };
+    let shut = places(&home);
+    act(&mut home, me, Verb::Walk, &[dishwasher]);
+    act(&mut home, me, Verb::Open, &[dishwasher]);
+    let open = places(&home);
+    assert!(far(&shut, &open).iter().all(|d| *d > 0.3), "{:?}", far(&shut, &open));
+    act(&mut home, me, Verb::Close, &[dishwasher]);
+    let again = places(&home);
+    assert!(far(&shut, &again).iter().all(|d| *d < 0.08), "{:?}", far(&shut, &again));
 }
 
 /// The contract of Gymnasium's checker and more.

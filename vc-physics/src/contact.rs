@@ -143,11 +143,14 @@ impl World {
         found.into_iter().map(|(node, _)| node).collect()
     }
 
-    /// The loose things that rest on a body, directly or through others.
+    /// The things that rest on a body, directly or through others: loose ones, and those that are
+    /// pinned there.
     pub(crate) fn load_of(&self, body: RigidBodyHandle) -> Vec<NodeId> {
-        let own = self.engine.bodies.get(body).map(|b| group::marked(b.user_data).0);
-        let mut load: Vec<NodeId> = Vec::new();
-        let mut open = vec![body];
+        let part = self.engine.bodies.get(body).map(|b| group::marked(b.user_data));
+        let own = part.map(|(id, _)| id);
+        let mut load = part.map_or_else(Vec::new, |part| self.pinned_on(part));
+        let mut open: Vec<_> = load.iter().filter_map(|id| Some(self.thing(*id).ok()?.state.base)).collect();
+        open.push(body);
         while let Some(body) = open.pop() {
             for above in self.resting_on(body) {
                 let loose = self.thing(above).ok().filter(|t| t.state.role == Role::Loose);
@@ -158,6 +161,46 @@ impl World {
             }
         }
         load
+    }
+
+    /// The node, and which of its links, on which a loose thing rests, directly or through others,
+    /// if that moves on a joint: a drawer, a rack, an open door.
+    pub(crate) fn rides(&self, id: NodeId) -> Option<(NodeId, usize)> {
+        let (mut seen, mut open) = (vec![id], vec![self.thing(id).ok()?.state.base]);
+        while let Some(body) = open.pop() {
+            for (below, link) in self.carriers(body) {
+                if link > 0 {
+                    return Some((below, link));
+                }
+                let Ok(thing) = self.thing(below) else { continue };
+                if thing.state.rides.is_some() {
+                    return thing.state.rides;
+                }
+                if thing.state.role == Role::Loose && !seen.contains(&below) {
+                    seen.push(below);
+                    open.push(thing.state.base);
+                }
+            }
+        }
+        None
+    }
+
+    /// The things that were pinned on a node's link.
+    pub(crate) fn pinned_on(&self, part: (NodeId, usize)) -> Vec<NodeId> {
+        self.things.iter().filter(|t| t.state.rides == Some(part)).map(|t| t.id).collect()
+    }
+
+    /// The nodes, and which of their links, that push a body from below.
+    fn carriers(&self, body: RigidBodyHandle) -> Vec<(NodeId, usize)> {
+        let mut found = Vec::new();
+        for pair in self.pairs_of(body).filter(|p| p.has_any_active_contact()) {
+            let first = self.engine.colliders.get(pair.collider1).and_then(|c| c.parent()) == Some(body);
+            let sign = if first { -1.0 } else { 1.0 };
+            let up = self.touches(pair).any(|t| t.normal.z * sign > CARRIES);
+            let other = if first { pair.collider2 } else { pair.collider1 };
+            found.extend(self.engine.colliders.get(other).map(|c| group::marked(c.user_data)).filter(|_| up));
+        }
+        found
     }
 
     /// The nodes that a body pushes from below.

@@ -62,7 +62,7 @@ fn a_door_does_not_go_through_a_person() {
 /// What lies in a drawer comes along, pulled or put.
 #[test]
 fn a_drawer_takes_its_content_along() {
-    for at_once in [false, true] {
+    for (at_once, pinned) in [(false, false), (true, false), (false, true), (true, true)] {
         let mut scene = Scene::default();
         scene.floor(5.0, 0.5);
         let chest = scene.chest_asset();
@@ -70,6 +70,9 @@ fn a_drawer_takes_its_content_along() {
         let spoon = scene.cube(0.03, at(0.0, 0.05, 0.245));
         let mut world = scene.world();
         world.settle(200);
+        if pinned {
+            world.pin(spoon).unwrap();
+        }
         let before = world.pose(spoon).unwrap().translation;
         if at_once {
             world.put_open(chest, 0, 1.0).unwrap();
@@ -78,7 +81,7 @@ fn a_drawer_takes_its_content_along() {
         }
         assert!(world.settle(400).at_rest);
         let moved = world.pose(spoon).unwrap().translation.vector - before.vector;
-        assert!((moved.x - 0.3).abs() < 0.03 && moved.z.abs() < 0.005, "{at_once}: {moved:?}");
+        assert!((moved.x - 0.3).abs() < 0.03 && moved.z.abs() < 0.005, "{at_once} {pinned}: {moved:?}");
         let shelf = &world.shelves(chest)[1];
         assert!((shelf.pose.translation.x - 0.31).abs() < 0.003, "{shelf:?}");
     }

@@ -38,6 +38,7 @@ impl World {
     /// [`PhysicsError::Locked`], [`PhysicsError::NotFinite`].
     pub fn drive(&mut self, id: NodeId, part: usize, open: f32) -> Result<(), PhysicsError> {
         let target = self.target(id, part, open)?;
+        self.pinned_on((id, part + 1)).into_iter().try_for_each(|rider| self.wake(rider))?;
         let index = self.index(id)?;
         let patience = (PATIENCE / self.settings.dt) as u32;
         let thing = &mut self.things[index];

@@ -130,6 +130,7 @@ impl World {
             written: pose,
             watch: Watch::default(),
             slept: None,
+            rides: None,
             rests: graph.place(node.id()),
             structure: is_structure(node, class),
             door: class.is_some_and(|c| c.category == Category::Door),

@@ -75,6 +75,9 @@ impl World {
         let before = self.engine.pose(thing.state.base).unwrap_or(pose);
         let motion = pose * before.inverse();
         let bodies: Vec<_> = thing.bodies().collect();
+        if pose != before {
+            self.thing_mut(id)?.state.rides = None;
+        }
         for body in bodies {
             let own = self.engine.pose(body).unwrap_or(before);
             let to = if body == self.thing(id)?.state.base { pose } else { motion * own };
@@ -133,13 +136,19 @@ impl World {
     }
 
     /// Holds a loose thing where it is, as if it hung there, until it is taken or pushed:
-    /// for what will not come to rest.
+    /// for what will not come to rest. In a drawer or on another part that moves it comes along
+    /// with that.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFree`].
     pub fn pin(&mut self, id: NodeId) -> Result<(), PhysicsError> {
         match self.thing(id)?.state.role {
-            Role::Loose => self.set_role(id, Role::Hung),
+            Role::Loose => {
+                let rides = self.rides(id);
+                self.set_role(id, Role::Hung)?;
+                self.thing_mut(id)?.state.rides = rides;
+                Ok(())
+            }
             Role::Hung => Ok(()),
             _ => Err(PhysicsError::NotFree(id)),
         }
@@ -160,7 +169,7 @@ impl World {
     /// Changes how a thing takes part, its body and colliders with it.
     pub(crate) fn set_role(&mut self, id: NodeId, role: Role) -> Result<(), PhysicsError> {
         let thing = self.thing_mut(id)?;
-        thing.state.role = role;
+        (thing.state.role, thing.state.rides) = (role, None);
         let base = thing.state.base;
         let kind = match role {
             Role::Loose => RigidBodyType::Dynamic,

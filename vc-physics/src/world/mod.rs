@@ -75,6 +75,8 @@ pub(crate) struct State {
     pub(crate) watch: rest::Watch,
     /// Where it last fell asleep.
     pub(crate) slept: Option<rest::Spot>,
+    /// The node and its link on which it was pinned: it comes along with that.
+    pub(crate) rides: Option<(NodeId, usize)>,
     /// What the graph says it rests on.
     #[serde(with = "crate::serial::place")]
     pub(crate) rests: Option<Place>,

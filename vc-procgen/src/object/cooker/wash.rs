@@ -1,5 +1,7 @@
 //! Machines that wash and dry.
 
+use std::f32::consts::FRAC_PI_2;
+
 use vc_graph::asset::JointKind;
 
 use super::cool::{grille, steel_legs};
@@ -32,7 +34,8 @@ pub(super) fn dishwasher(b: &mut Build<'_>) {
     let (dl, dh) = gapped([back, -y, feet], [face, y, h], 0.002 * u);
     let look = Look::any(b, body, door);
     let plain = b.rng.chance(0.5);
-    swing(b, Swing::Down, dl, dh, 1.5, |b| {
+    // Level, so that the baskets come out above it.
+    swing(b, Swing::Down, dl, dh, FRAC_PI_2, |b| {
         if built_in {
             panel(b, look.panel, "door", (dl, dh), body);
             grab(b, [face, 0.0, h - 0.07 * u], y * 1.2, false, 0.028 * u, look.metal);
