@@ -111,7 +111,7 @@ impl Renderer {
             label::amodal(camera, snapshot, self.detail, frame);
         }
         if let (true, Some(lighting)) = (wanted.has(Modality::Rgb), shot.lighting) {
-            self.colours(lighting, shot.view, frame);
+            self.colours(lighting, shot, frame);
         }
         Ok(())
     }
@@ -155,10 +155,11 @@ impl Renderer {
     }
 
     /// Colours of what has been drawn.
-    fn colours(&self, lighting: &Lighting, view: View<'_>, frame: &mut Frame) {
+    fn colours(&self, lighting: &Lighting, shot: &Shot<'_>, frame: &mut Frame) {
+        let view = shot.view;
         let (strip, memory) = Strip::of(frame);
         let Memory { bands, open, .. } = memory;
-        shade::occlusion(view.camera, bands, open);
+        let open = (!shot.plain).then(|| shade::occlusion(view.camera, bands, open));
         let exposure = lighting.exposure(view.camera.eye().into());
         shade_bands(&Shading { renderer: self, lighting, view, open, exposure }, strip, bands);
         shade::smooth(frame);

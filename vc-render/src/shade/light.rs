@@ -10,6 +10,7 @@ use crate::affine::{self, Affine, Narrow, three};
 use crate::label::unit;
 use crate::light::{Ambient, Lamp, Lighting, Points, brightness, dot};
 use crate::raster::Solid;
+use crate::scene::NO_ROOM;
 
 /// Pixels that are lit at once.
 const BATCH: usize = 64;
@@ -21,7 +22,8 @@ type Lanes = [f32; BATCH];
 /// Where light comes from and who sees it.
 pub(super) struct Lamps<'a> {
     pub(super) lighting: &'a Lighting,
-    pub(super) open: &'a Openness,
+    /// None for light without shadows.
+    pub(super) open: Option<&'a Openness>,
     pub(super) solid: Solid<'a>,
     pub(super) writer: &'a Writer<'a>,
     eye: [f32; 3],
@@ -83,7 +85,7 @@ impl Default for Batch {
 }
 
 impl<'a> Lamps<'a> {
-    pub(super) fn new(writer: &'a Writer<'a>, open: &'a Openness, solid: Solid<'a>) -> Self {
+    pub(super) fn new(writer: &'a Writer<'a>, open: Option<&'a Openness>, solid: Solid<'a>) -> Self {
         let camera = writer.view.camera;
         let pose: Narrow = Affine::of(&camera.pose).narrow();
         let turned = |v: [f32; 3]| affine::vector(&pose, v);
@@ -111,10 +113,10 @@ impl<'a> Lamps<'a> {
         for spots in spots.chunks(BATCH) {
             batch.load(self, (lattice, planes), known, (start, spots));
             batch.around(self);
-            batch.sun(self.lighting);
+            batch.sun(self.lighting, self.open.is_none());
             for lamp in &self.lighting.lamps {
                 if batch.rooms[..batch.count].contains(&lamp.room) {
-                    batch.lamp(lamp);
+                    batch.lamp(lamp, self.open.is_none());
                 }
             }
             batch.store(lattice, known, spots);
@@ -158,7 +160,7 @@ impl Batch {
             let triangle = lamps.solid.triangle_row(y)[x];
             let normal = lamps.writer.normal(triangle, (xs[i] + 0.5, ys[i] + 0.5), known);
             (self.normal[0][i], self.normal[1][i], self.normal[2][i]) = (normal[0], normal[1], normal[2]);
-            self.open[i] = lamps.open.at(x, y as usize, inverse[i]);
+            self.open[i] = lamps.open.map_or(1.0, |open| open.at(x, y as usize, inverse[i]));
         }
         for i in 0..self.lanes() {
             let (roughness, metallic) = gloss(shiny[i]);
@@ -211,7 +213,7 @@ impl Batch {
     }
 
     #[inline(always)]
-    fn sun(&mut self, lighting: &Lighting) {
+    fn sun(&mut self, lighting: &Lighting, plain: bool) {
         let Some(map) = &lighting.sun else { return };
         let towards: [f32; 3] = lighting.daylight.towards_sun.into();
         for i in 0..self.lanes() {
@@ -220,18 +222,19 @@ impl Batch {
             }
             self.cosine[i] =
                 self.normal[0][i] * towards[0] + self.normal[1][i] * towards[1] + self.normal[2][i] * towards[2];
-            self.power[i] = 1.0;
+            // What has no shadows would have the sun through its roof.
+            self.power[i] = if plain && self.rooms[i] != NO_ROOM { 0.0 } else { 1.0 };
         }
         let sun = lighting.daylight.sun.into();
         self.shadow(
             sun,
             #[inline(always)]
-            |points, share| map.light(points, share),
+            |points, share| if plain { share.fill(1.0) } else { map.light(points, share) },
         );
     }
 
     #[inline(always)]
-    fn lamp(&mut self, lamp: &Lamp) {
+    fn lamp(&mut self, lamp: &Lamp, plain: bool) {
         let [x, y, z] = lamp.axis;
         let narrow = (x * x + y * y + z * z).sqrt().min(1.0);
         // From all around, to a half space with the cosine's law.
@@ -252,7 +255,7 @@ impl Batch {
         self.shadow(
             lamp.flux,
             #[inline(always)]
-            |points, share| lamp.shadows.light(lamp.at, points, share),
+            |points, share| if plain { share.fill(1.0) } else { lamp.shadows.light(lamp.at, points, share) },
         );
     }
 

@@ -65,13 +65,15 @@ pub(crate) struct Shading<'a> {
     pub(crate) renderer: &'a Renderer,
     pub(crate) lighting: &'a Lighting,
     pub(crate) view: View<'a>,
-    pub(crate) open: &'a Openness,
+    /// None for light without shadows.
+    pub(crate) open: Option<&'a Openness>,
     pub(crate) exposure: f32,
 }
 
 /// Finds how open points are, for what has been drawn.
-pub(crate) fn occlusion(camera: &Camera, bands: &[Band], open: &mut Openness) {
+pub(crate) fn occlusion<'a>(camera: &Camera, bands: &[Band], open: &'a mut Openness) -> &'a Openness {
     open.find(camera, bands);
+    open
 }
 
 /// Smooths edges.
