@@ -7,7 +7,7 @@ mod common;
 use common::{cameras, furnished, lamplit, pose};
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Draft, NodeId, Pose, SceneGraph, Seed, State};
-use vc_render::{Daylight, Exposure, RayCaster, RenderError, Renderer, Snapshot};
+use vc_render::{Daylight, Exposure, Frame, Modality, RayCaster, RenderError, Renderer, Shot, Snapshot};
 
 type Ray = (Point3<f32>, Vector3<f32>);
 
@@ -109,4 +109,53 @@ fn reference_pictures_show_what_has_moved() {
     // Where rounding sends a path another way pixels differ.
     assert!(off(&own) * 20 < wanted.len(), "{} of {} pixels differ", off(&own), wanted.len());
     assert!(off(&before) * 4 > wanted.len());
+}
+
+#[test]
+fn light_brought_up_to_date_is_as_light_made_anew() {
+    let (mut renderer, scene) = (Renderer::new(), lamplit());
+    let mut snapshot = renderer.snapshot(&scene).unwrap();
+    let lamp = scene.nodes().find(|n| &**n.class() == "ceiling_lamp").unwrap().id();
+    let day = Daylight::clear(0.5, 1.0);
+    let mut lighting = renderer.light(&snapshot, &day);
+    let camera = cameras(96, 72)[0];
+    let mut frame = Frame::new();
+    let mut colours = |snapshot: &Snapshot, lighting: &vc_render::Lighting| {
+        renderer.render(&Shot::new(snapshot, &camera, Modality::Rgb).lit(lighting), &mut frame).unwrap();
+        frame.rgb.clone()
+    };
+    let far = |one: &[[u8; 3]], other: &[[u8; 3]], by: u8| {
+        one.iter().zip(other).filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > by)).count()
+    };
+    // A lamp is switched, things and a drawer move, and the lamp is switched again.
+    for step in 0..3 {
+        let before = colours(&snapshot, &lighting);
+        match step {
+            1 => moved(&scene, &mut snapshot, 5),
+            _ => snapshot.switch(lamp, step == 0).unwrap(),
+        }
+        renderer.relight(&mut lighting, &snapshot).unwrap();
+        let (own, anew) = (colours(&snapshot, &lighting), colours(&snapshot, &renderer.light(&snapshot, &day)));
+        assert!(far(&own, &before, 2) * 4 > own.len(), "step {step} changed nothing");
+        assert!(far(&own, &anew, 2) * 50 < own.len(), "step {step}: {} pixels differ", far(&own, &anew, 2));
+    }
+    let other = renderer.snapshot(&furnished()).unwrap();
+    assert!(matches!(renderer.relight(&mut lighting, &other), Err(RenderError::OtherScene { .. })));
+}
+
+#[test]
+fn plain_light_has_no_shadows() {
+    let (mut renderer, scene) = (Renderer::new(), lamplit());
+    let mut snapshot = renderer.snapshot(&scene).unwrap();
+    scene.nodes().filter(|n| &**n.class() == "ceiling_lamp").for_each(|n| snapshot.switch(n.id(), true).unwrap());
+    let lighting = renderer.light(&snapshot, &Daylight::night());
+    let camera = cameras(96, 72)[0];
+    let shot = Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting);
+    let (mut real, mut plain) = (Frame::new(), Frame::new());
+    renderer.render(&shot, &mut real).unwrap();
+    renderer.render(&shot.plain(), &mut plain).unwrap();
+    let darker = real.rgb.iter().zip(&plain.rgb).filter(|(a, b)| a[1] + 8 < b[1]).count();
+    let brighter = real.rgb.iter().zip(&plain.rgb).filter(|(a, b)| a[1] > b[1].saturating_add(8)).count();
+    assert!(darker * 20 > real.rgb.len(), "{darker} pixels are in shadow");
+    assert!(brighter * 100 < real.rgb.len(), "{brighter} pixels are brighter with shadows");
 }

@@ -38,7 +38,8 @@ struct Glow {
 }
 
 /// How much what glows of each body is to be turned up, and the lamps among them.
-pub(super) fn lamps(renderer: &Renderer, snapshot: &Snapshot) -> (Vec<[f32; 2]>, Vec<Lamp>) {
+/// Those of `kept` have their shadows already.
+pub(super) fn lamps(renderer: &Renderer, snapshot: &Snapshot, kept: &[Lamp]) -> (Vec<[f32; 2]>, Vec<Lamp>) {
     let mut gains = vec![[0.0; 2]; snapshot.bodies.len()];
     let mut found = Vec::new();
     for (index, body) in snapshot.bodies.iter().enumerate().filter(|(_, b)| b.lit) {
@@ -57,8 +58,11 @@ pub(super) fn lamps(renderer: &Renderer, snapshot: &Snapshot) -> (Vec<[f32; 2]>,
             found.push((index as u32, flux, glow));
         }
     }
-    let lamps =
-        found.into_par_iter().map(|(body, flux, glow)| Lamp::new(renderer, snapshot, body, flux, &glow)).collect();
+    let lamp = |(body, flux, glow): (u32, [f32; 3], Glow)| {
+        let known = kept.iter().find(|lamp| lamp.body == body).cloned();
+        known.unwrap_or_else(|| Lamp::new(renderer, snapshot, body, flux, &glow))
+    };
+    let lamps = found.into_par_iter().map(lamp).collect();
     (gains, lamps)
 }
 

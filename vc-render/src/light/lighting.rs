@@ -16,7 +16,8 @@ use crate::trace::Tracer;
 
 /// Light in a scene at one moment: shadow maps of the sun and the lamps that are on, and
 /// the light that rooms throw back. Made by [`Renderer::light`], good for any number
-/// of cameras; when lamps are switched or large things move, make it anew.
+/// of cameras; when lamps are switched, or doors, blinds and large things move, [`Renderer::relight`]
+/// brings it up to date.
 #[derive(Debug, Clone)]
 pub struct Lighting {
     pub(crate) daylight: Daylight,
@@ -37,24 +38,53 @@ pub(crate) fn brightness([r, g, b]: [f32; 3]) -> f32 {
 }
 
 impl Renderer {
-    /// The light in a scene: tens of milliseconds for shadows, and some for each room.
+    /// The light in a scene: about a microsecond a triangle for the tree of rays, tens of milliseconds for
+    /// shadows, and some for each room.
     pub fn light(&self, snapshot: &Snapshot, daylight: &Daylight) -> Lighting {
-        let (gains, lamps) = lamps(self, snapshot);
-        let rooms = rooms(snapshot);
-        let (middle, radius) = ball(snapshot);
-        let shines = daylight.sun.norm() > 0.0;
-        let sun = shines.then(|| ShadowMap::sun(self, snapshot, daylight.towards_sun, middle, radius));
         let mut lighting = Lighting {
             daylight: *daylight,
             tracer: Tracer::new(snapshot),
-            sun,
-            lamps,
-            gains,
+            sun: None,
+            lamps: Vec::new(),
+            gains: Vec::new(),
             grids: Vec::new(),
-            rooms,
+            rooms: Vec::new(),
         };
-        lighting.grids = room::grids(self, &lighting);
+        self.shine(&mut lighting);
         lighting
+    }
+
+    /// Brings light up to another moment of the same scene: lamps have been switched, doors, blinds or
+    /// furniture moved.
+    ///
+    /// It is then as [`Self::light`] would make it, but for rays that graze an edge. The tree of rays is kept, and
+    /// where nothing has moved shadows are; what rooms throw back is found anew everywhere, as light goes
+    /// from room to room. Takes a half to two thirds of what it takes to make it.
+    ///
+    /// # Errors
+    /// [`RenderError::OtherScene`] if bodies have come or gone; the light is then as it was.
+    pub fn relight(&self, lighting: &mut Lighting, snapshot: &Snapshot) -> Result<(), RenderError> {
+        let moved = !lighting.tracer.snapshot.stands_as(snapshot);
+        lighting.tracer.follow(snapshot)?;
+        if moved {
+            lighting.sun = None;
+            lighting.lamps.clear();
+        }
+        self.shine(lighting);
+        Ok(())
+    }
+
+    /// Finds the light in the scene of its tracer; shadows that are there are right.
+    fn shine(&self, lighting: &mut Lighting) {
+        let (snapshot, daylight) = (&lighting.tracer.snapshot, &lighting.daylight);
+        let (gains, lamps) = lamps(self, snapshot, &lighting.lamps);
+        if lighting.sun.is_none() && daylight.sun.norm() > 0.0 {
+            let (middle, radius) = ball(snapshot);
+            lighting.sun = Some(ShadowMap::sun(self, snapshot, daylight.towards_sun, middle, radius));
+        }
+        lighting.rooms = rooms(snapshot);
+        (lighting.gains, lighting.lamps) = (gains, lamps);
+        lighting.grids = room::grids(self, lighting);
     }
 }
 
@@ -68,8 +98,8 @@ fn ball(snapshot: &Snapshot) -> (Point3<f32>, f32) {
 
 impl Lighting {
     /// Lets mirrors and reference pictures see another moment of the same scene, as
-    /// [`RayCaster::follow`](crate::RayCaster::follow) does. The light of fast pictures and
-    /// the exposure stay as they were.
+    /// [`RayCaster::follow`](crate::RayCaster::follow) does, at its cost. The light of fast pictures and
+    /// the exposure stay as they were; [`Renderer::relight`] makes them anew too.
     ///
     /// # Errors
     /// [`RenderError::OtherScene`] if bodies have come or gone.

@@ -83,6 +83,12 @@ impl Snapshot {
         Ok(())
     }
 
+    /// Whether all bodies and their parts are where they are in another moment of the same scene.
+    pub(crate) fn stands_as(&self, other: &Self) -> bool {
+        let (own, others) = (&self.instances, &other.instances);
+        own.len() == others.len() && own.iter().zip(others).all(|(a, b)| a.world == b.world)
+    }
+
     /// Moves the joints of a body: `position` gives each joint's, radians or metres,
     /// where it is to change.
     ///
