@@ -105,8 +105,10 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
     let directions = directions();
     let each = |(g, grid): (usize, &Grid)| (0..grid.points.len()).map(move |i| (g, i)).collect::<Vec<_>>();
     let places: Vec<(usize, usize)> = grids.iter().enumerate().flat_map(each).collect();
+    let within = within(lighting, &grids, &places);
     let look = |(g, i): &(usize, usize)| look(renderer, lighting, *g, grids[*g].place(*i), &directions);
-    let seen: Vec<Option<Vec<Seen>>> = places.par_iter().map(look).collect();
+    let look = |(place, within): (&_, &bool)| within.then(|| look(place)).flatten();
+    let seen: Vec<Option<Vec<Seen>>> = places.par_iter().zip(&within).map(look).collect();
     for _ in 0..BOUNCES {
         let gather = |seen: &Option<Vec<Seen>>| seen.as_ref().map(|seen| gathered(&grids, seen));
         let next: Vec<Option<Ambient>> = seen.par_iter().map(gather).collect();
@@ -120,6 +122,21 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
         grid.middling = grid.middle();
     }
     grids
+}
+
+/// Which points are over something of their room: boxes of rooms with corners reach through their walls. All
+/// points of a room without anything below them count.
+fn within(lighting: &Lighting, grids: &[Grid], places: &[(usize, usize)]) -> Vec<bool> {
+    let tracer = &lighting.tracer;
+    let over = |(g, i): &(usize, usize)| {
+        let down = Ray { from: grids[*g].place(*i), along: [0.0, 0.0, -1.0], end: 1e4 };
+        let below = tracer.first(&down).map(|met| tracer.snapshot.bodies[met.instance.body as usize].room);
+        below.is_some_and(|room| usize::from(room) == *g)
+    };
+    let over: Vec<bool> = places.par_iter().map(over).collect();
+    let mut any = vec![false; grids.len()];
+    places.iter().zip(&over).for_each(|((g, _), over)| any[*g] |= over);
+    places.iter().zip(over).map(|((g, _), over)| over || !any[*g]).collect()
 }
 
 /// Boxes around rooms: their floors and walls.

@@ -29,15 +29,15 @@ static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
 });
 
 /// A film's response, linear on a screen: that of the eye's cells (Naka and Rushton 1966), which never
-/// burns out. A white wall in the light of its room comes to two fifths, ten times that to nine tenths.
+/// burns out. A white wall in the light of its room comes to a half, ten times that to nineteen twentieths.
 pub(crate) fn film(x: f32) -> f32 {
     use vc_graph::portable::Portable;
-    let strength = (1.2 * x.max(0.0)).power(CONTRAST);
+    let strength = (1.9 * x.max(0.0)).power(CONTRAST);
     if strength < 1e9 { strength / (1.0 + strength) } else { 1.0 }
 }
 
 /// How steep the film's response is in the middle.
-const CONTRAST: f32 = 1.3;
+const CONTRAST: f32 = 1.2;
 
 /// A linear colour in sRGB.
 #[inline(always)]
