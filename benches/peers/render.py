@@ -4,12 +4,18 @@
     python benches/peers/render.py                      # home 42, living room
     python benches/peers/render.py --seed 7 --room kitchen
     python benches/peers/render.py --file SCENE.glb     # the peers alone, on a file
-    python benches/peers/render.py --obj reference.obj  # Open3D, MuJoCo and PyBullet on the sixteen views of vc-render's bench
+    python benches/peers/render.py --obj reference.obj  # all but Mitsuba on the sixteen views of vc-render's bench
 
 The scene comes from `cargo run --release --example render -- --files`, which writes glTF with a camera; all
 render the same triangles from that camera. A peer that is not installed, or does not start, is skipped with
 a message. Times are CPU time of the process, milliseconds a picture, medians. MuJoCo wants MUJOCO_GL=osmesa or
 egl; Mitsuba's fast variant wants DRJIT_LIBLLVM_PATH, without it the scalar one is timed.
+
+With --obj, this project's bench runs before and after the peers, and what a peer takes over the mean of what ours
+takes for the same is set beside its bar, at the largest size; where one is missed, the script exits with 1. The file
+is written by `cargo bench -p vc-render --bench costs`. MuJoCo draws the shadows of the sun alone, of the sun and a
+lamp, and of the sun and all three lamps, as ours does: that is held to the bar. Ours draws shadow maps once for all
+views, MuJoCo for each picture.
 
 Equal quality: of Mitsuba and of this project's path tracer, each without smoothing, the error of N paths a pixel
 against many paths of the same program is measured on the light itself and after an eye's curve; so is the time.
@@ -22,6 +28,7 @@ import argparse
 import json
 import os
 import pathlib
+import re
 import statistics
 import struct
 import subprocess
@@ -83,13 +90,17 @@ class Reference:
     """The home that `cargo bench -p vc-render --bench costs` writes, seen by one of its cameras."""
 
     def __init__(self, path):
-        self.objects, self.cameras, self.which = [], [], 0
+        self.objects, self.cameras, self.lamps, self.sun, self.which = [], [], [], None, 0
         material = {"pbrMetallicRoughness": {"baseColorFactor": [0.6, 0.6, 0.6, 1.0]}}
         first, name, points, faces = 1, None, [], []
         for line in [*pathlib.Path(path).read_text().splitlines(), "o end"]:
             kind, *rest = line.split()
             if line.startswith("# camera"):
                 self.cameras.append([float(v) for v in rest[1:]])
+            elif line.startswith("# lamp"):
+                self.lamps.append([float(v) for v in rest[1:]])
+            elif line.startswith("# sun"):
+                self.sun = np.array([float(v) for v in rest[1:]])
             elif kind == "v":
                 points.append([float(v) for v in rest])
             elif kind == "f":
@@ -146,8 +157,51 @@ def median(work, runs):
     return 1e3 * statistics.median(times)
 
 
+# What is compared with what of ours: the peer, what it gives, what of ours gives it, and the wanted ratio.
+BARS = (
+    ("Open3D", "depth and ids, rays made before", "depth and nodes", 15),
+    ("MuJoCo", "RGB, depth, ids, no shadows", "plain colours, depth, nodes", 3),
+    ("MuJoCo", "RGB, depth, ids, shadows of 1", "colours, depth, nodes", None),
+    ("MuJoCo", "RGB, depth, ids, shadows of 2", "colours, depth, nodes", None),
+    ("MuJoCo", "RGB, depth, ids, shadows of 4", "colours, depth, nodes", 12),
+    ("PyBullet", "RGB, depth, ids, no shadows", "plain colours, depth, nodes", 10),
+    ("PyBullet", "RGB, depth, ids, shadows of 1", "colours, depth, nodes", 20),
+)
+SHOWN = {}
+
+
 def show(peer, what, times):
+    SHOWN[peer, what] = times
     print(f"{peer:12} {what:34}" + "".join(f"{t:10.2f}" for t in times) + "  ms CPU", flush=True)
+
+
+def our_times():
+    """Milliseconds of one thread by what is wanted, for each size."""
+    command = ["cargo", "bench", "-p", "vc-render", "--bench", "render", "--", "first"]
+    text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    times = {}
+    for what, size, one in re.findall(r"^(\S.*?)\s+(\d+x\d+)\s+([\d.]+) ms", text, re.MULTILINE):
+        if size in [f"{w}x{h}" for w, h in SIZES]:
+            times.setdefault(what, []).append(float(one))
+    return times
+
+
+def hold(rounds):
+    """Prints ratios beside their bars, and tells whether all are met."""
+    ours = {what: np.mean([times[what] for times in rounds], axis=0) for what in rounds[0]}
+    for what, times in ours.items():
+        show("ours", what, times)
+    print("\nHow many times as long as ours:")
+    met = True
+    for peer, what, own, bar in BARS:
+        if (peer, what) not in SHOWN:
+            continue
+        ratios = SHOWN[peer, what] / ours[own]
+        wanted = f"at least {bar} at {SIZES[-1][0]}x{SIZES[-1][1]}" if bar else ""
+        missed = bool(bar) and ratios[-1] < bar
+        met = met and not missed
+        print(f"{peer:12} {what:34}" + "".join(f"{r:10.1f}" for r in ratios) + f"  {wanted}{', MISSED' if missed else ''}")
+    return met
 
 
 # --- peers
@@ -202,9 +256,7 @@ def mujoco(scene):
         mesh.maxhullvert = 8
         spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=f"m{index}", rgba=colour(material),
                                 contype=0, conaffinity=0)
-    middle = (np.concatenate([o[1] for o in scene.objects]).min(0) + np.concatenate([o[1] for o in scene.objects]).max(0)) / 2
-    down = np.array([0, 0, -1.0] if isinstance(scene, Reference) else [0, -1.0, 0])
-    spec.worldbody.add_light(pos=(middle - down).tolist(), dir=down.tolist(), castshadow=True)
+    lights = sun_and_lamps(mujoco, scene, spec)
     count = 0
     for eye, target, up in views(scene):
         x = np.cross(target - eye, up)
@@ -214,15 +266,15 @@ def mujoco(scene):
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    for shadows in (False, True):
+    for shadows in sorted({0, 1, 2, len(lights)} & set(range(len(lights) + 1))):
+        model.light_castshadow[:] = [index < shadows for index in range(len(lights))]
         times = []
         for width, height in SIZES:
             with mujoco.Renderer(model, height, width) as renderer:
-                renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = shadows
 
                 def three(eye, renderer=renderer):
                     renderer.update_scene(data, eye)
-                    renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = shadows
+                    renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = shadows > 0
                     renderer.render()
                     renderer.enable_depth_rendering()
                     renderer.render()
@@ -232,7 +284,19 @@ def mujoco(scene):
                     renderer.disable_segmentation_rendering()
 
                 times.append(mean([median(lambda i=i: three(f"eye{i}"), 3) for i in range(count)]))
-        show("MuJoCo", f"RGB, depth, ids, {'with' if shadows else 'no'} shadows", times)
+        show("MuJoCo", f"RGB, depth, ids, {f'shadows of {shadows}' if shadows else 'no shadows'}", times)
+
+
+def sun_and_lamps(mujoco, scene, spec):
+    """The sun, and lamps that shine downwards; in homes from files only a light from above."""
+    if not isinstance(scene, Reference):
+        corners = np.concatenate([o[1] for o in scene.objects])
+        down, middle = np.array([0.0, -1.0, 0.0]), (corners.min(0) + corners.max(0)) / 2
+        return [spec.worldbody.add_light(pos=(middle - down).tolist(), dir=down.tolist())]
+    kind = mujoco.mjtLightType
+    sun = spec.worldbody.add_light(type=kind.mjLIGHT_DIRECTIONAL, pos=(8 * scene.sun).tolist(), dir=(-scene.sun).tolist())
+    lamp = {"type": kind.mjLIGHT_SPOT, "dir": [0, 0, -1], "cutoff": 80, "exponent": 1}
+    return [sun, *(spec.worldbody.add_light(pos=at, **lamp) for at in scene.lamps)]
 
 
 def pybullet(scene):
@@ -253,7 +317,7 @@ def pybullet(scene):
                 times.append(median(lambda: pybullet.getCameraImage(
                     width, height, view, lens, shadow=shadow, renderer=pybullet.ER_TINY_RENDERER), 2))
             all_times.append(times)
-        show("PyBullet", f"RGB, depth, ids, {'with' if shadow else 'no'} shadows", mean(all_times))
+        show("PyBullet", f"RGB, depth, ids, {'shadows of 1' if shadow else 'no shadows'}", mean(all_times))
     pybullet.disconnect(client)
 
 
@@ -414,7 +478,9 @@ def main():
     parser.add_argument("--truth", type=int, default=256, help="paths of the picture that errors are measured against")
     options = parser.parse_args()
     if options.obj:
-        return peers(Reference(options.obj), (("open3d", open3d), ("mujoco", mujoco), ("pybullet", pybullet)))
+        before = our_times()
+        peers(Reference(options.obj), (("open3d", open3d), ("mujoco", mujoco), ("pybullet", pybullet)))
+        raise SystemExit(0 if hold([before, our_times()]) else 1)
     file = options.file
     if file is None:
         command = ["cargo", "run", "--release", "--example", "render", "--", "--seed", str(options.seed),

@@ -1,61 +1,28 @@
-//! What pictures cost: CPU time of one thread for sixteen views of a home, in turn. Run with
-//! `cargo bench -p vc-render`.
+//! What pictures cost: sixteen views of a home of 130,000 and of a million triangles, in four sizes. Run with
+//! `cargo bench -p vc-render --bench render`; `-- first` leaves the million out.
+//!
+//! CPU time of one thread, the time on the wall when all threads make a picture together, and when they make
+//! many side by side. The mean over the views of the median of seven; light is made once and not
+//! counted, frames are used again.
 
-#![allow(missing_docs, clippy::unwrap_used, reason = "benches stop where something is wrong")]
+#![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "benches stop where something is wrong")]
 
-#[path = "../../benches/support/cpu.rs"]
-mod cpu;
 #[path = "support/home.rs"]
 mod home;
+#[path = "support/stage.rs"]
+mod stage;
 
-use cpu::Cpu;
-use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use home::{cameras, home};
-use vc_render::{Daylight, Frame, Modalities, Modality, Renderer, Shot};
+use stage::{Stage, table};
 
 /// Cells along an edge of each mesh: 130,000 and a million triangles.
 const FINE: [i32; 2] = [6, 17];
-const SIZES: [(u32, u32); 4] = [(84, 84), (300, 300), (640, 480), (1920, 1080)];
 
-fn views(c: &mut Criterion<Cpu>) {
-    let labels = Modalities::SIX.without(Modality::Rgb);
-    let sets = [
-        ("depth and nodes", Modality::Depth | Modality::Instance),
-        ("labels, depth and flow", labels),
-        ("all six", Modalities::SIX),
-    ];
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    for fine in FINE {
+fn main() {
+    let first = std::env::args().any(|word| word == "first");
+    let poses: Vec<_> = cameras(64, 64).iter().map(|camera| camera.pose).collect();
+    for fine in FINE.into_iter().take(if first { 1 } else { 2 }) {
         let home = home(fine, 300);
-        let mut renderer = Renderer::new();
-        let mut snapshot = renderer.snapshot(&home.graph).unwrap();
-        home.lamps.iter().for_each(|lamp| snapshot.switch(*lamp, true).unwrap());
-        // The sun through the windows, and a lamp in each room.
-        let lighting = renderer.light(&snapshot, &Daylight::clear(0.6, 1.2));
-        let mut group = c.benchmark_group(format!("sixteen views, {} triangles", snapshot.triangles()));
-        for (name, wanted) in sets {
-            for (width, height) in SIZES {
-                let cameras = cameras(width, height);
-                group.bench_function(BenchmarkId::new(name, format!("{width}x{height}")), |b| {
-                    let mut frame = Frame::new();
-                    let mut turn = cameras.iter().cycle();
-                    pool.install(|| {
-                        b.iter(|| {
-                            let camera = turn.next().unwrap_or(&cameras[0]);
-                            let shot = Shot::new(&snapshot, camera, wanted).lit(&lighting).after(&snapshot, camera);
-                            renderer.render(&shot, &mut frame).unwrap();
-                        });
-                    });
-                });
-            }
-        }
-        group.finish();
+        table("a home of 300 objects", &Stage::new(&home.graph, &home.lamps), &poses);
     }
 }
-
-criterion_group! {
-    name = benches;
-    config = Criterion::default().with_measurement(Cpu).sample_size(20);
-    targets = views
-}
-criterion_main!(benches);

@@ -185,14 +185,19 @@ pub(crate) fn home(fine: i32, objects: usize) -> Home {
     Home { graph: site.builder.build(), lamps }
 }
 
-/// The triangles of a home in the world, an object for each node, and its cameras in comments (eye, target,
-/// degrees upwards), as an OBJ file for others to render.
+/// The triangles of a home in the world, an object for each node, as an OBJ file for others to render; in comments
+/// its cameras (eye, target, degrees upwards), its lamps and the direction to the sun.
 #[allow(dead_code, reason = "one bench writes it")]
-pub(crate) fn obj(home: &Home) -> String {
+pub(crate) fn obj(home: &Home, towards_sun: Vector3<f32>) -> String {
     use std::fmt::Write;
     let (mut text, mut first) = (String::new(), 1);
     for (eye, target) in eyes() {
         let _ = writeln!(text, "# camera {} {} {} {} {} {} 60", eye.x, eye.y, eye.z, target.x, target.y, target.z);
+    }
+    let _ = writeln!(text, "# sun {} {} {}", towards_sun.x, towards_sun.y, towards_sun.z);
+    for pose in home.lamps.iter().filter_map(|lamp| home.graph.node(*lamp)?.pose()) {
+        let at = pose.translation;
+        let _ = writeln!(text, "# lamp {} {} {}", at.x, at.y, at.z);
     }
     for node in home.graph.nodes() {
         let (Some(pose), Some(asset)) = (node.pose(), node.spec().asset) else { continue };

@@ -1,11 +1,13 @@
-//! Lines over two axes, both by powers of ten, as SVG.
+//! Lines over two axes, both logarithmic, as SVG.
 
 use std::fmt::Write;
 
 /// Width and height of a panel's axes, and what is around them.
-const SIZE: [f64; 2] = [260.0, 220.0];
-const MARGIN: f64 = 60.0;
+const SIZE: [f64; 2] = [280.0, 240.0];
+const MARGIN: f64 = 56.0;
 const COLOURS: [&str; 2] = ["#1f6fb4", "#c8401f"];
+/// Milliseconds upwards, the same in all panels.
+const UPWARDS: [f64; 2] = [0.1, 100.0];
 
 /// A plot of two lines.
 pub(crate) struct Panel {
@@ -18,39 +20,50 @@ impl Panel {
         Self { title, points: Vec::new() }
     }
 
-    /// Powers of ten around all values of an axis.
-    fn range(&self, axis: usize) -> [f64; 2] {
-        let values = self.points.iter().flat_map(|(x, y)| if axis == 0 { vec![*x] } else { y.to_vec() });
-        let around = values.fold([f64::INFINITY, 0.0], |r: [f64; 2], v| [r[0].min(v), r[1].max(v)]);
-        [around[0].log10().floor(), around[1].log10().ceil()]
-    }
-
     fn draw(&self, left: f64, out: &mut String) {
-        let ranges = [self.range(0), self.range(1)];
-        let place = |axis: usize, v: f64| {
-            let [low, high] = ranges[axis];
-            let share = (v.log10() - low) / (high - low).max(1.0);
-            if axis == 0 { left + share * SIZE[0] } else { MARGIN + (1.0 - share) * SIZE[1] }
-        };
-        let (right, bottom) = (left + SIZE[0], MARGIN + SIZE[1]);
-        let tick = |power: i32| format!("10<tspan dy='-5' font-size='8'>{power}</tspan>");
-        for power in ranges[0][0] as i32..=ranges[0][1] as i32 {
-            let x = place(0, 10_f64.powi(power));
-            let _ = writeln!(out, "<path d='M{x} {MARGIN}V{bottom}' stroke='#ddd'/>");
-            let _ = writeln!(out, "<text x='{x}' y='{}' text-anchor='middle'>{}</text>", bottom + 18.0, tick(power));
+        let all = self.points.iter().map(|(x, _)| *x);
+        let across = all.fold([f64::INFINITY, 0.0], |r: [f64; 2], x| [r[0].min(0.8 * x), r[1].max(1.25 * x)]);
+        let share = |v: f64, [low, high]: [f64; 2]| (v / low).ln() / (high / low).ln();
+        let place = |x: f64, y: f64| [left + share(x, across) * SIZE[0], MARGIN + (1.0 - share(y, UPWARDS)) * SIZE[1]];
+        let [right, bottom] = [left + SIZE[0], MARGIN + SIZE[1]];
+        for v in ticks(across) {
+            let [x, _] = place(v, 1.0);
+            let _ = writeln!(out, "<path d='M{x:.1} {MARGIN}V{bottom}' stroke='#e4e4e4'/>");
+            let _ = writeln!(out, "<text x='{x:.1}' y='{}' text-anchor='middle'>{}</text>", bottom + 18.0, short(v));
         }
-        for power in ranges[1][0] as i32..=ranges[1][1] as i32 {
-            let y = place(1, 10_f64.powi(power));
-            let _ = writeln!(out, "<path d='M{left} {y}H{right}' stroke='#ddd'/>");
-            let _ = writeln!(out, "<text x='{}' y='{}' text-anchor='end'>{}</text>", left - 6.0, y + 4.0, tick(power));
+        for v in ticks(UPWARDS) {
+            let [_, y] = place(across[0], v);
+            let _ = writeln!(out, "<path d='M{left} {y:.1}H{right}' stroke='#e4e4e4'/>");
+            let _ = writeln!(out, "<text x='{}' y='{:.1}' text-anchor='end'>{}</text>", left - 6.0, y + 4.0, short(v));
         }
+        let _ = writeln!(out, "<path d='M{left} {MARGIN}V{bottom}H{right}' fill='none' stroke='#666'/>");
         for (line, colour) in COLOURS.iter().enumerate() {
-            let points = self.points.iter().map(|(x, y)| format!("{:.1},{:.1}", place(0, *x), place(1, y[line])));
-            let points = points.collect::<Vec<_>>().join(" ");
-            let _ = writeln!(out, "<polyline points='{points}' fill='none' stroke='{colour}' stroke-width='2'/>");
+            let points: Vec<_> = self.points.iter().map(|(x, y)| place(*x, y[line])).collect();
+            let list = points.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect::<Vec<_>>().join(" ");
+            let _ = writeln!(out, "<polyline points='{list}' fill='none' stroke='{colour}' stroke-width='2'/>");
+            for [x, y] in points {
+                let _ = writeln!(out, "<circle cx='{x:.1}' cy='{y:.1}' r='3' fill='{colour}'/>");
+            }
         }
         let middle = left + 0.5 * SIZE[0];
         let _ = writeln!(out, "<text x='{middle}' y='{}' text-anchor='middle'>{}</text>", bottom + 38.0, self.title);
+    }
+}
+
+/// Ones, twos and fives of an axis.
+fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
+    let powers = low.log10().floor() as i32..=high.log10().ceil() as i32;
+    let all = powers.flat_map(|power| [1.0, 2.0, 5.0].map(|one| one * 10_f64.powi(power)));
+    all.filter(|v| (low * 0.999..=high * 1.001).contains(v)).collect()
+}
+
+/// A number with few digits.
+fn short(v: f64) -> String {
+    match v {
+        v if v > 0.999e6 => format!("{:.0}M", v / 1e6),
+        v if v > 0.999e3 => format!("{:.0}k", v / 1e3),
+        v if v > 0.999 => format!("{v:.0}"),
+        v => format!("{v:.1}"),
     }
 }
 
@@ -64,9 +77,10 @@ pub(crate) fn svg(panels: &[Panel], lines: &[&str; 2]) -> String {
     for (index, panel) in panels.iter().enumerate() {
         panel.draw(MARGIN + index as f64 * (SIZE[0] + MARGIN), &mut out);
     }
+    let _ = writeln!(out, "<text x='{MARGIN}' y='28'>Milliseconds of one core:</text>");
     for (index, (name, colour)) in lines.iter().zip(COLOURS).enumerate() {
-        let x = MARGIN + 160.0 * index as f64;
-        let _ = writeln!(out, "<text x='{x}' y='30' fill='{colour}'>{name}, ms of one core</text>");
+        let x = MARGIN + 160.0 + 160.0 * index as f64;
+        let _ = writeln!(out, "<text x='{x}' y='28' fill='{colour}'>{name}</text>");
     }
     out + "</svg>\n"
 }

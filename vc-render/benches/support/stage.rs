@@ -1,0 +1,121 @@
+//! A home that is ready to be looked at, and the clocks that time its pictures.
+
+use std::time::{Duration, Instant};
+
+use cpu_time::ThreadTime;
+use rayon::ThreadPool;
+use vc_graph::{NodeId, Pose, SceneGraph};
+use vc_render::{Camera, Daylight, Frame, Lighting, Modalities, Modality, Renderer, Shot, Snapshot};
+
+/// What is wanted of pictures, and whether colours are plain.
+pub(crate) type Wanted = (Modalities, bool);
+
+/// Labels, depth and flow; and all six.
+pub(crate) const LABELS: Wanted = (Modalities::SIX.without(Modality::Rgb), false);
+pub(crate) const SIX: Wanted = (Modalities::SIX, false);
+
+/// How often each picture is made; the middle one counts.
+const RUNS: usize = 7;
+
+/// The light outside.
+pub(crate) fn sky() -> Daylight {
+    Daylight::clear(0.6, 1.2)
+}
+
+/// A home that is ready to be looked at: the sun through the windows, and lamps that are on.
+pub(crate) struct Stage {
+    pub(crate) renderer: Renderer,
+    pub(crate) snapshot: Snapshot,
+    pub(crate) lighting: Lighting,
+}
+
+impl Stage {
+    pub(crate) fn new(graph: &SceneGraph, lamps: &[NodeId]) -> Self {
+        let mut renderer = Renderer::new();
+        let mut snapshot = renderer.snapshot(graph).unwrap();
+        lamps.iter().for_each(|lamp| snapshot.switch(*lamp, true).unwrap());
+        let lighting = renderer.light(&snapshot, &sky());
+        Self { renderer, snapshot, lighting }
+    }
+
+    fn shot<'a>(&'a self, camera: &'a Camera, (wanted, plain): Wanted) -> Shot<'a> {
+        let shot = Shot::new(&self.snapshot, camera, wanted).lit(&self.lighting).after(&self.snapshot, camera);
+        if plain { shot.plain() } else { shot }
+    }
+
+    /// Milliseconds of CPU of a picture made by one thread: the mean over the cameras of the median.
+    pub(crate) fn one(&self, cameras: &[Camera], wanted: Wanted, threads: &ThreadPool) -> f64 {
+        threads.install(|| self.mean(cameras, wanted, ThreadTime::now, |t| t.elapsed()))
+    }
+
+    /// Milliseconds of a clock on the wall of a picture that all threads make together.
+    pub(crate) fn together(&self, cameras: &[Camera], wanted: Wanted) -> f64 {
+        self.mean(cameras, wanted, Instant::now, |t| t.elapsed())
+    }
+
+    /// Milliseconds on the wall for each of many pictures that threads make side by side.
+    #[allow(dead_code, reason = "not all benches time it")]
+    pub(crate) fn beside(&self, cameras: &[Camera], wanted: Wanted) -> f64 {
+        let shots: Vec<Shot<'_>> = cameras.iter().map(|camera| self.shot(camera, wanted)).collect();
+        let mut frames: Vec<Frame> = cameras.iter().map(|_| Frame::new()).collect();
+        let mut all = || {
+            let start = Instant::now();
+            self.renderer.render_all(&shots, &mut frames).unwrap();
+            start.elapsed()
+        };
+        all();
+        median((0..RUNS).map(|_| all()).collect()) / cameras.len() as f64
+    }
+
+    fn mean<T>(&self, cameras: &[Camera], wanted: Wanted, now: fn() -> T, since: fn(&T) -> Duration) -> f64 {
+        let mut frame = Frame::new();
+        let mut times = vec![Vec::new(); cameras.len()];
+        // The first round makes buffers, and is not counted.
+        for round in 0..=RUNS {
+            for (camera, times) in cameras.iter().zip(&mut times) {
+                let shot = self.shot(camera, wanted);
+                let start = now();
+                self.renderer.render(&shot, &mut frame).unwrap();
+                times.extend((round > 0).then(|| since(&start)));
+            }
+        }
+        times.into_iter().map(median).sum::<f64>() / cameras.len() as f64
+    }
+}
+
+/// Milliseconds.
+fn median(mut times: Vec<Duration>) -> f64 {
+    times.sort_unstable();
+    1e3 * times[times.len() / 2].as_secs_f64()
+}
+
+/// A pool of one thread.
+pub(crate) fn single() -> ThreadPool {
+    rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap()
+}
+
+/// Prints what a home's pictures from some poses cost, for all sets and sizes.
+#[allow(dead_code, reason = "not all benches print it")]
+pub(crate) fn table(title: &str, stage: &Stage, poses: &[Pose]) {
+    let seen = Modality::Depth | Modality::Instance;
+    let sets = [
+        ("depth and nodes", (seen, false)),
+        ("labels, depth and flow", LABELS),
+        ("plain colours, depth, nodes", (seen | Modality::Rgb, true)),
+        ("colours, depth, nodes", (seen | Modality::Rgb, false)),
+        ("all six", SIX),
+    ];
+    let threads = single();
+    println!("{title}, {} triangles, {} views", stage.snapshot.triangles(), poses.len());
+    println!("{:30}{:>12}{:>14}{:>14}{:>14}", "", "", "one thread", "all threads", "side by side");
+    for (name, wanted) in sets {
+        for (width, height) in [(84, 84), (300, 300), (640, 480), (1920, 1080)] {
+            let camera = Camera::with_fov(width, height, 60_f32.to_radians());
+            let cameras: Vec<Camera> = poses.iter().map(|pose| Camera { pose: *pose, ..camera }).collect();
+            let size = format!("{width}x{height}");
+            let one = stage.one(&cameras, wanted, &threads);
+            let (together, beside) = (stage.together(&cameras, wanted), stage.beside(&cameras, wanted));
+            println!("{name:30}{size:>12}{one:>11.3} ms{together:>11.3} ms{beside:>11.3} ms");
+        }
+    }
+}
