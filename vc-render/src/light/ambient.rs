@@ -72,6 +72,11 @@ impl Ambient {
         three(|axis| 0.5 * (self.0[4 * axis + 3] - self.0[4 * axis + 15]))
     }
 
+    /// Mean radiance by colour.
+    pub(super) fn colour(&self) -> [f32; 3] {
+        three(|c| self.0.chunks(4).map(|side| side[c]).sum::<f32>() / (6.0 * std::f32::consts::PI))
+    }
+
     /// Mean radiance.
     pub(super) fn mean(&self) -> f32 {
         self.0.chunks(4).map(|side| side[3]).sum::<f32>() / (6.0 * std::f32::consts::PI)

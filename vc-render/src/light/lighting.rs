@@ -31,6 +31,9 @@ pub struct Lighting {
     rooms: Vec<([f32; 3], [f32; 3])>,
 }
 
+/// How far a picture's white is that of the light in its room: lamps stay warm, and do not make all yellow.
+const BALANCE: f32 = 0.6;
+
 /// How bright a colour is to the eye (Rec. 709).
 #[inline(always)]
 pub(crate) fn brightness([r, g, b]: [f32; 3]) -> f32 {
@@ -152,18 +155,22 @@ impl Lighting {
         }
     }
 
-    /// What brings the light around an eye to a picture's middle grey.
-    pub(crate) fn exposure(&self, eye: [f32; 3]) -> f32 {
+    /// What brings the light around an eye to a picture's middle grey, and partly to white, by colour.
+    pub(crate) fn exposure(&self, eye: [f32; 3]) -> [f32; 3] {
+        use vc_graph::portable::Portable;
         let floor = |i: usize| {
             let (low, high) = self.rooms[i];
             (high[0] - low[0]) * (high[1] - low[1])
         };
         let index = self.room_for(eye, floor);
         let lamps = self.lamps.iter().filter(|l| usize::from(l.room) == index);
-        let own: f32 = lamps.map(|l| brightness(l.flux)).sum();
+        let own = lamps.fold([0.0; 3], |sum, lamp| three(|c| sum[c] + lamp.flux[c]));
         // Mean radiance of a grey room: thrown back, and straight from the lamps.
-        let mean = self.grids[index].middling + 0.25 * own / (floor(index) * 4.0).max(1.0);
-        0.8 / mean.max(1e-4)
+        let (grid, share) = (&self.grids[index], 0.25 / (floor(index) * 4.0).max(1.0));
+        let mean = grid.middling + brightness(own) * share;
+        let colour = three(|c| grid.colour[c] + own[c] * share + 1e-6);
+        let white = scaled(colour, 1.0 / brightness(colour));
+        three(|c| 0.8 / mean.max(1e-4) / white[c].max(0.1).power(BALANCE))
     }
 
     /// The room for whose light a picture is exposed: the one the eye is in; from above, the

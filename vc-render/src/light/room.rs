@@ -30,6 +30,8 @@ pub(crate) struct Grid {
     /// Light from all sides at a middling point: half of the room has more. The few by a
     /// window or a lit door do not tell how bright a room is.
     pub(super) middling: f32,
+    /// The mean colour of light from all sides.
+    pub(super) colour: [f32; 3],
 }
 
 /// Where light is thrown back, which way that faces, its reflectance and room.
@@ -50,9 +52,10 @@ impl Grid {
         const OFF: [f32; 3] = [0.3, 0.3, 0.12];
         let low = three(|i| low[i] + OFF[i]);
         let size = three(|i| (high[i] - OFF[i] - low[i]).max(0.05));
-        let counts = three(|i| ((size[i] / STEP[i]).ceil() as usize + 1).clamp(2, 64));
+        let counts: [usize; 3] = three(|i| ((size[i] / STEP[i]).ceil() as usize + 1).clamp(2, 64));
         let over = three(|i| (counts[i] - 1) as f32 / size[i]);
-        Self { low, over, counts, points: vec![Ambient::default(); counts.iter().product()], middling: 0.0 }
+        let points = vec![Ambient::default(); counts.iter().product()];
+        Self { low, over, counts, points, middling: 0.0, colour: [0.0; 3] }
     }
 
     fn place(&self, index: usize) -> [f32; 3] {
@@ -120,6 +123,7 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
     for grid in &mut grids {
         grid.smooth();
         grid.middling = grid.middle();
+        grid.colour = grid.mean();
     }
     grids
 }
@@ -170,6 +174,14 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
             ceilings[room] = ceilings[room].min(low[2]);
         }
         to[2] = to[2].max(high[2]);
+    }
+    for ((low, high), known) in all.iter_mut().zip(snapshot.bounds.iter()) {
+        let Some(known) = known else { continue };
+        // Floors go on under walls and doors, behind which it may be day.
+        for i in 0..2 {
+            let (from, to) = (low[i].max(known.min[i]), high[i].min(known.max[i]));
+            (low[i], high[i]) = if from < to { (from, to) } else { (low[i], high[i]) };
+        }
     }
     for ((low, high), ceiling) in all.iter_mut().zip(ceilings) {
         high[2] = high[2].min(ceiling);
@@ -289,6 +301,15 @@ impl Grid {
                 }
             }
         }
+    }
+
+    /// The mean of its points' light, all sides together.
+    fn mean(&self) -> [f32; 3] {
+        let share = 1.0 / self.points.len() as f32;
+        self.points.iter().fold([0.0; 3], |sum, point| {
+            let light = point.colour();
+            three(|c| sum[c] + share * light[c])
+        })
     }
 
     /// The middle one of its points' mean radiances.

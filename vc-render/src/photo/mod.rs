@@ -20,6 +20,7 @@ mod spots;
 use rayon::prelude::*;
 
 use crate::RenderError;
+use crate::affine::three;
 use crate::camera::Camera;
 use crate::light::Lighting;
 use crate::picture::Picture;
@@ -67,13 +68,13 @@ pub struct Photograph {
     pub height: usize,
     /// Radiance, linear RGB, rows from the top.
     pub light: Vec<[f32; 3]>,
-    exposure: f32,
+    exposure: [f32; 3],
 }
 
 impl Photograph {
     /// The picture as film would have it.
     pub fn picture(&self) -> Picture {
-        let pixels = self.light.iter().map(|c| encoded(c.map(|v| film(v * self.exposure)))).collect();
+        let pixels = self.light.iter().map(|c| encoded(three(|i| film(c[i] * self.exposure[i])))).collect();
         Picture { width: self.width, height: self.height, pixels }
     }
 }
@@ -106,7 +107,7 @@ impl Renderer {
             lights: &lights,
             spots: &spots,
             how,
-            most: how.brightest / exposure,
+            most: how.brightest / exposure[1],
         };
         let mut traced = vec![Traced::default(); width * height];
         for round in 0..how.samples.max(1) {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use vc_graph::asset::Joint;
-use vc_graph::{Kind, Node, NodeId, Pose, SceneGraph, State};
+use vc_graph::{Aabb, Kind, Node, NodeId, Pose, SceneGraph, State};
 
 use super::{Body, Instance, NO_ROOM, Store};
 use crate::RenderError;
@@ -22,6 +22,8 @@ pub struct Snapshot {
     pub(crate) instances: Vec<Instance>,
     pub(crate) classes: Arc<Vec<Arc<str>>>,
     pub(crate) rooms: Arc<Vec<NodeId>>,
+    /// Boxes around rooms, where the graph knows them.
+    pub(crate) bounds: Arc<Vec<Option<Aabb>>>,
     by_node: Arc<HashMap<NodeId, u32>>,
 }
 
@@ -63,7 +65,8 @@ impl Snapshot {
         }
         let by_node = bodies.iter().zip(0..).map(|(b, i)| (b.node, i)).collect();
         let (classes, rooms) = (Arc::new(classes.names), Arc::new(graph.rooms().to_vec()));
-        Ok(Self { bodies, instances, classes, rooms, by_node: Arc::new(by_node) })
+        let bounds = Arc::new(rooms.iter().map(|room| graph.node(*room)?.aabb()).collect());
+        Ok(Self { bodies, instances, classes, rooms, bounds, by_node: Arc::new(by_node) })
     }
 
     /// Moves a body. Costs a few operations for each of its links.

@@ -67,7 +67,7 @@ pub(crate) struct Shading<'a> {
     pub(crate) view: View<'a>,
     /// None for light without shadows.
     pub(crate) open: Option<&'a Openness>,
-    pub(crate) exposure: f32,
+    pub(crate) exposure: [f32; 3],
 }
 
 /// Finds how open points are, for what has been drawn.

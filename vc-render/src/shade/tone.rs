@@ -68,11 +68,11 @@ static FILM: LazyLock<Vec<u8>> = LazyLock::new(|| {
 /// Colours on a screen for the light of a row's pixels.
 #[allow(clippy::manual_clamp, reason = "what is no number is dark")]
 #[inline(always)]
-pub(super) fn colours(light: [&[f32]; 3], exposure: f32, out: &mut [[u8; 3]]) {
+pub(super) fn colours(light: [&[f32]; 3], exposure: [f32; 3], out: &mut [[u8; 3]]) {
     let table = FILM.as_slice();
     let mut steps = [[0_u32; 64]; 3];
     for (part, out) in out.chunks_mut(64).enumerate() {
-        for (steps, light) in steps.iter_mut().zip(light) {
+        for ((steps, light), exposure) in steps.iter_mut().zip(light).zip(exposure) {
             for (step, light) in steps.iter_mut().zip(&light[part * 64..]) {
                 let light = (light * exposure).max(DARK).min(BRIGHT);
                 *step = (light.to_bits() - DARK.to_bits()) >> PART;
