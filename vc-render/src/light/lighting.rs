@@ -6,7 +6,7 @@ use super::ambient::Ambient;
 use super::lamp::{Lamp, lamps};
 use super::room::{self, Grid};
 use super::shadow::ShadowMap;
-use super::{Daylight, room::rooms};
+use super::{Daylight, extent::rooms};
 use crate::RenderError;
 use crate::affine::{scaled, three};
 use crate::renderer::Renderer;

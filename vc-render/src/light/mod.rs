@@ -3,6 +3,7 @@
 //! Radiance is in units of an overcast sky's, about 5000 candela per square metre.
 
 mod ambient;
+mod extent;
 mod lamp;
 mod lighting;
 mod look;

@@ -2,18 +2,19 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
+mod first;
+
 use super::edge::{Lines, lines};
 use super::planes::{Row, gloss_of};
 use super::texture::Texture;
 use crate::affine::{self, Affine, Narrow};
-use crate::label::{Bent, bent};
+use crate::label::Bent;
 use crate::light::Lighting;
-use crate::mesh::Face;
 use crate::raster::{Frustum, Layers, NONE, Solid, Visible, refill};
 use crate::renderer::Renderer;
 use crate::scene::{Instance, NO_ROOM};
 use crate::simd::stretches;
-use crate::surface::{Pattern, Role, SPAN, Span, Surface, Tile};
+use crate::surface::{SPAN, Span};
 use crate::view::View;
 
 /// What all pixels of an instance's surface have in common.
@@ -133,19 +134,6 @@ impl Known {
     }
 }
 
-impl Paint {
-    fn new(look: u32, of: &Surface, texture: Option<Texture>) -> Self {
-        Self { look, colour: of.colour, roughness: of.roughness, metallic: of.metallic, texture }
-    }
-}
-
-/// Which way a flat triangle faces, in steps of an eighth; zero for one that bends.
-fn facet(face: &Face) -> u16 {
-    let step = |v: f32| ((v * 8.0).round() as i32 + 9) as u16;
-    let [x, y, z] = face.normals[0];
-    if face.flat { step(x) << 10 | step(y) << 5 | step(z) } else { 0 }
-}
-
 impl<'a> Writer<'a> {
     pub(super) fn new(
         renderer: &'a Renderer,
@@ -190,45 +178,6 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The paint of a triangle that is seen for the first time.
-    #[inline(never)]
-    fn mixed(&self, triangle: u32, known: &mut Known) -> u32 {
-        let visible = self.visible[triangle as usize];
-        let instances = &self.view.snapshot.instances;
-        let instance = &instances[visible.instance as usize];
-        let face = &visible.mesh(instances).faces[visible.index()];
-        let surface = &self.renderer.store.surfaces[usize::from(face.surface)];
-        let look = self.look(visible.instance, (face.surface, facet(face)), known);
-        let number = if face.flat { look } else { look | BENT };
-        if let Some(picture) = &surface.picture {
-            let mesh = visible.mesh(instances);
-            let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index());
-            let uvs = mesh.uvs.get(visible.index()).copied().unwrap_or_default();
-            let back = known.maps(visible.instance, instances, &self.frustum)[1];
-            let texture = Texture::picture(picture, (corners, uvs), (&back, &instance.world.narrow()));
-            return known.paint(triangle, Paint::new(number, surface, Some(texture)));
-        }
-        let built = matches!(surface.role, Role::Built | Role::Floor);
-        let plain = surface.pattern == Pattern::Plain;
-        let facing = if built { affine::normal(&instance.inverse, face.normals[0]) } else { face.normals[0] };
-        let (u, v) = if plain { (0, 0) } else { super::look::plane(facing, face.grain) };
-        let way = 3 * u + v;
-        if known.looks[look as usize].paints[way] == NONE {
-            let texture = (!plain).then(|| {
-                let (back, axes) = if built {
-                    (self.world, UNMOVED)
-                } else {
-                    (known.maps(visible.instance, instances, &self.frustum)[1], instance.world.narrow())
-                };
-                Texture::tile(Tile::of(surface.pattern), (u, v), (&back, &axes))
-            });
-            known.looks[look as usize].paints[way] = known.paint(triangle, Paint::new(number, surface, texture));
-        }
-        let paint = known.looks[look as usize].paints[way];
-        known.triangles[triangle as usize] = paint;
-        paint
-    }
-
     /// The normal at a place in the image, of the triangle that is seen there; not of unit length.
     #[inline(always)]
     pub(super) fn normal(&self, triangle: u32, (x, y): (f32, f32), known: &mut Known) -> [f32; 3] {
@@ -239,18 +188,6 @@ impl<'a> Writer<'a> {
             self.bend(triangle, known);
         }
         known.bends[known.bent[triangle as usize] as usize].at(x, y)
-    }
-
-    #[inline(never)]
-    fn bend(&self, triangle: u32, known: &mut Known) {
-        let (visible, instances) = (self.visible[triangle as usize], &self.view.snapshot.instances);
-        let map = || known.maps(visible.instance, instances, &self.frustum)[0];
-        let found = bent(map, self.frustum.near, instances, visible);
-        known.bent[triangle as usize] = known.bends.len() as u32;
-        known.bends.push(match found {
-            Ok(flat) => Bent::flat(flat),
-            Err(bent) => bent,
-        });
     }
 
     /// Whether two triangles of one look meet without a crease.
@@ -266,28 +203,6 @@ impl<'a> Writer<'a> {
         };
         let (a, b) = (normal(triangles[0]), normal(triangles[1]));
         a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > 0.8
-    }
-
-    /// The number of what pixels of an instance's surface have in common.
-    fn look(&self, instance: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
-        let mut at = known.heads[instance as usize];
-        while let Some(look) = known.looks.get(at as usize)
-            && (look.surface, look.facet) != (surface, facet)
-        {
-            at = look.next;
-        }
-        if at != NONE {
-            return at;
-        }
-        let index = self.view.snapshot.instances[instance as usize].body;
-        let body = &self.view.snapshot.bodies[index as usize];
-        let of = &self.renderer.store.surfaces[usize::from(surface)];
-        let glow = if body.lit { self.lighting.glow(of, index) } else { [0.0; 3] };
-        let next = known.heads[instance as usize];
-        known.heads[instance as usize] = known.looks.len() as u32;
-        let (room, mirror) = (body.room, of.is_mirror());
-        known.looks.push(Look { surface, facet, room, mirror, glow, next, paints: [NONE; 9] });
-        known.looks.len() as u32 - 1
     }
 }
 

@@ -1,0 +1,96 @@
+//! What is found out of a triangle that is seen for the first time.
+
+use super::{BENT, Known, Look, NONE, Paint, UNMOVED, Writer};
+use crate::affine;
+use crate::label::{Bent, bent};
+use crate::mesh::Face;
+use crate::shade::texture::Texture;
+use crate::surface::{Pattern, Role, Surface, Tile};
+
+impl Paint {
+    fn new(look: u32, of: &Surface, texture: Option<Texture>) -> Self {
+        Self { look, colour: of.colour, roughness: of.roughness, metallic: of.metallic, texture }
+    }
+}
+
+/// Which way a flat triangle faces, in steps of an eighth; zero for one that bends.
+fn facet(face: &Face) -> u16 {
+    let step = |v: f32| ((v * 8.0).round() as i32 + 9) as u16;
+    let [x, y, z] = face.normals[0];
+    if face.flat { step(x) << 10 | step(y) << 5 | step(z) } else { 0 }
+}
+
+impl Writer<'_> {
+    /// The paint of a triangle that is seen for the first time.
+    #[inline(never)]
+    pub(super) fn mixed(&self, triangle: u32, known: &mut Known) -> u32 {
+        let visible = self.visible[triangle as usize];
+        let instances = &self.view.snapshot.instances;
+        let instance = &instances[visible.instance as usize];
+        let face = &visible.mesh(instances).faces[visible.index()];
+        let surface = &self.renderer.store.surfaces[usize::from(face.surface)];
+        let look = self.look(visible.instance, (face.surface, facet(face)), known);
+        let number = if face.flat { look } else { look | BENT };
+        if let Some(picture) = &surface.picture {
+            let mesh = visible.mesh(instances);
+            let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index());
+            let uvs = mesh.uvs.get(visible.index()).copied().unwrap_or_default();
+            let back = known.maps(visible.instance, instances, &self.frustum)[1];
+            let texture = Texture::picture(picture, (corners, uvs), (&back, &instance.world.narrow()));
+            return known.paint(triangle, Paint::new(number, surface, Some(texture)));
+        }
+        let built = matches!(surface.role, Role::Built | Role::Floor);
+        let plain = surface.pattern == Pattern::Plain;
+        let facing = if built { affine::normal(&instance.inverse, face.normals[0]) } else { face.normals[0] };
+        let (u, v) = if plain { (0, 0) } else { crate::shade::look::plane(facing, face.grain) };
+        let way = 3 * u + v;
+        if known.looks[look as usize].paints[way] == NONE {
+            let texture = (!plain).then(|| {
+                let (back, axes) = if built {
+                    (self.world, UNMOVED)
+                } else {
+                    (known.maps(visible.instance, instances, &self.frustum)[1], instance.world.narrow())
+                };
+                Texture::tile(Tile::of(surface.pattern), (u, v), (&back, &axes))
+            });
+            known.looks[look as usize].paints[way] = known.paint(triangle, Paint::new(number, surface, texture));
+        }
+        let paint = known.looks[look as usize].paints[way];
+        known.triangles[triangle as usize] = paint;
+        paint
+    }
+
+    #[inline(never)]
+    pub(super) fn bend(&self, triangle: u32, known: &mut Known) {
+        let (visible, instances) = (self.visible[triangle as usize], &self.view.snapshot.instances);
+        let map = || known.maps(visible.instance, instances, &self.frustum)[0];
+        let found = bent(map, self.frustum.near, instances, visible);
+        known.bent[triangle as usize] = known.bends.len() as u32;
+        known.bends.push(match found {
+            Ok(flat) => Bent::flat(flat),
+            Err(bent) => bent,
+        });
+    }
+
+    /// The number of what pixels of an instance's surface have in common.
+    fn look(&self, instance: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
+        let mut at = known.heads[instance as usize];
+        while let Some(look) = known.looks.get(at as usize)
+            && (look.surface, look.facet) != (surface, facet)
+        {
+            at = look.next;
+        }
+        if at != NONE {
+            return at;
+        }
+        let index = self.view.snapshot.instances[instance as usize].body;
+        let body = &self.view.snapshot.bodies[index as usize];
+        let of = &self.renderer.store.surfaces[usize::from(surface)];
+        let glow = if body.lit { self.lighting.glow(of, index) } else { [0.0; 3] };
+        let next = known.heads[instance as usize];
+        known.heads[instance as usize] = known.looks.len() as u32;
+        let (room, mirror) = (body.room, of.is_mirror());
+        known.looks.push(Look { surface, facet, room, mirror, glow, next, paints: [NONE; 9] });
+        known.looks.len() as u32 - 1
+    }
+}
