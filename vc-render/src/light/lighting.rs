@@ -62,7 +62,7 @@ impl Renderer {
     ///
     /// It is then as [`Self::light`] would make it, but for rays that graze an edge. The tree of rays is kept, and
     /// where nothing has moved shadows are; what rooms throw back is found anew everywhere, as light goes
-    /// from room to room. Takes a half to two thirds of what it takes to make it.
+    /// from room to room. Takes two thirds to three quarters of what it takes to make it.
     ///
     /// # Errors
     /// [`RenderError::OtherScene`] if bodies have come or gone; the light is then as it was.
