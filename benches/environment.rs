@@ -33,6 +33,9 @@ const BATCH: u64 = 16;
 /// Actions of each environment that are timed.
 const ACTIONS: usize = 40;
 
+/// How often each home is made.
+const ROUNDS: usize = 3;
+
 /// Homes that are measured in turn.
 const SEEDS: std::ops::Range<u64> = 40..48;
 
@@ -220,9 +223,15 @@ fn table() {
     let row = |name: &str, times: Vec<Duration>, thesis: &str| println!("{name:<44} {}   {thesis}", spread(times));
     row("process start to first observation", (0..8).map(|_| first_observation()).collect(), "0.42-0.95 s to start");
     let name = |seed: u64| format!("apartment/{seed}");
-    let made: Vec<_> = SEEDS.map(|seed| cpu(|| Environment::make(&name(seed), 1).unwrap())).collect();
-    let homes: Vec<Environment> = made.iter().map(|(_, home)| home.clone()).collect();
-    row("make", made.into_iter().map(|(time, _)| time).collect(), "0.22-0.27 s");
+    let mut homes = Vec::new();
+    let mut made = Vec::new();
+    // The first round is the machine's, which has to find memory.
+    for round in 0..=ROUNDS {
+        let all: Vec<_> = SEEDS.map(|seed| cpu(|| Environment::make(&name(seed), 1).unwrap())).collect();
+        made.extend(all.iter().filter(|_| round > 0).map(|(time, _)| *time));
+        homes = all.into_iter().map(|(_, home)| home).collect();
+    }
+    row("make", made, "0.22-0.27 s");
     let reset = |to: &dyn Fn(&Environment) -> virtualcity::graph::SceneGraph| -> Vec<Duration> {
         let one = |home: &Environment| {
             let (graph, mut home) = (to(home), home.clone());
@@ -303,8 +312,11 @@ fn batches(homes: &[Environment]) {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let make =
+            || pool.install(|| Batch::make((40..40 + BATCH).map(|seed| format!("apartment/{seed}")), 1).unwrap());
+        drop(make());
         let start = Instant::now();
-        let made = pool.install(|| Batch::make((40..40 + BATCH).map(|seed| format!("apartment/{seed}")), 1).unwrap());
+        let made = make();
         let making = start.elapsed();
         drop(made);
         let (mut batch, mut stream) = (Batch::of(every.clone()), Seed(3).stream());
