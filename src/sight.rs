@@ -18,6 +18,13 @@ const CUT: f32 = 2.1;
 /// Height of cameras in corners above the floor, and of what they look at, metres.
 const CORNER: (f32, f32) = (2.05, 0.8);
 
+/// How far open what lets light in counts as open, 0 to 1.
+const AJAR: f32 = 0.5;
+/// Categories of it.
+const OPENINGS: [&str; 2] = ["door", "window"];
+/// How many lights are kept.
+const LIGHTS: usize = 8;
+
 /// Where a camera is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -38,8 +45,17 @@ pub enum Viewpoint {
 #[derive(Debug, Default)]
 pub(crate) struct Sight {
     base: OnceLock<Result<Base, RenderError>>,
-    /// The light while these are on.
-    light: Mutex<Option<(Vec<NodeId>, Arc<Lighting>)>>,
+    /// Light that was made, the last one first.
+    light: Mutex<Vec<(Lit, Arc<Lighting>)>>,
+}
+
+/// What the light depends on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Lit {
+    /// What is on.
+    on: Vec<NodeId>,
+    /// What of the building stands open: doors and windows.
+    open: Vec<NodeId>,
 }
 
 #[derive(Debug)]
@@ -50,14 +66,19 @@ struct Base {
     lit: Vec<NodeId>,
     /// Nodes with moving parts.
     jointed: Vec<NodeId>,
+    /// Those of them that let light into rooms.
+    openings: Vec<NodeId>,
 }
 
 impl Environment {
     /// A picture of the environment as it is: `Renderer::render` of its
     /// [`snapshot`](Self::snapshot). Changes nothing.
     ///
-    /// Meshes are uploaded and light is made when a picture is first asked for; light is
-    /// made again when something was switched. Optical flow needs a second moment: see
+    /// Meshes are uploaded and light is made when a picture is first asked for. Light is that of
+    /// the home as it begins, made again when something was switched, or when a door between rooms,
+    /// or a window comes to stand open or shut: some tenths of a second, the last few are
+    /// kept. What else moves is lit anew, and throws its light and its shadow on others from where
+    /// it stood. Optical flow needs a second moment: see
     /// [`render_until`](Self::render_until).
     ///
     /// # Errors
@@ -101,7 +122,7 @@ impl Environment {
         let base = self.base()?;
         let (snapshot, camera) = (self.snapshot()?, self.camera(view, width, height)?);
         let then = later.map(|l| Ok::<_, RenderError>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
-        let lighting = if wanted.has(Modality::Rgb) { Some(self.lighting(&snapshot)?) } else { None };
+        let lighting = if wanted.has(Modality::Rgb) { Some(self.lighting()?) } else { None };
         let mut shot = Shot::new(&snapshot, &camera, wanted);
         shot.lighting = lighting.as_deref();
         if let Some((snapshot, camera)) = &then {
@@ -126,11 +147,7 @@ impl Environment {
                 snapshot.place(*id, now)?;
             }
         }
-        let lit = lit(self.graph());
-        let switched = base.lit.iter().filter(|id| !lit.contains(id)).map(|id| (*id, false));
-        for (id, on) in switched.chain(lit.iter().filter(|id| !base.lit.contains(id)).map(|id| (*id, true))) {
-            snapshot.switch(id, on)?;
-        }
+        switch(&mut snapshot, &base.lit, &lit(self.graph()))?;
         for id in &base.jointed {
             let asset = asset_of(self.graph(), *id);
             snapshot.articulate(*id, |joint| position(self.world(), *id, asset?, joint))?;
@@ -166,17 +183,21 @@ impl Environment {
         }
     }
 
-    /// The light as it is: `Renderer::light`.
-    fn lighting(&self, snapshot: &Snapshot) -> Result<Arc<Lighting>, RenderError> {
+    /// The light as it is: `Renderer::light`. It depends on nothing that was rendered before.
+    fn lighting(&self) -> Result<Arc<Lighting>, RenderError> {
         let base = self.base()?;
-        let lit = lit(self.graph());
+        let stands_open = |id: &NodeId| self.world().openness(*id).is_some_and(|open| open >= AJAR);
+        let open = base.openings.iter().copied().filter(stands_open).collect();
+        let lit = Lit { on: lit(self.graph()), open };
         // A thread that panicked left nothing half done here.
-        let mut light = self.sight().light.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        if let Some((_, lighting)) = light.as_ref().filter(|(known, _)| *known == lit) {
-            return Ok(lighting.clone());
+        let mut made = self.sight().light.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some(known) = made.iter().position(|(known, _)| *known == lit) {
+            made[..=known].rotate_right(1);
+            return Ok(made[0].1.clone());
         }
-        let lighting = Arc::new(base.renderer.light(snapshot, &Daylight::noon()));
-        *light = Some((lit, lighting.clone()));
+        let lighting = Arc::new(base.renderer.light(&base.as_lit(&lit)?, &Daylight::noon()));
+        made.insert(0, (lit, lighting.clone()));
+        made.truncate(LIGHTS);
         Ok(lighting)
     }
 
@@ -250,20 +271,46 @@ impl Environment {
 
 impl Base {
     fn of(environment: &Environment) -> Result<Self, RenderError> {
-        let (graph, world) = (environment.graph(), environment.world());
+        let (graph, world) = environment.origin();
         let mut renderer = Renderer::new();
         let snapshot = renderer.snapshot_with(graph, |id, joint| position(world, id, asset_of(graph, id)?, joint))?;
         let body = |n: &&vc_graph::Node| n.kind() != Kind::Room;
         let poses = graph.nodes().filter(body).filter_map(|n| Some((n.id(), *n.pose()?)));
         let seen: Vec<NodeId> = snapshot.nodes().collect();
         let poses = poses.filter(|(id, _)| seen.binary_search(id).is_ok()).collect();
-        let jointed = world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect();
-        Ok(Self { lit: lit(graph), renderer, snapshot, poses, jointed })
+        let jointed: Vec<NodeId> = world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect();
+        let lets_in = |id: &NodeId| graph.node(*id).is_some_and(|n| OPENINGS.contains(&&*n.spec().category));
+        let openings = jointed.iter().copied().filter(lets_in).collect();
+        Ok(Self { lit: lit(graph), renderer, snapshot, poses, jointed, openings })
+    }
+
+    /// The home as it begins, with this light: what moves is where it stood, and either shut or open.
+    fn as_lit(&self, lit: &Lit) -> Result<Snapshot, RenderError> {
+        let mut snapshot = self.snapshot.clone();
+        for &id in &self.jointed {
+            let end = usize::from(lit.open.contains(&id));
+            snapshot.articulate(id, |joint| Some(ends(joint)[end]))?;
+        }
+        switch(&mut snapshot, &self.lit, &lit.on)?;
+        Ok(snapshot)
     }
 }
 
 fn lit(graph: &SceneGraph) -> Vec<NodeId> {
     graph.nodes().filter(|n| n.is(State::On) && n.pose().is_some()).map(vc_graph::Node::id).collect()
+}
+
+/// Switches in a snapshot what is on now and was not before, and the other way round.
+fn switch(snapshot: &mut Snapshot, before: &[NodeId], now: &[NodeId]) -> Result<(), RenderError> {
+    let off = before.iter().filter(|id| !now.contains(id)).map(|id| (*id, false));
+    let on = now.iter().filter(|id| !before.contains(id)).map(|id| (*id, true));
+    off.chain(on).try_for_each(|(id, on)| snapshot.switch(id, on).map(drop))
+}
+
+/// Where a joint is shut and where it is open: shut is the end nearer to where the asset has it.
+fn ends(joint: &Joint) -> [f32; 2] {
+    let (low, high) = joint.limits;
+    if low.abs() <= high.abs() { [low, high] } else { [high, low] }
 }
 
 fn asset_of(graph: &SceneGraph, id: NodeId) -> Option<&Asset> {

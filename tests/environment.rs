@@ -55,6 +55,27 @@ fn many_random_actions() {
     assert_eq!(breaches, 0);
 }
 
+/// What is rendered now does not depend on what was rendered before.
+#[test]
+#[cfg(feature = "render")]
+fn pictures_have_no_history() {
+    use virtualcity::Viewpoint;
+    use virtualcity::render::Modality;
+    // Two of their own: clones share what was made for pictures.
+    let (mut seen, mut unseen) = (home(42, 1), home(42, 1));
+    let (me, table) = (seen.agents()[0], seen.graph().of_class("coffee_table")[0]);
+    let door = seen.graph().of_class("door")[0];
+    let picture = |home: &Environment| home.render(Viewpoint::Overhead, Modality::Rgb, 96, 72).unwrap().rgb;
+    let mut pictures = vec![picture(&seen)];
+    for (verb, thing) in [(Verb::Walk, table), (Verb::Walk, door), (Verb::Open, door), (Verb::Close, door)] {
+        act(&mut seen, me, verb, &[thing]);
+        act(&mut unseen, me, verb, &[thing]);
+        pictures.push(picture(&seen));
+    }
+    assert!(picture(&unseen) == pictures[4]);
+    assert!(pictures[3] != pictures[4], "an open door is seen");
+}
+
 /// Plates, bowls and spoons come out with the racks, and go in again with them.
 #[test]
 fn what_is_in_racks_comes_along() {
