@@ -4,6 +4,9 @@ use vc_graph::{Action, Kind, NodeId, SceneGraph, Seed, Stream, Verb, Violation, 
 
 use crate::environment::{ActionError, Environment, MakeError};
 
+/// Actions that are shown in time.
+const SHOWN: usize = 4;
+
 /// Something an environment does that it should not.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -37,6 +40,12 @@ pub enum Breach {
     /// The order of a list of actions mattered.
     #[error("the order in which agents' actions are listed matters")]
     OrderMatters,
+    /// An action shown in time ends otherwise than the same at once.
+    #[error("`{action}` ends otherwise in time than at once")]
+    ClocksDiffer {
+        /// Which action.
+        action: String,
+    },
     /// A saved environment does not go on as the original does.
     #[error("a restored environment differs after {actions} more actions")]
     RestoredDiffers {
@@ -96,12 +105,12 @@ pub struct Tally {
 /// ```no_run
 /// use virtualcity::{Environment, check_environment};
 /// use virtualcity::graph::Seed;
-/// let breaches = check_environment(&|| Environment::make("apartment/42", 2), 40, Seed(1))?;
+/// let breaches = check_environment(|| Environment::make("apartment/42", 2), 40, Seed(1))?;
 /// assert!(breaches.is_empty(), "{breaches:?}");
 /// # Ok::<(), virtualcity::MakeError>(())
 /// ```
 pub fn check_environment(
-    make: &dyn Fn() -> Result<Environment, MakeError>,
+    make: impl Fn() -> Result<Environment, MakeError>,
     actions: usize,
     seed: Seed,
 ) -> Result<Vec<Breach>, MakeError> {
@@ -111,6 +120,7 @@ pub fn check_environment(
     }
     let mut breaches = Vec::new();
     check_order(&one, seed, &mut breaches);
+    check_clocks(&one, seed.child("clocks"), &mut breaches);
     let first = run(&mut one, actions / 2, seed.child("first"));
     let again = run(&mut other, actions / 2, seed.child("first"));
     if one.digest() != other.digest() || first != again {
@@ -120,6 +130,20 @@ pub fn check_environment(
     check_saving(&mut one, actions - actions / 2, seed.child("second"), &mut breaches);
     check_reset(&mut one, &mut breaches);
     Ok(breaches)
+}
+
+/// Lets an agent do a few legal actions at once, and in time.
+fn check_clocks(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach>) {
+    let (mut at_once, mut in_time, mut stream) = (environment.clone(), environment.clone(), seed.stream());
+    for _ in 0..SHOWN {
+        let Some(&agent) = stream.pick(environment.agents()) else { return };
+        let action = legal_action(at_once.graph(), agent, &mut stream);
+        let outcome = at_once.set_action(agent, action);
+        if in_time.set_action_in_time(agent, action, |_| {}) != outcome || at_once.digest() != in_time.digest() {
+            breaches.push(Breach::ClocksDiffer { action: action.describe(environment.graph()).to_string() });
+            return;
+        }
+    }
 }
 
 /// Lets random agents do random actions, half of them legal, and looks after each whether

@@ -1,5 +1,6 @@
 //! What cameras see of an environment.
 
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock};
 
 use nalgebra::{Point3, Vector3};
@@ -15,6 +16,8 @@ use crate::figure::{Attitude, Bone, Skeleton};
 const FIELD: f32 = 1.15;
 /// Height above the floor at which a view from above cuts the home open, metres.
 const CUT: f32 = 2.1;
+/// Pixels of the pictures by which corners are compared.
+const LOOK: (u32, u32) = (64, 48);
 /// Height of cameras in corners above the floor, and of what they look at, metres.
 const CORNER: (f32, f32) = (2.05, 0.8);
 
@@ -31,7 +34,7 @@ const LIGHTS: usize = 8;
 pub enum Viewpoint {
     /// An agent's eyes.
     Agent(NodeId),
-    /// Fixed in a room: of its corners the one from which most of it is seen.
+    /// Fixed in a room: of its corners the one from which most of it is seen as the home begins.
     Room(NodeId),
     /// Above a room, its ceiling taken off.
     Above(NodeId),
@@ -47,6 +50,8 @@ pub(crate) struct Sight {
     base: OnceLock<Result<Base, RenderError>>,
     /// Light that was made, the last one first.
     light: Mutex<Vec<(Lit, Arc<Lighting>)>>,
+    /// Where cameras in rooms are.
+    corners: Mutex<BTreeMap<NodeId, Point3<f32>>>,
 }
 
 /// What the light depends on.
@@ -228,15 +233,20 @@ impl Environment {
         Some(Skeleton::new(attitude, &doing, hands))
     }
 
-    /// Of the corners of a room the one from which most things in it are seen.
+    /// Of the corners of a room the one from which most things in it are seen as the home begins.
     fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError> {
         let bounds = self.graph().node(room).and_then(|n| n.aabb()).ok_or(RenderError::NoBody(room))?;
-        let (base, snapshot) = (self.base()?, self.snapshot()?);
-        let small = Camera::with_fov(64, (64 * camera.height / camera.width.max(1)).max(16), FIELD);
-        let mut frame = Frame::new();
-        let mut best: Option<(f32, Point3<f32>)> = None;
         let (low, high, middle) = (bounds.min, bounds.max, bounds.centre());
         let target = Point3::new(middle.x, middle.y, low.z + CORNER.1);
+        // A thread that panicked left nothing half done here.
+        let mut known = self.sight().corners.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some(eye) = known.get(&room) {
+            return Ok(camera.looking(*eye, target));
+        }
+        let base = self.base()?;
+        let small = Camera::with_fov(LOOK.0, LOOK.1, FIELD);
+        let mut frame = Frame::new();
+        let mut best: Option<(f32, Point3<f32>)> = None;
         for (x, y) in [(0, 0), (0, 1), (1, 0), (1, 1), (0, 2), (1, 2), (2, 0), (2, 1)] {
             let along = |i: i32, low: f32, high: f32| match i {
                 0 => low + 0.22,
@@ -245,21 +255,23 @@ impl Environment {
             };
             let eye = Point3::new(along(x, low.x, high.x), along(y, low.y, high.y), low.z + CORNER.0);
             let small = small.looking(eye, target);
-            base.renderer.render(&Shot::new(&snapshot, &small, Modality::Instance | Modality::Depth), &mut frame)?;
+            base.renderer
+                .render(&Shot::new(&base.snapshot, &small, Modality::Instance | Modality::Depth), &mut frame)?;
             let score = self.shown(room, &frame);
             if best.is_none_or(|b| score > b.0) {
                 best = Some((score, eye));
             }
         }
         let eye = best.map_or(target, |(_, eye)| eye);
+        known.insert(room, eye);
         Ok(camera.looking(eye, target))
     }
 
     /// How many things of a room a picture shows, less what is in the way.
     fn shown(&self, room: NodeId, frame: &Frame) -> f32 {
         let mut seen: Vec<NodeId> = frame.instance.clone();
-        let pixels = seen.len().max(1) as f32;
-        let foreign = |id: &&NodeId| self.graph().room_of(**id) != Some(room);
+        let (pixels, graph) = (seen.len().max(1) as f32, self.origin().0);
+        let foreign = |id: &&NodeId| graph.room_of(**id) != Some(room);
         let others = seen.iter().filter(foreign).count() as f32 / pixels;
         let close = frame.depth.iter().filter(|d| **d < 0.7).count() as f32 / pixels;
         seen.sort_unstable();

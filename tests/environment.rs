@@ -2,8 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
+use virtualcity::graph::format::native;
 use virtualcity::graph::{Action, Draft, Kind, NodeId, Place, Pose, Relation, SceneGraph, Seed, State, Verb};
 use virtualcity::physics::Hand;
+use virtualcity::procgen::Apartment;
 use virtualcity::tasks::World as _;
 use virtualcity::{ActionError, Batch, Environment, MakeError, Why, check_environment, run};
 
@@ -55,6 +57,45 @@ fn many_random_actions() {
     assert_eq!(breaches, 0);
 }
 
+/// A camera in a room stays where it is whatever moves, and what cannot be a picture is refused.
+#[test]
+#[cfg(feature = "render")]
+fn cameras_in_rooms_are_fixed() {
+    use virtualcity::Viewpoint;
+    use virtualcity::render::Modality;
+    let mut home = home(42, 1);
+    let (me, room) = (home.agents()[0], home.graph().rooms()[0]);
+    let table = home.graph().of_class("coffee_table")[0];
+    let camera = |home: &Environment| home.camera(Viewpoint::Room(room), 64, 48).unwrap();
+    let before = camera(&home);
+    act(&mut home, me, Verb::Walk, &[table]);
+    assert_eq!(before, camera(&home));
+    // The same in an environment in which nothing was looked at before.
+    let mut other = Environment::make("apartment/42", 1).unwrap();
+    act(&mut other, me, Verb::Walk, &[table]);
+    assert_eq!(before, camera(&other));
+    for (width, height) in [(0, 0), (1, u32::MAX), (u32::MAX, u32::MAX)] {
+        assert!(home.render(Viewpoint::Room(room), Modality::Depth, width, height).is_err(), "{width} x {height}");
+    }
+}
+
+/// Of equal scenes and bodies those are not the same in which other things were done.
+#[test]
+fn digests_tell_what_was_done() {
+    let (mut first, mut second) = (home(42, 1), home(42, 1));
+    let me = first.agents()[0];
+    act(&mut first, me, Verb::Dance, &[]);
+    act(&mut second, me, Verb::Wave, &[]);
+    assert_ne!(first.digest(), second.digest());
+}
+
+/// More agents than there is floor for are refused before anything is made for them.
+#[test]
+fn crowds_are_refused() {
+    let crowd = Environment::make("apartment/42", 1_000_000_000);
+    assert!(matches!(crowd, Err(MakeError::NoRoom { .. })));
+}
+
 /// What is rendered now does not depend on what was rendered before.
 #[test]
 #[cfg(feature = "render")]
@@ -101,7 +142,22 @@ fn what_is_in_racks_comes_along() {
 /// The contract of Gymnasium's checker and more.
 #[test]
 fn the_contract_is_kept() {
-    let breaches = check_environment(&|| Environment::make("apartment/8", 2), 60, Seed(3)).unwrap();
+    for (name, agents) in [("apartment/8", 2), ("apartment/5", 1), ("apartment/21", 3)] {
+        let breaches = check_environment(|| Environment::make(name, agents), 40, Seed(3)).unwrap();
+        assert!(breaches.is_empty(), "{name}: {breaches:?}");
+    }
+}
+
+/// A home that was written to a file and read again.
+#[test]
+fn scenes_are_made_of_files() {
+    let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("apartment_42.json");
+    std::fs::write(&file, native::write(&Apartment::from_seed(Seed(42)).unwrap().scene())).unwrap();
+    let name = format!("scene:{}", file.display());
+    let (read, made) = (Environment::make(&name, 1).unwrap(), home(42, 1));
+    assert_eq!(read.graph().len(), made.graph().len());
+    assert_eq!(read.left_out().len(), made.left_out().len());
+    let breaches = check_environment(|| Environment::make(&name, 2), 20, Seed(4)).unwrap();
     assert!(breaches.is_empty(), "{breaches:?}");
 }
 

@@ -61,7 +61,9 @@ impl Deed<'_> {
         let effects = rule::effects(action);
         let done = self.come_near(action).and_then(|()| effects.iter().try_for_each(|e| self.one(e)));
         done.map_err(|why| ActionError::Impossible { action: action.describe(self.before).to_string(), why })?;
-        if effects.is_empty() || matches!(effects[0], Effect::Enter(..) if !self.moved_anything()) {
+        let unseen = matches!(effects.first(), None | Some(Effect::PourInto(..) | Effect::FillWithWater(_)))
+            || matches!(effects[0], Effect::Enter(..) if !self.moved_anything());
+        if unseen {
             self.beats.push(Beat::Gesture(action.verb, GESTURE));
         }
         Ok(())

@@ -52,17 +52,17 @@ impl Environment {
         if !graph.nodes().any(|n| posed(&n)) {
             return Err(MakeError::NoPoses { scene: graph.name().to_owned(), things: graph.len() });
         }
-        let mut library = graph.assets().as_ref().clone();
-        let missing = agents.saturating_sub(graph.agents().len());
-        let people: Vec<AssetId> = (0..missing).map(|i| figure::add_to(&mut library, i)).collect::<Result<_, _>>()?;
         let mut builder = SceneBuilder::of(graph);
-        builder.assets(Arc::new(library));
         let shapes = Shapes::new();
         let mut world = World::build(builder.graph(), &shapes, Settings::default())?;
         act::calm(&mut world);
         let left_out = put_back(&mut world, &mut builder)?;
         let floor = Floor::of(&world, FloorPlan::default());
         let places = standing_places(builder.graph(), &world, &floor, agents)?;
+        let mut library = builder.graph().assets().as_ref().clone();
+        let people = (0..places.len()).map(|i| figure::add_to(&mut library, i));
+        let people: Vec<AssetId> = people.collect::<Result<_, _>>()?;
+        builder.assets(Arc::new(library));
         for ((room, feet), person) in places.into_iter().zip(people) {
             let draft = Draft { asset: Some(person), ..Draft::new("character").at(feet).bounds(figure::bounds()) };
             let id = builder.add_in(room, draft)?;

@@ -181,7 +181,8 @@ impl Skeleton {
             return self.put_hand(side, rest + (point - rest) * share);
         }
         if let Some(point) = doing.gesture.and_then(|g| gesture(side, g)) {
-            return self.put_hand(side, point);
+            // Gestures are those of one who stands, and go with the chest.
+            return self.put_hand(side, self.motion(Bone::Chest) * point);
         }
         let swing = doing.walked.map_or(0.0, |way| 0.42 * (phase(way)).sine() * side.sign());
         self.turn(Bone::UpperArm(side), pitch(swing) * roll(0.08 * side.sign()));
@@ -292,6 +293,18 @@ mod tests {
                     assert!((own - hand).norm() < 0.01, "{own:?} instead of {hand:?}");
                 }
             }
+        }
+    }
+
+    /// Who eats has the hand before the mouth, seated too.
+    #[test]
+    fn gestures_go_with_the_body() {
+        for attitude in [Attitude::Standing, Attitude::Sitting(0.45)] {
+            let doing = Doing { gesture: Some((Verb::Eat, 0.0)), ..Doing::default() };
+            let skeleton = Skeleton::new(attitude, &doing, [None, None]);
+            let hand = skeleton.motion(Bone::Hand(Side::Right)) * palm(Side::Right);
+            let far = (hand.coords - skeleton.eyes().translation.vector).norm();
+            assert!(far < 0.35, "{attitude:?}: {far} m from the eyes");
         }
     }
 

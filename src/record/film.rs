@@ -1,10 +1,10 @@
 //! Pictures of an episode: from the agent's eyes, and from a corner of the room it is in.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use vc_graph::NodeId;
 use vc_render::picture::{self, Picture};
-use vc_render::{Camera, Frame, Modalities, Modality, RenderError};
+use vc_render::{Frame, Modalities, Modality, RenderError};
 
 use super::dataset::Dataset;
 use super::{RecordError, feet};
@@ -19,8 +19,6 @@ const MOST: usize = 180;
 pub(super) struct Film {
     me: NodeId,
     size: (u32, u32),
-    /// Cameras in rooms, chosen when the agent first comes there.
-    corners: BTreeMap<NodeId, Camera>,
     pictures: Vec<Picture>,
     /// The pictures before which actions began.
     starts: Vec<usize>,
@@ -40,7 +38,6 @@ impl Film {
         Self {
             me,
             size: (width, width * 3 / 4),
-            corners: BTreeMap::new(),
             pictures: Vec::new(),
             starts: Vec::new(),
             every: EVERY,
@@ -86,7 +83,7 @@ impl Film {
         if !self.ticks.is_multiple_of(self.every) {
             return Ok(());
         }
-        let [eyes, corner] = self.views(home)?;
+        let [eyes, corner] = self.views(home);
         let wanted = if dataset.is_some() { Dataset::wanted() } else { Modality::Rgb.into() };
         let seen = self.shot(home, eyes, wanted)?;
         let pair = [picture::rgb(&seen), picture::rgb(&self.shot(home, corner, Modality::Rgb.into())?)];
@@ -111,19 +108,10 @@ impl Film {
     }
 
     /// The agent's eyes, and the camera of the room it is in.
-    fn views(&mut self, home: &Environment) -> Result<[Viewpoint; 2], RenderError> {
+    fn views(&mut self, home: &Environment) -> [Viewpoint; 2] {
         self.room = home.room_at(feet(home, self.me)).or(self.room);
-        let Some(room) = self.room else { return Ok([Viewpoint::Agent(self.me); 2]) };
-        let camera = match self.corners.get(&room) {
-            Some(camera) => *camera,
-            None => {
-                let view = Viewpoint::Room(room);
-                let camera = home.camera(view, self.size.0, self.size.1)?;
-                self.corners.insert(room, camera);
-                camera
-            }
-        };
-        Ok([Viewpoint::Agent(self.me), Viewpoint::Free(camera)])
+        let corner = self.room.map_or(Viewpoint::Agent(self.me), Viewpoint::Room);
+        [Viewpoint::Agent(self.me), corner]
     }
 
     fn shot(&self, home: &Environment, view: Viewpoint, wanted: Modalities) -> Result<Frame, RenderError> {
@@ -160,7 +148,7 @@ impl Film {
 
     /// One more picture, from the corner.
     pub(super) fn end(&mut self, home: &Environment) -> Result<Picture, RenderError> {
-        let [_, corner] = self.views(home)?;
+        let [_, corner] = self.views(home);
         Ok(picture::rgb(&self.shot(home, corner, Modality::Rgb.into())?))
     }
 }

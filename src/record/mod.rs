@@ -24,7 +24,8 @@ use trajectory::Trajectory;
 /// An environment that writes down what happens in it.
 ///
 /// It is a [`World`], so that a policy acts in it as in any other; each action is shown in time
-/// ([`Environment::set_action_in_time`]), and after every sixth of a second pictures are made.
+/// ([`Environment::set_action_in_time`]), and after every sixth of a second pictures are made: in
+/// long episodes after every third, and so on, so that a film has no more than 180.
 /// The folder then has
 ///
 /// | file | what |
@@ -79,7 +80,8 @@ pub struct RecordOptions {
     pub width: u32,
     /// Whether a dataset is written as well: each picture from the agent's eyes as a PNG in
     /// `frames`, boxes and masks of all that is seen in them as a COCO document for
-    /// `pycocotools`, `annotations.json`, and the scene as it was in the end as glTF, `scene.glb`.
+    /// `pycocotools`, `annotations.json`, and the scene of the end as glTF, `scene.glb`, in
+    /// which doors are shut and people stand.
     pub dataset: bool,
 }
 
@@ -247,8 +249,12 @@ impl World for Recorder {
         done.map_err(WorldError::from)
     }
 
+    /// The record goes on, with a line that says so.
     fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError> {
-        World::reset(&mut self.home, graph)
+        World::reset(&mut self.home, graph)?;
+        let noted = self.trajectory.reset(&self.home);
+        self.note(noted);
+        Ok(())
     }
 }
 

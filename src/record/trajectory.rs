@@ -51,6 +51,11 @@ impl Trajectory {
         }))
     }
 
+    /// A scene was put in force.
+    pub(super) fn reset(&mut self, home: &Environment) -> Result<(), RecordError> {
+        self.line(&json!({ "reset": home.graph().name(), "digest": home.digest().to_string() }))
+    }
+
     pub(super) fn end(&mut self, episode: &Episode) -> Result<(), RecordError> {
         self.line(&json!(episode.summary()))
     }
