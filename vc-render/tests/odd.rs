@@ -143,6 +143,18 @@ fn glass_with_glass_in_it_ends() {
 }
 
 #[test]
+fn what_is_pasted_outside_is_left_out() {
+    use vc_render::picture::Picture;
+    let (white, mut black) = (Picture::new(3, 2, [255; 3]), Picture::new(4, 4, [0; 3]));
+    for (x, y) in [(4, 3), (5, 0), (9, 3), (0, 4), (usize::MAX, usize::MAX)] {
+        black.paste(&white, x, y);
+    }
+    assert!(black.pixels.iter().all(|p| *p == [0; 3]));
+    black.paste(&white, 2, 3);
+    assert_eq!(black.pixels.iter().filter(|p| **p == [255; 3]).count(), 2);
+}
+
+#[test]
 #[ignore = "takes some gigabytes; run with --release -- --ignored"]
 fn a_million_objects_are_seen() {
     let mut stage = Stage::new();

@@ -20,6 +20,9 @@ impl Picture {
     /// Puts another picture into it, its corner at a pixel; what is outside is left out.
     pub fn paste(&mut self, other: &Self, x: usize, y: usize) {
         let width = other.width.min(self.width.saturating_sub(x));
+        if width == 0 {
+            return;
+        }
         for row in 0..other.height.min(self.height.saturating_sub(y)) {
             let to = (y + row) * self.width + x;
             self.pixels[to..to + width].copy_from_slice(&other.pixels[row * other.width..][..width]);
