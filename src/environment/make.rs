@@ -41,7 +41,7 @@ impl Environment {
     /// An environment of a scene of your own. Agents that the scene has are kept, others
     /// are added until there are so many.
     ///
-    /// `World::build`, `World::settle`, `Floor::of`, `World::add_agent`, then relations are
+    /// `World::build`, `World::step`, `World::doze`, `Floor::of`, `World::add_agent`, then relations are
     /// read (`Relations::new`) and written into the graph (`Relations::write`).
     ///
     /// # Errors

@@ -38,11 +38,11 @@ const WAIST: f32 = 0.9;
 ///
 /// | endpoint | what it is made of |
 /// |---|---|
-/// | [`make`](Self::make) | `Apartment::from_seed`, `World::build`, `World::settle`, `Floor::of`, `World::add_agent`, `Relations::new`, `Relations::write` |
-/// | [`reset`](Self::reset) | `World::reset`, `World::free_spot_at`, `World::lower`, `World::settle`, `Relations::update` |
+/// | [`make`](Self::make) | `Apartment::from_seed`, `World::build`, `World::step`, `World::doze`, `Floor::of`, `World::add_agent`, `Relations::new`, `Relations::write` |
+/// | [`reset`](Self::reset) | `World::reset`, `World::free_spot_at`, `World::lower`, `World::step`, `World::doze`, `Relations::update_with` |
 /// | [`observation`](Self::observation) | `SceneGraph::observe` |
 /// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::render` |
-/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::stand`, `World::grab`, `World::free_spot_at`, `World::put`, `World::drive` ..., then `Relations::update` |
+/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::stand`, `World::grab_with`, `World::free_spot_at`, `World::put`, `World::drive` ..., then `Relations::update_with` |
 ///
 /// `Clone` is the snapshot: what is constant is shared, and a clone goes on as the
 /// original does, bit for bit.

@@ -76,8 +76,8 @@ impl Environment {
     /// start, and new things, keep their pose if it is free and something is right below;
     /// otherwise they get the free spot nearest to it (`World::free_spot_at`), and if there
     /// is none, they are left out and reported. What hovers by less than two centimetres is let
-    /// down (`World::lower`). Then all comes to rest (`World::settle`)
-    /// and is observed (`Relations::update`).
+    /// down (`World::lower`). Then all comes to rest (`World::step`, `World::doze`)
+    /// and is observed (`Relations::update_with`).
     ///
     /// # Errors
     /// [`ResetError`]; then nothing has changed.

@@ -25,7 +25,7 @@ impl Environment {
     ///
     /// This is what a person at a keyboard does, or a policy that walks by itself. It is no
     /// action: the rule is not asked, and the history does not have it. It is made of
-    /// `World::go`, `World::jump`, `World::step`, `World::face` and `Relations::update`.
+    /// `World::go`, `World::jump`, `World::step`, `World::face` and `Relations::update_with`.
     ///
     /// # Errors
     /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number
