@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock};
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::Point3;
 use vc_graph::asset::Joint;
 use vc_graph::{Asset, Kind, NodeId, Pose, SceneGraph, State};
-use vc_physics::{Hand, Posture, World};
+use vc_physics::World;
 use vc_render::{Camera, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
 use crate::Environment;
-use crate::figure::{Attitude, Bone, Skeleton};
+use crate::figure::Bone;
 
 /// Vertical field of view of eyes and of cameras in rooms, radians.
 const FIELD: f32 = 1.15;
@@ -218,21 +218,6 @@ impl Environment {
         Some(camera)
     }
 
-    /// How an agent's figure is posed.
-    fn skeleton(&self, agent: NodeId) -> Option<Skeleton> {
-        let world = self.world();
-        let pose = world.pose(agent)?;
-        let attitude = match world.posture(agent)? {
-            Posture::Standing => Attitude::Standing,
-            Posture::Sitting(..) => Attitude::Sitting(pose.translation.z - self.floor().plan().level),
-            Posture::Lying(..) => Attitude::Lying,
-        };
-        let mut doing = self.doing(agent);
-        doing.reach = doing.reach.map(|(point, share)| (pose.inverse_transform_point(&point), share));
-        let hands = Hand::BOTH.map(|hand| grip(world, &pose, hand, world.held(agent, hand)?));
-        Some(Skeleton::new(attitude, &doing, hands))
-    }
-
     /// Of the corners of a room the one from which most things in it are seen as the home begins.
     fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError> {
         let bounds = self.graph().node(room).and_then(|n| n.aabb()).ok_or(RenderError::NoBody(room))?;
@@ -339,18 +324,6 @@ fn position(world: &World, id: NodeId, asset: &Asset, joint: &Joint) -> Option<f
     }
     let index = joints.iter().position(|own| *own == joint)?;
     world.moving_parts(id).get(index).map(|part| part.position)
-}
-
-/// Where the palm is on what a hand holds, in the body's frame: at its outer side.
-fn grip(world: &World, feet: &Pose, hand: Hand, held: NodeId) -> Option<Point3<f32>> {
-    let aabb = world.aabb(held)?;
-    let side = if hand == Hand::Right { -1.0 } else { 1.0 };
-    let centre = feet.inverse_transform_point(&aabb.centre());
-    // Half its width across, as it is turned.
-    let across = feet.rotation * Vector3::y();
-    let half = (aabb.max - aabb.min) / 2.0;
-    let reach = across.x.abs() * half.x + across.y.abs() * half.y;
-    Some(centre + Vector3::new(-0.01, side * (reach.min(0.3) + 0.02), 0.0))
 }
 
 /// Straight down on a box, cut open below the ceiling.

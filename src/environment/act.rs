@@ -7,7 +7,7 @@ use vc_physics::{Role, World};
 use vc_relations::threshold::FACING_COSINE;
 
 use super::agree::Outcome;
-use super::beat::Beat;
+use super::beat::Course;
 use super::deed::Deed;
 use super::undo::Step;
 use super::{ActionError, Disagreement, Environment, Impossible, observe};
@@ -27,7 +27,7 @@ const ABOVE: f32 = 0.1;
 /// What came of an action.
 pub(super) struct Done {
     pub(super) changes: ChangeSet,
-    pub(super) beats: Vec<Beat>,
+    pub(super) course: Course,
 }
 
 impl Environment {
@@ -82,7 +82,7 @@ impl Environment {
         // The floor follows the bodies whenever it is asked.
         let mut deed = Deed::new(&mut self.world, &mut self.floor, &self.start, &step);
         let outcome = deed.all(action);
-        let (beats, folded) = (std::mem::take(&mut deed.beats), std::mem::take(&mut deed.folded));
+        let (course, folded) = (std::mem::take(&mut deed.course), std::mem::take(&mut deed.folded));
         let done = outcome.and_then(|()| self.finish(agent, action, ruled, changes, &folded));
         match &done {
             Ok(_) => {
@@ -97,7 +97,7 @@ impl Environment {
         if done.as_ref().is_err_and(|e| !matches!(e, ActionError::Impossible { .. })) {
             self.look_at_all();
         }
-        done.map(|changes| Done { changes, beats })
+        done.map(|changes| Done { changes, course })
     }
 
     /// Lets bodies come to rest, observes, compares, and keeps what is observed.
@@ -145,7 +145,7 @@ impl Environment {
 }
 
 /// What is somewhere else by the rule.
-fn holder(change: &vc_graph::Change) -> Option<NodeId> {
+pub(super) fn holder(change: &vc_graph::Change) -> Option<NodeId> {
     use vc_graph::Change::{Link, Unlink};
     match change {
         Link(e) | Unlink(e) if matches!(e.relation, Relation::HoldsRight | Relation::HoldsLeft) => Some(e.to),
@@ -155,7 +155,7 @@ fn holder(change: &vc_graph::Change) -> Option<NodeId> {
 }
 
 /// What is worn has no body; it is where its wearer is.
-fn dress(graph: &mut SceneGraph, world: &World, agent: NodeId) {
+pub(super) fn dress(graph: &mut SceneGraph, world: &World, agent: NodeId) {
     let Some(feet) = world.pose(agent) else { return };
     let worn: Vec<NodeId> = graph.relating(Relation::WornBy, agent).collect();
     let mut edit = graph.edit();

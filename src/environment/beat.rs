@@ -1,7 +1,7 @@
 //! What a body does one after the other in the course of an action.
 
 use nalgebra::{Point2, Vector3};
-use vc_graph::{NodeId, Pose, Verb};
+use vc_graph::{Action, Effect, NodeId, Pose};
 use vc_physics::Hand;
 
 /// One thing a body does. An action at once does them all; an action in time shows them.
@@ -20,7 +20,7 @@ pub(super) enum Beat {
     /// Pushes things together, to these poses.
     Push(Vec<(NodeId, Pose)>),
     /// Puts down what a hand holds.
-    Put(Hand, NodeId, Pose),
+    Put(Put),
     /// Lets go of what a hand holds.
     LetGo(Hand),
     /// Moves doors, lids, drawers to a fraction of their way.
@@ -33,6 +33,31 @@ pub(super) enum Beat {
     Dress(NodeId),
     /// Takes a thing off, into a hand.
     Undress(Hand, NodeId),
-    /// Does something that is only seen, for so many seconds.
-    Gesture(Verb, f32),
+    /// Does an action of which no body knows more than how it looks, for so many seconds.
+    Gesture(Action, f32),
+}
+
+/// What a hand puts down, and where.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Put {
+    pub(super) hand: Hand,
+    pub(super) id: NodeId,
+    pub(super) pose: Pose,
+    /// Whether it would not stay there by itself and is held still.
+    pub(super) balanced: bool,
+}
+
+/// What a body does in an action, and what becomes of it by the rule.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Course {
+    pub(super) beats: Vec<Beat>,
+    /// Each effect, and the number of the beat with which it comes true; with the last one where
+    /// there is none of its own.
+    pub(super) effects: Vec<(Option<usize>, Effect<NodeId>)>,
+}
+
+impl Course {
+    pub(super) fn push(&mut self, beat: Beat) {
+        self.beats.push(beat);
+    }
 }

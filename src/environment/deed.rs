@@ -5,11 +5,11 @@ mod stance;
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::JointKind;
-use vc_graph::{Action, Effect, NodeId, Place, Pose, Property, Relation, SceneGraph, State, Verb, rule};
+use vc_graph::{Action, Condition, Effect, NodeId, Place, Pose, Property, Relation, SceneGraph, State, Verb, rule};
 use vc_physics::{BodyPlan, Floor, MovingPart, Posture, Role, World};
 
 use super::act::calm;
-use super::beat::Beat;
+use super::beat::{Beat, Course};
 use super::undo::Step;
 use super::{ActionError, Impossible, Start};
 
@@ -39,7 +39,7 @@ pub(super) struct Deed<'a> {
     pub(super) run: bool,
     /// Whether doors and drawers that stand open count as out of the way.
     pub(super) nudges: bool,
-    pub(super) beats: Vec<Beat>,
+    pub(super) course: Course,
     /// Cloth that was folded up, and its scale now.
     pub(super) folded: Vec<(NodeId, Vector3<f32>)>,
 }
@@ -50,8 +50,8 @@ impl<'a> Deed<'a> {
     pub(super) fn new(world: &'a mut World, floor: &'a mut Floor, start: &'a Start, step: &'a Step) -> Self {
         let Step { before, after, agent, action } = step;
         let run = action.verb == Verb::Run;
-        let (beats, folded) = (Vec::new(), Vec::new());
-        Self { world, floor, start, before, after, agent: *agent, run, nudges: false, beats, folded }
+        let (course, folded) = (Course::default(), Vec::new());
+        Self { world, floor, start, before, after, agent: *agent, run, nudges: false, course, folded }
     }
 }
 
@@ -59,18 +59,26 @@ impl Deed<'_> {
     /// Does what the rule says of an action.
     pub(super) fn all(&mut self, action: &Action) -> Result<(), ActionError> {
         let effects = rule::effects(action);
-        let done = self.come_near(action).and_then(|()| effects.iter().try_for_each(|e| self.one(e)));
+        let done = self.come_near(action).and_then(|()| effects.iter().try_for_each(|e| self.note(e)));
         done.map_err(|why| ActionError::Impossible { action: action.describe(self.before).to_string(), why })?;
-        let unseen = matches!(effects.first(), None | Some(Effect::PourInto(..) | Effect::FillWithWater(_)))
-            || matches!(effects[0], Effect::Enter(..) if !self.moved_anything());
-        if unseen {
-            self.beats.push(Beat::Gesture(action.verb, GESTURE));
+        // What bodies do not do is shown by a gesture.
+        let unseen = self.course.effects.iter().any(|(beat, _)| beat.is_none());
+        if unseen || effects.is_empty() {
+            self.course.push(Beat::Gesture(*action, GESTURE));
         }
         Ok(())
     }
 
-    fn moved_anything(&self) -> bool {
-        self.beats.iter().any(|b| matches!(b, Beat::Drive(..)))
+    /// Does an effect, and notes with which beat it comes true.
+    fn note(&mut self, effect: &Effect<NodeId>) -> Done {
+        let first = self.course.beats.len();
+        self.one(effect)?;
+        // To step up to something does nothing to it.
+        let goes = matches!(effect, Effect::GoTo(_) | Effect::Approach(_) | Effect::Face(_));
+        let does = |beat: &Beat| goes || !matches!(beat, Beat::Walk { .. } | Beat::Turn(_) | Beat::Nudge(_));
+        let beat = self.course.beats.iter().skip(first).rposition(does).map(|i| first + i);
+        self.course.effects.push((beat, *effect));
+        Ok(())
     }
 
     fn one(&mut self, effect: &Effect<NodeId>) -> Done {
@@ -107,25 +115,8 @@ impl Deed<'_> {
 
     /// Steps within reach of what the action is done to, if the agent stands.
     fn come_near(&mut self, action: &Action) -> Done {
-        use Verb::{
-            Dance, Drive, Enter, Exercise, Find, Greet, LookAt, PointAt, Run, Stretch, TurnTo, Walk, Watch, Wave,
-        };
-        let by_hand = !matches!(
-            action.verb,
-            Walk | Run
-                | Find
-                | TurnTo
-                | LookAt
-                | PointAt
-                | Watch
-                | Greet
-                | Enter
-                | Drive
-                | Dance
-                | Wave
-                | Exercise
-                | Stretch
-        );
+        // What one has to be near for one does by hand.
+        let by_hand = rule::preconditions(action).iter().any(|c| matches!(c, Condition::Near(_)));
         let rests = matches!(action.verb, Verb::Sit | Verb::Lie);
         // One puts things where there is room, which is looked for later.
         let puts = matches!(action.verb, Verb::Place | Verb::PutIn | Verb::PutBack);
@@ -181,7 +172,7 @@ impl Deed<'_> {
         if !self.world.leap_open(id, open)? {
             self.push_open(id, open)?;
         }
-        self.beats.push(Beat::Drive(id, open));
+        self.course.push(Beat::Drive(id, open));
         let now = self.world.openness(id).unwrap_or(open);
         let arrived = if open > 0.5 { now >= WIDE } else { self.world.open_state(id) == Some(State::Closed) };
         let stuck = || Impossible::Stuck { thing: self.before.label(id), open: 100.0 * now };
@@ -205,7 +196,7 @@ impl Deed<'_> {
     fn open_in_hand(&mut self, id: NodeId, open: f32) -> Done {
         if !self.world.moving_parts(id).is_empty() {
             self.world.put_all_open(id, open)?;
-            self.beats.push(Beat::Drive(id, open));
+            self.course.push(Beat::Drive(id, open));
         }
         Ok(())
     }
@@ -256,13 +247,13 @@ impl Deed<'_> {
         } else {
             self.world.sit(self.agent, id)?
         }
-        self.beats.push(Beat::Rest(id, lying));
+        self.course.push(Beat::Rest(id, lying));
         Ok(())
     }
 
     fn get_up(&mut self) -> Done {
         self.world.stand_up(self.agent)?;
-        self.beats.push(Beat::GetUp);
+        self.course.push(Beat::GetUp);
         Ok(())
     }
 

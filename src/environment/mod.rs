@@ -11,8 +11,8 @@ mod observe;
 mod reset;
 mod save;
 mod scene;
+mod show;
 mod steer;
-mod time;
 mod undo;
 
 use std::sync::Arc;
@@ -174,7 +174,6 @@ impl Environment {
     }
 
     /// What a body is shown to do now.
-    #[cfg(feature = "render")]
     pub(crate) fn doing(&self, agent: NodeId) -> crate::figure::Doing {
         self.poses.get(&agent).copied().unwrap_or_default()
     }

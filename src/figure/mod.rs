@@ -1,5 +1,6 @@
 //! A person's figure: an asset of fifteen bones, and the poses it takes.
 
+mod body;
 mod bone;
 mod pose;
 mod shape;
@@ -7,8 +8,8 @@ mod shape;
 use vc_graph::asset::AssetError;
 use vc_graph::{AssetId, AssetLibrary, Bounds};
 
-pub(crate) use bone::Bone;
-pub(crate) use pose::{Attitude, Doing, Skeleton};
+pub(crate) use bone::{Bone, Side};
+pub(crate) use pose::{Attitude, Doing, Reach, Skeleton};
 
 /// Height of the figure, metres: that of the physics' default body.
 pub(crate) const HEIGHT: f32 = 1.7;

@@ -7,7 +7,7 @@ use vc_physics::{Hand, Order, Role};
 use super::{Deed, Done};
 use crate::environment::Impossible;
 use crate::environment::act::calm;
-use crate::environment::beat::Beat;
+use crate::environment::beat::{Beat, Put};
 
 /// How far ahead of the body a hand puts things down, metres.
 const AHEAD: f32 = 0.45;
@@ -33,7 +33,7 @@ impl Deed<'_> {
             return self.undress(hand, id);
         }
         self.world.grab_with(self.agent, hand, id, |load| comes_along(self.before, load, id))?;
-        self.beats.push(Beat::Take(hand, id));
+        self.course.push(Beat::Take(hand, id));
         Ok(())
     }
 
@@ -45,13 +45,13 @@ impl Deed<'_> {
         self.world.insert(self.before, id, &self.start.shapes)?;
         self.world.place(id, self.feet() * Pose::translation(0.3, 0.0, 1.0))?;
         self.world.grab(self.agent, hand, id)?;
-        self.beats.push(Beat::Undress(hand, id));
+        self.course.push(Beat::Undress(hand, id));
         Ok(())
     }
 
     pub(super) fn dress(&mut self, id: NodeId) -> Done {
         self.world.remove(id)?;
-        self.beats.push(Beat::Dress(id));
+        self.course.push(Beat::Dress(id));
         Ok(())
     }
 
@@ -69,7 +69,7 @@ impl Deed<'_> {
         self.turn_to(&spot);
         let around = self.loose_around(place);
         self.world.put(self.agent, hand, spot)?;
-        self.beats.push(Beat::Put(hand, id, spot));
+        self.course.push(Beat::Put(Put { hand, id, pose: spot, balanced: false }));
         self.steady(id, place, spot, &around)
     }
 
@@ -84,6 +84,7 @@ impl Deed<'_> {
         let inside = place.relation == Relation::Inside;
         if let Some(middle) = self.world.free_spot_at(id, place.at, inside, Order::Middle)? {
             self.world.place(id, middle)?;
+            self.revise(middle, false);
             if self.comes_to_rest(id, place, middle, around) {
                 return Ok(());
             }
@@ -91,7 +92,15 @@ impl Deed<'_> {
         }
         self.world.place(id, spot)?;
         self.world.rest();
+        self.revise(spot, true);
         Ok(())
+    }
+
+    /// What was put down last has come elsewhere.
+    fn revise(&mut self, at: Pose, held_still: bool) {
+        if let Some(Beat::Put(put)) = self.course.beats.last_mut() {
+            (put.pose, put.balanced) = (at, held_still);
+        }
     }
 
     /// Whether a thing that was put to a spot stays at its place, on top of things about at the
@@ -170,7 +179,7 @@ impl Deed<'_> {
         }
         let spot = if moved.len() == were.len() && !were.is_empty() { self.free_spot(id, place)? } else { None };
         if spot.is_some() {
-            self.beats.push(Beat::Push(moved));
+            self.course.push(Beat::Push(moved));
         } else {
             were.into_iter().try_for_each(|(thing, was)| self.world.place(thing, was))?;
         }
@@ -193,7 +202,7 @@ impl Deed<'_> {
         let graph = scaled(self.before, id, scale).map_err(|e| Impossible::Unreadable(e.to_string()))?;
         self.world.reshape(&graph, id, &self.start.shapes)?;
         self.folded.push((id, scale));
-        self.beats.push(Beat::Fold(id, scale));
+        self.course.push(Beat::Fold(id, scale));
         Ok(true)
     }
 
@@ -204,11 +213,11 @@ impl Deed<'_> {
         if let Some(spot) = self.floor_spot(id).filter(|spot| self.puts_from(&self.feet(), id, spot))
             && self.world.put(self.agent, hand, spot).is_ok()
         {
-            self.beats.push(Beat::Put(hand, id, spot));
+            self.course.push(Beat::Put(Put { hand, id, pose: spot, balanced: false }));
             return Ok(());
         }
         self.world.drop(self.agent, hand)?;
-        self.beats.push(Beat::LetGo(hand));
+        self.course.push(Beat::LetGo(hand));
         Ok(())
     }
 

@@ -118,9 +118,9 @@ impl Deed<'_> {
         aside.iter().try_for_each(|(id, part, open)| self.world.put_open(*id, *part, *open))?;
         self.world.teleport(self.agent, feet)?;
         if !aside.is_empty() {
-            self.beats.push(Beat::Nudge(aside));
+            self.course.push(Beat::Nudge(aside));
         }
-        self.beats.push(Beat::Walk { points: route.points, doors: route.doors, feet, run: self.run });
+        self.course.push(Beat::Walk { points: route.points, doors: route.doors, feet, run: self.run });
         Ok(())
     }
 
@@ -232,7 +232,7 @@ impl Deed<'_> {
         let Some(centre) = centre.or_else(|| node?.position()) else { return Ok(()) };
         if (centre.xy() - Point2::from(self.feet().translation.vector.xy())).norm() > 0.05 {
             self.world.face(self.agent, centre)?;
-            self.beats.push(Beat::Turn(self.feet()));
+            self.course.push(Beat::Turn(self.feet()));
         }
         Ok(())
     }
@@ -265,7 +265,7 @@ impl Deed<'_> {
     pub(super) fn turn_to(&mut self, spot: &Pose) {
         let to = Point3::from(spot.translation.vector);
         if self.stands() && self.world.face(self.agent, to).is_ok() {
-            self.beats.push(Beat::Turn(self.feet()));
+            self.course.push(Beat::Turn(self.feet()));
         }
     }
 

@@ -36,7 +36,7 @@ pub use effect::{Effect, Role};
 pub use refusal::Refusal;
 pub use table::Rule;
 
-use crate::{Action, ChangeSet, NodeId, SceneGraph};
+use crate::{Action, ChangeSet, EditError, NodeId, SceneGraph};
 
 /// What an agent's action needs, as conditions on the graph.
 ///
@@ -79,5 +79,28 @@ pub fn step(graph: &mut SceneGraph, agent: NodeId, action: &Action) -> Result<Ch
     for effect in action.verb.rule().does.iter().filter_map(|e| e.ground(action)) {
         effect::carry_out(&mut edit, agent, effect).map_err(|e| vec![Refusal::Edit(e)])?;
     }
+    Ok(edit.commit())
+}
+
+/// Carries out one effect of an action, whether or not the agent could do the action: for what
+/// shows an action part by part. Costs as [`step`].
+///
+/// ```
+/// use vc_graph::{Draft, Effect, SceneBuilder, State, rule};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let mut graph = scene.build();
+/// rule::carry_out(&mut graph, me, &Effect::Enter(fridge, State::Open))?;
+/// assert!(graph.node(fridge).is_some_and(|n| n.is(State::Open)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`EditError`] if a node is not there, or would be in itself; then nothing has changed.
+pub fn carry_out(graph: &mut SceneGraph, agent: NodeId, effect: &Effect<NodeId>) -> Result<ChangeSet, EditError> {
+    let mut edit = graph.edit();
+    effect::carry_out(&mut edit, agent, *effect)?;
     Ok(edit.commit())
 }

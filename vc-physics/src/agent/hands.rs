@@ -17,6 +17,9 @@ const LEANS: [f32; 4] = [1.0, 0.7, 0.35, 0.0];
 /// From the hip to the shoulders, as a part of the height.
 const TORSO: f32 = 0.29;
 
+/// Least distance of what is held from the body, metres.
+const BEFORE: f32 = 0.02;
+
 /// A hand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum Hand {
@@ -252,7 +255,7 @@ impl World {
             return Err(AgentError::TooHeavy { id, mass, limit: body.plan.carries });
         }
         let pose = self.engine.pose(base).unwrap_or_else(Pose::identity);
-        let grip = grip(body, hand, &pose, nalgebra::center(&thing.form.extent.0, &thing.form.extent.1));
+        let grip = grip(body, hand, &pose, thing.form.extent);
         let load = self.load_of(base);
         let at = |load: NodeId| Some(Loaded { id: load, at: pose.inverse() * self.pose(load)? });
         let (load, left): (Vec<NodeId>, Vec<NodeId>) = load.into_iter().partition(|id| comes(*id));
@@ -262,6 +265,26 @@ impl World {
         }
         left.into_iter().try_for_each(|id| self.wake(id))?;
         self.agent_mut(agent)?.hands[hand as usize] = Some(Held { id, grip, load });
+        self.embody(agent, true);
+        Ok(())
+    }
+
+    /// Where a hand holds what it holds: its pose against the agent's feet.
+    pub fn grip(&self, agent: NodeId, hand: Hand) -> Option<Pose> {
+        self.agents.get(&agent)?.hands[hand as usize].as_ref().map(|h| h.grip)
+    }
+
+    /// Holds what a hand holds elsewhere against the agent's feet: before the mouth, over a pan.
+    /// It is there at once, with what lies on it, and touches nothing.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`], [`AgentError::HandEmpty`], [`PhysicsError::NotFinite`].
+    pub fn regrip(&mut self, agent: NodeId, hand: Hand, grip: Pose) -> Result<(), AgentError> {
+        if !convert::is_sound(&grip) {
+            return Err(PhysicsError::NotFinite("the grip", agent).into());
+        }
+        let held = self.agent_mut(agent)?.hands[hand as usize].as_mut();
+        held.ok_or(AgentError::HandEmpty(agent))?.grip = grip;
         self.embody(agent, true);
         Ok(())
     }
@@ -333,11 +356,14 @@ impl World {
 }
 
 /// Where a thing is held: upright as it was, turned with the agent, its middle in the
-/// hand; large things farther from the body.
-fn grip(agent: &Agent, hand: Hand, pose: &Pose, middle: Point3<f32>) -> Pose {
+/// hand; large things as much farther ahead as keeps them out of the body.
+fn grip(agent: &Agent, hand: Hand, pose: &Pose, (low, high): (Point3<f32>, Point3<f32>)) -> Pose {
     let turn = agent.feet.rotation.inverse() * pose.rotation;
-    let hand = agent.hand(hand).coords;
-    Pose::from_parts((hand - turn * middle.coords).into(), turn)
+    let (middle, half) = (nalgebra::center(&low, &high), (high - low) / 2.0);
+    let deep = (turn.inverse() * Vector3::x()).abs().dot(&half);
+    let mut at = agent.hand(hand).coords;
+    at.x = at.x.max(agent.plan.radius + BEFORE + deep);
+    Pose::from_parts((at - turn * middle.coords).into(), turn)
 }
 
 /// Where the shoulder of a standing body is that reaches for a point: leant towards it and

@@ -1,0 +1,113 @@
+//! Feet on their way, and the doors they pass.
+
+use nalgebra::{Point2, Translation3, Vector2};
+use vc_graph::{NodeId, Pose, Relation};
+
+use super::Player;
+use crate::environment::Environment;
+use crate::environment::deed::towards;
+use crate::figure::Doing;
+
+/// How near a walker is to a door when it opens it, metres, and how far when it shuts it.
+const AT_DOOR: (f32, f32) = (1.1, 1.2);
+/// Share of its way a door moves in a second as one walks through.
+const SWING: f32 = 1.6;
+/// What share of its way a door is where it is to be, about.
+const STILL: f32 = 1e-3;
+/// Distance of the points of a way at which it is looked whether a door is near, metres.
+const FINE: f32 = 0.1;
+/// How fast one turns, radians a second: a right angle in a quarter of a second.
+const TURN: f32 = 6.3;
+
+/// A door that is passed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Passage {
+    /// How far open it was.
+    was: f32,
+    /// How far open it is while somebody passes.
+    wide: f32,
+    /// Along the way, where it is, metres.
+    at: f32,
+}
+
+impl Player {
+    pub(super) fn walk(
+        &mut self,
+        show: &mut Environment,
+        points: &[Point2<f32>],
+        doors: &[NodeId],
+        feet: &Pose,
+        run: bool,
+    ) -> bool {
+        let plan = show.world.body_plan(self.agent).copied().unwrap_or_default();
+        let way = self.time * if run { plan.run } else { plan.walk };
+        if self.doors.is_empty() {
+            self.doors = doors.iter().filter_map(|door| Some((*door, passage(show, points, *door)?))).collect();
+        }
+        let Some((at, front)) = along(points, way) else {
+            let _ = show.world.teleport(self.agent, *feet);
+            show.poses.remove(&self.agent);
+            // One waits until the door behind one is shut.
+            if self.swing_doors(show, f32::INFINITY) {
+                return false;
+            }
+            let left = std::mem::take(&mut self.doors);
+            left.into_iter().for_each(|(door, passage)| drop(show.world.put_all_open(door, passage.was)));
+            return true;
+        };
+        self.swing_doors(show, way);
+        let now = self.feet(show);
+        let turn = now.rotation.angle_to(&towards(front)).max(1e-6);
+        let share = (TURN * show.world.settings().dt / turn).min(1.0);
+        let rotation = now.rotation.try_slerp(&towards(front), share, 1e-6).unwrap_or_else(|| towards(front));
+        let pose = Pose::from_parts(Translation3::new(at.x, at.y, feet.translation.z), rotation);
+        let _ = show.world.teleport(self.agent, pose);
+        show.poses.insert(self.agent, Doing { walked: Some(way), ..Doing::default() });
+        false
+    }
+
+    /// Opens doors that are near, and brings those that are behind back to where they were; gives
+    /// whether any moves.
+    fn swing_doors(&self, show: &mut Environment, way: f32) -> bool {
+        let (step, mut moving) = (SWING * show.world.settings().dt, false);
+        for (&door, passage) in &self.doors {
+            let Some(now) = show.world.openness(door) else { continue };
+            let wanted = if way > passage.at + AT_DOOR.1 {
+                passage.was
+            } else if way > passage.at - AT_DOOR.0 {
+                passage.wide
+            } else {
+                now
+            };
+            let next = now + (wanted - now).clamp(-step, step);
+            // What jams is left alone.
+            moving |= (wanted - now).abs() > STILL && show.world.put_all_open(door, next).is_ok();
+        }
+        moving
+    }
+}
+
+/// Where a way passes a door; what is no door between rooms is shut before one comes by.
+fn passage(show: &Environment, points: &[Point2<f32>], door: NodeId) -> Option<Passage> {
+    let (middle, was) = (show.world.aabb(door)?.centre().xy(), show.world.openness(door)?);
+    let length: f32 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+    let far = |at: f32| along(points, at).map(|(p, _)| ((p - middle).norm(), at));
+    let all = (0..=(length / FINE) as u32).filter_map(|i| far(i as f32 * FINE));
+    let (_, at) = all.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
+    let is_room_door = show.graph.related(door, Relation::Between).next().is_some();
+    Some(Passage { was, wide: if is_room_door { 1.0 } else { 0.0 }, at })
+}
+
+/// Where one is after so many metres of a way, and which way one goes there; `None` after
+/// its end.
+fn along(points: &[Point2<f32>], mut way: f32) -> Option<(Point2<f32>, Vector2<f32>)> {
+    for pair in points.windows(2) {
+        let step = pair[1] - pair[0];
+        let length = step.norm();
+        if way < length {
+            return Some((pair[0] + step * (way / length), step / length));
+        }
+        way -= length;
+    }
+    None
+}
