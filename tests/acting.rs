@@ -98,6 +98,9 @@ fn ends_as_shown(home: &mut Environment, verb: Verb, things: &[NodeId]) {
         if was.get(id).is_some_and(|was| far(was, pose) > 0.1) {
             assert_eq!(places(last, *id), places(end, *id), "{verb:?}: {label}");
         }
+        let open = |e: &Environment| e.world().moving_parts(*id).iter().map(|p| p.open).collect::<Vec<f32>>();
+        let off = open(last).iter().zip(open(end)).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        assert!(off < 0.02, "{verb:?}: a part of {label} is {off} of its way off");
         assert_eq!(last.graph().node(*id).unwrap().states(), end.graph().node(*id).unwrap().states(), "{label}");
     }
 }

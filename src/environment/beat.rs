@@ -23,8 +23,8 @@ pub(super) enum Beat {
     Put(Put),
     /// Lets go of what a hand holds.
     LetGo(Hand),
-    /// Moves doors, lids, drawers to a fraction of their way.
-    Drive(NodeId, f32),
+    /// Moves doors, lids, drawers.
+    Drive(Drive),
     /// Sits or lies down.
     Rest(NodeId, bool),
     /// Gets up.
@@ -45,6 +45,18 @@ pub(super) struct Put {
     pub(super) pose: Pose,
     /// Whether it would not stay there by itself and is held still.
     pub(super) balanced: bool,
+}
+
+/// How the parts of a thing are moved.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Drive {
+    pub(super) id: NodeId,
+    /// To which fraction of their way, 1 open.
+    pub(super) open: f32,
+    /// Whether something is in the way, so that it takes force.
+    pub(super) pushes: bool,
+    /// How far open each part is in the end.
+    pub(super) end: Vec<f32>,
 }
 
 /// What a body does in an action, and what becomes of it by the rule.

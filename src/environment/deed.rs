@@ -9,7 +9,7 @@ use vc_graph::{Action, Condition, Effect, NodeId, Place, Pose, Property, Relatio
 use vc_physics::{BodyPlan, Floor, MovingPart, Posture, Role, World};
 
 use super::act::calm;
-use super::beat::{Beat, Course};
+use super::beat::{Beat, Course, Drive};
 use super::undo::Step;
 use super::{ActionError, Impossible, Start};
 
@@ -169,10 +169,11 @@ impl Deed<'_> {
             self.stand_clear(body, open)?;
         }
         let before = self.world.pose(id);
-        if !self.world.leap_open(id, open)? {
+        let pushes = !self.world.leap_open(id, open)?;
+        if pushes {
             self.push_open(id, open)?;
         }
-        self.course.push(Beat::Drive(id, open));
+        self.note_drive(id, open, pushes);
         let now = self.world.openness(id).unwrap_or(open);
         let arrived = if open > 0.5 { now >= WIDE } else { self.world.open_state(id) == Some(State::Closed) };
         let stuck = || Impossible::Stuck { thing: self.before.label(id), open: 100.0 * now };
@@ -196,9 +197,14 @@ impl Deed<'_> {
     fn open_in_hand(&mut self, id: NodeId, open: f32) -> Done {
         if !self.world.moving_parts(id).is_empty() {
             self.world.put_all_open(id, open)?;
-            self.course.push(Beat::Drive(id, open));
+            self.note_drive(id, open, false);
         }
         Ok(())
+    }
+
+    fn note_drive(&mut self, id: NodeId, open: f32, pushes: bool) {
+        let end = self.world.moving_parts(id).iter().map(|part| part.open).collect();
+        self.course.push(Beat::Drive(Drive { id, open, pushes, end }));
     }
 
     /// Opens or closes against what is in the way, which is pushed aside, or is not; what has no

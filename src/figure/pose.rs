@@ -39,6 +39,8 @@ pub(crate) struct Reach {
     pub(crate) point: Point3<f32>,
     /// How far it has got, 0 to 1.
     pub(crate) share: f32,
+    /// Whether the eyes follow.
+    pub(crate) looks: bool,
 }
 
 /// How a body is: in its own frame, whose origin is between the feet, or on the seat.
@@ -109,7 +111,7 @@ impl Skeleton {
         self.carry(Pose::translation(-0.25 * reach.1, 0.0, -bob - reach.1));
         self.turn(Bone::Chest, pitch(reach.0 + if doing.walked.is_some() { 0.06 } else { 0.0 }));
         self.turn(Bone::Head, pitch(-0.4 * reach.0));
-        if let Some(Reach { point, share, .. }) = doing.reach {
+        if let Some(Reach { point, share, looks: true, .. }) = doing.reach {
             self.look(point, share);
         }
         for side in Side::BOTH {
@@ -226,18 +228,18 @@ fn step(side: Side, walked: Option<f32>) -> Point3<f32> {
     rest + Vector3::new(0.25 * STRIDE * sine, 0.0, 0.1 * cosine.max(0.0))
 }
 
-/// How far one bends, radians, and how far one squats, metres, to reach for a point.
-fn stoop(&Reach { side, point, share }: &Reach) -> (f32, f32) {
+/// How far one bends, radians, and how far one squats, metres, to reach for a point: as little as
+/// that takes, or what brings the hand nearest.
+fn stoop(&Reach { side, point, share, .. }: &Reach) -> (f32, f32) {
     let length = (ARM[0] + ARM[1]) * STRETCH;
-    for i in 0..=20 {
+    let tried = (0..=20).map(|i| {
         let (bend, squat) = (BEND * (i as f32 / 10.0).min(1.0), 0.42 * (i as f32 / 10.0 - 1.0).max(0.0));
         let shoulder = about(Bone::Chest.anchor(), pitch(bend)) * Bone::UpperArm(side).anchor();
         let shoulder = shoulder - Vector3::new(0.25 * squat, 0.0, squat);
-        if (point - shoulder).norm() <= length {
-            return (bend * share, squat * share);
-        }
-    }
-    (BEND * share, 0.42 * share)
+        ((point - shoulder).norm().max(length), bend, squat)
+    });
+    let (_, bend, squat) = tried.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
+    (bend * share, squat * share)
 }
 
 /// Bends a limb that hangs straight down so that its end is a way from its root: how far
@@ -270,7 +272,7 @@ mod tests {
     use super::*;
 
     fn reach(point: Point3<f32>) -> Reach {
-        Reach { side: Side::Right, point, share: 1.0 }
+        Reach { side: Side::Right, point, share: 1.0, looks: true }
     }
 
     fn joined(skeleton: &Skeleton) -> bool {

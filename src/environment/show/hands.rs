@@ -1,12 +1,13 @@
 //! What hands do: they go out, to what they take, open or wipe, and come back.
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
+use vc_graph::asset::JointKind;
 use vc_graph::{Action, NodeId, Pose, Verb};
 use vc_physics::Hand;
 
 use super::Player;
 use crate::environment::Environment;
-use crate::environment::beat::Put;
+use crate::environment::beat::{Drive, Put};
 use crate::environment::deed::comes_along;
 use crate::figure::{Doing, Reach, Side};
 
@@ -28,6 +29,12 @@ const STROKE: (f32, f32) = (0.09, 0.04);
 /// Radians a second in which they do.
 const BEAT: f32 = 9.0;
 
+/// Seconds in which a door or a drawer goes all its way, and after which it is waited for no longer.
+const WHOLE_WAY: f32 = 0.9;
+const PATIENCE: f32 = 4.0;
+/// How near a part comes to where it is to be, as a share of its way.
+const ARRIVED: f32 = 1e-3;
+
 /// What hands are at in the course of a beat.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Handling {
@@ -37,6 +44,9 @@ pub(super) struct Handling {
     /// it is brought.
     rest: Option<Pose>,
     out: Option<Pose>,
+    /// How long a hand has stayed at what it moves, seconds, and whether that has arrived.
+    waited: f32,
+    arrived: bool,
 }
 
 /// Where a gesture brings a hand, and how it turns what it holds.
@@ -44,6 +54,8 @@ struct Aim {
     hand: Hand,
     point: Point3<f32>,
     tilt: f32,
+    /// Whether the eyes follow.
+    looks: bool,
 }
 
 impl Player {
@@ -90,22 +102,48 @@ impl Player {
     }
 
     /// A hand moves a door, a drawer or a lid, and stays at it until it has arrived.
-    pub(super) fn drive(&mut self, show: &mut Environment, id: NodeId, open: f32, before: f32) -> bool {
+    pub(super) fn drive(&mut self, show: &mut Environment, drive: &Drive, before: f32) -> bool {
         let hand = self.free_hand(show);
         let from = self.side(show, hand);
-        self.handling.at = show.world.aabb(id).map(|b| b.nearest(&from));
-        if before < REACHING && self.time >= REACHING {
-            if show.world.holder(id).is_some() {
-                drop(show.world.put_all_open(id, open));
-            } else {
-                let parts = show.world.moving_parts(id).len();
-                (0..parts).for_each(|part| drop(show.world.drive(id, part, open)));
-            }
+        self.handling.at = show.world.aabb(drive.id).map(|b| b.nearest(&from));
+        if self.time < REACHING {
+            return self.reach(show, hand);
         }
-        if show.world.is_driven(id) {
-            self.time = self.time.min(REACHING + show.world.settings().dt);
+        let moves = !self.handling.arrived
+            && match drive.pushes {
+                true => push(show, drive, before < REACHING),
+                false => self.swing(show, drive),
+            };
+        if moves {
+            // The hand stays where it is.
+            self.handling.waited += show.world.settings().dt;
+            self.time = REACHING;
         }
-        self.reach(show, hand) && !show.world.is_driven(id)
+        self.handling.arrived = !moves;
+        let over = self.reach(show, hand);
+        if over {
+            let end = drive.end.iter().enumerate();
+            end.for_each(|(part, open)| drop(show.world.put_open(drive.id, part, *open)));
+        }
+        over
+    }
+
+    /// Moves what nothing is in the way of: doors open before drawers and shut after them. Gives
+    /// whether anything moves still.
+    fn swing(&self, show: &mut Environment, drive: &Drive) -> bool {
+        let parts = show.world.moving_parts(drive.id);
+        let (step, first) =
+            (show.world.settings().dt / WHOLE_WAY, if drive.open > 0.0 { JointKind::Hinge } else { JointKind::Slide });
+        let left = |part: usize| drive.end.get(part).map_or(0.0, |end| end - parts[part].open);
+        let waits = |kind: JointKind| (0..parts.len()).any(|i| parts[i].kind == kind && left(i).abs() > ARRIVED);
+        let kinds = [first, if first == JointKind::Hinge { JointKind::Slide } else { JointKind::Hinge }];
+        let Some(kind) = kinds.into_iter().find(|kind| waits(*kind)) else { return false };
+        for part in (0..parts.len()).filter(|i| parts[*i].kind == kind) {
+            let next = parts[part].open + left(part).clamp(-step, step);
+            drop(show.world.put_open(drive.id, part, next));
+        }
+        // What jams is not waited for.
+        self.handling.waited < PATIENCE
     }
 
     /// What is only seen of an action: the hand at what it is done to, a cup at the mouth.
@@ -138,7 +176,7 @@ impl Player {
             self.regrip(show, aim.hand, share);
         }
         if let Some(doing) = show.poses.get_mut(&self.agent) {
-            doing.reach = Some(Reach { side: side(aim.hand), point: aim.point, share });
+            doing.reach = Some(Reach { side: side(aim.hand), point: aim.point, share, looks: aim.looks });
         }
     }
 
@@ -156,8 +194,8 @@ impl Player {
         let (swing, chop) = (STROKE.0 * sine(BEAT * self.time), STROKE.1 * sine(BEAT * self.time).abs());
         let across = self.feet(show).rotation * Vector3::y();
         let (point, tilt) = match action.verb {
-            Drink => (self.before_eyes(show, MOUTH), TILT.1),
-            Eat if self.hand_of(show, x).is_some() => (self.before_eyes(show, MOUTH), 0.0),
+            Drink => (self.at_mouth(show, x), TILT.1),
+            Eat if self.hand_of(show, x).is_some() => (self.at_mouth(show, x), 0.0),
             // First to the plate, then to the mouth.
             Eat => {
                 let bite = (2.0 * self.time - 1.0).clamp(0.0, 1.0);
@@ -179,13 +217,21 @@ impl Player {
             Verb::Watch | Verb::LookAt | Verb::Greet | Verb::TurnTo => return None,
             _ => (box_of(x)?.nearest(&from), 0.0),
         };
-        Some(Aim { hand, point, tilt })
+        // To the mouth one finds without.
+        let looks = !matches!(action.verb, Drink | Eat);
+        Some(Aim { hand, point, tilt, looks })
     }
 
     fn before_eyes(&self, show: &Environment, offset: Vector3<f32>) -> Point3<f32> {
         let eyes = show.skeleton(self.agent).map_or_else(|| Pose::translation(0.1, 0.0, 1.55), |s| s.eyes());
         // Heads are held upright here, however they look.
         self.feet(show) * (Point3::from(eyes.translation.vector) + offset)
+    }
+
+    /// Where a held thing's middle is while its upper rim is at the mouth.
+    fn at_mouth(&self, show: &Environment, id: NodeId) -> Point3<f32> {
+        let half = show.world.aabb(id).map_or_else(Vector3::zeros, |b| (b.max - b.min) / 2.0);
+        self.before_eyes(show, MOUTH + Vector3::new(half.x.min(half.y), 0.0, -0.8 * half.z))
     }
 
     /// The hand that holds a thing.
@@ -213,7 +259,7 @@ impl Player {
 
     /// Shows the body reaching for what the hand is at; gives whether the hand is back.
     fn reach(&self, show: &mut Environment, hand: Hand) -> bool {
-        let reach = self.handling.at.map(|point| Reach { side: side(hand), point, share: self.share() });
+        let reach = self.handling.at.map(|point| Reach { side: side(hand), point, share: self.share(), looks: true });
         show.poses.insert(self.agent, Doing { reach, ..Doing::default() });
         self.time >= 2.0 * REACHING
     }
@@ -230,6 +276,15 @@ impl Player {
         // It is in that hand.
         let _ = show.world.regrip(self.agent, hand, Pose::from_parts(at.into(), turn));
     }
+}
+
+/// Moves parts by motors, against what is in the way; gives whether any still runs.
+fn push(show: &mut Environment, drive: &Drive, begins: bool) -> bool {
+    if begins {
+        let parts = show.world.moving_parts(drive.id).len();
+        (0..parts).for_each(|part| drop(show.world.drive(drive.id, part, drive.open)));
+    }
+    show.world.is_driven(drive.id)
 }
 
 fn sine(angle: f32) -> f32 {

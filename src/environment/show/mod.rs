@@ -202,7 +202,7 @@ impl Player {
             Beat::LetGo(hand) => self.at_once(show, before, |show| drop(show.world.drop(agent, *hand))),
             Beat::Dress(id) => self.at_once(show, before, |show| drop(show.world.remove(*id))),
             Beat::Undress(hand, id) => self.at_once(show, before, |show| undress(show, agent, *hand, *id)),
-            Beat::Drive(id, open) => self.drive(show, *id, *open, before),
+            Beat::Drive(drive) => self.drive(show, drive, before),
             Beat::Rest(id, lying) => self.at_once(show, before, |show| {
                 let world = &mut show.world;
                 drop(if *lying { world.lie(agent, *id) } else { world.sit(agent, *id) });

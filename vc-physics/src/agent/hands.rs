@@ -53,7 +53,7 @@ impl Hand {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Held {
     pub(crate) id: NodeId,
-    /// Where it is against the agent's feet.
+    /// Where it is against the agent's feet while it stands.
     #[serde(with = "crate::serial::pose")]
     grip: Pose,
     /// What lies on it or in it, and where against it.
@@ -72,11 +72,21 @@ impl Agent {
     pub(super) fn holdings(&self) -> Vec<(NodeId, Pose)> {
         let held = self.hands.iter().flatten();
         let each = |held: &Held| {
-            let at = self.feet * held.grip;
+            let at = self.feet * self.lap() * held.grip;
             let load: Vec<_> = held.load.iter().map(|l| (l.id, at * l.at)).collect();
             std::iter::once((held.id, at)).chain(load)
         };
         held.flat_map(each).collect()
+    }
+
+    /// Where hands that hold things go when the agent sits or lies, against where they are when it
+    /// stands: before its chest still.
+    fn lap(&self) -> Pose {
+        match self.posture {
+            Posture::Standing => Pose::identity(),
+            Posture::Sitting(..) => Pose::translation(0.05, 0.0, -0.44 * self.plan.height),
+            Posture::Lying(..) => Pose::translation(-0.5, 0.0, -0.44 * self.plan.height),
+        }
     }
 
     /// Where a hand is against the feet: before the body, at the height of the elbow.
@@ -269,9 +279,10 @@ impl World {
         Ok(())
     }
 
-    /// Where a hand holds what it holds: its pose against the agent's feet.
+    /// Where a hand holds what it holds: its pose against the agent's feet, or its seat.
     pub fn grip(&self, agent: NodeId, hand: Hand) -> Option<Pose> {
-        self.agents.get(&agent)?.hands[hand as usize].as_ref().map(|h| h.grip)
+        let body = self.agents.get(&agent)?;
+        body.hands[hand as usize].as_ref().map(|h| body.lap() * h.grip)
     }
 
     /// Holds what a hand holds elsewhere against the agent's feet: before the mouth, over a pan.
@@ -283,8 +294,9 @@ impl World {
         if !convert::is_sound(&grip) {
             return Err(PhysicsError::NotFinite("the grip", agent).into());
         }
-        let held = self.agent_mut(agent)?.hands[hand as usize].as_mut();
-        held.ok_or(AgentError::HandEmpty(agent))?.grip = grip;
+        let body = self.agent_mut(agent)?;
+        let grip = body.lap().inverse() * grip;
+        body.hands[hand as usize].as_mut().ok_or(AgentError::HandEmpty(agent))?.grip = grip;
         self.embody(agent, true);
         Ok(())
     }
@@ -318,7 +330,7 @@ impl World {
     pub fn drop(&mut self, agent: NodeId, hand: Hand) -> Result<NodeId, AgentError> {
         let body = self.agent(agent)?;
         let held = body.hands[hand as usize].as_ref().ok_or(AgentError::HandEmpty(agent))?;
-        let (id, feet, grip) = (held.id, body.feet, held.grip);
+        let (id, feet, grip) = (held.id, body.feet, body.lap() * held.grip);
         let mut blocked = None;
         for (ahead, up) in [(0.0, 0.0), (0.1, 0.0), (0.0, 0.2), (0.2, 0.1), (-0.1, 0.0), (0.0, -0.2), (0.1, 0.4)] {
             let spot = feet * Pose::translation(ahead, 0.0, up) * grip;
