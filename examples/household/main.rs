@@ -6,9 +6,11 @@
 //! modalities, the home from above with the way it went; `trajectory.jsonl` has every step.
 //! `--scene FILE` takes a scene file with poses, `--task TITLE` a task of the library,
 //! `--goal TEXT` any goal; `--dataset` writes frames with COCO annotations and the scene as glTF
-//! as well. `--symbolic` does it without bodies: by default the bundled
+//! as well. With `--agents 2` two of them share the goal and tell each other what they see. In the
+//! end what was done is done again from the beginning, and has to lead to the same home.
+//! `--symbolic` does it without bodies: by default the bundled
 //! apartment, three apples to the kitchen table, and the fridge closed at the end.
-//! `--list` shows what can be asked of a scene.
+//! `--list` shows what can be asked of the home or scene.
 
 mod physical;
 #[path = "../support/mod.rs"]
@@ -36,7 +38,7 @@ pub(crate) struct Options {
     /// The goal, such as "Inside(plate, dishwasher), 2 & Closed(dishwasher)".
     #[arg(long)]
     goal: Option<String>,
-    /// How many agents are in the home; the first one acts.
+    /// How many agents are in the home. Planners share the goal; of the others the first one acts.
     #[arg(long, default_value_t = 1)]
     agents: usize,
     /// The folder to write to (the file, without its ending, of a symbolic run).
@@ -91,5 +93,5 @@ impl Who {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    if options.symbolic || options.list { symbolic::main(&options) } else { physical::main(&options) }
+    if options.symbolic { symbolic::main(&options) } else { physical::main(&options) }
 }

@@ -4,14 +4,14 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use vc_graph::goal::Situation;
-use vc_graph::{Node, NodeId, Property, SceneGraph, State};
-use vc_planner::{Episode, Policy, Run, Step, objects_of_interest};
-use vc_tasks::{Outcome, Task};
+use vc_graph::{Action, ChangeSet, History, Node, NodeId, Property, SceneGraph, State};
+use vc_planner::{Episode, Policy, Run, Step, Team, objects_of_interest};
+use vc_tasks::{Outcome, Task, World, WorldError};
 use virtualcity::{Environment, RecordOptions, Recorder};
 
-use crate::Options;
 use crate::support::{Complaint, say};
-use crate::symbolic::summary;
+use crate::symbolic::{self, summary};
+use crate::{Options, Who};
 
 /// Most things of a picture of a belief.
 const BELIEVED: usize = 16;
@@ -29,15 +29,24 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     }
     light_up(&mut home)?;
     let me = home.agents()[0];
+    if options.list {
+        symbolic::list(home.graph(), me);
+        return Ok(());
+    }
     let task = choose(options, &home)?;
     say!("home   {name}: {} rooms, {} nodes", home.graph().rooms().len(), home.graph().len());
     say!("agent  {} in {}", home.graph().label(me), room(&home, me));
     say!("task   {}: {}\n", task.title, task.goal);
     let wanted = RecordOptions { width: options.width, dataset: options.dataset };
+    let first = home.clone();
     let mut recorder = Recorder::create(&options.out, home, me, &task, wanted).map_err(Complaint::new)?;
     let mut policy = options.policy.policy();
-    let episode = act(options, me, &task, policy.as_mut(), &mut recorder)?;
+    let episode = match team(options, recorder.environment(), &task) {
+        Some(team) => act_together(options, team, &task, &mut recorder)?,
+        None => act(options, me, &task, policy.as_mut(), &mut recorder)?,
+    };
     let (metres, seconds) = (recorder.metres(), recorder.seconds());
+    let same = leads_there(first, recorder.environment())?;
     let belief = belief(recorder.environment().graph(), &task, policy.as_ref());
     let page = recorder.finish(&episode, belief.as_deref()).map_err(Complaint::new)?;
     say!(
@@ -47,9 +56,11 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
         100.0 * episode.score,
         start.elapsed().as_secs_f32()
     );
+    say!("done again from the beginning: the home is {}", if same { "the same" } else { "ANOTHER" });
     say!("look at {}", page.display());
     match (episode.outcome, episode.reason) {
-        (Outcome::Won, _) => Ok(()),
+        (Outcome::Won, _) if same => Ok(()),
+        (Outcome::Won, _) => Err(Complaint::new("the same actions do not lead to the same home")),
         (_, reason) => Err(Complaint::new(reason.unwrap_or_else(|| "the goal was not reached".into()))),
     }
 }
@@ -99,6 +110,13 @@ fn room(home: &Environment, id: NodeId) -> String {
     home.graph().room_of(id).map_or_else(|| "no room".into(), |r| home.graph().label(r).to_string())
 }
 
+fn bar(options: &Options) -> Result<ProgressBar, Complaint> {
+    let bar = ProgressBar::new(options.steps as u64);
+    bar.set_style(ProgressStyle::with_template("{spinner} {pos} actions: {msg}").map_err(Complaint::new)?);
+    bar.enable_steady_tick(std::time::Duration::from_millis(100));
+    Ok(bar)
+}
+
 /// Lets the policy act until it stops, and says what it does.
 fn act(
     options: &Options,
@@ -107,9 +125,7 @@ fn act(
     policy: &mut dyn Policy,
     recorder: &mut Recorder,
 ) -> Result<Episode, Complaint> {
-    let bar = ProgressBar::new(options.steps as u64);
-    bar.set_style(ProgressStyle::with_template("{spinner} {pos} actions: {msg}").map_err(Complaint::new)?);
-    bar.enable_steady_tick(std::time::Duration::from_millis(100));
+    let bar = bar(options)?;
     let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
     let episode = run.episode(policy, task, recorder, &mut |step| {
         bar.inc(1);
@@ -118,6 +134,65 @@ fn act(
     });
     bar.finish_and_clear();
     Ok(episode)
+}
+
+/// The agents as a team, where there are several and they plan.
+fn team(options: &Options, home: &Environment, task: &Task) -> Option<Team> {
+    let (graph, ids) = (home.graph(), home.agents());
+    match options.policy {
+        _ if ids.len() < 2 => None,
+        Who::Planner => Some(Team::newcomers(graph, ids, &task.goal, options.seed)),
+        Who::Oracle => Some(Team::residents(graph, ids, &task.goal)),
+        Who::Faithful | Who::Random => None,
+    }
+}
+
+/// Lets a team act until it stops, and says what each does.
+fn act_together(options: &Options, mut team: Team, task: &Task, recorder: &mut Recorder) -> Result<Episode, Complaint> {
+    let bar = bar(options)?;
+    let done = team.run(task, &mut Told { recorder: &mut *recorder, bar: &bar });
+    bar.finish_and_clear();
+    let reason = (done.outcome != Outcome::Won).then(|| "none of the agents knows what else to do".to_owned());
+    let digest = recorder.graph().digest();
+    Ok(Episode { outcome: done.outcome, score: done.score, steps: done.actions, reason, digest })
+}
+
+/// A world that says what is done in it.
+struct Told<'a> {
+    recorder: &'a mut Recorder,
+    bar: &'a ProgressBar,
+}
+
+impl World for Told<'_> {
+    fn graph(&self) -> &SceneGraph {
+        self.recorder.graph()
+    }
+
+    fn history(&self) -> &History {
+        self.recorder.history()
+    }
+
+    fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
+        let words = format!("{}: {}", self.graph().label(agent), action.describe(self.graph()));
+        let done = self.recorder.step(agent, action);
+        self.bar.inc(1);
+        self.bar.set_message(words.clone());
+        let (number, why) = (self.bar.position(), done.as_ref().err().map(|why| format!("\n     {why}")));
+        self.bar.suspend(|| say!("{number:>3}  {words}{}", why.unwrap_or_default()));
+        done
+    }
+
+    fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError> {
+        self.recorder.reset(graph)
+    }
+}
+
+/// Whether what was done in a home leads there again from how it was first.
+fn leads_there(mut first: Environment, end: &Environment) -> Result<bool, Complaint> {
+    for event in end.history().events() {
+        first.set_action(event.agent, event.action).map_err(Complaint::new)?;
+    }
+    Ok(first.digest() == end.digest())
 }
 
 /// What is believed in the end of the things that the goal is about, as a picture.

@@ -159,7 +159,7 @@ impl Record {
 }
 
 /// Shows what is in a scene and what can be asked of it.
-fn list(scene: &SceneGraph, me: NodeId) {
+pub(crate) fn list(scene: &SceneGraph, me: NodeId) {
     say!(
         "{}: {} rooms, {} nodes, agent {} in {}\n",
         scene.name(),

@@ -152,7 +152,7 @@ impl Game {
             4 => (Modality::FlowForward | Modality::Instance, Viewpoint::Agent(self.me)),
             1 | 2 => (Modality::Instance | Modality::Class, Viewpoint::Free(self.view())),
             3 => (Modality::Depth | Modality::Instance, Viewpoint::Free(self.view())),
-            5 => (Modality::Rgb | Modality::Instance | Modality::Boxes, Viewpoint::Free(self.view())),
+            5 => (Modality::Masks | Modality::Instance | Modality::Boxes, Viewpoint::Free(self.view())),
             _ => (Modality::Rgb | Modality::Instance, Viewpoint::Free(self.view())),
         };
         let before = self.before.take().filter(|_| self.shows == 4);
@@ -167,7 +167,7 @@ impl Game {
             2 => picture::classes(&frame),
             3 => picture::depth(&frame, 8.0),
             4 => picture::flow(&frame, 12.0),
-            5 => picture::with_boxes(picture::rgb(&frame), &frame, 150),
+            5 => picture::with_boxes(picture::masks(&frame), &frame, 150),
             _ => picture::rgb(&frame),
         };
         let centre = frame.instance.get((frame.height / 2) * frame.width + frame.width / 2).copied();

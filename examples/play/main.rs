@@ -5,7 +5,7 @@
 //! window goes on turning. What the crosshair points at is named below it; a click does
 //! what can be done with it: take, open, close, switch, sit; with something in the hand,
 //! put it there. The right button lets go. Keys 1 to 6 show colours, nodes, classes, depth,
-//! optical flow, and boxes. Escape ends it.
+//! optical flow, and boxes with masks. Escape ends it.
 //!
 //! `--frames N` ends it after so many frames, and `--picture FILE` keeps the last one: with
 //! them it runs in a test under Xvfb, `xvfb-run cargo run ...`.

@@ -1,5 +1,6 @@
 //! Why something cannot be done.
 
+use vc_graph::asset::AssetError;
 use vc_graph::format::FormatError;
 use vc_graph::{EditError, Label, Refusal};
 use vc_physics::{AgentError, PhysicsError, SnapshotError};
@@ -66,7 +67,7 @@ pub enum MakeError {
     Edit(#[from] EditError),
     /// The agents' figure does not fit the scene's shapes.
     #[error(transparent)]
-    Asset(#[from] vc_graph::asset::AssetError),
+    Asset(#[from] AssetError),
 }
 
 /// Why an environment was not reset; then it is as it was.
@@ -92,7 +93,44 @@ pub enum ResetError {
     Edit(#[from] EditError),
     /// A shape that was made does not fit the scene's.
     #[error(transparent)]
-    Asset(#[from] vc_graph::asset::AssetError),
+    Asset(#[from] AssetError),
+}
+
+/// Why shapes for what has none cannot be added to a scene.
+#[derive(Debug)]
+pub(super) enum ShapesError {
+    Edit(EditError),
+    Asset(AssetError),
+}
+
+impl From<EditError> for ShapesError {
+    fn from(error: EditError) -> Self {
+        Self::Edit(error)
+    }
+}
+
+impl From<AssetError> for ShapesError {
+    fn from(error: AssetError) -> Self {
+        Self::Asset(error)
+    }
+}
+
+impl From<ShapesError> for MakeError {
+    fn from(error: ShapesError) -> Self {
+        match error {
+            ShapesError::Edit(error) => Self::Edit(error),
+            ShapesError::Asset(error) => Self::Asset(error),
+        }
+    }
+}
+
+impl From<ShapesError> for ResetError {
+    fn from(error: ShapesError) -> Self {
+        match error {
+            ShapesError::Edit(error) => Self::Edit(error),
+            ShapesError::Asset(error) => Self::Asset(error),
+        }
+    }
 }
 
 /// Why an action was not done; then nothing has changed.

@@ -23,6 +23,7 @@ use vc_physics::{Floor, Posture, Shapes, World};
 use vc_relations::Relations;
 
 pub use agree::{Difference, Disagreement};
+use error::ShapesError;
 pub use error::{ActionError, Impossible, MakeError, ResetError, SaveError};
 pub use reset::{Elsewhere, ResetReport, Unplaced, Why};
 pub use steer::Steering;

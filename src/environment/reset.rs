@@ -1,17 +1,21 @@
 //! Putting a graph of the environment in force.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
-use vc_graph::{History, Kind, Label, NodeId, Place, Pose, Relation, SceneGraph};
+use vc_graph::{Effect, History, Kind, Label, NodeId, Place, Pose, Relation, SceneGraph, rule};
 use vc_physics::{Order, World};
 use vc_relations::Relations;
 
 use super::undo::Undo;
-use super::{Environment, MakeError, ResetError, act, observe, scene};
+use super::{Environment, ResetError, act, observe, scene};
 
 /// How far below a thing its support may be, metres.
 const HOVER: f32 = 0.02;
+/// Where things without a pose are until they have a place, metres: so high, and so far from each
+/// other.
+const BELOW: f32 = -200.0;
+const APART: f32 = 5.0;
 
 /// What a reset did.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -24,7 +28,8 @@ pub struct ResetReport {
     pub removed: Vec<NodeId>,
     /// Things for which there was no place; they are not in the scene.
     pub unplaced: Vec<Unplaced>,
-    /// Things that have come to rest elsewhere than the graph has them.
+    /// Things that have come to rest elsewhere than the graph has them, and agents who stand beside
+    /// what they are to sit or lie on.
     pub elsewhere: Vec<Elsewhere>,
 }
 
@@ -88,7 +93,7 @@ impl Environment {
             let (expected, found) = (labels(&self.start.graph, started), labels(graph, agents));
             return Err(ResetError::OtherAgents { expected, found });
         }
-        let shaped = scene::shaped(graph).map_err(of_shapes)?;
+        let shaped = scene::shaped(graph)?;
         let new_shapes = shaped.is_some();
         let mut wanted = shaped.unwrap_or_else(|| graph.clone());
         let mut plan = Plan::of(&self.start.graph, &wanted);
@@ -97,7 +102,7 @@ impl Environment {
         undress(&mut world, &wanted)?;
         plan.settle_places(&mut world, &mut wanted)?;
         plan.lower(&mut world)?;
-        seat(&mut world, &wanted);
+        seat(&mut world, &mut wanted, &mut plan.report)?;
         act::calm(&mut world);
         let relations = self.observed(&mut wanted, &world, new_shapes)?;
         let mut floor = self.start.floor.clone();
@@ -144,32 +149,29 @@ fn undress(world: &mut World, graph: &SceneGraph) -> Result<(), ResetError> {
     Ok(())
 }
 
-/// Who sits or lies by the graph does so, if the place is free and near.
-fn seat(world: &mut World, graph: &SceneGraph) {
-    for &agent in graph.agents() {
-        let on = |relation| graph.related(agent, relation).next();
-        if let Some(seat) = on(Relation::SittingOn) {
-            drop(world.sit(agent, seat));
-        } else if let Some(bed) = on(Relation::LyingOn) {
-            drop(world.lie(agent, bed));
+/// Lets sit or lie who does so by the graph; who cannot, as the place is taken or there is none,
+/// stands, and is reported.
+fn seat(world: &mut World, graph: &mut SceneGraph, report: &mut ResetReport) -> Result<(), ResetError> {
+    for agent in graph.agents().to_vec() {
+        let on = |relation| graph.related(agent, relation).next().map(|at| Place { relation, at });
+        let Some(wanted) = on(Relation::SittingOn).or_else(|| on(Relation::LyingOn)) else { continue };
+        let done = match wanted.relation {
+            Relation::SittingOn => world.sit(agent, wanted.at),
+            _ => world.lie(agent, wanted.at),
+        };
+        if done.is_err() {
+            report.elsewhere.push(Elsewhere { thing: graph.label(agent), wanted, now: None });
+            rule::carry_out(graph, agent, &Effect::StandUp)?;
         }
     }
-}
-
-/// What a shape lacks that is made for a reset.
-fn of_shapes(error: MakeError) -> ResetError {
-    match error {
-        MakeError::Edit(e) => e.into(),
-        MakeError::Asset(e) => e.into(),
-        // Nothing else is done there.
-        _ => ResetError::Edit(vc_graph::EditError::NumbersExhausted),
-    }
+    Ok(())
 }
 
 /// What is to be placed, and what has become of it.
 struct Plan {
-    /// Things to be placed: what carries others first.
+    /// Things to be placed, what carries others first, and those of them that have no pose.
     open: Vec<(NodeId, Option<Place>)>,
+    unposed: BTreeSet<NodeId>,
     report: ResetReport,
 }
 
@@ -196,16 +198,17 @@ impl Plan {
         }
         report.removed = start.nodes().map(vc_graph::Node::id).filter(|id| wanted.node(*id).is_none()).collect();
         open.sort_by_key(|(depth, id, _)| (*depth, *id));
-        Self { open: open.into_iter().map(|(_, id, place)| (id, place)).collect(), report }
+        let open: Vec<_> = open.into_iter().map(|(_, id, place)| (id, place)).collect();
+        let unposed = |id: &NodeId| wanted.node(*id).is_some_and(|n| n.pose().is_none());
+        let unposed = open.iter().map(|(id, _)| *id).filter(unposed).collect();
+        Self { open, unposed, report }
     }
 
     /// Things without a pose get one for the time being, far below, each its own.
     fn lend_poses(&self, graph: &mut SceneGraph) -> Result<(), ResetError> {
         let mut edit = graph.edit();
-        for (index, (id, _)) in self.open.iter().enumerate() {
-            if edit.graph().node(*id).is_some_and(|n| n.pose().is_none()) {
-                edit.set_pose(*id, Some(Pose::translation(5.0 * index as f32, 0.0, -200.0)))?;
-            }
+        for (index, id) in self.unposed.iter().enumerate() {
+            edit.set_pose(*id, Some(Pose::translation(APART * index as f32, 0.0, BELOW)))?;
         }
         edit.commit();
         Ok(())
@@ -222,7 +225,8 @@ impl Plan {
     /// Puts what is to be placed where there is room, and takes out the rest.
     fn settle_places(&mut self, world: &mut World, graph: &mut SceneGraph) -> Result<(), ResetError> {
         for (id, place) in std::mem::take(&mut self.open) {
-            if let Err(why) = settle_place(world, graph, id, place)? {
+            let posed = !self.unposed.contains(&id);
+            if let Err(why) = settle_place(world, graph, (id, posed), place)? {
                 self.report.unplaced.push(Unplaced { thing: graph.label(id), why });
                 if world.pose(id).is_some() {
                     world.remove(id)?;
@@ -247,15 +251,14 @@ impl Plan {
     }
 }
 
-/// Puts one thing where there is room for it.
+/// Puts one thing, which has a pose of its own or not, where there is room for it.
 fn settle_place(
     world: &mut World,
     graph: &SceneGraph,
-    id: NodeId,
+    (id, posed): (NodeId, bool),
     place: Option<Place>,
 ) -> Result<Result<(), Why>, ResetError> {
     let Some(pose) = world.pose(id) else { return Ok(Err(Why::NoShape)) };
-    let posed = pose.translation.z > -100.0;
     if posed && is_at_rest(world, id, &pose)? {
         return Ok(Ok(()));
     }

@@ -6,7 +6,7 @@ use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, Draft, Kind, Node, SceneBuilder, SceneGraph, Seed};
 use vc_procgen::{Apartment, Style, object};
 
-use super::MakeError;
+use super::{MakeError, ShapesError};
 
 /// The scene of a name: `apartment/SEED` is generated, `scene:FILE` is read.
 pub(super) fn named(name: &str) -> Result<SceneGraph, MakeError> {
@@ -22,7 +22,7 @@ pub(super) fn named(name: &str) -> Result<SceneGraph, MakeError> {
 /// The scene with a shape for everything that has neither asset nor box and of whose class
 /// there is a generator: an instance of the usual size, the same for the same scene and
 /// number. `None` if nothing lacks one.
-pub(super) fn shaped(graph: &SceneGraph) -> Result<Option<SceneGraph>, MakeError> {
+pub(super) fn shaped(graph: &SceneGraph) -> Result<Option<SceneGraph>, ShapesError> {
     if !graph.nodes().any(|n| lacks_shape(n).is_some()) {
         return Ok(None);
     }

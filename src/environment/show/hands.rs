@@ -44,8 +44,8 @@ pub(super) struct Handling {
     /// it is brought.
     rest: Option<Pose>,
     out: Option<Pose>,
-    /// How long a hand has stayed at what it moves, seconds, and whether that has arrived.
-    waited: f32,
+    /// How long somebody has waited for a door or a drawer, seconds, and whether that has arrived.
+    pub(super) waited: f32,
     arrived: bool,
 }
 

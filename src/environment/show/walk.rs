@@ -12,6 +12,8 @@ use crate::figure::Doing;
 const AT_DOOR: (f32, f32) = (1.1, 1.2);
 /// Share of its way a door moves in a second as one walks through.
 const SWING: f32 = 1.6;
+/// How long one waits for a door, seconds.
+const PATIENCE: f32 = 1.0;
 /// What share of its way a door is where it is to be, about.
 const STILL: f32 = 1e-3;
 /// Distance of the points of a way at which it is looked whether a door is near, metres.
@@ -47,8 +49,9 @@ impl Player {
         let Some((at, front)) = along(points, way) else {
             let _ = show.world.teleport(self.agent, *feet);
             show.poses.remove(&self.agent);
-            // One waits until the door behind one is shut.
-            if self.swing_doors(show, f32::INFINITY) {
+            // One waits until the door behind one is shut, or jams.
+            self.handling.waited += show.world.settings().dt;
+            if self.handling.waited < PATIENCE && self.swing_doors(show, f32::INFINITY) {
                 return false;
             }
             let left = std::mem::take(&mut self.doors);
@@ -80,7 +83,6 @@ impl Player {
                 now
             };
             let next = now + (wanted - now).clamp(-step, step);
-            // What jams is left alone.
             moving |= (wanted - now).abs() > STILL && show.world.put_all_open(door, next).is_ok();
         }
         moving
