@@ -1,12 +1,12 @@
 //! What cameras see of an environment.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex, OnceLock};
 
 use nalgebra::Point3;
 use vc_graph::asset::Joint;
-use vc_graph::{Asset, Kind, NodeId, Pose, SceneGraph, State};
-use vc_physics::World;
+use vc_graph::{Aabb, Asset, Kind, NodeId, Pose, SceneGraph, State};
+use vc_physics::{Role, World};
 use vc_render::{Camera, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
 use crate::Environment;
@@ -40,7 +40,7 @@ pub enum Viewpoint {
     Above(NodeId),
     /// Above the whole home, ceilings taken off.
     Overhead,
-    /// Anywhere; its width and height are those asked for.
+    /// Anywhere; [resized](Camera::resized) to the width and height asked for.
     Free(Camera),
 }
 
@@ -49,7 +49,7 @@ pub enum Viewpoint {
 pub(crate) struct Sight {
     base: OnceLock<Result<Base, RenderError>>,
     /// Light that was made, the last one first.
-    light: Mutex<Vec<(Lit, Arc<Lighting>)>>,
+    light: Mutex<Vec<(Lit, Lighting)>>,
     /// Where cameras in rooms are.
     corners: Mutex<BTreeMap<NodeId, Point3<f32>>>,
 }
@@ -68,6 +68,8 @@ struct Base {
     renderer: Renderer,
     snapshot: Snapshot,
     poses: Vec<(NodeId, Pose)>,
+    /// Those that are not fixed.
+    loose: BTreeSet<NodeId>,
     lit: Vec<NodeId>,
     /// Nodes with moving parts.
     jointed: Vec<NodeId>,
@@ -82,8 +84,8 @@ impl Environment {
     /// Meshes are uploaded and light is made when a picture is first asked for. Light is that of
     /// the home as it begins, made again when something was switched, or when a door between rooms,
     /// or a window comes to stand open or shut: some tenths of a second, the last few are
-    /// kept. What else moves is lit anew, and throws its light and its shadow on others from where
-    /// it stood. Optical flow needs a second moment: see
+    /// kept. What else moves is lit anew and is seen in mirrors where it is, but throws its light and
+    /// its shadow on others from where it stood. Optical flow needs a second moment: see
     /// [`render_until`](Self::render_until).
     ///
     /// # Errors
@@ -127,9 +129,9 @@ impl Environment {
         let base = self.base()?;
         let (snapshot, camera) = (self.snapshot()?, self.camera(view, width, height)?);
         let then = later.map(|l| Ok::<_, RenderError>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
-        let lighting = if wanted.has(Modality::Rgb) { Some(self.lighting()?) } else { None };
+        let lighting = if wanted.has(Modality::Rgb) { Some(self.lighting(&snapshot)?) } else { None };
         let mut shot = Shot::new(&snapshot, &camera, wanted);
-        shot.lighting = lighting.as_deref();
+        shot.lighting = lighting.as_ref();
         if let Some((snapshot, camera)) = &then {
             shot = shot.after(snapshot, camera);
         }
@@ -172,11 +174,11 @@ impl Environment {
     pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, RenderError> {
         let camera = Camera::with_fov(width, height, FIELD);
         match view {
-            Viewpoint::Free(free) => Ok(Camera { width, height, ..free }),
+            Viewpoint::Free(free) => Ok(free.resized(width, height)),
             Viewpoint::Agent(agent) => self.eyes(agent, camera).ok_or(RenderError::NoBody(agent)),
             Viewpoint::Room(room) => self.corner(room, camera),
             Viewpoint::Above(room) => {
-                let aabb = self.graph().node(room).and_then(|n| n.aabb()).ok_or(RenderError::NoBody(room))?;
+                let aabb = self.bounds_of(room)?;
                 Ok(above(camera, aabb.min, aabb.max))
             }
             Viewpoint::Overhead => {
@@ -188,8 +190,16 @@ impl Environment {
         }
     }
 
-    /// The light as it is: `Renderer::light`. It depends on nothing that was rendered before.
-    fn lighting(&self) -> Result<Arc<Lighting>, RenderError> {
+    /// The light as it is: `Renderer::light`, in which mirrors show what there is now. It depends on
+    /// nothing that was rendered before.
+    fn lighting(&self, now: &Snapshot) -> Result<Lighting, RenderError> {
+        let mut lighting = self.first_light()?;
+        lighting.follow(now)?;
+        Ok(lighting)
+    }
+
+    /// The light of the home as it began, with what is on and open now.
+    fn first_light(&self) -> Result<Lighting, RenderError> {
         let base = self.base()?;
         let stands_open = |id: &NodeId| self.world().openness(*id).is_some_and(|open| open >= AJAR);
         let open = base.openings.iter().copied().filter(stands_open).collect();
@@ -200,7 +210,9 @@ impl Environment {
             made[..=known].rotate_right(1);
             return Ok(made[0].1.clone());
         }
-        let lighting = Arc::new(base.renderer.light(&base.as_lit(&lit)?, &Daylight::noon()));
+        let mut lighting = base.renderer.light(&base.as_lit(&lit)?, &Daylight::noon());
+        // Whatever may move counts as moved from now on, so that it does not matter what moved when.
+        lighting.follow(&base.stirred(&lit)?)?;
         made.insert(0, (lit, lighting.clone()));
         made.truncate(LIGHTS);
         Ok(lighting)
@@ -209,6 +221,12 @@ impl Environment {
     fn base(&self) -> Result<&Base, RenderError> {
         let base = self.sight().base.get_or_init(|| Base::of(self));
         base.as_ref().map_err(Clone::clone)
+    }
+
+    /// The box around a room.
+    fn bounds_of(&self, room: NodeId) -> Result<Aabb, RenderError> {
+        let node = self.graph().node(room).filter(|n| n.kind() == Kind::Room);
+        node.and_then(|n| n.aabb()).ok_or(RenderError::NoBody(room))
     }
 
     fn eyes(&self, agent: NodeId, camera: Camera) -> Option<Camera> {
@@ -220,7 +238,7 @@ impl Environment {
 
     /// Of the corners of a room the one from which most things in it are seen as the home begins.
     fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError> {
-        let bounds = self.graph().node(room).and_then(|n| n.aabb()).ok_or(RenderError::NoBody(room))?;
+        let bounds = self.bounds_of(room)?;
         let (low, high, middle) = (bounds.min, bounds.max, bounds.centre());
         let target = Point3::new(middle.x, middle.y, low.z + CORNER.1);
         // A thread that panicked left nothing half done here.
@@ -275,10 +293,12 @@ impl Base {
         let poses = graph.nodes().filter(body).filter_map(|n| Some((n.id(), *n.pose()?)));
         let seen: Vec<NodeId> = snapshot.nodes().collect();
         let poses = poses.filter(|(id, _)| seen.binary_search(id).is_ok()).collect();
+        let fixed = |id: &NodeId| world.role(*id) == Some(Role::Fixed);
+        let loose = seen.iter().copied().filter(|id| !fixed(id)).collect();
         let jointed: Vec<NodeId> = world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect();
         let lets_in = |id: &NodeId| graph.node(*id).is_some_and(|n| OPENINGS.contains(&&*n.spec().category));
         let openings = jointed.iter().copied().filter(lets_in).collect();
-        Ok(Self { lit: lit(graph), renderer, snapshot, poses, jointed, openings })
+        Ok(Self { lit: lit(graph), renderer, snapshot, poses, loose, jointed, openings })
     }
 
     /// The home as it begins, with this light: what moves is where it stood, and either shut or open.
@@ -289,6 +309,21 @@ impl Base {
             snapshot.articulate(id, |joint| Some(ends(joint)[end]))?;
         }
         switch(&mut snapshot, &self.lit, &lit.on)?;
+        Ok(snapshot)
+    }
+
+    /// The same with everything that may move a little elsewhere.
+    fn stirred(&self, lit: &Lit) -> Result<Snapshot, RenderError> {
+        let mut snapshot = self.as_lit(lit)?;
+        for &id in &self.jointed {
+            let other = usize::from(!lit.open.contains(&id));
+            snapshot.articulate(id, |joint| Some(ends(joint)[other]))?;
+        }
+        for (id, pose) in &self.poses {
+            if self.loose.contains(id) {
+                snapshot.place(*id, &(Pose::translation(0.0, 0.0, 1e-3) * pose))?;
+            }
+        }
         Ok(snapshot)
     }
 }

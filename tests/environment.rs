@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
 use virtualcity::graph::format::native;
-use virtualcity::graph::{Action, Draft, Kind, NodeId, Place, Pose, Relation, SceneGraph, Seed, State, Verb};
+use virtualcity::graph::{
+    Action, Draft, Kind, NodeId, Place, Pose, Relation, SceneGraph, Seed, State, Verb, Violation,
+};
 use virtualcity::physics::Hand;
 use virtualcity::procgen::Apartment;
 use virtualcity::tasks::World as _;
@@ -57,28 +59,6 @@ fn many_random_actions() {
     assert_eq!(breaches, 0);
 }
 
-/// A camera in a room stays where it is whatever moves, and what cannot be a picture is refused.
-#[test]
-#[cfg(feature = "render")]
-fn cameras_in_rooms_are_fixed() {
-    use virtualcity::Viewpoint;
-    use virtualcity::render::Modality;
-    let mut home = home(42, 1);
-    let (me, room) = (home.agents()[0], home.graph().rooms()[0]);
-    let table = home.graph().of_class("coffee_table")[0];
-    let camera = |home: &Environment| home.camera(Viewpoint::Room(room), 64, 48).unwrap();
-    let before = camera(&home);
-    act(&mut home, me, Verb::Walk, &[table]);
-    assert_eq!(before, camera(&home));
-    // The same in an environment in which nothing was looked at before.
-    let mut other = Environment::make("apartment/42", 1).unwrap();
-    act(&mut other, me, Verb::Walk, &[table]);
-    assert_eq!(before, camera(&other));
-    for (width, height) in [(0, 0), (1, u32::MAX), (u32::MAX, u32::MAX)] {
-        assert!(home.render(Viewpoint::Room(room), Modality::Depth, width, height).is_err(), "{width} x {height}");
-    }
-}
-
 /// Of equal scenes and bodies those are not the same in which other things were done.
 #[test]
 fn digests_tell_what_was_done() {
@@ -94,27 +74,6 @@ fn digests_tell_what_was_done() {
 fn crowds_are_refused() {
     let crowd = Environment::make("apartment/42", 1_000_000_000);
     assert!(matches!(crowd, Err(MakeError::NoRoom { .. })));
-}
-
-/// What is rendered now does not depend on what was rendered before.
-#[test]
-#[cfg(feature = "render")]
-fn pictures_have_no_history() {
-    use virtualcity::Viewpoint;
-    use virtualcity::render::Modality;
-    // Two of their own: clones share what was made for pictures.
-    let (mut seen, mut unseen) = (home(42, 1), home(42, 1));
-    let (me, table) = (seen.agents()[0], seen.graph().of_class("coffee_table")[0]);
-    let door = seen.graph().of_class("door")[0];
-    let picture = |home: &Environment| home.render(Viewpoint::Overhead, Modality::Rgb, 96, 72).unwrap().rgb;
-    let mut pictures = vec![picture(&seen)];
-    for (verb, thing) in [(Verb::Walk, table), (Verb::Walk, door), (Verb::Open, door), (Verb::Close, door)] {
-        act(&mut seen, me, verb, &[thing]);
-        act(&mut unseen, me, verb, &[thing]);
-        pictures.push(picture(&seen));
-    }
-    assert!(picture(&unseen) == pictures[4]);
-    assert!(pictures[3] != pictures[4], "an open door is seen");
 }
 
 /// Plates, bowls and spoons come out with the racks, and go in again with them.
@@ -274,6 +233,61 @@ fn graphs_are_put_in_force() {
     assert!(home.world().supports(apple).contains(&table));
 }
 
+/// A reset tells what it moved, added and took away, what found no place and why, what came to rest
+/// elsewhere, and who could not sit down where the graph says.
+#[test]
+fn resets_report() {
+    let mut home = home(42, 2);
+    let (me, other) = (home.agents()[0], home.agents()[1]);
+    let start = home.start().clone();
+    let (table, sofa) = (start.of_class("coffee_table")[0], start.of_class("sofa")[0]);
+    let lamp = start.of_class("ceiling_lamp")[0];
+    let loose = |id: &NodeId| home.world().role(*id) == Some(virtualcity::physics::Role::Loose);
+    let on_table: Vec<NodeId> = start.relating(Relation::On, table).filter(loose).collect();
+    let [gone, moved] = on_table[..2] else { panic!("{on_table:?} on the table") };
+    let mut graph = start.clone();
+    let mut edit = graph.edit();
+    edit.remove(gone).unwrap();
+    // Above another spot: it falls down there.
+    let up = start.node(moved).unwrap().pose().unwrap();
+    edit.set_pose(moved, Some(Pose::translation(0.0, 0.0, 0.4) * up)).unwrap();
+    // Nothing as large as a bed is free on a coffee table, and nothing is on what has no body.
+    let bed = edit.add(Draft::new("bed")).unwrap();
+    edit.place(bed, Place { relation: Relation::On, at: table }).unwrap();
+    let idea = edit.add(Draft::new("thought")).unwrap();
+    let apple = edit.add(Draft::new("apple")).unwrap();
+    edit.place(apple, Place { relation: Relation::On, at: idea }).unwrap();
+    // One who is far away cannot sit there.
+    edit.place(other, Place { relation: Relation::SittingOn, at: sofa }).unwrap();
+    edit.enter_state(other, State::Sitting).unwrap();
+    edit.place(me, Place { relation: Relation::SittingOn, at: lamp }).unwrap();
+    edit.enter_state(me, State::Sitting).unwrap();
+    edit.commit();
+    let report = home.reset(&graph).unwrap();
+    assert_eq!((report.removed, report.added), (vec![gone], vec![bed, idea, apple]));
+    assert!(report.moved.contains(&moved) && report.moved.len() <= 2, "{:?}", report.moved);
+    let why = |id: NodeId| report.unplaced.iter().find(|u| u.thing.id == id).map(|u| u.why.clone());
+    assert!(matches!(why(bed), Some(Why::NoSpot(Relation::On, at)) if at.id == table), "{:?}", why(bed));
+    assert_eq!(why(idea), Some(Why::NoShape));
+    assert!(matches!(why(apple), Some(Why::NoSupport(at)) if at.id == idea), "{:?}", why(apple));
+    // A lamp is no seat: one stands, the graph says so, and the report says what was wanted.
+    let stands = report.elsewhere.iter().find(|e| e.thing.id == me).unwrap();
+    assert_eq!(stands.wanted, Place { relation: Relation::SittingOn, at: lamp });
+    let sits = |id: NodeId| home.graph().node(id).unwrap().is(State::Sitting);
+    let seated = |id: NodeId| home.posture(id) != Some(virtualcity::physics::Posture::Standing);
+    assert!(!sits(me) && !seated(me));
+    assert_eq!(sits(other), seated(other), "graph and body say the same of who sits on the sofa");
+    // What falls comes to lie on whatever is there.
+    let known = home.start().validate();
+    let news = home.graph().validate().into_iter().filter(|v| !known.contains(v));
+    let broken: Vec<Violation> = news.filter(|v| !matches!(v, Violation::NotASurface(..))).collect();
+    assert_eq!(broken, []);
+    // Nothing of it is left after the next one.
+    let again = home.reset(&start).unwrap();
+    assert_eq!(again, virtualcity::ResetReport::default());
+    assert_eq!(home.graph(), &start);
+}
+
 /// The same bytes in any thread, in a batch or alone, whatever the order.
 #[test]
 fn threads_change_nothing() {
@@ -325,29 +339,4 @@ fn the_planner_works_with_bodies() {
     home.step(me, &Action::zero(Verb::Dance)).unwrap();
     virtualcity::tasks::World::reset(&mut home, &start).unwrap();
     assert_eq!(home.graph(), &start);
-}
-
-/// Agents are seen by others, by every label, and what they hold is where their hand is.
-#[cfg(feature = "render")]
-#[test]
-fn agents_are_seen() {
-    use virtualcity::Viewpoint;
-    use virtualcity::render::{Modalities, Modality};
-    let mut home = home(42, 2);
-    let (me, other) = (home.agents()[0], home.agents()[1]);
-    let room = home.graph().room_of(me).unwrap();
-    let frame = home.render(Viewpoint::Room(room), Modality::Instance | Modality::Boxes | Modality::Masks, 160, 120);
-    let frame = frame.unwrap();
-    let pixels = frame.instance.iter().filter(|id| **id == me).count();
-    assert!(pixels > 30, "{pixels} pixels of the agent are seen");
-    assert!(frame.boxes.iter().any(|b| b.node == me));
-    // One does not see one's own head.
-    let own = home.render(Viewpoint::Agent(me), Modality::Instance, 160, 120).unwrap();
-    assert!(own.instance.iter().filter(|id| **id == me).count() < own.instance.len() / 10);
-    let before = home.clone();
-    act(&mut home, other, Verb::Walk, &[room]);
-    let flow = before.render_until(&home, Viewpoint::Room(room), Modalities::SIX, 160, 120).unwrap();
-    assert_eq!(flow.flow_forward.len(), 160 * 120);
-    assert!(home.render(Viewpoint::Agent(me), Modality::FlowForward, 160, 120).is_err());
-    assert!(home.render(Viewpoint::Agent(NodeId(9999)), Modality::Depth, 16, 16).is_err());
 }

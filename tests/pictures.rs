@@ -2,10 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 use virtualcity::graph::Seed;
+use virtualcity::graph::{Action, NodeId, Verb};
 use virtualcity::procgen::Apartment;
-use virtualcity::render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
+use virtualcity::render::{Camera, Daylight, Frame, Modalities, Modality, Renderer, Shot};
+use virtualcity::{Environment, Viewpoint};
 
 /// The brightness that half of the pixels have, 0 to 255, of a view across each bathroom of a home
 /// at noon, all ceiling lamps on.
@@ -39,4 +41,198 @@ fn rooms_without_windows_are_exposed_for_their_lamps() {
             assert!((30..=245).contains(&level), "home {seed}: half of a bathroom's picture is below {level}");
         }
     }
+}
+
+fn home(seed: u64, agents: usize) -> Environment {
+    Environment::make(&format!("apartment/{seed}"), agents).unwrap()
+}
+
+fn act(home: &mut Environment, agent: NodeId, verb: Verb, things: &[NodeId]) {
+    home.set_action(agent, Action::with(verb, things).unwrap()).unwrap();
+}
+
+/// A camera in a room stays where it is whatever moves, and what cannot be a picture is refused.
+#[test]
+fn cameras_in_rooms_are_fixed() {
+    let mut home = home(42, 1);
+    let (me, room) = (home.agents()[0], home.graph().rooms()[0]);
+    let table = home.graph().of_class("coffee_table")[0];
+    let camera = |home: &Environment| home.camera(Viewpoint::Room(room), 64, 48).unwrap();
+    let before = camera(&home);
+    act(&mut home, me, Verb::Walk, &[table]);
+    assert_eq!(before, camera(&home));
+    // The same in an environment in which nothing was looked at before.
+    let mut other = Environment::make("apartment/42", 1).unwrap();
+    act(&mut other, me, Verb::Walk, &[table]);
+    assert_eq!(before, camera(&other));
+    for (width, height) in [(0, 0), (1, u32::MAX), (u32::MAX, u32::MAX)] {
+        assert!(home.render(Viewpoint::Room(room), Modality::Depth, width, height).is_err(), "{width} x {height}");
+    }
+}
+
+/// What is rendered now does not depend on what was rendered before.
+#[test]
+fn pictures_have_no_history() {
+    // Two of their own: clones share what was made for pictures.
+    let (mut seen, mut unseen) = (home(42, 1), home(42, 1));
+    let (me, table) = (seen.agents()[0], seen.graph().of_class("coffee_table")[0]);
+    let door = seen.graph().of_class("door")[0];
+    let picture = |home: &Environment| home.render(Viewpoint::Overhead, Modality::Rgb, 96, 72).unwrap().rgb;
+    let mut pictures = vec![picture(&seen)];
+    for (verb, thing) in [(Verb::Walk, table), (Verb::Walk, door), (Verb::Open, door), (Verb::Close, door)] {
+        act(&mut seen, me, verb, &[thing]);
+        act(&mut unseen, me, verb, &[thing]);
+        pictures.push(picture(&seen));
+    }
+    assert!(picture(&unseen) == pictures[4]);
+    assert!(pictures[3] != pictures[4], "an open door is seen");
+}
+
+/// A corner of a room in which an agent stands, holding a book in its right hand.
+fn holding() -> (Environment, NodeId, NodeId, Camera) {
+    let home = home(42, 2);
+    let me = home.agents()[0];
+    let taken = |book: NodeId| {
+        let mut home = home.clone();
+        let mut can = |verb| home.set_action(me, Action::one(verb, book)).is_ok();
+        (can(Verb::Walk) && can(Verb::Grab)).then_some((home, book))
+    };
+    let (home, book) = home.graph().of_class("novel").iter().copied().find_map(taken).unwrap();
+    // From the side on which least is in the way.
+    let feet = home.world().pose(me).unwrap();
+    let around = [(0.9, -1.1), (0.9, 1.1), (1.2, 0.3), (0.2, -1.3), (-0.4, -1.2)];
+    let cameras = around.map(|(x, y)| {
+        let (eye, target) = (feet * Point3::new(x, y, 1.5), feet * Point3::new(0.2, 0.0, 1.0));
+        Camera::with_fov(160, 160, 1.1).looking(eye, target)
+    });
+    let seen = |camera: &Camera| {
+        let frame = home.render(Viewpoint::Free(*camera), Modality::Instance, 160, 160).unwrap();
+        let count = |id: NodeId| frame.instance.iter().filter(|seen| **seen == id).count();
+        count(me).min(50 * count(book))
+    };
+    let camera = cameras.into_iter().max_by_key(seen).unwrap();
+    (home, me, book, camera)
+}
+
+/// Agents are seen in every modality, and so is what they hold, where the hand is.
+#[test]
+fn agents_are_seen_in_every_modality() {
+    let (mut home, me, book, camera) = holding();
+    let view = Viewpoint::Free(camera);
+    let before = home.clone();
+    act(&mut home, me, Verb::Wave, &[]);
+    let room = home.graph().room_of(me).unwrap();
+    let away = home.graph().rooms().iter().copied().find(|r| *r != room).unwrap();
+    let mut gone = home.clone();
+    act(&mut gone, me, Verb::Walk, &[away]);
+    let frame = before.render_until(&gone, view, Modalities::SIX, 160, 160).unwrap();
+    let without = gone.render(view, Modality::Rgb | Modality::Depth, 160, 160).unwrap();
+    let pixels = |id: NodeId| (0..frame.instance.len()).filter(|p| frame.instance[*p] == id).collect::<Vec<usize>>();
+    let (body, held) = (pixels(me), pixels(book));
+    assert!(body.len() > 800 && held.len() > 10, "{} and {} pixels", body.len(), held.len());
+    // Its class, its depth before the room's, its colours, its way out of the picture.
+    let snapshot = home.snapshot().unwrap();
+    let class = |id: NodeId| home.graph().node(id).unwrap().class().clone();
+    let named = |p: &usize| snapshot.class(frame.class[*p]).cloned();
+    assert!(body.iter().all(|p| named(p) == Some(class(me))) && held.iter().all(|p| named(p) == Some(class(book))));
+    let nearer = body.iter().filter(|p| frame.depth[**p] < without.depth[**p]).count();
+    assert!(nearer == body.len(), "{nearer} of {} pixels are before the room", body.len());
+    let coloured = body.iter().filter(|p| frame.rgb[**p] != without.rgb[**p]).count();
+    assert!(coloured * 10 > body.len() * 9, "{coloured} of {} pixels", body.len());
+    // Flow to behind the camera is no number.
+    let stays = |p: &&usize| frame.flow_forward[**p].iter().all(|f| f.abs() < 1.0);
+    assert_eq!(body.iter().filter(stays).count(), 0);
+    // Its box and mask are those pixels'.
+    for (id, pixels) in [(me, &body), (book, &held)] {
+        let found = frame.boxes.iter().find(|b| b.node == id).unwrap();
+        assert_eq!(found.area as usize, pixels.len());
+        let mask = frame.masks().find(|m| m.node() == id).unwrap();
+        assert_eq!(mask.area() as usize, pixels.len());
+    }
+    // The hand is at the book: some of their pixels are neighbours.
+    let beside = |p: &usize| [p.wrapping_sub(1), p + 1, p.wrapping_sub(160), p + 160];
+    assert!(held.iter().any(|p| beside(p).iter().any(|n| frame.instance.get(*n) == Some(&me))));
+}
+
+/// What large things one holds are before the body and not in it.
+#[test]
+fn what_is_held_is_not_in_the_body() {
+    let (home, ..) = holding();
+    let me = home.agents()[1];
+    let large = home.graph().nodes().filter(|n| n.affords(virtualcity::graph::Property::Graspable));
+    let size = |id: NodeId| home.world().aabb(id).map(|b| (b.max - b.min).xy().norm());
+    let mut large: Vec<(NodeId, f32)> = large.filter_map(|n| Some((n.id(), size(n.id())?))).collect();
+    large.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let mut held = 0;
+    for (id, _) in large.into_iter().take(40) {
+        let mut home = home.clone();
+        let walked = home.set_action(me, Action::one(Verb::Walk, id)).is_ok();
+        if !walked || home.set_action(me, Action::one(Verb::Grab, id)).is_err() {
+            continue;
+        }
+        held += 1;
+        let (feet, bounds) = (home.world().pose(me).unwrap(), home.world().aabb(id).unwrap());
+        let axis = feet * Point3::new(0.0, 0.0, 1.0);
+        let ahead = feet.inverse_transform_point(&bounds.centre()).x;
+        // The box along the world's axes is larger than the thing where the agent stands askew.
+        let off = (bounds.nearest(&axis) - axis).norm();
+        assert!(off > 0.1 && ahead > 0.2, "{} is {off} m from the middle of the body", home.graph().label(id));
+    }
+    assert!(held > 5, "{held} of forty large things can be held");
+}
+
+/// Above a room one sees its floor and things and no ceiling; a camera of one's own shows the same
+/// at every size; what is no agent or room has no camera.
+#[test]
+fn cameras_are_anywhere() {
+    let home = home(42, 1);
+    let me = home.agents()[0];
+    let room = home.graph().room_of(me).unwrap();
+    let seen = |view: Viewpoint, width: u32, height: u32| {
+        let frame = home.render(view, Modality::Instance, width, height).unwrap();
+        let mut all: Vec<NodeId> = frame.instance.clone();
+        all.sort_unstable();
+        all.dedup();
+        (frame, all)
+    };
+    let (_, above) = seen(Viewpoint::Above(room), 160, 120);
+    let things = |all: &[NodeId]| all.iter().filter(|id| home.graph().room_of(**id) == Some(room)).count();
+    assert!(above.contains(&me) && things(&above) > 10, "{above:?}");
+    assert!(above.iter().all(|id| home.graph().node(*id).is_none_or(|n| &**n.class() != "ceiling")));
+    let (_, all) = seen(Viewpoint::Overhead, 240, 180);
+    assert!(all.len() > above.len());
+    let camera = home.camera(Viewpoint::Agent(me), 128, 96).unwrap();
+    let (large, small) = (seen(Viewpoint::Free(camera), 128, 96).0, seen(Viewpoint::Free(camera), 64, 48).0);
+    let at = |frame: &Frame, x: usize, y: usize| frame.instance[y * frame.width + x];
+    let same = (0..64 * 48).filter(|i| at(&small, i % 64, i / 64) == at(&large, 2 * (i % 64), 2 * (i / 64))).count();
+    assert!(same * 10 > 64 * 48 * 9, "{same} of {} pixels", 64 * 48);
+    for nobody in [Viewpoint::Agent(NodeId(9999)), Viewpoint::Room(me), Viewpoint::Above(NodeId(9999))] {
+        assert!(home.render(nobody, Modality::Depth, 16, 16).is_err(), "{nobody:?}");
+    }
+    assert!(home.render(Viewpoint::Agent(me), Modality::FlowForward, 16, 16).is_err());
+    // One does not see one's own head.
+    let (own, _) = seen(Viewpoint::Agent(me), 160, 120);
+    assert!(own.instance.iter().filter(|id| **id == me).count() < own.instance.len() / 10);
+}
+
+/// Who steps before a mirror is seen in it.
+#[test]
+fn mirrors_show_the_home_as_it_is() {
+    let mut home = home(8, 1);
+    let me = home.agents()[0];
+    let mut seen = 0;
+    for mirror in home.graph().of_class("mirror").to_vec() {
+        let away = home.clone();
+        act(&mut home, me, Verb::Walk, &[mirror]);
+        let (at, facing) = (home.world().aabb(mirror).unwrap().centre(), home.world().pose(mirror).unwrap().rotation);
+        for side in [-1.2_f32, -0.8, -0.4, 0.0, 0.4, 0.8, 1.2] {
+            let eye = at + facing * Vector3::new(1.1, side, 0.1);
+            let view = Viewpoint::Free(Camera::with_fov(96, 72, 1.0).looking(eye, at));
+            let picture = |home: &Environment| home.render(view, Modality::Rgb | Modality::Instance, 96, 72).unwrap();
+            let (before, now) = (picture(&away), picture(&home));
+            let within = |p: &usize| now.instance[*p] == mirror && before.instance[*p] == mirror;
+            seen += (0..96 * 72).filter(within).filter(|p| before.rgb[*p] != now.rgb[*p]).count();
+        }
+    }
+    assert!(seen > 50, "in {seen} pixels of mirrors somebody is seen");
 }

@@ -42,7 +42,7 @@ impl World {
     /// # Errors
     /// As [`World::build`].
     pub fn reset(&self, graph: &SceneGraph, shapes: &Shapes) -> Result<(Self, Reset), PhysicsError> {
-        let Some(plan) = self.plan(graph) else {
+        let Some(mut plan) = self.plan(graph) else {
             let world = Self::build(graph, shapes, self.settings)?;
             return Ok((world, Reset { built: true, ..Reset::default() }));
         };
@@ -55,7 +55,15 @@ impl World {
             }
         }
         world.give_roles(graph, &plan.moved)?;
-        plan.inserted.iter().try_for_each(|&id| world.insert(graph, id, shapes))?;
+        for id in std::mem::take(&mut plan.inserted) {
+            match world.insert(graph, id, shapes) {
+                Ok(()) => plan.inserted.push(id),
+                // What has neither pose nor shape is passed over, as where a world is built.
+                Err(PhysicsError::NoBody(_)) => world.skipped.push(id),
+                Err(error) => return Err(error),
+            }
+        }
+        world.skipped.sort_unstable();
         for &id in &plan.turned {
             let open = graph.node(id).is_some_and(|n| n.is(vc_graph::State::Open));
             world.put_all_open(id, if open { 1.0 } else { 0.0 })?;

@@ -82,6 +82,15 @@ impl Camera {
         self.looking(at + Vector3::new(0.0, 0.0, up), at)
     }
 
+    /// The same view in another number of pixels: what was at the border is at the border.
+    #[must_use]
+    pub fn resized(self, width: u32, height: u32) -> Self {
+        let across = width as f32 / self.width.max(1) as f32;
+        let down = height as f32 / self.height.max(1) as f32;
+        let scaled = |(x, y): (f32, f32)| (x * across, y * down);
+        Self { width, height, focal: scaled(self.focal), centre: scaled(self.centre), ..self }
+    }
+
     /// Where a point of the world is in the image: pixels across and down, and depth
     /// along the axis in metres. None if it is nearer than the near plane.
     pub fn project(&self, point: &Point3<f32>) -> Option<Point3<f32>> {

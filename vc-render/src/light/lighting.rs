@@ -1,5 +1,7 @@
 //! The light in a scene, made once and kept while nothing moves that matters.
 
+use std::sync::Arc;
+
 use nalgebra::Point3;
 
 use super::ambient::Ambient;
@@ -16,17 +18,18 @@ use crate::trace::Tracer;
 
 /// Light in a scene at one moment: shadow maps of the sun and the lamps that are on, and
 /// the light that rooms throw back. Made by [`Renderer::light`], good for any number
-/// of cameras; when lamps are switched, or doors, blinds and large things move, [`Renderer::relight`]
+/// of cameras, cheap to clone; when lamps are switched, or doors, blinds and large things move, [`Renderer::relight`]
 /// brings it up to date.
 #[derive(Debug, Clone)]
 pub struct Lighting {
     pub(crate) daylight: Daylight,
     pub(crate) tracer: Tracer,
-    pub(crate) sun: Option<ShadowMap>,
-    pub(crate) lamps: Vec<Lamp>,
+    // What is large is shared by clones.
+    pub(crate) sun: Option<Arc<ShadowMap>>,
+    pub(crate) lamps: Arc<Vec<Lamp>>,
     /// By body: what its glow and its shade's glow are multiplied with.
     gains: Vec<[f32; 2]>,
-    pub(super) grids: Vec<Grid>,
+    pub(super) grids: Arc<Vec<Grid>>,
     /// Boxes of rooms, to tell in which an eye is.
     rooms: Vec<([f32; 3], [f32; 3])>,
 }
@@ -48,9 +51,9 @@ impl Renderer {
             daylight: *daylight,
             tracer: Tracer::new(snapshot),
             sun: None,
-            lamps: Vec::new(),
+            lamps: Arc::default(),
             gains: Vec::new(),
-            grids: Vec::new(),
+            grids: Arc::default(),
             rooms: Vec::new(),
         };
         self.shine(&mut lighting);
@@ -71,7 +74,7 @@ impl Renderer {
         lighting.tracer.follow(snapshot)?;
         if moved {
             lighting.sun = None;
-            lighting.lamps.clear();
+            lighting.lamps = Arc::default();
         }
         self.shine(lighting);
         Ok(())
@@ -83,11 +86,12 @@ impl Renderer {
         let (gains, lamps) = lamps(self, snapshot, &lighting.lamps);
         if lighting.sun.is_none() && daylight.sun.norm() > 0.0 {
             let (middle, radius) = ball(snapshot);
-            lighting.sun = Some(ShadowMap::sun(self, snapshot, daylight.towards_sun, middle, radius));
+            let map = ShadowMap::sun(self, snapshot, daylight.towards_sun, middle, radius);
+            lighting.sun = Some(Arc::new(map));
         }
         lighting.rooms = rooms(snapshot);
-        (lighting.gains, lighting.lamps) = (gains, lamps);
-        lighting.grids = room::grids(self, lighting);
+        (lighting.gains, lighting.lamps) = (gains, Arc::new(lamps));
+        lighting.grids = Arc::new(room::grids(self, lighting));
     }
 }
 

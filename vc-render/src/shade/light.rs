@@ -115,7 +115,7 @@ impl<'a> Lamps<'a> {
             batch.load(self, (lattice, planes), known, (start, spots));
             batch.around(self);
             batch.sun(self.lighting, self.open.is_none());
-            for lamp in &self.lighting.lamps {
+            for lamp in &*self.lighting.lamps {
                 if batch.rooms[..batch.count].contains(&lamp.room) {
                     batch.lamp(lamp, self.open.is_none());
                 }

@@ -1,5 +1,7 @@
 //! Triangles of one kind: those that stand in one tree, what has moved since in trees of its own.
 
+use std::sync::Arc;
+
 use pulp::{Simd, WithSimd};
 
 use super::build::over;
@@ -11,9 +13,9 @@ use crate::scene::{Instance, turned};
 /// Solid triangles, or clear ones.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Layer {
-    standing: Bvh,
+    standing: Arc<Bvh>,
     /// By number in that tree.
-    origins: Vec<Origin>,
+    origins: Arc<Vec<Origin>>,
     /// Nodes over the instances that have moved.
     moving: Vec<Node>,
     /// Whether it is of clear triangles.
@@ -71,13 +73,13 @@ impl Layer {
                 origins.push(Origin { instance, triangle, part: mesh.faces[triangle as usize].part });
             }
         }
-        Self { standing: Bvh::build(&corners), origins, moving: Vec::new(), clear }
+        Self { standing: Arc::new(Bvh::build(&corners)), origins: Arc::new(origins), moving: Vec::new(), clear }
     }
 
     /// Takes instances out of the tree of what stands.
     pub(super) fn loosen(&mut self, gone: &[bool]) {
         let origins = &self.origins;
-        self.standing.remove(|number| gone[origins[number as usize].instance as usize]);
+        Arc::make_mut(&mut self.standing).remove(|number| gone[origins[number as usize].instance as usize]);
     }
 
     /// Puts the nodes over what moves to where it is.
