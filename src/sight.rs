@@ -7,7 +7,7 @@ use nalgebra::Point3;
 use vc_graph::asset::Joint;
 use vc_graph::{Aabb, Asset, Kind, NodeId, Pose, SceneGraph, State};
 use vc_physics::{Role, World};
-use vc_render::{Camera, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
+use vc_render::{Camera, Coat, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
 use crate::Environment;
 use crate::figure::Bone;
@@ -68,7 +68,9 @@ struct Base {
     renderer: Renderer,
     snapshot: Snapshot,
     poses: Vec<(NodeId, Pose)>,
-    /// Those that are not fixed.
+    /// Whatever can be seen.
+    seen: Vec<NodeId>,
+    /// What of it is not fixed.
     loose: BTreeSet<NodeId>,
     lit: Vec<NodeId>,
     /// Nodes with moving parts.
@@ -155,6 +157,12 @@ impl Environment {
             }
         }
         switch(&mut snapshot, &base.lit, &lit(self.graph()))?;
+        for node in &base.seen {
+            // Dirt comes and goes.
+            if let Some(node) = self.graph().node(*node) {
+                snapshot.coat(node.id(), Coat::of(node))?;
+            }
+        }
         for id in &base.jointed {
             let asset = asset_of(self.graph(), *id);
             snapshot.articulate(*id, |joint| position(self.world(), *id, asset?, joint))?;
@@ -298,7 +306,7 @@ impl Base {
         let jointed: Vec<NodeId> = world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect();
         let lets_in = |id: &NodeId| graph.node(*id).is_some_and(|n| OPENINGS.contains(&&*n.spec().category));
         let openings = jointed.iter().copied().filter(lets_in).collect();
-        Ok(Self { lit: lit(graph), renderer, snapshot, poses, loose, jointed, openings })
+        Ok(Self { lit: lit(graph), renderer, snapshot, poses, seen, loose, jointed, openings })
     }
 
     /// The home as it begins, with this light: what moves is where it stood, and either shut or open.

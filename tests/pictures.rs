@@ -4,7 +4,7 @@
 
 use nalgebra::{Point3, Vector3};
 use virtualcity::graph::Seed;
-use virtualcity::graph::{Action, NodeId, Verb};
+use virtualcity::graph::{Action, NodeId, State, Verb};
 use virtualcity::procgen::Apartment;
 use virtualcity::render::{Camera, Daylight, Frame, Modalities, Modality, Renderer, Shot};
 use virtualcity::{Environment, Viewpoint};
@@ -235,4 +235,31 @@ fn mirrors_show_the_home_as_it_is() {
         }
     }
     assert!(seen > 50, "in {seen} pixels of mirrors somebody is seen");
+}
+
+/// What is dirty looks so, until it is washed.
+#[test]
+fn dirt_is_seen() {
+    let mut home = home(42, 1);
+    let me = home.agents()[0];
+    let table = home.graph().of_class("coffee_table")[0];
+    act(&mut home, me, Verb::Walk, &[table]);
+    let bounds = home.world().aabb(table).unwrap();
+    let eye = bounds.centre() + Vector3::new(0.4, 0.3, 1.2);
+    let view = Viewpoint::Free(Camera::with_fov(64, 48, 0.9).looking(eye, bounds.centre()));
+    let brightness = |home: &Environment| {
+        let frame = home.render(view, Modality::Rgb | Modality::Instance, 64, 48).unwrap();
+        let pixels = (0..64 * 48).filter(|p| frame.instance[*p] == table);
+        pixels.map(|p| frame.rgb[p].iter().map(|c| u32::from(*c)).sum::<u32>()).sum::<u32>()
+    };
+    let clean = brightness(&home);
+    let mut dirty = home.graph().clone();
+    let mut edit = dirty.edit();
+    edit.enter_state(table, State::Dirty).unwrap();
+    edit.commit();
+    home.reset(&dirty).unwrap();
+    let soiled = brightness(&home);
+    assert!(soiled * 10 < clean * 9, "{soiled} against {clean}");
+    act(&mut home, me, Verb::Wash, &[table]);
+    assert_eq!(brightness(&home), clean);
 }

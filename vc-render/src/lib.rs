@@ -29,5 +29,6 @@ pub use modality::{Modalities, Modality};
 pub use photo::{Exposure, Photograph};
 pub use renderer::Renderer;
 pub use scene::Snapshot;
+pub use surface::Coat;
 pub use trace::{RayCaster, RayHit};
 pub use view::{Shot, View};

@@ -8,6 +8,7 @@ use vc_graph::{NodeId, Pose};
 
 use crate::affine::{Affine, Narrow};
 use crate::mesh::{Bounds, Link};
+use crate::surface::Coat;
 
 /// Room of what is in none.
 pub(crate) const NO_ROOM: u16 = u16::MAX;
@@ -43,6 +44,8 @@ pub(crate) struct Instance {
     pub(crate) inverse: Narrow,
     /// Whether the map turns triangles over.
     pub(crate) mirrored: bool,
+    /// What lies on it.
+    pub(crate) coat: Coat,
 }
 
 impl Instance {

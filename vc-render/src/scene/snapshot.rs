@@ -1,6 +1,7 @@
 //! A scene at one moment.
 
 use std::collections::HashMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 use vc_graph::asset::Joint;
@@ -10,6 +11,7 @@ use super::{Body, Instance, NO_ROOM, Store};
 use crate::RenderError;
 use crate::affine::Affine;
 use crate::mesh::Link;
+use crate::surface::Coat;
 
 /// Everything that can be seen of a scene at one moment: which meshes are where,
 /// which lamps are on.
@@ -148,6 +150,28 @@ impl Snapshot {
         Ok(())
     }
 
+    /// Says what lies on a body; a graph's states are there from the beginning, as [`Coat::of`] has them.
+    ///
+    /// ```
+    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// use vc_render::{Coat, Renderer};
+    /// let mut scene = SceneBuilder::new("table");
+    /// let plate = Draft::new("plate").bounds(Bounds::standing([0.2, 0.2, 0.02].into()));
+    /// let plate = scene.add(plate.at(Pose::identity()))?;
+    /// let mut snapshot = Renderer::new().snapshot(&scene.build())?;
+    /// snapshot.coat(plate, Coat { colour: [0.1, 0.05, 0.02], share: 0.5, roughness: 1.0 })?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RenderError::NoBody`].
+    pub fn coat(&mut self, node: NodeId, coat: Coat) -> Result<(), RenderError> {
+        let index = self.body(node)?;
+        let Range { start, end } = self.bodies[index].instances;
+        self.instances[start as usize..end as usize].iter_mut().for_each(|instance| instance.coat = coat.sound());
+        Ok(())
+    }
+
     /// The name of a class number.
     pub fn class(&self, number: u16) -> Option<&Arc<str>> {
         self.classes.get(usize::from(number))
@@ -192,8 +216,8 @@ fn instance(
         let told = joint(node.id(), &j).filter(|p| p.is_finite());
         told.unwrap_or_else(|| if node.is(State::Open) { opened(&j) } else { closed(&j) })
     });
-    let mut instance =
-        Instance { link, body, joint: position, world: Affine::IDENTITY, inverse: [[0.0; 4]; 3], mirrored: false };
+    let (world, inverse, coat) = (Affine::IDENTITY, [[0.0; 4]; 3], Coat::of(node));
+    let mut instance = Instance { link, body, joint: position, world, inverse, mirrored: false, coat };
     instance.put(pose, scale).then_some(instance)
 }
 

@@ -1,5 +1,6 @@
 //! What light does at a surface: its material and its texture.
 
+mod coat;
 mod noise;
 mod pattern;
 mod picture;
@@ -10,6 +11,7 @@ use std::sync::Arc;
 
 use vc_graph::asset::{Material, Part};
 
+pub use coat::Coat;
 pub(crate) use pattern::Pattern;
 pub(crate) use picture::Picture;
 pub(crate) use tile::{SPAN, Span, Tile};

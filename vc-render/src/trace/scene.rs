@@ -181,6 +181,12 @@ impl Met<'_> {
 
     /// The surface close up; `footprint` is the width seen there, metres.
     pub(crate) fn look(&self, surface: &Surface, footprint: f32) -> Look {
+        let (coat, look) = (&self.instance.coat, self.bare(surface, footprint));
+        Look { colour: coat.over(look.colour), roughness: coat.rough(look.roughness), ..look }
+    }
+
+    /// The surface below what lies on it.
+    fn bare(&self, surface: &Surface, footprint: f32) -> Look {
         if let Some(picture) = &surface.picture {
             let shown = self.shown(picture, footprint);
             let colour = three(|i| surface.colour[i] * shown[i]);

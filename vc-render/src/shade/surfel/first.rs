@@ -5,11 +5,12 @@ use crate::affine;
 use crate::label::{Bent, bent};
 use crate::mesh::Face;
 use crate::shade::texture::Texture;
-use crate::surface::{Pattern, Role, Surface, Tile};
+use crate::surface::{Coat, Pattern, Role, Surface, Tile};
 
 impl Paint {
-    fn new(look: u32, of: &Surface, texture: Option<Texture>) -> Self {
-        Self { look, colour: of.colour, roughness: of.roughness, metallic: of.metallic, texture }
+    fn new(look: u32, (of, coat): (&Surface, &Coat), texture: Option<Texture>) -> Self {
+        let (colour, roughness) = (coat.over(of.colour), coat.rough(of.roughness));
+        Self { look, colour, roughness, metallic: of.metallic, texture }
     }
 }
 
@@ -37,7 +38,7 @@ impl Writer<'_> {
             let uvs = mesh.uvs.get(visible.index()).copied().unwrap_or_default();
             let back = known.maps(visible.instance, instances, &self.frustum)[1];
             let texture = Texture::picture(picture, (corners, uvs), (&back, &instance.world.narrow()));
-            return known.paint(triangle, Paint::new(number, surface, Some(texture)));
+            return known.paint(triangle, Paint::new(number, (surface, &instance.coat), Some(texture)));
         }
         let built = matches!(surface.role, Role::Built | Role::Floor);
         let plain = surface.pattern == Pattern::Plain;
@@ -53,7 +54,8 @@ impl Writer<'_> {
                 };
                 Texture::tile(Tile::of(surface.pattern), (u, v), (&back, &axes))
             });
-            known.looks[look as usize].paints[way] = known.paint(triangle, Paint::new(number, surface, texture));
+            known.looks[look as usize].paints[way] =
+                known.paint(triangle, Paint::new(number, (surface, &instance.coat), texture));
         }
         let paint = known.looks[look as usize].paints[way];
         known.triangles[triangle as usize] = paint;
