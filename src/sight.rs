@@ -5,11 +5,12 @@ use std::sync::{Arc, Mutex, OnceLock};
 
 use nalgebra::Point3;
 use vc_graph::asset::Joint;
-use vc_graph::{Aabb, Asset, Kind, NodeId, Pose, SceneGraph, State};
+use vc_graph::{Aabb, Kind, NodeId, Pose, SceneGraph, State};
 use vc_physics::{Role, World};
 use vc_render::{Camera, Coat, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
 use crate::Environment;
+use crate::environment::position;
 use crate::figure::Bone;
 
 /// Vertical field of view of eyes and of cameras in rooms, radians.
@@ -164,8 +165,7 @@ impl Environment {
             }
         }
         for id in &base.jointed {
-            let asset = asset_of(self.graph(), *id);
-            snapshot.articulate(*id, |joint| position(self.world(), *id, asset?, joint))?;
+            snapshot.articulate(*id, |joint| position(self.graph(), self.world(), *id, joint))?;
         }
         for &agent in self.agents() {
             if let Some(skeleton) = self.skeleton(agent) {
@@ -296,7 +296,7 @@ impl Base {
     fn of(environment: &Environment) -> Result<Self, RenderError> {
         let (graph, world) = environment.origin();
         let mut renderer = Renderer::new();
-        let snapshot = renderer.snapshot_with(graph, |id, joint| position(world, id, asset_of(graph, id)?, joint))?;
+        let snapshot = renderer.snapshot_with(graph, |id, joint| position(graph, world, id, joint))?;
         let body = |n: &&vc_graph::Node| n.kind() != Kind::Room;
         let poses = graph.nodes().filter(body).filter_map(|n| Some((n.id(), *n.pose()?)));
         let seen: Vec<NodeId> = snapshot.nodes().collect();
@@ -351,22 +351,6 @@ fn switch(snapshot: &mut Snapshot, before: &[NodeId], now: &[NodeId]) -> Result<
 fn ends(joint: &Joint) -> [f32; 2] {
     let (low, high) = joint.limits;
     if low.abs() <= high.abs() { [low, high] } else { [high, low] }
-}
-
-fn asset_of(graph: &SceneGraph, id: NodeId) -> Option<&Asset> {
-    graph.assets().get(graph.node(id)?.spec().asset?).map(Arc::as_ref)
-}
-
-/// Where a joint of a node is, by the bodies.
-fn position(world: &World, id: NodeId, asset: &Asset, joint: &Joint) -> Option<f32> {
-    let mut joints: Vec<&Joint> = Vec::new();
-    for own in asset.parts.iter().filter_map(|p| p.joint.as_ref()) {
-        if !joints.contains(&own) {
-            joints.push(own);
-        }
-    }
-    let index = joints.iter().position(|own| *own == joint)?;
-    world.moving_parts(id).get(index).map(|part| part.position)
 }
 
 /// Straight down on a box, cut open below the ceiling.

@@ -288,6 +288,35 @@ fn resets_report() {
     assert_eq!(home.graph(), &start);
 }
 
+/// Of a glTF file, how the nodes below the node of a name are turned: the scalars of their rotations.
+fn turns(file: &[u8], name: &str) -> Vec<f64> {
+    let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
+    let document: serde_json::Value = serde_json::from_slice(&file[20..20 + length]).unwrap();
+    let nodes = document["nodes"].as_array().unwrap();
+    let node = nodes.iter().find(|n| n["name"] == name).unwrap();
+    let children = node["children"].as_array().unwrap().iter().map(|child| &nodes[child.as_u64().unwrap() as usize]);
+    children.map(|n| n["rotation"][3].as_f64().unwrap_or(1.0).abs()).collect()
+}
+
+/// In the glTF of a home doors are as far open as they are, and people sit who do.
+#[test]
+fn homes_are_exported_as_they_are() {
+    let mut home = home(42, 1);
+    let (me, fridge) = (home.agents()[0], home.graph().of_class("fridge")[0]);
+    let names = [fridge, me].map(|id| home.graph().label(id).to_string());
+    let before = home.gltf().unwrap();
+    let sofa = home.graph().of_class("sofa")[0];
+    for (verb, thing) in [(Verb::Walk, fridge), (Verb::Open, fridge), (Verb::Walk, sofa), (Verb::Sit, sofa)] {
+        act(&mut home, me, verb, &[thing]);
+    }
+    let now = home.gltf().unwrap();
+    for name in names {
+        let (was, is) = (turns(&before, &name), turns(&now, &name));
+        let turned = was.iter().zip(&is).filter(|(a, b)| (*a - *b).abs() > 0.1).count();
+        assert!(turned >= 2, "{name}: {was:?}, then {is:?}");
+    }
+}
+
 /// The same bytes in any thread, in a batch or alone, whatever the order.
 #[test]
 fn threads_change_nothing() {

@@ -5,6 +5,7 @@ mod agree;
 mod beat;
 mod deed;
 mod error;
+mod export;
 mod feasible;
 mod make;
 mod observe;
@@ -25,6 +26,8 @@ use vc_relations::Relations;
 pub use agree::{Difference, Disagreement};
 use error::ShapesError;
 pub use error::{ActionError, Impossible, MakeError, ResetError, SaveError};
+#[cfg(feature = "render")]
+pub(crate) use export::position;
 pub use reset::{Elsewhere, ResetReport, Unplaced, Why};
 pub use steer::Steering;
 

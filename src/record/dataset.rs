@@ -39,6 +39,6 @@ impl Dataset {
     pub(super) fn end(&self, home: &Environment) -> Result<(), RecordError> {
         let named: Vec<(&str, &Frame)> = self.frames.iter().map(|(name, frame)| (&**name, frame)).collect();
         save(&self.folder.join("annotations.json"), coco(&named, &home.snapshot()?)?.as_bytes())?;
-        save(&self.folder.join("scene.glb"), &vc_procgen::gltf::scene(home.graph())?)
+        save(&self.folder.join("scene.glb"), &home.gltf()?)
     }
 }

@@ -80,8 +80,7 @@ pub struct RecordOptions {
     pub width: u32,
     /// Whether a dataset is written as well: each picture from the agent's eyes as a PNG in
     /// `frames`, boxes and masks of all that is seen in them as a COCO document for
-    /// `pycocotools`, `annotations.json`, and the scene of the end as glTF, `scene.glb`, in
-    /// which doors are shut and people stand.
+    /// `pycocotools`, `annotations.json`, and the home as it is in the end as glTF, `scene.glb`.
     pub dataset: bool,
 }
 

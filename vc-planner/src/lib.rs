@@ -30,6 +30,10 @@ mod trip;
 mod want;
 mod weigh;
 
+// What scenes and tasks are made of, so that one crate is enough to begin with.
+pub use vc_graph as graph;
+pub use vc_tasks as tasks;
+
 pub use agent::{Agent, Decision};
 pub use belief::{Belief, Learned};
 pub use episode::{Episode, Run, Step, Summary, run_episode};

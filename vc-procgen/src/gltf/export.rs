@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 use vc_graph::asset::{Joint, Surface};
-use vc_graph::{Asset, AssetId, AssetLibrary, Node, SceneGraph};
+use vc_graph::{Asset, AssetId, AssetLibrary, Node, NodeId, Pose, SceneGraph};
 
 use super::GltfError;
 use super::document as json;
@@ -82,6 +82,20 @@ pub fn scene(graph: &SceneGraph) -> Result<Vec<u8>, GltfError> {
 /// # Errors
 /// As [`scene`].
 pub fn staged_scene(graph: &SceneGraph, stage: &Stage) -> Result<Vec<u8>, GltfError> {
+    posed_scene(graph, stage, |_, _| None)
+}
+
+/// The same with joints where they are: `moved` gives for a node and a joint how far what hangs on it
+/// has moved from where the asset has it, in the asset's frame, as [`Joint::motion`] does; `None`
+/// leaves it there.
+///
+/// # Errors
+/// As [`scene`].
+pub fn posed_scene(
+    graph: &SceneGraph,
+    stage: &Stage,
+    mut moved: impl FnMut(NodeId, &Joint) -> Option<Pose>,
+) -> Result<Vec<u8>, GltfError> {
     let library = graph.assets();
     let mut writer = Writer::new(library, TOLERANCE);
     let mut shared: BTreeMap<AssetId, Vec<Link>> = BTreeMap::new();
@@ -92,7 +106,7 @@ pub fn staged_scene(graph: &SceneGraph, stage: &Stage) -> Result<Vec<u8>, GltfEr
             let asset = library.get(id).ok_or(GltfError::NoSuchAsset(id))?;
             vacant.insert(writer.links(asset)?);
         }
-        children.extend(placed(&mut writer, node, &shared[&id]));
+        children.extend(placed(&mut writer, node, &shared[&id], &mut moved));
     }
     children.extend(super::stage::write(&mut writer, stage));
     let root = json::Node { name: graph.name().to_owned(), rotation: Some(UPRIGHT), children, ..json::Node::default() };
@@ -100,11 +114,22 @@ pub fn staged_scene(graph: &SceneGraph, stage: &Stage) -> Result<Vec<u8>, GltfEr
     writer.finish(graph.name(), vec![root])
 }
 
-fn placed(writer: &mut Writer<'_>, node: &Node, links: &[Link]) -> Option<usize> {
+fn placed(
+    writer: &mut Writer<'_>,
+    node: &Node,
+    links: &[Link],
+    moved: &mut dyn FnMut(NodeId, &Joint) -> Option<Pose>,
+) -> Option<usize> {
     let pose = node.pose()?;
     let mut children = Vec::new();
     for link in links {
-        children.extend(link.joint.map(|joint| writer.node(link_node(link, &joint, Vec::new()))));
+        let Some(joint) = link.joint else { continue };
+        let mut own = link_node(link, &joint, Vec::new());
+        if let Some(moved) = moved(node.id(), &joint) {
+            own.translation = Some((moved * joint.anchor).into());
+            own.rotation = Some(moved.rotation.coords.into());
+        }
+        children.push(writer.node(own));
     }
     let note = NodeNote { class: Some(node.class().to_string()), ..NodeNote::default() };
     let scale = node.spec().scale;

@@ -77,6 +77,6 @@ mod stage;
 mod write;
 
 pub use error::GltfError;
-pub use export::{TOLERANCE, asset, asset_of_class, scene, staged_scene};
+pub use export::{TOLERANCE, asset, asset_of_class, posed_scene, scene, staged_scene};
 pub use import::{Imported, Options, Size, read};
 pub use stage::{LightPlace, Stage, StageCamera, StageLight};

@@ -1,0 +1,48 @@
+//! The home as it is, for other programs.
+
+use vc_graph::asset::Joint;
+use vc_graph::{NodeId, Pose, SceneGraph};
+use vc_physics::World;
+use vc_procgen::gltf::{GltfError, Stage, posed_scene};
+
+use super::Environment;
+use crate::figure::Bone;
+
+impl Environment {
+    /// The home as it is now as binary glTF (`.glb`): everything where it is, doors and drawers as far
+    /// open as they are, people as they stand or sit. Metres, Y up, as glTF has it. Takes some hundredths of a
+    /// second: `vc_procgen::gltf::posed_scene`.
+    ///
+    /// ```no_run
+    /// let home = virtualcity::Environment::make("apartment/42", 1)?;
+    /// std::fs::write("home.glb", home.gltf()?)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`GltfError`] if a node's shape is not in the library, or all is too large for a file.
+    pub fn gltf(&self) -> Result<Vec<u8>, GltfError> {
+        posed_scene(&self.graph, &Stage::default(), |id, joint| self.moved(id, joint))
+    }
+
+    /// How far what hangs on a joint has moved: a limb, a door, a drawer.
+    fn moved(&self, id: NodeId, joint: &Joint) -> Option<Pose> {
+        match self.skeleton(id) {
+            Some(skeleton) => Some(skeleton.motion(Bone::of(joint)?)),
+            None => Some(joint.motion(position(&self.graph, &self.world, id, joint)?)),
+        }
+    }
+}
+
+/// Where a joint of a node is, by the bodies.
+pub(crate) fn position(graph: &SceneGraph, world: &World, id: NodeId, joint: &Joint) -> Option<f32> {
+    let asset = graph.assets().get(graph.node(id)?.spec().asset?)?;
+    let mut joints: Vec<&Joint> = Vec::new();
+    for own in asset.parts.iter().filter_map(|p| p.joint.as_ref()) {
+        if !joints.contains(&own) {
+            joints.push(own);
+        }
+    }
+    let index = joints.iter().position(|own| *own == joint)?;
+    world.moving_parts(id).get(index).map(|part| part.position)
+}
