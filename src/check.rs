@@ -2,10 +2,19 @@
 
 use vc_graph::{Action, Kind, NodeId, SceneGraph, Seed, Stream, Verb, Violation, Word, rule};
 
+use crate::Batch;
 use crate::environment::{ActionError, Environment, MakeError};
+#[cfg(feature = "render")]
+use crate::{Viewpoint, render::Modality};
 
 /// Actions that are shown in time.
 const SHOWN: usize = 4;
+
+/// How many are in a batch.
+const BATCH: usize = 3;
+/// Pixels of pictures, across and down.
+#[cfg(feature = "render")]
+const PICTURE: (u32, u32) = (64, 48);
 
 /// Something an environment does that it should not.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -46,6 +55,15 @@ pub enum Breach {
         /// Which action.
         action: String,
     },
+    /// To render changed something, or the same moment does not look the same twice.
+    #[error("a picture changed the environment, or is another the second time")]
+    ImpureRender,
+    /// It could not be rendered.
+    #[error("it cannot be rendered: {0}")]
+    NotRendered(String),
+    /// In a batch an environment goes on otherwise than alone.
+    #[error("in a batch it goes on otherwise than alone")]
+    BatchDiffers,
     /// A saved environment does not go on as the original does.
     #[error("a restored environment differs after {actions} more actions")]
     RestoredDiffers {
@@ -92,10 +110,10 @@ pub struct Tally {
 }
 
 /// Checks the contract of an environment, as Gymnasium's checker does: the same seed gives
-/// the same bytes, to observe changes nothing, an action that is not done changes nothing,
-/// the order of a list of actions does not matter, what is saved and restored goes on as
-/// what was not, a reset leads back to the beginning. Returns every breach; none from a
-/// sound environment.
+/// the same bytes, to observe and to render changes nothing, an action that is not done changes
+/// nothing, the order of a list of actions does not matter, nor whether they are shown in time, nor
+/// whether it is one of a batch, what is saved and restored goes on as what was not, a reset leads
+/// back to the beginning. Returns every breach; none from a sound environment.
 ///
 /// `make` makes the environment, twice alike; `actions` random ones are tried.
 ///
@@ -121,6 +139,9 @@ pub fn check_environment(
     let mut breaches = Vec::new();
     check_order(&one, seed, &mut breaches);
     check_clocks(&one, seed.child("clocks"), &mut breaches);
+    check_batch(&one, seed.child("batch"), &mut breaches);
+    #[cfg(feature = "render")]
+    check_render(&one, &mut breaches);
     let first = run(&mut one, actions / 2, seed.child("first"));
     let again = run(&mut other, actions / 2, seed.child("first"));
     if one.digest() != other.digest() || first != again {
@@ -142,6 +163,43 @@ fn check_clocks(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach
         if in_time.set_action_in_time(agent, action, |_| {}) != outcome || at_once.digest() != in_time.digest() {
             breaches.push(Breach::ClocksDiffer { action: action.describe(environment.graph()).to_string() });
             return;
+        }
+    }
+}
+
+/// Lets each agent act, alone and among others in a batch.
+fn check_batch(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach>) {
+    let mut stream = seed.stream();
+    let act = |agent: &NodeId| (*agent, legal_action(environment.graph(), *agent, &mut stream));
+    let actions: Vec<(NodeId, Action)> = environment.agents().iter().map(act).collect();
+    let mut alone = environment.clone();
+    let mut batch = Batch::of(vec![environment.clone(); BATCH]);
+    let outcomes = alone.set_actions(&actions);
+    let together = batch.set_actions(&vec![actions; BATCH]);
+    let same = batch.environments().iter().all(|e| e.digest() == alone.digest());
+    if !same || together.iter().any(|own| *own != outcomes) {
+        breaches.push(Breach::BatchDiffers);
+    }
+}
+
+/// Looks through the eyes of each agent, twice.
+#[cfg(feature = "render")]
+fn check_render(environment: &Environment, breaches: &mut Vec<Breach>) {
+    let before = environment.digest();
+    for &agent in environment.agents() {
+        let look = || {
+            let all = Modality::Rgb | Modality::Depth | Modality::Instance;
+            environment.render(Viewpoint::Agent(agent), all, PICTURE.0, PICTURE.1)
+        };
+        match (look(), look()) {
+            (Ok(one), Ok(other)) => {
+                let bits = |depth: &[f32]| depth.iter().map(|d| d.to_bits()).collect::<Vec<u32>>();
+                let alike = one.rgb == other.rgb && one.instance == other.instance;
+                if !alike || bits(&one.depth) != bits(&other.depth) || environment.digest() != before {
+                    breaches.push(Breach::ImpureRender);
+                }
+            }
+            (Err(error), _) | (_, Err(error)) => breaches.push(Breach::NotRendered(error.to_string())),
         }
     }
 }

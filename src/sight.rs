@@ -1,12 +1,12 @@
 //! What cameras see of an environment.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Mutex, OnceLock};
 
 use nalgebra::Point3;
 use vc_graph::asset::Joint;
 use vc_graph::{Aabb, Kind, NodeId, Pose, SceneGraph, State};
-use vc_physics::{Role, World};
+use vc_physics::Role;
 use vc_render::{Camera, Coat, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
 use crate::Environment;
@@ -175,7 +175,8 @@ impl Environment {
         Ok(snapshot)
     }
 
-    /// The camera of a viewpoint, for pictures of a size in pixels.
+    /// The camera of a viewpoint, for pictures of a size in pixels: `Camera::mounted` on an agent's
+    /// eyes, `Camera::looking` from a corner of a room, `Camera::overhead`, `Camera::resized`.
     ///
     /// # Errors
     /// [`RenderError::NoBody`] if there is no such agent or room.

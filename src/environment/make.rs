@@ -32,6 +32,15 @@ impl Environment {
     /// `Apartment::from_seed(seed).scene()` or `vc_graph::format::read_scene`, then
     /// [`Environment::of`].
     ///
+    /// ```
+    /// use virtualcity::{Environment, MakeError};
+    /// let home = Environment::make("apartment/42", 2)?;
+    /// assert_eq!(home.agents().len(), 2);
+    /// let wrong = Environment::make("apartment/forty-two", 1).unwrap_err();
+    /// assert_eq!(wrong.to_string(), "`forty-two` is no seed: a seed is a whole number from 0 to 18446744073709551615");
+    /// # Ok::<(), MakeError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`MakeError`].
     pub fn make(name: &str, agents: usize) -> Result<Self, MakeError> {
@@ -43,6 +52,20 @@ impl Environment {
     ///
     /// `World::build`, `World::step`, `World::doze`, `Floor::of`, `World::add_agent`, then relations are
     /// read (`Relations::new`) and written into the graph (`Relations::write`).
+    ///
+    /// ```
+    /// use virtualcity::Environment;
+    /// use virtualcity::graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("studio");
+    /// let room = scene.add(Draft::new("livingroom").bounds(Bounds::standing([5.0, 5.0, 2.5].into())).at(Pose::identity()))?;
+    /// let slab = Bounds::standing([5.0, 5.0, 0.1].into());
+    /// scene.add_in(room, Draft::new("floor").bounds(slab).at(Pose::translation(0.0, 0.0, -0.1)))?;
+    /// let table = Bounds::standing([0.8, 0.8, 0.7].into());
+    /// scene.add_in(room, Draft::new("table").bounds(table).at(Pose::translation(1.0, 0.0, 0.0)))?;
+    /// let home = Environment::of(scene.build(), 1)?;
+    /// assert_eq!(home.agents().len(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`MakeError`].

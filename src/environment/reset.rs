@@ -84,6 +84,23 @@ impl Environment {
     /// down (`World::lower`). Then all comes to rest (`World::step`, `World::doze`)
     /// and is observed (`Relations::update_with`).
     ///
+    /// ```
+    /// use virtualcity::Environment;
+    /// use virtualcity::graph::{Draft, Place, Relation};
+    /// let mut home = Environment::make("apartment/42", 1)?;
+    /// let mut graph = home.start().clone();
+    /// let table = graph.of_class("coffee_table")[0];
+    /// let mut edit = graph.edit();
+    /// let apple = edit.add(Draft::new("apple"))?;
+    /// edit.place(apple, Place { relation: Relation::On, at: table })?;
+    /// edit.commit();
+    /// let report = home.reset(&graph)?;
+    /// assert_eq!(report.added, [apple]);
+    /// assert!(report.unplaced.is_empty(), "{:?}", report.unplaced);
+    /// assert!(home.world().supports(apple).contains(&table));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ResetError`]; then nothing has changed.
     pub fn reset(&mut self, graph: &SceneGraph) -> Result<ResetReport, ResetError> {

@@ -31,7 +31,7 @@ impl Coat {
 
     /// With sound numbers: what is none is zero.
     pub(crate) fn sound(self) -> Self {
-        let unit = |v: f32| v.max(0.0).min(1.0);
+        let unit = |v: f32| if v.is_nan() { 0.0 } else { v.clamp(0.0, 1.0) };
         let roughness = if self.roughness.is_finite() { self.roughness.max(0.0) } else { 1.0 };
         Self { colour: self.colour.map(unit), share: unit(self.share), roughness }
     }
