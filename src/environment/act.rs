@@ -104,11 +104,32 @@ impl Environment {
         all.into_iter().map(|(_, outcome)| outcome).collect()
     }
 
+    /// What lies on an edge may fall when something beside it is moved, though nobody touches it.
+    /// The rule knows nothing of that, all is taken back, and from then on every action would end so:
+    /// it is held where it is, and the action is done again.
     pub(super) fn act(&mut self, agent: NodeId, action: &Action) -> Result<Done, ActionError> {
+        let done = self.attempt(agent, action, Vec::new());
+        let Err(ActionError::Disagreement(disagreement)) = &done else { return done };
+        let astray: Vec<NodeId> = disagreement.differences.iter().map(|d| d.thing.id).collect();
+        match astray.iter().all(|id| self.is_bystander(*id, agent, action)) {
+            true => self.attempt(agent, action, astray),
+            false => done,
+        }
+    }
+
+    /// Whether a thing is loose and no part of what an action is about: neither one of its things nor
+    /// on or in one, nor with the agent.
+    fn is_bystander(&self, id: NodeId, agent: NodeId, action: &Action) -> bool {
+        let of_it = |about: NodeId| id == about || self.graph.rests_at(id, about) || self.graph.rests_at(about, id);
+        self.world.role(id) == Some(Role::Loose) && !action.things().chain([agent]).any(of_it)
+    }
+
+    fn attempt(&mut self, agent: NodeId, action: &Action, steadied: Vec<NodeId>) -> Result<Done, ActionError> {
         let mut ruled = self.graph.clone();
         let changes = rule::step(&mut ruled, agent, action).map_err(ActionError::Refused)?;
         self.undo.keep(&self.world);
-        let step = Step { before: self.graph.clone(), after: ruled.clone(), agent, action: *action };
+        let (before, after) = (self.graph.clone(), ruled.clone());
+        let step = Step { before, after, agent, action: *action, steadied };
         // The floor follows the bodies whenever it is asked.
         let mut deed = Deed::new(&mut self.world, &mut self.floor, &self.start, &step);
         let outcome = deed.all(action);

@@ -13,6 +13,8 @@ pub(super) enum Beat {
     Turn(Pose),
     /// Takes a thing into a hand.
     Take(Hand, NodeId),
+    /// Things that nobody touches are held where they are: they would fall.
+    Steady(Vec<NodeId>),
     /// Folds up cloth that a hand holds, to another scale.
     Fold(NodeId, Vector3<f32>),
     /// Moves doors and drawers out of the way: which part of what, and how far open it is then.

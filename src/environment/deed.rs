@@ -40,6 +40,8 @@ pub(super) struct Deed<'a> {
     /// Whether doors and drawers that stand open count as out of the way.
     pub(super) nudges: bool,
     pub(super) course: Course,
+    /// What is held still, as nobody touches it and it would fall.
+    steadied: &'a [NodeId],
     /// Cloth that was folded up, and its scale now.
     pub(super) folded: Vec<(NodeId, Vector3<f32>)>,
 }
@@ -48,10 +50,10 @@ type Done = Result<(), Impossible>;
 
 impl<'a> Deed<'a> {
     pub(super) fn new(world: &'a mut World, floor: &'a mut Floor, start: &'a Start, step: &'a Step) -> Self {
-        let Step { before, after, agent, action } = step;
+        let Step { before, after, agent, action, steadied } = step;
         let run = action.verb == Verb::Run;
         let (course, folded) = (Course::default(), Vec::new());
-        Self { world, floor, start, before, after, agent: *agent, run, nudges: false, course, folded }
+        Self { world, floor, start, before, after, agent: *agent, run, nudges: false, course, steadied, folded }
     }
 }
 
@@ -59,6 +61,7 @@ impl Deed<'_> {
     /// Does what the rule says of an action.
     pub(super) fn all(&mut self, action: &Action) -> Result<(), ActionError> {
         let effects = rule::effects(action);
+        self.hold_still();
         let done = self.come_near(action).and_then(|()| effects.iter().try_for_each(|e| self.note(e)));
         done.map_err(|why| ActionError::Impossible { action: action.describe(self.before).to_string(), why })?;
         // What bodies do not do is shown by a gesture.
@@ -67,6 +70,14 @@ impl Deed<'_> {
             self.course.push(Beat::Gesture(*action, GESTURE));
         }
         Ok(())
+    }
+
+    fn hold_still(&mut self) {
+        // It is loose, so it can be held.
+        self.steadied.iter().for_each(|id| drop(self.world.pin(*id)));
+        if !self.steadied.is_empty() {
+            self.course.push(Beat::Steady(self.steadied.to_vec()));
+        }
     }
 
     /// Does an effect, and notes with which beat it comes true.

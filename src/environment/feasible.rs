@@ -16,7 +16,8 @@ impl Environment {
         let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
         floor.update(&world);
         let action = Action::one(Verb::Walk, id);
-        let step = Step { before: self.graph.clone(), after: self.graph.clone(), agent, action };
+        let (before, after, steadied) = (self.graph.clone(), self.graph.clone(), Vec::new());
+        let step = Step { before, after, agent, action, steadied };
         let mut deed = Deed::new(&mut world, &mut floor, &self.start, &step);
         self.graph.hidden_in(id).is_none_or(|container| deed.can_get_at(container)) && deed.can_get_at(id)
     }
@@ -38,7 +39,8 @@ impl Environment {
             let spot = places.iter().find_map(|&place| {
                 let verb = if place.relation == Relation::Inside { Verb::PutIn } else { Verb::Place };
                 let action = Action::two(verb, *id, place.at);
-                let step = Step { before: self.graph.clone(), after: self.graph.clone(), agent, action };
+                let (before, after, steadied) = (self.graph.clone(), self.graph.clone(), Vec::new());
+                let step = Step { before, after, agent, action, steadied };
                 let is_shut = self.graph.node(place.at).is_some_and(|n| n.is(State::Closed));
                 if place.relation == Relation::Inside && is_shut && !world.leap_open(place.at, 1.0).ok()? {
                     return None;

@@ -30,6 +30,8 @@ pub(super) struct Step {
     pub(super) after: SceneGraph,
     pub(super) agent: NodeId,
     pub(super) action: Action,
+    /// What is held still meanwhile: it would fall, though nobody touches it.
+    pub(super) steadied: Vec<NodeId>,
 }
 
 impl Undo {

@@ -190,6 +190,10 @@ impl Player {
                 parts.iter().for_each(|(id, part, open)| drop(show.world.put_open(*id, *part, *open)));
                 true
             }
+            Beat::Steady(things) => {
+                things.iter().for_each(|id| drop(show.world.pin(*id)));
+                true
+            }
             Beat::Push(moved) => {
                 moved.iter().for_each(|(id, pose)| drop(show.world.place(*id, *pose)));
                 true
