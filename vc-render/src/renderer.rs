@@ -88,15 +88,17 @@ impl Renderer {
     ///
     /// # Errors
     /// [`RenderError::BadSize`], [`RenderError::BadCamera`], [`RenderError::Missing`],
-    /// [`RenderError::OtherScene`]; the frame is then as it was.
+    /// [`RenderError::OtherScene`], [`RenderError::OtherRenderer`], [`RenderError::BadDaylight`]; the frame is then as
+    /// it was.
     pub fn render(&self, shot: &Shot<'_>, frame: &mut Frame) -> Result<(), RenderError> {
         if shot.finer > 1 && shot.wanted.has(Modality::Rgb) {
             return self.render_finer(shot, frame);
         }
-        shot.check()?;
+        shot.check(&self.store)?;
         let View { snapshot, camera } = shot.view;
         let wanted = shot.wanted;
-        frame.prepare(camera.width as usize, camera.height as usize, wanted);
+        let moments = [shot.after, shot.before].map(|view| view.is_some());
+        frame.prepare(camera.width as usize, camera.height as usize, wanted, moments);
         let (strip, memory) = Strip::of(frame);
         let Memory { bands, other, .. } = memory;
         if wanted.has(Modality::Occlusion) {
@@ -122,8 +124,8 @@ impl Renderer {
         let camera = camera.finer(shot.finer);
         let view = View { snapshot, camera: &camera };
         let colours = Shot { view, before: None, after: None, wanted: Modality::Rgb.into(), finer: 1, ..*shot };
-        shot.check()?;
-        colours.check()?;
+        shot.check(&self.store)?;
+        colours.check(&self.store)?;
         let mut fine = frame.memory.finer.take().unwrap_or_default();
         self.render(&Shot { wanted: shot.wanted.without(Modality::Rgb), finer: 1, ..*shot }, frame)?;
         self.render(&colours, &mut fine)?;

@@ -10,7 +10,7 @@ use super::{Daylight, extent::rooms};
 use crate::RenderError;
 use crate::affine::{scaled, three};
 use crate::renderer::Renderer;
-use crate::scene::Snapshot;
+use crate::scene::{Snapshot, Store};
 use crate::surface::{Role, Surface};
 use crate::trace::Tracer;
 
@@ -43,6 +43,9 @@ pub(crate) fn brightness([r, g, b]: [f32; 3]) -> f32 {
 impl Renderer {
     /// The light in a scene: about a microsecond a triangle for the tree of rays, tens of milliseconds for
     /// shadows, and some for each room.
+    ///
+    /// Of a snapshot of another renderer, or by a daylight of numbers that are not finite, there is no light:
+    /// what is made then says so when it is used.
     pub fn light(&self, snapshot: &Snapshot, daylight: &Daylight) -> Lighting {
         let mut lighting = Lighting {
             daylight: *daylight,
@@ -53,7 +56,9 @@ impl Renderer {
             grids: Vec::new(),
             rooms: Vec::new(),
         };
-        self.shine(&mut lighting);
+        if snapshot.is_in(&self.store) && daylight.check().is_ok() {
+            self.shine(&mut lighting);
+        }
         lighting
     }
 
@@ -65,8 +70,11 @@ impl Renderer {
     /// from room to room. Takes two thirds to three quarters of what it takes to make it.
     ///
     /// # Errors
-    /// [`RenderError::OtherScene`] if bodies have come or gone; the light is then as it was.
+    /// [`RenderError::OtherScene`] if bodies have come or gone, [`RenderError::OtherRenderer`],
+    /// [`RenderError::BadDaylight`]; the light is then as it was.
     pub fn relight(&self, lighting: &mut Lighting, snapshot: &Snapshot) -> Result<(), RenderError> {
+        lighting.check(&self.store)?;
+        lighting.tracer.snapshot.with("snapshot to follow", snapshot)?;
         let moved = !lighting.tracer.snapshot.stands_as(snapshot);
         lighting.tracer.follow(snapshot)?;
         if moved {
@@ -100,6 +108,16 @@ fn ball(snapshot: &Snapshot) -> (Point3<f32>, f32) {
 }
 
 impl Lighting {
+    /// That it was made, and with meshes in this store.
+    pub(crate) fn check(&self, store: &Store) -> Result<(), RenderError> {
+        if !self.tracer.snapshot.is_in(store) {
+            return Err(RenderError::OtherRenderer("light"));
+        }
+        self.daylight.check()?;
+        // There is a grid even for what is in no room.
+        if self.grids.is_empty() { Err(RenderError::OtherRenderer("light")) } else { Ok(()) }
+    }
+
     /// Lets mirrors and reference pictures see another moment of the same scene, as
     /// [`RayCaster::follow`](crate::RayCaster::follow) does, at its cost. The light of fast pictures and
     /// the exposure stay as they were; [`Renderer::relight`] makes them anew too.

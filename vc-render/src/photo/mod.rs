@@ -87,7 +87,8 @@ impl Renderer {
     /// threads. Costs a microsecond or two for each path and surface met.
     ///
     /// # Errors
-    /// [`RenderError::BadSize`], [`RenderError::BadCamera`].
+    /// [`RenderError::BadSize`], [`RenderError::BadCamera`], [`RenderError::OtherRenderer`],
+    /// [`RenderError::BadDaylight`].
     pub fn photograph(
         &self,
         lighting: &Lighting,
@@ -96,6 +97,7 @@ impl Renderer {
         mut progress: impl FnMut(u32) -> bool,
     ) -> Result<Photograph, RenderError> {
         camera.check()?;
+        lighting.check(&self.store)?;
         let (width, height) = (camera.width as usize, camera.height as usize);
         let lights = Lights::of(self, lighting);
         let spots = Spots::of(self, lighting, &lights);

@@ -80,7 +80,8 @@ impl Tracer {
     pub(crate) fn follow(&mut self, snapshot: &Snapshot) -> Result<(), RenderError> {
         let (own, others) = (&self.snapshot.instances, &snapshot.instances);
         if own.len() != others.len() || own.iter().zip(others).any(|(a, b)| !Arc::ptr_eq(&a.link, &b.link)) {
-            return Err(RenderError::OtherScene { here: own.len(), there: others.len() });
+            let (here, there) = (own.len(), others.len());
+            return Err(RenderError::OtherScene { what: "snapshot to follow", here, there });
         }
         let fresh = |((a, b), moves): ((&Instance, &Instance), &bool)| !moves && a.world != b.world;
         let gone: Vec<bool> = own.iter().zip(others).zip(&self.moving).map(fresh).collect();
