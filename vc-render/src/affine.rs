@@ -38,6 +38,14 @@ impl Affine {
         Self([row(0), row(1), row(2)])
     }
 
+    /// Where a point goes.
+    pub(crate) fn point(&self, p: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|r: usize| {
+            let row = &self.0[r];
+            row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3]
+        })
+    }
+
     pub(crate) fn determinant(&self) -> f64 {
         let [a, b, c] = self.0;
         a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
