@@ -32,11 +32,12 @@ impl Default for Renderer {
 }
 
 /// What stands for pixels, of nodes and their bodies.
-const RUNS: [Modality; 6] = [
+const RUNS: [Modality; 7] = [
     Modality::Instance,
     Modality::Class,
     Modality::FlowForward,
     Modality::FlowBackward,
+    Modality::Occlusion,
     Modality::Boxes,
     Modality::Masks,
 ];
@@ -102,7 +103,7 @@ impl Renderer {
         let (strip, memory) = Strip::of(frame);
         let Memory { bands, other, .. } = memory;
         if wanted.has(Modality::Occlusion) {
-            self.others(shot, other);
+            self.others([shot.after, shot.before], other);
         }
         bands.resize_with(count(camera.height), Band::default);
         self.bands(shot, strip, bands, other);
@@ -198,39 +199,36 @@ impl Renderer {
         layers.draw(&drawing, all, (camera.width as usize, rows), apart);
     }
 
-    /// Depth at the moments after and before.
-    fn others(&self, shot: &Shot<'_>, other: &mut [Other; 2]) {
-        let wanted = [Modality::FlowForward, Modality::FlowBackward].map(|m| shot.wanted.has(m));
-        let views = [shot.after, shot.before];
-        other.par_iter_mut().zip(views).zip(wanted).for_each(|((other, view), wanted)| {
-            if let (Some(view), true) = (view, wanted) {
+    /// What is seen at the moments after and before.
+    fn others(&self, views: [Option<View<'_>>; 2], other: &mut [Other; 2]) {
+        let draw = |other: &mut Other, view: Option<View<'_>>| {
+            if let Some(view) = view {
                 self.draw(view, 0..view.camera.height as i32, &mut other.layers, false);
             }
-        });
+        };
+        let ([after, before], [next, last]) = (views, other);
+        rayon::join(|| draw(next, after), || draw(last, before));
     }
 }
 
-/// Flow of a band, and what is hidden at the other moment.
+/// Flow of a band, and what is hidden at the other moments.
 fn flow(shot: &Shot<'_>, strip: &mut Strip<'_>, band: &mut Band, other: &[Other; 2]) {
     let Band { layers, runs, motion, .. } = band;
-    let width = strip.width;
-    let seen = (&*layers, runs.as_slice());
-    if let (Some(then), true) = (shot.after, shot.wanted.has(Modality::FlowForward)) {
-        simd::widest(
-            #[inline(always)]
-            || label::flows(shot.view, then, seen, motion, (width, strip.flow_forward)),
-        );
-        if shot.wanted.has(Modality::Occlusion) {
-            label::hidden(shot.view, then, seen, (motion, &other[0]), (width, strip.occluded_forward));
+    let (width, seen) = (strip.width, (&*layers, runs.as_slice()));
+    let ways = [
+        (shot.after, Modality::FlowForward, &mut *strip.flow_forward, &mut *strip.occluded_forward),
+        (shot.before, Modality::FlowBackward, &mut *strip.flow_backward, &mut *strip.occluded_backward),
+    ];
+    for ((then, modality, flow, occluded), other) in ways.into_iter().zip(other) {
+        let Some(then) = then else { continue };
+        if shot.wanted.has(modality) {
+            simd::widest(
+                #[inline(always)]
+                || label::flows(shot.view, then, seen, motion, (width, flow)),
+            );
         }
-    }
-    if let (Some(then), true) = (shot.before, shot.wanted.has(Modality::FlowBackward)) {
-        simd::widest(
-            #[inline(always)]
-            || label::flows(shot.view, then, seen, motion, (width, strip.flow_backward)),
-        );
         if shot.wanted.has(Modality::Occlusion) {
-            label::hidden(shot.view, then, seen, (motion, &other[1]), (width, strip.occluded_backward));
+            label::hidden(shot.view, then, seen, (motion, other), (width, occluded));
         }
     }
 }

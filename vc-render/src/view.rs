@@ -95,6 +95,12 @@ impl<'a> Shot<'a> {
             (Modality::Rgb, "colour", "light", self.lighting.is_some()),
             (Modality::FlowForward, "forward flow", "next moment", self.after.is_some()),
             (Modality::FlowBackward, "backward flow", "moment before", self.before.is_some()),
+            (
+                Modality::Occlusion,
+                "occlusion",
+                "next moment or moment before",
+                self.before.is_some() || self.after.is_some(),
+            ),
         ];
         match needs.into_iter().find(|(modality, .., there)| self.wanted.has(*modality) && !there) {
             Some((_, wanted, needs, _)) => Err(RenderError::Missing { wanted, needs }),

@@ -263,7 +263,13 @@ impl Visible {
     /// The mesh it is a triangle of.
     #[inline(always)]
     pub(crate) fn mesh(self, instances: &[Instance]) -> &Mesh {
-        &instances[self.instance as usize].link.levels[(self.triangle >> Self::BITS) as usize]
+        &instances[self.instance as usize].link.levels[self.level() as usize]
+    }
+
+    /// Its mesh's level of detail.
+    #[inline(always)]
+    pub(crate) fn level(self) -> u32 {
+        self.triangle >> Self::BITS
     }
 
     /// Its position in the mesh.
