@@ -280,3 +280,32 @@ fn light_through_windows_is_the_same_however_it_is_looked_for() {
     let (own, wanted) = (0.5 * (aimed[0] + aimed[1]), 0.5 * (chance[0] + chance[1]));
     assert!((own / wanted - 1.0).abs() < 0.03, "{aimed:?} on purpose, {chance:?} by chance");
 }
+
+#[test]
+fn panes_dim_fast_light_as_they_dim_the_references() {
+    // Both are exposed for what fast light there is: where it were dimmed more or less than the reference's, one of
+    // them would be darker behind dark glass than behind clear glass.
+    let dark = |smoked: bool, sun: bool| {
+        let mut stage = windowed();
+        let (transmission, share) = if smoked { (0.5, 0.8) } else { (1.0, 0.9) };
+        let pane = Material { transmission, roughness: 0.02, ..material("clear_glass", [share; 3]) };
+        let number = stage.library.add_material(pane).unwrap();
+        stage.one("window", block([0.003, 0.5, 0.6]), Pose::translation(2.1, 0.0, 1.5), number);
+        let towards_sun = Vector3::new(1.0, 0.25, 0.9).normalize();
+        let day = if sun { Daylight { towards_sun, ..Daylight::noon() } } else { Daylight::overcast() };
+        Shown::new(stage, &day)
+    };
+    let camera = Camera::with_fov(48, 36, 1.2).looking(Point3::new(-1.6, -0.4, 2.2), Point3::new(0.2, 0.8, 0.4));
+    for sun in [false, true] {
+        let level = |smoked: bool| {
+            let shown = dark(smoked, sun);
+            let how = Exposure { samples: 256, brightest: f32::INFINITY, ..Exposure::default() };
+            let reference = shown.renderer.photograph(&shown.lighting, &camera, &how, |_| true).unwrap().picture();
+            let mean = |pixels: &[[u8; 3]]| pixels.iter().map(|p| sum(*p)).sum::<f64>() / (3 * pixels.len()) as f64;
+            mean(&shown.frame(&camera, false).rgb) - mean(&reference.pixels)
+        };
+        let (clear, smoked) = (level(false), level(true));
+        eprintln!("sun {sun}: fast brighter by {clear:.1} behind clear glass, {smoked:.1} behind dark glass");
+        assert!((clear - smoked).abs() < 6.0, "sun {sun}: {clear} brighter behind clear glass, {smoked} behind dark");
+    }
+}

@@ -27,6 +27,8 @@ pub struct Lighting {
     /// By body: what its glow and its shade's glow are multiplied with.
     gains: Vec<[f32; 2]>,
     pub(super) grids: Vec<Grid>,
+    /// By room, what share of the sun's light panes leave.
+    sunlight: Vec<f32>,
     /// Boxes of rooms, to tell in which an eye is.
     rooms: Vec<([f32; 3], [f32; 3])>,
 }
@@ -54,6 +56,7 @@ impl Renderer {
             lamps: Vec::new(),
             gains: Vec::new(),
             grids: Vec::new(),
+            sunlight: Vec::new(),
             rooms: Vec::new(),
         };
         if snapshot.is_in(&self.store) && daylight.check().is_ok() {
@@ -95,7 +98,7 @@ impl Renderer {
         }
         lighting.rooms = rooms(snapshot);
         (lighting.gains, lighting.lamps) = (gains, lamps);
-        lighting.grids = room::grids(self, lighting);
+        (lighting.grids, lighting.sunlight) = room::grids(self, lighting);
     }
 }
 
@@ -141,17 +144,24 @@ impl Lighting {
         self.grids[index].at(three(|i| at[i] + 0.12 * normal[i]))
     }
 
-    /// Light that falls straight from the sun and the room's lamps on a surface, with shadows.
-    pub(crate) fn direct(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> [f32; 3] {
-        let mut sum = [0.0; 3];
-        if let Some(map) = &self.sun {
-            let towards: [f32; 3] = self.daylight.towards_sun.into();
-            let facing = dot(towards, normal);
-            if facing > 0.0 {
-                let share = facing * map.lit(at, normal);
-                sum = three(|i| sum[i] + share * self.daylight.sun[i]);
-            }
-        }
+    /// How much of the sun is seen from a surface, by the cosine; none where there is no sun.
+    pub(super) fn sunshine(&self, at: [f32; 3], normal: [f32; 3]) -> Option<f32> {
+        let map = self.sun.as_ref()?;
+        let facing = dot(self.daylight.towards_sun.into(), normal);
+        Some(if facing > 0.0 { facing * map.lit(at, normal) } else { 0.0 })
+    }
+
+    /// The share of the sun's light that panes leave in a room.
+    #[inline(always)]
+    pub(crate) fn sunlight(&self, room: u16) -> f32 {
+        self.sunlight[usize::from(room).min(self.sunlight.len() - 1)]
+    }
+
+    /// Light that falls straight from the sun, of which panes leave a share, and the room's lamps on a surface,
+    /// with shadows.
+    pub(crate) fn direct(&self, at: [f32; 3], normal: [f32; 3], room: u16, panes: f32) -> [f32; 3] {
+        let share = if panes > 0.0 { panes * self.sunshine(at, normal).unwrap_or(0.0) } else { 0.0 };
+        let mut sum: [f32; 3] = self.daylight.sun.map(|sun| share * sun).into();
         for lamp in self.lamps.iter().filter(|l| l.room == room) {
             let (to, light) = lamp.falls(at);
             let facing = dot(to, normal);

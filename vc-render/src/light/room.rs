@@ -7,7 +7,7 @@
 use rayon::prelude::*;
 
 use super::extent::rooms;
-use super::{Ambient, Lighting, dot};
+use super::{Ambient, Lighting, brightness, dot};
 use crate::affine::three;
 use crate::renderer::Renderer;
 use crate::simd::whole;
@@ -46,6 +46,8 @@ struct Seen {
     direct: [f32; 3],
     /// Where that is; none where there is nothing.
     place: Option<Thrown>,
+    /// The share of the sun's light that panes leave there; zero where the sun does not shine.
+    sun: f32,
 }
 
 impl Grid {
@@ -120,7 +122,9 @@ fn directions() -> Vec<[f32; 3]> {
 }
 
 /// The grids of all rooms, and one for what is in no room, last.
-pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
+///
+/// And for each the share of the sun's light that panes leave where it shines in.
+pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec<f32>) {
     let bounds = rooms(&lighting.tracer.snapshot);
     let mut grids = Grid::over_all(&bounds);
     let directions = directions();
@@ -130,6 +134,7 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
     let look = |(g, i): &(usize, usize)| look(renderer, lighting, *g, grids[*g].place(*i), &directions);
     let look = |(place, within): (&_, &bool)| within.then(|| look(place)).flatten();
     let seen: Vec<Option<Vec<Seen>>> = places.par_iter().zip(&within).map(look).collect();
+    let sunlight = sunlight(seen.iter().flatten().flatten(), grids.len());
     for _ in 0..BOUNCES {
         let gather = |seen: &Option<Vec<Seen>>| seen.as_ref().map(|seen| gathered(&grids, &directions, seen));
         let next: Vec<Option<Ambient>> = seen.par_iter().map(gather).collect();
@@ -143,7 +148,20 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
         grid.middling = grid.middle();
         grid.colour = grid.mean();
     }
-    grids
+    (grids, sunlight)
+}
+
+/// The mean share of the sun's light that panes leave, in each room; one where it does not shine.
+fn sunlight<'a>(seen: impl Iterator<Item = &'a Seen>, rooms: usize) -> Vec<f32> {
+    let mut sums = vec![(0.0_f64, 0_u32); rooms];
+    for seen in seen.filter(|seen| seen.sun > 0.0) {
+        if let Some((.., room)) = seen.place {
+            let (sum, count) = &mut sums[usize::from(room).min(rooms - 1)];
+            *sum += f64::from(seen.sun);
+            *count += 1;
+        }
+    }
+    sums.into_iter().map(|(sum, count)| if count > 0 { (sum / f64::from(count)) as f32 } else { 1.0 }).collect()
 }
 
 /// Which points are over something of their room: boxes of rooms with corners reach through their walls. All
@@ -177,13 +195,25 @@ fn look(
         let met = tracer.first(ray);
         let inside = met.as_ref().is_some_and(|m| dot(m.flat, ray.along) > 0.0);
         behind += usize::from(inside);
+        let share = || {
+            let end = met.as_ref().map_or(ray.end, |met| met.t);
+            super::pane::passes(renderer, tracer, Ray { end, ..*ray })
+        };
         seen.push(match met {
-            Some(met) if !inside => lighting.seen(renderer, &met, room),
-            Some(_) => Seen { direct: [0.0; 3], place: None },
-            None => Seen { direct: lighting.daylight.radiance(ray.along), place: None },
+            Some(met) if !inside => lighting.seen(renderer, &met, room).behind(share()),
+            Some(_) => Seen { direct: [0.0; 3], place: None, sun: 0.0 },
+            None => Seen { direct: lighting.daylight.radiance(ray.along), place: None, sun: 0.0 }.behind(share()),
         });
     }
     (behind * 5 < directions.len()).then_some(seen)
+}
+
+impl Seen {
+    /// The same behind panes that leave a share of light.
+    fn behind(self, share: [f32; 3]) -> Self {
+        let place = self.place.map(|(at, normal, colour, room)| (at, normal, three(|i| colour[i] * share[i]), room));
+        Self { direct: three(|i| self.direct[i] * share[i]), place, ..self }
+    }
 }
 
 impl Lighting {
@@ -193,12 +223,22 @@ impl Lighting {
         let colour = surface.mean();
         let lamp = self.lamps.iter().any(|l| l.body == met.instance.body && usize::from(l.room) == room);
         let own = if lamp { [0.0; 3] } else { self.glow(surface, met.instance.body) };
-        let direct = self.direct(met.at, met.normal, body.room);
+        let sunny = self.sunshine(met.at, met.normal).is_some_and(|lit| lit > 0.0);
+        let sun = if sunny { self.panes(renderer, met) } else { 0.0 };
+        let direct = self.direct(met.at, met.normal, body.room, sun);
         let over = 1.0 / std::f32::consts::PI;
         Seen {
             direct: three(|i| own[i] + colour[i] * direct[i] * over),
             place: Some((met.at, met.normal, colour, body.room)),
+            sun,
         }
+    }
+
+    /// The share of the sun's light that panes leave at a surface.
+    fn panes(&self, renderer: &Renderer, met: &crate::trace::Met<'_>) -> f32 {
+        let from = three(|i| met.at[i] + 1e-3 * met.flat[i]);
+        let ray = Ray { from, along: self.daylight.towards_sun.into(), end: 1e4 };
+        brightness(super::pane::passes(renderer, &self.tracer, ray))
     }
 }
 
