@@ -167,3 +167,72 @@ fn views_around_an_object_have_it_in_the_middle() {
     }
     assert!(Camera::with_fov(8, 8, 1.0).around(target, 1.0, 0.0, 0).is_empty());
 }
+
+#[test]
+fn views_along_a_way_are_even_and_turn_smoothly() {
+    let camera = Camera::with_fov(8, 8, 1.0);
+    let way = [[0.0, 0.0, 1.5], [3.0, 0.0, 1.5], [3.0, 4.0, 1.5], [1.0, 4.0, 2.5]].map(Point3::from);
+    let views = camera.along(&way, 200);
+    assert_eq!(views.len(), 200);
+    let steps: Vec<f32> = views.windows(2).map(|v| (v[1].eye() - v[0].eye()).norm()).collect();
+    let longest = steps.iter().copied().fold(0.0, f32::max);
+    // Across a corner that is cut a step is a little shorter.
+    assert!(steps.iter().all(|s| *s > 0.9 * longest), "{steps:?}");
+    let looks = |v: &Camera| v.unproject(4.0, 4.0, 1.0) - v.eye();
+    let turns = views.windows(2).map(|v| looks(&v[0]).normalize().dot(&looks(&v[1]).normalize()).min(1.0).acos());
+    let most = turns.fold(0.0, f32::max);
+    assert!(most < 0.08, "the eye turns by {most} at once, of a quarter turn in all");
+    // Near the way all along: a corner is cut by no more than a quarter of its sides.
+    assert!((views[0].eye() - way[0]).norm() < 1e-5);
+    assert!((looks(&views[0]).normalize() - Vector3::x()).norm() < 1e-3);
+    assert!(camera.along(&[], 5).is_empty() && camera.along(&way, 0).is_empty());
+    assert_eq!(camera.along(&way, 1).len(), 1);
+    let stood = camera.along(&way[..1], 3);
+    assert!(stood.iter().all(|v| v.eye() == way[0] && (looks(v) - Vector3::x()).norm() < 1e-5));
+    let waited = [way[0], way[1], way[1], way[2]];
+    assert_eq!(camera.along(&waited, 9).len(), 9);
+    camera.along(&[Point3::new(f32::NAN, 0.0, 0.0), Point3::origin()], 3);
+}
+
+#[test]
+fn a_viewpoint_sees_more_of_its_room_than_others() {
+    let mut stage = Stage::new();
+    let size = vc_graph::Bounds::standing(Vector3::new(4.0, 4.0, 2.5));
+    let den = stage.builder.add(vc_graph::Draft::new("bedroom").at(Pose::identity()).bounds(size)).unwrap();
+    let tall = stage.asset(vec![common::part("board", block([0.8, 0.02, 1.2]), [0.0; 3], 0)]);
+    let low = stage.asset(vec![common::part("box", block([0.1; 3]), [0.0; 3], 1)]);
+    let mut put = |asset, at: [f32; 3]| {
+        let draft = vc_graph::Draft { asset: Some(asset), ..vc_graph::Draft::new("thing") };
+        stage.builder.add_in(den, draft.at(pose(at, 0.0, 0.0))).unwrap();
+    };
+    // A screen across the room; things behind it are seen from the far side only.
+    put(tall, [-0.9, 0.5, 1.2]);
+    put(tall, [0.7, 0.5, 1.2]);
+    for i in 0..10 {
+        put(low, [0.3 * i as f32 - 1.4, 0.9, 0.2]);
+    }
+    let kitchen = stage.room;
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let wanted = Camera::with_fov(160, 120, 1.15);
+    let view = renderer.viewpoint(&snapshot, den, &wanted).unwrap();
+    assert!(view.eye().y > 0.5 && view.eye().coords.amax() < 2.0, "{}", view.eye());
+    assert_eq!(Camera { pose: wanted.pose, ..view }, wanted);
+    let mut frame = Frame::new();
+    renderer.render(&Shot::new(&snapshot, &view, Modality::Boxes), &mut frame).unwrap();
+    assert!(frame.boxes.len() >= 8, "{} things are seen", frame.boxes.len());
+    for room in [kitchen, vc_graph::NodeId(77)] {
+        assert_eq!(renderer.viewpoint(&snapshot, room, &wanted), Err(RenderError::NoRoom(room)));
+    }
+    let bad = Camera { width: 0, ..wanted };
+    assert!(matches!(renderer.viewpoint(&snapshot, den, &bad), Err(RenderError::BadSize { .. })));
+}
+
+#[test]
+fn lamps_are_told_by_their_class() {
+    let mut stage = Stage::new();
+    let made = ["floor_lamp", "candle", "lightbulb", "sofa", "tv"]
+        .map(|class| stage.one(class, block([0.1; 3]), Pose::identity(), 3));
+    let snapshot = Renderer::new().snapshot(&stage.build()).unwrap();
+    assert_eq!(snapshot.lamps().collect::<Vec<_>>(), [made[0], made[2]]);
+}
