@@ -58,6 +58,9 @@ pub enum RenderError {
     /// There is no node of this number in the snapshot, or it has no body.
     #[error("{0} has no body in this snapshot")]
     NoBody(NodeId),
+    /// There is no room of this number in the snapshot, or the graph knows no box around it.
+    #[error("{0} is no room of this snapshot, or has no box around it")]
+    NoRoom(NodeId),
     /// As many frames as shots are needed.
     #[error("{shots} shots need as many frames, {frames} are given")]
     FrameCount {

@@ -13,6 +13,14 @@ pub(super) const LUMENS: f32 = 5000.0;
 /// What glows and is no lamp, against what its material says.
 const FAINT: f32 = 0.004;
 
+/// Words in the classes of what lights rooms.
+const LAMPS: [&str; 5] = ["lamp", "light", "chandelier", "lantern", "bulb"];
+
+/// Whether things of a class light rooms when they are on.
+pub(crate) fn is_lamp(class: &str) -> bool {
+    LAMPS.iter().any(|word| class.contains(word))
+}
+
 /// All light of a body as if it came from its middle.
 #[derive(Debug, Clone)]
 pub(crate) struct Lamp {
@@ -69,12 +77,9 @@ pub(super) fn lamps(renderer: &Renderer, snapshot: &Snapshot, kept: &[Lamp]) -> 
 /// Lumens of a lamp, by how large its bulbs are; none for what is no lamp.
 fn lumens(snapshot: &Snapshot, body: &Body, area: f32) -> Option<f32> {
     let class = snapshot.class(body.class)?;
-    let any = |words: &[&str]| words.iter().any(|w| class.contains(w));
     match () {
-        () if any(&["candle"]) => Some(40.0),
-        () if any(&["lamp", "light", "chandelier", "lantern", "bulb"]) => {
-            Some((500.0 + 9000.0 * area).clamp(400.0, 2500.0))
-        }
+        () if class.contains("candle") => Some(40.0),
+        () if is_lamp(class) => Some((500.0 + 9000.0 * area).clamp(400.0, 2500.0)),
         () => None,
     }
 }

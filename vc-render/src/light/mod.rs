@@ -14,7 +14,7 @@ mod sky;
 mod source;
 
 pub(crate) use ambient::Ambient;
-pub(crate) use lamp::Lamp;
+pub(crate) use lamp::{Lamp, is_lamp};
 pub use lighting::Lighting;
 pub(crate) use lighting::{brightness, dot};
 pub(crate) use look::Points;

@@ -180,6 +180,13 @@ impl Snapshot {
         self.bodies.iter().map(|b| b.node)
     }
 
+    /// Nodes that light rooms when they are on: those whose class is a lamp's, a light's, a chandelier's, a lantern's
+    /// or a bulb's, in order. Other things may glow too, candles and screens.
+    pub fn lamps(&self) -> impl Iterator<Item = NodeId> + '_ {
+        let lamp = |b: &&Body| self.class(b.class).is_some_and(|class| crate::light::is_lamp(class));
+        self.bodies.iter().filter(lamp).map(|b| b.node)
+    }
+
     /// Number of triangles at the finest level of detail.
     pub fn triangles(&self) -> usize {
         self.instances.iter().map(|i| i.link.levels[0].len()).sum()
