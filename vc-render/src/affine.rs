@@ -122,3 +122,14 @@ pub(crate) fn normal(inverse: &Narrow, n: [f32; 3]) -> [f32; 3] {
         |c| inverse[0][c] * n[0] + inverse[1][c] * n[1] + inverse[2][c] * n[2],
     )
 }
+
+/// What stands upright on two vectors, as long as the area between them.
+#[inline(always)]
+pub(crate) fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The volume between three vectors; negative if they go around the other way.
+pub(crate) fn volume(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> f64 {
+    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+}

@@ -4,7 +4,7 @@ use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::Pose;
 
 use super::Run;
-use crate::affine::{self, Affine, Narrow};
+use crate::affine::{self, Affine, Narrow, volume};
 use crate::camera::Camera;
 use crate::frame::{Box3, BoxLabel, Frame, Masks, PixelBox};
 use crate::mesh::Mesh;
@@ -152,10 +152,8 @@ fn beyond(map: &Affine, near: f32, instance: &Instance) -> Sides {
 
 /// Whether the eye, from which corners are given as pixels times depth and depth, sees a triangle's back.
 fn faces_away([a, b, c]: &[[f64; 3]; 3], mirrored: bool) -> bool {
-    let volume =
-        a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
     // Corners go around counter-clockwise seen from outside: the normal looks at the eye where this is negative.
-    (volume >= 0.0) != mirrored
+    (volume(a, b, c) >= 0.0) != mirrored
 }
 
 fn extend([low, high]: &mut Sides, p: &[f64; 3]) {

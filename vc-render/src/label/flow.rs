@@ -1,6 +1,6 @@
 //! Optical flow, from the true motion of camera and bodies.
 
-use crate::affine::{Affine, Narrow};
+use crate::affine::{Affine, Narrow, volume};
 use crate::label::Run;
 use crate::raster::{Frustum, Layers, NONE, Visible, refill};
 use crate::scene::Instance;
@@ -166,9 +166,6 @@ impl There<'_> {
         let corners = corners.map(|p| map.point(p.map(f64::from)));
         let towards = [f64::from(x), f64::from(y), 1.0];
         // Volumes between the ray and two corners each, over that between all three.
-        let volume = |a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]| {
-            a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
-        };
         let [a, b, c] = &corners;
         let all = volume(a, b, c);
         let shares = [volume(&towards, b, c), volume(a, &towards, c), volume(a, b, &towards)].map(|v| v / all);

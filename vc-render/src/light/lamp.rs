@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::brightness;
 use super::shadow::Cube;
+use super::{brightness, dot};
 use crate::affine::{self, scaled, three};
 use crate::renderer::Renderer;
 use crate::scene::{Body, Snapshot};
@@ -124,8 +124,8 @@ impl Glow {
 fn area([a, b, c]: [[f32; 3]; 3]) -> ([f32; 3], f32) {
     let edge = |p: [f32; 3]| three(|i| p[i] - a[i]);
     let (u, v) = (edge(b), edge(c));
-    let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    let length = (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
+    let cross = affine::cross(u, v);
+    let length = dot(cross, cross).sqrt();
     (if length > 0.0 { cross.map(|x| x / length) } else { [0.0; 3] }, 0.5 * length)
 }
 
