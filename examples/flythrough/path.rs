@@ -9,9 +9,6 @@ use crate::support::Complaint;
 
 /// Height of the eye, metres.
 const EYE: f32 = 1.5;
-/// How far ahead one looks, metres.
-const AHEAD: f32 = 1.4;
-
 /// A way over the floor.
 pub(crate) struct Walk {
     points: Vec<Point2<f32>>,
@@ -37,7 +34,7 @@ pub(crate) fn through(scene: &mut SceneGraph) -> Result<Walk, Complaint> {
         edit.enter_state(door, State::Open).map_err(Complaint::new)?;
     }
     edit.commit();
-    Ok(Walk { points: rounded(&points), rooms })
+    Ok(Walk { points, rooms })
 }
 
 /// Rooms one after the other.
@@ -69,49 +66,15 @@ fn nearest(floor: &Floor, from: Point2<f32>, left: &mut Vec<Point2<f32>>) -> Opt
     Some(route)
 }
 
-/// Corners cut off, three times over (Chaikin 1974).
-fn rounded(points: &[Point2<f32>]) -> Vec<Point2<f32>> {
-    let mut points = points.to_vec();
-    for _ in 0..3 {
-        let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return points };
-        let cut = |pair: &[Point2<f32>]| {
-            [0.25, 0.75].map(|share| nalgebra::Point2::from(pair[0].coords.lerp(&pair[1].coords, share)))
-        };
-        points = [first].into_iter().chain(points.windows(2).flat_map(cut)).chain([last]).collect();
-    }
-    points
-}
-
 impl Walk {
     /// Metres.
     pub(crate) fn length(&self) -> f32 {
         self.points.windows(2).map(|p| (p[1] - p[0]).norm()).sum()
     }
 
-    /// Where one is after so many metres.
-    fn at(&self, mut gone: f32) -> Point2<f32> {
-        for pair in self.points.windows(2) {
-            let length = (pair[1] - pair[0]).norm();
-            if gone < length {
-                return pair[0] + (pair[1] - pair[0]) * (gone / length);
-            }
-            gone -= length;
-        }
-        self.points[self.points.len() - 1]
-    }
-
     /// Cameras along it, a step apart, at most so many; a longer walk has longer steps.
     pub(crate) fn cameras(&self, camera: Camera, step: f32, most: usize) -> Vec<Camera> {
-        let length = (self.length() - AHEAD).max(step);
-        let count = ((length / step) as usize + 1).clamp(2, most);
-        let view = |i: usize| {
-            let gone = length * i as f32 / (count - 1) as f32;
-            let place = |p: Point2<f32>, z: f32| Point3::new(p.x, p.y, z);
-            // One looks to the mean of what is ahead, so that the eye turns smoothly.
-            let ahead =
-                (1..=8).map(|k| self.at(gone + AHEAD * k as f32 / 8.0).coords).sum::<nalgebra::Vector2<f32>>() / 8.0;
-            camera.looking(place(self.at(gone), EYE), place(ahead.into(), EYE - 0.12))
-        };
-        (0..count).map(view).collect()
+        let way: Vec<Point3<f32>> = self.points.iter().map(|p| Point3::new(p.x, p.y, EYE)).collect();
+        camera.along(&way, ((self.length() / step) as usize + 1).clamp(2, most))
     }
 }

@@ -1,27 +1,25 @@
-//! All modalities of a room of a generated home, side by side.
+//! All modalities of a room of a home, generated or read from a file, side by side.
 //!
 //! `cargo run --release --example render -- --seed 42 --room livingroom --out out/render`
 //! writes one sheet. `--daylight evening` or `night` is another time; at night the lamps
 //! are on. `--time` says what each modality costs. `--reference` adds a picture by paths of light,
 //! `--files` depth and flow as OpenEXR and NPY, boxes and masks as COCO, and the scene with the camera and the
-//! lights as glTF.
+//! lights as glTF. `--scene FILE` takes the home from a file.
 
 #[path = "../support/mod.rs"]
-#[expect(dead_code, reason = "this example reads no scenes")]
 mod support;
 
 mod files;
 mod sheet;
 mod time;
-mod viewpoint;
 
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 use support::{Complaint, say};
-use virtualcity::graph::{SceneGraph, Seed};
+use virtualcity::graph::{ClassTable, NodeId, SceneGraph, Seed, format};
 use virtualcity::procgen::Apartment;
-use virtualcity::render::{Daylight, Exposure, Frame, Renderer, Snapshot, picture};
+use virtualcity::render::{Camera, Daylight, Exposure, Frame, Renderer, Snapshot, picture};
 
 /// All modalities of a room.
 #[derive(Parser)]
@@ -29,6 +27,9 @@ struct Options {
     /// The home's seed.
     #[arg(long, default_value_t = 42)]
     seed: u64,
+    /// A scene file (native format, may be gzipped) to take the home from instead.
+    #[arg(long)]
+    scene: Option<PathBuf>,
     /// Class of the room.
     #[arg(long, default_value = "livingroom")]
     room: String,
@@ -83,13 +84,16 @@ impl Hour {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    let home = Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?;
-    let scene = home.scene();
+    let scene = match &options.scene {
+        Some(path) => format::native::read(&support::read(path)?, &ClassTable::builtin()).map_err(Complaint::new)?,
+        None => Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene(),
+    };
     std::fs::create_dir_all(&options.out).map_err(Complaint::new)?;
     let mut renderer = Renderer::new();
     let mut snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;
     switch_lamps(&scene, &mut snapshot, options.daylight == Hour::Night)?;
-    let camera = viewpoint::best(&renderer, &snapshot, &scene, &options.room, (options.width, options.height))?;
+    let camera = Camera::with_fov(options.width, options.height, 1.15);
+    let camera = renderer.viewpoint(&snapshot, room(&scene, &options.room)?, &camera).map_err(Complaint::new)?;
     let start = std::time::Instant::now();
     let lighting = renderer.light(&snapshot, &options.daylight.daylight());
     say!("{} triangles; light made in {:.0} ms", snapshot.triangles(), 1e3 * start.elapsed().as_secs_f64());
@@ -98,7 +102,8 @@ fn main() -> Result<(), Complaint> {
     }
     let mut frame = Frame::new();
     let sheet = sheet::all(&renderer, &snapshot, &camera, &lighting, &mut frame).map_err(Complaint::new)?;
-    let name = format!("{}_{}", options.room, options.seed);
+    let file = options.scene.as_ref().and_then(|path| path.file_stem()).map(|name| name.to_string_lossy().into_owned());
+    let name = format!("{}_{}", options.room, file.unwrap_or_else(|| options.seed.to_string()));
     write(&options.out.join(format!("{name}.png")), &picture::rgb(&frame))?;
     write(&options.out.join(format!("{name}_sheet.png")), &sheet)?;
     if options.files {
@@ -108,8 +113,8 @@ fn main() -> Result<(), Complaint> {
     let how = Exposure { samples, denoise: !options.raw, seed: options.noise, ..Exposure::default() };
     let progress = indicatif::ProgressBar::new(u64::from(samples));
     let start = cpu_time::ProcessTime::now();
-    let photograph = renderer.photograph(&lighting, &camera, &how, |round| {
-        progress.set_position(u64::from(round));
+    let photograph = renderer.photograph(&lighting, &camera, &how, |made| {
+        progress.set_position(u64::from(made.rounds));
         true
     });
     progress.finish_and_clear();
@@ -131,12 +136,19 @@ fn write(path: &std::path::Path, image: &picture::Picture) -> Result<(), Complai
 /// Switches on everything that is a lamp: at night everywhere, by day in rooms without a
 /// window.
 fn switch_lamps(scene: &SceneGraph, snapshot: &mut Snapshot, night: bool) -> Result<(), Complaint> {
-    let lamp = |class: &str| ["lamp", "light", "chandelier"].iter().any(|w| class.contains(w));
     let lit = |room| scene.nodes().any(|n| **n.class() == *"window" && scene.room_of(n.id()) == room);
-    for node in scene.nodes().filter(|n| lamp(n.class()) && n.pose().is_some()) {
-        if night || !lit(scene.room_of(node.id())) {
-            snapshot.switch(node.id(), true).map_err(Complaint::new)?;
+    for lamp in snapshot.lamps().collect::<Vec<_>>() {
+        if night || !lit(scene.room_of(lamp)) {
+            snapshot.switch(lamp, true).map_err(Complaint::new)?;
         }
     }
     Ok(())
+}
+
+/// The first room of a class.
+fn room(scene: &SceneGraph, class: &str) -> Result<NodeId, Complaint> {
+    scene.of_class(class).first().copied().ok_or_else(|| {
+        let names: Vec<String> = scene.rooms().iter().map(|r| scene.label(*r).class.to_string()).collect();
+        Complaint::new(format!("the home has no {class}; it has {}", names.join(", ")))
+    })
 }

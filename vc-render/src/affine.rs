@@ -38,6 +38,14 @@ impl Affine {
         Self([row(0), row(1), row(2)])
     }
 
+    /// Where a point goes.
+    pub(crate) fn point(&self, p: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|r: usize| {
+            let row = &self.0[r];
+            row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3]
+        })
+    }
+
     pub(crate) fn determinant(&self) -> f64 {
         let [a, b, c] = self.0;
         a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
@@ -113,4 +121,15 @@ pub(crate) fn normal(inverse: &Narrow, n: [f32; 3]) -> [f32; 3] {
         #[inline(always)]
         |c| inverse[0][c] * n[0] + inverse[1][c] * n[1] + inverse[2][c] * n[2],
     )
+}
+
+/// What stands upright on two vectors, as long as the area between them.
+#[inline(always)]
+pub(crate) fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The volume between three vectors; negative if they go around the other way.
+pub(crate) fn volume(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> f64 {
+    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
 }

@@ -10,6 +10,17 @@ use crate::affine::Affine;
 /// Longest side of an image, pixels.
 pub const MAX_SIDE: u32 = 8192;
 
+/// How far ahead one looks along a way, metres, and at how many places.
+const AHEAD: f32 = 1.4;
+const LOOKS: usize = 8;
+
+/// A way with its corners cut off.
+struct Way {
+    points: Vec<Point3<f32>>,
+    /// Metres up to each point.
+    gone: Vec<f32>,
+}
+
 /// A pinhole camera. Its optical frame has x to the right, y down and z forward.
 ///
 /// Pixel (0, 0) covers the square from (0, 0) to (1, 1) of the image plane, so its
@@ -135,6 +146,33 @@ impl Camera {
         (0..steps).map(view).collect()
     }
 
+    /// Cameras along a way, evenly spaced and as many as wanted, each looking to the mean of what is next, so
+    /// that the eye turns smoothly. Corners of the way are cut off, three times over (Chaikin 1974).
+    ///
+    /// The last looks to the end of the way from a little over a metre before it, or from halfway along a short
+    /// one. A way of one point is stood on, looking along X; none has no cameras.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use vc_render::Camera;
+    /// let way = [[0.0, 0.0, 1.5], [3.0, 0.0, 1.5], [3.0, 4.0, 1.5]].map(Point3::from);
+    /// let views = Camera::with_fov(320, 240, 1.2).along(&way, 60);
+    /// assert_eq!(views.len(), 60);
+    /// assert!((views[0].eye() - way[0]).norm() < 1e-5);
+    /// assert!(views.windows(2).all(|v| (v[1].eye() - v[0].eye()).norm() < 0.12)); // 5.6 m in 59 steps
+    /// ```
+    pub fn along(self, way: &[Point3<f32>], count: usize) -> Vec<Self> {
+        let way = Way::of(way);
+        let Some(length) = way.length() else { return Vec::new() };
+        let ahead = AHEAD.min(0.5 * length);
+        let view = |i: usize| {
+            let gone = (length - ahead) * i as f32 / count.saturating_sub(1).max(1) as f32;
+            let next = (1..=LOOKS).map(|k| way.at(gone + ahead * k as f32 / LOOKS as f32).coords).sum::<Vector3<f32>>();
+            self.looking(way.at(gone), (next / LOOKS as f32).into())
+        };
+        (0..count).map(view).collect()
+    }
+
     /// Direction through a place in the image, in the optical frame, with z = 1.
     pub(crate) fn ray(&self, across: f32, down: f32) -> Vector3<f32> {
         Vector3::new((across - self.centre.0) / self.focal.0, (down - self.centre.1) / self.focal.1, 1.0)
@@ -184,4 +222,38 @@ impl Camera {
         }
         Ok(())
     }
+}
+
+impl Way {
+    fn of(points: &[Point3<f32>]) -> Self {
+        let points = (0..3).fold(points.to_vec(), |points, _| cut(&points));
+        let steps = points.windows(2).map(|p| (p[1] - p[0]).norm());
+        let gone = std::iter::once(0.0).chain(steps.scan(0.0, |sum, step| {
+            *sum += step;
+            Some(*sum)
+        }));
+        Self { gone: gone.take(points.len()).collect(), points }
+    }
+
+    /// Metres, if there is a way at all.
+    fn length(&self) -> Option<f32> {
+        self.gone.last().copied()
+    }
+
+    /// Where one is after so many metres.
+    fn at(&self, gone: f32) -> Point3<f32> {
+        let next = self.gone.partition_point(|g| *g <= gone).clamp(1, self.points.len().max(2) - 1);
+        let (Some(a), Some(b)) = (self.points.get(next - 1), self.points.get(next)) else { return self.points[0] };
+        let (from, to) = (self.gone[next - 1], self.gone[next]);
+        let share = if to > from { ((gone - from) / (to - from)).min(1.0) } else { 0.0 };
+        a + (b - a) * share
+    }
+}
+
+/// Cuts corners off, a quarter of each side from either end.
+fn cut(points: &[Point3<f32>]) -> Vec<Point3<f32>> {
+    let (Some(first), [.., last]) = (points.first(), points) else { return Vec::new() };
+    let quarters = points.windows(2).flat_map(|p| [0.25, 0.75].map(|share| p[0] + (p[1] - p[0]) * share));
+    let ends = points.len() > 1;
+    std::iter::once(*first).chain(quarters).chain(ends.then_some(*last)).collect()
 }

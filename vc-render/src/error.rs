@@ -36,17 +36,31 @@ pub enum RenderError {
         /// What it needs.
         needs: &'static str,
     },
-    /// Two views are compared that are not of the same scene.
-    #[error("the other moment has {there} instances, this one has {here}: both must be of one scene")]
+    /// Two things are used together that are not of the same scene.
+    #[error(
+        "the {what} is of another scene ({there} meshes are in it, {here} in this one): \
+         make both from one snapshot, or from snapshots of the same nodes"
+    )]
     OtherScene {
-        /// Instances of the snapshot rendered.
+        /// What is of another scene.
+        what: &'static str,
+        /// Meshes in the scene it is used with.
         here: usize,
-        /// Instances of the other.
+        /// Meshes in its own.
         there: usize,
     },
+    /// Something was made by another renderer, whose meshes and materials this one does not have.
+    #[error("the {0} was made by another renderer: use it with the one that made its snapshot")]
+    OtherRenderer(&'static str),
+    /// A colour of the daylight is not finite or less than zero, or the direction to the sun has not unit length.
+    #[error("the daylight's {0} is not finite, is negative, or has not unit length")]
+    BadDaylight(&'static str),
     /// There is no node of this number in the snapshot, or it has no body.
     #[error("{0} has no body in this snapshot")]
     NoBody(NodeId),
+    /// There is no room of this number in the snapshot, or the graph knows no box around it.
+    #[error("{0} is no room of this snapshot, or has no box around it")]
+    NoRoom(NodeId),
     /// As many frames as shots are needed.
     #[error("{shots} shots need as many frames, {frames} are given")]
     FrameCount {

@@ -20,13 +20,14 @@ mod simd;
 mod surface;
 mod trace;
 mod view;
+mod viewpoint;
 
 pub use camera::Camera;
 pub use error::RenderError;
 pub use frame::{Box3, BoxLabel, Frame, Mask, NO_LABEL, NOTHING, PixelBox, Rle};
 pub use light::{Daylight, Lighting, Source};
 pub use modality::{Modalities, Modality};
-pub use photo::{Exposure, Photograph};
+pub use photo::{Exposure, Photograph, Progress};
 pub use renderer::Renderer;
 pub use scene::Snapshot;
 pub use surface::Coat;

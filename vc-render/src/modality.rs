@@ -46,8 +46,9 @@ modalities! {
     FlowForward = 8;
     /// Motion from the moment before: [`Frame::flow_backward`](crate::Frame::flow_backward).
     FlowBackward = 9;
-    /// Which pixels cannot be seen at the other moment:
-    /// [`Frame::occluded_forward`](crate::Frame::occluded_forward). Costs a rendering of depth there.
+    /// Which pixels cannot be seen at the other moment, for the next one and the one before where the shot has them:
+    /// [`Frame::occluded_forward`](crate::Frame::occluded_forward),
+    /// [`Frame::occluded_backward`](crate::Frame::occluded_backward). Costs a rendering of depth there.
     Occlusion = 10;
     /// Boxes: [`Frame::boxes`](crate::Frame::boxes).
     Boxes = 11;

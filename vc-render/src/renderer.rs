@@ -32,11 +32,12 @@ impl Default for Renderer {
 }
 
 /// What stands for pixels, of nodes and their bodies.
-const RUNS: [Modality; 6] = [
+const RUNS: [Modality; 7] = [
     Modality::Instance,
     Modality::Class,
     Modality::FlowForward,
     Modality::FlowBackward,
+    Modality::Occlusion,
     Modality::Boxes,
     Modality::Masks,
 ];
@@ -84,23 +85,29 @@ impl Renderer {
         self.store.size()
     }
 
-    /// Renders a shot into a frame. What is not wanted costs nothing.
+    /// Renders a shot into a frame. What is not wanted costs nothing, and a frame that is used again for pictures of
+    /// its size allocates nothing.
+    ///
+    /// Of 130,000 triangles in 640 by 480 pixels all labels take some two milliseconds of one core, and colours with
+    /// shadows some nine more; both grow about as pixels do. What needs light has it from [`Self::light`].
     ///
     /// # Errors
     /// [`RenderError::BadSize`], [`RenderError::BadCamera`], [`RenderError::Missing`],
-    /// [`RenderError::OtherScene`]; the frame is then as it was.
+    /// [`RenderError::OtherScene`], [`RenderError::OtherRenderer`], [`RenderError::BadDaylight`]; the frame is then as
+    /// it was.
     pub fn render(&self, shot: &Shot<'_>, frame: &mut Frame) -> Result<(), RenderError> {
         if shot.finer > 1 && shot.wanted.has(Modality::Rgb) {
             return self.render_finer(shot, frame);
         }
-        shot.check()?;
+        shot.check(&self.store)?;
         let View { snapshot, camera } = shot.view;
         let wanted = shot.wanted;
-        frame.prepare(camera.width as usize, camera.height as usize, wanted);
+        let moments = [shot.after, shot.before].map(|view| view.is_some());
+        frame.prepare(camera.width as usize, camera.height as usize, wanted, moments);
         let (strip, memory) = Strip::of(frame);
         let Memory { bands, other, .. } = memory;
         if wanted.has(Modality::Occlusion) {
-            self.others(shot, other);
+            self.others([shot.after, shot.before], other);
         }
         bands.resize_with(count(camera.height), Band::default);
         self.bands(shot, strip, bands, other);
@@ -122,8 +129,8 @@ impl Renderer {
         let camera = camera.finer(shot.finer);
         let view = View { snapshot, camera: &camera };
         let colours = Shot { view, before: None, after: None, wanted: Modality::Rgb.into(), finer: 1, ..*shot };
-        shot.check()?;
-        colours.check()?;
+        shot.check(&self.store)?;
+        colours.check(&self.store)?;
         let mut fine = frame.memory.finer.take().unwrap_or_default();
         self.render(&Shot { wanted: shot.wanted.without(Modality::Rgb), finer: 1, ..*shot }, frame)?;
         self.render(&colours, &mut fine)?;
@@ -196,39 +203,36 @@ impl Renderer {
         layers.draw(&drawing, all, (camera.width as usize, rows), apart);
     }
 
-    /// Depth at the moments after and before.
-    fn others(&self, shot: &Shot<'_>, other: &mut [Other; 2]) {
-        let wanted = [Modality::FlowForward, Modality::FlowBackward].map(|m| shot.wanted.has(m));
-        let views = [shot.after, shot.before];
-        other.par_iter_mut().zip(views).zip(wanted).for_each(|((other, view), wanted)| {
-            if let (Some(view), true) = (view, wanted) {
+    /// What is seen at the moments after and before.
+    fn others(&self, views: [Option<View<'_>>; 2], other: &mut [Other; 2]) {
+        let draw = |other: &mut Other, view: Option<View<'_>>| {
+            if let Some(view) = view {
                 self.draw(view, 0..view.camera.height as i32, &mut other.layers, false);
             }
-        });
+        };
+        let ([after, before], [next, last]) = (views, other);
+        rayon::join(|| draw(next, after), || draw(last, before));
     }
 }
 
-/// Flow of a band, and what is hidden at the other moment.
+/// Flow of a band, and what is hidden at the other moments.
 fn flow(shot: &Shot<'_>, strip: &mut Strip<'_>, band: &mut Band, other: &[Other; 2]) {
     let Band { layers, runs, motion, .. } = band;
-    let width = strip.width;
-    let seen = (&*layers, runs.as_slice());
-    if let (Some(then), true) = (shot.after, shot.wanted.has(Modality::FlowForward)) {
-        simd::widest(
-            #[inline(always)]
-            || label::flows(shot.view, then, seen, motion, (width, strip.flow_forward)),
-        );
-        if shot.wanted.has(Modality::Occlusion) {
-            label::hidden(shot.view, then, seen, (motion, &other[0]), (width, strip.occluded_forward));
+    let (width, seen) = (strip.width, (&*layers, runs.as_slice()));
+    let ways = [
+        (shot.after, Modality::FlowForward, &mut *strip.flow_forward, &mut *strip.occluded_forward),
+        (shot.before, Modality::FlowBackward, &mut *strip.flow_backward, &mut *strip.occluded_backward),
+    ];
+    for ((then, modality, flow, occluded), other) in ways.into_iter().zip(other) {
+        let Some(then) = then else { continue };
+        if shot.wanted.has(modality) {
+            simd::widest(
+                #[inline(always)]
+                || label::flows(shot.view, then, seen, motion, (width, flow)),
+            );
         }
-    }
-    if let (Some(then), true) = (shot.before, shot.wanted.has(Modality::FlowBackward)) {
-        simd::widest(
-            #[inline(always)]
-            || label::flows(shot.view, then, seen, motion, (width, strip.flow_backward)),
-        );
         if shot.wanted.has(Modality::Occlusion) {
-            label::hidden(shot.view, then, seen, (motion, &other[1]), (width, strip.occluded_backward));
+            label::hidden(shot.view, then, seen, (motion, other), (width, occluded));
         }
     }
 }

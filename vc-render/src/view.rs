@@ -4,7 +4,7 @@ use crate::RenderError;
 use crate::camera::Camera;
 use crate::light::Lighting;
 use crate::modality::{Modalities, Modality};
-use crate::scene::Snapshot;
+use crate::scene::{Snapshot, Store};
 
 /// A camera and what is before it.
 #[derive(Debug, Clone, Copy)]
@@ -76,20 +76,31 @@ impl<'a> Shot<'a> {
         Self { plain: true, ..self }
     }
 
-    pub(crate) fn check(&self) -> Result<(), RenderError> {
-        self.view.camera.check()?;
-        let here = self.view.snapshot.instances.len();
-        for other in [self.before, self.after].into_iter().flatten() {
+    pub(crate) fn check(&self, store: &Store) -> Result<(), RenderError> {
+        let View { snapshot, camera } = self.view;
+        camera.check()?;
+        if !snapshot.is_in(store) {
+            return Err(RenderError::OtherRenderer("snapshot"));
+        }
+        for (what, other) in [("moment before", self.before), ("next moment", self.after)] {
+            let Some(other) = other else { continue };
             other.camera.check()?;
-            let there = other.snapshot.instances.len();
-            if there != here {
-                return Err(RenderError::OtherScene { here, there });
-            }
+            snapshot.with(what, other.snapshot)?;
+        }
+        if let (Some(lighting), true) = (self.lighting, self.wanted.has(Modality::Rgb)) {
+            lighting.check(store)?;
+            snapshot.with("light", &lighting.tracer.snapshot)?;
         }
         let needs = [
             (Modality::Rgb, "colour", "light", self.lighting.is_some()),
             (Modality::FlowForward, "forward flow", "next moment", self.after.is_some()),
             (Modality::FlowBackward, "backward flow", "moment before", self.before.is_some()),
+            (
+                Modality::Occlusion,
+                "occlusion",
+                "next moment or moment before",
+                self.before.is_some() || self.after.is_some(),
+            ),
         ];
         match needs.into_iter().find(|(modality, .., there)| self.wanted.has(*modality) && !there) {
             Some((_, wanted, needs, _)) => Err(RenderError::Missing { wanted, needs }),

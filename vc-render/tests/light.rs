@@ -220,11 +220,15 @@ fn progress_is_told_and_may_end_it() {
     let made = closed(0.5, true);
     let lighting = made.0.light(&made.1, &Daylight::night());
     let mut told = Vec::new();
-    let ended = made.0.photograph(&lighting, &inside([0.0; 3]), &exact(100), |round| {
-        told.push(round);
-        round < 3
+    let ended = made.0.photograph(&lighting, &inside([0.0; 3]), &exact(100), |made| {
+        let so_far = made.photograph();
+        assert_eq!((so_far.width, so_far.height), (6, 4));
+        told.push((made.rounds, so_far));
+        made.rounds < 3
     });
-    assert_eq!(told, [1, 2, 3]);
+    assert_eq!(told.iter().map(|t| t.0).collect::<Vec<_>>(), [1, 2, 3]);
+    // Without smoothing the last is the picture.
+    assert!(ended.as_ref().is_ok_and(|made| *made == told[2].1) && told[0].1 != told[1].1);
     let three = made.0.photograph(&lighting, &inside([0.0; 3]), &exact(3), |_| true);
     assert!(ended == three, "what is there counts");
 }

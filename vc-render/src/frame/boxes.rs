@@ -43,7 +43,8 @@ pub struct BoxLabel {
     /// Pixels in which it is seen.
     pub area: u32,
     /// Seen pixels over those in the image it would have if nothing hid it; if
-    /// [`Modality::Amodal`](crate::Modality::Amodal) was asked for.
+    /// [`Modality::Amodal`](crate::Modality::Amodal) was asked for: to count them it has to be drawn alone, which
+    /// is what amodal masks cost.
     pub visible_fraction: Option<f32>,
     /// The box turned with it.
     pub oriented: Box3,

@@ -55,7 +55,8 @@ pub struct Frame {
     pub flow_forward: Vec<[f32; 2]>,
     /// Pixels right and down to where what is seen here was at the moment before.
     pub flow_backward: Vec<[f32; 2]>,
-    /// 1 where what is seen here cannot be seen at the next moment: hidden or out of the image.
+    /// 1 where what is seen here cannot be seen at the next moment: hidden or out of the image; and where nothing
+    /// is seen. What hides it by less than a thousandth of its depth, or between the centres of pixels, does not count.
     pub occluded_forward: Vec<u8>,
     /// 1 where what is seen here could not be seen at the moment before.
     pub occluded_backward: Vec<u8>,
@@ -114,7 +115,7 @@ impl Frame {
     }
 
     /// Gives the buffers their length.
-    pub(crate) fn prepare(&mut self, width: usize, height: usize, wanted: Modalities) {
+    pub(crate) fn prepare(&mut self, width: usize, height: usize, wanted: Modalities, [next, last]: [bool; 2]) {
         (self.width, self.height, self.holds) = (width, height, wanted);
         let pixels = width * height;
         let count = |of: Modality| if wanted.has(of) { pixels } else { 0 };
@@ -128,9 +129,9 @@ impl Frame {
         self.position.resize(count(Modality::Position), [0.0; 3]);
         self.flow_forward.resize(count(Modality::FlowForward), [0.0; 2]);
         self.flow_backward.resize(count(Modality::FlowBackward), [0.0; 2]);
-        let both = |of: Modality| if wanted.has(Modality::Occlusion) { count(of) } else { 0 };
-        self.occluded_forward.resize(both(Modality::FlowForward), 0);
-        self.occluded_backward.resize(both(Modality::FlowBackward), 0);
+        let occluded = count(Modality::Occlusion);
+        self.occluded_forward.resize(if next { occluded } else { 0 }, 0);
+        self.occluded_backward.resize(if last { occluded } else { 0 }, 0);
         self.boxes.clear();
         self.visible_masks.clear();
         self.whole_masks.clear();

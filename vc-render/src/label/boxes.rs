@@ -4,9 +4,10 @@ use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::Pose;
 
 use super::Run;
-use crate::affine;
+use crate::affine::{self, Affine, Narrow, volume};
 use crate::camera::Camera;
 use crate::frame::{Box3, BoxLabel, Frame, Masks, PixelBox};
+use crate::mesh::Mesh;
 use crate::modality::Modality;
 use crate::raster::{Frustum, refill};
 use crate::scene::{Body, Instance, Snapshot};
@@ -80,24 +81,19 @@ fn label(camera: &Camera, frustum: &Frustum, snapshot: &Snapshot, body: &Body, t
     }
 }
 
-/// The box around all vertices, those before the near plane left out.
+/// The least and the greatest of places in the image.
+type Sides = [[f32; 2]; 2];
+
+const NOWHERE: Sides = [[f32::INFINITY; 2], [f32::NEG_INFINITY; 2]];
+
+/// The box around all meshes beyond the near plane.
 #[inline(always)]
 fn outline(frustum: &Frustum, instances: &[Instance]) -> Option<PixelBox> {
-    let (mut low, mut high) = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
+    let [mut low, mut high] = NOWHERE;
     for instance in instances {
-        let map = frustum.map.after(&instance.world).narrow();
-        let [xs, ys, zs] = &instance.link.levels[0].axes;
-        let mut sides = [[f32::INFINITY; 2], [f32::NEG_INFINITY; 2]];
-        for ((x, y), z) in xs.iter().zip(ys).zip(zs) {
-            let [px, py, depth] = affine::point(&map, [*x, *y, *z]);
-            let over = 1.0 / depth;
-            let seen = depth >= frustum.near;
-            for (axis, v) in [px * over, py * over].into_iter().enumerate() {
-                let v = [if seen { v } else { f32::INFINITY }, if seen { v } else { f32::NEG_INFINITY }];
-                sides[0][axis] = if v[0] < sides[0][axis] { v[0] } else { sides[0][axis] };
-                sides[1][axis] = if v[1] > sides[1][axis] { v[1] } else { sides[1][axis] };
-            }
-        }
+        let map = frustum.map.after(&instance.world);
+        let (whole, nearest) = around(&map.narrow(), &instance.link.levels[0]);
+        let sides = if nearest >= frustum.near { whole } else { beyond(&map, frustum.near, instance) };
         low = [0, 1].map(|i: usize| low[i].min(sides[0][i]));
         high = [0, 1].map(|i: usize| high[i].max(sides[1][i]));
     }
@@ -107,6 +103,65 @@ fn outline(frustum: &Frustum, instances: &[Instance]) -> Option<PixelBox> {
         let last = high.map(|v| (v - 0.5).floor().min(1e9) as i32);
         PixelBox::between(first, [0, 1].map(|i: usize| last[i].max(first[i])))
     })
+}
+
+/// Around all vertices of a mesh in front of the eye, and the depth of the nearest.
+#[inline(always)]
+fn around(map: &Narrow, mesh: &Mesh) -> (Sides, f32) {
+    let [xs, ys, zs] = &mesh.axes;
+    let (mut sides, mut nearest) = (NOWHERE, f32::INFINITY);
+    for ((x, y), z) in xs.iter().zip(ys).zip(zs) {
+        let [px, py, depth] = affine::point(map, [*x, *y, *z]);
+        let over = 1.0 / depth;
+        nearest = if depth < nearest { depth } else { nearest };
+        for (axis, v) in [px * over, py * over].into_iter().enumerate() {
+            sides[0][axis] = if v < sides[0][axis] { v } else { sides[0][axis] };
+            sides[1][axis] = if v > sides[1][axis] { v } else { sides[1][axis] };
+        }
+    }
+    (sides, nearest)
+}
+
+/// Around what is left beyond the near plane of triangles that are seen from the front.
+#[cold]
+#[inline(never)]
+fn beyond(map: &Affine, near: f32, instance: &Instance) -> Sides {
+    let mesh = &*instance.link.levels[0];
+    let mut sides = NOWHERE;
+    let near = f64::from(near);
+    for cluster in &mesh.clusters {
+        for triangle in cluster.triangles.clone() {
+            let corners = mesh.triangle(cluster, triangle as usize).map(|p| map.point(p.map(f64::from)));
+            if faces_away(&corners, instance.mirrored) {
+                continue;
+            }
+            for (i, a) in corners.iter().enumerate() {
+                let b = &corners[(i + 1) % 3];
+                if a[2] >= near {
+                    extend(&mut sides, a);
+                }
+                if (a[2] >= near) != (b[2] >= near) {
+                    let share = (near - a[2]) / (b[2] - a[2]);
+                    extend(&mut sides, &[0, 1, 2].map(|k: usize| a[k] + share * (b[k] - a[k])));
+                }
+            }
+        }
+    }
+    sides
+}
+
+/// Whether the eye, from which corners are given as pixels times depth and depth, sees a triangle's back.
+fn faces_away([a, b, c]: &[[f64; 3]; 3], mirrored: bool) -> bool {
+    // Corners go around counter-clockwise seen from outside: the normal looks at the eye where this is negative.
+    (volume(a, b, c) >= 0.0) != mirrored
+}
+
+fn extend([low, high]: &mut Sides, p: &[f64; 3]) {
+    for axis in 0..2 {
+        let v = (p[axis] / p[2]) as f32;
+        low[axis] = low[axis].min(v);
+        high[axis] = high[axis].max(v);
+    }
 }
 
 fn oriented(camera: &Camera, body: &Body) -> Box3 {

@@ -1,8 +1,8 @@
 //! Optical flow, from the true motion of camera and bodies.
 
-use crate::affine::{Affine, Narrow};
+use crate::affine::{Affine, Narrow, volume};
 use crate::label::Run;
-use crate::raster::{Frustum, Layers, NONE, refill};
+use crate::raster::{Frustum, Layers, NONE, Visible, refill};
 use crate::scene::Instance;
 use crate::view::View;
 
@@ -97,35 +97,79 @@ pub(crate) fn hidden(
 ) {
     let rows = layers.front.rows.clone();
     let [from, to] = [now, then].map(|m| Frustum::new(m.camera, &(0..m.camera.height as i32)));
+    let there = There { layers: &other.layers, instances: &then.snapshot.instances, to: &to };
+    motions.reset(now.snapshot.instances.len());
     out.fill(1);
     for run in runs {
         let at = run.instance as usize;
         let map = motions.map(at, (&now.snapshot.instances[at], &from.map), (&then.snapshot.instances[at], &to.map));
         let row = (run.y - rows.start) as usize * width;
-        for x in run.from..run.to {
-            let v = layers.front.inverse_row(run.y)[x as usize];
-            let across = [x as f32 + 0.5, run.y as f32 + 0.5];
+        let (inverse, triangles) = (layers.front.inverse_row(run.y), layers.front.triangle_row(run.y));
+        for x in run.from as usize..run.to as usize {
+            let (across, v) = ([x as f32 + 0.5, run.y as f32 + 0.5], inverse[x]);
             let part = |r: usize| map[r][0] * across[0] + map[r][1] * across[1] + map[r][2] + map[r][3] * v;
-            out[row + x as usize] = u8::from(!other.sees([part(0), part(1), part(2)], v, run.instance));
+            let own = layers.visible[triangles[x] as usize];
+            out[row + x] = u8::from(!there.shows([part(0), part(1), part(2)], v, own));
         }
     }
 }
 
-impl Other {
-    /// Whether a point is seen at the other moment: nothing there is nearer by more than a hundredth.
-    fn sees(&self, [x, y, z]: [f32; 3], inverse: f32, instance: u32) -> bool {
-        let (column, row) = ((x / z).floor(), (y / z).floor());
-        let target = &self.layers.front;
-        let inside = z > 0.0 && column >= 0.0 && row >= 0.0;
-        if !inside || column >= target.width as f32 || row >= target.rows.len() as f32 {
+/// What is seen at the other moment.
+struct There<'a> {
+    layers: &'a Layers,
+    instances: &'a [Instance],
+    to: &'a Frustum,
+}
+
+/// How much nearer what hides a point is at least, of its depth: rounding is less. Of a curve's own mesh at
+/// another level of detail, whose outlines differ; and where triangles are finer than pixels.
+const NEARER: f32 = 1.001;
+const COARSER: f32 = 1.02;
+const FINER: f32 = 1.01;
+
+impl There<'_> {
+    /// Whether a point is seen, given as pixels times something and that, its inverse depth before, and its triangle:
+    /// no triangle that is seen at one of the four pixels around covers it from before. If none covers it, they are
+    /// finer than pixels, and it is seen unless all four are nearer.
+    fn shows(&self, [x, y, z]: [f32; 3], inverse: f32, own: Visible) -> bool {
+        let (front, inverse) = (&self.layers.front, inverse / z);
+        let (x, y, width, height) = (x / z, y / z, front.width, front.rows.len());
+        let inside = z > 0.0 && x >= 0.0 && y >= 0.0 && x < width as f32 && y < height as f32;
+        if !inside || inverse * self.to.near > 1.0 {
             return false;
         }
-        let (column, row) = (column as usize, row as i32);
-        let there = target.inverse_row(row)[column];
-        let triangle = target.triangle_row(row)[column];
-        let same = self.layers.visible.get(triangle as usize).is_some_and(|v| v.instance == instance);
-        // The point's own inverse depth then.
-        let own = inverse / z;
-        there <= own * if same { 1.05 } else { 1.01 }
+        let around = |v: f32, count: usize| [(v - 0.5).max(0.0) as usize, ((v + 0.5) as usize).min(count - 1)];
+        let (columns, mut last, mut covered, mut least) = (around(x, width), NONE, false, f32::INFINITY);
+        for row in around(y, height) {
+            let (triangles, inverses) = (front.triangle_row(row as i32), front.inverse_row(row as i32));
+            for column in columns {
+                least = least.min(inverses[column]);
+                let number = std::mem::replace(&mut last, triangles[column]);
+                let Some(visible) = self.layers.visible.get(last as usize).filter(|_| number != last) else { continue };
+                let there = if *visible == own { Some(inverse) } else { self.covers(*visible, [x, y]) };
+                let coarser = visible.instance == own.instance && visible.level() != own.level();
+                if there.is_some_and(|v| v > inverse * if coarser { COARSER } else { NEARER }) {
+                    return false;
+                }
+                covered |= there.is_some();
+            }
+        }
+        covered || least <= inverse * FINER
+    }
+
+    /// The inverse depth of a triangle at a place in the image, if it covers that.
+    #[inline(never)]
+    fn covers(&self, visible: Visible, [x, y]: [f32; 2]) -> Option<f32> {
+        let mesh = visible.mesh(self.instances);
+        let map = self.to.map.after(&self.instances[visible.instance as usize].world);
+        let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index());
+        let corners = corners.map(|p| map.point(p.map(f64::from)));
+        let towards = [f64::from(x), f64::from(y), 1.0];
+        // Volumes between the ray and two corners each, over that between all three.
+        let [a, b, c] = &corners;
+        let all = volume(a, b, c);
+        let shares = [volume(&towards, b, c), volume(a, &towards, c), volume(a, b, &towards)].map(|v| v / all);
+        let there = shares.iter().sum::<f64>() as f32;
+        (shares.iter().all(|s| *s >= 0.0) && there * self.to.near <= 1.0).then_some(there)
     }
 }

@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::brightness;
 use super::shadow::Cube;
+use super::{brightness, dot};
 use crate::affine::{self, scaled, three};
 use crate::renderer::Renderer;
 use crate::scene::{Body, Snapshot};
@@ -12,6 +12,14 @@ use crate::scene::{Body, Snapshot};
 pub(super) const LUMENS: f32 = 5000.0;
 /// What glows and is no lamp, against what its material says.
 const FAINT: f32 = 0.004;
+
+/// Words in the classes of what lights rooms.
+const LAMPS: [&str; 5] = ["lamp", "light", "chandelier", "lantern", "bulb"];
+
+/// Whether things of a class light rooms when they are on.
+pub(crate) fn is_lamp(class: &str) -> bool {
+    LAMPS.iter().any(|word| class.contains(word))
+}
 
 /// All light of a body as if it came from its middle.
 #[derive(Debug, Clone)]
@@ -69,12 +77,9 @@ pub(super) fn lamps(renderer: &Renderer, snapshot: &Snapshot, kept: &[Lamp]) -> 
 /// Lumens of a lamp, by how large its bulbs are; none for what is no lamp.
 fn lumens(snapshot: &Snapshot, body: &Body, area: f32) -> Option<f32> {
     let class = snapshot.class(body.class)?;
-    let any = |words: &[&str]| words.iter().any(|w| class.contains(w));
     match () {
-        () if any(&["candle"]) => Some(40.0),
-        () if any(&["lamp", "light", "chandelier", "lantern", "bulb"]) => {
-            Some((500.0 + 9000.0 * area).clamp(400.0, 2500.0))
-        }
+        () if class.contains("candle") => Some(40.0),
+        () if is_lamp(class) => Some((500.0 + 9000.0 * area).clamp(400.0, 2500.0)),
         () => None,
     }
 }
@@ -119,8 +124,8 @@ impl Glow {
 fn area([a, b, c]: [[f32; 3]; 3]) -> ([f32; 3], f32) {
     let edge = |p: [f32; 3]| three(|i| p[i] - a[i]);
     let (u, v) = (edge(b), edge(c));
-    let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    let length = (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
+    let cross = affine::cross(u, v);
+    let length = dot(cross, cross).sqrt();
     (if length > 0.0 { cross.map(|x| x / length) } else { [0.0; 3] }, 0.5 * length)
 }
 

@@ -12,7 +12,7 @@ use super::{Daylight, extent::rooms};
 use crate::RenderError;
 use crate::affine::{scaled, three};
 use crate::renderer::Renderer;
-use crate::scene::Snapshot;
+use crate::scene::{Snapshot, Store};
 use crate::surface::{Role, Surface};
 use crate::trace::Tracer;
 
@@ -30,6 +30,8 @@ pub struct Lighting {
     /// By body: what its glow and its shade's glow are multiplied with.
     gains: Vec<[f32; 2]>,
     pub(super) grids: Arc<Vec<Grid>>,
+    /// By room, what share of the sun's light panes leave.
+    sunlight: Vec<f32>,
     /// Boxes of rooms, to tell in which an eye is.
     rooms: Vec<([f32; 3], [f32; 3])>,
 }
@@ -46,6 +48,9 @@ pub(crate) fn brightness([r, g, b]: [f32; 3]) -> f32 {
 impl Renderer {
     /// The light in a scene: about a microsecond a triangle for the tree of rays, tens of milliseconds for
     /// shadows, and some for each room.
+    ///
+    /// Of a snapshot of another renderer, or by a daylight of numbers that are not finite, there is no light:
+    /// what is made then says so when it is used.
     pub fn light(&self, snapshot: &Snapshot, daylight: &Daylight) -> Lighting {
         let mut lighting = Lighting {
             daylight: *daylight,
@@ -54,9 +59,12 @@ impl Renderer {
             lamps: Arc::default(),
             gains: Vec::new(),
             grids: Arc::default(),
+            sunlight: Vec::new(),
             rooms: Vec::new(),
         };
-        self.shine(&mut lighting);
+        if snapshot.is_in(&self.store) && daylight.check().is_ok() {
+            self.shine(&mut lighting);
+        }
         lighting
     }
 
@@ -68,8 +76,11 @@ impl Renderer {
     /// from room to room. Takes two thirds to three quarters of what it takes to make it.
     ///
     /// # Errors
-    /// [`RenderError::OtherScene`] if bodies have come or gone; the light is then as it was.
+    /// [`RenderError::OtherScene`] if bodies have come or gone, [`RenderError::OtherRenderer`],
+    /// [`RenderError::BadDaylight`]; the light is then as it was.
     pub fn relight(&self, lighting: &mut Lighting, snapshot: &Snapshot) -> Result<(), RenderError> {
+        lighting.check(&self.store)?;
+        lighting.tracer.snapshot.with("snapshot to follow", snapshot)?;
         let moved = !lighting.tracer.snapshot.stands_as(snapshot);
         lighting.tracer.follow(snapshot)?;
         if moved {
@@ -91,7 +102,8 @@ impl Renderer {
         }
         lighting.rooms = rooms(snapshot);
         (lighting.gains, lighting.lamps) = (gains, Arc::new(lamps));
-        lighting.grids = Arc::new(room::grids(self, lighting));
+        let (grids, sunlight) = room::grids(self, lighting);
+        (lighting.grids, lighting.sunlight) = (Arc::new(grids), sunlight);
     }
 }
 
@@ -104,6 +116,16 @@ fn ball(snapshot: &Snapshot) -> (Point3<f32>, f32) {
 }
 
 impl Lighting {
+    /// That it was made, and with meshes in this store.
+    pub(crate) fn check(&self, store: &Store) -> Result<(), RenderError> {
+        if !self.tracer.snapshot.is_in(store) {
+            return Err(RenderError::OtherRenderer("light"));
+        }
+        self.daylight.check()?;
+        // There is a grid even for what is in no room.
+        if self.grids.is_empty() { Err(RenderError::OtherRenderer("light")) } else { Ok(()) }
+    }
+
     /// Lets mirrors and reference pictures see another moment of the same scene, as
     /// [`RayCaster::follow`](crate::RayCaster::follow) does, at its cost. The light of fast pictures and
     /// the exposure stay as they were; [`Renderer::relight`] makes them anew too.
@@ -127,17 +149,24 @@ impl Lighting {
         self.grids[index].at(three(|i| at[i] + 0.12 * normal[i]))
     }
 
-    /// Light that falls straight from the sun and the room's lamps on a surface, with shadows.
-    pub(crate) fn direct(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> [f32; 3] {
-        let mut sum = [0.0; 3];
-        if let Some(map) = &self.sun {
-            let towards: [f32; 3] = self.daylight.towards_sun.into();
-            let facing = dot(towards, normal);
-            if facing > 0.0 {
-                let share = facing * map.lit(at, normal);
-                sum = three(|i| sum[i] + share * self.daylight.sun[i]);
-            }
-        }
+    /// How much of the sun is seen from a surface, by the cosine; none where there is no sun.
+    pub(super) fn sunshine(&self, at: [f32; 3], normal: [f32; 3]) -> Option<f32> {
+        let map = self.sun.as_ref()?;
+        let facing = dot(self.daylight.towards_sun.into(), normal);
+        Some(if facing > 0.0 { facing * map.lit(at, normal) } else { 0.0 })
+    }
+
+    /// The share of the sun's light that panes leave in a room.
+    #[inline(always)]
+    pub(crate) fn sunlight(&self, room: u16) -> f32 {
+        self.sunlight[usize::from(room).min(self.sunlight.len() - 1)]
+    }
+
+    /// Light that falls straight from the sun, of which panes leave a share, and the room's lamps on a surface,
+    /// with shadows.
+    pub(crate) fn direct(&self, at: [f32; 3], normal: [f32; 3], room: u16, panes: f32) -> [f32; 3] {
+        let share = if panes > 0.0 { panes * self.sunshine(at, normal).unwrap_or(0.0) } else { 0.0 };
+        let mut sum: [f32; 3] = self.daylight.sun.map(|sun| share * sun).into();
         for lamp in self.lamps.iter().filter(|l| l.room == room) {
             let (to, light) = lamp.falls(at);
             let facing = dot(to, normal);

@@ -7,15 +7,17 @@ mod extent;
 mod lamp;
 mod lighting;
 mod look;
+mod pane;
 mod room;
 mod shadow;
 mod sky;
 mod source;
 
 pub(crate) use ambient::Ambient;
-pub(crate) use lamp::Lamp;
+pub(crate) use lamp::{Lamp, is_lamp};
 pub use lighting::Lighting;
 pub(crate) use lighting::{brightness, dot};
 pub(crate) use look::Points;
+pub(crate) use pane::{INDEX, fresnel, tint};
 pub use sky::Daylight;
 pub use source::Source;

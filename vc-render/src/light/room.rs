@@ -7,7 +7,7 @@
 use rayon::prelude::*;
 
 use super::extent::rooms;
-use super::{Ambient, Lighting};
+use super::{Ambient, Lighting, brightness, dot};
 use crate::affine::three;
 use crate::renderer::Renderer;
 use crate::simd::whole;
@@ -15,6 +15,9 @@ use crate::trace::Ray;
 
 /// Distance of the grid's points over the floor and upwards, metres.
 const STEP: [f32; 3] = [0.5, 0.5, 0.6];
+/// Points of all rooms together at most, but for eight of each room: huge scenes have them farther apart. Each
+/// takes 14 kB while light is made.
+const MOST: usize = 1 << 14;
 /// Rays from each point.
 const RAYS: usize = 256;
 /// How often light is thrown on.
@@ -39,23 +42,40 @@ type Thrown = ([f32; 3], [f32; 3], [f32; 3], u16);
 
 /// What a ray from a point of the grid has met.
 struct Seen {
-    towards: [f32; 3],
     /// Light it gives, and what is thrown back of direct light.
     direct: [f32; 3],
     /// Where that is; none where there is nothing.
     place: Option<Thrown>,
+    /// The share of the sun's light that panes leave there; zero where the sun does not shine.
+    sun: f32,
 }
 
 impl Grid {
-    fn over(low: [f32; 3], high: [f32; 3]) -> Self {
+    /// Over a room, with points so many times farther apart than usual.
+    fn over((low, high): ([f32; 3], [f32; 3]), apart: f32) -> Self {
         // Points keep away from walls; the floor goes on below half of them.
         const OFF: [f32; 3] = [0.3, 0.3, 0.12];
         let low = three(|i| low[i] + OFF[i]);
         let size = three(|i| (high[i] - OFF[i] - low[i]).max(0.05));
-        let counts: [usize; 3] = three(|i| ((size[i] / STEP[i]).ceil() as usize + 1).clamp(2, 64));
+        let counts: [usize; 3] = three(|i| ((size[i] / (apart * STEP[i])).ceil() as usize).clamp(1, 63) + 1);
         let over = three(|i| (counts[i] - 1) as f32 / size[i]);
-        let points = vec![Ambient::default(); counts.iter().product()];
-        Self { low, over, counts, points, middling: 0.0, colour: [0.0; 3] }
+        Self { low, over, counts, points: Vec::new(), middling: 0.0, colour: [0.0; 3] }
+    }
+
+    /// Over all rooms, with points as near to each other as there may be so many.
+    fn over_all(rooms: &[([f32; 3], [f32; 3])]) -> Vec<Self> {
+        let grids = |apart: f32| -> Vec<Self> { rooms.iter().map(|room| Self::over(*room, apart)).collect() };
+        let (mut apart, mut all) = (1.0, grids(1.0));
+        while all.iter().map(Self::count).sum::<usize>() > MOST.max(8 * rooms.len()) {
+            apart *= 1.1;
+            all = grids(apart);
+        }
+        all.iter_mut().for_each(|grid| grid.points = vec![Ambient::default(); grid.count()]);
+        all
+    }
+
+    fn count(&self) -> usize {
+        self.counts.iter().product()
     }
 
     fn place(&self, index: usize) -> [f32; 3] {
@@ -102,9 +122,11 @@ fn directions() -> Vec<[f32; 3]> {
 }
 
 /// The grids of all rooms, and one for what is in no room, last.
-pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
+///
+/// And for each the share of the sun's light that panes leave where it shines in.
+pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec<f32>) {
     let bounds = rooms(&lighting.tracer.snapshot);
-    let mut grids: Vec<Grid> = bounds.iter().map(|(low, high)| Grid::over(*low, *high)).collect();
+    let mut grids = Grid::over_all(&bounds);
     let directions = directions();
     let each = |(g, grid): (usize, &Grid)| (0..grid.points.len()).map(move |i| (g, i)).collect::<Vec<_>>();
     let places: Vec<(usize, usize)> = grids.iter().enumerate().flat_map(each).collect();
@@ -112,8 +134,9 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
     let look = |(g, i): &(usize, usize)| look(renderer, lighting, *g, grids[*g].place(*i), &directions);
     let look = |(place, within): (&_, &bool)| within.then(|| look(place)).flatten();
     let seen: Vec<Option<Vec<Seen>>> = places.par_iter().zip(&within).map(look).collect();
+    let sunlight = sunlight(seen.iter().flatten().flatten(), grids.len());
     for _ in 0..BOUNCES {
-        let gather = |seen: &Option<Vec<Seen>>| seen.as_ref().map(|seen| gathered(&grids, seen));
+        let gather = |seen: &Option<Vec<Seen>>| seen.as_ref().map(|seen| gathered(&grids, &directions, seen));
         let next: Vec<Option<Ambient>> = seen.par_iter().map(gather).collect();
         for ((g, i), light) in places.iter().zip(next) {
             grids[*g].points[*i] = light.unwrap_or(Ambient::UNKNOWN);
@@ -125,7 +148,20 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> Vec<Grid> {
         grid.middling = grid.middle();
         grid.colour = grid.mean();
     }
-    grids
+    (grids, sunlight)
+}
+
+/// The mean share of the sun's light that panes leave, in each room; one where it does not shine.
+fn sunlight<'a>(seen: impl Iterator<Item = &'a Seen>, rooms: usize) -> Vec<f32> {
+    let mut sums = vec![(0.0_f64, 0_u32); rooms];
+    for seen in seen.filter(|seen| seen.sun > 0.0) {
+        if let Some((.., room)) = seen.place {
+            let (sum, count) = &mut sums[usize::from(room).min(rooms - 1)];
+            *sum += f64::from(seen.sun);
+            *count += 1;
+        }
+    }
+    sums.into_iter().map(|(sum, count)| if count > 0 { (sum / f64::from(count)) as f32 } else { 1.0 }).collect()
 }
 
 /// Which points are over something of their room: boxes of rooms with corners reach through their walls. All
@@ -159,48 +195,64 @@ fn look(
         let met = tracer.first(ray);
         let inside = met.as_ref().is_some_and(|m| dot(m.flat, ray.along) > 0.0);
         behind += usize::from(inside);
+        let share = || {
+            let end = met.as_ref().map_or(ray.end, |met| met.t);
+            super::pane::passes(renderer, tracer, Ray { end, ..*ray })
+        };
         seen.push(match met {
-            Some(met) if !inside => lighting.seen(renderer, ray, &met, room),
-            Some(_) => Seen { towards: ray.along, direct: [0.0; 3], place: None },
-            None => Seen { towards: ray.along, direct: lighting.daylight.radiance(ray.along), place: None },
+            Some(met) if !inside => lighting.seen(renderer, &met, room).behind(share()),
+            Some(_) => Seen { direct: [0.0; 3], place: None, sun: 0.0 },
+            None => Seen { direct: lighting.daylight.radiance(ray.along), place: None, sun: 0.0 }.behind(share()),
         });
     }
     (behind * 5 < directions.len()).then_some(seen)
 }
 
-#[inline(always)]
-fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+impl Seen {
+    /// The same behind panes that leave a share of light.
+    fn behind(self, share: [f32; 3]) -> Self {
+        let place = self.place.map(|(at, normal, colour, room)| (at, normal, three(|i| colour[i] * share[i]), room));
+        Self { direct: three(|i| self.direct[i] * share[i]), place, ..self }
+    }
 }
 
 impl Lighting {
-    fn seen(&self, renderer: &Renderer, ray: &Ray, met: &crate::trace::Met<'_>, room: usize) -> Seen {
+    fn seen(&self, renderer: &Renderer, met: &crate::trace::Met<'_>, room: usize) -> Seen {
         let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
         let body = &self.tracer.snapshot.bodies[met.instance.body as usize];
         let colour = surface.mean();
         let lamp = self.lamps.iter().any(|l| l.body == met.instance.body && usize::from(l.room) == room);
         let own = if lamp { [0.0; 3] } else { self.glow(surface, met.instance.body) };
-        let direct = self.direct(met.at, met.normal, body.room);
+        let sunny = self.sunshine(met.at, met.normal).is_some_and(|lit| lit > 0.0);
+        let sun = if sunny { self.panes(renderer, met) } else { 0.0 };
+        let direct = self.direct(met.at, met.normal, body.room, sun);
         let over = 1.0 / std::f32::consts::PI;
         Seen {
-            towards: ray.along,
             direct: three(|i| own[i] + colour[i] * direct[i] * over),
             place: Some((met.at, met.normal, colour, body.room)),
+            sun,
         }
+    }
+
+    /// The share of the sun's light that panes leave at a surface.
+    fn panes(&self, renderer: &Renderer, met: &crate::trace::Met<'_>) -> f32 {
+        let from = three(|i| met.at[i] + 1e-3 * met.flat[i]);
+        let ray = Ray { from, along: self.daylight.towards_sun.into(), end: 1e4 };
+        brightness(super::pane::passes(renderer, &self.tracer, ray))
     }
 }
 
-/// The light from what is seen, given the light in rooms so far.
-fn gathered(grids: &[Grid], seen: &[Seen]) -> Ambient {
+/// The light from what is seen in some directions, given the light in rooms so far.
+fn gathered(grids: &[Grid], directions: &[[f32; 3]], seen: &[Seen]) -> Ambient {
     let mut light = Ambient::default();
     let each = 4.0 * std::f32::consts::PI / RAYS as f32;
-    for one in seen {
+    for (towards, one) in directions.iter().zip(seen) {
         let mut radiance = one.direct;
         if let Some((at, normal, colour, room)) = &one.place {
             let falling = grids[usize::from(*room).min(grids.len() - 1)].at(*at).falls(*normal);
             radiance = three(|i| radiance[i] + colour[i] * falling[i] / std::f32::consts::PI);
         }
-        light.add(one.towards, radiance.map(|v| v * each));
+        light.add(*towards, radiance.map(|v| v * each));
     }
     light
 }

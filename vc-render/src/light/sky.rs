@@ -3,7 +3,10 @@
 use nalgebra::Vector3;
 use vc_graph::portable::Portable;
 
-/// The light outside.
+use crate::RenderError;
+
+/// The light outside: radiance in units of 5000 candela per square metre, about that of an overcast sky, linear
+/// RGB; light on a surface (of the sun) in those times steradians, 5000 lux.
 ///
 /// ```
 /// use vc_render::Daylight;
@@ -63,6 +66,17 @@ impl Daylight {
         // Far darker than rooms with a lamp: windows are dark panes then.
         let dark = Vector3::new(0.0004, 0.0006, 0.0012);
         Self { sun: Vector3::zeros(), zenith: dark, horizon: dark * 1.8, ground: dark * 0.4, ..Self::noon() }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), RenderError> {
+        let bad = |v: &Vector3<f32>| v.iter().any(|c| !(0.0..1e6).contains(c));
+        let colours =
+            [("sun", &self.sun), ("zenith", &self.zenith), ("horizon", &self.horizon), ("ground", &self.ground)];
+        if let Some((name, _)) = colours.into_iter().find(|(_, colour)| bad(colour)) {
+            return Err(RenderError::BadDaylight(name));
+        }
+        let length = self.towards_sun.norm();
+        if (0.99..1.01).contains(&length) { Ok(()) } else { Err(RenderError::BadDaylight("direction to the sun")) }
     }
 
     /// Radiance from a direction of unit length, without the sun itself.

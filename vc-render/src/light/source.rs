@@ -40,7 +40,7 @@ impl Lighting {
         // Of a colour whose greatest part is one, what makes that light of it.
         let strength = |c: [f32; 3]| LUMENS * brightness(c) / brightness(hue(c)).max(1e-9);
         let sun: [f32; 3] = self.daylight.sun.into();
-        let shines = self.daylight.sun.norm_squared() > 0.0;
+        let shines = self.daylight.check().is_ok() && self.daylight.sun.norm_squared() > 0.0;
         let sun = Source::Sun { towards: self.daylight.towards_sun, colour: hue(sun), lux: strength(sun) };
         let lamp = |l: &super::lamp::Lamp| Source::Lamp {
             node: self.tracer.snapshot.bodies[l.body as usize].node,

@@ -4,39 +4,17 @@
 use super::path::{Paths, Walk, off};
 use crate::affine::three;
 use crate::label::unit;
-use crate::light::dot;
-use crate::renderer::Renderer;
+use crate::light::{INDEX, dot, fresnel, tint};
 use crate::trace::Met;
 
-/// Refractive index.
-const INDEX: f32 = 1.5;
-
-/// What share of light glass reflects where it enters (Fresnel), both polarisations alike.
+/// What share of light glass reflects where it enters.
 pub(super) fn reflected(cosine: f32) -> f32 {
     fresnel(cosine, INDEX).0
-}
-
-/// The share reflected and the cosine beyond, where light meets what is so many times denser.
-fn fresnel(cosine: f32, denser: f32) -> (f32, f32) {
-    let square = 1.0 - (1.0 - cosine * cosine) / (denser * denser);
-    if square <= 0.0 {
-        return (1.0, 0.0);
-    }
-    let beyond = square.sqrt();
-    let across = (cosine - denser * beyond) / (cosine + denser * beyond);
-    let along = (denser * cosine - beyond) / (denser * cosine + beyond);
-    (0.5 * (across * across + along * along), beyond)
 }
 
 pub(super) fn mirrored(along: [f32; 3], normal: [f32; 3]) -> [f32; 3] {
     let twice = 2.0 * dot(along, normal);
     unit(three(|i| along[i] - twice * normal[i]))
-}
-
-/// What one side of a clear thing leaves of light, by colour.
-pub(super) fn tint(renderer: &Renderer, met: &Met<'_>) -> [f32; 3] {
-    let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
-    surface.colour.map(|c| (c * surface.transmission).sqrt())
 }
 
 impl Paths<'_> {

@@ -85,7 +85,7 @@ impl Triangle {
     fn new([a, b, c]: [[f32; 3]; 3]) -> Self {
         let edge = |p: [f32; 3]| three(|i| p[i] - a[i]);
         let (u, v) = (edge(b), edge(c));
-        let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+        let cross = affine::cross(u, v);
         let middle = three(|i| (a[i] + b[i] + c[i]) / 3.0);
         Self {
             corner: a,

@@ -66,9 +66,28 @@ pub struct Photograph {
     pub width: usize,
     /// Pixels down.
     pub height: usize,
-    /// Radiance, linear RGB, rows from the top.
+    /// Radiance, linear RGB, rows from the top, in the units of [`Daylight`](crate::Daylight): 5000 candela per
+    /// square metre.
     pub light: Vec<[f32; 3]>,
     exposure: [f32; 3],
+}
+
+/// A reference picture in the making.
+pub struct Progress<'a> {
+    /// Paths for each pixel so far.
+    pub rounds: u32,
+    traced: &'a [Traced],
+    width: usize,
+    exposure: [f32; 3],
+}
+
+impl Progress<'_> {
+    /// The picture so far, not smoothed. Costs some nanoseconds a pixel.
+    pub fn photograph(&self) -> Photograph {
+        let light: Vec<[f32; 3]> = self.traced.iter().map(Traced::light).collect();
+        let height = light.len() / self.width.max(1);
+        Photograph { width: self.width, height, light, exposure: self.exposure }
+    }
 }
 
 impl Photograph {
@@ -82,20 +101,22 @@ impl Photograph {
 impl Renderer {
     /// The reference picture of the scene that a lighting was made for.
     ///
-    /// `progress` hears after each round of one path for every pixel how many are done,
-    /// and may end it by returning false. The picture is the same for any number of
+    /// `progress` hears after each round of one path for every pixel how many are done, may look at the picture
+    /// so far, and may end it by returning false. The picture is the same for any number of
     /// threads. Costs a microsecond or two for each path and surface met.
     ///
     /// # Errors
-    /// [`RenderError::BadSize`], [`RenderError::BadCamera`].
+    /// [`RenderError::BadSize`], [`RenderError::BadCamera`], [`RenderError::OtherRenderer`],
+    /// [`RenderError::BadDaylight`].
     pub fn photograph(
         &self,
         lighting: &Lighting,
         camera: &Camera,
         how: &Exposure,
-        mut progress: impl FnMut(u32) -> bool,
+        mut progress: impl FnMut(&Progress<'_>) -> bool,
     ) -> Result<Photograph, RenderError> {
         camera.check()?;
+        lighting.check(&self.store)?;
         let (width, height) = (camera.width as usize, camera.height as usize);
         let lights = Lights::of(self, lighting);
         let spots = Spots::of(self, lighting, &lights);
@@ -114,7 +135,7 @@ impl Renderer {
             traced.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
                 row.iter_mut().enumerate().for_each(|(x, pixel)| pixel.add(&paths.path((x, y), round)));
             });
-            if !progress(round + 1) {
+            if !progress(&Progress { rounds: round + 1, traced: &traced, width, exposure }) {
                 break;
             }
         }

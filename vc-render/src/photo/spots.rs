@@ -7,7 +7,7 @@ use super::glass;
 use super::lights::{Lights, Place};
 use super::scatter::Finish;
 use crate::affine::three;
-use crate::light::{Lighting, brightness, dot};
+use crate::light::{Lighting, brightness, dot, tint};
 use crate::renderer::Renderer;
 use crate::trace::{Met, Ray};
 
@@ -154,7 +154,7 @@ impl Way {
                 way.crossed += 1;
                 way.chance += from.map_or(0.0, |from| lights.through(from, &pane, gone, cosine));
             }
-            let tint = glass::tint(renderer, &glass);
+            let tint = tint(renderer, &glass);
             let passes = 1.0 - glass::reflected(cosine);
             way.share = three(|i| way.share[i] * passes * tint[i]);
             ray.from = super::path::off(&glass, ray.along);

@@ -246,7 +246,7 @@ impl Run<'_> {
         let point = |corner: u8| {
             let at = self.cluster.vertices.start as usize + usize::from(corner);
             let p = [0, 1, 2].map(|axis: usize| f64::from(self.mesh.axes[axis][at]));
-            self.map.0.map(|row| row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3])
+            self.map.point(p)
         };
         Polygon::clipped(corners.map(point), self.near)
     }
@@ -263,7 +263,13 @@ impl Visible {
     /// The mesh it is a triangle of.
     #[inline(always)]
     pub(crate) fn mesh(self, instances: &[Instance]) -> &Mesh {
-        &instances[self.instance as usize].link.levels[(self.triangle >> Self::BITS) as usize]
+        &instances[self.instance as usize].link.levels[self.level() as usize]
+    }
+
+    /// Its mesh's level of detail.
+    #[inline(always)]
+    pub(crate) fn level(self) -> u32 {
+        self.triangle >> Self::BITS
     }
 
     /// Its position in the mesh.

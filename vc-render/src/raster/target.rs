@@ -12,7 +12,7 @@ pub(super) const LANES: usize = 8;
 const TILE: usize = 16;
 
 /// A triangle that may be seen.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Visible {
     pub(crate) instance: u32,
     /// Level of detail and index in the mesh.

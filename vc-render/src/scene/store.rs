@@ -12,6 +12,8 @@ use crate::surface::{Picture, Role, Surface};
 /// Links of all assets seen so far, and the surfaces they have.
 #[derive(Debug, Default)]
 pub(crate) struct Store {
+    /// Told from those of other stores by its address; snapshots made with this one carry it.
+    pub(crate) name: Arc<()>,
     pub(crate) surfaces: Vec<Surface>,
     /// By library, material, role, and whether pictures lie on it.
     known_surfaces: HashMap<(usize, u32, Role, bool), u16>,
@@ -20,6 +22,8 @@ pub(crate) struct Store {
     assets: HashMap<(usize, usize), Vec<Arc<Link>>>,
     /// Keeps what the addresses above belong to.
     kept: Vec<(Arc<AssetLibrary>, Arc<Asset>)>,
+    /// Boxes for nodes of which no more is known, by their lengths and offset, and their surface.
+    boxes: HashMap<[u32; 6], Vec<Arc<Link>>>,
     stand_in: Option<u16>,
 }
 
@@ -40,21 +44,27 @@ impl Store {
     /// A plain box for a node of which only the box is known; none without one.
     pub(crate) fn stand_in(&mut self, spec: &Spec) -> Option<Vec<Arc<Link>>> {
         let bounds = spec.bounds?;
+        let (half, offset) = (bounds.half, bounds.offset);
+        let key = [half.x, half.y, half.z, offset.x, offset.y, offset.z].map(f32::to_bits);
+        if let Some(links) = self.boxes.get(&key) {
+            return Some(links.clone());
+        }
         let surface = *self.stand_in.get_or_insert_with(|| {
             self.surfaces.push(Surface::plain());
             self.surfaces.len() as u16 - 1
         });
-        let offset = bounds.offset;
         let part = Part {
             name: "box".into(),
-            shape: Shape::Box { half: bounds.half },
+            shape: Shape::Box { half },
             material: 0,
             pose: Pose::translation(offset.x, offset.y, offset.z),
             joint: None,
         };
         let asset = Asset { name: "box".into(), parts: vec![part], ..Asset::default() };
         let finish = Finish { surface, clear: false, pictured: false };
-        Some(links(&asset, |_| finish).into_iter().map(Arc::new).collect())
+        let made: Vec<Arc<Link>> = links(&asset, |_| finish).into_iter().map(Arc::new).collect();
+        self.boxes.insert(key, made.clone());
+        Some(made)
     }
 
     fn surface(&mut self, address: usize, library: &AssetLibrary, part: &Part) -> Finish {

@@ -129,7 +129,7 @@ impl Lighting {
         let room = self.tracer.snapshot.bodies[met.instance.body as usize].room;
         let look = met.look(surface, footprint);
         let falling = self.around(met.at, look.normal, room);
-        let direct = self.direct(met.at, look.normal, room);
+        let direct = self.direct(met.at, look.normal, room, self.sunlight(room));
         let glow = self.glow(surface, met.instance.body);
         let over = 1.0 / std::f32::consts::PI;
         three(|i| glow[i] + look.colour[i] * over * (falling[i] + direct[i]))

@@ -35,7 +35,7 @@ pub(super) struct Touched {
 #[inline(always)]
 fn flat(hit: &Hit, mirrored: bool) -> ([f32; 3], f32) {
     let [b, c] = hit.edges;
-    let across = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+    let across = affine::cross(b, c);
     let out = if mirrored { -1.0 } else { 1.0 };
     let area = 0.5 * (across[0] * across[0] + across[1] * across[1] + across[2] * across[2]).sqrt();
     (crate::label::unit(across.map(|v| v * out)), area)
@@ -80,7 +80,8 @@ impl Tracer {
     pub(crate) fn follow(&mut self, snapshot: &Snapshot) -> Result<(), RenderError> {
         let (own, others) = (&self.snapshot.instances, &snapshot.instances);
         if own.len() != others.len() || own.iter().zip(others).any(|(a, b)| !Arc::ptr_eq(&a.link, &b.link)) {
-            return Err(RenderError::OtherScene { here: own.len(), there: others.len() });
+            let (here, there) = (own.len(), others.len());
+            return Err(RenderError::OtherScene { what: "snapshot to follow", here, there });
         }
         let fresh = |((a, b), moves): ((&Instance, &Instance), &bool)| !moves && a.world != b.world;
         let gone: Vec<bool> = own.iter().zip(others).zip(&self.moving).map(fresh).collect();

@@ -11,6 +11,24 @@ pub struct Caster {
     boxes: Vec<(std::ops::Range<usize>, Point3<f64>, f64)>,
 }
 
+impl Hit {
+    /// Where it is in the world, for a place in the image.
+    pub fn point(&self, camera: &Camera, x: f64, y: f64) -> Point3<f64> {
+        let f = |v: f32| f64::from(v);
+        let across = (x - f(camera.centre.0)) / f(camera.focal.0);
+        let down = (y - f(camera.centre.1)) / f(camera.focal.1);
+        camera.pose.cast::<f64>() * Point3::new(across * self.depth, down * self.depth, self.depth)
+    }
+}
+
+/// Where a point is in the image, pixels, and its depth.
+pub fn projected(camera: &Camera, point: &Point3<f64>) -> [f64; 3] {
+    let f = |v: f32| f64::from(v);
+    let own = camera.pose.cast::<f64>().inverse() * point;
+    let (x, y) = (own.x / own.z, own.y / own.z);
+    [f(camera.focal.0) * x + f(camera.centre.0), f(camera.focal.1) * y + f(camera.centre.1), own.z]
+}
+
 /// What a ray meets first.
 #[derive(Debug, Clone, Copy)]
 pub struct Hit {
@@ -51,14 +69,48 @@ impl Caster {
         let first = self.triangles.len();
         let place = |v: u32| map.transform_point(&mesh.positions[v as usize].cast::<f64>());
         self.triangles.extend(mesh.triangles.iter().map(|t| (node, part, t.map(place))));
-        let corners: Vec<Point3<f64>> = self.triangles[first..].iter().flat_map(|t| t.2).collect();
+        self.bound(first..self.triangles.len());
+    }
+
+    /// Puts a ball around some triangles.
+    fn bound(&mut self, range: std::ops::Range<usize>) {
+        let corners: Vec<Point3<f64>> = self.triangles[range.clone()].iter().flat_map(|t| t.2).collect();
         let centre = corners.iter().fold(Vector3::zeros(), |s, p| s + p.coords) / corners.len().max(1) as f64;
         let radius = corners.iter().map(|p| (p.coords - centre).norm()).fold(0.0, f64::max);
-        self.boxes.push((first..self.triangles.len(), centre.into(), radius));
+        self.boxes.push((range, centre.into(), radius));
+    }
+
+    /// The triangles of a node.
+    pub fn of(&self, node: NodeId) -> impl Iterator<Item = &[Point3<f64>; 3]> {
+        self.triangles.iter().filter(move |t| t.0 == node).map(|t| &t.2)
+    }
+
+    /// The same with every point of parts of nodes moved.
+    pub fn moved(&self, to: impl Fn(NodeId, u16, &Point3<f64>) -> Point3<f64>) -> Self {
+        let mut made = Self { triangles: Vec::new(), boxes: Vec::new() };
+        for (range, ..) in &self.boxes {
+            let place = |(node, part, corners): &(NodeId, u16, [Point3<f64>; 3])| {
+                (*node, *part, [0, 1, 2].map(|i: usize| to(*node, *part, &corners[i])))
+            };
+            made.triangles.extend(self.triangles[range.clone()].iter().map(place));
+            made.bound(range.clone());
+        }
+        made
+    }
+
+    /// The same with nothing but a node.
+    pub fn only(&self, node: NodeId) -> Self {
+        let boxes = self.boxes.iter().filter(|b| self.triangles[b.0.clone()].first().is_some_and(|t| t.0 == node));
+        Self { triangles: self.triangles.clone(), boxes: boxes.cloned().collect() }
     }
 
     /// What is first seen at a place in the image, front sides only.
     pub fn cast(&self, camera: &Camera, x: f64, y: f64) -> Option<Hit> {
+        self.pierce(camera, x, y).into_iter().min_by(|a, b| a.depth.total_cmp(&b.depth))
+    }
+
+    /// All that lies at a place in the image, front sides only.
+    pub fn pierce(&self, camera: &Camera, x: f64, y: f64) -> Vec<Hit> {
         let f = |v: f32| f64::from(v);
         let own = Vector3::new(
             (x - f(camera.centre.0)) / f(camera.focal.0),
@@ -67,7 +119,7 @@ impl Caster {
         );
         let pose = camera.pose.cast::<f64>();
         let (eye, ray) = (Point3::from(pose.translation.vector), pose.rotation * own);
-        let mut best: Option<Hit> = None;
+        let mut all = Vec::new();
         for (range, centre, radius) in &self.boxes {
             let to = centre - eye;
             let along = to.dot(&ray) / ray.norm_squared();
@@ -77,13 +129,12 @@ impl Caster {
             for (node, part, corners) in &self.triangles[range.clone()] {
                 if let Some((depth, normal)) = meet(eye, ray, corners)
                     && depth >= f(camera.near)
-                    && best.is_none_or(|b| depth < b.depth)
                 {
-                    best = Some(Hit { node: *node, part: *part, depth, normal });
+                    all.push(Hit { node: *node, part: *part, depth, normal });
                 }
             }
         }
-        best
+        all
     }
 }
 

@@ -18,7 +18,8 @@ impl Batch {
             self.cosine[i] =
                 self.normal[0][i] * towards[0] + self.normal[1][i] * towards[1] + self.normal[2][i] * towards[2];
             // What has no shadows would have the sun through its roof.
-            self.power[i] = if plain && self.rooms[i] != NO_ROOM { 0.0 } else { 1.0 };
+            let inside = plain && self.rooms[i] != NO_ROOM;
+            self.power[i] = if inside { 0.0 } else { lighting.sunlight(self.rooms[i]) };
         }
         let sun = lighting.daylight.sun.into();
         self.shadow(

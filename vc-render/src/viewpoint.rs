@@ -1,0 +1,112 @@
+//! Where to stand to see a room.
+
+use nalgebra::Point3;
+use vc_graph::NodeId;
+
+use crate::RenderError;
+use crate::camera::Camera;
+use crate::frame::Frame;
+use crate::modality::Modality;
+use crate::renderer::Renderer;
+use crate::scene::Snapshot;
+use crate::view::Shot;
+
+/// Height of the eye, and of what it looks at, over the floor, metres.
+const EYE: f32 = 1.55;
+const TARGET: f32 = 0.95;
+/// How far from the walls the eye keeps, metres.
+const OFF: f32 = 0.3;
+/// Places along each wall.
+const PLACES: usize = 5;
+/// Longer side of the pictures by which places are compared, pixels.
+const SIDE: f32 = 80.0;
+
+impl Renderer {
+    /// A camera in a room that sees most of it: of places in its corners and along its walls, at the height of
+    /// eyes, the one from which most things of the room are seen, and least that stands close before it
+    /// or belongs to other rooms. All but the pose is that of `camera`.
+    ///
+    /// The room must have a box in the graph. Costs 32 renderings of ids and depth in 80 pixels across.
+    ///
+    /// # Errors
+    /// [`RenderError::NoRoom`], [`RenderError::BadSize`], [`RenderError::BadCamera`],
+    /// [`RenderError::OtherRenderer`].
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// use vc_render::{Camera, Renderer};
+    ///
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let size = Bounds::standing(Vector3::new(4.0, 3.0, 2.5));
+    /// let kitchen = scene.add(Draft::new("kitchen").at(Pose::identity()).bounds(size))?;
+    /// let tall = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+    /// scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(1.6, 0.0, 0.0)).bounds(tall))?;
+    ///
+    /// let mut renderer = Renderer::new();
+    /// let snapshot = renderer.snapshot(&scene.build())?;
+    /// let camera = renderer.viewpoint(&snapshot, kitchen, &Camera::with_fov(640, 480, 1.15))?;
+    /// assert!(camera.eye().x.abs() < 2.0 && camera.eye().y.abs() < 1.5);
+    /// assert_eq!(camera.width, 640);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn viewpoint(&self, snapshot: &Snapshot, room: NodeId, camera: &Camera) -> Result<Camera, RenderError> {
+        camera.check()?;
+        let number = snapshot.rooms.iter().position(|r| *r == room).ok_or(RenderError::NoRoom(room))?;
+        let around = snapshot.bounds[number].ok_or(RenderError::NoRoom(room))?;
+        let small = coarse(camera);
+        let mut frame = Frame::new();
+        let mut best: Option<(f32, Camera)> = None;
+        for eye in eyes(&around.min, &around.max) {
+            for pull in [0.0, 0.35] {
+                let middle = around.centre();
+                let at = middle + (eye - middle) * -pull;
+                let view = small.looking(eye, Point3::new(at.x, at.y, around.min.z + TARGET));
+                self.render(&Shot::new(snapshot, &view, Modality::Instance | Modality::Depth), &mut frame)?;
+                let score = score(snapshot, number as u16, &frame);
+                if best.is_none_or(|b| score > b.0) {
+                    best = Some((score, view));
+                }
+            }
+        }
+        best.map(|(_, view)| Camera { pose: view.pose, ..*camera }).ok_or(RenderError::NoRoom(room))
+    }
+}
+
+/// The same view with few pixels.
+fn coarse(camera: &Camera) -> Camera {
+    let by = SIDE / camera.width.max(camera.height) as f32;
+    let side = |pixels: u32| ((pixels as f32 * by) as u32).max(1);
+    Camera {
+        width: side(camera.width),
+        height: side(camera.height),
+        focal: (camera.focal.0 * by, camera.focal.1 * by),
+        centre: (camera.centre.0 * by, camera.centre.1 * by),
+        ..*camera
+    }
+}
+
+/// Places in the corners of a box and along its walls.
+fn eyes(low: &Point3<f32>, high: &Point3<f32>) -> impl Iterator<Item = Point3<f32>> {
+    let (low, high, last) = (*low, *high, PLACES - 1);
+    let place = move |k: usize, low: f32, high: f32| {
+        // In rooms that are narrow, the middle.
+        let off = OFF.min(0.5 * (high - low));
+        low + off + k as f32 / last as f32 * (high - low - 2.0 * off)
+    };
+    let all = (0..PLACES * PLACES).map(|i| (i / PLACES, i % PLACES));
+    let outer = all.filter(move |(i, j)| i % last == 0 || j % last == 0);
+    outer.map(move |(i, j)| Point3::new(place(i, low.x, high.x), place(j, low.y, high.y), low.z + EYE))
+}
+
+/// Things of the room that are seen, less what stands in the way.
+fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
+    let mine = |n: &NodeId| snapshot.body_of(*n).is_some_and(|body| body.room == room);
+    let mut seen: Vec<NodeId> = frame.instance.iter().copied().filter(mine).collect();
+    let pixels = frame.depth.len() as f32;
+    let foreign = (frame.instance.len() - seen.len()) as f32 / pixels;
+    seen.sort_unstable();
+    seen.dedup();
+    let nearer = |than: f32| frame.depth.iter().filter(|d| **d < than).count() as f32 / pixels;
+    seen.len() as f32 - 60.0 * nearer(0.7) - 15.0 * nearer(1.3) - 25.0 * foreign
+}

@@ -1,0 +1,215 @@
+//! Files are read back by readers that know their formats and nothing else.
+
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::{cameras, furnished};
+use vc_render::format::{coco, exr, npy};
+use vc_render::{Frame, Modalities, Modality, Renderer, Rle, Shot, Snapshot};
+
+fn rendered(wanted: impl Into<Modalities>) -> (Snapshot, Frame) {
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&furnished()).unwrap();
+    let camera = cameras(90, 70)[0];
+    let later = vc_render::Camera { pose: camera.pose * vc_graph::Pose::translation(0.02, 0.0, 0.05), ..camera };
+    let mut frame = Frame::new();
+    renderer.render(&Shot::new(&snapshot, &camera, wanted).after(&snapshot, &later), &mut frame).unwrap();
+    (snapshot, frame)
+}
+
+/// Runs down the columns to a picture by rows.
+fn unrolled(size: [u32; 2], counts: &[u32]) -> Vec<u8> {
+    let columns: Vec<u8> =
+        counts.iter().enumerate().flat_map(|(i, n)| std::iter::repeat_n((i % 2) as u8, *n as usize)).collect();
+    let [height, width] = size.map(|v| v as usize);
+    assert_eq!(columns.len(), width * height);
+    (0..width * height).map(|i| columns[i % width * height + i / width]).collect()
+}
+
+/// The counts in COCO's text: five bits a character from the lowest, a sixth says that more follow, the highest
+/// of the last is the sign; from the fourth on, differences to the count before last.
+fn counts(text: &str) -> Vec<u32> {
+    let (mut counts, mut value, mut shift) = (Vec::<i64>::new(), 0_i64, 0);
+    for byte in text.bytes() {
+        let bits = i64::from(byte) - 48;
+        value |= (bits & 31) << shift;
+        shift += 5;
+        if bits & 32 == 0 {
+            if bits & 16 != 0 {
+                value -= 1 << shift;
+            }
+            let before = if counts.len() > 2 { counts[counts.len() - 2] } else { 0 };
+            counts.push(value + before);
+            (value, shift) = (0, 0);
+        }
+    }
+    counts.into_iter().map(|v| u32::try_from(v).unwrap()).collect()
+}
+
+#[test]
+fn run_lengths_are_read_back() {
+    let (_, frame) = rendered(Modality::Instance | Modality::Boxes | Modality::Masks | Modality::Amodal);
+    assert!(frame.masks().len() > 20);
+    for mask in frame.masks().chain(frame.amodal_masks()) {
+        let rle = mask.rle();
+        assert_eq!(rle.size, [70, 90]);
+        assert_eq!(unrolled(rle.size, &rle.counts), mask.bitmap(), "{}", mask.node());
+        assert_eq!(counts(&rle.compressed()), rle.counts);
+        // No empty runs, but for the first.
+        assert!(rle.counts[1..].iter().all(|n| *n > 0));
+    }
+    // The first and the last pixel, nothing, everything, long runs.
+    for list in [vec![0, 1, 98, 1], vec![100], vec![0, 100], vec![99_999, 3, 1, 1_000_000, 5, 6, 7]] {
+        let rle = Rle { size: [10, 10], counts: list.clone() };
+        assert_eq!(counts(&rle.compressed()), list);
+    }
+    // A square in the middle of 4 by 4 pixels, encoded by hand.
+    assert_eq!(Rle { size: [4, 4], counts: vec![5, 2, 2, 2, 5] }.compressed(), "52203");
+}
+
+#[test]
+fn coco_documents_are_read_back() {
+    let (snapshot, frame) = rendered(Modality::Instance | Modality::Boxes | Modality::Masks);
+    let document: serde_json::Value =
+        serde_json::from_str(&coco(&[("a.png", &frame), ("b.png", &frame)], &snapshot).unwrap()).unwrap();
+    let list = |name: &str| document[name].as_array().unwrap();
+    assert_eq!(list("images").len(), 2);
+    assert_eq!(list("images")[1]["file_name"], "b.png");
+    assert_eq!((&list("images")[0]["width"], &list("images")[0]["height"]), (&90.into(), &70.into()));
+    assert_eq!(list("annotations").len(), 2 * frame.boxes.len());
+    let number = |v: &serde_json::Value| v.as_i64().unwrap();
+    let names: std::collections::BTreeMap<i64, &str> =
+        list("categories").iter().map(|c| (number(&c["id"]), c["name"].as_str().unwrap())).collect();
+    for (i, one) in list("annotations").iter().enumerate() {
+        let (label, mask) = (&frame.boxes[i % frame.boxes.len()], frame.masks().nth(i % frame.boxes.len()).unwrap());
+        assert_eq!(number(&one["id"]), i as i64 + 1);
+        assert_eq!(number(&one["image_id"]), if i < frame.boxes.len() { 1 } else { 2 });
+        assert_eq!(names[&number(&one["category_id"])], &**snapshot.class(label.class).unwrap());
+        let runs = counts(one["segmentation"]["counts"].as_str().unwrap());
+        let bits = unrolled([70, 90], &runs);
+        assert_eq!(bits, mask.bitmap());
+        assert_eq!(number(&one["area"]), bits.iter().map(|b| i64::from(*b)).sum::<i64>());
+        // The box from the pixels themselves.
+        let set: Vec<usize> = (0..bits.len()).filter(|i| bits[*i] == 1).collect();
+        let ends = |of: fn(usize) -> usize| {
+            let (low, high) = (set.iter().map(|i| of(*i)).min().unwrap(), set.iter().map(|i| of(*i)).max().unwrap());
+            (low as i64, (high - low + 1) as i64)
+        };
+        let ((x, width), (y, height)) = (ends(|i| i % 90), ends(|i| i / 90));
+        let bbox: Vec<i64> = one["bbox"].as_array().unwrap().iter().map(number).collect();
+        assert_eq!(bbox, [x, y, width, height]);
+    }
+    let (snapshot, bare) = rendered(Modality::Masks);
+    assert!(coco(&[("a.png", &bare)], &snapshot).is_err());
+}
+
+/// What numpy's page on the format says: magic, version, length of the header, header, numbers.
+fn array(file: &[u8]) -> (String, Vec<usize>, &[u8]) {
+    assert_eq!(file[..8], *b"\x93NUMPY\x01\x00");
+    let length = usize::from(u16::from_le_bytes([file[8], file[9]]));
+    assert_eq!((10 + length) % 64, 0);
+    let header = std::str::from_utf8(&file[10..10 + length]).unwrap();
+    assert!(header.ends_with('\n') && header.contains("'fortran_order': False"));
+    let after = |key: &str| header.split(key).nth(1).unwrap();
+    let kind = after("'descr': '").split('\'').next().unwrap().to_owned();
+    let shape = after("'shape': (").split(')').next().unwrap();
+    let shape = shape.split(',').filter(|n| !n.trim().is_empty()).map(|n| n.trim().parse().unwrap()).collect();
+    (kind, shape, &file[10 + length..])
+}
+
+fn floats(bytes: &[u8]) -> Vec<f32> {
+    bytes.as_chunks::<4>().0.iter().map(|b| f32::from_le_bytes(*b)).collect()
+}
+
+fn same(a: &[f32], b: &[f32]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
+}
+
+#[test]
+fn numpy_arrays_are_read_back() {
+    let (_, mut frame) = rendered(Modality::Depth | Modality::FlowForward | Modality::Class);
+    (frame.depth[3], frame.depth[4]) = (f32::INFINITY, f32::NAN);
+    let file = npy(&frame.depth, &[70, 90]);
+    let (kind, shape, bytes) = array(&file);
+    assert_eq!((kind.as_str(), shape.as_slice()), ("<f4", [70, 90].as_slice()));
+    assert!(same(&floats(bytes), &frame.depth));
+    let file = npy(frame.flow_forward.as_flattened(), &[70, 90, 2]);
+    let (_, shape, bytes) = array(&file);
+    assert_eq!(shape, [70, 90, 2]);
+    assert!(same(&floats(bytes), frame.flow_forward.as_flattened()));
+    let file = npy(&frame.class, &[6300]);
+    let (kind, shape, bytes) = array(&file);
+    assert_eq!((kind.as_str(), shape.as_slice()), ("<u2", [6300].as_slice()));
+    assert!(bytes.as_chunks::<2>().0.iter().map(|b| u16::from_le_bytes(*b)).eq(frame.class.iter().copied()));
+    assert_eq!(array(&npy(&[1_u8, 2, 3], &[3, 1])).2, [1, 2, 3]);
+}
+
+/// A reader of OpenEXR's scan lines without compression: attributes by name, and channels by name.
+struct Exr {
+    attributes: std::collections::BTreeMap<String, (String, Vec<u8>)>,
+    channels: std::collections::BTreeMap<String, Vec<f32>>,
+}
+
+impl Exr {
+    fn read(file: &[u8]) -> Self {
+        let int = |at: usize| i32::from_le_bytes(file[at..at + 4].try_into().unwrap());
+        assert_eq!((int(0), int(4)), (20_000_630, 2));
+        let mut at = 8;
+        let word = |at: &mut usize| {
+            let end = file[*at..].iter().position(|b| *b == 0).unwrap() + *at;
+            let word = String::from_utf8(file[*at..end].to_vec()).unwrap();
+            *at = end + 1;
+            word
+        };
+        let mut attributes = std::collections::BTreeMap::new();
+        loop {
+            let name = word(&mut at);
+            if name.is_empty() {
+                break;
+            }
+            let (kind, length) = (word(&mut at), int(at) as usize);
+            attributes.insert(name, (kind, file[at + 4..at + 4 + length].to_vec()));
+            at += 4 + length;
+        }
+        let own = |name: &str, i: usize| i32::from_le_bytes(attributes[name].1[4 * i..4 * i + 4].try_into().unwrap());
+        let size = [own("dataWindow", 2) + 1, own("dataWindow", 3) + 1].map(|v| v as usize);
+        // Of each channel the name, its kind of number, a flag with three bytes unused, and its steps.
+        let (list, mut names) = (&attributes["channels"].1, Vec::new());
+        let mut next = 0;
+        while list[next] != 0 {
+            let end = next + list[next..].iter().position(|b| *b == 0).unwrap();
+            names.push(String::from_utf8(list[next..end].to_vec()).unwrap());
+            assert_eq!(list[end + 1..end + 17], [2, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]);
+            next = end + 17;
+        }
+        let mut channels: std::collections::BTreeMap<String, Vec<f32>> =
+            names.iter().map(|n| (n.clone(), Vec::new())).collect();
+        for y in 0..size[1] {
+            let offset = u64::from_le_bytes(file[at + 8 * y..at + 8 * y + 8].try_into().unwrap()) as usize;
+            assert_eq!((int(offset), int(offset + 4) as usize), (y as i32, 4 * size[0] * names.len()));
+            let line = floats(&file[offset + 8..offset + 8 + 4 * size[0] * names.len()]);
+            for (name, numbers) in names.iter().zip(line.chunks(size[0])) {
+                channels.get_mut(name).unwrap().extend(numbers);
+            }
+        }
+        Self { attributes, channels }
+    }
+}
+
+#[test]
+fn floats_of_openexr_are_read_back() {
+    let (_, mut frame) = rendered(Modality::Depth | Modality::FlowForward);
+    (frame.depth[0], frame.depth[1]) = (f32::NEG_INFINITY, f32::NAN);
+    let [u, v] = [0, 1].map(|i: usize| frame.flow_forward.iter().map(|f| f[i]).collect::<Vec<f32>>());
+    let file = exr(90, 70, &[("forward.v", &v), ("Z", &frame.depth), ("forward.u", &u)]).unwrap();
+    let read = Exr::read(&file);
+    assert_eq!(read.channels.keys().collect::<Vec<_>>(), ["Z", "forward.u", "forward.v"]);
+    for (name, wanted) in [("Z", &frame.depth), ("forward.u", &u), ("forward.v", &v)] {
+        assert!(same(&read.channels[name], wanted), "{name}");
+    }
+    // What the format's page says every file must have.
+    let must = ["channels", "compression", "dataWindow", "displayWindow", "lineOrder", "pixelAspectRatio"];
+    assert!(must.iter().all(|name| read.attributes.contains_key(*name)));
+    assert_eq!(read.attributes["compression"].1, [0]);
+}
