@@ -60,8 +60,8 @@
 //!
 //! # What is not here
 //!
-//! Nobody gets into vehicles yet. Cloth, liquids and flames are states, not bodies, and are
-//! not seen: neither how full a vessel is, nor what is dirty, cut or cooked. What is worn has no body.
+//! Nobody gets into vehicles yet. Cloth, liquids and flames are states, not bodies: what is dirty, wet
+//! or cooked looks so, how full a vessel is and what is cut is not seen. What is worn has no body.
 
 #[cfg(feature = "environment")]
 mod batch;

@@ -15,6 +15,9 @@ const EVERY: u32 = 10;
 /// Most pictures; when there are more, every other one is dropped and fewer are made.
 const MOST: usize = 180;
 
+/// Pixels of 80 by 60 in which somebody is seen well.
+const SEEN: usize = 60;
+
 /// Pictures of an episode.
 pub(super) struct Film {
     me: NodeId,
@@ -121,7 +124,7 @@ impl Film {
     /// Keeps all modalities of the moment that tells most.
     fn look(&mut self, home: &Environment, views: [Viewpoint; 2]) -> Result<(), RenderError> {
         let Some(before) = self.before.take() else { return Ok(()) };
-        let telling = self.telling(&before, home, views[0])?;
+        let telling = self.telling(&before, home, views)?;
         if telling <= self.most_telling {
             return Ok(());
         }
@@ -134,16 +137,17 @@ impl Film {
         Ok(())
     }
 
-    /// How much a moment tells: nothing unless the agent moves; more while it holds something,
-    /// and the more things it sees.
-    fn telling(&self, before: &Environment, now: &Environment, eyes: Viewpoint) -> Result<usize, RenderError> {
+    /// How much a moment tells: nothing unless the agent moves; more while it holds something, while
+    /// all of it is seen from the corner, and the more things it sees.
+    fn telling(&self, before: &Environment, now: &Environment, views: [Viewpoint; 2]) -> Result<usize, RenderError> {
         if (feet(before, self.me) - feet(now, self.me)).norm() <= 1e-3 {
             return Ok(0);
         }
-        let frame = now.render(eyes, Modality::Instance, 80, 60)?;
-        let seen: BTreeSet<NodeId> = frame.instance.iter().copied().collect();
+        let [eyes, corner] =
+            [(now, views[0]), (before, views[1])].map(|(home, view)| home.render(view, Modality::Instance, 80, 60));
+        let seen: BTreeSet<NodeId> = eyes?.instance.iter().copied().collect();
         let holds = now.graph().held(self.me).next().is_some();
-        Ok(seen.len() + if holds { 1000 } else { 0 })
+        Ok(seen.len() + if holds { 1000 } else { 0 } + if is_whole(&corner?, self.me) { 500 } else { 0 })
     }
 
     /// One more picture, from the corner.
@@ -151,6 +155,16 @@ impl Film {
         let [_, corner] = self.views(home);
         Ok(picture::rgb(&self.shot(home, corner, Modality::Rgb.into())?))
     }
+}
+
+/// Whether somebody is seen well, and the picture's border cuts nothing off.
+fn is_whole(frame: &Frame, who: NodeId) -> bool {
+    let (width, height) = (frame.width, frame.height);
+    let at = |i: &usize| (i % width, i / width);
+    let pixels: Vec<(usize, usize)> =
+        (0..frame.instance.len()).filter(|i| frame.instance[*i] == who).map(|i| at(&i)).collect();
+    let inside = |(x, y): &(usize, usize)| *x > 0 && *y > 0 && x + 1 < width && y + 1 < height;
+    pixels.len() >= SEEN && pixels.iter().all(inside)
 }
 
 /// The six modalities: colours, instances, classes; depth, flow, boxes with masks.
