@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, OnceLock};
 
 use nalgebra::Point3;
-use vc_graph::asset::Joint;
-use vc_graph::{Aabb, Kind, NodeId, Pose, SceneGraph, State};
+use vc_graph::asset::{Joint, Part};
+use vc_graph::{Aabb, Kind, Node, NodeId, Pose, SceneGraph, State};
 use vc_physics::Role;
 use vc_render::{Camera, Coat, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
@@ -298,7 +298,7 @@ impl Base {
         let (graph, world) = environment.origin();
         let mut renderer = Renderer::new();
         let snapshot = renderer.snapshot_with(graph, |id, joint| position(graph, world, id, joint))?;
-        let body = |n: &&vc_graph::Node| n.kind() != Kind::Room;
+        let body = |n: &&Node| n.kind() != Kind::Room;
         let poses = graph.nodes().filter(body).filter_map(|n| Some((n.id(), *n.pose()?)));
         let seen: Vec<NodeId> = snapshot.nodes().collect();
         let poses = poses.filter(|(id, _)| seen.binary_search(id).is_ok()).collect();
@@ -337,8 +337,16 @@ impl Base {
     }
 }
 
+/// What is on and glows: of a dishwasher nobody sees that it runs.
 fn lit(graph: &SceneGraph) -> Vec<NodeId> {
-    graph.nodes().filter(|n| n.is(State::On) && n.pose().is_some()).map(vc_graph::Node::id).collect()
+    let on = graph.nodes().filter(|n| n.is(State::On) && n.pose().is_some());
+    on.filter(|n| glows(graph, n)).map(Node::id).collect()
+}
+
+fn glows(graph: &SceneGraph, node: &Node) -> bool {
+    let library = graph.assets();
+    let glowing = |part: &Part| library.material(part.material).is_some_and(|m| m.emission != [0.0; 3]);
+    node.spec().asset.and_then(|id| library.get(id)).is_some_and(|asset| asset.parts.iter().any(glowing))
 }
 
 /// Switches in a snapshot what is on now and was not before, and the other way round.
