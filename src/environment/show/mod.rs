@@ -3,6 +3,7 @@
 //! An action is done at once first, which gives its [`Course`]; then a copy of the environment as
 //! it was plays that course tick by tick. [`walk`] moves feet and doors, [`hands`] what hands do.
 
+mod gesture;
 mod hands;
 mod walk;
 
