@@ -179,7 +179,7 @@ impl Environment {
 
     /// What a body is shown to do now.
     pub(crate) fn doing(&self, agent: NodeId) -> crate::figure::Doing {
-        self.poses.get(&agent).copied().unwrap_or_default()
+        self.poses.get(&agent).cloned().unwrap_or_default()
     }
 
     /// Forgets what pictures know of shapes: some have become others.

@@ -24,16 +24,79 @@ impl Environment {
         let hands = Hand::BOTH.map(|hand| grip(world, &pose, hand, world.held(agent, hand)?));
         Some(Skeleton::new(attitude, &doing, hands))
     }
+
+    /// Where an agent's palm is on a thing that it takes hold of or holds.
+    pub(crate) fn palm_on(&self, agent: NodeId, hand: Hand, id: NodeId) -> Option<Point3<f32>> {
+        let feet = self.world().pose(agent)?;
+        Some(feet * grip(self.world(), &feet, hand, id)?)
+    }
 }
 
-/// Where the palm is on what a hand holds, in the body's frame: at its outer side.
-fn grip(world: &World, feet: &Pose, hand: Hand, held: NodeId) -> Option<Point3<f32>> {
-    let aabb = world.aabb(held)?;
+/// How far ahead hands hold things by their middle, metres; farther away by what is nearest of them.
+const AHEAD: f32 = 0.45;
+/// Widest thing that is held at its side, half, metres.
+const WIDE: f32 = 0.3;
+/// From the middle of the palm to what is in it, metres.
+const PALM: f32 = 0.02;
+
+/// Where the palm is on a thing, in the body's frame: at its outer side.
+fn grip(world: &World, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32>> {
+    let aabb = world.aabb(id)?;
     let side = if hand == Hand::Right { -1.0 } else { 1.0 };
     let centre = feet.inverse_transform_point(&aabb.centre());
-    // Half its width across, as it is turned.
-    let across = feet.rotation * Vector3::y();
+    // Half its width across and ahead, as it is turned.
     let half = (aabb.max - aabb.min) / 2.0;
-    let reach = across.x.abs() * half.x + across.y.abs() * half.y;
-    Some(centre + Vector3::new(-0.01, side * (reach.min(0.3) + 0.02), 0.0))
+    let along = |axis: Vector3<f32>| (feet.rotation * axis).abs().dot(&half);
+    let (across, ahead) = (along(Vector3::y()), along(Vector3::x()));
+    let x = AHEAD.clamp((centre.x - ahead).min(centre.x - 0.01), centre.x - 0.01);
+    Some(Point3::new(x, centre.y + side * (across.min(WIDE) + PALM), centre.z))
+}
+
+#[cfg(test)]
+mod tests {
+    use vc_graph::{Action, Node, Property, Verb};
+    use vc_physics::Role;
+
+    use super::*;
+    use crate::figure::{Bone, Side, palm};
+
+    /// How far the palm is from where it holds something, at worst, of all hands that hold.
+    fn away(home: &Environment, agent: NodeId) -> f32 {
+        let skeleton = home.skeleton(agent).unwrap();
+        let feet = home.world().pose(agent).unwrap();
+        let off = Side::BOTH.into_iter().zip(Hand::BOTH).filter_map(|(side, hand)| {
+            let held = home.world().held(agent, hand)?;
+            let own = feet * (skeleton.motion(Bone::Hand(side)) * palm(side));
+            Some((own - home.palm_on(agent, hand, held)?).norm())
+        });
+        off.fold(0.0, f32::max)
+    }
+
+    /// A hand is at what it holds while that is fetched, carried and put down, as far as bodies reach.
+    #[test]
+    fn hands_are_where_things_are() {
+        let mut home = Environment::make("apartment/42", 1).unwrap();
+        let me = home.agents()[0];
+        let of = |keep: &dyn Fn(&Node) -> bool| {
+            home.graph().nodes().filter(|n| keep(n)).map(Node::id).collect::<Vec<NodeId>>()
+        };
+        let things = of(&|n| n.affords(Property::Graspable));
+        let tops = of(&|n| n.affords(Property::Surface) && home.world().role(n.id()) == Some(Role::Fixed));
+        let mut done = 0;
+        for (thing, top) in things.into_iter().step_by(3).zip(tops.into_iter().cycle()) {
+            let put = Action::with(Verb::Place, &[thing, top]).unwrap();
+            for action in
+                [Action::one(Verb::Walk, thing), Action::one(Verb::Grab, thing), Action::one(Verb::Walk, top), put]
+            {
+                let mut most = 0.0_f32;
+                let outcome = home.set_action_in_time(me, action, |now| most = most.max(away(now, me)));
+                assert!(most < 0.1, "{}: the hand is {most} m away", action.describe(home.graph()));
+                done += usize::from(outcome.is_ok());
+            }
+            for held in Hand::BOTH.into_iter().filter_map(|hand| home.world().held(me, hand)).collect::<Vec<_>>() {
+                home.set_action(me, Action::one(Verb::Drop, held)).unwrap();
+            }
+        }
+        assert!(done > 60, "{done} actions were done");
+    }
 }

@@ -3,13 +3,17 @@
 mod body;
 mod bone;
 mod pose;
+mod reach;
 mod shape;
 
 use vc_graph::asset::AssetError;
 use vc_graph::{AssetId, AssetLibrary, Bounds};
 
 pub(crate) use bone::{Bone, Side};
-pub(crate) use pose::{Attitude, Doing, Reach, Skeleton};
+pub(crate) use pose::{Attitude, Doing, Skeleton};
+pub(crate) use reach::Reach;
+#[cfg(test)]
+pub(crate) use shape::palm;
 
 /// Height of the figure, metres: that of the physics' default body.
 pub(crate) const HEIGHT: f32 = 1.7;

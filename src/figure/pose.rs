@@ -7,22 +7,24 @@ use vc_graph::portable::Portable;
 use vc_graph::{Pose, Verb};
 
 use super::bone::{ANKLE, ARM, Bone, LEG, Side};
+use super::reach::{Reach, Stoop};
 use super::shape::palm;
 
 /// Length of a step of two feet, metres.
 const STRIDE: f32 = 1.4;
 /// How far an arm is stretched at most, as a share of its length.
-const STRETCH: f32 = 0.985;
-/// How far one bends at the waist, radians.
-const BEND: f32 = 1.25;
-
+pub(super) const STRETCH: f32 = 0.985;
 /// Where the eyes are from the neck: before the face.
 const EYES: Vector3<f32> = Vector3::new(0.14, 0.0, 0.13);
 /// How far a head turns to the side, and up or down, radians.
-const NECK: (f32, f32) = (1.2, 1.25);
+const NECK: (f32, f32) = (1.2, 1.4);
+/// How much of the way a free arm comes to hang straight down from a bent trunk.
+const HANGS: f32 = 0.7;
+/// From the ankle to the ball of the foot, metres.
+const SOLE: f32 = 0.13;
 
 /// What a body is shown to do beside standing, sitting or lying.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Doing {
     /// How far it has walked, metres.
     pub(crate) walked: Option<f32>,
@@ -30,17 +32,8 @@ pub(crate) struct Doing {
     pub(crate) gesture: Option<(Verb, f32)>,
     /// What a hand reaches for.
     pub(crate) reach: Option<Reach>,
-}
-
-/// A hand that goes out; the body bends as far as it has to, and the eyes follow.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Reach {
-    pub(crate) side: Side,
-    pub(crate) point: Point3<f32>,
-    /// How far it has got, 0 to 1.
-    pub(crate) share: f32,
-    /// Whether the eyes follow.
-    pub(crate) looks: bool,
+    /// From which pose it comes into this one, and how far it has got, 0 to 1.
+    pub(crate) settles: Option<(Skeleton, f32)>,
 }
 
 /// How a body is: in its own frame, whose origin is between the feet, or on the seat.
@@ -65,16 +58,36 @@ impl Skeleton {
         let mut skeleton = Self { bones: [Pose::identity(); Bone::ALL.len()] };
         match attitude {
             Attitude::Standing => skeleton.stand(doing),
-            Attitude::Sitting(height) => skeleton.sit(height),
+            Attitude::Sitting(height) => skeleton.sit(height, doing),
             Attitude::Lying => skeleton.lie(),
         }
-        for (side, hand) in Side::BOTH.into_iter().zip(hands) {
-            match hand {
-                Some(point) => skeleton.put_hand(side, point),
-                None => skeleton.swing_arm(side, doing),
-            }
+        Side::BOTH.into_iter().for_each(|side| skeleton.swing_arm(side, doing));
+        if let Some((from, share)) = &doing.settles {
+            skeleton = from.towards(&skeleton, *share);
+        }
+        for (side, point) in Side::BOTH.into_iter().zip(hands).filter_map(|(side, hand)| Some((side, hand?))) {
+            skeleton.put_hand(side, point);
         }
         skeleton
+    }
+
+    /// A share of the way to another pose: hips go straight, joints turn.
+    fn towards(&self, to: &Self, share: f32) -> Self {
+        let mut between = Self { bones: [Pose::identity(); Bone::ALL.len()] };
+        for bone in Bone::ALL {
+            let base = |s: &Self| bone.parent().map_or_else(Pose::identity, |parent| s.motion(parent));
+            let [from, end] = [self, to].map(|s| base(s).inverse() * s.motion(bone));
+            let turn = from.rotation.try_slerp(&end.rotation, share, 1e-6).unwrap_or(end.rotation);
+            let anchor = bone.anchor();
+            let at = (from * anchor).coords.lerp(&(end * anchor).coords, share);
+            between.bones[bone.index()] = base(&between) * Pose::from_parts((at - turn * anchor.coords).into(), turn);
+        }
+        between
+    }
+
+    /// The same pose seen from a body's frame that has moved; `moved` is where that was.
+    pub(crate) fn seen_after(&self, moved: &Pose) -> Self {
+        Self { bones: self.bones.map(|bone| moved * bone) }
     }
 
     /// How a bone has moved.
@@ -106,23 +119,25 @@ impl Skeleton {
     }
 
     fn stand(&mut self, doing: &Doing) {
-        let reach = doing.reach.map_or((0.0, 0.0), |reach| stoop(&reach));
+        let stoop = doing.reach.map_or_else(Stoop::default, |reach| Stoop::to(&reach, None));
         let bob = doing.walked.map_or(0.0, |way| 0.018 * (1.0 - (2.0 * phase(way)).cosine()));
-        self.carry(Pose::translation(-0.25 * reach.1, 0.0, -bob - reach.1));
-        self.turn(Bone::Chest, pitch(reach.0 + if doing.walked.is_some() { 0.06 } else { 0.0 }));
-        self.turn(Bone::Head, pitch(-0.4 * reach.0));
-        if let Some(Reach { point, share, looks: true, .. }) = doing.reach {
-            self.look(point, share);
-        }
+        let hips = stoop.hips();
+        self.carry(Pose::translation(hips.x, 0.0, hips.z - bob));
+        let forward = if doing.walked.is_some() { pitch(0.06) } else { UnitQuaternion::identity() };
+        self.turn(Bone::Chest, stoop.chest() * forward);
+        self.turn(Bone::Head, pitch(-0.4 * stoop.bend));
+        self.look(doing);
         for side in Side::BOTH {
-            self.put_foot(side, step(side, doing.walked));
+            let ankle = step(side, doing.walked) + Vector3::z() * stoop.toes();
+            self.put_foot(side, ankle, (stoop.toes() / SOLE).arc_sine());
         }
         self.dance(doing);
     }
 
-    /// Turns the head towards a point by a share of the way, as far as a neck turns, and
-    /// upright however the chest is bent.
-    fn look(&mut self, point: Point3<f32>, share: f32) {
+    /// Turns the head towards what is reached for, as far as a neck turns, and upright however the
+    /// chest is bent.
+    fn look(&mut self, doing: &Doing) {
+        let Some(Reach { point, looks, .. }) = doing.reach.filter(|reach| reach.looks > 0.0) else { return };
         let chest = self.motion(Bone::Chest).rotation.inverse();
         let rest = chest * self.motion(Bone::Head).rotation;
         let mut there = rest;
@@ -136,7 +151,7 @@ impl Skeleton {
             there = chest * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw) * pitch(down);
             self.turn(Bone::Head, there);
         }
-        self.turn(Bone::Head, rest.try_slerp(&there, share, 1e-6).unwrap_or(there));
+        self.turn(Bone::Head, rest.try_slerp(&there, looks, 1e-6).unwrap_or(there));
     }
 
     /// What a gesture does to the trunk.
@@ -147,14 +162,16 @@ impl Skeleton {
         }
     }
 
-    fn sit(&mut self, height: f32) {
-        let hip = Bone::Pelvis.anchor().z;
-        self.carry(Pose::translation(-0.1, 0.0, 0.09 - hip));
-        self.turn(Bone::Chest, pitch(-0.08));
+    fn sit(&mut self, height: f32, doing: &Doing) {
+        let seat = Pose::translation(-0.1, 0.0, 0.09 - Bone::Pelvis.anchor().z);
+        let stoop = doing.reach.map_or_else(Stoop::default, |reach| Stoop::to(&reach, Some(seat)));
+        self.carry(seat);
+        self.turn(Bone::Chest, stoop.chest() * pitch(-0.08));
+        self.look(doing);
         for side in Side::BOTH {
             let knee = LEG[0] - 0.1;
             let floor = (ANKLE - height).max(0.09 - LEG[1]);
-            self.put_foot(side, Point3::new(knee + 0.03, 0.11 * side.sign(), floor));
+            self.put_foot(side, Point3::new(knee + 0.03, 0.11 * side.sign(), floor), 0.0);
         }
     }
 
@@ -163,17 +180,16 @@ impl Skeleton {
         self.carry(Pose::from_parts(nalgebra::Translation3::new(0.85, 0.0, 0.12), turn));
     }
 
-    /// Bends a leg so that the ankle is at a point of the body's frame.
-    fn put_foot(&mut self, side: Side, ankle: Point3<f32>) {
+    /// Bends a leg so that the ankle is at a point of the body's frame, toes down by an angle.
+    fn put_foot(&mut self, side: Side, ankle: Point3<f32>, tip: f32) {
         let base = self.motion(Bone::Pelvis);
         let way = base.inverse() * ankle - Bone::Thigh(side).anchor();
         let (bend, turn) = two_bones(&way, LEG, -1.0);
         self.turn(Bone::Thigh(side), turn);
         self.turn(Bone::Shin(side), pitch(bend));
-        // The sole stays level.
+        // The sole stays level, however the leg is.
         let level = self.motion(Bone::Shin(side)).rotation.inverse();
-        let yaw = UnitQuaternion::identity();
-        self.turn(Bone::Foot(side), level * yaw);
+        self.turn(Bone::Foot(side), level * pitch(tip));
     }
 
     /// Bends an arm so that the palm is at a point of the body's frame, or as near as it gets.
@@ -186,6 +202,7 @@ impl Skeleton {
         self.turn(Bone::Hand(side), UnitQuaternion::identity());
     }
 
+    /// What an arm does that holds nothing.
     fn swing_arm(&mut self, side: Side, doing: &Doing) {
         if let Some(reach) = doing.reach.filter(|reach| reach.side == side) {
             let rest = self.motion(Bone::Chest) * palm(side);
@@ -196,18 +213,21 @@ impl Skeleton {
             return self.put_hand(side, self.motion(Bone::Chest) * point);
         }
         let swing = doing.walked.map_or(0.0, |way| 0.42 * (phase(way)).sine() * side.sign());
-        self.turn(Bone::UpperArm(side), pitch(swing) * roll(0.08 * side.sign()));
+        let own = pitch(swing) * roll(0.08 * side.sign());
+        // While the other one reaches it hangs down.
+        let down = if doing.reach.is_some() { self.motion(Bone::Chest).rotation.inverse() } else { own };
+        self.turn(Bone::UpperArm(side), own.slerp(&down, HANGS));
         self.turn(Bone::Forearm(side), pitch(-0.25 - 0.5 * (-swing).max(0.0)));
     }
 }
 
 /// A turn at a point.
-fn about(anchor: Point3<f32>, turn: UnitQuaternion<f32>) -> Pose {
+pub(super) fn about(anchor: Point3<f32>, turn: UnitQuaternion<f32>) -> Pose {
     Pose::from_parts((anchor.coords - turn * anchor.coords).into(), turn)
 }
 
 /// A turn around Y: forwards from above, backwards from below.
-fn pitch(angle: f32) -> UnitQuaternion<f32> {
+pub(super) fn pitch(angle: f32) -> UnitQuaternion<f32> {
     UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle)
 }
 
@@ -226,20 +246,6 @@ fn step(side: Side, walked: Option<f32>) -> Point3<f32> {
     let own = phase(walked) + if side == Side::Left { std::f32::consts::PI } else { 0.0 };
     let (sine, cosine) = (own.sine(), own.cosine());
     rest + Vector3::new(0.25 * STRIDE * sine, 0.0, 0.1 * cosine.max(0.0))
-}
-
-/// How far one bends, radians, and how far one squats, metres, to reach for a point: as little as
-/// that takes, or what brings the hand nearest.
-fn stoop(&Reach { side, point, share, .. }: &Reach) -> (f32, f32) {
-    let length = (ARM[0] + ARM[1]) * STRETCH;
-    let tried = (0..=20).map(|i| {
-        let (bend, squat) = (BEND * (i as f32 / 10.0).min(1.0), 0.42 * (i as f32 / 10.0 - 1.0).max(0.0));
-        let shoulder = about(Bone::Chest.anchor(), pitch(bend)) * Bone::UpperArm(side).anchor();
-        let shoulder = shoulder - Vector3::new(0.25 * squat, 0.0, squat);
-        ((point - shoulder).norm().max(length), bend, squat)
-    });
-    let (_, bend, squat) = tried.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
-    (bend * share, squat * share)
 }
 
 /// Bends a limb that hangs straight down so that its end is a way from its root: how far
@@ -272,7 +278,7 @@ mod tests {
     use super::*;
 
     fn reach(point: Point3<f32>) -> Reach {
-        Reach { side: Side::Right, point, share: 1.0, looks: true }
+        Reach { side: Side::Right, point, share: 1.0, looks: 1.0 }
     }
 
     fn joined(skeleton: &Skeleton) -> bool {

@@ -133,6 +133,6 @@ fn leg(stuff: &Stuff, side: Side, parts: &mut Vec<Part>) {
 }
 
 /// Where the palm is when the arm hangs down.
-pub(super) fn palm(side: Side) -> Point3<f32> {
+pub(crate) fn palm(side: Side) -> Point3<f32> {
     Bone::UpperArm(side).anchor() - Vector3::z() * (ARM[0] + ARM[1])
 }

@@ -1,6 +1,6 @@
 //! What is only seen of an action: the hand at what it is done to, a cup at the mouth.
 
-use nalgebra::{Point3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 use vc_graph::portable::Portable;
 use vc_graph::{Aabb, Action, NodeId, Pose, Verb};
 use vc_physics::Hand;
@@ -26,13 +26,22 @@ const STROKE: (f32, f32) = (0.09, 0.04);
 /// Radians a second in which they do.
 const BEAT: f32 = 9.0;
 
-/// Where a gesture brings a hand, and how it turns what it holds.
+/// Where a gesture brings a hand, and how that turns what it holds.
 struct Aim {
     hand: Hand,
     point: Point3<f32>,
-    tilt: f32,
+    hold: Hold,
     /// Whether the eyes follow.
     looks: bool,
+}
+
+/// How a hand turns what it holds.
+#[derive(Debug, Clone, Copy)]
+enum Hold {
+    /// Forwards by an angle, radians.
+    Tilted(f32),
+    /// Its broad side to the eyes.
+    Shown,
 }
 
 impl Player {
@@ -60,13 +69,19 @@ impl Player {
             let middle = held.and_then(|id| show.world.aabb(id)).map_or(Point3::origin(), |b| b.centre());
             // Where its middle is in its own frame, by where it is held now.
             let own = (feet * grip).inverse_transform_point(&middle);
-            let tilt = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), aim.tilt) * rest.rotation;
-            let at = feet.inverse_transform_point(&aim.point).coords - tilt * own.coords;
-            self.handling.out = Some(Pose::from_parts(at.into(), tilt));
+            let turn = match aim.hold {
+                Hold::Tilted(angle) => UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle) * rest.rotation,
+                Hold::Shown => held.and_then(|id| self.shown(show, id, &rest.rotation)).unwrap_or(rest.rotation),
+            };
+            let at = feet.inverse_transform_point(&aim.point).coords - turn * own.coords;
+            self.handling.out = Some(Pose::from_parts(at.into(), turn));
             self.regrip(show, aim.hand, share);
         }
+        let held = show.world.held(self.agent, aim.hand).and_then(|id| show.palm_on(self.agent, aim.hand, id));
+        let (point, out) = held.map_or((aim.point, share), |point| (point, 1.0));
         if let Some(doing) = show.poses.get_mut(&self.agent) {
-            doing.reach = Some(Reach { side: side(aim.hand), point: aim.point, share, looks: aim.looks });
+            let looks = if aim.looks { share } else { 0.0 };
+            doing.reach = Some(Reach { side: side(aim.hand), point, share: out, looks });
         }
     }
 
@@ -83,39 +98,59 @@ impl Player {
             |id: NodeId| std::iter::once(id).chain(show.graph.support_chain(id)).find_map(|id| show.world.aabb(id));
         let (swing, chop) = (STROKE.0 * (BEAT * self.time).sine(), STROKE.1 * (BEAT * self.time).sine().abs());
         let across = self.feet(show).rotation * Vector3::y();
-        let (point, tilt) = match action.verb {
-            Drink => (self.at_mouth(show, x), TILT.1),
-            Eat if self.hand_of(show, x).is_some() => (self.at_mouth(show, x), 0.0),
+        let level = Hold::Tilted(0.0);
+        let (point, hold) = match action.verb {
+            Drink => (self.at_mouth(show, x), Hold::Tilted(TILT.1)),
+            Eat if self.hand_of(show, x).is_some() => (self.at_mouth(show, x), level),
             // First to the plate, then to the mouth.
             Eat => {
                 let bite = (2.0 * self.time - 1.0).clamp(0.0, 1.0);
                 let plate = box_of(x)?.nearest(&from);
-                (plate + (self.before_eyes(show, MOUTH) - plate) * bite, 0.0)
+                (plate + (self.before_eyes(show, MOUTH) - plate) * bite, level)
             }
-            Read => (self.before_eyes(show, BOOK), 0.0),
-            Pour => (above(&box_of(y?)?, ABOVE), TILT.0),
-            Fill => (box_of(y?)?.nearest(&from), 0.0),
+            Read => (self.before_eyes(show, BOOK), Hold::Shown),
+            Pour => (above(&box_of(y?)?, ABOVE), Hold::Tilted(TILT.0)),
+            Fill => (box_of(y?)?.nearest(&from), level),
             PointAt => {
                 let shoulder = self.feet(show) * Point3::new(0.0, 0.0, 1.35);
                 let way = (box_of(x)?.centre() - shoulder).try_normalize(1e-3)?;
-                (shoulder + way * POINTING, 0.0)
+                (shoulder + way * POINTING, level)
             }
-            Cut => (above(&box_of(x)?, 0.02 + chop), 0.0),
+            Cut => (above(&box_of(x)?, 0.02 + chop), level),
             Verb::Wipe | Verb::Wash | Verb::Rinse | Verb::Scrub | Verb::Play | Verb::Type | Verb::Cook => {
-                (box_of(x)?.nearest(&(from + across * swing)), 0.0)
+                (box_of(x)?.nearest(&(from + across * swing)), level)
             }
             Verb::Watch | Verb::LookAt | Verb::Greet | Verb::TurnTo => return None,
-            _ => (box_of(x)?.nearest(&from), 0.0),
+            _ => (box_of(x)?.nearest(&from), level),
         };
         // To the mouth one finds without.
         let looks = !matches!(action.verb, Drink | Eat);
-        Some(Aim { hand, point, tilt, looks })
+        Some(Aim { hand, point, hold, looks })
     }
 
     fn before_eyes(&self, show: &Environment, offset: Vector3<f32>) -> Point3<f32> {
         let eyes = show.skeleton(self.agent).map_or_else(|| Pose::translation(0.1, 0.0, 1.55), |s| s.eyes());
         // Heads are held upright here, however they look.
         self.feet(show) * (Point3::from(eyes.translation.vector) + offset)
+    }
+
+    /// How a thing is turned in a body's frame whose broad side is before the eyes and whose long one
+    /// is upright, with as little turning as that takes.
+    fn shown(&self, show: &Environment, id: NodeId, now: &UnitQuaternion<f32>) -> Option<UnitQuaternion<f32>> {
+        let half = show.graph.node(id)?.spec().bounds?.half;
+        let (thin, long) = (half.imin(), half.imax());
+        let along = |axis: usize, way: Vector3<f32>| way * (now * Vector3::ith(axis, 1.0)).dot(&way).signum();
+        let to_eyes = (-BOOK).normalize();
+        let across = along(thin, to_eyes);
+        let up = along(long, (Vector3::z() - to_eyes * to_eyes.z).normalize());
+        let sign = if (thin + 1) % 3 == long { 1.0 } else { -1.0 };
+        let mut axes = Matrix3::zeros();
+        // A cube has no broad side.
+        let other = (0..3).find(|axis| thin != long && *axis != thin && *axis != long)?;
+        for (axis, way) in [(thin, across), (long, up), (other, across.cross(&up) * sign)] {
+            axes.set_column(axis, &way);
+        }
+        Some(UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes)))
     }
 
     /// Where a held thing's middle is while its upper rim is at the mouth.

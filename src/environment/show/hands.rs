@@ -1,6 +1,6 @@
 //! What hands do: they go out, to what they take, put down or open, and come back.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::Point3;
 use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, Pose};
 use vc_physics::Hand;
@@ -38,7 +38,7 @@ impl Player {
     pub(super) fn take(&mut self, show: &mut Environment, hand: Hand, id: NodeId, before: f32) -> bool {
         let (agent, feet) = (self.agent, self.feet(show));
         if self.handling.at.is_none() {
-            self.handling.at = show.world.aabb(id).map(|b| b.centre());
+            self.handling.at = show.palm_on(agent, hand, id);
         }
         if before < REACHING && self.time >= REACHING {
             self.handling.out = show.world.pose(id).map(|pose| feet.inverse() * pose);
@@ -59,15 +59,13 @@ impl Player {
         if self.handling.at.is_none() {
             self.handling.rest = show.world.grip(agent, put.hand);
             self.handling.out = Some(feet.inverse() * put.pose);
-            let middle = show.world.aabb(put.id).zip(show.world.pose(put.id));
-            let offset =
-                middle.map_or_else(Vector3::zeros, |(b, pose)| b.centre() - Point3::from(pose.translation.vector));
-            self.handling.at = Some(Point3::from(put.pose.translation.vector + offset));
+            self.handling.at = show.palm_on(agent, put.hand, put.id);
         }
         if self.time < REACHING {
             self.bring(show, put.hand);
         } else if before < REACHING {
             drop(show.world.put(agent, put.hand, put.pose));
+            self.handling.at = show.palm_on(agent, put.hand, put.id);
             if put.balanced {
                 drop(show.world.pin(put.id));
             }
@@ -132,9 +130,15 @@ impl Player {
         (self.time.min(2.0 * REACHING - self.time) / REACHING).clamp(0.0, 1.0)
     }
 
-    /// Shows the body reaching for what the hand is at; gives whether the hand is back.
+    /// Shows the body reaching for what the hand is at, or following what it holds; gives whether
+    /// the hand is back.
     fn reach(&self, show: &mut Environment, hand: Hand) -> bool {
-        let reach = self.handling.at.map(|point| Reach { side: side(hand), point, share: self.share(), looks: true });
+        let (share, side) = (self.share(), side(hand));
+        let held = show.world.held(self.agent, hand).filter(|_| self.handling.out.is_some());
+        let reach = match held.and_then(|id| show.palm_on(self.agent, hand, id)) {
+            Some(point) => Some(Reach { side, point, share: 1.0, looks: share }),
+            None => self.handling.at.map(|point| Reach { side, point, share, looks: share }),
+        };
         show.poses.insert(self.agent, Doing { reach, ..Doing::default() });
         self.time >= 2.0 * REACHING
     }

@@ -1,10 +1,12 @@
 //! Actions in time: every tick can be observed and rendered.
 //!
 //! An action is done at once first, which gives its [`Course`]; then a copy of the environment as
-//! it was plays that course tick by tick. [`walk`] moves feet and doors, [`hands`] what hands do.
+//! it was plays that course tick by tick. [`walk`] moves feet and doors, [`hands`] what hands do,
+//! [`rest`] bodies that sit down or get up, and [`gesture`] is what is only seen.
 
 mod gesture;
 mod hands;
+mod rest;
 mod walk;
 
 use std::collections::BTreeMap;
@@ -18,8 +20,8 @@ use super::beat::{Beat, Course};
 use super::{ActionError, Environment, observe};
 use walk::Passage;
 
-/// Seconds for sitting down, lying down and getting up.
-const RESTING: f32 = 0.8;
+/// Seconds for what is only seen as done: dressing, letting go.
+const PAUSE: f32 = 0.8;
 /// Ticks after which a show ends whatever happens: two minutes.
 const LONGEST: u32 = 7200;
 /// How far a step may take somebody who does not walk by it, metres: onto the floor.
@@ -132,6 +134,8 @@ struct Player {
     doors: BTreeMap<NodeId, Passage>,
     /// What its hands are at.
     handling: hands::Handling,
+    /// Between which postures it is.
+    settling: Option<rest::Settling>,
     /// What the rule has changed in this tick.
     changed: Vec<NodeId>,
 }
@@ -139,7 +143,7 @@ struct Player {
 impl Player {
     fn new(agent: NodeId, course: Course) -> Self {
         let (doors, handling, changed) = (BTreeMap::new(), hands::Handling::default(), Vec::new());
-        Self { agent, course, next: 0, time: 0.0, doors, handling, changed }
+        Self { agent, course, next: 0, time: 0.0, doors, handling, settling: None, changed }
     }
 
     /// Does what is due in a tick; gives whether there is more to come.
@@ -182,10 +186,7 @@ impl Player {
         let agent = self.agent;
         match beat {
             Beat::Walk { points, doors, feet, run } => self.walk(show, points, doors, feet, *run),
-            Beat::Turn(feet) => {
-                let _ = show.world.teleport(agent, *feet);
-                true
-            }
+            Beat::Turn(feet) => self.turn(show, feet),
             Beat::Take(hand, id) => self.take(show, *hand, *id, before),
             Beat::Nudge(parts) => {
                 parts.iter().for_each(|(id, part, open)| drop(show.world.put_open(*id, *part, *open)));
@@ -208,11 +209,11 @@ impl Player {
             Beat::Dress(id) => self.at_once(show, before, |show| drop(show.world.remove(*id))),
             Beat::Undress(hand, id) => self.at_once(show, before, |show| undress(show, agent, *hand, *id)),
             Beat::Drive(drive) => self.drive(show, drive, before),
-            Beat::Rest(id, lying) => self.at_once(show, before, |show| {
+            Beat::Rest(id, lying) => self.settle(show, before, |show| {
                 let world = &mut show.world;
                 drop(if *lying { world.lie(agent, *id) } else { world.sit(agent, *id) });
             }),
-            Beat::GetUp => self.at_once(show, before, |show| drop(show.world.stand_up(agent))),
+            Beat::GetUp => self.settle(show, before, |show| drop(show.world.stand_up(agent))),
             Beat::Gesture(action, seconds) => self.gesture(show, action, *seconds),
         }
     }
@@ -222,7 +223,7 @@ impl Player {
             act(show);
             self.come_true(show);
         }
-        self.time >= RESTING
+        self.time >= PAUSE
     }
 
     /// An agent's feet, or its seat.

@@ -47,11 +47,12 @@ impl Player {
             self.doors = doors.iter().filter_map(|door| Some((*door, passage(show, points, *door)?))).collect();
         }
         let Some((at, front)) = along(points, way) else {
-            let _ = show.world.teleport(self.agent, *feet);
             show.poses.remove(&self.agent);
+            let turned = self.turn(show, feet);
             // One waits until the door behind one is shut, or jams.
             self.handling.waited += show.world.settings().dt;
-            if self.handling.waited < PATIENCE && self.swing_doors(show, f32::INFINITY) {
+            let swings = self.handling.waited < PATIENCE && self.swing_doors(show, f32::INFINITY);
+            if swings || !turned {
                 return false;
             }
             let left = std::mem::take(&mut self.doors);
@@ -59,14 +60,20 @@ impl Player {
             return true;
         };
         self.swing_doors(show, way);
-        let now = self.feet(show);
-        let turn = now.rotation.angle_to(&towards(front)).max(1e-6);
-        let share = (TURN * show.world.settings().dt / turn).min(1.0);
-        let rotation = now.rotation.try_slerp(&towards(front), share, 1e-6).unwrap_or_else(|| towards(front));
-        let pose = Pose::from_parts(Translation3::new(at.x, at.y, feet.translation.z), rotation);
-        let _ = show.world.teleport(self.agent, pose);
+        self.turn(show, &Pose::from_parts(Translation3::new(at.x, at.y, feet.translation.z), towards(front)));
         show.poses.insert(self.agent, Doing { walked: Some(way), ..Doing::default() });
         false
+    }
+
+    /// Puts feet somewhere and turns them towards how they are to stand there; gives whether they do.
+    pub(super) fn turn(&self, show: &mut Environment, feet: &Pose) -> bool {
+        let now = self.feet(show);
+        let most = TURN * show.world.settings().dt;
+        let left = now.rotation.angle_to(&feet.rotation);
+        let turned = now.rotation.try_slerp(&feet.rotation, most / left.max(most), 1e-6);
+        let rotation = turned.filter(|_| left > most).unwrap_or(feet.rotation);
+        let _ = show.world.teleport(self.agent, Pose::from_parts(feet.translation, rotation));
+        left <= most
     }
 
     /// Opens doors that are near, and brings those that are behind back to where they were; gives

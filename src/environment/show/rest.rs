@@ -1,0 +1,51 @@
+//! Sitting down, lying down and getting up: the body goes from one posture to the other.
+
+use vc_graph::Pose;
+use vc_physics::Hand;
+
+use super::Player;
+use crate::environment::Environment;
+use crate::figure::{Doing, Skeleton};
+
+/// Seconds that it takes.
+const SETTLING: f32 = 1.0;
+
+/// A body on its way between two postures.
+#[derive(Debug, Clone)]
+pub(super) struct Settling {
+    /// How it was, seen from where it is.
+    from: Skeleton,
+    /// Where hands held what they hold, and where they hold it in the end.
+    held: Vec<(Hand, Pose, Pose)>,
+}
+
+impl Player {
+    /// Takes a posture: in the world at once, and shown on the way; gives whether it is taken.
+    pub(super) fn settle(&mut self, show: &mut Environment, before: f32, act: impl FnOnce(&mut Environment)) -> bool {
+        if before == 0.0 {
+            let (was, skeleton) = (self.feet(show), show.skeleton(self.agent));
+            let grips = Hand::BOTH.map(|hand| show.world.grip(self.agent, hand));
+            act(show);
+            self.come_true(show);
+            let moved = self.feet(show).inverse() * was;
+            let held = Hand::BOTH.into_iter().zip(grips).filter_map(|(hand, grip)| {
+                let now = show.world.grip(self.agent, hand)?;
+                Some((hand, moved * grip?, now))
+            });
+            let held = held.collect();
+            self.settling = skeleton.map(|from| Settling { from: from.seen_after(&moved), held });
+        }
+        let Some(Settling { from, held }) = &self.settling else { return true };
+        let share = (self.time / SETTLING).min(1.0);
+        // Slow at both ends.
+        let share = share * share * (3.0 - 2.0 * share);
+        for (hand, from, to) in held {
+            let turn = from.rotation.try_slerp(&to.rotation, share, 1e-6).unwrap_or(to.rotation);
+            let at = from.translation.vector.lerp(&to.translation.vector, share);
+            // It is in that hand.
+            let _ = show.world.regrip(self.agent, *hand, Pose::from_parts(at.into(), turn));
+        }
+        show.poses.insert(self.agent, Doing { settles: Some((from.clone(), share)), ..Doing::default() });
+        self.time >= SETTLING
+    }
+}
