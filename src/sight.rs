@@ -5,7 +5,7 @@ use std::sync::{Mutex, OnceLock};
 
 use nalgebra::Point3;
 use vc_graph::asset::{Joint, Part};
-use vc_graph::{Aabb, Kind, Node, NodeId, Pose, SceneGraph, State};
+use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State};
 use vc_physics::Role;
 use vc_render::{Camera, Coat, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
@@ -74,6 +74,8 @@ struct Base {
     /// What of it is not fixed.
     loose: BTreeSet<NodeId>,
     lit: Vec<NodeId>,
+    /// What can be poured into, and whether something is in it.
+    vessels: Vec<(NodeId, bool)>,
     /// Nodes with moving parts.
     jointed: Vec<NodeId>,
     /// Those of them that let light into rooms.
@@ -144,7 +146,7 @@ impl Environment {
     }
 
     /// The environment as it is for the renderer: `Renderer::snapshot_with` once, then
-    /// `Snapshot::place`, `articulate`, `arrange` and `switch` of what differs.
+    /// `Snapshot::place`, `articulate`, `arrange`, `switch`, `coat` and `fill` of what differs.
     ///
     /// # Errors
     /// [`RenderError`] if something has no sound pose or no shape.
@@ -163,6 +165,10 @@ impl Environment {
             if let Some(node) = self.graph().node(*node) {
                 snapshot.coat(node.id(), Coat::of(node))?;
             }
+        }
+        for (id, _) in &base.vessels {
+            let contents = self.graph().node(*id).and_then(|n| n.contents());
+            snapshot.fill(*id, contents.map(AsRef::as_ref))?;
         }
         for id in &base.jointed {
             snapshot.articulate(*id, |joint| position(self.graph(), self.world(), *id, joint))?;
@@ -307,7 +313,9 @@ impl Base {
         let jointed: Vec<NodeId> = world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect();
         let lets_in = |id: &NodeId| graph.node(*id).is_some_and(|n| OPENINGS.contains(&&*n.spec().category));
         let openings = jointed.iter().copied().filter(lets_in).collect();
-        Ok(Self { lit: lit(graph), renderer, snapshot, poses, seen, loose, jointed, openings })
+        let node = |id: &NodeId| graph.node(*id).filter(|n| n.affords(Property::Recipient));
+        let vessels = seen.iter().filter_map(|id| Some((*id, node(id)?.contents().is_some()))).collect();
+        Ok(Self { lit: lit(graph), renderer, snapshot, poses, seen, loose, vessels, jointed, openings })
     }
 
     /// The home as it begins, with this light: what moves is where it stood, and either shut or open.
@@ -333,6 +341,7 @@ impl Base {
                 snapshot.place(*id, &(Pose::translation(0.0, 0.0, 1e-3) * pose))?;
             }
         }
+        self.vessels.iter().try_for_each(|(id, full)| snapshot.fill(*id, (!full).then_some("water")))?;
         Ok(snapshot)
     }
 }

@@ -28,6 +28,17 @@ impl Affine {
         Self::placed(pose, &Vector3::repeat(1.0))
     }
 
+    /// Everything nearer to a point, which stays.
+    pub(crate) fn shrunk(to: [f64; 3], by: f64) -> Self {
+        let row = |r: usize| {
+            let mut row = [0.0; 4];
+            row[r] = by;
+            row[3] = to[r] * (1.0 - by);
+            row
+        };
+        Self([row(0), row(1), row(2)])
+    }
+
     /// First `first`, then this.
     pub(crate) fn after(&self, first: &Self) -> Self {
         let row = |r: usize| {

@@ -49,6 +49,11 @@ pub(crate) fn links(asset: &Asset, mut finish: impl FnMut(&Part) -> Finish) -> V
     groups.into_iter().map(|(joint, parts)| Link { joint, levels: levels(asset, &parts) }).collect()
 }
 
+/// A part of an asset as a link of its own.
+pub(crate) fn single(asset: &Asset, part: usize, finish: Finish) -> Link {
+    Link { joint: asset.parts[part].joint, levels: levels(asset, &[(part, finish)]) }
+}
+
 fn levels(asset: &Asset, looks: &[Look]) -> [Arc<Mesh>; TOLERANCES.len()] {
     let mut parts: Vec<Coarser> = looks.iter().map(|look| Coarser::new(asset, *look)).collect();
     let mut last: Option<Arc<Mesh>> = None;

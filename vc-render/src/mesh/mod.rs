@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 
 pub(crate) use build::Source;
 pub(crate) use cluster::Cluster;
-pub(crate) use link::{Finish, Link, TOLERANCES, links};
+pub(crate) use link::{Finish, Link, TOLERANCES, links, single};
 
 use crate::trace::Bvh;
 

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use vc_graph::{NodeId, Pose};
 
+use super::liquid::SPECK;
 use crate::affine::{Affine, Narrow};
 use crate::mesh::{Bounds, Link};
 use crate::surface::Coat;
@@ -46,6 +47,16 @@ pub(crate) struct Instance {
     pub(crate) mirrored: bool,
     /// What lies on it.
     pub(crate) coat: Coat,
+    /// What is poured into a vessel, if it is that.
+    pub(super) liquid: Option<Poured>,
+}
+
+/// A liquid that is in a vessel or not.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Poured {
+    pub(super) there: bool,
+    /// A point in the vessel's bottom.
+    pub(super) bottom: [f64; 3],
 }
 
 impl Instance {
@@ -58,7 +69,12 @@ impl Instance {
 
     /// Puts it where its body's pose and its own motion say.
     pub(crate) fn arrange(&mut self, pose: &Pose, scale: &Vector3<f32>, own: &Pose) -> bool {
-        self.world = Affine::placed(pose, scale).after(&Affine::of(own));
+        let placed = Affine::placed(pose, scale).after(&Affine::of(own));
+        self.world = match self.liquid {
+            // A speck where nobody sees it: as good as not there, and known to all that know the scene.
+            Some(Poured { there: false, bottom }) => placed.after(&Affine::shrunk(bottom, SPECK)),
+            _ => placed,
+        };
         self.mirrored = self.world.determinant() < 0.0;
         let inverse = self.world.inverse();
         self.inverse = inverse.unwrap_or(Affine::IDENTITY).narrow();

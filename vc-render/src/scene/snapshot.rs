@@ -5,9 +5,10 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use vc_graph::asset::Joint;
-use vc_graph::{Aabb, Kind, Node, NodeId, Pose, SceneGraph, State};
+use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State};
 
-use super::{Body, Instance, NO_ROOM, Store};
+use super::body::Poured;
+use super::{Body, Instance, NO_ROOM, Store, liquid};
 use crate::RenderError;
 use crate::affine::Affine;
 use crate::mesh::Link;
@@ -51,8 +52,8 @@ impl Snapshot {
             if !Affine::placed(pose, &scale).is_finite() {
                 return Err(RenderError::BadPose(node.id()));
             }
-            for link in links {
-                instances.extend(instance(link, bodies.len() as u32, node, (pose, &scale), joint));
+            for (link, liquid) in links {
+                instances.extend(instance((link, liquid), bodies.len() as u32, node, (pose, &scale), joint));
             }
             let mut body = Body {
                 node: node.id(),
@@ -190,7 +191,37 @@ impl Snapshot {
     pub fn coat(&mut self, node: NodeId, coat: Coat) -> Result<(), RenderError> {
         let index = self.body(node)?;
         let Range { start, end } = self.bodies[index].instances;
-        self.instances[start as usize..end as usize].iter_mut().for_each(|instance| instance.coat = coat.sound());
+        let solid = self.instances[start as usize..end as usize].iter_mut().filter(|i| i.liquid.is_none());
+        solid.for_each(|instance| instance.coat = coat.sound());
+        Ok(())
+    }
+
+    /// Fills a vessel with a liquid of a class, or empties it; a graph's contents are there from the beginning. What
+    /// is not open above with walls around holds nothing that is seen.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, Pose, SceneBuilder};
+    /// use vc_render::Renderer;
+    /// let mut scene = SceneBuilder::new("table");
+    /// let mug = scene.add(Draft::new("mug").at(Pose::identity()).bounds(vc_graph::Bounds::standing([0.1; 3].into())))?;
+    /// let mut snapshot = Renderer::new().snapshot(&scene.build())?;
+    /// snapshot.fill(mug, Some("coffee"))?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RenderError::NoBody`].
+    pub fn fill(&mut self, node: NodeId, contents: Option<&str>) -> Result<(), RenderError> {
+        let index = self.body(node)?;
+        let body = &self.bodies[index];
+        for instance in &mut self.instances[body.instances.start as usize..body.instances.end as usize] {
+            let Some(liquid) = &mut instance.liquid else { continue };
+            instance.coat = contents.map_or(Coat::NONE, liquid::coat);
+            if liquid.there != contents.is_some() {
+                liquid.there = contents.is_some();
+                instance.put(&body.pose, &body.scale);
+            }
+        }
         Ok(())
     }
 
@@ -213,7 +244,8 @@ impl Snapshot {
 
     /// Number of triangles at the finest level of detail.
     pub fn triangles(&self) -> usize {
-        self.instances.iter().map(|i| i.link.levels[0].len()).sum()
+        let seen = self.instances.iter().filter(|i| i.liquid.is_none_or(|liquid| liquid.there));
+        seen.map(|i| i.link.levels[0].len()).sum()
     }
 
     fn body(&self, node: NodeId) -> Result<usize, RenderError> {
@@ -226,16 +258,26 @@ impl Snapshot {
     }
 }
 
-fn links(store: &mut Store, graph: &SceneGraph, node: &Node) -> Result<Vec<Arc<Link>>, RenderError> {
-    let Some(id) = node.spec().asset else { return Ok(store.stand_in(node.spec()).unwrap_or_default()) };
+/// A link, and what it is if it is a liquid.
+type Piece = (Arc<Link>, Option<Poured>);
+
+/// The links of a node, and that of what can be poured into it.
+fn links(store: &mut Store, graph: &SceneGraph, node: &Node) -> Result<Vec<Piece>, RenderError> {
+    let solid = |links: Vec<Arc<Link>>| links.into_iter().map(|link| (link, None)).collect::<Vec<Piece>>();
+    let Some(id) = node.spec().asset else { return Ok(solid(store.stand_in(node.spec()).unwrap_or_default())) };
     let missing = RenderError::NoSuchAsset { node: node.id(), asset: id.0 };
     let asset = graph.assets().get(id).ok_or(missing)?;
-    Ok(store.links(graph.assets(), asset))
+    let mut all = solid(store.links(graph.assets(), asset));
+    if node.affords(Property::Recipient) {
+        let poured = |bottom| Poured { there: node.contents().is_some(), bottom };
+        all.extend(store.liquid(graph.assets(), asset).map(|(link, bottom)| (link, Some(poured(bottom)))));
+    }
+    Ok(all)
 }
 
 /// The instance of a link; none where its scale leaves it no volume.
 fn instance(
-    link: Arc<Link>,
+    (link, liquid): Piece,
     body: u32,
     node: &Node,
     (pose, scale): (&Pose, &nalgebra::Vector3<f32>),
@@ -245,8 +287,12 @@ fn instance(
         let told = joint(node.id(), &j).filter(|p| p.is_finite());
         told.unwrap_or_else(|| if node.is(State::Open) { opened(&j) } else { closed(&j) })
     });
-    let (world, inverse, coat) = (Affine::IDENTITY, [[0.0; 4]; 3], Coat::of(node));
-    let mut instance = Instance { link, body, joint: position, world, inverse, mirrored: false, coat };
+    let (world, inverse) = (Affine::IDENTITY, [[0.0; 4]; 3]);
+    let coat = match (liquid, node.contents()) {
+        (None, _) => Coat::of(node),
+        (Some(_), contents) => contents.map_or(Coat::NONE, |class| liquid::coat(class)),
+    };
+    let mut instance = Instance { link, body, joint: position, world, inverse, mirrored: false, coat, liquid };
     (instance.put(pose, scale) && instance.world.is_finite()).then_some(instance)
 }
 

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use vc_graph::asset::{Material, Part, Shape};
 use vc_graph::{Asset, AssetLibrary, Pose, Spec};
 
-use crate::mesh::{Finish, Link, TOLERANCES, links};
+use super::liquid::Liquid;
+use crate::mesh::{Finish, Link, TOLERANCES, links, single};
 use crate::surface::{Picture, Role, Surface};
 
 /// Links of all assets seen so far, and the surfaces they have.
@@ -20,6 +21,9 @@ pub(crate) struct Store {
     /// By library and position in it.
     pictures: HashMap<(usize, u32), Arc<Picture>>,
     assets: HashMap<(usize, usize), Vec<Arc<Link>>>,
+    /// What fits into vessels, by the same.
+    liquids: HashMap<(usize, usize), Option<Contained>>,
+    water: Option<u16>,
     /// Keeps what the addresses above belong to.
     kept: Vec<(Arc<AssetLibrary>, Arc<Asset>)>,
     /// Boxes for nodes of which no more is known, by their lengths and offset, and their surface.
@@ -27,7 +31,35 @@ pub(crate) struct Store {
     stand_in: Option<u16>,
 }
 
+/// A liquid that can be in a vessel, and a point in the vessel's bottom.
+pub(super) type Contained = (Arc<Link>, [f64; 3]);
+
 impl Store {
+    /// What can be poured into an asset whose links are there, if anything can; made if it is not there yet.
+    pub(super) fn liquid(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>) -> Option<Contained> {
+        let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize);
+        if let Some(known) = self.liquids.get(&key) {
+            return known.clone();
+        }
+        let made = Liquid::within(asset).map(|liquid| {
+            let surface = self.water();
+            let mut filled = asset.as_ref().clone();
+            filled.parts.push(liquid.part);
+            let finish = Finish { surface, clear: false, pictured: false };
+            (Arc::new(single(&filled, asset.parts.len(), finish)), liquid.bottom)
+        });
+        self.liquids.insert(key, made.clone());
+        made
+    }
+
+    fn water(&mut self) -> u16 {
+        let surfaces = &mut self.surfaces;
+        *self.water.get_or_insert_with(|| {
+            surfaces.push(Surface { roughness: 0.03, ..Surface::plain() });
+            surfaces.len() as u16 - 1
+        })
+    }
+
     /// The links of an asset; made if they are not there yet.
     pub(crate) fn links(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>) -> Vec<Arc<Link>> {
         let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize);

@@ -2,7 +2,7 @@
 
 use vc_graph::{Node, State};
 
-/// What lies on a thing and changes how all of it looks: dirt, water, a crust.
+/// What lies on a thing and changes how all of it looks: dirt, water, a crust, the flesh of what is cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coat {
     /// Its linear reflectance by colour, 0 to 1.
@@ -14,9 +14,14 @@ pub struct Coat {
 }
 
 /// What states look like; of several the first counts.
-const STATES: [(State, Coat); 3] = [
+const STATES: [(State, Coat); 7] = [
     (State::Dirty, Coat { colour: [0.11, 0.075, 0.04], share: 0.45, roughness: 1.4 }),
+    (State::Stained, Coat { colour: [0.12, 0.03, 0.02], share: 0.3, roughness: 1.0 }),
+    (State::Dusty, Coat { colour: [0.35, 0.33, 0.30], share: 0.4, roughness: 1.5 }),
     (State::Cooked, Coat { colour: [0.16, 0.07, 0.02], share: 0.55, roughness: 1.0 }),
+    // The flesh.
+    (State::Sliced, Coat { colour: [0.72, 0.62, 0.36], share: 0.5, roughness: 0.7 }),
+    (State::Frozen, Coat { colour: [0.75, 0.82, 0.88], share: 0.45, roughness: 1.2 }),
     (State::Wet, Coat { colour: [0.0; 3], share: 0.3, roughness: 0.45 }),
 ];
 
@@ -24,7 +29,7 @@ impl Coat {
     /// Nothing.
     pub const NONE: Self = Self { colour: [0.0; 3], share: 0.0, roughness: 1.0 };
 
-    /// What a node's states look like: dirty, cooked, wet.
+    /// What a node's states look like: dirty, stained, dusty, cooked, cut, frozen, wet.
     pub fn of(node: &Node) -> Self {
         STATES.iter().find(|(state, _)| node.is(*state)).map_or(Self::NONE, |(_, coat)| *coat)
     }
