@@ -53,6 +53,7 @@ fn grip(world: &World, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 mod tests {
     use vc_graph::{Action, Node, Property, Verb};
     use vc_physics::Role;

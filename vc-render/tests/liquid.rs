@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Stage, block};
+use common::{Stage, block, part};
 use nalgebra::Point3;
 use vc_graph::asset::Shape;
 use vc_graph::{NodeId, Pose};
@@ -26,11 +26,13 @@ struct Shown {
 }
 
 impl Shown {
-    fn new(mug: Shape) -> Self {
+    fn new(mug: Vec<Shape>) -> Self {
         let mut stage = Stage::new();
         stage.one("table", block([0.4, 0.4, TABLE / 2.0]), Pose::translation(0.0, 0.0, TABLE / 2.0), 0);
         let lamp = stage.one("ceiling_lamp", Shape::Sphere { radius: 0.1 }, Pose::translation(0.3, 0.2, 2.0), 3);
-        let mug = stage.one("mug", mug, Pose::translation(0.0, 0.0, TABLE), 1);
+        let parts = mug.into_iter().map(|shape| part("mug", shape, [0.0; 3], 1)).collect();
+        let mug = stage.asset(parts);
+        let mug = stage.put("mug", mug, Pose::translation(0.0, 0.0, TABLE));
         let mut renderer = Renderer::new();
         let mut snapshot = renderer.snapshot(&stage.build()).unwrap();
         snapshot.switch(lamp, true).unwrap();
@@ -38,11 +40,8 @@ impl Shown {
         Self { renderer, snapshot, lighting, mug }
     }
 
-    /// An open mug of 10 by 10 centimetres.
     fn open() -> Self {
-        let (outer, inner) = (HEIGHT / 2.0, HEIGHT / 2.0 - WALL);
-        let profile = vec![(outer, 0.0), (outer, HEIGHT), (inner, HEIGHT), (inner, WALL)];
-        Self::new(Shape::Lathe { profile })
+        Self::new(vec![hollow()])
     }
 
     fn filled(&self, contents: Option<&str>) -> Snapshot {
@@ -61,6 +60,12 @@ impl Shown {
         self.renderer.render(&shot.lit(&lighting), &mut frame).unwrap();
         frame
     }
+}
+
+/// An open mug of 10 by 10 centimetres.
+fn hollow() -> Shape {
+    let (outer, inner) = (HEIGHT / 2.0, HEIGHT / 2.0 - WALL);
+    Shape::Lathe { profile: vec![(outer, 0.0), (outer, HEIGHT), (inner, HEIGHT), (inner, WALL)] }
 }
 
 /// Nearly straight down.
@@ -121,7 +126,21 @@ fn milk_is_not_coffee() {
 
 #[test]
 fn what_is_solid_holds_nothing() {
-    let shown = Shown::new(Shape::Cylinder { radius: 0.05, half_height: 0.05 });
+    let shown = Shown::new(vec![Shape::Cylinder { radius: 0.05, half_height: 0.05 }]);
     let (before, after) = (shown.frame(&shown.snapshot, ABOVE), shown.frame(&shown.filled(Some("milk")), ABOVE));
     assert_eq!((before.rgb, before.depth), (after.rgb, after.depth));
+}
+
+#[test]
+fn a_bail_is_no_lid() {
+    // Over the middle, and over the rim.
+    let bail = [[0.06, 0.003], [0.003, 0.06]].map(|[x, y]| {
+        let corners = [-1.0, 1.0].into_iter().flat_map(|i| [-1.0, 1.0].map(|j| (i * x, j * y)));
+        let points = corners.flat_map(|(x, y)| [HEIGHT, HEIGHT + 0.005].map(|z| Point3::new(x, y, z)));
+        Shape::Hull { points: points.collect() }
+    });
+    let shown = Shown::new([vec![hollow()], bail.to_vec()].concat());
+    let (before, after) = (shown.frame(&shown.snapshot, ABOVE), shown.frame(&shown.filled(Some("tea")), ABOVE));
+    let risen = before.depth.iter().zip(&after.depth).filter(|(before, after)| **before - **after > 0.06).count();
+    assert!(risen > 20, "{risen} pixels show tea");
 }

@@ -61,7 +61,10 @@ impl Liquid {
     /// Of a vessel that is open above and has walls around; none of any other thing.
     pub(super) fn within(asset: &Asset) -> Option<Self> {
         let walls = Walls::of(asset)?;
-        let bottom = walls.below()?;
+        walls.floors().into_iter().find_map(|bottom| Self::above(bottom, &walls))
+    }
+
+    fn above(bottom: f32, walls: &Walls) -> Option<Self> {
         let depth = walls.top - bottom;
         let level = LEVELS.into_iter().map(|share| share * depth).find(|level| walls.encloses(bottom + level))?;
         let ring = |i: usize| {
@@ -112,11 +115,15 @@ impl Walls {
         Some(Self { triangles, axis, top: high.z, farthest: (high - low).norm() })
     }
 
-    /// How high the bottom is, seen from above.
-    fn below(&self) -> Option<f32> {
+    /// How high what faces upwards on the axis is, from above: the bail of a bucket, then its bottom.
+    fn floors(&self) -> Vec<f32> {
         let from = Point3::new(self.axis.0, self.axis.1, self.top + 1.0);
-        let met = self.triangles.iter().filter_map(|t| struck(t, &from, &-Vector3::z()));
-        met.reduce(f32::min).map(|far| from.z - far)
+        let upwards = |[a, b, c]: &&[Point3<f32>; 3]| (b - a).cross(&(c - a)).z > 0.0;
+        let met = self.triangles.iter().filter(upwards).filter_map(|t| struck(t, &from, &-Vector3::z()));
+        let mut heights: Vec<f32> = met.map(|far| from.z - far).collect();
+        heights.sort_by(|a, b| b.total_cmp(a));
+        heights.dedup();
+        heights
     }
 
     fn encloses(&self, height: f32) -> bool {
