@@ -19,6 +19,8 @@ use cpu_time::ThreadTime;
 use criterion::{BatchSize, Criterion};
 use virtualcity::graph::{Action, NodeId, Property, Scope, Seed, Verb};
 use virtualcity::planner::{Agent, Decision};
+use virtualcity::procgen::Apartment;
+use virtualcity::relations::{Evidence, Relations, Rule};
 use virtualcity::render::{Modalities, Modality};
 use virtualcity::{Batch, Environment, Viewpoint, legal_action};
 
@@ -231,7 +233,9 @@ fn table() {
         made.extend(all.iter().filter(|_| round > 0).map(|(time, _)| *time));
         homes = all.into_iter().map(|(_, home)| home).collect();
     }
+    let stages = stages(&homes, &made);
     row("make", made, "0.22-0.27 s");
+    stages.into_iter().for_each(|(stage, times)| row(stage, times, ""));
     let reset = |to: &dyn Fn(&Environment) -> virtualcity::graph::SceneGraph| -> Vec<Duration> {
         let one = |home: &Environment| {
             let (graph, mut home) = (to(home), home.clone());
@@ -245,6 +249,23 @@ fn table() {
     row("next planned action (see, believe, decide)", decisions(&homes), "0.05 s");
     fridges(&homes, row);
     batches(&homes);
+}
+
+/// What of making homes is spent on what: relations of whole homes are read when everything is at rest.
+fn stages(homes: &[Environment], made: &[Duration]) -> [(&'static str, Vec<Duration>); 3] {
+    let (mut generate, mut build, mut relate) = (Vec::new(), Vec::new(), Vec::new());
+    for (round, home) in (0..ROUNDS).flat_map(|round| homes.iter().map(move |home| (round, home))) {
+        let number = generate.len() % homes.len();
+        generate.push(cpu(|| Apartment::from_seed(Seed(SEEDS.start + number as u64)).unwrap().scene()).0);
+        let (mut graph, all) = (home.start().clone(), home.start().nodes().map(|n| n.id()).collect::<Vec<NodeId>>());
+        let read = || {
+            let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
+            relations.write(&mut graph, &all).unwrap()
+        };
+        relate.push(cpu(read).0);
+        build.push(made[round * homes.len() + number].saturating_sub(generate[generate.len() - 1] + relate[number]));
+    }
+    [("  generate", generate), ("  build, settle", build), ("  relations of the whole home", relate)]
 }
 
 /// Time from starting a process to its first observation of a home.

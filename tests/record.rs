@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
-use virtualcity::graph::NodeId;
+use virtualcity::graph::{Action, NodeId, Verb};
 use virtualcity::planner::{Episode, Newcomer, run_episode};
-use virtualcity::tasks::{Outcome, Task};
+use virtualcity::tasks::{Outcome, Task, World};
 use virtualcity::{Environment, RecordError, RecordOptions, Recorder};
 
 const SMALL: RecordOptions = RecordOptions { width: 64, dataset: true };
@@ -81,6 +81,30 @@ fn an_episode_is_written_down_and_read_again() {
     assert!(!images.is_empty() && !coco["annotations"].as_array().unwrap().is_empty());
     assert!(images.iter().all(|image| all.contains_key(Path::new(image["file_name"].as_str().unwrap()))));
     assert_eq!(&all[Path::new("scene.glb")][..4], b"glTF");
+}
+
+/// However long an episode is and however few pictures its film has, a dataset has six a second.
+#[test]
+fn datasets_go_on_as_they_began() {
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let me = home.agents()[0];
+    let task = Task::new("to and fro", "Holds(novel)".parse().unwrap());
+    let rooms = home.graph().rooms().to_vec();
+    let options = RecordOptions { width: 16, dataset: true };
+    let at = folder("record_long");
+    let mut recorder = Recorder::create(&at, home, me, &task, options).unwrap();
+    for room in rooms.into_iter().cycle() {
+        recorder.step(me, &Action::one(Verb::Walk, room)).unwrap();
+        if recorder.seconds() > 40.0 {
+            break;
+        }
+    }
+    let seconds = recorder.seconds();
+    let digest = recorder.environment().graph().digest();
+    let episode = Episode { outcome: Outcome::TimedOut, score: 0.0, steps: 0, reason: None, digest };
+    recorder.finish(&episode, None).unwrap();
+    let frames = files(&at).keys().filter(|name| name.starts_with("frames")).count();
+    assert!((frames as f64 - 6.0 * seconds).abs() <= 1.0, "{frames} frames of {seconds} s");
 }
 
 #[test]

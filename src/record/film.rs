@@ -83,20 +83,24 @@ impl Film {
     /// A tick has passed: now and then a picture is made, and a frame of a dataset.
     pub(super) fn tick(&mut self, home: &Environment, dataset: Option<&mut Dataset>) -> Result<(), RecordError> {
         self.ticks += 1;
-        if !self.ticks.is_multiple_of(self.every) {
-            return Ok(());
+        if self.ticks.is_multiple_of(self.every) {
+            let views = self.views(home);
+            let pair = [self.shot(home, views[0])?, self.shot(home, views[1])?];
+            self.pictures.push(Picture::sheet(&pair, 2, 4));
+            if self.pictures.len() > MOST {
+                self.thin();
+            }
+            self.look(home, views)?;
+            self.before = Some(home.clone());
         }
-        let [eyes, corner] = self.views(home);
-        let wanted = if dataset.is_some() { Dataset::wanted() } else { Modality::Rgb.into() };
-        let seen = self.shot(home, eyes, wanted)?;
-        let pair = [picture::rgb(&seen), picture::rgb(&self.shot(home, corner, Modality::Rgb.into())?)];
-        self.pictures.push(Picture::sheet(&pair, 2, 4));
-        if self.pictures.len() > MOST {
-            self.thin();
+        // However long the episode is, and however few pictures its film has.
+        match dataset.filter(|_| self.ticks.is_multiple_of(EVERY)) {
+            Some(dataset) => {
+                let eyes = Viewpoint::Agent(self.me);
+                dataset.add(&home.render(eyes, Dataset::wanted(), self.size.0, self.size.1)?)
+            }
+            None => Ok(()),
         }
-        self.look(home, [eyes, corner])?;
-        self.before = Some(home.clone());
-        dataset.map_or(Ok(()), |dataset| dataset.add(seen))
     }
 
     /// Keeps every other picture.
@@ -117,8 +121,8 @@ impl Film {
         [Viewpoint::Agent(self.me), corner]
     }
 
-    fn shot(&self, home: &Environment, view: Viewpoint, wanted: Modalities) -> Result<Frame, RenderError> {
-        home.render(view, wanted, self.size.0, self.size.1)
+    fn shot(&self, home: &Environment, view: Viewpoint) -> Result<Picture, RenderError> {
+        Ok(picture::rgb(&home.render(view, Modality::Rgb, self.size.0, self.size.1)?))
     }
 
     /// Keeps all modalities of the moment that tells most.
@@ -153,7 +157,7 @@ impl Film {
     /// One more picture, from the corner.
     pub(super) fn end(&mut self, home: &Environment) -> Result<Picture, RenderError> {
         let [_, corner] = self.views(home);
-        Ok(picture::rgb(&self.shot(home, corner, Modality::Rgb.into())?))
+        self.shot(home, corner)
     }
 }
 

@@ -78,7 +78,7 @@ pub struct Recorder {
 pub struct RecordOptions {
     /// Pixels across of each picture; it is three quarters as high.
     pub width: u32,
-    /// Whether a dataset is written as well: each picture from the agent's eyes as a PNG in
+    /// Whether a dataset is written as well: every sixth of a second a picture from the agent's eyes as a PNG in
     /// `frames`, boxes and masks of all that is seen in them as a COCO document for
     /// `pycocotools`, `annotations.json`, and the home as it is in the end as glTF, `scene.glb`.
     pub dataset: bool,

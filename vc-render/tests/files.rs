@@ -5,7 +5,7 @@
 mod common;
 
 use common::{cameras, furnished};
-use vc_render::format::{coco, exr, npy};
+use vc_render::format::{Coco, exr, npy};
 use vc_render::{Frame, Modalities, Modality, Renderer, Rle, Shot, Snapshot};
 
 fn rendered(wanted: impl Into<Modalities>) -> (Snapshot, Frame) {
@@ -71,8 +71,9 @@ fn run_lengths_are_read_back() {
 #[test]
 fn coco_documents_are_read_back() {
     let (snapshot, frame) = rendered(Modality::Instance | Modality::Boxes | Modality::Masks);
-    let document: serde_json::Value =
-        serde_json::from_str(&coco(&[("a.png", &frame), ("b.png", &frame)], &snapshot).unwrap()).unwrap();
+    let mut coco = Coco::default();
+    ["a.png", "b.png"].into_iter().for_each(|name| coco.add(name, &frame).unwrap());
+    let document: serde_json::Value = serde_json::from_str(&coco.document(&snapshot).unwrap()).unwrap();
     let list = |name: &str| document[name].as_array().unwrap();
     assert_eq!(list("images").len(), 2);
     assert_eq!(list("images")[1]["file_name"], "b.png");
@@ -100,8 +101,8 @@ fn coco_documents_are_read_back() {
         let bbox: Vec<i64> = one["bbox"].as_array().unwrap().iter().map(number).collect();
         assert_eq!(bbox, [x, y, width, height]);
     }
-    let (snapshot, bare) = rendered(Modality::Masks);
-    assert!(coco(&[("a.png", &bare)], &snapshot).is_err());
+    let (_, bare) = rendered(Modality::Masks);
+    assert!(Coco::default().add("a.png", &bare).is_err());
 }
 
 /// What numpy's page on the format says: magic, version, length of the header, header, numbers.
