@@ -9,7 +9,7 @@ use vc_relations::threshold::FACING_COSINE;
 use super::agree::Outcome;
 use super::beat::Course;
 use super::deed::Deed;
-use super::undo::Step;
+use super::undo::{Care, Step};
 use super::{ActionError, Disagreement, Environment, Impossible, observe};
 
 /// Steps in which what an action has disturbed comes to rest.
@@ -104,16 +104,36 @@ impl Environment {
         all.into_iter().map(|(_, outcome)| outcome).collect()
     }
 
+    /// Does an action; once more, and with more care, where bodies failed for no fault of its own.
+    pub(super) fn act(&mut self, agent: NodeId, action: &Action) -> Result<Done, ActionError> {
+        let done = self.attempt(agent, action, Care::default());
+        match self.heeding(agent, action, done.as_ref().err()) {
+            Some(care) => self.attempt(agent, action, care),
+            None => done,
+        }
+    }
+
+    /// What would have to be heeded for an action not to fail as it did.
+    ///
     /// What lies on an edge may fall when something beside it is moved, though nobody touches it.
     /// The rule knows nothing of that, all is taken back, and from then on every action would end so:
-    /// it is held where it is, and the action is done again.
-    pub(super) fn act(&mut self, agent: NodeId, action: &Action) -> Result<Done, ActionError> {
-        let done = self.attempt(agent, action, Vec::new());
-        let Err(ActionError::Disagreement(disagreement)) = &done else { return done };
-        let astray: Vec<NodeId> = disagreement.differences.iter().map(|d| d.thing.id).collect();
-        match astray.iter().all(|id| self.is_bystander(*id, agent, action)) {
-            true => self.attempt(agent, action, astray),
-            false => done,
+    /// it is held where it is. Drawers that go by themselves may leave behind what leans on something
+    /// in them, which is then in the way of the door: they are pushed. And what the graph has near may
+    /// be so no longer, at the edge of reach: one steps up to it.
+    fn heeding(&self, agent: NodeId, action: &Action, failed: Option<&ActionError>) -> Option<Care> {
+        match failed? {
+            ActionError::Disagreement(disagreement) => {
+                let astray: Vec<NodeId> = disagreement.differences.iter().map(|d| d.thing.id).collect();
+                if astray.iter().all(|id| *id == agent) {
+                    return Some(Care { goes: true, ..Care::default() });
+                }
+                let bystanders = astray.iter().all(|id| self.is_bystander(*id, agent, action));
+                bystanders.then(|| Care { steadied: astray, ..Care::default() })
+            }
+            ActionError::Impossible { why: Impossible::Stuck { .. }, .. } => {
+                Some(Care { pushes: true, ..Care::default() })
+            }
+            _ => None,
         }
     }
 
@@ -124,12 +144,12 @@ impl Environment {
         self.world.role(id) == Some(Role::Loose) && !action.things().chain([agent]).any(of_it)
     }
 
-    fn attempt(&mut self, agent: NodeId, action: &Action, steadied: Vec<NodeId>) -> Result<Done, ActionError> {
+    fn attempt(&mut self, agent: NodeId, action: &Action, care: Care) -> Result<Done, ActionError> {
         let mut ruled = self.graph.clone();
         let changes = rule::step(&mut ruled, agent, action).map_err(ActionError::Refused)?;
         self.undo.keep(&self.world);
         let (before, after) = (self.graph.clone(), ruled.clone());
-        let step = Step { before, after, agent, action: *action, steadied };
+        let step = Step { before, after, agent, action: *action, care };
         // The floor follows the bodies whenever it is asked.
         let mut deed = Deed::new(&mut self.world, &mut self.floor, &self.start, &step);
         let outcome = deed.all(action);

@@ -10,7 +10,7 @@ use vc_physics::{BodyPlan, Floor, MovingPart, Posture, Role, World};
 
 use super::act::calm;
 use super::beat::{Beat, Course, Drive};
-use super::undo::Step;
+use super::undo::{Care, Step};
 use super::{ActionError, Impossible, Start};
 
 pub(super) use hands::comes_along;
@@ -40,8 +40,7 @@ pub(super) struct Deed<'a> {
     /// Whether doors and drawers that stand open count as out of the way.
     pub(super) nudges: bool,
     pub(super) course: Course,
-    /// What is held still, as nobody touches it and it would fall.
-    steadied: &'a [NodeId],
+    care: &'a Care,
     /// Cloth that was folded up, and its scale now.
     pub(super) folded: Vec<(NodeId, Vector3<f32>)>,
 }
@@ -50,10 +49,10 @@ type Done = Result<(), Impossible>;
 
 impl<'a> Deed<'a> {
     pub(super) fn new(world: &'a mut World, floor: &'a mut Floor, start: &'a Start, step: &'a Step) -> Self {
-        let Step { before, after, agent, action, steadied } = step;
+        let Step { before, after, agent, action, care } = step;
         let run = action.verb == Verb::Run;
         let (course, folded) = (Course::default(), Vec::new());
-        Self { world, floor, start, before, after, agent: *agent, run, nudges: false, course, steadied, folded }
+        Self { world, floor, start, before, after, agent: *agent, run, nudges: false, course, care, folded }
     }
 }
 
@@ -74,9 +73,10 @@ impl Deed<'_> {
 
     fn hold_still(&mut self) {
         // It is loose, so it can be held.
-        self.steadied.iter().for_each(|id| drop(self.world.pin(*id)));
-        if !self.steadied.is_empty() {
-            self.course.push(Beat::Steady(self.steadied.to_vec()));
+        let steadied = &self.care.steadied;
+        steadied.iter().for_each(|id| drop(self.world.pin(*id)));
+        if !steadied.is_empty() {
+            self.course.push(Beat::Steady(steadied.clone()));
         }
     }
 
@@ -96,7 +96,7 @@ impl Deed<'_> {
         match *effect {
             Effect::Enter(id, State::Open) => self.drive(id, 1.0),
             Effect::Enter(id, State::Closed) => self.drive(id, 0.0),
-            Effect::Approach(id) if self.before.near(self.agent, id) => self.face(id),
+            Effect::Approach(id) if !self.care.goes && self.before.near(self.agent, id) => self.face(id),
             Effect::GoTo(id) | Effect::Approach(id) => self.go_to(id),
             Effect::Face(id) => self.face(id),
             Effect::Hold(id) => self.hold(id),
@@ -180,7 +180,7 @@ impl Deed<'_> {
             self.stand_clear(body, open)?;
         }
         let before = self.world.pose(id);
-        let pushes = !self.world.leap_open(id, open)?;
+        let pushes = self.care.pushes || !self.world.leap_open(id, open)?;
         if pushes {
             self.push_open(id, open)?;
         }

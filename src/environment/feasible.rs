@@ -4,7 +4,7 @@ use vc_graph::{Action, NodeId, Place, Relation, State, Verb};
 
 use super::Environment;
 use super::deed::Deed;
-use super::undo::Step;
+use super::undo::{Care, Step};
 
 impl Environment {
     /// Whether an agent would find a way to a spot from which a thing is within reach of its
@@ -16,8 +16,8 @@ impl Environment {
         let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
         floor.update(&world);
         let action = Action::one(Verb::Walk, id);
-        let (before, after, steadied) = (self.graph.clone(), self.graph.clone(), Vec::new());
-        let step = Step { before, after, agent, action, steadied };
+        let (before, after, care) = (self.graph.clone(), self.graph.clone(), Care::default());
+        let step = Step { before, after, agent, action, care };
         let mut deed = Deed::new(&mut world, &mut floor, &self.start, &step);
         self.graph.hidden_in(id).is_none_or(|container| deed.can_get_at(container)) && deed.can_get_at(id)
     }
@@ -39,8 +39,8 @@ impl Environment {
             let spot = places.iter().find_map(|&place| {
                 let verb = if place.relation == Relation::Inside { Verb::PutIn } else { Verb::Place };
                 let action = Action::two(verb, *id, place.at);
-                let (before, after, steadied) = (self.graph.clone(), self.graph.clone(), Vec::new());
-                let step = Step { before, after, agent, action, steadied };
+                let (before, after, care) = (self.graph.clone(), self.graph.clone(), Care::default());
+                let step = Step { before, after, agent, action, care };
                 let is_shut = self.graph.node(place.at).is_some_and(|n| n.is(State::Closed));
                 if place.relation == Relation::Inside && is_shut && !world.leap_open(place.at, 1.0).ok()? {
                     return None;

@@ -30,8 +30,19 @@ pub(super) struct Step {
     pub(super) after: SceneGraph,
     pub(super) agent: NodeId,
     pub(super) action: Action,
+    pub(super) care: Care,
+}
+
+/// What is heeded when an action is done again that has failed.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Care {
     /// What is held still meanwhile: it would fall, though nobody touches it.
     pub(super) steadied: Vec<NodeId>,
+    /// Whether doors and drawers are pushed all the way: put where they go, one left behind what it
+    /// should have taken along.
+    pub(super) pushes: bool,
+    /// Whether one steps up to what the graph has near already: it may be so no longer.
+    pub(super) goes: bool,
 }
 
 impl Undo {

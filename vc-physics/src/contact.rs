@@ -34,6 +34,9 @@ const CARRIES: f32 = 0.5;
 /// Gap up to which two bodies touch, metres: what the engine leaves between them.
 const TOUCHING: f32 = 0.005;
 
+/// How high things hop, metres.
+const HOP: f32 = 0.01;
+
 /// A point where two bodies touch.
 pub(crate) struct Touch {
     /// From the pair's first body to its second.
@@ -149,6 +152,9 @@ impl World {
         let part = self.engine.bodies.get(body).map(|b| group::marked(b.user_data));
         let own = part.map(|(id, _)| id);
         let mut load = part.map_or_else(Vec::new, |part| self.pinned_on(part));
+        if part.is_some_and(|(_, link)| link > 0) {
+            load.extend(self.hovering_in(body));
+        }
         let mut open: Vec<_> = load.iter().filter_map(|id| Some(self.thing(*id).ok()?.state.base)).collect();
         open.push(body);
         while let Some(body) = open.pop() {
@@ -183,6 +189,21 @@ impl World {
             }
         }
         None
+    }
+
+    /// What fell asleep in a hop, a millimetre or two above a body that holds it: it touches nothing.
+    fn hovering_in(&self, body: RigidBodyHandle) -> Vec<NodeId> {
+        let Some(around) = self.box_around([body].into_iter()) else { return Vec::new() };
+        let (low, high) = (around.min - Vector3::z() * HOP, around.max + Vector3::z() * HOP);
+        let loose = self.things.iter().filter(|t| t.state.role == Role::Loose && self.is_asleep(t.id));
+        let above = |id: NodeId| {
+            let own = self.aabb(id)?;
+            let (centre, foot) = (own.centre(), own.min.z);
+            let over = (low.x..=high.x).contains(&centre.x) && (low.y..=high.y).contains(&centre.y);
+            Some(over && (low.z..=high.z).contains(&foot))
+        };
+        let touches = |base: RigidBodyHandle| self.pairs_of(base).any(|pair| pair.has_any_active_contact());
+        loose.filter(|t| above(t.id) == Some(true) && !touches(t.state.base)).map(|t| t.id).collect()
     }
 
     /// The things that were pinned on a node's link.

@@ -221,11 +221,17 @@ impl Deed<'_> {
         Ok(())
     }
 
-    /// A free spot for a thing on the floor before the agent's feet.
+    /// A free spot for a thing on the floor before the agent's feet, or beside them or behind where
+    /// only that is in the room.
     pub(super) fn floor_spot(&self, id: NodeId) -> Option<Pose> {
         let ground = self.before.place(self.agent).filter(|_| self.stands())?;
-        let toes = self.feet() * Point3::new(AHEAD, 0.0, 0.0);
-        self.world.free_spot_at(id, ground.at, false, Order::Near(toes)).ok().flatten()
+        let room = self.before.room_of(self.agent);
+        let spot = |ahead: f32| {
+            let at = self.feet() * Point3::new(ahead, 0.0, 0.0);
+            self.world.free_spot_at(id, ground.at, false, Order::Near(at)).ok().flatten()
+        };
+        let here = |spot: &Pose| self.start.room_at(spot.translation.vector.xy().into()) == room;
+        [AHEAD, 0.0, -AHEAD].into_iter().filter_map(spot).find(here)
     }
 }
 

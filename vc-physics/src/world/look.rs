@@ -1,7 +1,7 @@
 //! Reading a world.
 
 use nalgebra::{Point3, Vector3};
-use rapier3d::dynamics::RigidBody;
+use rapier3d::dynamics::{RigidBody, RigidBodyHandle};
 use vc_graph::{Aabb, NodeId, Pose};
 
 use super::World;
@@ -76,7 +76,12 @@ impl World {
 
     /// The box around a node's shapes as they are now, moving parts with them.
     pub fn aabb(&self, id: NodeId) -> Option<Aabb> {
-        let bodies = self.thing(id).ok()?.bodies().filter_map(|b| self.engine.bodies.get(b));
+        self.box_around(self.thing(id).ok()?.bodies())
+    }
+
+    /// The box around some bodies.
+    pub(crate) fn box_around(&self, bodies: impl Iterator<Item = RigidBodyHandle>) -> Option<Aabb> {
+        let bodies = bodies.filter_map(|b| self.engine.bodies.get(b));
         let colliders = bodies.flat_map(|b| b.colliders()).filter_map(|&c| self.engine.colliders.get(c));
         let boxes = colliders.map(|c| c.compute_aabb());
         let joint = boxes.reduce(|a, b| rapier3d::parry::bounding_volume::BoundingVolume::merged(&a, &b))?;
