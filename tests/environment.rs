@@ -369,3 +369,29 @@ fn the_planner_works_with_bodies() {
     virtualcity::tasks::World::reset(&mut home, &start).unwrap();
     assert_eq!(home.graph(), &start);
 }
+
+/// Bowls that hop on a rack come back with it.
+#[test]
+fn a_dishwasher_shuts_however_its_bowls_lie() {
+    let mut home = Environment::make("apartment/5", 1).unwrap();
+    let me = home.agents()[0];
+    let dishwasher = home.graph().of_class("dishwasher")[0];
+    let inside = |home: &Environment| {
+        let mut all: Vec<NodeId> = home.graph().relating(Relation::Inside, dishwasher).collect();
+        all.sort_unstable();
+        all
+    };
+    let full = inside(&home);
+    assert!(full.len() > 4, "{full:?}");
+    let plate = home.graph().of_class("soup_plate")[0];
+    let cabinet = home.graph().hidden_in(plate).unwrap();
+    for (verb, thing) in [(Verb::Walk, dishwasher), (Verb::Open, cabinet), (Verb::Grab, plate)] {
+        home.set_action(me, Action::one(verb, thing)).unwrap();
+    }
+    for _ in 0..3 {
+        for verb in [Verb::Open, Verb::Close] {
+            home.set_action(me, Action::one(verb, dishwasher)).unwrap();
+            assert_eq!(inside(&home), full, "{verb:?}");
+        }
+    }
+}
