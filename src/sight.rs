@@ -5,13 +5,13 @@ use std::sync::{Mutex, OnceLock};
 
 use nalgebra::Point3;
 use vc_graph::asset::{Joint, Part};
-use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State};
+use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, Relation, SceneGraph, State};
 use vc_physics::Role;
 use vc_render::{Camera, Coat, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
 use crate::Environment;
 use crate::environment::position;
-use crate::figure::Bone;
+use crate::figure::{Bone, clothes};
 
 /// Vertical field of view of eyes and of cameras in rooms, radians.
 const FIELD: f32 = 1.15;
@@ -146,7 +146,7 @@ impl Environment {
     }
 
     /// The environment as it is for the renderer: `Renderer::snapshot_with` once, then
-    /// `Snapshot::place`, `articulate`, `arrange`, `switch`, `coat` and `fill` of what differs.
+    /// `Snapshot::place`, `articulate`, `arrange`, `switch`, `coat`, `fill` and `hide` of what differs.
     ///
     /// # Errors
     /// [`RenderError`] if something has no sound pose or no shape.
@@ -176,6 +176,13 @@ impl Environment {
         for &agent in self.agents() {
             if let Some(skeleton) = self.skeleton(agent) {
                 snapshot.arrange(agent, |joint| Some(skeleton.motion(Bone::of(joint)?)))?;
+            }
+            for worn in self.graph().relating(Relation::WornBy, agent).filter_map(|id| self.graph().node(id)) {
+                let colour = clothes::colour(self.graph().assets(), worn).unwrap_or([0.5; 3]);
+                let coat = Coat { colour, share: 1.0, roughness: 1.0 };
+                let on = |joint: &Joint| Bone::of(joint).filter(|b| clothes::covers(worn.class(), *b)).map(|_| coat);
+                snapshot.coat_links(agent, on)?;
+                snapshot.hide(worn.id(), true)?;
             }
         }
         Ok(snapshot)

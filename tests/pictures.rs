@@ -263,3 +263,33 @@ fn dirt_is_seen() {
     act(&mut home, me, Verb::Wash, &[table]);
     assert_eq!(brightness(&home), clean);
 }
+
+/// What somebody puts on is seen on the body, and no more where it was.
+#[test]
+fn clothes_are_worn() {
+    let mut home = home(42, 1);
+    let me = home.agents()[0];
+    let jacket = home.graph().of_class("jacket")[0];
+    act(&mut home, me, Verb::Walk, &[jacket]);
+    let bare = home.clone();
+    act(&mut home, me, Verb::Grab, &[jacket]);
+    act(&mut home, me, Verb::Wear, &[jacket]);
+    let feet = home.world().pose(me).unwrap();
+    let around = [(1.5, 0.9), (1.5, -0.9), (0.2, 1.7), (0.2, -1.7), (-1.5, 0.9), (-1.5, -0.9)];
+    let cameras = around.map(|(x, y)| {
+        Camera::with_fov(96, 96, 1.0).looking(feet * Point3::new(x, y, 1.4), feet * Point3::new(0.0, 0.0, 1.1))
+    });
+    let look = |home: &Environment, camera: &Camera| {
+        home.render(Viewpoint::Free(*camera), Modality::Rgb | Modality::Instance, 96, 96).unwrap()
+    };
+    let seen = |frame: &Frame, id: NodeId| frame.instance.iter().filter(|i| **i == id).count();
+    let best = cameras.iter().max_by_key(|camera| seen(&look(&home, camera), me)).unwrap();
+    let [before, after] = [look(&bare, best), look(&home, best)];
+    assert!(seen(&after, me) > 300);
+    assert!(cameras.iter().all(|camera| seen(&look(&home, camera), jacket) == 0), "it is the wearer's");
+    let changed = |(a, b): (&[u8; 3], &[u8; 3])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 30);
+    let of_me = |i: &usize| before.instance[*i] == me && after.instance[*i] == me;
+    let both: Vec<usize> = (0..before.instance.len()).filter(of_me).collect();
+    let dyed = both.iter().filter(|i| changed((&before.rgb[**i], &after.rgb[**i]))).count();
+    assert!(3 * dyed > both.len() && dyed < both.len(), "{dyed} of {} pixels", both.len());
+}

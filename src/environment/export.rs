@@ -1,7 +1,7 @@
 //! The home as it is, for other programs.
 
 use vc_graph::asset::Joint;
-use vc_graph::{NodeId, Pose, SceneGraph};
+use vc_graph::{NodeId, Pose, Relation, SceneGraph};
 use vc_physics::World;
 use vc_procgen::gltf::{GltfError, Stage, posed_scene};
 
@@ -22,7 +22,18 @@ impl Environment {
     /// # Errors
     /// [`GltfError`] if a node's shape is not in the library, or all is too large for a file.
     pub fn gltf(&self) -> Result<Vec<u8>, GltfError> {
-        posed_scene(&self.graph, &Stage::default(), |id, joint| self.moved(id, joint))
+        posed_scene(&self.unworn(), &Stage::default(), |id, joint| self.moved(id, joint))
+    }
+
+    /// The scene without what somebody wears, which has no shape of its own then.
+    fn unworn(&self) -> SceneGraph {
+        let mut graph = self.graph.clone();
+        let worn: Vec<NodeId> = self.agents().iter().flat_map(|a| self.graph.relating(Relation::WornBy, *a)).collect();
+        let mut edit = graph.edit();
+        // They are there.
+        worn.into_iter().for_each(|id| drop(edit.set_pose(id, None)));
+        edit.commit();
+        graph
     }
 
     /// How far what hangs on a joint has moved: a limb, a door, a drawer.

@@ -2,6 +2,8 @@
 
 mod body;
 mod bone;
+#[cfg(feature = "render")]
+pub(crate) mod clothes;
 mod pose;
 mod reach;
 mod shape;

@@ -91,18 +91,13 @@ fn trunk(stuff: &Stuff, parts: &mut Vec<Part>) {
     parts.push(part("pelvis", Bone::Pelvis, block([0.1, 0.16, 0.11], 0.09), stuff.trousers, v(0.0, 0.0, 0.03)));
     parts.push(part("belly", Bone::Chest, block([0.1, 0.15, 0.13], 0.09), stuff.shirt, v(0.0, 0.0, 0.06)));
     parts.push(part("chest", Bone::Chest, block([0.11, 0.18, 0.17], 0.1), stuff.shirt, v(0.0, 0.0, 0.25)));
-    parts.push(part(
-        "neck",
-        Bone::Chest,
-        Shape::Capsule { radius: 0.05, half_height: 0.05 },
-        stuff.skin,
-        v(0.0, 0.0, 0.45),
-    ));
 }
 
 fn head(stuff: &Stuff, parts: &mut Vec<Part>) {
     let v = Vector3::new;
     let ball = |radius| Shape::Sphere { radius };
+    let neck = Shape::Capsule { radius: 0.05, half_height: 0.05 };
+    parts.push(part("neck", Bone::Head, neck, stuff.skin, v(0.0, 0.0, -0.01)));
     let skull = Shape::Capsule { radius: 0.085, half_height: 0.035 };
     parts.push(part("face", Bone::Head, skull, stuff.skin, v(0.012, 0.0, 0.115)));
     parts.push(part("hair", Bone::Head, ball(0.102), stuff.hair, v(-0.016, 0.0, 0.155)));

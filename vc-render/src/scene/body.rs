@@ -49,6 +49,8 @@ pub(crate) struct Instance {
     pub(crate) coat: Coat,
     /// What is poured into a vessel, if it is that.
     pub(super) liquid: Option<Poured>,
+    /// Whether nothing of its body is to be seen.
+    pub(super) hidden: bool,
 }
 
 /// A liquid that is in a vessel or not.
@@ -67,14 +69,20 @@ impl Instance {
         self.arrange(pose, scale, &own)
     }
 
+    /// Where it is a speck that is not to be seen, in the mesh's frame.
+    fn speck(&self) -> Option<[f64; 3]> {
+        match self.liquid {
+            _ if self.hidden => Some([0.0; 3]),
+            Some(Poured { there: false, bottom }) => Some(bottom),
+            _ => None,
+        }
+    }
+
     /// Puts it where its body's pose and its own motion say.
     pub(crate) fn arrange(&mut self, pose: &Pose, scale: &Vector3<f32>, own: &Pose) -> bool {
         let placed = Affine::placed(pose, scale).after(&Affine::of(own));
-        self.world = match self.liquid {
-            // A speck where nobody sees it: as good as not there, and known to all that know the scene.
-            Some(Poured { there: false, bottom }) => placed.after(&Affine::shrunk(bottom, SPECK)),
-            _ => placed,
-        };
+        // A speck where nobody sees it: as good as not there, and known to all that know the scene.
+        self.world = self.speck().map_or(placed, |at| placed.after(&Affine::shrunk(at, SPECK)));
         self.mirrored = self.world.determinant() < 0.0;
         let inverse = self.world.inverse();
         self.inverse = inverse.unwrap_or(Affine::IDENTITY).narrow();

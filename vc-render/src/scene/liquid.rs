@@ -20,7 +20,7 @@ const WITHIN: f32 = 0.985;
 const LOPSIDED: f32 = 5.0;
 /// Curves are this near to their chords, metres.
 const TOLERANCE: f32 = 0.001;
-/// How small the liquid of an empty vessel is: a speck in its bottom that is nowhere to be seen.
+/// How small is what is not to be seen, as the liquid of an empty vessel: a speck in its bottom.
 pub(super) const SPECK: f64 = 1e-3;
 
 /// Linear reflectance of liquids by a word of their class; others look like water.

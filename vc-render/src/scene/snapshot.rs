@@ -196,6 +196,55 @@ impl Snapshot {
         Ok(())
     }
 
+    /// Says what lies on the links of a body that move on joints, where it differs from the rest of it: what a person
+    /// wears.
+    ///
+    /// # Errors
+    /// [`RenderError::NoBody`].
+    pub fn coat_links(
+        &mut self,
+        node: NodeId,
+        mut coat: impl FnMut(&Joint) -> Option<Coat>,
+    ) -> Result<(), RenderError> {
+        let index = self.body(node)?;
+        let Range { start, end } = self.bodies[index].instances;
+        for instance in &mut self.instances[start as usize..end as usize] {
+            let other = instance.link.joint.as_ref().and_then(&mut coat);
+            instance.coat = other.map_or(instance.coat, Coat::sound);
+        }
+        Ok(())
+    }
+
+    /// Lets a body be seen or not: what somebody wears is where its wearer is.
+    ///
+    /// ```
+    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// use vc_render::{Camera, Frame, Modality, Renderer, Shot};
+    /// let mut scene = SceneBuilder::new("hall");
+    /// let coat = Draft::new("coat").bounds(Bounds::standing([0.2, 0.5, 1.0].into()));
+    /// let coat = scene.add(coat.at(Pose::translation(2.0, 0.0, -0.5)))?;
+    /// let mut renderer = Renderer::new();
+    /// let mut snapshot = renderer.snapshot(&scene.build())?;
+    /// snapshot.hide(coat, true)?;
+    /// let camera = Camera::with_fov(32, 32, 1.0);
+    /// let mut frame = Frame::new();
+    /// renderer.render(&Shot::new(&snapshot, &camera, Modality::Instance), &mut frame)?;
+    /// assert!(!frame.instance.contains(&coat));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RenderError::NoBody`].
+    pub fn hide(&mut self, node: NodeId, hidden: bool) -> Result<(), RenderError> {
+        let index = self.body(node)?;
+        let body = &self.bodies[index];
+        for instance in &mut self.instances[body.instances.start as usize..body.instances.end as usize] {
+            instance.hidden = hidden;
+            instance.put(&body.pose, &body.scale);
+        }
+        Ok(())
+    }
+
     /// Fills a vessel with a liquid of a class, or empties it; a graph's contents are there from the beginning. What
     /// is not open above with walls around holds nothing that is seen.
     ///
@@ -244,7 +293,7 @@ impl Snapshot {
 
     /// Number of triangles at the finest level of detail.
     pub fn triangles(&self) -> usize {
-        let seen = self.instances.iter().filter(|i| i.liquid.is_none_or(|liquid| liquid.there));
+        let seen = self.instances.iter().filter(|i| !i.hidden && i.liquid.is_none_or(|liquid| liquid.there));
         seen.map(|i| i.link.levels[0].len()).sum()
     }
 
@@ -292,7 +341,8 @@ fn instance(
         (None, _) => Coat::of(node),
         (Some(_), contents) => contents.map_or(Coat::NONE, |class| liquid::coat(class)),
     };
-    let mut instance = Instance { link, body, joint: position, world, inverse, mirrored: false, coat, liquid };
+    let mut instance =
+        Instance { link, body, joint: position, world, inverse, mirrored: false, coat, liquid, hidden: false };
     (instance.put(pose, scale) && instance.world.is_finite()).then_some(instance)
 }
 
