@@ -167,7 +167,7 @@ impl Renderer {
         let (strip, memory) = Strip::of(frame);
         let Memory { bands, open, .. } = memory;
         let open = (!shot.plain).then(|| shade::occlusion(view.camera, bands, open));
-        let exposure = lighting.exposure(view.camera.eye().into());
+        let exposure = lighting.exposure(view.camera.eye().into(), seen_rooms(view, bands));
         shade_bands(&Shading { renderer: self, lighting, view, open, exposure }, strip, bands);
         shade::smooth(frame);
     }
@@ -213,6 +213,16 @@ impl Renderer {
         let ([after, before], [next, last]) = (views, other);
         rayon::join(|| draw(next, after), || draw(last, before));
     }
+}
+
+/// Rooms of what is seen at places strewn over a picture, through glass.
+fn seen_rooms<'a>(View { snapshot, camera }: View<'a>, bands: &'a [Band]) -> impl Iterator<Item = u16> + 'a {
+    camera.strewn().filter_map(move |[x, y]| {
+        let band = bands.iter().find(|band| band.rows.contains(&(y as i32)))?;
+        let triangle = *band.layers.solid().triangle_row(y as i32).get(x as usize)?;
+        let instance = band.layers.visible.get(triangle as usize)?.instance;
+        Some(snapshot.bodies[snapshot.instances[instance as usize].body as usize].room)
+    })
 }
 
 /// Flow of a band, and what is hidden at the other moments.

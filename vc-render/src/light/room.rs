@@ -21,7 +21,7 @@ const MOST: usize = 1 << 14;
 /// Rays from each point.
 const RAYS: usize = 256;
 /// How often light is thrown on.
-const BOUNCES: usize = 4;
+const BOUNCES: usize = 7;
 
 /// The grid of a room.
 #[derive(Debug, Clone)]
