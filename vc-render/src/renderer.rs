@@ -50,6 +50,9 @@ impl Renderer {
 
     /// Sets the largest error of a curve's outline when a coarser mesh is drawn, pixels:
     /// a quarter if not said. Zero draws the finest mesh always.
+    ///
+    /// Depth and ids agree with a ray caster on the finest meshes, depth within 1e-4 of itself, only at zero:
+    /// coarser ones cut curves short, by up to this much in the image, and depth there is off by more.
     #[must_use]
     pub fn with_detail(self, pixels: f32) -> Self {
         Self { detail: pixels, ..self }

@@ -180,7 +180,7 @@ impl Lighting {
         sum
     }
 
-    /// Light a surface of a body gives of itself.
+    /// Light a surface of a body gives of itself; where its picture is white, if it has one.
     #[inline(always)]
     pub(crate) fn glow(&self, surface: &Surface, body: u32) -> [f32; 3] {
         let [gain, shade] = self.gains[body as usize];

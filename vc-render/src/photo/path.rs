@@ -119,10 +119,8 @@ impl Paths<'_> {
     /// Light at a surface, and where to go on; false where the path ends.
     fn surface(&self, walk: &mut Walk, met: &Met<'_>, surface: &Surface, sampler: &mut Sampler) -> bool {
         let back = walk.ray.along.map(|v| -v);
-        if dot(met.flat, back) < 0.0 {
-            // From within a thing: nothing is seen.
-            return false;
-        }
+        // Sheets have two sides in one place, either of which may be met first. Within things it is dark anyway.
+        let met = &met.facing(back);
         let look = met.look(surface, self.footprint(walk, met));
         self.glow(walk, met, surface);
         if surface.is_mirror() {
@@ -152,13 +150,14 @@ impl Paths<'_> {
             let facing = -dot(met.flat, walk.ray.along).min(-1e-4);
             let distance = met.t + walk.gone;
             let other = self.lights.density(&walk.last, met.instance.body, glow) * distance * distance / facing;
+            let shine = met.shine(surface, self.footprint(walk, met));
             let weight = walk.weight(other);
             let kind = match walk.surfaces {
                 0 => Kind::Own,
                 1 => Kind::Sharp,
                 _ => Kind::Soft,
             };
-            walk.gain(glow.map(|g| g * weight), kind);
+            walk.gain(three(|i| glow[i] * shine[i] * weight), kind);
         }
     }
 
