@@ -41,12 +41,15 @@ struct Lamp {
     triangles: std::ops::Range<usize>,
 }
 
+/// A picture, and where a triangle's corners are in it.
+type Shown = (Arc<Picture>, [[f32; 2]; 3]);
+
 /// A triangle that glows.
 struct Glowing {
     triangle: Triangle,
     light: [f32; 3],
-    /// What the light is multiplied with, and where the corners are in it.
-    picture: Option<(Arc<Picture>, [[f32; 2]; 3])>,
+    /// What the light is multiplied with.
+    picture: Option<Shown>,
     /// Power of it and of those of its lamp before it.
     sum: f32,
 }
@@ -180,12 +183,7 @@ impl Lights {
         self.bends.get(instance as usize).copied().unwrap_or(false)
     }
 
-    fn glow(
-        &mut self,
-        first: usize,
-        (triangle, picture): (Triangle, Option<(Arc<Picture>, [[f32; 2]; 3])>),
-        light: [f32; 3],
-    ) {
+    fn glow(&mut self, first: usize, (triangle, picture): (Triangle, Option<Shown>), light: [f32; 3]) {
         let power = triangle.area * brightness(light);
         if power > 0.0 {
             let before = self.glowing.get(first..).and_then(|g| g.last()).map_or(0.0, |g| g.sum);
