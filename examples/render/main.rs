@@ -17,7 +17,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 use support::{Complaint, say};
-use virtualcity::graph::{ClassTable, NodeId, SceneGraph, Seed, format};
+use virtualcity::graph::{ClassTable, Node, NodeId, Property, SceneGraph, Seed, format};
 use virtualcity::procgen::Apartment;
 use virtualcity::render::{Camera, Daylight, Exposure, Frame, Renderer, Snapshot, picture};
 
@@ -134,11 +134,12 @@ fn write(path: &std::path::Path, image: &picture::Picture) -> Result<(), Complai
 }
 
 /// Switches on everything that is a lamp: at night everywhere, by day in rooms without a
-/// window.
+/// window. Spare bulbs and torches stay off.
 fn switch_lamps(scene: &SceneGraph, snapshot: &mut Snapshot, night: bool) -> Result<(), Complaint> {
     let lit = |room| scene.nodes().any(|n| **n.class() == *"window" && scene.room_of(n.id()) == room);
     for lamp in snapshot.lamps().collect::<Vec<_>>() {
-        if night || !lit(scene.room_of(lamp)) {
+        let spare = |n: &Node| n.affords(Property::Graspable) && !n.affords(Property::Plug);
+        if (night || !lit(scene.room_of(lamp))) && !scene.node(lamp).is_some_and(spare) {
             snapshot.switch(lamp, true).map_err(Complaint::new)?;
         }
     }

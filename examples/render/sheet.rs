@@ -4,6 +4,10 @@ use nalgebra::Vector3;
 use virtualcity::render::picture::{self, Picture};
 use virtualcity::render::{Camera, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
+/// Colours are found from so many pixels along each side of one: gaps of a few millimetres between
+/// doors would else come and go along a line.
+const FINER: u32 = 4;
+
 /// Colours, boxes, depth; nodes, classes, masks; normals, flow, and boxes with masks.
 pub(crate) fn all(
     renderer: &Renderer,
@@ -16,7 +20,7 @@ pub(crate) fn all(
     let step = Vector3::new(0.03, 0.0, 0.06);
     let next = Camera { pose: camera.pose * nalgebra::Translation3::from(step), ..*camera };
     let wanted = Modalities::SIX | Modality::Normal | Modality::Part;
-    renderer.render(&Shot::new(snapshot, camera, wanted).lit(lighting).after(snapshot, &next).finer(2), frame)?;
+    renderer.render(&Shot::new(snapshot, camera, wanted).lit(lighting).after(snapshot, &next).finer(FINER), frame)?;
     let rgb = picture::rgb(frame);
     let pictures = [
         rgb.clone(),

@@ -119,7 +119,7 @@ pub struct Material {
     pub transmission: f32,
     /// Light it gives when on, watts per square metre and steradian.
     pub emission: [f32; 3],
-    /// Position in the library of a picture that `colour` is multiplied with.
+    /// Position in the library of a picture that `colour` and `emission` are multiplied with.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub texture: Option<u32>,
 }

@@ -178,6 +178,15 @@ impl Camera {
         Vector3::new((across - self.centre.0) / self.focal.0, (down - self.centre.1) / self.focal.1, 1.0)
     }
 
+    /// Middles of pixels on a coarse grid over the picture.
+    pub(crate) fn strewn(&self) -> impl Iterator<Item = [f32; 2]> + use<> {
+        const GRID: [u32; 2] = [16, 12];
+        let size = [self.width, self.height];
+        let place =
+            move |axis: usize, k: u32| ((2 * k + 1) as f32 * size[axis] as f32 / (2 * GRID[axis]) as f32).floor() + 0.5;
+        (0..GRID[0] * GRID[1]).map(move |i| [place(0, i % GRID[0]), place(1, i / GRID[0])])
+    }
+
     /// Where the eye is.
     pub fn eye(&self) -> Point3<f32> {
         self.pose.translation.vector.into()

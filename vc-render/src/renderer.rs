@@ -50,6 +50,9 @@ impl Renderer {
 
     /// Sets the largest error of a curve's outline when a coarser mesh is drawn, pixels:
     /// a quarter if not said. Zero draws the finest mesh always.
+    ///
+    /// Depth and ids agree with a ray caster on the finest meshes, depth within 1e-4 of itself, only at zero:
+    /// coarser ones cut curves short, by up to this much in the image, and depth there is off by more.
     #[must_use]
     pub fn with_detail(self, pixels: f32) -> Self {
         Self { detail: pixels, ..self }
@@ -167,7 +170,7 @@ impl Renderer {
         let (strip, memory) = Strip::of(frame);
         let Memory { bands, open, .. } = memory;
         let open = (!shot.plain).then(|| shade::occlusion(view.camera, bands, open));
-        let exposure = lighting.exposure(view.camera.eye().into());
+        let exposure = lighting.exposure(view.camera.eye().into(), seen_rooms(view, bands));
         shade_bands(&Shading { renderer: self, lighting, view, open, exposure }, strip, bands);
         shade::smooth(frame);
     }
@@ -213,6 +216,16 @@ impl Renderer {
         let ([after, before], [next, last]) = (views, other);
         rayon::join(|| draw(next, after), || draw(last, before));
     }
+}
+
+/// Rooms of what is seen at places strewn over a picture, through glass.
+fn seen_rooms<'a>(View { snapshot, camera }: View<'a>, bands: &'a [Band]) -> impl Iterator<Item = u16> + 'a {
+    camera.strewn().filter_map(move |[x, y]| {
+        let band = bands.iter().find(|band| band.rows.contains(&(y as i32)))?;
+        let triangle = *band.layers.solid().triangle_row(y as i32).get(x as usize)?;
+        let instance = band.layers.visible.get(triangle as usize)?.instance;
+        Some(snapshot.bodies[snapshot.instances[instance as usize].body as usize].room)
+    })
 }
 
 /// Flow of a band, and what is hidden at the other moments.

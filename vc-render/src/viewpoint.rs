@@ -16,6 +16,8 @@ const EYE: f32 = 1.55;
 const TARGET: f32 = 0.95;
 /// How far from the walls the eye keeps, metres.
 const OFF: f32 = 0.3;
+/// What is farther away shows a room, metres.
+const FAR: f32 = 2.2;
 /// Places along each wall.
 const PLACES: usize = 5;
 /// Longer side of the pictures by which places are compared, pixels.
@@ -23,10 +25,11 @@ const SIDE: f32 = 80.0;
 
 impl Renderer {
     /// A camera in a room that sees most of it: of places in its corners and along its walls, at the height of
-    /// eyes, the one from which most things of the room are seen, and least that stands close before it
-    /// or belongs to other rooms. All but the pose is that of `camera`.
+    /// eyes, the one from which most things of the room are seen, and farthest, and least that stands close before it
+    /// or belongs to other rooms. It looks past the middle of the room or along a wall. All but the pose is that of
+    /// `camera`.
     ///
-    /// The room must have a box in the graph. Costs 32 renderings of ids and depth in 80 pixels across.
+    /// The room must have a box in the graph. Costs 64 renderings of ids and depth in 80 pixels across.
     ///
     /// # Errors
     /// [`RenderError::NoRoom`], [`RenderError::BadSize`], [`RenderError::BadCamera`],
@@ -58,10 +61,8 @@ impl Renderer {
         let mut frame = Frame::new();
         let mut best: Option<(f32, Camera)> = None;
         for eye in eyes(&around.min, &around.max) {
-            for pull in [0.0, 0.35] {
-                let middle = around.centre();
-                let at = middle + (eye - middle) * -pull;
-                let view = small.looking(eye, Point3::new(at.x, at.y, around.min.z + TARGET));
+            for at in targets(eye, around.centre()) {
+                let view = small.looking(eye, Point3::new(at[0], at[1], around.min.z + TARGET));
                 self.render(&Shot::new(snapshot, &view, Modality::Instance | Modality::Depth), &mut frame)?;
                 let score = score(snapshot, number as u16, &frame);
                 if best.is_none_or(|b| score > b.0) {
@@ -99,7 +100,14 @@ fn eyes(low: &Point3<f32>, high: &Point3<f32>) -> impl Iterator<Item = Point3<f3
     outer.map(move |(i, j)| Point3::new(place(i, low.x, high.x), place(j, low.y, high.y), low.z + EYE))
 }
 
-/// Things of the room that are seen, less what stands in the way.
+/// To where one may look from a place: the middle, a little beyond it, and along the walls, for rooms with corners
+/// whose middle is in another.
+fn targets(eye: Point3<f32>, middle: Point3<f32>) -> [[f32; 2]; 4] {
+    let beyond = middle + (middle - eye) * 0.35;
+    [[middle.x, middle.y], [beyond.x, beyond.y], [middle.x, eye.y], [eye.x, middle.y]]
+}
+
+/// Things of the room that are seen and how much of it is far, less what stands in the way.
 fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let mine = |n: &NodeId| snapshot.body_of(*n).is_some_and(|body| body.room == room);
     let mut seen: Vec<NodeId> = frame.instance.iter().copied().filter(mine).collect();
@@ -107,6 +115,10 @@ fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let foreign = (frame.instance.len() - seen.len()) as f32 / pixels;
     seen.sort_unstable();
     seen.dedup();
-    let nearer = |than: f32| frame.depth.iter().filter(|d| **d < than).count() as f32 / pixels;
-    seen.len() as f32 - 60.0 * nearer(0.7) - 15.0 * nearer(1.3) - 25.0 * foreign
+    // At the sides walls are near where rooms are narrow, and in nobody's way.
+    let middle = frame.width / 4..frame.width - frame.width / 4;
+    let ahead = || frame.depth.chunks(frame.width).flat_map(|row| &row[middle.clone()]);
+    let nearer = |than: f32| ahead().filter(|d| **d < than).count() as f32 / ahead().count().max(1) as f32;
+    let far = 1.0 - nearer(FAR);
+    seen.len() as f32 + 12.0 * far - 60.0 * nearer(0.7) - 15.0 * nearer(1.3) - 25.0 * foreign
 }

@@ -229,6 +229,28 @@ fn a_viewpoint_sees_more_of_its_room_than_others() {
 }
 
 #[test]
+fn a_viewpoint_looks_along_a_narrow_hall() {
+    let mut stage = Stage::new();
+    let size = vc_graph::Bounds::standing(Vector3::new(6.0, 1.1, 2.5));
+    let hall = stage.builder.add(vc_graph::Draft::new("hallway").at(Pose::identity()).bounds(size)).unwrap();
+    let side = stage.asset(vec![common::part("wall", block([3.0, 0.05, 1.25]), [0.0; 3], 1)]);
+    let end = stage.asset(vec![common::part("wall", block([0.05, 0.6, 1.25]), [0.0; 3], 1)]);
+    let floor = stage.asset(vec![common::part("floor", block([3.0, 0.6, 0.05]), [0.0; 3], 0)]);
+    let chest = stage.asset(vec![common::part("chest", block([0.2, 0.1, 0.4]), [0.0; 3], 0)]);
+    let walls =
+        [(side, [0.0, 0.6, 1.25]), (side, [0.0, -0.6, 1.25]), (end, [3.05, 0.0, 1.25]), (end, [-3.05, 0.0, 1.25])];
+    for (asset, at) in walls.into_iter().chain([(floor, [0.0, 0.0, -0.05]), (chest, [0.5, 0.4, 0.4])]) {
+        let draft = vc_graph::Draft { asset: Some(asset), ..vc_graph::Draft::new("thing") };
+        stage.builder.add_in(hall, draft.at(pose(at, 0.0, 0.0))).unwrap();
+    }
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let view = renderer.viewpoint(&snapshot, hall, &Camera::with_fov(160, 120, 1.15)).unwrap();
+    let looks = view.pose.rotation * Vector3::z();
+    assert!(looks.x.abs() > 0.8 && view.eye().x.abs() > 2.0, "from {} to {looks}", view.eye());
+}
+
+#[test]
 fn lamps_are_told_by_their_class() {
     let mut stage = Stage::new();
     let made = ["floor_lamp", "candle", "lightbulb", "sofa", "tv"]

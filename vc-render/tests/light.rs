@@ -232,3 +232,24 @@ fn progress_is_told_and_may_end_it() {
     let three = made.0.photograph(&lighting, &inside([0.0; 3]), &exact(3), |_| true);
     assert!(ended == three, "what is there counts");
 }
+
+#[test]
+fn smoothing_keeps_the_light_there_is() {
+    let graph = common::lamplit();
+    let mut renderer = Renderer::new();
+    let mut snapshot = renderer.snapshot(&graph).unwrap();
+    let lamps: Vec<NodeId> = snapshot.lamps().collect();
+    lamps.iter().for_each(|lamp| snapshot.switch(*lamp, true).unwrap());
+    let lighting = renderer.light(&snapshot, &Daylight::night());
+    for camera in &common::cameras(96, 72)[..2] {
+        let of = |denoise: bool| {
+            let how = Exposure { samples: 8, denoise, ..Exposure::default() };
+            renderer.photograph(&lighting, camera, &how, |_| true).unwrap().light
+        };
+        let (noisy, smooth) = (of(false), of(true));
+        assert!((mean(&smooth) / mean(&noisy) - 1.0).abs() < 0.01, "{} and {}", mean(&smooth), mean(&noisy));
+        // And it does smooth: neighbours differ far less.
+        let rough = |light: &[[f32; 3]]| light.windows(2).map(|w| (w[0][1] - w[1][1]).abs()).sum::<f32>();
+        assert!(rough(&smooth) < 0.6 * rough(&noisy), "{} and {}", rough(&smooth), rough(&noisy));
+    }
+}

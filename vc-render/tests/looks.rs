@@ -6,10 +6,10 @@
 mod common;
 
 use common::caster::Caster;
-use common::{Stage, block, cameras, lamplit, material, pose};
+use common::{Stage, block, cameras, lamplit, material, part, pose};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Material, Shape};
-use vc_graph::{NodeId, Pose};
+use vc_graph::{Draft, NodeId, Pose};
 use vc_render::{Camera, Daylight, Exposure, Frame, Lighting, Modality, Renderer, Shot, Snapshot};
 
 struct Shown {
@@ -308,4 +308,48 @@ fn panes_dim_fast_light_as_they_dim_the_references() {
         eprintln!("sun {sun}: fast brighter by {clear:.1} behind clear glass, {smoked:.1} behind dark glass");
         assert!((clear - smoked).abs() < 6.0, "sun {sun}: {clear} brighter behind clear glass, {smoked} behind dark");
     }
+}
+
+#[test]
+fn an_eye_that_sees_a_brighter_room_gets_used_to_it() {
+    // Two rooms side by side, one with three strong lamps, one with a candle's; only a doorway between them.
+    let mut stage = Stage::new();
+    let dim = stage.room;
+    let bright = stage.builder.add(Draft::new("kitchen")).unwrap();
+    let mut put = |room: NodeId, class: &str, half: [f32; 3], at: [f32; 3], material: u32| {
+        let asset = stage.asset(vec![part(class, block(half), [0.0; 3], material)]);
+        let draft = Draft { asset: Some(asset), ..Draft::new(class).at(pose(at, 0.0, 0.0)) };
+        stage.builder.add_in(room, draft).unwrap()
+    };
+    let mut lamps = Vec::new();
+    for (room, x) in [(dim, -2.0), (bright, 2.0)] {
+        put(room, "floor", [2.0, 2.0, 0.1], [x, 0.0, -0.1], 1);
+        put(room, "ceiling", [2.0, 2.0, 0.1], [x, 0.0, 2.7], 1);
+        put(room, "wall", [2.0, 0.1, 1.3], [x, 2.1, 1.3], 1);
+        put(room, "wall", [2.0, 0.1, 1.3], [x, -2.1, 1.3], 1);
+        put(room, "wall", [0.1, 2.0, 1.3], [2.05 * x, 0.0, 1.3], 1);
+        let size = if room == bright { [0.4, 0.4, 0.02] } else { [0.03, 0.03, 0.02] };
+        lamps.push(put(room, if room == bright { "ceiling_lamp" } else { "candle" }, size, [x, 0.0, 2.5], 3));
+    }
+    put(dim, "wall", [0.02, 0.7, 1.3], [0.0, 1.3, 1.3], 1);
+    put(dim, "wall", [0.02, 0.7, 1.3], [0.0, -1.3, 1.3], 1);
+    let mut renderer = Renderer::new();
+    let mut snapshot = renderer.snapshot(&stage.build()).unwrap();
+    lamps.iter().for_each(|lamp| snapshot.switch(*lamp, true).unwrap());
+    let lighting = renderer.light(&snapshot, &Daylight::night());
+    let eye = Point3::new(-2.0, 0.0, 1.4);
+    // The same piece of floor, seen with the doorway above it and without.
+    let look = |target: Point3<f32>| Camera::with_fov(80, 60, 1.2).looking(eye, target);
+    let mut frame = Frame::new();
+    let mut seen = |camera: &Camera| {
+        let wanted = Modality::Rgb | Modality::Position;
+        renderer.render(&Shot::new(&snapshot, camera, wanted).lit(&lighting), &mut frame).unwrap();
+        let place = |at: &[f32; 3]| at[2].abs() < 0.01 && (-0.9..-0.5).contains(&at[0]) && at[1].abs() < 0.3;
+        let sums = frame.position.iter().zip(&frame.rgb).filter(|(at, _)| place(at)).map(|(_, rgb)| sum(*rgb));
+        let (count, total) = sums.fold((0, 0.0), |(n, all), v| (n + 1, all + v));
+        assert!(count > 10, "{count} pixels of the floor");
+        total / f64::from(count)
+    };
+    let (down, ahead) = (seen(&look(Point3::new(-0.8, 0.0, -0.3))), seen(&look(Point3::new(-0.2, 0.0, 0.7))));
+    assert!(ahead < 0.97 * down, "the floor is {ahead} beside the bright room, {down} without it");
 }

@@ -54,6 +54,74 @@ fn alone(shape: Shape, made: Material, texture: Option<Texture>, scale: f32) -> 
     stage.build()
 }
 
+/// A board that glows by a picture, and nothing else than a matt wall beside it.
+fn screen(texture: Option<Texture>) -> Shown {
+    let mut stage = Stage::new();
+    let texture = texture.map(|t| stage.library.add_texture(Arc::new(t)).unwrap());
+    let glowing = Material { emission: [60.0; 3], texture, ..matt([0.3; 3]) };
+    let number = stage.library.add_material(glowing).unwrap();
+    let made = stage.asset(vec![common::part("screen", board(true), [0.0; 3], number)]);
+    let made = stage.put("tv", made, Pose::translation(0.1, -0.05, 0.02));
+    let white = stage.library.add_material(matt([0.8; 3])).unwrap();
+    let wall = Shape::Box { half: Vector3::new(0.4, 0.01, 0.4) };
+    stage.one("wall", wall, Pose::translation(-0.45, 0.45, 0.0), white);
+    let mut renderer = Renderer::new();
+    let mut snapshot = renderer.snapshot(&stage.build()).unwrap();
+    snapshot.switch(made, true).unwrap();
+    let none = Vector3::zeros();
+    let dark = Daylight { zenith: none, horizon: none, ground: none, ..Daylight::night() };
+    let lighting = renderer.light(&snapshot, &dark);
+    Shown { renderer, snapshot, lighting }
+}
+
+fn traced(shown: &Shown, camera: &Camera) -> Vec<[f32; 3]> {
+    let how = Exposure { samples: 16, denoise: false, brightest: f32::INFINITY, ..Exposure::default() };
+    shown.renderer.photograph(&shown.lighting, camera, &how, |_| true).unwrap().light
+}
+
+#[test]
+fn what_a_picture_takes_from_a_glow_is_missing_on_the_wall_beside_it() {
+    let grey = Texture { name: "grey".into(), width: 2, height: 2, pixels: vec![[188, 137, 99]; 4] };
+    let camera = Camera::with_fov(16, 12, 0.4).looking(Point3::new(-0.6, -0.4, 0.0), Point3::new(-0.35, 0.44, 0.0));
+    let [full, part] = [None, Some(grey)].map(|texture| traced(&screen(texture), &camera));
+    let sum = |light: &[[f32; 3]], c: usize| light.iter().map(|l| l[c]).sum::<f32>();
+    for (c, byte) in [188, 137, 99].into_iter().enumerate() {
+        let share = sum(&part, c) / sum(&full, c);
+        assert!((share / linear(byte) - 1.0).abs() < 0.02, "channel {c}: {share}, not {}", linear(byte));
+    }
+}
+
+/// Of each block what its colour says, by paths and in fast pictures.
+#[test]
+fn pictures_that_glow_give_their_own_light() {
+    let shown = screen(Some(blocks()));
+    let camera = Camera::with_fov(64, 48, 0.6).looking(Point3::new(-0.9, -0.05, 0.02), Point3::new(0.1, -0.05, 0.02));
+    let light_at = traced(&shown, &camera);
+    let fast = shown.fast(&camera);
+    let (mut most, mut compared) = (0.0_f32, 0);
+    // A block that is all but white.
+    let white = light_at[pixel(&camera, 3, 0)].map(|v| v / linear(250));
+    for (block, colour) in BLOCKS.as_flattened().iter().enumerate() {
+        let at = pixel(&camera, block % 4, block / 4);
+        let light = light_at[at];
+        for c in 0..3 {
+            let wanted = white[c] * linear(colour[c]);
+            assert!(
+                (light[c] - wanted).abs() < 0.05 * white[c],
+                "block {block}: {light:?}, not {colour:?} of {white:?}"
+            );
+        }
+        most = most.max(light[1]);
+        // Fast pictures rank the channels as the light does.
+        let near = fast[at];
+        for (a, b) in [(0, 1), (1, 2), (0, 2)].into_iter().filter(|(a, b)| light[*a] > 1.5 * light[*b]) {
+            assert!(near[a] > near[b], "block {block}: {near:?} for {light:?}");
+            compared += 1;
+        }
+    }
+    assert!(most > 0.0 && compared > 8, "{most}, {compared}");
+}
+
 fn matt(colour: [f32; 3]) -> Material {
     Material { roughness: 1.0, ..material("plain", colour) }
 }

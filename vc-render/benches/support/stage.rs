@@ -22,7 +22,7 @@ pub(crate) fn sky() -> Daylight {
     Daylight::clear(0.6, 1.2)
 }
 
-/// A home that is ready to be looked at: the sun through the windows, and lamps that are on.
+/// A home that is ready to be looked at: the light outside, and lamps that are on.
 pub(crate) struct Stage {
     pub(crate) renderer: Renderer,
     pub(crate) snapshot: Snapshot,
@@ -30,11 +30,16 @@ pub(crate) struct Stage {
 }
 
 impl Stage {
+    /// In the sun, with these lamps.
     pub(crate) fn new(graph: &SceneGraph, lamps: &[NodeId]) -> Self {
+        Self::lit(graph, lamps, &sky())
+    }
+
+    pub(crate) fn lit(graph: &SceneGraph, lamps: &[NodeId], daylight: &Daylight) -> Self {
         let mut renderer = Renderer::new();
         let mut snapshot = renderer.snapshot(graph).unwrap();
         lamps.iter().for_each(|lamp| snapshot.switch(*lamp, true).unwrap());
-        let lighting = renderer.light(&snapshot, &sky());
+        let lighting = renderer.light(&snapshot, daylight);
         Self { renderer, snapshot, lighting }
     }
 
@@ -105,17 +110,21 @@ pub(crate) fn table(title: &str, stage: &Stage, poses: &[Pose]) {
         ("colours, depth, nodes", (seen | Modality::Rgb, false)),
         ("all six", SIX),
     ];
-    let threads = single();
     println!("{title}, {} triangles, {} views", stage.snapshot.triangles(), poses.len());
     println!("{:30}{:>12}{:>14}{:>14}{:>14}", "", "", "one thread", "all threads", "side by side");
-    for (name, wanted) in sets {
-        for (width, height) in [(84, 84), (300, 300), (640, 480), (1920, 1080)] {
-            let camera = Camera::with_fov(width, height, 60_f32.to_radians());
-            let cameras: Vec<Camera> = poses.iter().map(|pose| Camera { pose: *pose, ..camera }).collect();
-            let size = format!("{width}x{height}");
-            let one = stage.one(&cameras, wanted, &threads);
-            let (together, beside) = (stage.together(&cameras, wanted), stage.beside(&cameras, wanted));
-            println!("{name:30}{size:>12}{one:>11.3} ms{together:>11.3} ms{beside:>11.3} ms");
-        }
+    sets.into_iter().for_each(|set| row(stage, poses, set));
+}
+
+/// Prints what one set costs in all sizes.
+#[allow(dead_code, reason = "not all benches print it")]
+pub(crate) fn row(stage: &Stage, poses: &[Pose], (name, wanted): (&str, Wanted)) {
+    let threads = single();
+    for (width, height) in [(84, 84), (300, 300), (640, 480), (1920, 1080)] {
+        let camera = Camera::with_fov(width, height, 60_f32.to_radians());
+        let cameras: Vec<Camera> = poses.iter().map(|pose| Camera { pose: *pose, ..camera }).collect();
+        let size = format!("{width}x{height}");
+        let one = stage.one(&cameras, wanted, &threads);
+        let (together, beside) = (stage.together(&cameras, wanted), stage.beside(&cameras, wanted));
+        println!("{name:30}{size:>12}{one:>11.3} ms{together:>11.3} ms{beside:>11.3} ms");
     }
 }

@@ -95,7 +95,7 @@ impl Glow {
                     let surface = &renderer.store.surfaces[usize::from(mesh.faces[triangle as usize].surface)];
                     let corners = mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p));
                     if surface.glows() {
-                        glow.add(corners, surface.emission);
+                        glow.add(corners, surface.mean_emission());
                     } else if surface.role == crate::surface::Role::Shade {
                         glow.shade += area(corners).1;
                     }

@@ -38,6 +38,8 @@ pub struct Lighting {
 
 /// How far a picture's white is that of the light in its room: lamps stay warm, and do not make all yellow.
 const BALANCE: f32 = 0.6;
+/// How many times brighter than its own an eye takes other rooms to be, at most.
+const BRIGHTER: f32 = 4.0;
 
 /// How bright a colour is to the eye (Rec. 709).
 #[inline(always)]
@@ -178,7 +180,7 @@ impl Lighting {
         sum
     }
 
-    /// Light a surface of a body gives of itself.
+    /// Light a surface of a body gives of itself; where its picture is white, if it has one.
     #[inline(always)]
     pub(crate) fn glow(&self, surface: &Surface, body: u32) -> [f32; 3] {
         let [gain, shade] = self.gains[body as usize];
@@ -188,22 +190,34 @@ impl Lighting {
         }
     }
 
-    /// What brings the light around an eye to a picture's middle grey, and partly to white, by colour.
-    pub(crate) fn exposure(&self, eye: [f32; 3]) -> [f32; 3] {
+    /// What brings the light that an eye sees to a picture's middle grey, and partly to white, by colour. It is that of
+    /// the rooms in which something is seen, as much of each as is seen of it, and of the eye's own where
+    /// nothing is; the white is that of the eye's.
+    pub(crate) fn exposure(&self, eye: [f32; 3], seen: impl IntoIterator<Item = u16>) -> [f32; 3] {
         use vc_graph::portable::Portable;
-        let floor = |i: usize| {
-            let (low, high) = self.rooms[i];
-            (high[0] - low[0]) * (high[1] - low[1])
-        };
-        let index = self.room_for(eye, floor);
-        let lamps = self.lamps.iter().filter(|l| usize::from(l.room) == index);
-        let own = lamps.fold([0.0; 3], |sum, lamp| three(|c| sum[c] + lamp.flux[c]));
-        // Mean radiance of a grey room: thrown back, and straight from the lamps.
-        let (grid, share) = (&self.grids[index], 0.25 / (floor(index) * 4.0).max(1.0));
-        let mean = grid.middling + brightness(own) * share;
-        let colour = three(|c| grid.colour[c] + own[c] * share + 1e-6);
+        let index = self.room_for(eye, |i| self.floor(i));
+        let (own, colour) = self.level(index);
+        // Outside is as bright as it is; a little of a sunny balcony does not make its room dark.
+        let inside = seen.into_iter().map(usize::from).filter(|room| room + 1 < self.rooms.len());
+        let levels = inside.map(|room| if room == index { own } else { self.level(room).0.min(BRIGHTER * own) });
+        let (sum, count) = levels.fold((0.0, 0), |(sum, count), level| (sum + level, count + 1));
+        let mean = if count > 0 { sum / count as f32 } else { own };
         let white = scaled(colour, 1.0 / brightness(colour));
         three(|c| 0.8 / mean.max(1e-4) / white[c].max(0.1).power(BALANCE))
+    }
+
+    /// Mean radiance of a room if it were grey, thrown back and straight from its lamps, and its colour.
+    fn level(&self, room: usize) -> (f32, [f32; 3]) {
+        let lamps = self.lamps.iter().filter(|l| usize::from(l.room) == room);
+        let own = lamps.fold([0.0; 3], |sum, lamp| three(|c| sum[c] + lamp.flux[c]));
+        let (grid, share) = (&self.grids[room], 0.25 / (self.floor(room) * 4.0).max(1.0));
+        (grid.middling + brightness(own) * share, three(|c| grid.colour[c] + own[c] * share + 1e-6))
+    }
+
+    /// Area of a room's floor.
+    fn floor(&self, room: usize) -> f32 {
+        let (low, high) = self.rooms[room];
+        (high[0] - low[0]) * (high[1] - low[1])
     }
 
     /// The room for whose light a picture is exposed: the one the eye is in; from above, the

@@ -20,8 +20,10 @@ const STEP: [f32; 3] = [0.5, 0.5, 0.6];
 const MOST: usize = 1 << 14;
 /// Rays from each point.
 const RAYS: usize = 256;
+/// Width of what is one point to light thrown back, metres.
+const FAR: f32 = 0.05;
 /// How often light is thrown on.
-const BOUNCES: usize = 4;
+const BOUNCES: usize = 7;
 
 /// The grid of a room.
 #[derive(Debug, Clone)]
@@ -222,7 +224,11 @@ impl Lighting {
         let body = &self.tracer.snapshot.bodies[met.instance.body as usize];
         let colour = surface.mean();
         let lamp = self.lamps.iter().any(|l| l.body == met.instance.body && usize::from(l.room) == room);
-        let own = if lamp { [0.0; 3] } else { self.glow(surface, met.instance.body) };
+        let glow = || {
+            let (glow, shine) = (self.glow(surface, met.instance.body), met.shine(surface, FAR));
+            three(|i| glow[i] * shine[i])
+        };
+        let own = if lamp { [0.0; 3] } else { glow() };
         let sunny = self.sunshine(met.at, met.normal).is_some_and(|lit| lit > 0.0);
         let sun = if sunny { self.panes(renderer, met) } else { 0.0 };
         let direct = self.direct(met.at, met.normal, body.room, sun);

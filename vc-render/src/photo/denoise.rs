@@ -1,10 +1,15 @@
 //! Smoothing along surfaces: an edge-avoiding wavelet (Dammertz and others 2010), that looks at
 //! how noisy each pixel is (Schied and others 2017). Light is smoothed without the colour
 //! of the surfaces, so that textures stay, and light with sharp shadows apart from all other.
+//!
+//! Bright pixels are rarer than dark ones where light is found by chance, and neighbours that trust what is
+//! likely would lose their light. So what smoothing has taken away is given back, spread
+//! over the surface without regard to light.
 
 use rayon::prelude::*;
 
 use super::film::Traced;
+use super::path::Kind;
 use crate::affine::three;
 use crate::light::{brightness, dot};
 
@@ -17,6 +22,11 @@ const KERNEL: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.
 const UNLIKE: [f32; 2] = [2.0, 4.0];
 /// How far a point may be off a surface, in shares of its distance from the eye.
 const OFF: f32 = 0.004;
+
+/// Mean normals of pixels with pieces of two surfaces and with one are so long.
+const PIECES: [f32; 2] = [0.7, 0.98];
+/// How much neighbours are like a pixel with pieces of several surfaces.
+const MIXED: f32 = 0.2;
 
 /// A pixel while it is smoothed.
 #[derive(Clone, Copy)]
@@ -34,6 +44,8 @@ struct Guide {
     at: [f32; 3],
     /// One over how far others may be off this surface.
     over: f32,
+    /// How much of the pixel is one surface, 0 to 1.
+    pure: f32,
 }
 
 /// A picture's pixels and how they lie.
@@ -45,14 +57,17 @@ struct Plane<'a> {
 pub(super) fn denoised(traced: &[Traced], width: usize, eye: [f32; 3]) -> Vec<[f32; 3]> {
     let guides: Vec<Guide> = traced.iter().map(|t| Guide::of(t, eye)).collect();
     let plane = Plane { guides: &guides, width };
-    let [sharp, soft] = [0, 1].map(|kind: usize| {
+    let [sharp, soft] = [Kind::Sharp, Kind::Soft].map(|kind| {
         let mut soft: Vec<Soft> = traced.iter().zip(&guides).map(|(t, g)| Soft::of(t, g, kind)).collect();
         plane.dim_specks(&mut soft);
         plane.spread_variance(&mut soft);
-        (0..PASSES).fold(soft, |soft, pass| plane.smoothed(&soft, 1 << pass, UNLIKE[kind] * (1 + pass) as f32))
+        (0..PASSES).fold(soft, |soft, pass| plane.smoothed(&soft, 1 << pass, UNLIKE[kind as usize] * (1 + pass) as f32))
     });
     let both = sharp.iter().zip(&soft).zip(&guides);
-    both.map(|((a, b), g)| three(|i| (a.light[i] + b.light[i]) * g.colour[i])).collect()
+    let mut light: Vec<[f32; 3]> = both.map(|((a, b), g)| three(|i| (a.light[i] + b.light[i]) * g.colour[i])).collect();
+    plane.give_back(traced, &mut light);
+    let own = traced.iter().map(|t| t.light_of(Kind::Own).0);
+    light.iter().zip(own).map(|(light, own)| three(|i| light[i] + own[i])).collect()
 }
 
 impl Guide {
@@ -63,7 +78,8 @@ impl Guide {
         // Where surfaces meet in a pixel their mean normal is short.
         let length = dot(normal, normal).sqrt();
         let normal = if length > 1e-3 { normal.map(|v| v / length) } else { [0.0; 3] };
-        Self { colour: colour.map(|v| v.max(0.02)), normal, at, over }
+        let pure = ((length - PIECES[0]) / (PIECES[1] - PIECES[0])).clamp(0.0, 1.0);
+        Self { colour: colour.map(|v| v.max(0.02)), normal, at, over, pure }
     }
 
     /// How much a neighbour is of the same surface, 0 to 1.
@@ -74,6 +90,15 @@ impl Guide {
             // Both are sky.
             return 1.0;
         }
+        // A pixel with pieces of several surfaces is like neither, and takes of all around it.
+        if self.pure < 1.0 && self.normal != [0.0; 3] {
+            return self.pure * self.near(other, turned) + (1.0 - self.pure) * MIXED;
+        }
+        self.near(other, turned)
+    }
+
+    #[inline(always)]
+    fn near(&self, other: &Self, turned: f32) -> f32 {
         let to = three(|i| other.at[i] - self.at[i]);
         let off = dot(self.normal, to) * self.over;
         let turned = turned.max(0.0);
@@ -85,7 +110,7 @@ impl Guide {
 }
 
 impl Soft {
-    fn of(traced: &Traced, guide: &Guide, kind: usize) -> Self {
+    fn of(traced: &Traced, guide: &Guide, kind: Kind) -> Self {
         let (light, variance) = traced.light_of(kind);
         let colour = brightness(guide.colour);
         Self { light: three(|i| light[i] / guide.colour[i]), variance: variance / (colour * colour) }
@@ -158,6 +183,36 @@ impl Plane<'_> {
             Soft { light: light.map(|v| v / total), variance: spread / (total * total) }
         };
         (0..soft.len()).into_par_iter().map(pixel).collect()
+    }
+
+    /// Adds to smooth light what there was more or less of in the noisy one, spread over the surface.
+    fn give_back(&self, traced: &[Traced], light: &mut [[f32; 3]]) {
+        let lost = traced.iter().zip(&*light).map(|(t, smooth)| {
+            let noisy = [Kind::Sharp, Kind::Soft].map(|kind| t.light_of(kind).0);
+            three(|i| noisy[0][i] + noisy[1][i] - smooth[i])
+        });
+        let spread = (0..PASSES).fold(lost.collect(), |lost: Vec<[f32; 3]>, pass| self.spread(&lost, 1 << pass));
+        light.iter_mut().zip(spread).for_each(|(light, more)| *light = three(|i| (light[i] + more[i]).max(0.0)));
+    }
+
+    /// Every pixel's share goes to those around that are like it, all of it.
+    fn spread(&self, lost: &[[f32; 3]], step: i32) -> Vec<[f32; 3]> {
+        let kernel = |dx: i32, dy: i32| KERNEL[(dx + 2) as usize] * KERNEL[(dy + 2) as usize];
+        let part = |index: usize| {
+            let like =
+                |(dx, dy, there): (i32, i32, usize)| kernel(dx, dy) * self.guides[index].like(&self.guides[there]);
+            let total: f32 = self.around(index, 2, step).map(like).sum();
+            // Like nothing, not even itself.
+            if total > 1e-9 { lost[index].map(|v| v / total) } else { [0.0; 3] }
+        };
+        let parts: Vec<[f32; 3]> = (0..lost.len()).into_par_iter().map(part).collect();
+        let pixel = |index: usize| {
+            self.around(index, 2, step).fold([0.0; 3], |sum, (dx, dy, there)| {
+                let weight = kernel(dx, dy) * self.guides[there].like(&self.guides[index]);
+                three(|i| sum[i] + weight * parts[there][i])
+            })
+        };
+        (0..lost.len()).into_par_iter().map(pixel).collect()
     }
 
     /// Brightness and variance, over the pixel and its eight neighbours.

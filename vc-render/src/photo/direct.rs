@@ -2,7 +2,7 @@
 //! from places that the sun shines on.
 
 use super::lights::Place;
-use super::path::{Paths, Walk, off};
+use super::path::{Kind, Paths, Walk, off};
 use super::sampler::Sampler;
 use super::scatter::{Scatter, frame};
 use super::spots::Way;
@@ -58,7 +58,8 @@ impl Paths<'_> {
             _ => self.spotlight(point, which),
         };
         // Of the sun and lamps there may be sharp shadows.
-        walk.gain(light.map(|v| v * counts), walk.surfaces == 0 && kind < 2);
+        let sharp = walk.surfaces == 0 && kind < 2;
+        walk.gain(light.map(|v| v * counts), if sharp { Kind::Sharp } else { Kind::Soft });
     }
 
     fn sunlight(&self, walk: &Walk, point: &Point<'_>, [a, b]: [f32; 2]) -> [f32; 3] {

@@ -1,6 +1,6 @@
 //! What all paths of a picture have found so far.
 
-use super::path::Sample;
+use super::path::{KINDS, Kind, Sample};
 use crate::affine::three;
 use crate::light::brightness;
 
@@ -8,8 +8,8 @@ use crate::light::brightness;
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Traced {
     sum: Sample,
-    /// Sums of squares of brightness, of both kinds of light.
-    squares: [f32; 2],
+    /// Sums of squares of brightness, of all kinds of light.
+    squares: [f32; KINDS],
     count: f32,
 }
 
@@ -32,12 +32,12 @@ impl Traced {
 
     /// Mean light.
     pub(super) fn light(&self) -> [f32; 3] {
-        let [sharp, soft] = [0, 1].map(|kind: usize| self.mean(self.sum.light[kind]));
-        three(|i| sharp[i] + soft[i])
+        self.mean(three(|i| self.sum.light.iter().map(|light| light[i]).sum()))
     }
 
     /// Mean light of one kind, and the variance of the mean's brightness.
-    pub(super) fn light_of(&self, kind: usize) -> ([f32; 3], f32) {
+    pub(super) fn light_of(&self, kind: Kind) -> ([f32; 3], f32) {
+        let kind = kind as usize;
         let light = self.mean(self.sum.light[kind]);
         let (count, bright) = (self.count.max(1.0), brightness(light));
         let spread = (self.squares[kind] / count - bright * bright).max(0.0) / count;

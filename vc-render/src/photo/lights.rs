@@ -1,9 +1,12 @@
 //! What gives light, to be looked for on purpose: lamps, and panes through which the sky shines.
 
+use std::sync::Arc;
+
 use super::sampler::lattice;
 use crate::affine::{self, three};
 use crate::light::{Lighting, brightness, dot};
 use crate::renderer::Renderer;
+use crate::surface::Picture;
 use crate::trace::Met;
 
 /// How much a lamp in another room than the point that is lit counts.
@@ -38,10 +41,15 @@ struct Lamp {
     triangles: std::ops::Range<usize>,
 }
 
+/// A picture, and where a triangle's corners are in it.
+type Shown = (Arc<Picture>, [[f32; 2]; 3]);
+
 /// A triangle that glows.
 struct Glowing {
     triangle: Triangle,
     light: [f32; 3],
+    /// What the light is multiplied with.
+    picture: Option<Shown>,
     /// Power of it and of those of its lamp before it.
     sum: f32,
 }
@@ -97,10 +105,25 @@ impl Triangle {
     }
 
     /// A point of it, evenly.
-    fn point(&self, [a, b]: [f32; 2]) -> [f32; 3] {
-        let root = a.sqrt();
-        let (u, v) = (1.0 - root, b * root);
+    fn point(&self, square: [f32; 2]) -> [f32; 3] {
+        let [u, v] = weights(square);
         three(|i| self.corner[i] + u * self.edges[0][i] + v * self.edges[1][i])
+    }
+}
+
+/// Weights of the second and third corner of a triangle at a point of it, evenly.
+fn weights([a, b]: [f32; 2]) -> [f32; 2] {
+    let root = a.sqrt();
+    [1.0 - root, b * root]
+}
+
+impl Glowing {
+    /// Light from a point of the triangle.
+    fn at(&self, square: [f32; 2]) -> [f32; 3] {
+        let Some((picture, [a, b, c])) = &self.picture else { return self.light };
+        let [u, v] = weights(square);
+        let shown = picture.at(0, [0, 1].map(|i: usize| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i])));
+        three(|i| self.light[i] * shown[i])
     }
 }
 
@@ -124,7 +147,11 @@ impl Lights {
                         if place >= mesh.opaque {
                             lights.bends[number] &= !lights.pane(body.room, Triangle::new(corners));
                         } else if body.lit {
-                            lights.glow(first, Triangle::new(corners), lighting.glow(surface, index as u32));
+                            let uvs = mesh.uvs.get(triangle as usize).copied().unwrap_or_default();
+                            let picture = surface.picture.as_ref().filter(|_| surface.glows());
+                            let picture = picture.map(|p| (Arc::clone(p), uvs));
+                            let light = lighting.glow(surface, index as u32);
+                            lights.glow(first, (Triangle::new(corners), picture), light);
                         }
                     }
                 }
@@ -156,11 +183,11 @@ impl Lights {
         self.bends.get(instance as usize).copied().unwrap_or(false)
     }
 
-    fn glow(&mut self, first: usize, triangle: Triangle, light: [f32; 3]) {
+    fn glow(&mut self, first: usize, (triangle, picture): (Triangle, Option<Shown>), light: [f32; 3]) {
         let power = triangle.area * brightness(light);
         if power > 0.0 {
             let before = self.glowing.get(first..).and_then(|g| g.last()).map_or(0.0, |g| g.sum);
-            self.glowing.push(Glowing { triangle, light, sum: before + power });
+            self.glowing.push(Glowing { triangle, light, picture, sum: before + power });
         }
     }
 
@@ -205,9 +232,11 @@ impl Lights {
         let (lamp, weight, rest) = best?;
         let all = &self.glowing[lamp.triangles.clone()];
         let index = all.partition_point(|g| g.sum <= rest * lamp.power).min(all.len() - 1);
-        let Glowing { triangle, light, .. } = &all[index];
-        let density = weight / from.lamps * brightness(*light) / lamp.power;
-        Some(Lit { at: triangle.point(square), normal: triangle.normal, light: *light, density })
+        let glowing = &all[index];
+        // By how bright it would be without its picture, so that a way that meets it by chance knows.
+        let density = weight / from.lamps * brightness(glowing.light) / lamp.power;
+        let triangle = &glowing.triangle;
+        Some(Lit { at: triangle.point(square), normal: triangle.normal, light: glowing.at(square), density })
     }
 
     /// The chance for each square metre that from a place a point of a body with this light is picked.

@@ -20,12 +20,14 @@ mod spots;
 use rayon::prelude::*;
 
 use crate::RenderError;
-use crate::affine::three;
+use crate::affine::{self, Affine, three};
 use crate::camera::Camera;
+use crate::label::unit;
 use crate::light::Lighting;
 use crate::picture::Picture;
 use crate::renderer::Renderer;
 use crate::shade::{encoded, film};
+use crate::trace::Ray;
 use film::Traced;
 use lights::Lights;
 use path::Paths;
@@ -98,6 +100,16 @@ impl Photograph {
     }
 }
 
+/// Rooms of what is seen at places strewn over a picture, through glass.
+fn seen_rooms(lighting: &Lighting, camera: &Camera) -> impl Iterator<Item = u16> {
+    let pose = Affine::of(&camera.pose).narrow();
+    camera.strewn().filter_map(move |[x, y]| {
+        let along = unit(affine::vector(&pose, camera.ray(x, y).into()));
+        let met = lighting.tracer.first(&Ray { from: camera.eye().into(), along, end: 1e4 })?;
+        Some(spots::room(lighting, &met))
+    })
+}
+
 impl Renderer {
     /// The reference picture of the scene that a lighting was made for.
     ///
@@ -120,7 +132,7 @@ impl Renderer {
         let (width, height) = (camera.width as usize, camera.height as usize);
         let lights = Lights::of(self, lighting);
         let spots = Spots::of(self, lighting, &lights);
-        let exposure = lighting.exposure(camera.eye().into());
+        let exposure = lighting.exposure(camera.eye().into(), seen_rooms(lighting, camera));
         let paths = Paths {
             renderer: self,
             lighting,

@@ -30,11 +30,25 @@ pub(super) struct Paths<'a> {
     pub(super) most: f32,
 }
 
+/// Kinds of light that are smoothed each in its own way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// With shadows that may be sharp.
+    Sharp,
+    /// All other.
+    Soft,
+    /// Of what glows where the eye sees it, and of the sky: there is no noise in it.
+    Own,
+}
+
+/// How many there are.
+pub(super) const KINDS: usize = 3;
+
 /// What one path found.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sample {
-    /// Light with shadows that may be sharp, and all other light.
-    pub(super) light: [[f32; 3]; 2],
+    /// Light by [`Kind`].
+    pub(super) light: [[f32; 3]; KINDS],
     /// Reflectance, normal and place of the first surface, which guide smoothing.
     pub(super) colour: [f32; 3],
     pub(super) normal: [f32; 3],
@@ -99,16 +113,14 @@ impl Paths<'_> {
         let weight = walk.weight(walk.through);
         let light = self.lighting.daylight.radiance(walk.ray.along).map(|v| v * weight);
         walk.guide([1.0; 3], [0.0; 3], walk.ray.along.map(|v| v * 1e3));
-        walk.gain(light, walk.surfaces == 0);
+        walk.gain(light, if walk.surfaces == 0 { Kind::Own } else { Kind::Soft });
     }
 
     /// Light at a surface, and where to go on; false where the path ends.
     fn surface(&self, walk: &mut Walk, met: &Met<'_>, surface: &Surface, sampler: &mut Sampler) -> bool {
         let back = walk.ray.along.map(|v| -v);
-        if dot(met.flat, back) < 0.0 {
-            // From within a thing: nothing is seen.
-            return false;
-        }
+        // Sheets have two sides in one place, either of which may be met first. Within things it is dark anyway.
+        let met = &met.facing(back);
         let look = met.look(surface, self.footprint(walk, met));
         self.glow(walk, met, surface);
         if surface.is_mirror() {
@@ -138,8 +150,14 @@ impl Paths<'_> {
             let facing = -dot(met.flat, walk.ray.along).min(-1e-4);
             let distance = met.t + walk.gone;
             let other = self.lights.density(&walk.last, met.instance.body, glow) * distance * distance / facing;
+            let shine = met.shine(surface, self.footprint(walk, met));
             let weight = walk.weight(other);
-            walk.gain(glow.map(|g| g * weight), walk.surfaces <= 1);
+            let kind = match walk.surfaces {
+                0 => Kind::Own,
+                1 => Kind::Sharp,
+                _ => Kind::Soft,
+            };
+            walk.gain(three(|i| glow[i] * shine[i] * weight), kind);
         }
     }
 
@@ -193,14 +211,14 @@ impl Walk {
     }
 
     /// Takes light up, specks from afar cut off.
-    pub(super) fn gain(&mut self, light: [f32; 3], sharp: bool) {
+    pub(super) fn gain(&mut self, light: [f32; 3], kind: Kind) {
         let mut brought = three(|i| self.share[i] * light[i]);
         let bright = brightness(brought);
         if self.surfaces > 0 && bright > self.most {
             brought = brought.map(|v| v * self.most / bright);
         }
         if bright.is_finite() && brought.iter().all(|v| v.is_finite()) {
-            let sum = &mut self.found.light[usize::from(!sharp)];
+            let sum = &mut self.found.light[kind as usize];
             *sum = three(|i| sum[i] + brought[i]);
         }
     }

@@ -130,8 +130,9 @@ impl Lighting {
         let look = met.look(surface, footprint);
         let falling = self.around(met.at, look.normal, room);
         let direct = self.direct(met.at, look.normal, room, self.sunlight(room));
+        let shine = met.shine(surface, footprint);
         let glow = self.glow(surface, met.instance.body);
         let over = 1.0 / std::f32::consts::PI;
-        three(|i| glow[i] + look.colour[i] * over * (falling[i] + direct[i]))
+        three(|i| glow[i] * shine[i] + look.colour[i] * over * (falling[i] + direct[i]))
     }
 }

@@ -7,7 +7,7 @@ mod beam;
 use super::Openness;
 use super::lattice::{LIGHT, Lattice, STEP};
 use super::planes::{Planes, gloss, packed};
-use super::surfel::{Known, NOTHING, Writer};
+use super::surfel::{Known, Look, NOTHING, Writer};
 use crate::affine::{self, Affine, Narrow, three};
 use crate::label::unit;
 use crate::light::{Ambient, Lighting, brightness, dot};
@@ -223,9 +223,9 @@ impl Batch {
         for (i, spot) in spots.iter().enumerate().take(self.count) {
             let (row, x) = place(*spot);
             let (comb, k) = (&mut lattice.rows[row][x % STEP], x / STEP);
-            let glow = &known.look(self.looks[i]).glow;
+            let Look { glow, shine, .. } = known.look(self.looks[i]);
             for c in 0..3 {
-                comb.light[c][k] = self.light[c][i];
+                comb.light[c][k] = self.light[c][i] + shine[c];
                 comb.light[c + 3][k] = self.light[c + 3][i] + glow[c];
             }
             comb.drift[k] = drift[i];

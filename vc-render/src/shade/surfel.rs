@@ -27,6 +27,8 @@ pub(crate) struct Look {
     pub(super) mirror: bool,
     /// Light it gives.
     pub(super) glow: [f32; 3],
+    /// Light it gives by its picture, as if it fell on it and were thrown back.
+    pub(super) shine: [f32; 3],
     /// The next look of the same instance.
     next: u32,
     /// By how its texture lies, its paint.
@@ -96,8 +98,16 @@ impl Known {
         self.bends.clear();
         self.looks.clear();
         self.paints.clear();
-        let look =
-            Look { surface: 0, facet: 0, room: NO_ROOM, mirror: false, glow: [0.0; 3], next: NONE, paints: [NONE; 9] };
+        let look = Look {
+            surface: 0,
+            facet: 0,
+            room: NO_ROOM,
+            mirror: false,
+            glow: [0.0; 3],
+            shine: [0.0; 3],
+            next: NONE,
+            paints: [NONE; 9],
+        };
         self.looks.push(look);
         let colour = [0.0; 3];
         self.paints.push(Paint { look: NOTHING, colour, roughness: 1.0, metallic: 0.0, texture: None });

@@ -80,10 +80,17 @@ impl Surface {
         three(|i| self.colour[i] * picture[i])
     }
 
+    /// Light it gives from afar.
+    pub(crate) fn mean_emission(&self) -> [f32; 3] {
+        let picture = self.picture.as_ref().map_or([1.0; 3], |p| p.mean());
+        three(|i| self.emission[i] * picture[i])
+    }
+
     /// With the mean of a picture, for what does not say where it is in it.
     pub(crate) fn tinted(self, picture: &Picture) -> Self {
         let mean = picture.mean();
-        Self { colour: three(|i| self.colour[i] * mean[i]), ..self }
+        let of = |v: [f32; 3]| three(|i| v[i] * mean[i]);
+        Self { colour: of(self.colour), emission: of(self.emission), ..self }
     }
 
     /// Grey, matt.

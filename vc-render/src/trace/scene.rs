@@ -164,6 +164,14 @@ impl Tracer {
 }
 
 impl Met<'_> {
+    /// The same of the side that faces a direction.
+    pub(crate) fn facing(&self, towards: [f32; 3]) -> Self {
+        if crate::light::dot(self.flat, towards) >= 0.0 {
+            return *self;
+        }
+        Self { flat: self.flat.map(|v| -v), normal: self.normal.map(|v| -v), ..*self }
+    }
+
     /// The triangle in the world.
     pub(crate) fn corners(&self) -> [[f32; 3]; 3] {
         let (world, mesh, at) = (self.instance.world.narrow(), &*self.instance.link.levels[0], self.triangle as usize);
@@ -178,6 +186,11 @@ impl Met<'_> {
         let place = [0, 1].map(|i: usize| a[i] + (b[i] - a[i]) * second + (c[i] - a[i]) * third);
         let density = picture.texels(uvs) / self.area.sqrt().max(1e-12);
         picture.at(picture.level(footprint * density), place)
+    }
+
+    /// What the light that a surface gives is multiplied with here.
+    pub(crate) fn shine(&self, surface: &Surface, footprint: f32) -> [f32; 3] {
+        surface.picture.as_ref().filter(|_| surface.glows()).map_or([1.0; 3], |p| self.shown(p, footprint))
     }
 
     /// The surface close up; `footprint` is the width seen there, metres.

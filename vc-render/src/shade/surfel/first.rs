@@ -89,10 +89,16 @@ impl Writer<'_> {
         let body = &self.view.snapshot.bodies[index as usize];
         let of = &self.renderer.store.surfaces[usize::from(surface)];
         let glow = if body.lit { self.lighting.glow(of, index) } else { [0.0; 3] };
+        // A picture colours light that falls on it; so it does that which comes from behind it.
+        let through = |c: usize| std::f32::consts::PI * glow[c] / (of.colour[c] * (1.0 - of.metallic)).max(1e-3);
+        let (glow, shine) = match of.picture {
+            Some(_) => ([0.0; 3], affine::three(through)),
+            None => (glow, [0.0; 3]),
+        };
         let next = known.heads[instance as usize];
         known.heads[instance as usize] = known.looks.len() as u32;
         let (room, mirror) = (body.room, of.is_mirror());
-        known.looks.push(Look { surface, facet, room, mirror, glow, next, paints: [NONE; 9] });
+        known.looks.push(Look { surface, facet, room, mirror, glow, shine, next, paints: [NONE; 9] });
         known.looks.len() as u32 - 1
     }
 }
