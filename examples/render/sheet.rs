@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 use virtualcity::render::picture::{self, Picture};
+use virtualcity::render::camera::MAX_SIDE;
 use virtualcity::render::{Camera, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
 /// Colours are found from so many pixels along each side of one: gaps of a few millimetres between
@@ -20,7 +21,8 @@ pub(crate) fn all(
     let step = Vector3::new(0.03, 0.0, 0.06);
     let next = Camera { pose: camera.pose * nalgebra::Translation3::from(step), ..*camera };
     let wanted = Modalities::SIX | Modality::Normal | Modality::Part;
-    renderer.render(&Shot::new(snapshot, camera, wanted).lit(lighting).after(snapshot, &next).finer(FINER), frame)?;
+    let finer = (MAX_SIDE / camera.width.max(camera.height).max(1)).clamp(1, FINER);
+    renderer.render(&Shot::new(snapshot, camera, wanted).lit(lighting).after(snapshot, &next).finer(finer), frame)?;
     let rgb = picture::rgb(frame);
     let pictures = [
         rgb.clone(),
