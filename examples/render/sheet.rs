@@ -1,8 +1,8 @@
 //! One picture of everything a camera gives.
 
 use nalgebra::Vector3;
-use virtualcity::render::picture::{self, Picture};
 use virtualcity::render::camera::MAX_SIDE;
+use virtualcity::render::picture::{self, Picture};
 use virtualcity::render::{Camera, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
 /// Colours are found from so many pixels along each side of one: gaps of a few millimetres between
