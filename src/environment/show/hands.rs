@@ -5,7 +5,7 @@ use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, Pose};
 use vc_physics::Hand;
 
-use super::Player;
+use super::{Player, between};
 use crate::environment::Environment;
 use crate::environment::beat::{Drive, Put};
 use crate::environment::deed::comes_along;
@@ -150,10 +150,8 @@ impl Player {
 
     pub(super) fn regrip(&self, show: &mut Environment, hand: Hand, share: f32) {
         let (Some(rest), Some(out)) = (self.handling.rest, self.handling.out) else { return };
-        let turn = rest.rotation.try_slerp(&out.rotation, share, 1e-6).unwrap_or(rest.rotation);
-        let at = rest.translation.vector.lerp(&out.translation.vector, share);
         // It is in that hand.
-        let _ = show.world.regrip(self.agent, hand, Pose::from_parts(at.into(), turn));
+        let _ = show.world.regrip(self.agent, hand, between(&rest, &out, share));
     }
 }
 

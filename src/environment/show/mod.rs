@@ -239,6 +239,12 @@ impl Player {
     }
 }
 
+/// A share of the way from one pose to another.
+fn between(from: &Pose, to: &Pose, share: f32) -> Pose {
+    let turn = from.rotation.try_slerp(&to.rotation, share, 1e-6).unwrap_or(to.rotation);
+    Pose::from_parts(from.translation.vector.lerp(&to.translation.vector, share).into(), turn)
+}
+
 fn fold(show: &mut Environment, id: NodeId, scale: Vector3<f32>) {
     let mut edit = show.graph.edit();
     // It is there, and the scale is sound.

@@ -3,7 +3,7 @@
 use vc_graph::Pose;
 use vc_physics::Hand;
 
-use super::Player;
+use super::{Player, between};
 use crate::environment::Environment;
 use crate::figure::{Doing, Skeleton};
 
@@ -40,10 +40,8 @@ impl Player {
         // Slow at both ends.
         let share = share * share * (3.0 - 2.0 * share);
         for (hand, from, to) in held {
-            let turn = from.rotation.try_slerp(&to.rotation, share, 1e-6).unwrap_or(to.rotation);
-            let at = from.translation.vector.lerp(&to.translation.vector, share);
             // It is in that hand.
-            let _ = show.world.regrip(self.agent, *hand, Pose::from_parts(at.into(), turn));
+            let _ = show.world.regrip(self.agent, *hand, between(from, to, share));
         }
         show.poses.insert(self.agent, Doing { settles: Some((from.clone(), share)), ..Doing::default() });
         self.time >= SETTLING

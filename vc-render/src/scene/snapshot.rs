@@ -197,7 +197,20 @@ impl Snapshot {
     }
 
     /// Says what lies on the links of a body that move on joints, where it differs from the rest of it: what a person
-    /// wears.
+    /// wears. What [`coat`](Self::coat) says later holds for all of it again. Costs next to nothing.
+    ///
+    /// ```
+    /// use vc_graph::asset::JointKind;
+    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// use vc_render::{Coat, Renderer};
+    /// let mut scene = SceneBuilder::new("shelf");
+    /// let doll = Draft::new("doll").bounds(Bounds::standing([0.1, 0.1, 0.3].into()));
+    /// let doll = scene.add(doll.at(Pose::identity()))?;
+    /// let mut snapshot = Renderer::new().snapshot(&scene.build())?;
+    /// let sleeve = Coat { colour: [0.1, 0.2, 0.5], share: 1.0, roughness: 1.0 };
+    /// snapshot.coat_links(doll, |joint| (joint.kind == JointKind::Hinge).then_some(sleeve))?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`RenderError::NoBody`].
