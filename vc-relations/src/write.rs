@@ -62,14 +62,16 @@ impl Relations {
     }
 }
 
-/// Writes the relations of one kind that start at a node, if the graph has others.
+/// Writes the relations of one kind that start at a node, if the graph has others. Those that go
+/// both ways may be there from the other end.
 fn replace(edit: &mut vc_graph::Edit<'_>, id: NodeId, relation: Relation, edges: &[Edge]) -> Result<(), EditError> {
     let new = || edges.iter().filter(|e| e.relation == relation);
-    if edit.graph().related(id, relation).eq(new().map(|e| e.to)) {
-        return Ok(());
+    let old: Vec<NodeId> = edit.graph().related(id, relation).collect();
+    if old.iter().any(|to| new().all(|e| e.to != *to)) {
+        edit.unrelate(id, &[relation])?;
+        return new().try_for_each(|e| edit.relate(*e));
     }
-    edit.unrelate(id, &[relation])?;
-    new().try_for_each(|e| edit.relate(*e))
+    new().filter(|e| !old.contains(&e.to)).try_for_each(|e| edit.relate(*e))
 }
 
 /// Whether a graph has a node in the room and at the places that edges say, and these places
