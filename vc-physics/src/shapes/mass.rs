@@ -17,6 +17,9 @@ use super::hull;
 use super::piece::{Piece, pieces};
 use super::scale;
 
+/// Rows and columns of a matrix on and above its diagonal.
+const ABOVE: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
+
 /// Mass and its moments about the origin: they add up, and follow every linear map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Moments {
@@ -148,16 +151,24 @@ impl Moments {
 
     /// What triangles enclose.
     fn enclosed(vertices: &[Point3<f32>], triangles: &[[u32; 3]]) -> Self {
-        let mut sum = Self::default();
-        let Some(origin) = vertices.first().map(|v| v.coords.cast::<f64>()) else { return sum };
+        let Some(origin) = vertices.first().map(|v| v.coords.cast::<f64>()) else { return Self::default() };
         let corner = |v: u32| vertices.get(v as usize).map(|p| p.coords.cast::<f64>() - origin);
+        let (mut mass, mut first, mut above) = (0.0, Vector3::zeros(), [0.0; 6]);
         for &[a, b, c] in triangles {
             let (Some(a), Some(b), Some(c)) = (corner(a), corner(b), corner(c)) else { continue };
             let (volume, middle) = (a.dot(&b.cross(&c)) / 6.0, a + b + c);
-            let squares = a * a.transpose() + b * b.transpose() + c * c.transpose() + middle * middle.transpose();
-            sum += Self { mass: volume, first: middle * (volume / 4.0), second: squares * (volume / 20.0) };
+            mass += volume;
+            first += middle * (volume / 4.0);
+            // The matrix is its own mirror image: half of it is enough.
+            for (sum, (i, j)) in above.iter_mut().zip(ABOVE) {
+                *sum += (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + middle[i] * middle[j]) * (volume / 20.0);
+            }
         }
-        sum.outward().shifted(&origin)
+        let mut second = Matrix3::zeros();
+        for (sum, (i, j)) in above.into_iter().zip(ABOVE) {
+            (second[(i, j)], second[(j, i)]) = (sum, sum);
+        }
+        Self { mass, first, second }.outward().shifted(&origin)
     }
 
     /// The same with a mass that is not negative, whichever way its surface went around.

@@ -17,6 +17,8 @@ type V = Vector3<f64>;
 const ROUNDING: f64 = 1e-6;
 /// No point, no face.
 const NONE: u32 = u32::MAX;
+/// Faces there is room for from the start, those that are gone again among them.
+const FACES: usize = 128;
 
 struct Face {
     corners: [u32; 3],
@@ -30,6 +32,9 @@ struct Face {
     alive: bool,
 }
 
+/// Where an edge starts and ends, and the face beyond it.
+type Edge = (u32, u32, u32);
+
 struct Hull {
     points: Vec<V>,
     faces: Vec<Face>,
@@ -38,6 +43,9 @@ struct Hull {
     /// Faces that have had points outside.
     open: Vec<u32>,
     slack: f64,
+    /// What a point that is taken in sees, and the edge of that: kept for the next.
+    seen: Vec<u32>,
+    edge: Vec<Edge>,
     /// How far out of all faces a point has to be to be taken in.
     reach: f64,
 }
@@ -80,7 +88,9 @@ impl Hull {
         let points: Vec<V> = points.iter().map(|p| p.coords.cast()).collect();
         let slack = ROUNDING * points.iter().fold(0.0, |most: f64, p| most.max(p.amax()));
         let next = vec![NONE; points.len()];
-        Self { points, faces: Vec::new(), next, open: Vec::new(), slack, reach: slack }
+        let faces = Vec::with_capacity(FACES);
+        let (open, seen, edge) = (Vec::new(), Vec::new(), Vec::new());
+        Self { points, faces, next, open, slack, seen, edge, reach: slack }
     }
 
     fn triangles(&self) -> Vec<[u32; 3]> {
@@ -182,8 +192,11 @@ impl Hull {
     /// the edge of that to the point comes instead.
     fn grow(&mut self, face: u32) -> Option<()> {
         let point = self.faces[face as usize].farthest.0;
-        let (seen, edge) = self.seen(face, point);
-        let edge = in_order(edge)?;
+        self.look(face, point);
+        let (seen, mut edge) = (std::mem::take(&mut self.seen), std::mem::take(&mut self.edge));
+        if !is_put_in_order(&mut edge) {
+            return None;
+        }
         let from = self.faces.len();
         let count = edge.len() as u32;
         for (k, &(start, end, outer)) in (0..).zip(&edge) {
@@ -193,7 +206,7 @@ impl Hull {
             let side = outer.corners.iter().position(|c| *c == end)?;
             outer.beyond[side] = beside(k);
         }
-        for face in seen {
+        for &face in &seen {
             let mut open = std::mem::replace(&mut self.faces[face as usize].first, NONE);
             while open != NONE {
                 let next = std::mem::replace(&mut self.next[open as usize], NONE);
@@ -203,14 +216,17 @@ impl Hull {
                 open = next;
             }
         }
+        (self.seen, self.edge) = (seen, edge);
         Some(())
     }
 
-    /// The faces that a point sees, which are gone now, and the edges around them with the
-    /// faces beyond.
-    fn seen(&mut self, face: u32, point: u32) -> (Vec<u32>, Vec<(u32, u32, u32)>) {
+    /// Finds the faces that a point sees, which are gone now, and the edges around them.
+    fn look(&mut self, face: u32, point: u32) {
         self.faces[face as usize].alive = false;
-        let (mut seen, mut edge, mut next) = (vec![face], Vec::new(), 0);
+        let (mut seen, mut edge, mut next) = (std::mem::take(&mut self.seen), std::mem::take(&mut self.edge), 0);
+        seen.clear();
+        edge.clear();
+        seen.push(face);
         while let Some(&face) = seen.get(next) {
             next += 1;
             let Face { corners, beyond, .. } = self.faces[face as usize];
@@ -227,19 +243,18 @@ impl Hull {
                 }
             }
         }
-        (seen, edge)
+        (self.seen, self.edge) = (seen, edge);
     }
 }
 
-/// Edges in the order in which one goes on from the other; `None` if they are not one ring.
-fn in_order(mut edge: Vec<(u32, u32, u32)>) -> Option<Vec<(u32, u32, u32)>> {
+/// Puts edges in the order in which one goes on from the other; whether they are one ring.
+fn is_put_in_order(edge: &mut [Edge]) -> bool {
     for at in 1..edge.len() {
-        let follows = |e: &(u32, u32, u32)| e.0 == edge[at - 1].1;
-        let found = at + edge[at..].iter().position(follows)?;
-        edge.swap(at, found);
+        let Some(found) = edge[at..].iter().position(|e| e.0 == edge[at - 1].1) else { return false };
+        edge.swap(at, at + found);
     }
     let simple = edge.iter().enumerate().all(|(i, e)| edge[..i].iter().all(|o| o.0 != e.0));
-    (edge.len() >= 3 && simple && edge.last()?.1 == edge[0].0).then_some(edge)
+    edge.len() >= 3 && simple && edge[edge.len() - 1].1 == edge[0].0
 }
 
 #[cfg(test)]
