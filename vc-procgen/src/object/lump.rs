@@ -1,9 +1,11 @@
 //! Lumps: a thing in the hand that nothing is put on or in is one convex body to physics, however
-//! many buttons and seams are seen on it.
+//! many buttons and seams are seen on it, and so is what hangs flat on a wall.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, Part, Shape};
 use vc_graph::{Asset, ClassTable, Pose, Property};
+
+use super::reveal::extent;
 
 /// Least number of costly parts that are worth it.
 const PARTS: usize = 2;
@@ -15,17 +17,57 @@ const SMALL: f32 = 1.4;
 const LEVEL: f32 = 0.002;
 /// How far what is round may be from the polygon it is taken for, metres.
 const COARSE: f32 = 0.002;
+/// Places along each axis where it is looked whether a box is full.
+const PLACES: u8 = 4;
+/// How many of a hundred places in it are within a part of what is as good as its box.
+const FULL: usize = 75;
 
-/// Gives an asset of such a class a hull for all parts that move together, where these are many.
+/// What hangs flat on a wall, a window or the ceiling, or is let into it: nobody feels more of it
+/// than its box.
+const FLAT: [&str; 17] = [
+    "bathroom_mirror",
+    "blinds",
+    "bulletin_board",
+    "ceiling_lamp",
+    "curtain",
+    "curtain_rod",
+    "doorbell",
+    "intercom",
+    "lightswitch",
+    "mirror",
+    "painting",
+    "powersocket",
+    "radiator",
+    "smoke_detector",
+    "thermostat",
+    "ventilation_grille",
+    "whiteboard",
+];
+
+/// Gives an asset of such a class one piece for all parts that move together, where that is less
+/// than they are.
 pub(super) fn lump(class: &str, asset: &mut Asset, size: Vector3<f32>) {
-    let many = asset.parts.iter().filter(|p| is_costly(p)).count() >= PARTS;
-    let small = size.max() <= SMALL && asset.surfaces.is_empty() && asset.collision.is_empty();
-    if !many || !small || !is_only_carried(class) {
+    let flat = FLAT.contains(&class);
+    let small = size.max() <= SMALL && asset.surfaces.is_empty();
+    if !asset.collision.is_empty() || !(flat || small && is_only_carried(class)) {
         return;
     }
     let mut joints: Vec<Option<Joint>> = Vec::new();
     asset.parts.iter().for_each(|p| joints.extend((!joints.contains(&p.joint)).then_some(p.joint)));
-    asset.collision = joints.into_iter().flat_map(|joint| of_link(&asset.parts, joint)).collect();
+    let links = joints.iter().map(|&joint| Link::new(&asset.parts, joint));
+    let pieces: Vec<Option<Shaped>> = links.map(|link| link.piece(flat)).collect();
+    if pieces.iter().all(Option::is_none) {
+        return;
+    }
+    let own = |joint: Option<Joint>| asset.parts.iter().filter(move |p| p.joint == joint);
+    let felt = joints.iter().zip(pieces).flat_map(|(&joint, piece)| match piece {
+        Some((shape, pose)) => {
+            let material = own(joint).next().map_or(0, |p| p.material);
+            vec![Part { name: "lump".into(), shape, material, pose, joint }]
+        }
+        None => own(joint).cloned().collect(),
+    });
+    asset.collision = felt.collect();
 }
 
 /// Whether a class is of things that are carried, and carry nothing.
@@ -38,6 +80,59 @@ fn is_only_carried(class: &str) -> bool {
     has(&[Graspable]) && !has(&[Container, Recipient, Surface, Sittable, Lieable])
 }
 
+/// A shape and where it is in the asset's frame.
+type Shaped = (Shape, Pose);
+
+/// Parts that move together.
+struct Link<'a> {
+    parts: Vec<&'a Part>,
+}
+
+impl<'a> Link<'a> {
+    fn new(parts: &'a [Part], joint: Option<Joint>) -> Self {
+        Self { parts: parts.iter().filter(|p| p.joint == joint).collect() }
+    }
+
+    /// The one piece they are: the box around them where they fill it or are flat, the hull where
+    /// several are costly.
+    fn piece(&self, flat: bool) -> Option<Shaped> {
+        if self.parts.len() < 2 {
+            return None;
+        }
+        if flat || self.parts.iter().any(|p| is_upright_box(p)) {
+            let (low, high) = extent(&self.parts)?;
+            if flat || self.fills(low, high) {
+                let pose = Pose::from_parts(nalgebra::center(&low, &high).into(), nalgebra::UnitQuaternion::identity());
+                return Some((Shape::Box { half: (high - low) / 2.0 }, pose));
+            }
+        }
+        if self.parts.iter().filter(|p| is_costly(p)).count() < PARTS {
+            return None;
+        }
+        let mut points = Points::default();
+        self.parts.iter().for_each(|part| points.extend_by(part));
+        Some((Shape::Hull { points: outermost(&points) }, Pose::identity()))
+    }
+
+    /// Whether parts that are boxes fill the box around all.
+    fn fills(&self, low: Point3<f32>, high: Point3<f32>) -> bool {
+        let boxes: Vec<_> = self.parts.iter().filter(|p| is_upright_box(p)).map(|p| p.extent()).collect();
+        let place = |i: u8| (f32::from(i) + 0.5) / f32::from(PLACES);
+        let all = || (0..PLACES).map(place);
+        let places = all().flat_map(|x| all().flat_map(move |y| all().map(move |z| Vector3::new(x, y, z))));
+        let full = places.filter(|at| {
+            let at = low + (high - low).component_mul(at);
+            boxes.iter().any(|(least, most)| (0..3).all(|k| least[k] <= at[k] && at[k] <= most[k]))
+        });
+        full.count() * 100 >= usize::from(PLACES).pow(3) * FULL
+    }
+}
+
+fn is_upright_box(part: &Part) -> bool {
+    let is_box = matches!(part.shape, Shape::Box { .. } | Shape::RoundedBox { .. });
+    is_box && part.pose.rotation == nalgebra::UnitQuaternion::identity()
+}
+
 /// Whether hulls have to be found for it, or many pieces made.
 fn is_costly(part: &Part) -> bool {
     match &part.shape {
@@ -47,55 +142,71 @@ fn is_costly(part: &Part) -> bool {
     }
 }
 
-/// The hull of what moves on a joint, or its parts where these are simple.
-fn of_link(parts: &[Part], joint: Option<Joint>) -> Vec<Part> {
-    let link: Vec<&Part> = parts.iter().filter(|p| p.joint == joint).collect();
-    if link.iter().filter(|p| is_costly(p)).count() < PARTS {
-        return link.into_iter().cloned().collect();
-    }
-    let mut points = Vec::new();
-    link.iter().for_each(|part| corners(part, &mut points));
-    let shape = Shape::Hull { points: outermost(&points) };
-    vec![Part { name: "lump".into(), shape, material: link[0].material, pose: Pose::identity(), joint }]
-}
+/// Points axis by axis, as they are looked through several at once.
+#[derive(Default)]
+struct Points([Vec<f32>; 3]);
 
-/// Points of a part's surface in the asset's frame, its outermost among them.
-fn corners(part: &Part, points: &mut Vec<Point3<f32>>) {
-    match &part.shape {
-        Shape::Mesh { vertices: all, .. } | Shape::Hull { points: all } => {
-            points.extend(all.iter().map(|p| part.pose * p));
+impl Points {
+    /// Adds points of a part's surface in the asset's frame, its outermost among them.
+    fn extend_by(&mut self, part: &Part) {
+        match &part.shape {
+            Shape::Mesh { vertices: all, .. } | Shape::Hull { points: all } => self.extend(part, all),
+            round => self.extend(part, &round.mesh(COARSE).positions),
         }
-        round => points.extend(round.mesh(COARSE).positions.iter().map(|p| part.pose * p)),
+    }
+
+    fn extend(&mut self, part: &Part, all: &[Point3<f32>]) {
+        self.0.iter_mut().for_each(|axis| axis.reserve(all.len()));
+        for point in all {
+            self.push(part.pose * point);
+        }
+    }
+
+    fn push(&mut self, point: Point3<f32>) {
+        self.0.iter_mut().zip(point.iter()).for_each(|(axis, v)| axis.push(*v));
+    }
+
+    fn at(&self, i: usize) -> Point3<f32> {
+        Point3::from(self.0.each_ref().map(|axis| axis[i]))
+    }
+
+    /// The first of the points that are farthest out in some way.
+    fn farthest(&self, way: &Vector3<f32>) -> Option<Point3<f32>> {
+        const LANES: usize = 8;
+        let [x, y, z] = self.0.each_ref().map(Vec::as_slice);
+        let far = |i: usize| x[i] * way.x + y[i] * way.y + z[i] * way.z;
+        let more = |a: f32, b: f32| if b > a { b } else { a };
+        let mut most = [f32::NEG_INFINITY; LANES];
+        let (xs, ys, zs) = (x.chunks_exact(LANES), y.chunks_exact(LANES), z.chunks_exact(LANES));
+        for ((x, y), z) in xs.zip(ys).zip(zs) {
+            for k in 0..LANES {
+                most[k] = more(most[k], x[k] * way.x + y[k] * way.y + z[k] * way.z);
+            }
+        }
+        let rest = (x.len() / LANES * LANES..x.len()).map(far);
+        let most = most.into_iter().chain(rest).fold(f32::NEG_INFINITY, more);
+        (0..x.len()).find(|&i| far(i) == most).map(|i| self.at(i))
     }
 }
 
 /// The points farthest out along the axes and between them, and those around a level foot and a
 /// level top.
-fn outermost(points: &[Point3<f32>]) -> Vec<Point3<f32>> {
+fn outermost(points: &Points) -> Vec<Point3<f32>> {
     let steps = || [-1.0_f32, 0.0, 1.0].into_iter();
     let around = steps().flat_map(|x| steps().map(move |y| Vector3::new(x, y, 0.0)));
     let around: Vec<Vector3<f32>> = around.filter(|way| *way != Vector3::zeros()).collect();
     let slanted = around.iter().flat_map(|way| [-1.0, 1.0].map(|z| way + Vector3::z() * z));
     let ways = around.iter().copied().chain(slanted.filter(|way| way.x * way.y != 0.0));
-    let mut found: Vec<Point3<f32>> = ways.filter_map(|way| farthest(points, &way)).collect();
+    let mut found: Vec<Point3<f32>> = ways.filter_map(|way| points.farthest(&way)).collect();
     for up in [-1.0, 1.0] {
-        let most = points.iter().map(|p| up * p.z).fold(f32::NEG_INFINITY, f32::max);
-        let level = points.iter().filter(|p| up * p.z > most - LEVEL).map(|p| Point3::new(p.x, p.y, up * most));
-        let level: Vec<Point3<f32>> = level.collect();
-        found.extend(around.iter().filter_map(|way| farthest(&level, way)));
+        let heights = &points.0[2];
+        let most = heights.iter().map(|z| up * z).fold(f32::NEG_INFINITY, f32::max);
+        let mut level = Points::default();
+        let near = (0..heights.len()).filter(|&i| up * heights[i] > most - LEVEL).map(|i| points.at(i));
+        near.for_each(|p| level.push(Point3::new(p.x, p.y, up * most)));
+        found.extend(around.iter().filter_map(|way| level.farthest(way)));
     }
     found.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)));
     found.dedup();
     found
-}
-
-fn farthest(points: &[Point3<f32>], way: &Vector3<f32>) -> Option<Point3<f32>> {
-    let (mut most, mut best) = (f32::NEG_INFINITY, None);
-    for point in points {
-        let far = point.coords.dot(way);
-        if far > most {
-            (most, best) = (far, Some(*point));
-        }
-    }
-    best
 }

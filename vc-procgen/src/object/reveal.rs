@@ -46,6 +46,11 @@ pub(super) fn reveal(asset: &mut Asset) -> Option<Corners> {
     around(&corners)
 }
 
+/// The box around parts.
+pub(super) fn extent(parts: &[&Part]) -> Option<Corners> {
+    around(&parts.iter().map(|part| Around::new(part).corners(part)).collect::<Vec<_>>())
+}
+
 fn around(corners: &[Corners]) -> Option<Corners> {
     corners.iter().copied().reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))
 }
@@ -90,7 +95,7 @@ impl Cells {
 }
 
 /// Smallest and largest corner.
-type Corners = (Point3<f32>, Point3<f32>);
+pub(super) type Corners = (Point3<f32>, Point3<f32>);
 
 /// The box around a part, in its own frame, and that frame.
 struct Around {

@@ -129,13 +129,32 @@ fn toilet_seat(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), rim: f32, u: f32
     }
     let (outer, inner) = (oval(x0 + 0.002 * u, x1, y), oval(x0 + 0.09 * u, x1 - 0.07 * u, y * 0.62));
     lid(b, anchor, 1.5, |b| {
-        oval_rim(b, "seat", &outer, &inner, (low, low + t), mat);
+        b.seen(|b| oval_rim(b, "seat", &outer, &inner, (low, low + t), mat));
+        b.felt(|b| seat_bars(b, (x0, x1, y), (low, low + t), u));
     });
     // A hair's breadth tells the lid's hinge from the seat's.
     lid(b, [anchor[0], 0.0, anchor[2] + 0.002 * u], 1.55, |b| {
-        b.prism("lid", Axis::Z, [0.0, 0.0, low + t + 0.002 * u], &outer, t * 0.9, mat);
+        let under = [0.0, 0.0, low + t + 0.002 * u];
+        b.seen(|b| b.prism("lid", Axis::Z, under, &outer, t * 0.9, mat));
+        // Every second corner of the oval, the straight back among them.
+        let corners: Vec<(f32, f32)> = [0, 1, 3, 5, 6, 8, 10, 11].map(|i| outer[i]).into();
+        b.felt(|b| b.prism("lid", Axis::Z, under, &corners, t * 0.9, mat));
         b.top("lid", [f32::midpoint(x0, x1), 0.0, low + t * 1.9 + 0.002 * u], ((x1 - x0) * 0.3, y * 0.6));
     });
+}
+
+/// What is felt of a seat: four bars around its opening, within its oval.
+fn seat_bars(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (low, high): (f32, f32), u: f32) {
+    let (rear, front) = (x0 + 0.09 * u, x1 - 0.07 * u);
+    let bars = [
+        ([x0 + 0.002 * u, -y * 0.78], [rear, y * 0.78]),
+        ([front, -y * 0.5], [x1, y * 0.5]),
+        ([rear, -y * 0.92], [front, -y * 0.62]),
+        ([rear, y * 0.62], [front, y * 0.92]),
+    ];
+    for (from, to) in bars {
+        b.block("seat", [from[0], from[1], low], [to[0], to[1], high], PORCELAIN);
+    }
 }
 
 /// A low bowl like a toilet's with a tap.
