@@ -282,9 +282,17 @@ impl World {
     ) -> Result<Option<Pose>, PhysicsError> {
         let (thing, below) = (self.thing(id)?, self.thing(at)?);
         let all = (0..below.form.surfaces.len()).filter_map(|s| self.shelf_of(below, s));
-        let shelves: Vec<Shelf> = all.filter(|s| s.hold == hold).collect();
+        let mut shelves: Vec<Shelf> = all.filter(|s| s.hold == hold).collect();
+        // What is put on a stove goes to a burner that is free, not beside what is on another.
+        shelves.sort_by_cached_key(|shelf| is_burner(shelf) && !self.is_bare(shelf));
         let mut spots = ways.iter().flat_map(|way| shelves.iter().map(move |shelf| (way, shelf)));
         Ok(spots.find_map(|(way, shelf)| self.spot_among(thing, shelf, way, order)))
+    }
+
+    /// Whether nothing stands or lies on a surface.
+    fn is_bare(&self, shelf: &Shelf) -> bool {
+        let half = Vector3::new(shelf.half.0, shelf.half.1, LOW / 2.0);
+        self.is_free(half, &(shelf.pose * Pose::translation(0.0, 0.0, GAP + half.z)))
     }
 
     /// The first free spot on a surface for what is put there in a way: one where the box around
@@ -322,8 +330,7 @@ impl World {
     ) -> Option<Pose> {
         let Way { tips, heights, over } = way;
         // What reaches over the edges is balanced, and what is put on a burner is put on its middle.
-        let small = shelf.half.0.min(shelf.half.1) < BURNER && shelf.hold == Hold::On;
-        let order = if *over > 0.0 || small { Order::Middle } else { order };
+        let order = if *over > 0.0 || is_burner(shelf) { Order::Middle } else { order };
         let (low, high) = thing.form.extent;
         let laden = self.is_laden(thing);
         let tips = tips.iter().filter(|tip| **tip == Tip::Upright || !laden && tip.stands(high - low));
@@ -411,6 +418,11 @@ impl World {
         let (collider, at) = queries.cast_ray(&ray, 1.0, true)?;
         Some((self.node_of(collider)?, from + way * at))
     }
+}
+
+/// Whether a surface is so small that what is put on it goes to its middle.
+fn is_burner(shelf: &Shelf) -> bool {
+    shelf.half.0.min(shelf.half.1) < BURNER && shelf.hold == Hold::On
 }
 
 /// Whether half lengths are those of a box.

@@ -57,6 +57,31 @@ fn what_is_too_tall_is_laid_down() {
     assert!(spot.rotation.angle() < 1e-6);
 }
 
+/// A stove of two burners: the second thing goes to the free one, though there is room beside the
+/// first, and a third beside one of them.
+#[test]
+fn burners_are_taken_one_after_the_other() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let parts = vec![part("body", block([0.3, 0.3, 0.45]), at(0.0, 0.0, 0.45), scene.wood)];
+    let burner = |x: f32| surface("burner", Hold::On, [x, 0.0, 0.9], (0.12, 0.12), None);
+    let surfaces = vec![burner(-0.15), burner(0.15)];
+    let asset = scene.asset(Asset { name: "stove".into(), parts, surfaces, ..Asset::default() });
+    let stove = scene.add("stove", asset, at(0.0, 0.0, 0.0));
+    let things: Vec<NodeId> = (0..3).map(|i| scene.cube(0.03, at(2.0 + 0.2 * i as f32, 0.0, 0.03))).collect();
+    let mut world = scene.world();
+    let mut middles = Vec::new();
+    for &thing in &things {
+        let spot = world.free_spot_at(thing, stove, false, Order::Near(Point3::new(0.0, -1.0, 0.9))).unwrap().unwrap();
+        world.place(thing, spot).unwrap();
+        world.settle(60);
+        middles.push(spot.translation.vector.xy());
+    }
+    let burners = [nalgebra::Vector2::new(-0.15, 0.0), nalgebra::Vector2::new(0.15, 0.0)];
+    assert!((middles[0] - burners[0]).norm() < 1e-3 && (middles[1] - burners[1]).norm() < 1e-3, "{middles:?}");
+    assert!(burners.iter().any(|b| (middles[2] - b).amax() < 0.12), "{middles:?}");
+}
+
 /// What is too tall to stand in the chest is laid on its side, but not with something on it.
 #[test]
 fn what_carries_something_is_not_tipped() {

@@ -204,6 +204,34 @@ fn there_must_be_height_and_room() {
     assert_eq!(*why, Why::Taken);
 }
 
+/// Furniture that opens does not bar the way when it stands open: before its front is a metre of
+/// free floor, in a kitchen and in a passage along a counter, to which it would face otherwise.
+#[test]
+fn what_opens_has_room_before_it() {
+    let needs = ["dishwasher of kitchen", "plate on dining_table | on kitchen_counter"];
+    let task = activity("Inside(plate, dishwasher)", &needs, "");
+    let mut passage = SceneBuilder::new("passage");
+    let boxed = |class: &str, y: f32, size: [f32; 3]| {
+        Draft::new(class).at(Isometry3::translation(0.0, y, 0.0)).bounds(Bounds::standing(size.into()))
+    };
+    let kitchen = passage.add(boxed("kitchen", 0.0, [4.0, 1.9, 2.5])).unwrap();
+    passage.add_in(kitchen, boxed("kitchen_counter", 0.65, [4.0, 0.6, 0.9])).unwrap();
+    let scenes = [passage.build(), flat(1.0)];
+    for seed in 0..64 {
+        let made = make(&task, &scenes[seed as usize % 2], seed).unwrap();
+        let machine = made.scene.node(made.scene.of_class("dishwasher")[0]).unwrap();
+        let own = machine.spec().bounds.unwrap();
+        let offset = own.offset + Vector3::new(own.half.x + 0.5, 0.0, 0.0);
+        let before = Bounds { offset, half: Vector3::new(0.5, own.half.y, own.half.z), ..own };
+        let free = before.aabb(machine.pose().unwrap());
+        let meets =
+            |b: &vc_graph::Aabb| (0..3).all(|i| b.min[i] + 0.005 < free.max[i] && free.min[i] + 0.005 < b.max[i]);
+        let stands = |n: &&vc_graph::Node| n.kind() == Kind::Object && n.id() != machine.id();
+        let met = made.scene.nodes().filter(stands).find(|n| n.aabb().as_ref().is_some_and(meets));
+        assert_eq!(met.map(|n| n.label()), None, "seed {seed}");
+    }
+}
+
 /// A world in which things roll off the table at the first resets.
 struct Sloping {
     inner: Simulator,

@@ -21,6 +21,9 @@ const LIFT: f32 = 0.001;
 const HEADROOM: f32 = 0.05;
 /// Floor before a door that stays free, metres.
 const DOORWAY: f32 = 0.85;
+/// Floor before furniture that opens which stays free, metres: for its door, and for who passes
+/// while it stands open.
+const FRONT: f32 = 1.1;
 /// How often a place on a surface is drawn before it is given up.
 const TRIES: usize = 24;
 
@@ -53,6 +56,7 @@ impl Fit<'_> {
             let Some(local) = ways.draw(self.is_floor(site), stream) else { return Err(why) };
             let world = pose * local;
             match self.obstacle(&bounds.aabb(&world), site, &surface) {
+                None if self.bars_the_way(class, &bounds, &world, site) => why = Why::Unreachable,
                 None => return Ok(Some(world)),
                 Some(reason) => why = reason,
             }
@@ -63,6 +67,15 @@ impl Fit<'_> {
     fn is_floor(&self, site: &Site) -> bool {
         let floor = |id| self.graph.node(id).is_some_and(|n| &**n.class() == "floor");
         site.relation == Relation::InRoom || floor(site.at)
+    }
+
+    /// Whether furniture, once it stands open, leaves nobody a way past its front.
+    fn bars_the_way(&self, class: &Class, bounds: &Bounds, pose: &Pose, site: &Site) -> bool {
+        let opens = class.affordances.contains(Property::Openable) && !class.affordances.contains(Property::Graspable);
+        let half = Vector3::new(FRONT / 2.0, bounds.half.y, bounds.half.z);
+        let offset = bounds.offset + Vector3::new(bounds.half.x + half.x, 0.0, 0.0);
+        let front = Bounds { offset, half, ..*bounds }.aabb(pose);
+        opens && self.is_floor(site) && self.solids.hit(self.graph, self.assets, &front, &[site.at]).is_some()
     }
 
     /// Why a thing cannot be where its box would be.
