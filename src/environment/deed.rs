@@ -173,7 +173,7 @@ impl Deed<'_> {
             return self.open_in_hand(id, open);
         }
         if self.world.moving_parts(id).is_empty() {
-            return self.reach(id);
+            return if self.has_cord(id) { self.stand_clear(id, open) } else { self.reach(id) };
         }
         let body = self.body_of(id)?;
         if self.stands() {

@@ -296,7 +296,7 @@ impl Deed<'_> {
     }
 
     /// Whether a thing covers a window from above.
-    fn has_cord(&self, id: NodeId) -> bool {
+    pub(super) fn has_cord(&self, id: NodeId) -> bool {
         let high = self.feet().translation.z + self.plan().shoulder();
         let covers = self.before.node(id).is_some_and(|n| n.affords(Property::Cover) && n.affords(Property::Openable));
         covers && self.world.aabb(id).is_some_and(|aabb| aabb.max.z > high)

@@ -8,13 +8,15 @@ use vc_graph::{Aabb, AssetLibrary, Bounds, NodeId, Pose, Property, Relation, Sce
 
 use super::error::Why;
 use super::site::Site;
-use super::solid::{Solids, meet};
+use super::solid::{Solids, meet, part_boxes};
 use super::walk::Walk;
 
 /// Gap between things, and from a surface's edge, metres.
 const GAP: f32 = 0.004;
 /// Gap between furniture and the wall behind it, metres.
 const WALL_GAP: f32 = 0.025;
+/// How far behind furniture its wall may be, metres.
+const BEHIND: f32 = 0.15;
 /// Height at which things are let go above what they rest on, metres.
 const LIFT: f32 = 0.001;
 /// What stays free below the ceiling, metres.
@@ -23,7 +25,7 @@ const HEADROOM: f32 = 0.05;
 const DOORWAY: f32 = 0.85;
 /// Floor before furniture that opens which stays free, metres: for its door, and for who passes
 /// while it stands open.
-const FRONT: f32 = 1.1;
+const FRONT: f32 = 1.3;
 /// How often a place on a surface is drawn before it is given up.
 const TRIES: usize = 24;
 
@@ -56,7 +58,7 @@ impl Fit<'_> {
             let Some(local) = ways.draw(self.is_floor(site), stream) else { return Err(why) };
             let world = pose * local;
             match self.obstacle(&bounds.aabb(&world), site, &surface) {
-                None if self.bars_the_way(class, &bounds, &world, site) => why = Why::Unreachable,
+                None if self.is_in_the_way(class, &bounds, &world, site) => why = Why::Unreachable,
                 None => return Ok(Some(world)),
                 Some(reason) => why = reason,
             }
@@ -69,13 +71,23 @@ impl Fit<'_> {
         site.relation == Relation::InRoom || floor(site.at)
     }
 
-    /// Whether furniture, once it stands open, leaves nobody a way past its front.
-    fn bars_the_way(&self, class: &Class, bounds: &Bounds, pose: &Pose, site: &Site) -> bool {
-        let opens = class.affordances.contains(Property::Openable) && !class.affordances.contains(Property::Graspable);
-        let half = Vector3::new(FRONT / 2.0, bounds.half.y, bounds.half.z);
-        let offset = bounds.offset + Vector3::new(bounds.half.x + half.x, 0.0, 0.0);
-        let front = Bounds { offset, half, ..*bounds }.aabb(pose);
-        opens && self.is_floor(site) && self.solids.hit(self.graph, self.assets, &front, &[site.at]).is_some()
+    /// Whether furniture would stand away from any wall, as at an edge of the floor where the room
+    /// goes on, or, once it is open, leave nobody a way past its front.
+    fn is_in_the_way(&self, class: &Class, bounds: &Bounds, pose: &Pose, site: &Site) -> bool {
+        let opens = class.affordances.contains(Property::Openable);
+        let before = beside(bounds, FRONT).aabb(pose);
+        let is_shut_in = || self.solids.hit(self.graph, self.assets, &before, &[site.at]).is_some();
+        let behind = beside(bounds, -BEHIND).aabb(pose);
+        let walls: Vec<Aabb> = self.walls().collect();
+        let stands_free = !walls.is_empty() && !walls.iter().any(|wall| meet(wall, &behind));
+        self.is_floor(site)
+            && !class.affordances.contains(Property::Graspable)
+            && (stands_free || opens && is_shut_in())
+    }
+
+    fn walls(&self) -> impl Iterator<Item = Aabb> + '_ {
+        let walls = self.graph.of_class("wall").into_iter().filter_map(|id| self.graph.node(id));
+        walls.flat_map(|wall| part_boxes(wall, self.assets))
     }
 
     /// Why a thing cannot be where its box would be.
@@ -98,6 +110,13 @@ impl Fit<'_> {
         }
         self.walk.filter(|walk| !walk.reaches(aabb, room)).map(|_| Why::Unreachable)
     }
+}
+
+/// The space before a thing, so deep; behind it, if negative.
+fn beside(bounds: &Bounds, depth: f32) -> Bounds {
+    let half = Vector3::new(depth.abs() / 2.0, bounds.half.y, bounds.half.z);
+    let offset = bounds.offset + Vector3::new((bounds.half.x + half.x) * depth.signum(), 0.0, 0.0);
+    Bounds { offset, half, ..*bounds }
 }
 
 /// A door with the floor before and behind it.
