@@ -180,7 +180,9 @@ pub fn feasible(activity: &Activity, home: &Environment, initial: &Initial) -> R
         }
     }
     let wants = wanted(activity, graph, objects);
-    home.has_room(agent, &wants).map_err(|id| format!("there is no room for {} where it is wanted", graph.label(id)))
+    home.has_room(agent, &wants).map_err(|id| {
+        format!("there is no room for {} where it is wanted, or no way from it to there", graph.label(id))
+    })
 }
 
 /// What is still to be put on or in something for an activity's goal, each with where it may go.

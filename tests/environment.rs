@@ -370,6 +370,23 @@ fn the_planner_works_with_bodies() {
     assert_eq!(home.graph(), &start);
 }
 
+/// Blinds hang higher than hands reach: their cords hang down.
+#[test]
+fn blinds_are_let_down_by_their_cords() {
+    let mut let_down = 0;
+    for seed in 0..3 {
+        let mut home = home(seed, 1);
+        let me = home.agents()[0];
+        for id in home.graph().of_class("blinds") {
+            act(&mut home, me, Verb::Walk, &[id]);
+            act(&mut home, me, Verb::Close, &[id]);
+            assert!(home.graph().node(id).is_some_and(|n| n.is(State::Closed)));
+            let_down += 1;
+        }
+    }
+    assert!(let_down >= 3, "{let_down} blinds");
+}
+
 /// Bowls that hop on a rack come back with it.
 #[test]
 fn a_dishwasher_shuts_however_its_bowls_lie() {

@@ -18,20 +18,23 @@ impl Environment {
         let action = Action::one(Verb::Walk, id);
         let (before, after, care) = (self.graph.clone(), self.graph.clone(), Care::default());
         let step = Step { before, after, agent, action, care };
-        let mut deed = Deed::new(&mut world, &mut floor, &self.start, &step);
+        self.gets_at(&mut Deed::new(&mut world, &mut floor, &self.start, &step), id)
+    }
+
+    fn gets_at(&self, deed: &mut Deed<'_>, id: NodeId) -> bool {
         self.graph.hidden_in(id).is_none_or(|container| deed.can_get_at(container)) && deed.can_get_at(id)
     }
 
     /// Whether there are free spots for all of some things, each at one of several places, as an
     /// agent puts held things there one after the other: containers are opened, cloth may be folded
     /// up for it, and what is there pushed together. From somewhere in the room each has to be
-    /// within reach.
+    /// within reach, and each can be got at while the container it goes into stands open.
     ///
     /// `World::leap_open`, `World::free_spot_at` and `World::place` on a copy of the bodies. Costs a
     /// millisecond, and some for each thing.
     ///
     /// # Errors
-    /// The first thing for which none of its places has room.
+    /// The first thing for which none of its places has room, or that none leaves a way to.
     pub fn has_room(&self, agent: NodeId, wants: &[(NodeId, Vec<Place>)]) -> Result<(), NodeId> {
         let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
         floor.update(&world);
@@ -45,7 +48,11 @@ impl Environment {
                 if place.relation == Relation::Inside && is_shut && !world.leap_open(place.at, 1.0).ok()? {
                     return None;
                 }
+                floor.update(&world);
                 let mut deed = Deed::new(&mut world, &mut floor, &self.start, &step);
+                if !self.gets_at(&mut deed, *id) {
+                    return None;
+                }
                 let spot = deed.spot(*id, place).ok()?;
                 let stand = deed.stand_to_put(self.graph.room_of(place.at), *id, &spot);
                 stand.is_ok_and(|stand| stand.is_some()).then_some(spot)
