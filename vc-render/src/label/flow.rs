@@ -50,15 +50,19 @@ pub(crate) fn flows(
     let rows = layers.front.rows.clone();
     let [from, to] = [now, then].map(|m| Frustum::new(m.camera, &(0..m.camera.height as i32)));
     motions.reset(now.snapshot.instances.len());
-    out.fill([f32::NAN; 2]);
+    // Where nothing is seen, nothing moves.
+    let mut past = 0;
     for run in runs {
         let at = run.instance as usize;
         let map = motions.map(at, (&now.snapshot.instances[at], &from.map), (&then.snapshot.instances[at], &to.map));
         let inverse = &layers.front.inverse_row(run.y)[run.from as usize..run.to as usize];
         let row = (run.y - rows.start) as usize * width;
-        let pixels = &mut out[row + run.from as usize..row + run.to as usize];
-        follow(&map, (run.from as f32 + 0.5, run.y as f32 + 0.5), inverse, pixels);
+        let pixels = row + run.from as usize..row + run.to as usize;
+        out[past..pixels.start].fill([f32::NAN; 2]);
+        past = pixels.end;
+        follow(&map, (run.from as f32 + 0.5, run.y as f32 + 0.5), inverse, &mut out[pixels]);
     }
+    out[past..].fill([f32::NAN; 2]);
 }
 
 /// Pixels that are followed at once.
@@ -75,7 +79,8 @@ fn follow(map: &Narrow, (x, y): (f32, f32), inverse: &[f32], out: &mut [[f32; 2]
         let x = x + (part * PART as u32) as f32;
         // Whole blocks: what is past the end is not looked at.
         for i in 0..count.next_multiple_of(8).min(PART) {
-            let x = x + i as f32;
+            // Vectors of whole numbers become such of floats in one step if they are signed.
+            let x = x + i as i32 as f32;
             let over = 1.0 / (over[0] * x + start[2] + over[3] * vs[i]);
             let (a, b) = (right[0] * x + start[0] + right[3] * vs[i], down[0] * x + start[1] + down[3] * vs[i]);
             xs[i] = if over > 0.0 { a * over - x } else { f32::NAN };

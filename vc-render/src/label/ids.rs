@@ -18,7 +18,7 @@ pub(crate) struct Run {
 
 /// The runs of some rows, one after the other.
 pub(crate) fn runs(layers: &Layers, rows: std::ops::Range<i32>, runs: &mut Vec<Run>) {
-    pulp::Arch::new().dispatch(Find { layers, rows, runs });
+    crate::simd::dispatch(Find { layers, rows, runs });
 }
 
 /// Finding runs, in the version for a processor.

@@ -58,7 +58,7 @@ pub(crate) fn bent(
     let mesh = visible.mesh(instances);
     let face = &mesh.faces[visible.index()];
     let turned = |n: [f32; 3]| unit(affine::normal(&instance.inverse, n));
-    if face.flat {
+    if face.is_flat() {
         return Ok(turned(face.normals[0]));
     }
     let map = map();

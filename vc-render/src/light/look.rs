@@ -29,13 +29,28 @@ type Lanes = [f32; LANES];
 /// How far from surfaces looks begin, metres.
 const OFF: f32 = 0.015;
 
-/// Points of surfaces: places and normals, and which of them are asked for.
+/// Points of surfaces: places and normals.
 #[derive(Clone, Copy)]
 pub(crate) struct Points<'a, const N: usize> {
-    pub(crate) count: usize,
     pub(crate) at: &'a [[f32; N]; 3],
     pub(crate) normal: &'a [[f32; N]; 3],
-    pub(crate) asked: &'a [u32; N],
+}
+
+impl<const N: usize> Points<'_, N> {
+    /// Goes through some of the points, so many at a time that are then side by side.
+    #[inline(always)]
+    fn some(&self, which: &[u32], mut each: impl FnMut(&Points<'_, LANES>, &[u32])) {
+        for which in which.chunks(LANES) {
+            let (mut at, mut normal) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
+            for (i, point) in which.iter().enumerate().take(LANES) {
+                let point = *point as usize % N;
+                for k in 0..3 {
+                    (at[k][i], normal[k][i]) = (self.at[k][point], self.normal[k][point]);
+                }
+            }
+            each(&Points { at: &at, normal: &normal }, which);
+        }
+    }
 }
 
 /// Points as a map has them.
@@ -47,7 +62,7 @@ struct Places<const N: usize> {
     slope: [[f32; N]; 2],
     texel: [u32; N],
     block: [u32; N],
-    /// One for points that are asked for and within the map.
+    /// One for points within the map.
     inside: [u32; N],
 }
 
@@ -59,36 +74,44 @@ impl ShadowMap {
     #[inline(always)]
     pub(crate) fn lit(&self, at: [f32; 3], normal: [f32; 3]) -> f32 {
         let (at, normal) = (three(|k| [at[k]]), three(|k| [normal[k]]));
-        let mut share = [1.0];
-        self.light(&Points { count: 1, at: &at, normal: &normal, asked: &[1] }, &mut share);
-        share[0]
+        self.shares(&Points { at: &at, normal: &normal }, 1)[0]
     }
 
-    /// Writes the share of light that comes to points that are asked for.
+    /// Writes the share of light that comes to some points.
     #[inline(always)]
-    pub(crate) fn light<const N: usize>(&self, points: &Points<'_, N>, share: &mut [f32; N]) {
-        let count = points.count.min(N);
+    pub(crate) fn light<const N: usize>(&self, points: &Points<'_, N>, which: &[u32], share: &mut [f32; N]) {
+        points.some(
+            which,
+            #[inline(always)]
+            |points, which| {
+                for (point, found) in which.iter().zip(self.shares(points, which.len())) {
+                    share[*point as usize % N] = found;
+                }
+            },
+        );
+    }
+
+    /// The share of light that comes to the first points, so many.
+    #[inline(always)]
+    fn shares<const N: usize>(&self, points: &Points<'_, N>, count: usize) -> [f32; N] {
         let places = self.places(points);
         let (mut found, mut least, mut greatest) = ([0.0_f32; N], [0.0_f32; N], [0.0_f32; N]);
-        for i in 0..count {
+        for i in 0..count.min(N) {
             found[i] = self.depth[places.texel[i] as usize];
             [least[i], greatest[i]] = self.blocks[places.block[i] as usize];
         }
-        let mut verdict = [1.0_f32; N];
-        for i in 0..count {
+        let mut share = [1.0_f32; N];
+        for i in 0..N {
             let plain = self.plain(&places, i, found[i], [least[i], greatest[i]]);
-            verdict[i] = if places.inside[i] == 1 { plain } else { 1.0 };
+            share[i] = if places.inside[i] == 1 { plain } else { 1.0 };
         }
-        for i in 0..count {
-            if points.asked[i] == 1 {
-                share[i] = if verdict[i] == UNKNOWN {
-                    let slope = [places.slope[0][i], places.slope[1][i]];
-                    self.share([places.x[i], places.y[i]], places.depth[i], slope, least[i])
-                } else {
-                    verdict[i]
-                };
+        for i in 0..count.min(N) {
+            if share[i] == UNKNOWN {
+                let slope = [places.slope[0][i], places.slope[1][i]];
+                share[i] = self.share([places.x[i], places.y[i]], places.depth[i], slope, least[i]);
             }
         }
+        share
     }
 
     /// Where points are in the map.
@@ -98,12 +121,12 @@ impl ShadowMap {
         let mut all =
             Places { x: zero, y: zero, depth: zero, slope: [zero; 2], texel: none, block: none, inside: none };
         let (most, centre, over_focal) = (self.side as f32 - 1.0, 0.5 * self.side as f32, 1.0 / self.focal);
-        for i in 0..points.count.min(N) {
+        for i in 0..N {
             let normal = three(|k| points.normal[k][i]);
             let [x, y, z] = affine::point(&self.map, three(|k| points.at[k][i] + OFF * normal[k]));
             let over = 1.0 / z;
             let (x, y) = (x * over, y * over);
-            let inside = (points.asked[i] == 1) & (z > 0.0) & (x >= 1.0) & (x < most) & (y >= 1.0) & (y < most);
+            let inside = (z > 0.0) & (x >= 1.0) & (x < most) & (y >= 1.0) & (y < most);
             let (column, row) = if inside { (whole(x.floor()), whole(y.floor())) } else { (0, 0) };
             (all.x[i], all.y[i], all.depth[i], all.inside[i]) = (x, y, z, u32::from(inside));
             all.texel[i] = self.row(row) + self::column(column);
@@ -234,35 +257,46 @@ impl Cube {
     /// The share of light that comes to a point of a surface, for a lamp at `eye`.
     #[inline(always)]
     pub(crate) fn lit(&self, eye: [f32; 3], at: [f32; 3], normal: [f32; 3]) -> f32 {
-        let (at, normal) = (three(|k| [at[k]]), three(|k| [normal[k]]));
-        let mut share = [1.0];
-        self.light(eye, &Points { count: 1, at: &at, normal: &normal, asked: &[1] }, &mut share);
-        share[0]
+        self.0[face(three(|k| at[k] - eye[k])) as usize].lit(at, normal)
     }
 
-    /// Writes the share of a lamp's light that comes to points that are asked for.
+    /// Writes the share of a lamp's light that comes to some points.
     #[inline(always)]
-    pub(crate) fn light<const N: usize>(&self, eye: [f32; 3], points: &Points<'_, N>, share: &mut [f32; N]) {
-        let count = points.count.min(N);
+    pub(crate) fn light<const N: usize>(
+        &self,
+        eye: [f32; 3],
+        points: &Points<'_, N>,
+        which: &[u32],
+        share: &mut [f32; N],
+    ) {
         let mut faces = [0_u32; N];
-        for i in 0..count {
-            let from = three(|k| points.at[k][i] - eye[k]);
-            let [x, y, z] = three(|k| from[k].abs());
-            let upright = if y >= z { 1 } else { 2 };
-            let axis = if (x >= y) & (x >= z) { 0 } else { upright };
-            let far = if axis == 1 { from[1] } else { from[2] };
-            let along = if axis == 0 { from[0] } else { far };
-            faces[i] = if along >= 0.0 { axis } else { axis + 3 };
+        for i in 0..N {
+            faces[i] = face(three(|k| points.at[k][i] - eye[k]));
         }
-        for (face, map) in (0..).zip(&self.0) {
-            let (mut asked, mut any) = ([0_u32; N], 0);
-            for i in 0..count {
-                asked[i] = points.asked[i] & u32::from(faces[i] == face);
-                any |= asked[i];
-            }
-            if any != 0 {
-                map.light(&Points { asked: &asked, ..*points }, share);
+        let (mut lists, mut counts) = ([[0_u32; N]; FACES], [0_usize; FACES]);
+        for point in which {
+            let face = faces[*point as usize % N] as usize;
+            lists[face][counts[face] % N] = *point;
+            counts[face] += 1;
+        }
+        for (map, (list, count)) in self.0.iter().zip(lists.iter().zip(counts)) {
+            if count > 0 {
+                map.light(points, &list[..count], share);
             }
         }
     }
+}
+
+/// Faces of a cube.
+const FACES: usize = 6;
+
+/// The face of a cube to which something lies.
+#[inline(always)]
+fn face(from: [f32; 3]) -> u32 {
+    let [x, y, z] = from.map(f32::abs);
+    let upright = if y >= z { 1 } else { 2 };
+    let axis = if (x >= y) & (x >= z) { 0 } else { upright };
+    let far = if axis == 1 { from[1] } else { from[2] };
+    let along = if axis == 0 { from[0] } else { far };
+    if along >= 0.0 { axis } else { axis + 3 }
 }

@@ -96,6 +96,7 @@ fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
         let normals = [mesh.normals.get(at[0])?, mesh.normals.get(at[1])?, mesh.normals.get(at[2])?];
         let normals = normals.map(|n| [n.x, n.y, n.z]);
         let flat = normals[0] == normals[1] && normals[1] == normals[2];
+        let facet = if flat { facet(normals[0]) } else { 0 };
         let across = (b.cast::<f64>() - a.cast()).cross(&(c.cast::<f64>() - a.cast()));
         let normal = across.try_normalize(0.0).unwrap_or_default().cast::<f32>();
         let middle = (a.coords + b.coords + c.coords) / 3.0;
@@ -103,10 +104,16 @@ fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
             corners: [a, b, c].map(|p| [p.x, p.y, p.z]),
             middle: middle.into(),
             normal: normal.into(),
-            face: Face { normals, part: source.part, surface: source.surface, flat, grain },
+            face: Face { normals, part: source.part, surface: source.surface, facet, grain },
             uvs: mesh.uvs.get(number).copied().unwrap_or_default(),
         })
     })
+}
+
+/// Which way something faces, in steps of an eighth; never zero.
+fn facet(normal: [f32; 3]) -> u16 {
+    let [x, y, z] = normal.map(|v| ((v * 8.0).round() as i32 + 9) as u16);
+    x << 10 | y << 5 | z
 }
 
 /// The axis along which a mesh is longest.

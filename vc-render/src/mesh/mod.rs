@@ -11,6 +11,7 @@ pub(crate) use build::Source;
 pub(crate) use cluster::Cluster;
 pub(crate) use link::{Finish, Link, TOLERANCES, links, single};
 
+use crate::affine::three;
 use crate::trace::Bvh;
 
 /// Most triangles of a cluster, so that their corners fit in a byte.
@@ -53,10 +54,18 @@ pub(crate) struct Face {
     pub(crate) part: u16,
     /// Index in the renderer's list of surfaces.
     pub(crate) surface: u16,
-    /// Whether its normals are all the same.
-    pub(crate) flat: bool,
+    /// Which way it faces, in steps of an eighth; zero if its normals are not all the same.
+    pub(crate) facet: u16,
     /// The axis of the asset along which its part is longest.
     pub(crate) grain: u8,
+}
+
+impl Face {
+    /// Whether its normals are all the same.
+    #[inline(always)]
+    pub(crate) fn is_flat(&self) -> bool {
+        self.facet != 0
+    }
 }
 
 impl Bounds {
@@ -90,8 +99,9 @@ impl Mesh {
     /// Where the corners of a triangle of a cluster are.
     #[inline(always)]
     pub(crate) fn triangle(&self, cluster: &Cluster, index: usize) -> [[f32; 3]; 3] {
-        self.corners[index].map(|c| {
-            let at = cluster.vertices.start as usize + usize::from(c);
+        let corners = &self.corners[index];
+        three(|k| {
+            let at = cluster.vertices.start as usize + usize::from(corners[k]);
             [self.axes[0][at], self.axes[1][at], self.axes[2][at]]
         })
     }

@@ -94,12 +94,12 @@ impl Layers {
     ) {
         self.front.reset(width, rows);
         self.visible.clear();
-        pulp::Arch::new().dispatch(Pass { layers: self, drawing, which, apart: None });
+        crate::simd::dispatch(Pass { layers: self, drawing, which, apart: None });
     }
 
     /// As [`Self::draw`], into what there is.
     pub(crate) fn add(&mut self, drawing: &Drawing<'_>, which: impl Iterator<Item = u32>, apart: bool) {
-        pulp::Arch::new().dispatch(Pass { layers: self, drawing, which, apart: Some(apart) });
+        crate::simd::dispatch(Pass { layers: self, drawing, which, apart: Some(apart) });
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@
 //! centres, or else the other one (after Persson's geometry buffer anti-aliasing, 2011).
 
 use super::smooth::Edge;
-use super::surfel::{BENT, Known, Writer};
+use super::surfel::{Known, Writer};
 use crate::affine::three;
 use crate::raster::{NONE, Solid};
 
@@ -20,19 +20,22 @@ pub(super) struct Find<'a> {
 /// Colours of channels that differ by no more are as good as the same.
 const SAME: u8 = 3;
 /// Pixels that are compared at once.
-const LANES: usize = 8;
+const LANES: usize = 32;
 
 /// Colours of some pixels of a row, and those of their neighbours.
 type Colours<'a> = [&'a [[u8; 3]]; 2];
 
-/// Whether any pixels have other looks than their neighbours, or bend and show other triangles.
+/// Which pixels have other looks than their neighbours, or bend and show other triangles, a bit each.
 #[inline(always)]
-fn turn([here, there]: [&[u32; LANES]; 2], [look, looks]: [&[u32; LANES]; 2]) -> bool {
+fn turns([here, there]: [&[u32; LANES]; 2], [look, looks]: [&[u32; LANES]; 2]) -> u32 {
     let mut all = 0;
     for i in 0..LANES {
-        all |= (look[i] ^ looks[i]) | if look[i] & BENT != 0 { here[i] ^ there[i] } else { 0 };
+        // All bits of what bends.
+        let bent = (look[i] as i32 >> 31) as u32;
+        let turn = (look[i] ^ looks[i]) | (bent & (here[i] ^ there[i]));
+        all |= u32::from(turn != 0) << i;
     }
-    all != 0
+    all
 }
 
 /// All but the first.
@@ -108,8 +111,10 @@ impl Find<'_> {
         let chunks = [here, there, look, looks].map(|list| list[..count].as_chunks::<LANES>().0.iter());
         let [here, there, look, looks] = chunks;
         for (part, ((here, there), (look, looks))) in here.zip(there).zip(look.zip(looks)).enumerate() {
-            if turn([here, there], [look, looks]) {
-                (part * LANES..(part + 1) * LANES).for_each(&mut look_at);
+            let mut turns = turns([here, there], [look, looks]);
+            while turns != 0 {
+                look_at(part * LANES + turns.trailing_zeros() as usize);
+                turns &= turns - 1;
             }
         }
         (count / LANES * LANES..count).for_each(look_at);

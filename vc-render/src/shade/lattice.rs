@@ -11,12 +11,12 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
-use super::planes::ROWS;
 use super::surfel::BENT;
+use crate::simd::widest;
 
 /// Light at a pixel: what falls on it (red, green, blue) and its sheen towards the eye.
 pub(super) const LIGHT: usize = 6;
-/// Combs of a row.
+/// Combs of a row; and light is found in one row of so many.
 pub(super) const STEP: usize = 4;
 /// How far inverse depth may be from its neighbours' mean, as a share.
 const FLAT: f32 = 0.01;
@@ -24,6 +24,8 @@ const FLAT: f32 = 0.01;
 const LONE: f32 = 0.05;
 /// Largest share by which neighbours' light may differ.
 const ALIKE: f32 = 0.10;
+/// Pixels of a comb that are filled in at once.
+const PART: usize = 32;
 /// Look of what is past a row's end.
 const BEYOND: u32 = u32::MAX;
 
@@ -35,7 +37,7 @@ pub(super) fn spot(row: usize, x: usize) -> u32 {
     (row << 16 | x) as u32
 }
 
-/// Every fourth pixel of a row.
+/// Every fourth pixel of a row. Lists go on past its end, to whole parts and one more.
 #[derive(Default)]
 pub(super) struct Comb {
     pub(super) look: Vec<u32>,
@@ -50,16 +52,14 @@ pub(super) struct Comb {
 #[derive(Default)]
 pub(crate) struct Lattice {
     width: usize,
-    pub(super) rows: [[Comb; STEP]; ROWS + 1],
+    pub(super) rows: Vec<[Comb; STEP]>,
     /// What is next to pixels where there is nothing.
     none: Comb,
-    /// The shares of the two neighbours; memory to work in.
-    shares: [Vec<f32>; 2],
 }
 
 /// Pixels that lie between others.
 #[derive(Clone, Copy)]
-struct Between {
+pub(super) struct Between {
     row: usize,
     comb: usize,
     /// Rows and combs of the neighbours; the second may be one further on in its comb, or not be there.
@@ -67,6 +67,48 @@ struct Between {
     after: Option<(usize, usize, usize)>,
     /// Whether it is right beside them.
     close: bool,
+}
+
+/// A comb whose pixels are next to others, from so far on.
+#[derive(Clone, Copy)]
+struct Near<'a> {
+    comb: &'a Comb,
+    further: usize,
+}
+
+/// Combs on both sides.
+type Beside<'a> = [Near<'a>; 2];
+
+impl<'a> Near<'a> {
+    #[inline(always)]
+    fn look(self, from: usize) -> &'a [u32; PART] {
+        part(&self.comb.look, from + self.further)
+    }
+
+    #[inline(always)]
+    fn inverse(self, from: usize) -> &'a [f32; PART] {
+        part(&self.comb.inverse, from + self.further)
+    }
+
+    #[inline(always)]
+    fn light(self, c: usize, from: usize) -> &'a [f32; PART] {
+        part(&self.comb.light[c], from + self.further)
+    }
+
+    #[inline(always)]
+    fn drift(self, from: usize) -> &'a [u32; PART] {
+        part(&self.comb.drift, from + self.further)
+    }
+
+    /// Green light as a matt surface throws it, and sheen.
+    #[inline(always)]
+    fn brightness(self, from: usize) -> [f32; PART] {
+        let (falls, sheen, mut all) = (self.light(1, from), self.light(LIGHT - 2, from), [0.0; PART]);
+        for i in 0..PART {
+            all[i] = 0.2 * falls[i] + sheen[i];
+        }
+        all
+    }
 }
 
 impl Comb {
@@ -83,17 +125,18 @@ impl Comb {
 }
 
 impl Lattice {
-    /// Makes room for rows of this width.
-    pub(super) fn prepare(&mut self, width: usize) {
+    /// Makes room for so many rows of this width, and one more.
+    pub(super) fn prepare(&mut self, width: usize, rows: usize) {
         self.width = width;
-        let count = width.div_ceil(STEP) + 1;
+        self.rows.resize_with(rows + 1, Default::default);
+        let count = width.div_ceil(STEP).next_multiple_of(PART) + 1;
         self.rows.iter_mut().flatten().chain([&mut self.none]).for_each(|comb| comb.prepare(count));
-        self.shares.iter_mut().for_each(|list| list.resize(count - 1, 0.0));
     }
 
     /// Makes the last row the first.
     pub(super) fn turn(&mut self) {
-        self.rows.swap(0, ROWS);
+        let last = self.rows.len() - 1;
+        self.rows.swap(0, last);
     }
 
     /// Takes note of what is seen in a row.
@@ -108,43 +151,49 @@ impl Lattice {
         spots.extend((0..self.width).step_by(STEP).map(|x| spot(row, x)));
     }
 
-    /// Fills in a row half way between its first pixels.
-    #[inline(always)]
-    pub(super) fn half(&mut self, row: usize, spots: &mut Spots) {
-        self.fill(Between { row, comb: 2, before: (row, 0), after: Some((row, 0, 1)), close: false }, spots);
+    /// The pixels of a row half way between its first.
+    pub(super) fn half(row: usize) -> Between {
+        Between { row, comb: 2, before: (row, 0), after: Some((row, 0, 1)), close: false }
     }
 
-    /// Fills in the rest of a row.
-    #[inline(always)]
-    pub(super) fn quarters(&mut self, row: usize, spots: &mut Spots) {
-        for (comb, after) in [(1, (row, 2, 0)), (3, (row, 0, 1))] {
-            self.fill(Between { row, comb, before: (row, comb - 1), after: Some(after), close: true }, spots);
-        }
+    /// The rest of a row.
+    pub(super) fn quarters(row: usize) -> [Between; 2] {
+        let quarter = |comb, after| Between { row, comb, before: (row, comb - 1), after: Some(after), close: true };
+        [quarter(1, (row, 2, 0)), quarter(3, (row, 0, 1))]
     }
 
-    /// Fills in some combs of a row between those above and below it, as far from it as that; there may be
-    /// no row below.
-    #[inline(always)]
-    pub(super) fn between(&mut self, row: usize, by: usize, last: usize, spots: &mut Spots) {
-        for comb in (0..STEP).step_by(by) {
+    /// Some combs of a row between those above and below it, as far from it as that; there may be no row below.
+    pub(super) fn between(row: usize, by: usize, last: usize) -> impl Iterator<Item = Between> {
+        (0..STEP).step_by(by).map(move |comb| {
             let after = (row + by <= last).then_some((row + by, comb, 0));
-            self.fill(Between { row, comb, before: (row - by, comb), after, close: by == 1 }, spots);
-        }
+            Between { row, comb, before: (row - by, comb), after, close: by == 1 }
+        })
     }
 
-    #[inline(always)]
-    fn fill(&mut self, which: Between, spots: &mut Spots) {
+    /// Fills in pixels between others, and notes those whose light is to be found.
+    pub(super) fn fill(&mut self, which: Between, spots: &mut Spots) {
         let Between { row, comb, before, after, close } = which;
         let mut own = std::mem::take(&mut self.rows[row][comb]);
-        let mut shares = std::mem::take(&mut self.shares);
-        let before = &self.rows[before.0][before.1];
-        let (after, further) = after.map_or((&self.none, 0), |(row, comb, by)| (&self.rows[row][comb], by));
-        weigh(&own, before, (after, further), close, &mut shares);
-        mix(&mut own, before, (after, further), &shares);
+        let near = |(row, comb, further): (usize, usize, usize)| Near { comb: &self.rows[row][comb], further };
+        let after = after.map_or(Near { comb: &self.none, further: 0 }, near);
+        let beside = [near((before.0, before.1, 0)), after];
         let count = self.width.saturating_sub(comb).div_ceil(STEP);
-        missing(&shares, count, |k| spots.push(spot(row, STEP * k + comb)));
+        widest(
+            #[inline(always)]
+            || {
+                for from in (0..count).step_by(PART) {
+                    let shares = weigh(&own, beside, close, from);
+                    mix(&mut own, beside, from, &shares);
+                    missing(
+                        &shares,
+                        count - from,
+                        #[inline(always)]
+                        |i| spots.push(spot(row, STEP * (from + i) + comb)),
+                    );
+                }
+            },
+        );
         self.rows[row][comb] = own;
-        self.shares = shares;
     }
 
     /// Light of some pixels of a row in their order, and how it drifts.
@@ -167,62 +216,72 @@ impl Lattice {
     }
 }
 
+/// Some pixels of a list.
+#[inline(always)]
+fn part<T>(list: &[T], from: usize) -> &[T; PART] {
+    list[from..].first_chunk().expect("combs go on past their end")
+}
+
+/// The same to write to.
+#[inline(always)]
+fn part_mut<T>(list: &mut [T], from: usize) -> &mut [T; PART] {
+    list[from..].first_chunk_mut().expect("combs go on past their end")
+}
+
+/// All bits where it holds: what is put together of such needs no jumps.
+#[inline(always)]
+fn bits(holds: bool) -> u32 {
+    0_u32.wrapping_sub(u32::from(holds))
+}
+
 /// Finds what share neighbours have in the light of pixels between them: none where it is to be found.
 #[inline(always)]
-fn weigh(own: &Comb, a: &Comb, (b, further): (&Comb, usize), close: bool, shares: &mut [Vec<f32>; 2]) {
-    let [first, second] = shares;
-    let count = first.len();
-    let second = &mut second[..count];
-    let (l0, l1, l2) = (&own.look[..count], &a.look[..count], &b.look[further..][..count]);
-    let (v0, v1, v2) = (&own.inverse[..count], &a.inverse[..count], &b.inverse[further..][..count]);
-    let (g1, s1) = (&a.light[1][..count], &a.light[LIGHT - 2][..count]);
-    let (g2, s2) = (&b.light[1][further..][..count], &b.light[LIGHT - 2][further..][..count]);
-    for i in 0..count {
-        let (same, other, straight) = (l1[i] == l0[i], l2[i] == l0[i], l0[i] & BENT == 0);
-        let flat = (2.0 * v0[i] - v1[i] - v2[i]).abs() <= FLAT * v0[i];
-        let (p, q) = (0.2 * g1[i] + s1[i], 0.2 * g2[i] + s2[i]);
-        let alike = (close & straight) | ((p - q).abs() <= ALIKE * (p + q) * 0.5);
-        let both = same & other & flat & alike;
-        let near = |v: f32| straight & ((v0[i] - v).abs() <= LONE * v0[i]);
-        let lone = |yes: bool| if yes { 1.0 } else { 0.0 };
-        first[i] = if both { 0.5 } else { lone(same & !other & near(v1[i])) };
-        second[i] = if both { 0.5 } else { lone(other & !same & near(v2[i])) };
+fn weigh(own: &Comb, [a, b]: Beside<'_>, close: bool, from: usize) -> [[f32; PART]; 2] {
+    let (l0, l1, l2) = (part(&own.look, from), a.look(from), b.look(from));
+    let (v0, v1, v2) = (part(&own.inverse, from), a.inverse(from), b.inverse(from));
+    let (p, q) = (a.brightness(from), b.brightness(from));
+    let (half, one, close) = (0.5_f32.to_bits(), 1.0_f32.to_bits(), bits(close));
+    let (mut first, mut second) = ([0.0; PART], [0.0; PART]);
+    for i in 0..PART {
+        let (same, other, straight) = (bits(l1[i] == l0[i]), bits(l2[i] == l0[i]), bits(l0[i] & BENT == 0));
+        let flat = bits((2.0 * v0[i] - v1[i] - v2[i]).abs() <= FLAT * v0[i]);
+        let alike = bits((p[i] - q[i]).abs() <= ALIKE * (p[i] + q[i]) * 0.5);
+        let both = same & other & flat & (alike | close & straight);
+        let near = |v: f32| straight & bits((v0[i] - v).abs() <= LONE * v0[i]);
+        first[i] = f32::from_bits(both & half | same & !other & near(v1[i]) & one);
+        second[i] = f32::from_bits(both & half | other & !same & near(v2[i]) & one);
     }
+    [first, second]
 }
 
 /// Writes means by shares.
 #[inline(always)]
-fn mix(own: &mut Comb, a: &Comb, (b, further): (&Comb, usize), shares: &[Vec<f32>; 2]) {
-    let [first, second] = shares;
-    let count = first.len();
-    let second = &second[..count];
-    for c in 0..LIGHT {
-        let (out, a, b) = (&mut own.light[c][..count], &a.light[c][..count], &b.light[c][further..][..count]);
-        for i in 0..count {
+fn mix(own: &mut Comb, [a, b]: Beside<'_>, from: usize, [first, second]: &[[f32; PART]; 2]) {
+    for (c, own) in own.light.iter_mut().enumerate() {
+        let (a, b, mut out) = (a.light(c, from), b.light(c, from), [0.0; PART]);
+        for i in 0..PART {
             out[i] = first[i] * a[i] + second[i] * b[i];
         }
+        *part_mut(own, from) = out;
     }
-    let (out, a, b) = (&mut own.drift[..count], &a.drift[..count], &b.drift[further..][..count]);
-    for i in 0..count {
-        out[i] = if first[i] > 0.0 { a[i] } else { b[i] };
+    let (a, b, mut out) = (a.drift(from), b.drift(from), [0; PART]);
+    for i in 0..PART {
+        let before = bits(first[i] > 0.0);
+        out[i] = a[i] & before | b[i] & !before;
     }
+    *part_mut(&mut own.drift, from) = out;
 }
 
-/// Goes through those that have no neighbour.
+/// Goes through those of the first so many that have no neighbour.
 #[inline(always)]
-fn missing([first, second]: &[Vec<f32>; 2], count: usize, mut each: impl FnMut(usize)) {
-    const PART: usize = 8;
-    let (first, second) = (&first[..count], &second[..count]);
-    for (part, (a, b)) in first.chunks(PART).zip(second.chunks(PART)).enumerate() {
-        let mut least = 1.0_f32;
-        for (a, b) in a.iter().zip(b) {
-            least = least.min(a + b);
-        }
-        if least == 0.0 {
-            for k in (0..a.len()).filter(|k| a[*k] + b[*k] == 0.0) {
-                each(part * PART + k);
-            }
-        }
+fn missing([first, second]: &[[f32; PART]; 2], count: usize, mut each: impl FnMut(usize)) {
+    let (mut none, mut any) = ([0_u32; PART], 0);
+    for i in 0..PART {
+        none[i] = bits(first[i] + second[i] == 0.0);
+        any |= none[i];
+    }
+    if any != 0 {
+        (0..count.min(PART)).filter(|i| none[*i] != 0).for_each(&mut each);
     }
 }
 

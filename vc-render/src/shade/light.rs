@@ -12,6 +12,7 @@ use crate::affine::{self, Affine, Narrow, three};
 use crate::label::unit;
 use crate::light::{Ambient, Lighting, brightness, dot};
 use crate::raster::Solid;
+use crate::simd::widest;
 
 /// Pixels that are lit at once.
 const BATCH: usize = 64;
@@ -53,8 +54,7 @@ pub(crate) struct Batch {
     to: [Lanes; 3],
     cosine: Lanes,
     power: Lanes,
-    /// One for what faces the light that is being added, and the share of it that comes there.
-    asked: [u32; BATCH],
+    /// The share of the light that is being added that comes there.
     share: Lanes,
 }
 
@@ -79,7 +79,6 @@ impl Default for Batch {
             to: three,
             cosine: zero,
             power: zero,
-            asked: [0; BATCH],
             share: zero,
         }
     }
@@ -103,7 +102,6 @@ impl<'a> Lamps<'a> {
     }
 
     /// Finds the light at pixels of a strip that begins at a row of the image.
-    #[inline(always)]
     pub(super) fn light(
         &self,
         (lattice, planes): (&mut Lattice, &Planes),
@@ -112,17 +110,32 @@ impl<'a> Lamps<'a> {
         batch: &mut Batch,
     ) {
         for spots in spots.chunks(BATCH) {
-            batch.load(self, (lattice, planes), known, (start, spots));
-            batch.around(self);
-            batch.sun(self.lighting, self.open.is_none());
-            for lamp in &*self.lighting.lamps {
-                if batch.rooms[..batch.count].contains(&lamp.room) {
-                    batch.lamp(lamp, self.open.is_none());
-                }
-            }
-            batch.store(lattice, known, spots);
-            batch.sky(self, lattice, (start, spots));
+            widest(
+                #[inline(always)]
+                || self.some((lattice, planes), known, (start, spots), batch),
+            );
         }
+    }
+
+    /// The same for no more than fill a batch.
+    #[inline(always)]
+    fn some(
+        &self,
+        (lattice, planes): (&mut Lattice, &Planes),
+        known: &mut Known,
+        (start, spots): (i32, &[u32]),
+        batch: &mut Batch,
+    ) {
+        batch.load(self, (lattice, planes), known, (start, spots));
+        batch.around(self);
+        batch.sun(self.lighting, self.open.is_none());
+        for lamp in &*self.lighting.lamps {
+            if batch.rooms[..batch.count].contains(&lamp.room) {
+                batch.lamp(lamp, self.open.is_none());
+            }
+        }
+        batch.store(lattice, known, spots);
+        batch.sky(self, lattice, (start, spots));
     }
 }
 

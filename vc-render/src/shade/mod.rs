@@ -27,9 +27,9 @@ pub(crate) use tone::{decoded, encoded, film};
 
 use self::edge::Find;
 use self::extra::Extra;
-use self::lattice::{LIGHT, Lattice, Spots};
+use self::lattice::{Between, LIGHT, Lattice, STEP, Spots};
 use self::light::{Batch, DRIFT, Lamps};
-use self::planes::{Planes, ROWS, Row, gloss, unpacked};
+use self::planes::{Planes, Row, gloss, unpacked};
 use self::smooth::Edge;
 use self::surfel::{Known, Writer};
 use crate::camera::Camera;
@@ -37,11 +37,16 @@ use crate::frame::{Band, Frame, Strip};
 use crate::light::Lighting;
 use crate::raster::Layers;
 use crate::renderer::Renderer;
+use crate::simd::widest;
 use crate::view::View;
 
 /// Bands begin at rows that are multiples of this, so that light is found at the same pixels
 /// however many there are.
 pub(crate) const ALIGNED: usize = 8;
+
+/// Pixels of a strip, or a row more: a strip is to stay in the processor's cache, and to have enough pixels
+/// to light many at a time.
+const STRIP: usize = 2560;
 
 /// Pixels of a row that are done at once.
 const PART: usize = 64;
@@ -89,18 +94,16 @@ impl Shading<'_> {
         let Band { layers, shading, .. } = band;
         let View { snapshot, camera } = self.view;
         shading.known.reset(snapshot.instances.len(), layers.visible.len());
-        shading.planes.prepare(camera.width as usize);
-        shading.lattice.prepare(camera.width as usize);
+        let count = (STRIP / camera.width as usize).next_multiple_of(STEP).max(STEP);
+        shading.planes.prepare(camera.width as usize, count);
+        shading.lattice.prepare(camera.width as usize, count);
         shading.linear.iter_mut().for_each(|l| l.resize(camera.width as usize, 0.0));
         shading.edges.clear();
         let writer = Writer::new(self.renderer, self.lighting, self.view, layers, &strip.rows);
         let lamps = Lamps::new(&writer, self.open, layers.solid());
         let mut rows =
-            Rows { shading: self, layers, writer: &writer, lamps, scratch: shading, start: strip.rows.start };
-        crate::simd::widest(
-            #[inline(always)]
-            || rows.band(strip),
-        );
+            Rows { shading: self, layers, writer: &writer, lamps, scratch: shading, start: strip.rows.start, count };
+        rows.band(strip);
     }
 }
 
@@ -111,19 +114,18 @@ struct Rows<'a> {
     writer: &'a Writer<'a>,
     lamps: Lamps<'a>,
     scratch: &'a mut Scratch,
-    /// First row of the strip.
+    /// First row of the strip, and rows of one.
     start: i32,
+    count: usize,
 }
 
 impl Rows<'_> {
-    #[inline(always)]
     fn band(&mut self, strip: &mut Strip<'_>) {
         self.write(0);
-        self.line(0);
+        self.lines(0, 0);
         let end = self.layers.front.rows.end;
         while self.start < strip.rows.end {
-            let last = (end - 1 - self.start).min(ROWS as i32) as usize;
-            // A loop, not a closure, which would be compiled for the least of processors.
+            let last = (end - 1 - self.start).min(self.count as i32) as usize;
             for row in 1..=last {
                 self.write(row);
             }
@@ -131,53 +133,61 @@ impl Rows<'_> {
             self.finish(last, strip);
             self.scratch.planes.turn();
             self.scratch.lattice.turn();
-            self.start += ROWS as i32;
+            self.start += self.count as i32;
         }
     }
 
     /// Writes down what is seen in a row of the strip.
-    #[inline(always)]
     fn write(&mut self, row: usize) {
         let Scratch { known, planes, lattice, .. } = &mut *self.scratch;
         let (solid, y) = (self.layers.solid(), self.start + row as i32);
-        self.writer.row(solid, y, known, &mut planes.0[row]);
-        lattice.write(row, planes.0[row].looks(), solid.inverse_row(y));
+        widest(
+            #[inline(always)]
+            || {
+                self.writer.row(solid, y, known, &mut planes.0[row]);
+                lattice.write(row, planes.0[row].looks(), solid.inverse_row(y));
+            },
+        );
     }
 
-    /// Light in a row by itself.
-    #[inline(always)]
-    fn line(&mut self, row: usize) {
-        self.lit(|lattice, spots| lattice.first(row, spots));
-        self.lit(|lattice, spots| lattice.half(row, spots));
-        self.lit(|lattice, spots| lattice.quarters(row, spots));
+    /// Light in rows by themselves: a first and a last of a strip and all such between.
+    fn lines(&mut self, first: usize, last: usize) {
+        for row in (first..=last).step_by(STEP) {
+            self.scratch.lattice.first(row, &mut self.scratch.spots);
+        }
+        self.light();
+        self.fill((first..=last).step_by(STEP).map(Lattice::half));
+        self.quarters(first, last);
+    }
+
+    /// The rest of the light in rows whose every second pixel has it.
+    fn quarters(&mut self, first: usize, last: usize) {
+        self.fill((first..=last).step_by(STEP).flat_map(Lattice::quarters));
     }
 
     /// Light in the rows after the first, so many.
-    #[inline(always)]
     fn rest(&mut self, last: usize) {
-        if last == ROWS {
-            self.line(ROWS);
-        }
-        if last >= 2 {
-            self.lit(|lattice, spots| lattice.between(2, 2, last, spots));
-            self.lit(|lattice, spots| lattice.quarters(2, spots));
-        }
-        for row in (1..=last).filter(|row| row % 2 == 1) {
-            self.lit(|lattice, spots| lattice.between(row, 1, last, spots));
-        }
+        self.lines(STEP, last);
+        self.fill((2..=last).step_by(STEP).flat_map(|row| Lattice::between(row, 2, last)));
+        self.quarters(2, last);
+        self.fill((1..=last).step_by(2).flat_map(|row| Lattice::between(row, 1, last)));
     }
 
-    /// Fills in light, and finds it where it is asked for.
-    #[inline(always)]
-    fn lit(&mut self, fill: impl FnOnce(&mut Lattice, &mut Spots)) {
+    /// Fills in light between pixels that have it, and finds it where that cannot be.
+    fn fill(&mut self, which: impl Iterator<Item = Between>) {
+        let Scratch { lattice, spots, .. } = &mut *self.scratch;
+        which.for_each(|which| lattice.fill(which, spots));
+        self.light();
+    }
+
+    /// Finds the light where it is asked for.
+    fn light(&mut self) {
         let Scratch { lattice, planes, spots, batch, known, .. } = &mut *self.scratch;
-        spots.clear();
-        fill(lattice, spots);
         self.lamps.light((lattice, planes), known, (self.start, spots), batch);
+        spots.clear();
     }
 
     /// From light to colours, and edges: up to the row after these, which is known too.
-    #[inline(always)]
     fn finish(&mut self, last: usize, strip: &mut Strip<'_>) {
         let mut next = std::mem::take(&mut self.scratch.next);
         next.resize(strip.width, [0; 3]);
@@ -190,25 +200,33 @@ impl Rows<'_> {
         }
         let find = Find { writer: self.writer, solid: self.layers.solid() };
         let Scratch { planes, known, edges, .. } = &mut *self.scratch;
-        for (row, y) in (self.start..strip.rows.end).take(ROWS).enumerate() {
+        for (row, y) in (self.start..strip.rows.end).take(self.count).enumerate() {
             let own = &strip.rgb[strip.row(y)];
-            find.across(planes.0[row].looks(), y, own, known, edges);
+            widest(
+                #[inline(always)]
+                || find.across(planes.0[row].looks(), y, own, known, edges),
+            );
             if row < last {
                 let below = if y + 1 < strip.rows.end { &strip.rgb[strip.row(y + 1)] } else { &next[..] };
                 let looks = [&planes.0[row], &planes.0[row + 1]].map(Row::looks);
-                find.down(looks, y, [own, below], known, edges);
+                widest(
+                    #[inline(always)]
+                    || find.down(looks, y, [own, below], known, edges),
+                );
             }
         }
         self.scratch.next = next;
     }
 
     /// From light to colours in a row of the strip.
-    #[inline(always)]
     fn colour(&mut self, row: usize, out: &mut [[u8; 3]]) {
         let (shading, y) = (self.shading, self.start + row as i32);
         let Scratch { planes, lattice, linear, known, .. } = &mut *self.scratch;
         let seen = &planes.0[row];
-        seen.thrown((lattice, row), linear);
+        widest(
+            #[inline(always)]
+            || seen.thrown((lattice, row), linear),
+        );
         let [r, g, b] = linear;
         let mut line = [r.as_mut_slice(), g.as_mut_slice(), b.as_mut_slice()];
         let extra = Extra { renderer: shading.renderer, view: shading.view, lamps: &self.lamps };
@@ -218,7 +236,11 @@ impl Rows<'_> {
         if self.layers.clear {
             extra.panes(self.layers, &self.writer.frustum, y, &mut line);
         }
-        tone::colours(line.map(|l| &*l), shading.exposure, out);
+        let line = line.map(|l| &*l);
+        widest(
+            #[inline(always)]
+            || tone::colours(line, shading.exposure, out),
+        );
     }
 }
 

@@ -200,13 +200,15 @@ impl Look<'_> {
         let last = [self.across as i32 - 1, self.down as i32 - 1];
         let focal = self.share * self.camera.focal.0;
         let centre = [self.share * self.camera.centre.0, self.share * self.camera.centre.1];
+        // Whole vectors: what is past the end is not looked at.
+        let lanes = count.next_multiple_of(8).min(LANES);
         let mut here = [1.0_f32; LANES];
         let mut slope = [[0.0_f32; LANES]; 2];
         self.slopes(x0, y, (&mut here, &mut slope), count);
         let (mut over, mut radius, mut kept) = ([0.0_f32; LANES], [0.0_f32; LANES], [0.0_f32; LANES]);
         let down = y as f32 + 0.5 * self.share - centre[1];
-        for i in 0..LANES {
-            let across = (x0 + i) as f32 + 0.5 * self.share - centre[0];
+        for i in 0..lanes {
+            let across = (x0 + i) as i32 as f32 + 0.5 * self.share - centre[0];
             let [gx, gy] = [slope[0][i], slope[1][i]];
             let n = [gx * focal, gy * focal, here[i] - gx * across - gy * down];
             over[i] = 1.0 / (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
@@ -216,23 +218,23 @@ impl Look<'_> {
         let (mut at, mut there) = ([0_u32; LANES], [0.0_f32; LANES]);
         let (mut dx, mut dy) = ([0.0_f32; LANES], [0.0_f32; LANES]);
         let mut depth = [0.0_f32; LANES];
-        for i in 0..LANES {
+        for i in 0..lanes {
             depth[i] = 1.0 / here[i].max(1e-6);
         }
         let wide = 1.0 / focal;
         for tap in taps {
-            for i in 0..LANES {
-                let (x, y) = ((x0 + i) as f32, y as f32);
+            for i in 0..lanes {
+                let (x, y) = ((x0 + i) as i32 as f32, y as i32 as f32);
                 let tx = (x + tap[0][i] * radius[i]).max(0.0).min(last[0] as f32);
                 let ty = (y + tap[1][i] * radius[i]).max(0.0).min(last[1] as f32);
                 let (column, row) = (whole(tx), whole(ty));
                 (dx[i], dy[i]) = (column as i32 as f32 - x, row as i32 as f32 - y);
                 at[i] = row * self.across as u32 + column;
             }
-            for i in 0..LANES {
+            for i in 0..lanes {
                 there[i] = self.depth[at[i] as usize];
             }
-            for i in 0..LANES {
+            for i in 0..lanes {
                 let other = there[i];
                 // How high it is over the plane, metres, and how far away.
                 let rise = (1.0 - other * (here[i] + slope[0][i] * dx[i] + slope[1][i] * dy[i])) * over[i];

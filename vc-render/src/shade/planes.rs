@@ -3,13 +3,9 @@
 use crate::simd::whole;
 use crate::surface::SPAN;
 
-/// Rows of a strip: the light is found in one row of so many, and the first row of
-/// the next strip is the last of this one.
-pub(super) const ROWS: usize = 4;
-
-/// What is seen at every pixel of the rows of a strip.
+/// What is seen at every pixel of the rows of a strip, and of the row after it.
 #[derive(Default)]
-pub(crate) struct Planes(pub(super) [Row; ROWS + 1]);
+pub(crate) struct Planes(pub(super) Vec<Row>);
 
 /// What is seen at every pixel of a row. Lists go on past its end by [`SPAN`], so that pixels are
 /// written in whole spans: the next ones write over what was too much.
@@ -63,8 +59,9 @@ impl Row {
 }
 
 impl Planes {
-    /// Makes room for rows of this width.
-    pub(super) fn prepare(&mut self, width: usize) {
+    /// Makes room for so many rows of this width, and one more.
+    pub(super) fn prepare(&mut self, width: usize, rows: usize) {
+        self.0.resize_with(rows + 1, Row::default);
         for row in &mut self.0 {
             row.width = width;
             for list in [&mut row.look, &mut row.gloss, &mut row.lean] {
@@ -76,6 +73,7 @@ impl Planes {
 
     /// Makes the last row the first.
     pub(super) fn turn(&mut self) {
-        self.0.swap(0, ROWS);
+        let last = self.0.len() - 1;
+        self.0.swap(0, last);
     }
 }

@@ -14,7 +14,7 @@ use crate::raster::{Frustum, Layers, NONE, Solid, Visible, refill};
 use crate::renderer::Renderer;
 use crate::scene::{Instance, NO_ROOM};
 use crate::simd::stretches;
-use crate::surface::{SPAN, Span};
+use crate::surface::SPAN;
 use crate::view::View;
 
 /// What all pixels of an instance's surface have in common.
@@ -70,7 +70,6 @@ pub(crate) struct Known {
     /// By instance, the first of its looks.
     heads: Vec<u32>,
     looks: Vec<Look>,
-    span: Span,
 }
 
 /// A view whose surfaces are written down.
@@ -235,35 +234,36 @@ impl Known {
         self.paints.len() as u32 - 1
     }
 
-    /// Writes pixels of a row of the image that have one paint.
+    /// Writes pixels of a row of the image that have one paint, and some after them.
     #[inline(always)]
     fn write(&mut self, paint: u32, row: &mut Row, at: std::ops::Range<usize>, (y, focal): (i32, f32)) {
-        let Self { paints, span, .. } = self;
-        let paint = &paints[paint as usize];
-        row.look[at.clone()].fill(paint.look);
-        let Some(texture) = &paint.texture else {
-            row.gloss[at.clone()].fill(gloss_of(paint.roughness, paint.metallic));
-            row.lean[at.clone()].fill(0);
-            for (out, colour) in row.colour.iter_mut().zip(paint.colour) {
-                out[at.clone()].fill(colour);
+        let Paint { look, colour, roughness, metallic, texture } = &self.paints[paint as usize];
+        let Some(texture) = texture else {
+            let gloss = gloss_of(*roughness, *metallic);
+            for from in at.step_by(SPAN) {
+                *part_mut(&mut row.look, from) = [*look; SPAN];
+                *part_mut(&mut row.gloss, from) = [gloss; SPAN];
+                *part_mut(&mut row.lean, from) = [0; SPAN];
+                (0..3).for_each(|c| *part_mut(&mut row.colour[c], from) = [colour[c]; SPAN]);
             }
             return;
         };
         for from in at.clone().step_by(SPAN) {
-            span.count = (at.end - from).min(SPAN);
-            let place = (from as f32 + 0.5, y as f32 + 0.5);
-            let level = texture.touch(span, part(&row.inverse, from), place, focal);
-            for ((out, tint), colour) in row.colour.iter_mut().zip(&span.tint).zip(paint.colour) {
-                let out = part_mut(out, from);
+            let (place, seen) = ((from as u32 as f32 + 0.5, y as f32 + 0.5), part(&row.inverse, from));
+            let (span, lean) = texture.touch((seen, at.end - from), place, focal);
+            let (mut colours, mut gloss) = ([[0.0; SPAN]; 3], [0; SPAN]);
+            for c in 0..3 {
                 for i in 0..SPAN {
-                    out[i] = (colour * tint[i]).min(1.0);
+                    colours[c][i] = (colour[c] * span.tint[c][i]).min(1.0);
                 }
             }
-            let gloss = part_mut(&mut row.gloss, from);
             for i in 0..SPAN {
-                gloss[i] = gloss_of(paint.roughness * span.roughness[i], paint.metallic);
+                gloss[i] = gloss_of(roughness * span.roughness[i], *metallic);
             }
-            texture.lean(level, span, part_mut(&mut row.lean, from));
+            *part_mut(&mut row.look, from) = [*look; SPAN];
+            *part_mut(&mut row.gloss, from) = gloss;
+            *part_mut(&mut row.lean, from) = lean;
+            (0..3).for_each(|c| *part_mut(&mut row.colour[c], from) = colours[c]);
         }
     }
 }

@@ -58,50 +58,63 @@ impl Texture {
         Self { cloth: Cloth::Picture(picture.clone(), density), places: [place(0), place(1)] }
     }
 
-    /// Finds where some pixels of a row are in the texture and what it says there, and the
-    /// copy that was asked.
+    /// What the texture says at some pixels of a row, and how normals lean there, packed. Only so many
+    /// of them have it.
     #[inline(always)]
-    pub(super) fn touch(&self, span: &mut Span, inverse: &[f32; SPAN], (x, y): (f32, f32), focal: f32) -> usize {
-        let [us, vs] = &self.places;
-        let (u0, v0) = (us[1] * y + us[2], vs[1] * y + vs[2]);
-        for i in 0..SPAN {
-            let depth = 1.0 / inverse[i];
-            let x = x + i as f32;
-            span.u[i] = (us[0] * x + u0) * depth + us[3];
-            span.v[i] = (vs[0] * x + v0) * depth + vs[3];
-        }
-        let footprint = 1.0 / (inverse[span.count / 2] * focal);
+    pub(super) fn touch(
+        &self,
+        (inverse, count): (&[f32; SPAN], usize),
+        at: (f32, f32),
+        focal: f32,
+    ) -> (Span, [u32; SPAN]) {
+        let [us, vs] = self.places(inverse, at);
+        let count = count.min(SPAN);
+        let footprint = 1.0 / (inverse[count / 2 % SPAN] * focal);
         match &self.cloth {
-            Cloth::Tile(tile, _) => {
+            Cloth::Tile(tile, along) => {
                 let level = tile.level(footprint);
-                tile.span(level, span);
-                level
+                let span = tile.span(level, [&us, &vs]);
+                let lean = span.lean.as_ref().map_or([0; SPAN], |lean| leant(lean, along));
+                (span, lean)
             }
             Cloth::Picture(picture, density) => {
                 let level = picture.level(footprint * density);
-                for i in 0..span.count.min(SPAN) {
-                    let colour = picture.at(level, [span.u[i], span.v[i]]);
-                    (0..3).for_each(|c| span.tint[c][i] = colour[c]);
+                let mut tint = [[0.0; SPAN]; 3];
+                for i in 0..count {
+                    let colour = picture.at(level, [us[i], vs[i]]);
+                    (0..3).for_each(|c| tint[c][i] = colour[c]);
                 }
-                span.roughness = [1.0; SPAN];
-                level
+                (Span { tint, roughness: [1.0; SPAN], lean: None }, [0; SPAN])
             }
         }
     }
 
-    /// Writes down how the normals of some pixels lean.
+    /// Where some pixels of a row are in the texture.
     #[inline(always)]
-    pub(super) fn lean(&self, level: usize, span: &Span, out: &mut [u32; SPAN]) {
-        let Cloth::Tile(tile, [across, along]) = &self.cloth else { return out.fill(0) };
-        if !tile.leans(level) {
-            return out.fill(0);
-        }
-        let [us, vs] = &span.lean;
+    fn places(&self, inverse: &[f32; SPAN], (x, y): (f32, f32)) -> [[f32; SPAN]; 2] {
+        const LANE: [f32; SPAN] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+        let [us, vs] = &self.places;
+        let (u0, v0) = (us[1] * y + us[2], vs[1] * y + vs[2]);
+        let mut all = [[0.0; SPAN]; 2];
         for i in 0..SPAN {
-            let (u, v) = (us[i], vs[i]);
-            out[i] = packed([across[0] * u + along[0] * v, across[1] * u + along[1] * v, across[2] * u + along[2] * v]);
+            let depth = 1.0 / inverse[i];
+            let x = x + LANE[i];
+            all[0][i] = (us[0] * x + u0) * depth + us[3];
+            all[1][i] = (vs[0] * x + v0) * depth + vs[3];
         }
+        all
     }
+}
+
+/// How normals lean in the world, packed.
+#[inline(always)]
+fn leant([us, vs]: &[[f32; SPAN]; 2], [across, along]: &[[f32; 3]; 2]) -> [u32; SPAN] {
+    let mut lean = [0; SPAN];
+    for i in 0..SPAN {
+        let (u, v) = (us[i], vs[i]);
+        lean[i] = packed([across[0] * u + along[0] * v, across[1] * u + along[1] * v, across[2] * u + along[2] * v]);
+    }
+    lean
 }
 
 fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {

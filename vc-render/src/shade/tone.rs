@@ -58,18 +58,21 @@ const PART: u32 = 15;
 const DARK: f32 = 1.0 / 4096.0;
 const BRIGHT: f32 = 1024.0;
 
+/// Entries of the table, a power of two; the last ones are not asked for.
+const ENTRIES: usize = 8192;
+
 /// From light, 256 steps to each doubling, to sRGB.
-static FILM: LazyLock<Vec<u8>> = LazyLock::new(|| {
-    let (first, last) = (DARK.to_bits() >> PART, BRIGHT.to_bits() >> PART);
+static FILM: LazyLock<Box<[u8; ENTRIES]>> = LazyLock::new(|| {
+    let first = (DARK.to_bits() >> PART) as usize;
     let colour = |step: u32| encoded([film(f32::from_bits(step << PART | 1 << (PART - 1))); 3])[0];
-    (first..=last).map(colour).collect()
+    Box::new(std::array::from_fn(|entry| colour((first + entry) as u32)))
 });
 
 /// Colours on a screen for the light of a row's pixels.
 #[allow(clippy::manual_clamp, reason = "what is no number is dark")]
 #[inline(always)]
 pub(super) fn colours(light: [&[f32]; 3], exposure: [f32; 3], out: &mut [[u8; 3]]) {
-    let table = FILM.as_slice();
+    let table: &[u8; ENTRIES] = &FILM;
     let mut steps = [[0_u32; 64]; 3];
     for (part, out) in out.chunks_mut(64).enumerate() {
         for ((steps, light), exposure) in steps.iter_mut().zip(light).zip(exposure) {
@@ -78,8 +81,9 @@ pub(super) fn colours(light: [&[f32]; 3], exposure: [f32; 3], out: &mut [[u8; 3]
                 *step = (light.to_bits() - DARK.to_bits()) >> PART;
             }
         }
+        let colour = |step: u32| table[step as usize % ENTRIES];
         for (i, out) in out.iter_mut().enumerate() {
-            *out = three(|c| table[steps[c][i] as usize]);
+            *out = [colour(steps[0][i]), colour(steps[1][i]), colour(steps[2][i])];
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What light does at a surface: its material and its texture.
 
 mod coat;
+mod mean;
 mod noise;
 mod pattern;
 mod picture;

@@ -5,39 +5,49 @@
 use std::sync::LazyLock;
 
 use super::Pattern;
+use super::mean::{Mixer, Pair, Shares, mean};
 use crate::affine::three;
-use crate::simd::{Mixer, whole};
+use crate::simd::whole;
 
 /// A point of a texture as it is kept, a byte each: what red, green and blue are multiplied
-/// with (128 is one), and the roughness (64 is one); how the normal leans along u and v
-/// (64 is one, 128 is none).
-type Texel = [u8; 8];
+/// with (128 is one), and the roughness (64 is one); or how the normal leans along u and v
+/// (64 is one, 128 is none). Few look at both, and so they are apart.
+type Texel = [u8; 4];
+
+/// One copy of a texture.
+#[derive(Debug)]
+struct Level {
+    colours: Vec<Texel>,
+    /// None if no texel leans the normal.
+    leans: Option<Vec<Texel>>,
+}
 
 /// A texture, and its copies of half the size each.
 #[derive(Debug)]
 pub(crate) struct Tile {
-    /// Rows end with their first texel once more.
-    levels: Vec<Vec<Texel>>,
+    /// Rows end with their first texel once more, and a copy with its first row.
+    levels: Vec<Level>,
     texels: usize,
     /// Texels to a metre.
     density: f32,
-    /// By level, whether any texel leans the normal.
-    leans: Vec<bool>,
 }
 
 /// Pixels whose texture is found at once.
-pub(crate) const SPAN: usize = 16;
+pub(crate) const SPAN: usize = 8;
 
-/// Neighbouring pixels: where in a texture they are, metres, and what it says there.
-#[derive(Default)]
+/// What a texture says at neighbouring pixels.
 pub(crate) struct Span {
-    pub(crate) count: usize,
-    pub(crate) u: [f32; SPAN],
-    pub(crate) v: [f32; SPAN],
     pub(crate) tint: [[f32; SPAN]; 3],
     pub(crate) roughness: [f32; SPAN],
-    pub(crate) lean: [[f32; SPAN]; 2],
+    /// None if normals do not lean.
+    pub(crate) lean: Option<[[f32; SPAN]; 2]>,
 }
+
+/// By how much less a mean is than the 64 times as much that is found.
+const MEAN: f32 = 1.0 / 64.0;
+/// One in bytes of tints, and of roughness and lean.
+const TINT: f32 = 128.0;
+const SHARE: f32 = 64.0;
 
 /// A texture's say on colour, roughness and normal.
 #[derive(Debug, Clone, Copy)]
@@ -71,17 +81,15 @@ impl Tile {
             let [r, g, b] = samples[i].tint.map(|t| (t * 128.0 + 0.5).clamp(0.0, 255.0) as u8);
             let roughness = (samples[i].roughness * 64.0).clamp(0.0, 255.0) as u8;
             let (lu, lv) = (lean(height(x - 1, y), height(x + 1, y)), lean(height(x, y - 1), height(x, y + 1)));
-            [r, g, b, roughness, lu, lv, 0, 0]
+            ([r, g, b, roughness], [lu, lv, 0, 0])
         };
-        let mut levels = vec![(0..texels * texels).map(texel).collect::<Vec<Texel>>()];
-        while levels.last().is_some_and(|l| l.len() > 1) {
-            levels.extend(levels.last().map(|l| halved(l)));
-        }
-        // Less than a thirtieth is not seen.
-        let even = |texel: &Texel| texel[4..6].iter().all(|lean| lean.abs_diff(128) < 2);
-        let leans = levels.iter().map(|level| !level.iter().all(even)).collect();
-        let levels = levels.iter().map(|level| closed(level)).collect();
-        Self { levels, texels, density: texels as f32 / pattern.side(), leans }
+        let (colours, leans) = (0..texels * texels).map(texel).unzip();
+        let levels = coarser(colours).into_iter().zip(coarser(leans)).map(|(colours, leans)| {
+            // Less than a thirtieth is not seen.
+            let even = leans.iter().all(|texel| texel[..2].iter().all(|lean| lean.abs_diff(128) < 2));
+            Level { colours: closed(&colours), leans: (!even).then(|| closed(&leans)) }
+        });
+        Self { levels: levels.collect(), texels, density: texels as f32 / pattern.side() }
     }
 
     /// The coarser copy to use where a pixel is so many metres wide.
@@ -93,75 +101,106 @@ impl Tile {
         exponent.clamp(0, self.levels.len() as i32 - 1) as usize
     }
 
-    /// Whether its copy of a level leans normals.
-    #[inline(always)]
-    pub(crate) fn leans(&self, level: usize) -> bool {
-        self.leans[level]
-    }
-
     /// The texture at a place, metres, between the four nearest texels.
     #[inline(always)]
     pub(crate) fn at(&self, level: usize, u: f32, v: f32) -> Touch {
-        let mut span = Span { count: 1, ..Span::default() };
-        (span.u[0], span.v[0]) = (u, v);
-        self.span(level, &mut span);
+        let ([first], Shares { right, lower }) = self.places(level, [&[u], &[v]]);
+        let (row, Level { colours, leans }) = (self.row(level), &self.levels[level]);
+        let mean = |texels: &[Texel]| mean(four(texels, row, first), [right[0], lower[0]]).map(f32::from);
+        let (colour, lean) = (mean(colours), leans.as_ref().map(|leans| mean(leans)));
         Touch {
-            tint: three(|c| span.tint[c][0]),
-            roughness: span.roughness[0],
-            lean: [span.lean[0][0], span.lean[1][0]],
+            tint: three(|c| colour[c] * (MEAN / TINT)),
+            roughness: colour[3] * (MEAN / SHARE),
+            lean: lean.map_or([0.0; 2], |lean| [lean[0], lean[1]].map(|v| (v * MEAN - 128.0) / SHARE)),
         }
     }
 
-    /// The texture at the places of a span.
+    /// The texture at some places, metres.
     #[inline(always)]
-    pub(crate) fn span(&self, level: usize, span: &mut Span) {
+    pub(crate) fn span(&self, level: usize, at: [&[f32; SPAN]; 2]) -> Span {
+        let (first, shares) = self.places(level, at);
+        let (row, Level { colours, leans }) = (self.row(level), &self.levels[level]);
+        let (colours, mut tint, mut roughness) =
+            (means((colours, row), (&first, &shares)), [[0.0; SPAN]; 3], [0.0; SPAN]);
+        for i in 0..SPAN {
+            tint[0][i] = f32::from(colours[0][i]) * (MEAN / TINT);
+            tint[1][i] = f32::from(colours[1][i]) * (MEAN / TINT);
+            tint[2][i] = f32::from(colours[2][i]) * (MEAN / TINT);
+            roughness[i] = f32::from(colours[3][i]) * (MEAN / SHARE);
+        }
+        let lean = leans.as_ref().map(
+            #[inline(always)]
+            |leans| {
+                let (leans, mut lean) = (means((leans, row), (&first, &shares)), [[0.0; SPAN]; 2]);
+                for i in 0..SPAN {
+                    lean[0][i] = (f32::from(leans[0][i]) * MEAN - 128.0) / SHARE;
+                    lean[1][i] = (f32::from(leans[1][i]) * MEAN - 128.0) / SHARE;
+                }
+                lean
+            },
+        );
+        Span { tint, roughness, lean }
+    }
+
+    /// Texels of a row of a level.
+    #[inline(always)]
+    fn row(&self, level: usize) -> usize {
+        (self.texels >> level) + 1
+    }
+
+    /// Of the four texels around each place the upper left one, and where it is between them.
+    #[inline(always)]
+    fn places<const N: usize>(&self, level: usize, [us, vs]: [&[f32; N]; 2]) -> ([u32; N], Shares<N>) {
+        let (mut first, mut shares) = ([0; N], Shares { right: [0; N], lower: [0; N] });
         // Tiles to a metre, and parts of 256 of a texel to a tile.
         let side = (self.texels >> level) as u32;
-        let (scale, parts) = (self.density / self.texels as f32, (side * 256) as f32);
-        let texels = self.levels[level].as_slice();
-        // The left one of two texels above each place and of two below it, and their weights.
-        let (mut above, mut below) = ([0_u32; SPAN], [0_u32; SPAN]);
-        let (mut across, mut down) = ([0_u16; SPAN], [0_u32; SPAN]);
-        for i in 0..SPAN {
-            let (u, v) = (span.u[i] * scale, span.v[i] * scale);
+        let (last, power) = (side - 1, side.trailing_zeros());
+        let (scale, parts) = (self.density / self.texels as u32 as f32, (side * 256) as f32);
+        for i in 0..N {
+            let (u, v) = (us[i] * scale, vs[i] * scale);
             // From a texel's middle to its corner.
             let x = whole((u - u.floor()) * parts).wrapping_sub(128);
             let y = whole((v - v.floor()) * parts).wrapping_sub(128);
-            let (column, row) = (x >> 8 & (side - 1), y >> 8 & (side - 1));
-            above[i] = row * (side + 1) + column;
-            below[i] = ((row + 1) & (side - 1)) * (side + 1) + column;
-            let (right, lower) = (x >> 2 & 63, y >> 2 & 63);
-            across[i] = ((64 - right) | (right << 8)) as u16;
-            down[i] = (64 - lower) | (lower << 16);
+            let (column, row) = (x >> 8 & last, y >> 8 & last);
+            first[i] = (row << power) + row + column;
+            (shares.right[i], shares.lower[i]) = ((x >> 2 & 63) as u16, (y >> 2 & 63) as u16);
         }
-        let pair = |at: u32| texels[at as usize..].first_chunk::<2>().copied().unwrap_or_default();
-        let (mixer, mut colours, mut leans) = (Mixer::new(), [[0_i32; 4]; SPAN], [[0_i32; 4]; SPAN]);
-        for i in 0..span.count.min(SPAN) {
-            [colours[i], leans[i]] = mixer.means([pair(above[i]), pair(below[i])], across[i], down[i]);
-        }
-        let (tint, half) = (1.0 / (4096.0 * 128.0), 1.0 / (4096.0 * 64.0));
-        for i in 0..SPAN {
-            let [red, green, blue, roughness] = colours[i];
-            span.tint[0][i] = red as f32 * tint;
-            span.tint[1][i] = green as f32 * tint;
-            span.tint[2][i] = blue as f32 * tint;
-            span.roughness[i] = roughness as f32 * half;
-        }
-        if self.leans[level] {
-            for i in 0..SPAN {
-                span.lean[0][i] = (leans[i][0] - 4096 * 128) as f32 * half;
-                span.lean[1][i] = (leans[i][1] - 4096 * 128) as f32 * half;
-            }
-        } else {
-            span.lean = [[0.0; SPAN]; 2];
-        }
+        (first, shares)
     }
 }
 
-/// Rows with their first texel at their end once more.
+/// Four texels: one and that to its right, and the two below, a row of so many further on.
+#[inline(always)]
+fn four(texels: &[Texel], row: usize, at: u32) -> [&Pair; 2] {
+    let at = at as usize;
+    let texels = &texels[at..at + row + 2];
+    [&texels[..2], &texels[row..]].map(|pair| pair.first_chunk().expect("two are left"))
+}
+
+/// Means of four texels each, at some places.
+#[inline(always)]
+fn means((texels, row): (&[Texel], usize), (first, shares): (&[u32; SPAN], &Shares<SPAN>)) -> [[i16; SPAN]; 4] {
+    Mixer::new().means(
+        #[inline(always)]
+        |i| four(texels, row, first[i]),
+        shares,
+    )
+}
+
+/// Texels and ever fewer, down to one.
+fn coarser(texels: Vec<Texel>) -> Vec<Vec<Texel>> {
+    let mut levels = vec![texels];
+    while levels.last().is_some_and(|l| l.len() > 1) {
+        levels.extend(levels.last().map(|l| halved(l)));
+    }
+    levels
+}
+
+/// Rows with their first texel at their end once more, and the first row once more.
 fn closed(texels: &[Texel]) -> Vec<Texel> {
     let side = texels.len().isqrt();
-    texels.chunks(side).flat_map(|row| row.iter().chain(&row[..1]).copied()).collect()
+    let rows = texels.chunks(side).chain([&texels[..side]]);
+    rows.flat_map(|row| row.iter().chain(&row[..1]).copied()).collect()
 }
 
 /// Means of two by two.

@@ -105,13 +105,13 @@ impl Bvh {
     /// The first triangle along a ray, from either side.
     #[inline]
     pub(crate) fn first(&self, ray: &Ray) -> Option<Hit> {
-        pulp::Arch::new().dispatch(Walk::<false> { tree: self, ray })
+        crate::simd::dispatch(Walk::<false> { tree: self, ray })
     }
 
     /// Whether there is any triangle along a ray.
     #[inline]
     pub(crate) fn any(&self, ray: &Ray) -> bool {
-        pulp::Arch::new().dispatch(Walk::<true> { tree: self, ray }).is_some()
+        crate::simd::dispatch(Walk::<true> { tree: self, ray }).is_some()
     }
 
     #[inline(always)]

@@ -95,11 +95,11 @@ impl Layer {
             return standing;
         }
         let ray = Ray { end: standing.map_or(ray.end, |(hit, _)| hit.t), ..*ray };
-        pulp::Arch::new().dispatch(Among::<false> { layer: self, instances, ray: &ray }).or(standing)
+        crate::simd::dispatch(Among::<false> { layer: self, instances, ray: &ray }).or(standing)
     }
 
     pub(super) fn any(&self, instances: &[Instance], ray: &Ray) -> bool {
-        let among = || pulp::Arch::new().dispatch(Among::<true> { layer: self, instances, ray });
+        let among = || crate::simd::dispatch(Among::<true> { layer: self, instances, ray });
         self.standing.any(ray) || !self.moving.is_empty() && among().is_some()
     }
 }

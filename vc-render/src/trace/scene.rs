@@ -144,7 +144,7 @@ impl Tracer {
         let [u, v] = hit.weights;
         let [n0, n1, n2] = face.normals;
         let bent = three(|i| n0[i] * (1.0 - u - v) + n1[i] * u + n2[i] * v);
-        let normal = if face.flat { n0 } else { bent };
+        let normal = if face.is_flat() { n0 } else { bent };
         let normal = affine::normal(&instance.inverse, normal);
         // Normals that cancel each other say nothing.
         let length = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];

@@ -25,7 +25,7 @@ impl Batch {
         self.shadow(
             sun,
             #[inline(always)]
-            |points, share| if plain { share.fill(1.0) } else { map.light(points, share) },
+            |points, which, share| if plain { share.fill(1.0) } else { map.light(points, which, share) },
         );
     }
 
@@ -51,25 +51,25 @@ impl Batch {
         self.shadow(
             lamp.flux,
             #[inline(always)]
-            |points, share| if plain { share.fill(1.0) } else { lamp.shadows.light(lamp.at, points, share) },
+            |points, which, share| {
+                if plain { share.fill(1.0) } else { lamp.shadows.light(lamp.at, points, which, share) }
+            },
         );
     }
 
     /// Takes away what is in the shadow, and adds the rest.
     #[inline(always)]
-    fn shadow(&mut self, flux: [f32; 3], shares: impl Fn(&Points<'_, BATCH>, &mut Lanes)) {
-        let mut any = 0;
+    fn shadow(&mut self, flux: [f32; 3], shares: impl Fn(&Points<'_, BATCH>, &[u32], &mut Lanes)) {
+        let (mut which, mut count) = ([0_u32; BATCH], 0);
         for i in 0..self.lanes() {
-            let faces = (i < self.count) & (self.cosine[i] > 0.0) & (self.power[i] > 0.0);
-            self.asked[i] = u32::from(faces);
-            any |= self.asked[i];
             self.share[i] = 0.0;
+            which[count % BATCH] = i as u32;
+            count += usize::from((i < self.count) & (self.cosine[i] > 0.0) & (self.power[i] > 0.0));
         }
-        if any == 0 {
+        if count == 0 {
             return;
         }
-        let points = Points { count: self.lanes(), at: &self.at, normal: &self.normal, asked: &self.asked };
-        shares(&points, &mut self.share);
+        shares(&Points { at: &self.at, normal: &self.normal }, &which[..count], &mut self.share);
         let mut sum = 0.0;
         for i in 0..self.lanes() {
             self.power[i] *= self.share[i];

@@ -3,7 +3,6 @@
 use super::{BENT, Known, Look, NONE, Paint, UNMOVED, Writer};
 use crate::affine;
 use crate::label::{Bent, bent};
-use crate::mesh::Face;
 use crate::shade::texture::Texture;
 use crate::surface::{Coat, Pattern, Role, Surface, Tile};
 
@@ -12,13 +11,6 @@ impl Paint {
         let (colour, roughness) = (coat.over(of.colour), coat.rough(of.roughness));
         Self { look, colour, roughness, metallic: of.metallic, texture }
     }
-}
-
-/// Which way a flat triangle faces, in steps of an eighth; zero for one that bends.
-fn facet(face: &Face) -> u16 {
-    let step = |v: f32| ((v * 8.0).round() as i32 + 9) as u16;
-    let [x, y, z] = face.normals[0];
-    if face.flat { step(x) << 10 | step(y) << 5 | step(z) } else { 0 }
 }
 
 impl Writer<'_> {
@@ -30,8 +22,8 @@ impl Writer<'_> {
         let instance = &instances[visible.instance as usize];
         let face = &visible.mesh(instances).faces[visible.index()];
         let surface = &self.renderer.store.surfaces[usize::from(face.surface)];
-        let look = self.look(visible.instance, (face.surface, facet(face)), known);
-        let number = if face.flat { look } else { look | BENT };
+        let look = self.look(visible.instance, (face.surface, face.facet), known);
+        let number = if face.is_flat() { look } else { look | BENT };
         if let Some(picture) = &surface.picture {
             let mesh = visible.mesh(instances);
             let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index());
