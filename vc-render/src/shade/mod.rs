@@ -250,34 +250,43 @@ impl Row {
     fn thrown(&self, (lattice, row): (&Lattice, usize), out: &mut [Vec<f32>; 3]) {
         for from in (0..self.width).step_by(PART) {
             let to = (from + PART).min(self.width);
-            let (mut light, mut drift) = ([[0.0_f32; PART]; LIGHT], [0_u32; PART]);
-            lattice.read(row, from, &mut light, &mut drift);
-            self.part(from..to, (&light, &drift), out.each_mut().map(|out| &mut out[from..to]));
+            let mut light = [[0.0_f32; PART]; LIGHT];
+            lattice.light(row, from, &mut light);
+            let leant = self.leant(from..to, (lattice, row));
+            self.part(from..to, (&light, &leant), out.each_mut().map(|out| &mut out[from..to]));
         }
+    }
+
+    /// By how much more light falls on pixels of a row whose texture leans.
+    #[inline(always)]
+    fn leant(&self, at: std::ops::Range<usize>, (lattice, row): (&Lattice, usize)) -> [f32; PART] {
+        let (mut more, count) = ([1.0; PART], at.len().min(PART));
+        let lean = &self.lean[at.clone()][..count];
+        if lean.iter().fold(0, |all, lean| all | lean) != 0 {
+            let mut drift = [0; PART];
+            lattice.drift(row, at.start, &mut drift);
+            for x in 0..count {
+                let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
+                // Half as much as it would be: textures are flat, and lie.
+                more[x] = (1.0 + 0.5 * DRIFT * (a * u + b * v + c * w)).clamp(0.4, 1.8);
+            }
+        }
+        more
     }
 
     #[inline(always)]
     fn part(
         &self,
         at: std::ops::Range<usize>,
-        (light, drift): (&[[f32; PART]; LIGHT], &[u32; PART]),
+        (light, leant): (&[[f32; PART]; LIGHT], &[f32; PART]),
         out: [&mut [f32]; 3],
     ) {
         let count = at.len().min(PART);
-        let (lean, shiny) = (&self.lean[at.clone()][..count], &self.gloss[at.clone()][..count]);
+        let shiny = &self.gloss[at.clone()][..count];
         let (mut more, mut metal) = ([0.0_f32; PART], [0.0_f32; PART]);
-        let mut leans = 0;
         for x in 0..count {
             metal[x] = gloss(shiny[x]).1;
-            more[x] = (1.0 - metal[x]) * std::f32::consts::FRAC_1_PI;
-            leans |= lean[x];
-        }
-        if leans != 0 {
-            for x in 0..count {
-                let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
-                // Half as much as it would be: textures are flat, and lie.
-                more[x] *= (1.0 + 0.5 * DRIFT * (a * u + b * v + c * w)).clamp(0.4, 1.8);
-            }
+            more[x] = (1.0 - metal[x]) * std::f32::consts::FRAC_1_PI * leant[x];
         }
         for (c, out) in out.into_iter().enumerate() {
             let (colour, out) = (&self.colour[c][at.start..][..count], &mut out[..count]);

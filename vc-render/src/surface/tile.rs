@@ -85,9 +85,8 @@ impl Tile {
         };
         let (colours, leans) = (0..texels * texels).map(texel).unzip();
         let levels = coarser(colours).into_iter().zip(coarser(leans)).map(|(colours, leans)| {
-            // Less than a thirtieth is not seen.
-            let even = leans.iter().all(|texel| texel[..2].iter().all(|lean| lean.abs_diff(128) < 2));
-            Level { colours: closed(&colours), leans: (!even).then(|| closed(&leans)) }
+            let leans = seen(&leans).then(|| closed(&leans));
+            Level { colours: closed(&colours), leans }
         });
         Self { levels: levels.collect(), texels, density: texels as f32 / pattern.side() }
     }
@@ -167,6 +166,13 @@ impl Tile {
         }
         (first, shares)
     }
+}
+
+/// Whether normals lean so that it is seen: by a fortieth on average or more. What light changes by is half of that.
+fn seen(leans: &[Texel]) -> bool {
+    let square = |texel: &Texel| texel[..2].iter().map(|lean| u64::from(lean.abs_diff(128)).pow(2)).sum::<u64>();
+    let all: u64 = leans.iter().map(square).sum();
+    all * 40 * 40 >= leans.len() as u64 * 64 * 64
 }
 
 /// Four texels: one and that to its right, and the two below, a row of so many further on.

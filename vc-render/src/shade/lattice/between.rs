@@ -1,0 +1,126 @@
+//! Light of pixels between others.
+
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
+use super::{Comb, LIGHT};
+use crate::shade::surfel::BENT;
+
+/// How far inverse depth may be from its neighbours' mean, as a share.
+const FLAT: f32 = 0.01;
+/// The same where there is a neighbour on one side only.
+const LONE: f32 = 0.05;
+/// Largest share by which neighbours' light may differ.
+const ALIKE: f32 = 0.10;
+/// Pixels of a comb that are filled in at once.
+pub(super) const PART: usize = 32;
+
+/// A comb whose pixels are next to others, from so far on.
+#[derive(Clone, Copy)]
+pub(super) struct Near<'a> {
+    pub(super) comb: &'a Comb,
+    pub(super) further: usize,
+}
+
+/// Combs on both sides.
+pub(super) type Beside<'a> = [Near<'a>; 2];
+
+impl<'a> Near<'a> {
+    #[inline(always)]
+    fn look(self, from: usize) -> &'a [u32; PART] {
+        part(&self.comb.look, from + self.further)
+    }
+
+    #[inline(always)]
+    fn inverse(self, from: usize) -> &'a [f32; PART] {
+        part(&self.comb.inverse, from + self.further)
+    }
+
+    #[inline(always)]
+    fn light(self, c: usize, from: usize) -> &'a [f32; PART] {
+        part(&self.comb.light[c], from + self.further)
+    }
+
+    #[inline(always)]
+    fn drift(self, from: usize) -> &'a [u32; PART] {
+        part(&self.comb.drift, from + self.further)
+    }
+
+    /// Green light as a matt surface throws it, and sheen.
+    #[inline(always)]
+    fn brightness(self, from: usize) -> [f32; PART] {
+        let (falls, sheen, mut all) = (self.light(1, from), self.light(LIGHT - 2, from), [0.0; PART]);
+        for i in 0..PART {
+            all[i] = 0.2 * falls[i] + sheen[i];
+        }
+        all
+    }
+}
+
+/// Some pixels of a list.
+#[inline(always)]
+fn part<T>(list: &[T], from: usize) -> &[T; PART] {
+    list[from..].first_chunk().expect("combs go on past their end")
+}
+
+/// The same to write to.
+#[inline(always)]
+fn part_mut<T>(list: &mut [T], from: usize) -> &mut [T; PART] {
+    list[from..].first_chunk_mut().expect("combs go on past their end")
+}
+
+/// All bits where it holds: what is put together of such needs no jumps.
+#[inline(always)]
+fn bits(holds: bool) -> u32 {
+    0_u32.wrapping_sub(u32::from(holds))
+}
+
+/// Finds what share neighbours have in the light of pixels between them: none where it is to be found.
+#[inline(always)]
+pub(super) fn weigh(own: &Comb, [a, b]: Beside<'_>, close: bool, from: usize) -> [[f32; PART]; 2] {
+    let (l0, l1, l2) = (part(&own.look, from), a.look(from), b.look(from));
+    let (v0, v1, v2) = (part(&own.inverse, from), a.inverse(from), b.inverse(from));
+    let (p, q) = (a.brightness(from), b.brightness(from));
+    let (half, one, close) = (0.5_f32.to_bits(), 1.0_f32.to_bits(), bits(close));
+    let (mut first, mut second) = ([0.0; PART], [0.0; PART]);
+    for i in 0..PART {
+        let (same, other, straight) = (bits(l1[i] == l0[i]), bits(l2[i] == l0[i]), bits(l0[i] & BENT == 0));
+        let flat = bits((2.0 * v0[i] - v1[i] - v2[i]).abs() <= FLAT * v0[i]);
+        let alike = bits((p[i] - q[i]).abs() <= ALIKE * (p[i] + q[i]) * 0.5);
+        let both = same & other & flat & (alike | close & straight);
+        let near = |v: f32| straight & bits((v0[i] - v).abs() <= LONE * v0[i]);
+        first[i] = f32::from_bits(both & half | same & !other & near(v1[i]) & one);
+        second[i] = f32::from_bits(both & half | other & !same & near(v2[i]) & one);
+    }
+    [first, second]
+}
+
+/// Writes means by shares.
+#[inline(always)]
+pub(super) fn mix(own: &mut Comb, [a, b]: Beside<'_>, from: usize, [first, second]: &[[f32; PART]; 2]) {
+    for (c, own) in own.light.iter_mut().enumerate() {
+        let (a, b, mut out) = (a.light(c, from), b.light(c, from), [0.0; PART]);
+        for i in 0..PART {
+            out[i] = first[i] * a[i] + second[i] * b[i];
+        }
+        *part_mut(own, from) = out;
+    }
+    let (a, b, mut out) = (a.drift(from), b.drift(from), [0; PART]);
+    for i in 0..PART {
+        let before = bits(first[i] > 0.0);
+        out[i] = a[i] & before | b[i] & !before;
+    }
+    *part_mut(&mut own.drift, from) = out;
+}
+
+/// Goes through those of the first so many that have no neighbour.
+#[inline(always)]
+pub(super) fn missing([first, second]: &[[f32; PART]; 2], count: usize, mut each: impl FnMut(usize)) {
+    let (mut none, mut any) = ([0_u32; PART], 0);
+    for i in 0..PART {
+        none[i] = bits(first[i] + second[i] == 0.0);
+        any |= none[i];
+    }
+    if any != 0 {
+        (0..count.min(PART)).filter(|i| none[*i] != 0).for_each(&mut each);
+    }
+}
