@@ -55,6 +55,8 @@ pub(crate) struct Face {
     pub(crate) surface: u16,
     /// Whether its normals are all the same.
     pub(crate) flat: bool,
+    /// Whether it is of a sheet: another triangle that looks the other way is in the same place.
+    pub(crate) sheet: bool,
     /// The axis of the asset along which its part is longest.
     pub(crate) grain: u8,
 }

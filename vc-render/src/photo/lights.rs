@@ -264,9 +264,11 @@ impl Lights {
         best.map(|pane| pane.triangle.point(square))
     }
 
-    /// The triangle of a pane that was met, if it is looked through on purpose.
+    /// The triangle of a pane that was met, if it is looked through on purpose. Of a sheet one side is, but either
+    /// may be met.
     pub(super) fn window_of(&self, met: &Met<'_>, room: u16) -> Option<Pane> {
-        is_window(met.area, met.flat).then(|| Pane { room, triangle: Triangle::new(met.corners()) })
+        let picked = if met.face.sheet { met.area >= SMALL } else { is_window(met.area, met.flat) };
+        picked.then(|| Pane { room, triangle: Triangle::new(met.corners()) })
     }
 
     /// The chance for each unit of solid angle that from a place a way through a pane is picked,
