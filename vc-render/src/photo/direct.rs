@@ -1,10 +1,10 @@
 //! Light that is looked for on purpose: from the sun, from lamps, from the sky through panes, and
 //! from places that the sun shines on.
 
-use super::lights::Place;
 use super::path::{Kind, Paths, Walk, off};
 use super::sampler::Sampler;
 use super::scatter::{Scatter, frame};
+use super::source::Place;
 use super::spots::Way;
 use crate::affine::three;
 use crate::label::unit;

@@ -16,6 +16,7 @@ mod lights;
 mod path;
 mod sampler;
 mod scatter;
+mod source;
 mod spots;
 
 use rayon::prelude::*;

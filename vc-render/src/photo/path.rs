@@ -3,9 +3,10 @@
 use super::Exposure;
 use super::direct::Point;
 use super::glass::mirrored;
-use super::lights::{Lights, Place};
+use super::lights::Lights;
 use super::sampler::Sampler;
 use super::scatter::{Finish, Scatter};
+use super::source::Place;
 use super::spots::{self, Spots};
 use crate::affine::{self, Affine, three};
 use crate::camera::Camera;

@@ -3,8 +3,9 @@
 
 use rayon::prelude::*;
 
-use super::lights::{Lights, Place};
+use super::lights::Lights;
 use super::scatter::Finish;
+use super::source::Place;
 use crate::affine::three;
 use crate::light::{Lighting, brightness, dot, straight, tint};
 use crate::renderer::Renderer;
