@@ -109,7 +109,9 @@ impl Spot {
         let met = lighting.tracer.first(&Ray { from, along: towards.map(|v| -v), end: 1e4 })?;
         let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
         let ray = Ray { from: super::path::off(&met, towards), along: towards, end: 1e4 };
-        if dot(met.flat, towards) <= 1e-3 || surface.is_mirror() || lighting.tracer.blocked(&ray) {
+        // Of what goes through a drawn cover as much as it throws back, so that it is left to chance.
+        let other = surface.is_mirror() || met.instance.covers();
+        if dot(met.flat, towards) <= 1e-3 || other || lighting.tracer.blocked(&ray) {
             return None;
         }
         let way = Way::through(renderer, lighting, lights, ray, None);
