@@ -74,7 +74,7 @@ impl Room {
 
     fn reference(&self, lighting: &Lighting, camera: &Camera) -> f64 {
         let how = Exposure { samples: 200, brightest: f32::INFINITY, denoise: false, ..Exposure::default() };
-        let light = self.renderer.photograph(lighting, camera, &how, |_| true).unwrap().light;
+        let light = self.renderer.photograph(lighting, &camera.resized(24, 18), &how, |_| true).unwrap().light;
         light.iter().map(|c| f64::from(c[1])).sum::<f64>() / light.len() as f64
     }
 }
@@ -183,7 +183,8 @@ fn fast_light_through_a_drawn_cover_is_about_that_of_the_reference() {
             let lighting = room.renderer.light(&snapshot, &day);
             // Noise would make pictures darker, as film has it.
             let how = Exposure { samples: 256, brightest: f32::INFINITY, ..Exposure::default() };
-            let photograph = room.renderer.photograph(&lighting, &at_the_floor(), &how, |_| true).unwrap();
+            let photograph =
+                room.renderer.photograph(&lighting, &at_the_floor().resized(32, 24), &how, |_| true).unwrap();
             let mean = |pixels: &[[u8; 3]]| {
                 pixels.as_flattened().iter().map(|v| f64::from(*v)).sum::<f64>() / (3 * pixels.len()) as f64
             };
