@@ -93,8 +93,9 @@ impl Environment {
     /// Meshes are uploaded and light is made when a picture is first asked for. Light is that of
     /// the home as it begins, made again when something was switched, when a door between rooms
     /// or a window comes to stand open or shut, or when a blind or a curtain is drawn: some tenths of a second, the last
-    /// few are kept. What else moves is lit anew and is seen in mirrors where it is, but throws its light and
-    /// its shadow on others from where it stood. Optical flow needs a second moment: see
+    /// few are kept. What else moves, furniture and people too, is lit where it is and is seen in mirrors, but throws its light
+    /// and its shadow on others from where it stood, so that no picture costs more because something moved:
+    /// [`render_relit`](Self::render_relit) makes light of all that has moved. Optical flow needs a second moment: see
     /// [`render_until`](Self::render_until).
     ///
     /// # Errors
@@ -107,7 +108,32 @@ impl Environment {
         width: u32,
         height: u32,
     ) -> Result<Frame, RenderError> {
-        self.picture(None, view, wanted.into(), width, height)
+        self.picture(None, view, wanted.into(), width, height, Self::lighting)
+    }
+
+    /// As [`render`](Self::render), with light that is made for where everything is now: shadows of furniture and people
+    /// that have moved, and what rooms throw back, follow. Takes some tenths of a second for every picture with colours,
+    /// and nothing is kept; without colours it is `render`.
+    ///
+    /// ```no_run
+    /// use virtualcity::{Environment, Viewpoint, render::Modality};
+    /// let home = Environment::make("apartment/42", 1)?;
+    /// let room = home.graph().rooms()[0];
+    /// let still = home.render_relit(Viewpoint::Room(room), Modality::Rgb, 640, 480)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`render`](Self::render).
+    pub fn render_relit(
+        &self,
+        view: Viewpoint,
+        wanted: impl Into<Modalities>,
+        width: u32,
+        height: u32,
+    ) -> Result<Frame, RenderError> {
+        let anew = |home: &Self, now: &Snapshot| Ok(home.base()?.renderer.light(now, &Daylight::noon()));
+        self.picture(None, view, wanted.into(), width, height, anew)
     }
 
     /// As [`render`](Self::render), with the optical flow from this moment to a later one of
@@ -124,7 +150,7 @@ impl Environment {
         width: u32,
         height: u32,
     ) -> Result<Frame, RenderError> {
-        self.picture(Some(later), view, wanted.into(), width, height)
+        self.picture(Some(later), view, wanted.into(), width, height, Self::lighting)
     }
 
     fn picture(
@@ -134,11 +160,12 @@ impl Environment {
         wanted: Modalities,
         width: u32,
         height: u32,
+        light: impl Fn(&Self, &Snapshot) -> Result<Lighting, RenderError>,
     ) -> Result<Frame, RenderError> {
         let base = self.base()?;
         let (snapshot, camera) = (self.snapshot()?, self.camera(view, width, height)?);
         let then = later.map(|l| Ok::<_, RenderError>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
-        let lighting = if wanted.has(Modality::Rgb) { Some(self.lighting(&snapshot)?) } else { None };
+        let lighting = if wanted.has(Modality::Rgb) { Some(light(self, &snapshot)?) } else { None };
         let mut shot = Shot::new(&snapshot, &camera, wanted);
         shot.lighting = lighting.as_ref();
         if let Some((snapshot, camera)) = &then {

@@ -331,3 +331,18 @@ fn covers_are_drawn_and_light_follows() {
     let again = look(&aside).unwrap();
     assert!(again.rgb == open.rgb && again.depth == open.depth);
 }
+
+/// Light that is made anew has the shadow of who has walked where that is now; labels are the same.
+#[test]
+fn light_can_be_made_of_what_has_moved() {
+    let mut home = home(42, 1);
+    let (me, table) = (home.agents()[0], home.graph().of_class("coffee_table")[0]);
+    let room = home.graph().room_of(table).unwrap();
+    act(&mut home, me, Verb::Walk, &[table]);
+    let wanted = Modality::Rgb | Modality::Instance;
+    let usual = home.render(Viewpoint::Room(room), wanted, 64, 48).unwrap();
+    let anew = home.render_relit(Viewpoint::Room(room), wanted, 64, 48).unwrap();
+    assert!(usual.instance == anew.instance && usual.rgb != anew.rgb);
+    assert!(home.render_relit(Viewpoint::Room(room), wanted, 64, 48).unwrap().rgb == anew.rgb);
+    assert!(home.render(Viewpoint::Room(room), wanted, 64, 48).unwrap().rgb == usual.rgb, "nothing is kept");
+}
