@@ -62,6 +62,8 @@ struct Lit {
     on: Vec<NodeId>,
     /// What of the building stands open: doors and windows.
     open: Vec<NodeId>,
+    /// Blinds and curtains that are drawn.
+    drawn: Vec<NodeId>,
 }
 
 #[derive(Debug)]
@@ -80,6 +82,8 @@ struct Base {
     jointed: Vec<NodeId>,
     /// Those of them that let light into rooms.
     openings: Vec<NodeId>,
+    /// Blinds, curtains and what else covers and can be opened.
+    covers: Vec<NodeId>,
 }
 
 impl Environment {
@@ -87,10 +91,11 @@ impl Environment {
     /// [`snapshot`](Self::snapshot). Changes nothing.
     ///
     /// Meshes are uploaded and light is made when a picture is first asked for. Light is that of
-    /// the home as it begins, made again when something was switched, or when a door between rooms,
-    /// or a window comes to stand open or shut: some tenths of a second, the last few are
-    /// kept. What else moves is lit anew and is seen in mirrors where it is, but throws its light and
-    /// its shadow on others from where it stood. Optical flow needs a second moment: see
+    /// the home as it begins, made again when something was switched, when a door between rooms
+    /// or a window comes to stand open or shut, or when a blind or a curtain is drawn: some tenths of a second, the last
+    /// few are kept. What else moves, furniture and people too, is lit where it is and is seen in mirrors, but throws its light
+    /// and its shadow on others from where it stood, so that no picture costs more because something moved:
+    /// [`render_relit`](Self::render_relit) makes light of all that has moved. Optical flow needs a second moment: see
     /// [`render_until`](Self::render_until).
     ///
     /// # Errors
@@ -103,7 +108,32 @@ impl Environment {
         width: u32,
         height: u32,
     ) -> Result<Frame, RenderError> {
-        self.picture(None, view, wanted.into(), width, height)
+        self.picture(None, view, wanted.into(), width, height, Self::lighting)
+    }
+
+    /// As [`render`](Self::render), with light that is made for where everything is now: shadows of furniture and people
+    /// that have moved, and what rooms throw back, follow. Takes some tenths of a second for every picture with colours,
+    /// and nothing is kept; without colours it is `render`.
+    ///
+    /// ```no_run
+    /// use virtualcity::{Environment, Viewpoint, render::Modality};
+    /// let home = Environment::make("apartment/42", 1)?;
+    /// let room = home.graph().rooms()[0];
+    /// let still = home.render_relit(Viewpoint::Room(room), Modality::Rgb, 640, 480)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`render`](Self::render).
+    pub fn render_relit(
+        &self,
+        view: Viewpoint,
+        wanted: impl Into<Modalities>,
+        width: u32,
+        height: u32,
+    ) -> Result<Frame, RenderError> {
+        let anew = |home: &Self, now: &Snapshot| Ok(home.base()?.renderer.light(now, &Daylight::noon()));
+        self.picture(None, view, wanted.into(), width, height, anew)
     }
 
     /// As [`render`](Self::render), with the optical flow from this moment to a later one of
@@ -120,7 +150,7 @@ impl Environment {
         width: u32,
         height: u32,
     ) -> Result<Frame, RenderError> {
-        self.picture(Some(later), view, wanted.into(), width, height)
+        self.picture(Some(later), view, wanted.into(), width, height, Self::lighting)
     }
 
     fn picture(
@@ -130,11 +160,12 @@ impl Environment {
         wanted: Modalities,
         width: u32,
         height: u32,
+        light: impl Fn(&Self, &Snapshot) -> Result<Lighting, RenderError>,
     ) -> Result<Frame, RenderError> {
         let base = self.base()?;
         let (snapshot, camera) = (self.snapshot()?, self.camera(view, width, height)?);
         let then = later.map(|l| Ok::<_, RenderError>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
-        let lighting = if wanted.has(Modality::Rgb) { Some(self.lighting(&snapshot)?) } else { None };
+        let lighting = if wanted.has(Modality::Rgb) { Some(light(self, &snapshot)?) } else { None };
         let mut shot = Shot::new(&snapshot, &camera, wanted);
         shot.lighting = lighting.as_ref();
         if let Some((snapshot, camera)) = &then {
@@ -146,7 +177,7 @@ impl Environment {
     }
 
     /// The environment as it is for the renderer: `Renderer::snapshot_with` once, then
-    /// `Snapshot::place`, `articulate`, `arrange`, `switch`, `coat`, `fill` and `hide` of what differs.
+    /// `Snapshot::place`, `articulate`, `arrange`, `switch`, `coat`, `fill`, `draw` and `hide` of what differs.
     ///
     /// # Errors
     /// [`RenderError`] if something has no sound pose or no shape.
@@ -169,6 +200,9 @@ impl Environment {
         for (id, _) in &base.vessels {
             let contents = self.graph().node(*id).and_then(|n| n.contents());
             snapshot.fill(*id, contents.map(AsRef::as_ref))?;
+        }
+        for id in &base.covers {
+            snapshot.draw(*id, self.graph().node(*id).is_some_and(|n| n.is(State::Closed)))?;
         }
         for id in &base.jointed {
             snapshot.articulate(*id, |joint| position(self.graph(), self.world(), *id, joint))?;
@@ -225,7 +259,9 @@ impl Environment {
         let base = self.base()?;
         let stands_open = |id: &NodeId| self.world().openness(*id).is_some_and(|open| open >= AJAR);
         let open = base.openings.iter().copied().filter(stands_open).collect();
-        let lit = Lit { on: lit(self.graph()), open };
+        let closed = |id: &NodeId| self.graph().node(*id).is_some_and(|n| n.is(State::Closed));
+        let drawn = base.covers.iter().copied().filter(closed).collect();
+        let lit = Lit { on: lit(self.graph()), open, drawn };
         // A thread that panicked left nothing half done here.
         let mut made = self.sight().light.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(known) = made.iter().position(|(known, _)| *known == lit) {
@@ -322,7 +358,10 @@ impl Base {
         let openings = jointed.iter().copied().filter(lets_in).collect();
         let node = |id: &NodeId| graph.node(*id).filter(|n| n.affords(Property::Recipient));
         let vessels = seen.iter().filter_map(|id| Some((*id, node(id)?.contents().is_some()))).collect();
-        Ok(Self { lit: lit(graph), renderer, snapshot, poses, seen, loose, vessels, jointed, openings })
+        let is_cover =
+            |id: &NodeId| graph.node(*id).is_some_and(|n| n.affords(Property::Cover) && n.affords(Property::Openable));
+        let covers = seen.iter().copied().filter(is_cover).collect();
+        Ok(Self { lit: lit(graph), renderer, snapshot, poses, seen, loose, vessels, jointed, openings, covers })
     }
 
     /// The home as it begins, with this light: what moves is where it stood, and either shut or open.
@@ -332,6 +371,7 @@ impl Base {
             let end = usize::from(lit.open.contains(&id));
             snapshot.articulate(id, |joint| Some(ends(joint)[end]))?;
         }
+        self.covers.iter().try_for_each(|id| snapshot.draw(*id, lit.drawn.contains(id)))?;
         switch(&mut snapshot, &self.lit, &lit.on)?;
         Ok(snapshot)
     }
@@ -348,6 +388,7 @@ impl Base {
                 snapshot.place(*id, &(Pose::translation(0.0, 0.0, 1e-3) * pose))?;
             }
         }
+        self.covers.iter().try_for_each(|id| snapshot.draw(*id, !lit.drawn.contains(id)))?;
         self.vessels.iter().try_for_each(|(id, full)| snapshot.fill(*id, (!full).then_some("water")))?;
         Ok(snapshot)
     }

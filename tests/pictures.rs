@@ -293,3 +293,56 @@ fn clothes_are_worn() {
     let dyed = both.iter().filter(|i| changed((&before.rgb[**i], &after.rgb[**i]))).count();
     assert!(3 * dyed > both.len() && dyed < both.len(), "{dyed} of {} pixels", both.len());
 }
+
+/// What covers a window, and a camera in its room that looks at it.
+fn covered(home: &Environment) -> (NodeId, Camera) {
+    let graph = home.graph();
+    let cover = [graph.of_class("blinds"), graph.of_class("curtain")].concat()[0];
+    let room = graph.node(graph.room_of(cover).unwrap()).unwrap().aabb().unwrap();
+    let at = graph.node(cover).unwrap().aabb().unwrap().centre();
+    let eye = Point3::new(room.centre().x, room.centre().y, room.min.z + 1.7);
+    (cover, Camera::with_fov(96, 72, 1.3).looking(eye, at))
+}
+
+/// A blind or curtain that is closed is seen over its window, and the light knows; opened again all is as it was.
+#[test]
+fn covers_are_drawn_and_light_follows() {
+    let mut home = home(42, 1);
+    let (cover, camera) = covered(&home);
+    let me = home.agents()[0];
+    let look = |home: &Environment| {
+        home.render(Viewpoint::Free(camera), Modality::Rgb | Modality::Instance | Modality::Depth, 96, 72)
+    };
+    let bright = |frame: &Frame| frame.rgb.as_flattened().iter().map(|v| u64::from(*v)).sum::<u64>();
+    let seen = |frame: &Frame| frame.instance.iter().filter(|id| **id == cover).count();
+    act(&mut home, me, Verb::Walk, &[cover]);
+    let open = look(&home).unwrap();
+    let aside = home.clone();
+    act(&mut home, me, Verb::Close, &[cover]);
+    let closed = look(&home).unwrap();
+    assert!(seen(&closed) > 2 * seen(&open).max(20), "{} pixels, then {}", seen(&open), seen(&closed));
+    assert_ne!(bright(&closed), bright(&open));
+    // It does not matter what was looked at before.
+    let mut other = Environment::make("apartment/42", 1).unwrap();
+    act(&mut other, me, Verb::Walk, &[cover]);
+    act(&mut other, me, Verb::Close, &[cover]);
+    let fresh = look(&other).unwrap();
+    assert!(fresh.rgb == closed.rgb && fresh.instance == closed.instance);
+    let again = look(&aside).unwrap();
+    assert!(again.rgb == open.rgb && again.depth == open.depth);
+}
+
+/// Light that is made anew has the shadow of who has walked where that is now; labels are the same.
+#[test]
+fn light_can_be_made_of_what_has_moved() {
+    let mut home = home(42, 1);
+    let (me, table) = (home.agents()[0], home.graph().of_class("coffee_table")[0]);
+    let room = home.graph().room_of(table).unwrap();
+    act(&mut home, me, Verb::Walk, &[table]);
+    let wanted = Modality::Rgb | Modality::Instance;
+    let usual = home.render(Viewpoint::Room(room), wanted, 64, 48).unwrap();
+    let anew = home.render_relit(Viewpoint::Room(room), wanted, 64, 48).unwrap();
+    assert!(usual.instance == anew.instance && usual.rgb != anew.rgb);
+    assert!(home.render_relit(Viewpoint::Room(room), wanted, 64, 48).unwrap().rgb == anew.rgb);
+    assert!(home.render(Viewpoint::Room(room), wanted, 64, 48).unwrap().rgb == usual.rgb, "nothing is kept");
+}

@@ -51,6 +51,15 @@ fn sign() -> (Asset, AssetLibrary) {
     (Asset { name: "sign".into(), parts, ..Asset::default() }, library)
 }
 
+/// The same, of a material that glows by its picture.
+fn screen() -> Vec<u8> {
+    let (asset, mut library) = sign();
+    let glowing = Material { emission: [40.0, 20.0, 10.0], ..library.material(0).unwrap().clone() };
+    let number = library.add_material(glowing).unwrap();
+    let parts = asset.parts.iter().map(|part| Part { material: number, ..part.clone() }).collect();
+    gltf::asset(&Asset { parts, ..asset }, &library).unwrap()
+}
+
 fn written() -> Vec<u8> {
     let (asset, library) = sign();
     gltf::asset(&asset, &library).unwrap()
@@ -75,7 +84,10 @@ fn chunk(kind: &[u8; 4], mut content: Vec<u8>) -> Vec<u8> {
 
 /// The file with its JSON changed and its first picture put in place of the last one in the bytes.
 fn edited(picture: Option<&[u8]>, edit: impl FnOnce(&mut Value)) -> Vec<u8> {
-    let file = written();
+    changed(&written(), picture, edit)
+}
+
+fn changed(file: &[u8], picture: Option<&[u8]>, edit: impl FnOnce(&mut Value)) -> Vec<u8> {
     let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
     let mut document: Value = serde_json::from_slice(&file[20..20 + length]).unwrap();
     let mut bytes = file[28 + length..].to_vec();
@@ -116,6 +128,30 @@ fn pictures_read_back() {
     let text = String::from_utf8_lossy(&written()).into_owned();
     assert_eq!(text.matches("baseColorTexture").count(), 1);
     assert_eq!(text.matches("TEXCOORD_0").count(), 1);
+}
+
+#[test]
+fn pictures_that_glow_read_back() {
+    let file = screen();
+    let is_glowing = |model: &Imported| {
+        let pictured: Vec<&Material> = model.materials.iter().filter(|m| m.texture.is_some()).collect();
+        assert_eq!(pictured.len(), 1);
+        let close = pictured[0].emission.iter().zip([40.0, 20.0, 10.0]).all(|(a, b)| (a - b).abs() < 1e-3);
+        close && *model.textures[pictured[0].texture.unwrap() as usize] == picture()
+    };
+    let model = gltf::read(&file, &plain()).unwrap();
+    assert!(is_glowing(&model) && model.textures.len() == 1);
+    let text = String::from_utf8_lossy(&file).into_owned();
+    assert_eq!(text.matches("emissiveTexture").count(), 1, "what has no coordinates glows evenly");
+    assert!(!String::from_utf8_lossy(&written()).contains("emissiveTexture"), "what does not glow has none");
+    // Other programs write screens without a colour of their own.
+    let alone = changed(&file, None, |d| {
+        for material in d["materials"].as_array_mut().unwrap() {
+            material["pbrMetallicRoughness"].as_object_mut().unwrap().remove("baseColorTexture");
+        }
+    });
+    let again = gltf::read(&alone, &plain()).unwrap();
+    assert!(is_glowing(&again) && corners(&again.asset) == corners(&model.asset));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use vc_graph::portable::Portable;
 
 use super::GltfError;
 use super::access::Elements;
-use super::document::{Document, Primitive, Transform};
+use super::document::{Document, Material, Primitive, Transform};
 
 /// The extension that moves textures over surfaces.
 pub(super) const TRANSFORM: &str = "KHR_texture_transform";
@@ -20,9 +20,7 @@ impl<'a> TextureMap<'a> {
     /// Of a primitive whose material has a texture that it has coordinates for.
     pub(super) fn of(document: &Document, file: &'a [u8], primitive: &Primitive) -> Result<Option<Self>, GltfError> {
         let material = primitive.material.and_then(|m| document.materials.get(m));
-        let Some(texture) = material.and_then(|m| m.pbr_metallic_roughness.base_color_texture.as_ref()) else {
-            return Ok(None);
-        };
+        let Some(texture) = material.and_then(Material::texture) else { return Ok(None) };
         let transform = texture.extensions.transform.clone().unwrap_or_default();
         let accessor = match transform.tex_coord.unwrap_or(texture.tex_coord) {
             0 => primitive.attributes.first,

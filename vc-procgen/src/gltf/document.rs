@@ -111,10 +111,18 @@ object! { Material {
     name: String,
     pbr_metallic_roughness: Surface,
     emissive_factor: Option<[f32; 3]>,
+    emissive_texture: Option<TextureOf>,
     alpha_mode: Option<String>,
     extensions: Extensions,
     extras: Option<Value>,
 }}
+
+impl Material {
+    /// The texture that stands for its picture: of its colour, or of what it glows with where that has none.
+    pub(super) fn texture(&self) -> Option<&TextureOf> {
+        self.pbr_metallic_roughness.base_color_texture.as_ref().or(self.emissive_texture.as_ref())
+    }
+}
 
 object! { Surface {
     base_color_factor: Option<[f32; 4]>,

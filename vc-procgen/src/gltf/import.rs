@@ -241,8 +241,7 @@ impl<'a> Paints<'a> {
 
     /// The number of a material's picture, decoded when it is met first.
     fn picture(&mut self, material: &document::Material) -> Result<Option<u32>, GltfError> {
-        let texture = material.pbr_metallic_roughness.base_color_texture.as_ref();
-        let Some(index) = texture.and_then(|t| t.index) else { return Ok(None) };
+        let Some(index) = material.texture().and_then(|t| t.index) else { return Ok(None) };
         let texture = self.document.textures.get(index).ok_or(GltfError::missing("texture", index))?;
         let image = texture.source.ok_or(GltfError::NoPicture(index))?;
         if let Some(&known) = self.pictures.get(&image) {

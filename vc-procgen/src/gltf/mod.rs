@@ -56,8 +56,8 @@
 //!
 //! # What is not read
 //!
-//! Pictures but those of base colours (PNG and JPEG; their alpha is passed over, and all of
-//! them repeat), skins, morph targets, animations, cameras and lights. Points and lines are passed over. Sparse and
+//! Pictures but those of base colours, and of what glows where there is none (PNG and JPEG; their alpha is passed over,
+//! and all of them repeat), skins, morph targets, animations, cameras and lights. Points and lines are passed over. Sparse and
 //! quantised vertices, compression and files beside the file are refused with an
 //! error that says how to export instead.
 

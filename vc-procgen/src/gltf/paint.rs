@@ -19,15 +19,19 @@ pub(super) fn write(material: &Material, texture: Option<usize>) -> json::Materi
     let [r, g, b] = material.colour.map(share);
     let most = material.emission.iter().fold(1.0f32, |a, &b| a.max(b));
     let physics = Physics { density: material.density, friction: material.friction, restitution: material.restitution };
+    let glows = material.emission != [0.0; 3];
+    let shown = texture.map(|index| json::TextureOf { index: Some(index), ..Default::default() });
     json::Material {
         name: material.name.to_string(),
         pbr_metallic_roughness: json::Surface {
             base_color_factor: Some([r, g, b, 1.0]),
-            base_color_texture: texture.map(|index| json::TextureOf { index: Some(index), ..Default::default() }),
+            base_color_texture: shown.clone(),
             metallic_factor: Some(share(material.metallic)),
             roughness_factor: Some(share(material.roughness)),
         },
-        emissive_factor: (material.emission != [0.0; 3]).then(|| material.emission.map(|v| share(v / most))),
+        emissive_factor: glows.then(|| material.emission.map(|v| share(v / most))),
+        // One picture is of both.
+        emissive_texture: shown.filter(|_| glows),
         alpha_mode: None,
         extensions: json::Extensions {
             strength: (most > 1.0).then_some(json::Strength { emissive_strength: Some(most) }),

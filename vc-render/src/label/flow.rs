@@ -131,11 +131,34 @@ struct There<'a> {
 const NEARER: f32 = 1.001;
 const COARSER: f32 = 1.02;
 const FINER: f32 = 1.01;
+/// The same of small triangles of its own body, which may be seen at a grazing angle.
+const OWN: f32 = 1.04;
+
+/// Area of triangles that tell little about a place beside their pixel, square pixels; the share of what is around a place
+/// that has to be of nearer ones to hide it.
+const SMALL: f64 = 16.0;
+const MOSTLY: f32 = 0.5;
+
+/// What a triangle that is seen near a place says about a point there.
+#[derive(Clone, Copy, PartialEq)]
+enum Says {
+    /// It is in front of the point.
+    Hides,
+    /// The point is on it or before it.
+    Covers,
+    /// It is so small that others beside it, which are not seen at a pixel's middle, may be where the point is. They hide
+    /// it if they are nearer; those of its own body only where no triangle covers it.
+    Little {
+        own: bool,
+    },
+    Nothing,
+}
 
 impl There<'_> {
     /// Whether a point is seen, given as pixels times something and that, its inverse depth before, and its triangle:
-    /// no triangle that is seen at one of the four pixels around covers it from before. If none covers it, they are
-    /// finer than pixels, and it is seen unless all four are nearer.
+    /// no triangle that is seen at one of the four pixels around covers it from before, and they are not mostly of
+    /// small ones that are nearer. If none covers it, they are finer than pixels, and it is seen unless all
+    /// four are nearer.
     fn shows(&self, [x, y, z]: [f32; 3], inverse: f32, own: Visible) -> bool {
         let (front, inverse) = (&self.layers.front, inverse / z);
         let (x, y, width, height) = (x / z, y / z, front.width, front.rows.len());
@@ -144,27 +167,47 @@ impl There<'_> {
             return false;
         }
         let around = |v: f32, count: usize| [(v - 0.5).max(0.0) as usize, ((v + 0.5) as usize).min(count - 1)];
-        let (columns, mut last, mut covered, mut least) = (around(x, width), NONE, false, f32::INFINITY);
+        let near = |v: f32, pixel: usize| 1.0 - (v - 0.5 - pixel as f32).abs();
+        let (columns, mut last, mut says) = (around(x, width), NONE, Says::Nothing);
+        let (mut covered, mut least, mut nearer) = (false, f32::INFINITY, [0.0; 2]);
         for row in around(y, height) {
             let (triangles, inverses) = (front.triangle_row(row as i32), front.inverse_row(row as i32));
             for column in columns {
                 least = least.min(inverses[column]);
-                let number = std::mem::replace(&mut last, triangles[column]);
-                let Some(visible) = self.layers.visible.get(last as usize).filter(|_| number != last) else { continue };
-                let there = if *visible == own { Some(inverse) } else { self.covers(*visible, [x, y]) };
-                let coarser = visible.instance == own.instance && visible.level() != own.level();
-                if there.is_some_and(|v| v > inverse * if coarser { COARSER } else { NEARER }) {
-                    return false;
+                if std::mem::replace(&mut last, triangles[column]) != last {
+                    let visible = self.layers.visible.get(last as usize);
+                    says = visible.map_or(Says::Nothing, |v| self.says(*v, ([x, y], inverse), own));
                 }
-                covered |= there.is_some();
+                match says {
+                    Says::Hides => return false,
+                    Says::Covers => covered = true,
+                    Says::Little { own } if inverses[column] > inverse * if own { OWN } else { FINER } => {
+                        nearer[usize::from(own)] += near(x, column) * near(y, row);
+                    }
+                    _ => {}
+                }
             }
         }
-        covered || least <= inverse * FINER
+        nearer[0] < MOSTLY && (covered || nearer[1] < MOSTLY && least <= inverse * FINER)
     }
 
-    /// The inverse depth of a triangle at a place in the image, if it covers that.
+    fn says(&self, visible: Visible, (at, inverse): ([f32; 2], f32), own: Visible) -> Says {
+        if visible == own {
+            return Says::Covers;
+        }
+        let (there, area) = self.covers(visible, at);
+        let coarser = visible.instance == own.instance && visible.level() != own.level();
+        match there {
+            Some(v) if v > inverse * if coarser { COARSER } else { NEARER } => Says::Hides,
+            Some(_) => Says::Covers,
+            None if area < SMALL => Says::Little { own: visible.instance == own.instance },
+            None => Says::Nothing,
+        }
+    }
+
+    /// The inverse depth of a triangle at a place in the image, if it covers that; and its area there.
     #[inline(never)]
-    fn covers(&self, visible: Visible, [x, y]: [f32; 2]) -> Option<f32> {
+    fn covers(&self, visible: Visible, [x, y]: [f32; 2]) -> (Option<f32>, f64) {
         let mesh = visible.mesh(self.instances);
         let map = self.to.map.after(&self.instances[visible.instance as usize].world);
         let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index());
@@ -175,6 +218,7 @@ impl There<'_> {
         let all = volume(a, b, c);
         let shares = [volume(&towards, b, c), volume(a, &towards, c), volume(a, b, &towards)].map(|v| v / all);
         let there = shares.iter().sum::<f64>() as f32;
-        (shares.iter().all(|s| *s >= 0.0) && there * self.to.near <= 1.0).then_some(there)
+        let area = 0.5 * (all / (a[2] * b[2] * c[2])).abs();
+        ((shares.iter().all(|s| *s >= 0.0) && there * self.to.near <= 1.0).then_some(there), area)
     }
 }

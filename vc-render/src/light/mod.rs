@@ -3,6 +3,7 @@
 //! Radiance is in units of an overcast sky's, about 5000 candela per square metre.
 
 mod ambient;
+mod cloth;
 mod extent;
 mod lamp;
 mod lighting;
@@ -14,10 +15,11 @@ mod sky;
 mod source;
 
 pub(crate) use ambient::Ambient;
+pub(crate) use cloth::through;
 pub(crate) use lamp::{Lamp, is_lamp};
 pub use lighting::Lighting;
 pub(crate) use lighting::{brightness, dot};
 pub(crate) use look::Points;
-pub(crate) use pane::{INDEX, fresnel, tint};
+pub(crate) use pane::{INDEX, fresnel, straight, tint};
 pub use sky::Daylight;
 pub use source::Source;

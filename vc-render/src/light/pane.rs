@@ -1,4 +1,5 @@
-//! What panes leave of the light that goes straight through them.
+//! What panes leave of the light that goes straight through them. The same pane leaves as much whether it is a
+//! thin box or a sheet.
 
 use crate::affine::three;
 use crate::light::dot;
@@ -16,8 +17,7 @@ pub(super) fn passes(renderer: &Renderer, tracer: &Tracer, mut ray: Ray) -> [f32
     let mut share = [1.0; 3];
     for _ in 0..SIDES {
         let Some(glass) = tracer.first_clear(&ray) else { break };
-        let cosine = dot(ray.along, glass.flat).abs().min(1.0);
-        let (tint, straight) = (tint(renderer, &glass), 1.0 - fresnel(cosine, INDEX).0);
+        let (tint, straight) = (tint(renderer, &glass), straight(&glass, ray.along));
         share = three(|i| share[i] * straight * tint[i]);
         let on = glass.t + 1e-3;
         ray.from = three(|i| ray.from[i] + on * ray.along[i]);
@@ -29,10 +29,18 @@ pub(super) fn passes(renderer: &Renderer, tracer: &Tracer, mut ray: Ray) -> [f32
     share
 }
 
-/// What one side of a clear thing leaves of light, by colour.
+/// What a clear thing leaves of light where it is met, by colour: half of a solid pane, or a sheet, which is both
+/// sides of a pane at once.
 pub(crate) fn tint(renderer: &Renderer, met: &Met<'_>) -> [f32; 3] {
     let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
-    surface.colour.map(|c| (c * surface.transmission).sqrt())
+    let both = surface.colour.map(|c| c * surface.transmission);
+    if met.face.sheet { both } else { both.map(f32::sqrt) }
+}
+
+/// The share of light that is not reflected where a pane is met, by one of its sides or a sheet's both.
+pub(crate) fn straight(met: &Met<'_>, along: [f32; 3]) -> f32 {
+    let one = 1.0 - fresnel(dot(along, met.flat).abs().min(1.0), INDEX).0;
+    if met.face.sheet { one * one } else { one }
 }
 
 /// The share reflected and the cosine beyond, where light meets what is so many times denser (Fresnel), both

@@ -11,7 +11,7 @@ use super::{Ambient, Lighting, brightness, dot};
 use crate::affine::three;
 use crate::renderer::Renderer;
 use crate::simd::whole;
-use crate::trace::Ray;
+use crate::trace::{Met, Ray};
 
 /// Distance of the grid's points over the floor and upwards, metres.
 const STEP: [f32; 3] = [0.5, 0.5, 0.6];
@@ -22,6 +22,8 @@ const MOST: usize = 1 << 14;
 const RAYS: usize = 256;
 /// Width of what is one point to light thrown back, metres.
 const FAR: f32 = 0.05;
+/// Directions that come after another are this far apart behind a cover: they have nothing to do with each other.
+const STRIDE: usize = 97;
 /// How often light is thrown on.
 const BOUNCES: usize = 7;
 
@@ -40,16 +42,16 @@ pub(crate) struct Grid {
 }
 
 /// Where light is thrown back, which way that faces, its reflectance and room.
-type Thrown = ([f32; 3], [f32; 3], [f32; 3], u16);
+pub(super) type Thrown = ([f32; 3], [f32; 3], [f32; 3], u16);
 
 /// What a ray from a point of the grid has met.
-struct Seen {
+pub(super) struct Seen {
     /// Light it gives, and what is thrown back of direct light.
-    direct: [f32; 3],
+    pub(super) direct: [f32; 3],
     /// Where that is; none where there is nothing.
-    place: Option<Thrown>,
+    pub(super) place: Option<Thrown>,
     /// The share of the sun's light that panes leave there; zero where the sun does not shine.
-    sun: f32,
+    pub(super) sun: f32,
 }
 
 impl Grid {
@@ -193,8 +195,13 @@ fn look(
     let rays: Vec<Ray> = directions.iter().map(|along| Ray { from, along: *along, end: 1e4 }).collect();
     let mut behind = 0;
     let mut seen = Vec::with_capacity(rays.len());
-    for ray in &rays {
+    for (index, ray) in rays.iter().enumerate() {
         let met = tracer.first(ray);
+        if let Some(cover) = met.as_ref().filter(|met| met.instance.covers()) {
+            let (cover, other) = (cover.facing(ray.along.map(|v| -v)), directions[index * STRIDE % directions.len()]);
+            seen.push(lighting.past(renderer, (&cover, ray), other, room));
+            continue;
+        }
         let inside = met.as_ref().is_some_and(|m| dot(m.flat, ray.along) > 0.0);
         behind += usize::from(inside);
         let share = || {
@@ -212,14 +219,14 @@ fn look(
 
 impl Seen {
     /// The same behind panes that leave a share of light.
-    fn behind(self, share: [f32; 3]) -> Self {
+    pub(super) fn behind(self, share: [f32; 3]) -> Self {
         let place = self.place.map(|(at, normal, colour, room)| (at, normal, three(|i| colour[i] * share[i]), room));
         Self { direct: three(|i| self.direct[i] * share[i]), place, ..self }
     }
 }
 
 impl Lighting {
-    fn seen(&self, renderer: &Renderer, met: &crate::trace::Met<'_>, room: usize) -> Seen {
+    pub(super) fn seen(&self, renderer: &Renderer, met: &Met<'_>, room: usize) -> Seen {
         let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
         let body = &self.tracer.snapshot.bodies[met.instance.body as usize];
         let colour = surface.mean();
@@ -241,8 +248,12 @@ impl Lighting {
     }
 
     /// The share of the sun's light that panes leave at a surface.
-    fn panes(&self, renderer: &Renderer, met: &crate::trace::Met<'_>) -> f32 {
-        let from = three(|i| met.at[i] + 1e-3 * met.flat[i]);
+    fn panes(&self, renderer: &Renderer, met: &Met<'_>) -> f32 {
+        self.panes_from(renderer, three(|i| met.at[i] + 1e-3 * met.flat[i]))
+    }
+
+    /// The same at a place.
+    pub(super) fn panes_from(&self, renderer: &Renderer, from: [f32; 3]) -> f32 {
         let ray = Ray { from, along: self.daylight.towards_sun.into(), end: 1e4 };
         brightness(super::pane::passes(renderer, &self.tracer, ray))
     }

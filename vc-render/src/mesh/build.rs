@@ -13,6 +13,8 @@ pub(crate) struct Source {
     pub(crate) part: u16,
     pub(crate) surface: u16,
     pub(crate) clear: bool,
+    /// Whether it is a sheet with its two sides in one place.
+    pub(crate) sheet: bool,
 }
 
 /// A triangle on its way into a cluster.
@@ -104,7 +106,7 @@ fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
             corners: [a, b, c].map(|p| [p.x, p.y, p.z]),
             middle: middle.into(),
             normal: normal.into(),
-            face: Face { normals, part: source.part, surface: source.surface, facet, grain },
+            face: Face { normals, part: source.part, surface: source.surface, facet, sheet: source.sheet, grain },
             uvs: mesh.uvs.get(number).copied().unwrap_or_default(),
         })
     })

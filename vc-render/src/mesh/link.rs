@@ -97,10 +97,11 @@ impl<'a> Coarser<'a> {
         }
         mesh = mesh.transformed(&self.part.pose);
         // What is not closed has two sides; all other shapes are closed.
-        if free && !mesh.is_closed() {
+        let sheet = free && !mesh.is_closed();
+        if sheet {
             mesh.append(&turned_over(&mesh));
         }
-        Source { mesh, part: index.min(usize::from(u16::MAX)) as u16, surface, clear }
+        Source { mesh, part: index.min(usize::from(u16::MAX)) as u16, surface, clear, sheet }
     }
 }
 

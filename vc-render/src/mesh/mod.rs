@@ -56,6 +56,8 @@ pub(crate) struct Face {
     pub(crate) surface: u16,
     /// Which way it faces, in steps of an eighth; zero if its normals are not all the same.
     pub(crate) facet: u16,
+    /// Whether it is of a sheet: another triangle that looks the other way is in the same place.
+    pub(crate) sheet: bool,
     /// The axis of the asset along which its part is longest.
     pub(crate) grain: u8,
 }

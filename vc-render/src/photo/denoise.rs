@@ -1,6 +1,7 @@
 //! Smoothing along surfaces: an edge-avoiding wavelet (Dammertz and others 2010), that looks at
 //! how noisy each pixel is (Schied and others 2017). Light is smoothed without the colour
-//! of the surfaces, so that textures stay, and light with sharp shadows apart from all other.
+//! of the surfaces, so that textures stay, and light with sharp shadows apart from all other. Pixels
+//! with pieces of several surfaces are like none of their neighbours; [`bridge`](super::bridge) mends them.
 //!
 //! Bright pixels are rarer than dark ones where light is found by chance, and neighbours that trust what is
 //! likely would lose their light. So what smoothing has taken away is given back, spread
@@ -23,11 +24,6 @@ const UNLIKE: [f32; 2] = [2.0, 4.0];
 /// How far a point may be off a surface, in shares of its distance from the eye.
 const OFF: f32 = 0.004;
 
-/// Mean normals of pixels with pieces of two surfaces and with one are so long.
-const PIECES: [f32; 2] = [0.7, 0.98];
-/// How much neighbours are like a pixel with pieces of several surfaces.
-const MIXED: f32 = 0.2;
-
 /// A pixel while it is smoothed.
 #[derive(Clone, Copy)]
 struct Soft {
@@ -38,19 +34,19 @@ struct Soft {
 }
 
 /// What edges are told by.
-struct Guide {
-    colour: [f32; 3],
+pub(super) struct Guide {
+    pub(super) colour: [f32; 3],
+    /// The mean of the normals in the pixel, and the same of unit length.
+    pub(super) mean: [f32; 3],
     normal: [f32; 3],
-    at: [f32; 3],
+    pub(super) at: [f32; 3],
     /// One over how far others may be off this surface.
-    over: f32,
-    /// How much of the pixel is one surface, 0 to 1.
-    pure: f32,
+    pub(super) over: f32,
 }
 
 /// A picture's pixels and how they lie.
-struct Plane<'a> {
-    guides: &'a [Guide],
+pub(super) struct Plane<'a> {
+    pub(super) guides: &'a [Guide],
     width: usize,
 }
 
@@ -65,7 +61,9 @@ pub(super) fn denoised(traced: &[Traced], width: usize, eye: [f32; 3]) -> Vec<[f
     });
     let both = sharp.iter().zip(&soft).zip(&guides);
     let mut light: Vec<[f32; 3]> = both.map(|((a, b), g)| three(|i| (a.light[i] + b.light[i]) * g.colour[i])).collect();
-    plane.give_back(traced, &mut light);
+    let alone = plane.alone();
+    plane.give_back(traced, &alone, &mut light);
+    plane.bridge(traced, &alone, &mut light);
     let own = traced.iter().map(|t| t.light_of(Kind::Own).0);
     light.iter().zip(own).map(|(light, own)| three(|i| light[i] + own[i])).collect()
 }
@@ -75,30 +73,19 @@ impl Guide {
         let [colour, normal, at] = traced.guides();
         let to = three(|i| at[i] - eye[i]);
         let over = 1.0 / (OFF * dot(to, to).sqrt()).max(1e-4);
-        // Where surfaces meet in a pixel their mean normal is short.
         let length = dot(normal, normal).sqrt();
-        let normal = if length > 1e-3 { normal.map(|v| v / length) } else { [0.0; 3] };
-        let pure = ((length - PIECES[0]) / (PIECES[1] - PIECES[0])).clamp(0.0, 1.0);
-        Self { colour: colour.map(|v| v.max(0.02)), normal, at, over, pure }
+        let unit = if length > 1e-3 { normal.map(|v| v / length) } else { [0.0; 3] };
+        Self { colour: colour.map(|v| v.max(0.02)), mean: normal, normal: unit, at, over }
     }
 
     /// How much a neighbour is of the same surface, 0 to 1.
     #[inline(always)]
-    fn like(&self, other: &Self) -> f32 {
+    pub(super) fn like(&self, other: &Self) -> f32 {
         let turned = dot(self.normal, other.normal);
         if turned == 0.0 && self.normal == other.normal {
             // Both are sky.
             return 1.0;
         }
-        // A pixel with pieces of several surfaces is like neither, and takes of all around it.
-        if self.pure < 1.0 && self.normal != [0.0; 3] {
-            return self.pure * self.near(other, turned) + (1.0 - self.pure) * MIXED;
-        }
-        self.near(other, turned)
-    }
-
-    #[inline(always)]
-    fn near(&self, other: &Self, turned: f32) -> f32 {
         let to = three(|i| other.at[i] - self.at[i]);
         let off = dot(self.normal, to) * self.over;
         let turned = turned.max(0.0);
@@ -120,7 +107,12 @@ impl Soft {
 impl Plane<'_> {
     /// Neighbours of a pixel up to so many steps away that are in the picture, and their offsets.
     #[inline(always)]
-    fn around(&self, index: usize, reach: i32, step: i32) -> impl Iterator<Item = (i32, i32, usize)> + use<> {
+    pub(super) fn around(
+        &self,
+        index: usize,
+        reach: i32,
+        step: i32,
+    ) -> impl Iterator<Item = (i32, i32, usize)> + use<> {
         let (width, height) = (self.width as i32, (self.guides.len() / self.width.max(1)) as i32);
         let (x, y) = (index as i32 % width, index as i32 / width);
         let offsets = (-reach..=reach).flat_map(move |dy| (-reach..=reach).map(move |dx| (dx, dy)));
@@ -185,11 +177,12 @@ impl Plane<'_> {
         (0..soft.len()).into_par_iter().map(pixel).collect()
     }
 
-    /// Adds to smooth light what there was more or less of in the noisy one, spread over the surface.
-    fn give_back(&self, traced: &[Traced], light: &mut [[f32; 3]]) {
-        let lost = traced.iter().zip(&*light).map(|(t, smooth)| {
-            let noisy = [Kind::Sharp, Kind::Soft].map(|kind| t.light_of(kind).0);
-            three(|i| noisy[0][i] + noisy[1][i] - smooth[i])
+    /// Adds to smooth light what there was more or less of in the noisy one, spread over the surface. Pixels
+    /// that are on none have no part in it.
+    fn give_back(&self, traced: &[Traced], alone: &[bool], light: &mut [[f32; 3]]) {
+        let lost = traced.iter().zip(&*light).zip(alone).map(|((t, smooth), alone)| {
+            let noisy = t.scattered();
+            if *alone { [0.0; 3] } else { three(|i| noisy[i] - smooth[i]) }
         });
         let spread = (0..PASSES).fold(lost.collect(), |lost: Vec<[f32; 3]>, pass| self.spread(&lost, 1 << pass));
         light.iter_mut().zip(spread).for_each(|(light, more)| *light = three(|i| (light[i] + more[i]).max(0.0)));

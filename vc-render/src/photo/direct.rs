@@ -1,10 +1,10 @@
 //! Light that is looked for on purpose: from the sun, from lamps, from the sky through panes, and
 //! from places that the sun shines on.
 
-use super::lights::Place;
 use super::path::{Kind, Paths, Walk, off};
 use super::sampler::Sampler;
 use super::scatter::{Scatter, frame};
+use super::source::Place;
 use super::spots::Way;
 use crate::affine::three;
 use crate::label::unit;
@@ -74,7 +74,8 @@ impl Paths<'_> {
         // Of a surface met by chance that may also have been picked as a place in the sun.
         let met = point.met;
         let facing = -dot(met.flat, walk.ray.along).min(-1e-4);
-        let density = self.spots.density(&walk.last, point.place.room, way.crossed, dot(met.flat, towards));
+        let crossed = if met.instance.covers() { 0 } else { way.crossed };
+        let density = self.spots.density(&walk.last, point.place.room, crossed, dot(met.flat, towards));
         let weight = walk.weight(density * (met.t + walk.gone) * (met.t + walk.gone) / facing);
         three(|i| value[i] * daylight.sun[i] * way.share[i] * weight)
     }

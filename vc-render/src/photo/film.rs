@@ -26,8 +26,13 @@ impl Traced {
         self.count += 1.0;
     }
 
+    /// How many paths there were.
+    pub(super) fn paths(&self) -> f32 {
+        self.count.max(1.0)
+    }
+
     fn mean(&self, sum: [f32; 3]) -> [f32; 3] {
-        sum.map(|v| v / self.count.max(1.0))
+        sum.map(|v| v / self.paths())
     }
 
     /// Mean light.
@@ -39,10 +44,16 @@ impl Traced {
     pub(super) fn light_of(&self, kind: Kind) -> ([f32; 3], f32) {
         let kind = kind as usize;
         let light = self.mean(self.sum.light[kind]);
-        let (count, bright) = (self.count.max(1.0), brightness(light));
+        let (count, bright) = (self.paths(), brightness(light));
         let spread = (self.squares[kind] / count - bright * bright).max(0.0) / count;
         // With few paths the spread found is not to be trusted.
         (light, spread + bright * bright / (count * count))
+    }
+
+    /// Mean light that surfaces throw back, noise and all.
+    pub(super) fn scattered(&self) -> [f32; 3] {
+        let [sharp, soft] = [Kind::Sharp, Kind::Soft].map(|kind| self.light_of(kind).0);
+        three(|i| sharp[i] + soft[i])
     }
 
     /// Mean reflectance, normal and place of the first surface.

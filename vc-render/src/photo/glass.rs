@@ -4,13 +4,8 @@
 use super::path::{Paths, Walk, off};
 use crate::affine::three;
 use crate::label::unit;
-use crate::light::{INDEX, dot, fresnel, tint};
+use crate::light::{INDEX, dot, fresnel, straight, tint};
 use crate::trace::Met;
-
-/// What share of light glass reflects where it enters.
-pub(super) fn reflected(cosine: f32) -> f32 {
-    fresnel(cosine, INDEX).0
-}
 
 pub(super) fn mirrored(along: [f32; 3], normal: [f32; 3]) -> [f32; 3] {
     let twice = 2.0 * dot(along, normal);
@@ -20,12 +15,14 @@ pub(super) fn mirrored(along: [f32; 3], normal: [f32; 3]) -> [f32; 3] {
 impl Paths<'_> {
     /// Through glass or off it.
     pub(super) fn glass(&self, walk: &mut Walk, met: &Met<'_>, choice: f32) {
-        let bends = walk.surfaces == 0 && self.lights.bend(met.index);
+        // What has entered a sheet has left it.
+        let bends = walk.surfaces == 0 && self.lights.bend(met.index) && !met.face.sheet;
         let normal = if bends { met.normal } else { met.flat };
         let entering = dot(walk.ray.along, normal) < 0.0;
         let normal = if entering { normal } else { normal.map(|v| -v) };
         let cosine = -dot(walk.ray.along, normal);
         let (share, beyond) = fresnel(cosine, if bends && !entering { 1.0 / INDEX } else { INDEX });
+        let share = if bends { share } else { 1.0 - straight(met, walk.ray.along) };
         if choice < share {
             walk.ray.along = mirrored(walk.ray.along, normal);
             walk.chance = f32::INFINITY;
@@ -54,6 +51,7 @@ mod tests {
 
     #[test]
     fn fresnel_is_as_books_have_it() {
+        let reflected = |cosine: f32| fresnel(cosine, INDEX).0;
         assert!((reflected(1.0) - 0.04).abs() < 1e-6);
         // Brewster's angle: half of what is left is polarised across.
         let brewster = 1.0 / (1.0 + INDEX * INDEX).sqrt();

@@ -1,20 +1,14 @@
-//! What gives light, to be looked for on purpose: lamps, and panes through which the sky shines.
+//! What gives light, to be looked for on purpose: lamps, and panes through which the sky shines; which of them
+//! is looked for, and with what chance.
 
 use std::sync::Arc;
 
 use super::sampler::lattice;
-use crate::affine::{self, three};
+use super::source::{Glowing, Lamp, Pane, Place, SMALL, Shown, Triangle, is_window};
+use crate::affine;
 use crate::light::{Lighting, brightness, dot};
 use crate::renderer::Renderer;
-use crate::surface::Picture;
 use crate::trace::Met;
-
-/// How much a lamp in another room than the point that is lit counts.
-const ELSEWHERE: f32 = 0.05;
-/// Of the two sides of a pane the one that looks about this way is the one that is picked.
-const SIDE: [f32; 3] = [0.53, 0.81, 0.25];
-/// Area of triangles of panes that are looked through on purpose, square metres.
-const SMALL: f32 = 0.05;
 
 /// Lamps and panes of a scene.
 pub(super) struct Lights {
@@ -30,56 +24,6 @@ pub(super) struct Lights {
     bends: Vec<bool>,
 }
 
-/// Everything that glows of a body.
-struct Lamp {
-    room: u16,
-    middle: [f32; 3],
-    /// Square of about half its size.
-    square: f32,
-    power: f32,
-    /// Its triangles, in the list of all.
-    triangles: std::ops::Range<usize>,
-}
-
-/// A picture, and where a triangle's corners are in it.
-type Shown = (Arc<Picture>, [[f32; 2]; 3]);
-
-/// A triangle that glows.
-struct Glowing {
-    triangle: Triangle,
-    light: [f32; 3],
-    /// What the light is multiplied with.
-    picture: Option<Shown>,
-    /// Power of it and of those of its lamp before it.
-    sum: f32,
-}
-
-/// A triangle of a pane.
-pub(super) struct Pane {
-    room: u16,
-    triangle: Triangle,
-}
-
-#[derive(Clone, Copy)]
-struct Triangle {
-    corner: [f32; 3],
-    edges: [[f32; 3]; 2],
-    middle: [f32; 3],
-    normal: [f32; 3],
-    area: f32,
-}
-
-/// A point that is lit: where it is, which way it faces, and its room. The camera's has no normal.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
-    pub(super) at: [f32; 3],
-    pub(super) normal: [f32; 3],
-    pub(super) room: u16,
-    /// Sums of weights of all lamps and panes from here.
-    pub(super) lamps: f32,
-    pub(super) panes: f32,
-}
-
 /// A point of a lamp.
 pub(super) struct Lit {
     pub(super) at: [f32; 3],
@@ -87,44 +31,6 @@ pub(super) struct Lit {
     pub(super) light: [f32; 3],
     /// Chance for each square metre.
     pub(super) density: f32,
-}
-
-impl Triangle {
-    fn new([a, b, c]: [[f32; 3]; 3]) -> Self {
-        let edge = |p: [f32; 3]| three(|i| p[i] - a[i]);
-        let (u, v) = (edge(b), edge(c));
-        let cross = affine::cross(u, v);
-        let middle = three(|i| (a[i] + b[i] + c[i]) / 3.0);
-        Self {
-            corner: a,
-            edges: [u, v],
-            middle,
-            normal: crate::label::unit(cross),
-            area: 0.5 * dot(cross, cross).sqrt(),
-        }
-    }
-
-    /// A point of it, evenly.
-    fn point(&self, square: [f32; 2]) -> [f32; 3] {
-        let [u, v] = weights(square);
-        three(|i| self.corner[i] + u * self.edges[0][i] + v * self.edges[1][i])
-    }
-}
-
-/// Weights of the second and third corner of a triangle at a point of it, evenly.
-fn weights([a, b]: [f32; 2]) -> [f32; 2] {
-    let root = a.sqrt();
-    [1.0 - root, b * root]
-}
-
-impl Glowing {
-    /// Light from a point of the triangle.
-    fn at(&self, square: [f32; 2]) -> [f32; 3] {
-        let Some((picture, [a, b, c])) = &self.picture else { return self.light };
-        let [u, v] = weights(square);
-        let shown = picture.at(0, [0, 1].map(|i: usize| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i])));
-        three(|i| self.light[i] * shown[i])
-    }
 }
 
 impl Lights {
@@ -264,9 +170,11 @@ impl Lights {
         best.map(|pane| pane.triangle.point(square))
     }
 
-    /// The triangle of a pane that was met, if it is looked through on purpose.
+    /// The triangle of a pane that was met, if it is looked through on purpose. Of a sheet one side is, but either
+    /// may be met.
     pub(super) fn window_of(&self, met: &Met<'_>, room: u16) -> Option<Pane> {
-        is_window(met.area, met.flat).then(|| Pane { room, triangle: Triangle::new(met.corners()) })
+        let picked = if met.face.sheet { met.area >= SMALL } else { is_window(met.area, met.flat) };
+        picked.then(|| Pane { room, triangle: Triangle::new(met.corners()) })
     }
 
     /// The chance for each unit of solid angle that from a place a way through a pane is picked,
@@ -296,28 +204,4 @@ impl Lights {
         let pane = self.panes.get(sums.partition_point(|s| *s <= at).min(sums.len().checked_sub(1)?))?;
         Some(pane.triangle.point(lattice(index)))
     }
-}
-
-impl Lamp {
-    fn weight(&self, from: &Place) -> f32 {
-        let to = three(|i| self.middle[i] - from.at[i]);
-        let near = if self.room == from.room { 1.0 } else { ELSEWHERE };
-        self.power / (dot(to, to) + self.square) * near
-    }
-}
-
-impl Pane {
-    fn weight(&self, from: &Place) -> f32 {
-        let to = three(|i| self.triangle.middle[i] - from.at[i]);
-        let square = dot(to, to);
-        let over = 1.0 / square.sqrt().max(1e-6);
-        // The pane may reach higher over the surface than its middle.
-        let rise = (dot(to, from.normal) * over + 0.3).max(0.0);
-        let turned = dot(to, self.triangle.normal).abs() * over + 0.05;
-        self.triangle.area * rise * turned / (square + self.triangle.area)
-    }
-}
-
-fn is_window(area: f32, normal: [f32; 3]) -> bool {
-    area >= SMALL && dot(normal, SIDE) > 0.0
 }

@@ -4,9 +4,10 @@
 //! ([`direct`]), and what a path meets by chance counts with the balance of both ways (multiple
 //! importance sampling, Veach 1997). Surfaces are Lambert's under microfacets ([`scatter`]); what
 //! the eye sees through glass is refracted ([`glass`]). What noise is left is smoothed along
-//! surfaces ([`denoise`]).
+//! surfaces ([`denoise`]), and pixels at their edges are put together from both sides ([`bridge`]).
 
 mod albedo;
+mod bridge;
 mod denoise;
 mod direct;
 mod film;
@@ -15,6 +16,7 @@ mod lights;
 mod path;
 mod sampler;
 mod scatter;
+mod source;
 mod spots;
 
 use rayon::prelude::*;

@@ -3,14 +3,15 @@
 use super::Exposure;
 use super::direct::Point;
 use super::glass::mirrored;
-use super::lights::{Lights, Place};
+use super::lights::Lights;
 use super::sampler::Sampler;
 use super::scatter::{Finish, Scatter};
+use super::source::Place;
 use super::spots::{self, Spots};
 use crate::affine::{self, Affine, three};
 use crate::camera::Camera;
 use crate::label::unit;
-use crate::light::{Lighting, brightness, dot};
+use crate::light::{Lighting, brightness, dot, through};
 use crate::renderer::Renderer;
 use crate::surface::Surface;
 use crate::trace::{Met, Ray};
@@ -118,9 +119,9 @@ impl Paths<'_> {
 
     /// Light at a surface, and where to go on; false where the path ends.
     fn surface(&self, walk: &mut Walk, met: &Met<'_>, surface: &Surface, sampler: &mut Sampler) -> bool {
-        let back = walk.ray.along.map(|v| -v);
+        let mut back = walk.ray.along.map(|v| -v);
         // Sheets have two sides in one place, either of which may be met first. Within things it is dark anyway.
-        let met = &met.facing(back);
+        let mut met = &met.facing(back);
         let look = met.look(surface, self.footprint(walk, met));
         self.glow(walk, met, surface);
         if surface.is_mirror() {
@@ -131,10 +132,16 @@ impl Paths<'_> {
             return true;
         }
         walk.guide(look.colour, met.normal, met.at);
+        let (share, beyond) = (through(met, surface), met.facing(walk.ray.along));
+        let passes = share > 0.0 && sampler.one() < share;
+        if passes {
+            // It goes on from the other side, as if it had come from there.
+            (met, back) = (&beyond, mirrored(back, met.flat));
+        }
         if walk.surfaces >= self.how.bounces {
             return false;
         }
-        let normal = if dot(look.normal, back) > 0.01 { look.normal } else { met.flat };
+        let normal = if !passes && dot(look.normal, back) > 0.01 { look.normal } else { met.flat };
         let finish = Finish { colour: look.colour, metallic: surface.metallic, roughness: look.roughness };
         let scatter = Scatter::new(&finish, normal, back);
         let place = self.lights.place(met.at, met.flat, self.room(met));

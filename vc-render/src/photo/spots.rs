@@ -3,11 +3,11 @@
 
 use rayon::prelude::*;
 
-use super::glass;
-use super::lights::{Lights, Place};
+use super::lights::Lights;
 use super::scatter::Finish;
+use super::source::Place;
 use crate::affine::three;
-use crate::light::{Lighting, brightness, dot, tint};
+use crate::light::{Lighting, brightness, dot, straight, tint};
 use crate::renderer::Renderer;
 use crate::trace::{Met, Ray};
 
@@ -59,7 +59,8 @@ impl Spots {
         let start = |room: u16| all.partition_point(|s| s.room < room);
         let count = lighting.tracer.snapshot.rooms.len() as u16;
         let rooms = (0..count).map(|room| start(room)..start(room + 1)).collect();
-        let scale = RAYS as f32 / (across * all.len().max(1) as f32);
+        // None are picked where there is no pane to send rays from.
+        let scale = if all.is_empty() { 0.0 } else { RAYS as f32 / (across * all.len() as f32) };
         let power = all.iter().map(|s| brightness(s.light)).sum::<f32>() * across / RAYS as f32;
         Self { all, rooms, power, scale }
     }
@@ -108,7 +109,9 @@ impl Spot {
         let met = lighting.tracer.first(&Ray { from, along: towards.map(|v| -v), end: 1e4 })?;
         let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
         let ray = Ray { from: super::path::off(&met, towards), along: towards, end: 1e4 };
-        if dot(met.flat, towards) <= 1e-3 || surface.is_mirror() || lighting.tracer.blocked(&ray) {
+        // Of what goes through a drawn cover as much as it throws back, so that it is left to chance.
+        let other = surface.is_mirror() || met.instance.covers();
+        if dot(met.flat, towards) <= 1e-3 || other || lighting.tracer.blocked(&ray) {
             return None;
         }
         let way = Way::through(renderer, lighting, lights, ray, None);
@@ -154,8 +157,7 @@ impl Way {
                 way.crossed += 1;
                 way.chance += from.map_or(0.0, |from| lights.through(from, &pane, gone, cosine));
             }
-            let tint = tint(renderer, &glass);
-            let passes = 1.0 - glass::reflected(cosine);
+            let (tint, passes) = (tint(renderer, &glass), straight(&glass, ray.along));
             way.share = three(|i| way.share[i] * passes * tint[i]);
             ray.from = super::path::off(&glass, ray.along);
             ray.end -= glass.t;

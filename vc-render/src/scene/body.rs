@@ -6,6 +6,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use vc_graph::{NodeId, Pose};
 
+use super::cover::Drawn;
 use super::liquid::SPECK;
 use crate::affine::{Affine, Narrow};
 use crate::mesh::{Bounds, Link};
@@ -49,6 +50,8 @@ pub(crate) struct Instance {
     pub(crate) coat: Coat,
     /// What is poured into a vessel, if it is that.
     pub(super) liquid: Option<Poured>,
+    /// What draws it over a window, if it hangs at one.
+    pub(super) drawn: Option<Drawn>,
     /// Whether nothing of its body is to be seen.
     pub(super) hidden: bool,
 }
@@ -69,6 +72,11 @@ impl Instance {
         self.arrange(pose, scale, &own)
     }
 
+    /// Whether it is drawn over a window.
+    pub(crate) fn covers(&self) -> bool {
+        self.drawn.as_ref().is_some_and(|drawn| drawn.closed)
+    }
+
     /// Where it is a speck that is not to be seen, in the mesh's frame.
     fn speck(&self) -> Option<[f64; 3]> {
         match self.liquid {
@@ -80,7 +88,13 @@ impl Instance {
 
     /// Puts it where its body's pose and its own motion say.
     pub(crate) fn arrange(&mut self, pose: &Pose, scale: &Vector3<f32>, own: &Pose) -> bool {
-        let placed = Affine::placed(pose, scale).after(&Affine::of(own));
+        let placed = match &self.drawn {
+            Some(Drawn { closed: true, stretch }) => {
+                Affine::of(pose).after(stretch).after(&Affine::placed(&Pose::identity(), scale))
+            }
+            _ => Affine::placed(pose, scale),
+        };
+        let placed = placed.after(&Affine::of(own));
         // A speck where nobody sees it: as good as not there, and known to all that know the scene.
         self.world = self.speck().map_or(placed, |at| placed.after(&Affine::shrunk(at, SPECK)));
         self.mirrored = self.world.determinant() < 0.0;

@@ -8,6 +8,7 @@ use vc_graph::asset::Joint;
 use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State};
 
 use super::body::Poured;
+use super::cover::{draw, hang};
 use super::{Body, Instance, NO_ROOM, Store, liquid};
 use crate::RenderError;
 use crate::affine::Affine;
@@ -43,6 +44,7 @@ impl Snapshot {
         let rooms: HashMap<NodeId, u16> = graph.rooms().iter().copied().zip(0..NO_ROOM).collect();
         let mut classes = Classes::of(graph);
         let (mut bodies, mut instances) = (Vec::new(), Vec::new());
+        let (mut covers, mut openings) = (Vec::new(), Vec::new());
         for node in graph.nodes().filter(|n| n.kind() != Kind::Room) {
             let Some(pose) = node.pose() else { continue };
             let links = links(store, graph, node)?;
@@ -66,8 +68,14 @@ impl Snapshot {
                 bounds: Default::default(),
             };
             body.bounds = body.measured(&instances[first as usize..]);
+            if node.affords(Property::Cover) && node.affords(Property::Openable) {
+                covers.push((bodies.len(), node.is(State::Closed)));
+            } else if OPENINGS.contains(&&*node.spec().category) {
+                openings.push(bodies.len());
+            }
             bodies.push(body);
         }
+        hang((&mut bodies, &mut instances), &covers, &openings);
         let by_node = bodies.iter().zip(0..).map(|(b, i)| (b.node, i)).collect();
         let (classes, rooms) = (Arc::new(classes.names), Arc::new(graph.rooms().to_vec()));
         let bounds = Arc::new(rooms.iter().map(|room| graph.node(*room)?.aabb()).collect());
@@ -287,6 +295,33 @@ impl Snapshot {
         Ok(())
     }
 
+    /// Draws a blind or a curtain over the window or door that it hangs at, or aside: it is stretched over the opening,
+    /// down from above or from its side, to the middle where another comes from the other side. A graph's states are
+    /// there from the beginning. What hangs at nothing stays as it is.
+    ///
+    /// Light follows when it is made anew: see [`Renderer::relight`](crate::Renderer::relight). Costs next to nothing.
+    ///
+    /// ```
+    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// use vc_render::Renderer;
+    /// let mut scene = SceneBuilder::new("study");
+    /// let window = Draft::new("window").bounds(Bounds::standing([0.1, 1.2, 1.4].into()));
+    /// scene.add(window.at(Pose::translation(0.0, 0.0, 0.9)))?;
+    /// let blinds = Draft::new("blinds").bounds(Bounds::standing([0.06, 1.2, 0.3].into()));
+    /// let blinds = scene.add(blinds.at(Pose::translation(0.1, 0.0, 2.0)))?;
+    /// let mut snapshot = Renderer::new().snapshot(&scene.build())?;
+    /// snapshot.draw(blinds, true)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RenderError::NoBody`].
+    pub fn draw(&mut self, node: NodeId, closed: bool) -> Result<(), RenderError> {
+        let index = self.body(node)?;
+        draw((&mut self.bodies[index], &mut self.instances), closed);
+        Ok(())
+    }
+
     /// The name of a class number.
     pub fn class(&self, number: u16) -> Option<&Arc<str>> {
         self.classes.get(usize::from(number))
@@ -319,6 +354,9 @@ impl Snapshot {
         self.body(node).ok().map(|i| &self.bodies[i])
     }
 }
+
+/// Categories of what is in an opening of a wall.
+const OPENINGS: [&str; 2] = ["window", "door"];
 
 /// A link, and what it is if it is a liquid.
 type Piece = (Arc<Link>, Option<Poured>);
@@ -354,8 +392,18 @@ fn instance(
         (None, _) => Coat::of(node),
         (Some(_), contents) => contents.map_or(Coat::NONE, |class| liquid::coat(class)),
     };
-    let mut instance =
-        Instance { link, body, joint: position, world, inverse, mirrored: false, coat, liquid, hidden: false };
+    let mut instance = Instance {
+        link,
+        body,
+        joint: position,
+        world,
+        inverse,
+        mirrored: false,
+        coat,
+        liquid,
+        drawn: None,
+        hidden: false,
+    };
     (instance.put(pose, scale) && instance.world.is_finite()).then_some(instance)
 }
 

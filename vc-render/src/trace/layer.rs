@@ -5,7 +5,8 @@ use std::sync::Arc;
 use pulp::{Simd, WithSimd};
 
 use super::build::over;
-use super::bvh::{Bvh, Hit, Node, Ray, walk};
+use super::bvh::{Bvh, Hit, Node, Ray};
+use super::walk::walk;
 use crate::affine::{self, three};
 use crate::mesh::{Bounds, Mesh};
 use crate::scene::{Instance, turned};

@@ -5,6 +5,7 @@ mod bvh;
 mod cast;
 mod layer;
 mod scene;
+mod walk;
 
 pub(crate) use bvh::{Bvh, Ray};
 pub use cast::{RayCaster, RayHit};

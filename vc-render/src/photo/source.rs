@@ -1,0 +1,126 @@
+//! Lamps and panes: what they are made of, and about how much light each brings to a place.
+
+use std::sync::Arc;
+
+use crate::affine::{self, three};
+use crate::light::dot;
+use crate::surface::Picture;
+
+/// How much a lamp in another room than the point that is lit counts.
+const ELSEWHERE: f32 = 0.05;
+/// Of the two sides of a pane the one that looks about this way is the one that is picked.
+const SIDE: [f32; 3] = [0.53, 0.81, 0.25];
+/// Area of triangles of panes that are looked through on purpose, square metres.
+pub(super) const SMALL: f32 = 0.05;
+
+/// Everything that glows of a body.
+pub(super) struct Lamp {
+    pub(super) room: u16,
+    pub(super) middle: [f32; 3],
+    /// Square of about half its size.
+    pub(super) square: f32,
+    pub(super) power: f32,
+    /// Its triangles, in the list of all.
+    pub(super) triangles: std::ops::Range<usize>,
+}
+
+/// A picture, and where a triangle's corners are in it.
+pub(super) type Shown = (Arc<Picture>, [[f32; 2]; 3]);
+
+/// A triangle that glows.
+pub(super) struct Glowing {
+    pub(super) triangle: Triangle,
+    pub(super) light: [f32; 3],
+    /// What the light is multiplied with.
+    pub(super) picture: Option<Shown>,
+    /// Power of it and of those of its lamp before it.
+    pub(super) sum: f32,
+}
+
+/// A triangle of a pane.
+pub(super) struct Pane {
+    pub(super) room: u16,
+    pub(super) triangle: Triangle,
+}
+
+#[derive(Clone, Copy)]
+pub(super) struct Triangle {
+    pub(super) corner: [f32; 3],
+    pub(super) edges: [[f32; 3]; 2],
+    pub(super) middle: [f32; 3],
+    pub(super) normal: [f32; 3],
+    pub(super) area: f32,
+}
+
+/// A point that is lit: where it is, which way it faces, and its room. The camera's has no normal.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    pub(super) at: [f32; 3],
+    pub(super) normal: [f32; 3],
+    pub(super) room: u16,
+    /// Sums of weights of all lamps and panes from here.
+    pub(super) lamps: f32,
+    pub(super) panes: f32,
+}
+
+impl Triangle {
+    pub(super) fn new([a, b, c]: [[f32; 3]; 3]) -> Self {
+        let edge = |p: [f32; 3]| three(|i| p[i] - a[i]);
+        let (u, v) = (edge(b), edge(c));
+        let cross = affine::cross(u, v);
+        let middle = three(|i| (a[i] + b[i] + c[i]) / 3.0);
+        Self {
+            corner: a,
+            edges: [u, v],
+            middle,
+            normal: crate::label::unit(cross),
+            area: 0.5 * dot(cross, cross).sqrt(),
+        }
+    }
+
+    /// A point of it, evenly.
+    pub(super) fn point(&self, square: [f32; 2]) -> [f32; 3] {
+        let [u, v] = weights(square);
+        three(|i| self.corner[i] + u * self.edges[0][i] + v * self.edges[1][i])
+    }
+}
+
+/// Weights of the second and third corner of a triangle at a point of it, evenly.
+fn weights([a, b]: [f32; 2]) -> [f32; 2] {
+    let root = a.sqrt();
+    [1.0 - root, b * root]
+}
+
+impl Glowing {
+    /// Light from a point of the triangle.
+    pub(super) fn at(&self, square: [f32; 2]) -> [f32; 3] {
+        let Some((picture, [a, b, c])) = &self.picture else { return self.light };
+        let [u, v] = weights(square);
+        let shown = picture.at(0, [0, 1].map(|i: usize| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i])));
+        three(|i| self.light[i] * shown[i])
+    }
+}
+
+impl Lamp {
+    pub(super) fn weight(&self, from: &Place) -> f32 {
+        let to = three(|i| self.middle[i] - from.at[i]);
+        let near = if self.room == from.room { 1.0 } else { ELSEWHERE };
+        self.power / (dot(to, to) + self.square) * near
+    }
+}
+
+impl Pane {
+    pub(super) fn weight(&self, from: &Place) -> f32 {
+        let to = three(|i| self.triangle.middle[i] - from.at[i]);
+        let square = dot(to, to);
+        let over = 1.0 / square.sqrt().max(1e-6);
+        // The pane may reach higher over the surface than its middle.
+        let rise = (dot(to, from.normal) * over + 0.3).max(0.0);
+        let turned = dot(to, self.triangle.normal).abs() * over + 0.05;
+        self.triangle.area * rise * turned / (square + self.triangle.area)
+    }
+}
+
+pub(super) fn is_window(area: f32, normal: [f32; 3]) -> bool {
+    area >= SMALL && dot(normal, SIDE) > 0.0
+}

@@ -1,0 +1,190 @@
+//! The way of a ray through a tree's nodes, nearest first.
+
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
+use pulp::Simd;
+
+use super::bvh::{LEAF, Lanes, Node, Ray, WIDE, part};
+use crate::simd::at_most;
+
+/// Most nodes that wait to be visited; [`Bvh::build`](super::build) makes no deeper trees.
+const STACK: usize = 128;
+
+/// A ray as boxes want it.
+struct Beam<S: Simd> {
+    from: [S::f32s; 3],
+    /// One over the direction, and a little more for the far sides, against rounding (Ize 2013).
+    over: [S::f32s; 3],
+    more: [S::f32s; 3],
+    /// By axis, the bounds that the ray meets first and last.
+    sides: [[usize; 2]; 3],
+}
+/// Goes along a ray through nodes: `meet` finds what is met in a leaf before an end, and where.
+#[inline(always)]
+pub(super) fn walk<S: Simd, H, const ANY: bool>(
+    simd: S,
+    nodes: &[Node],
+    ray: &Ray,
+    mut meet: impl FnMut(u32, f32) -> Option<(f32, H)>,
+) -> Option<(f32, H)> {
+    if nodes.is_empty() {
+        return None;
+    }
+    let beam = Beam::new(simd, ray);
+    let (mut best, mut end) = (None, ray.end);
+    let mut current = 0_u32;
+    // Most rays that meet little of a tree need no stack, which costs more than a node to set up.
+    let (mut enters, mut met) = loop {
+        if current & LEAF != 0 {
+            return meet(current & !LEAF, end);
+        }
+        let node = &nodes[current as usize];
+        let (enters, met) = node.enters(simd, &beam, end);
+        if met == 0 {
+            return None;
+        }
+        if !met.is_power_of_two() {
+            break (enters, met);
+        }
+        current = node.children[met.trailing_zeros() as usize];
+    };
+    let mut stack = [(0_u32, 0.0_f32); STACK];
+    let mut height = 0_usize;
+    loop {
+        let children = &nodes[current as usize].children;
+        current = if ANY {
+            any_child(children, met, &mut stack, &mut height)
+        } else {
+            nearest_child(children, (&enters, met), &mut stack, &mut height)
+        };
+        // Down to the next node of which more than one child is met.
+        loop {
+            if current & LEAF != 0 {
+                if let Some((at, hit)) = meet(current & !LEAF, end) {
+                    (end, best) = (at, Some((at, hit)));
+                    if ANY {
+                        return best;
+                    }
+                }
+                met = 0;
+            } else {
+                let node = &nodes[current as usize];
+                (enters, met) = node.enters(simd, &beam, end);
+                if met.is_power_of_two() {
+                    current = node.children[met.trailing_zeros() as usize];
+                    continue;
+                }
+            }
+            if met != 0 {
+                break;
+            }
+            // What begins behind the nearest hit is left out.
+            current = loop {
+                if height == 0 {
+                    return best;
+                }
+                height -= 1;
+                let (child, enter) = stack[height % STACK];
+                if enter <= end {
+                    break child;
+                }
+            };
+        }
+    }
+}
+
+/// Nodes that wait: which, and where the ray enters them.
+type Stack = [(u32, f32); STACK];
+
+/// Any of the children that are met, several of them; the others have to wait.
+#[inline(always)]
+fn any_child(children: &[u32; WIDE], mut met: u32, stack: &mut Stack, height: &mut usize) -> u32 {
+    loop {
+        let child = children[met.trailing_zeros() as usize % WIDE];
+        met &= met - 1;
+        if met == 0 {
+            return child;
+        }
+        stack[*height % STACK] = (child, 0.0);
+        *height += 1;
+    }
+}
+
+/// The nearest of the children that are met, several of them; the others have to wait, the farthest longest.
+#[inline(always)]
+fn nearest_child(
+    children: &[u32; WIDE],
+    (enters, mut met): (&Lanes, u32),
+    stack: &mut Stack,
+    height: &mut usize,
+) -> u32 {
+    let mut next = || {
+        let lane = met.trailing_zeros() as usize % WIDE;
+        met &= met.wrapping_sub(1);
+        ((children[lane], enters[lane]), met)
+    };
+    let ((a, _), (b, mut left)) = (next(), next());
+    let (mut near, far) = if b.1 < a.1 { (b, a) } else { (a, b) };
+    let first = *height;
+    stack[first % STACK] = far;
+    *height += 1;
+    while left != 0 {
+        let (child, after) = next();
+        left = after;
+        let (nearer, other) = if child.1 < near.1 { (child, near) } else { (near, child) };
+        near = nearer;
+        // Nearest on top.
+        let mut at = *height;
+        while at > first && stack[(at - 1) % STACK].1 < other.1 {
+            stack[at % STACK] = stack[(at - 1) % STACK];
+            at -= 1;
+        }
+        stack[at % STACK] = other;
+        *height += 1;
+    }
+    near.0
+}
+
+impl<S: Simd> Beam<S> {
+    #[inline(always)]
+    fn new(simd: S, ray: &Ray) -> Self {
+        let mut beam = Self {
+            from: [simd.splat_f32s(0.0); 3],
+            over: [simd.splat_f32s(0.0); 3],
+            more: [simd.splat_f32s(0.0); 3],
+            sides: [[0, 3], [1, 4], [2, 5]],
+        };
+        for axis in 0..3 {
+            let along = ray.along[axis];
+            let over = 1.0 / if along.abs() < 1e-20 { 1e-20_f32.copysign(along) } else { along };
+            beam.from[axis] = simd.splat_f32s(ray.from[axis]);
+            beam.over[axis] = simd.splat_f32s(over);
+            beam.more[axis] = simd.splat_f32s(over * 1.000_001);
+            if over < 0.0 {
+                beam.sides[axis] = [axis + 3, axis];
+            }
+        }
+        beam
+    }
+}
+
+impl Node {
+    /// Where the ray enters each box, and which boxes it meets at all, a bit each.
+    #[inline(always)]
+    fn enters<S: Simd>(&self, simd: S, beam: &Beam<S>, end: f32) -> (Lanes, u32) {
+        let (mut enters, mut leaves) = ([0.0; WIDE], [0.0; WIDE]);
+        for i in 0..WIDE / S::F32_LANES {
+            let (mut enter, mut leave) = (simd.splat_f32s(0.0), simd.splat_f32s(end));
+            for axis in 0..3 {
+                let [near, far] = beam.sides[axis];
+                let near = simd.sub_f32s(part::<S>(&self.bounds[near], i), beam.from[axis]);
+                let far = simd.sub_f32s(part::<S>(&self.bounds[far], i), beam.from[axis]);
+                enter = simd.max_f32s(simd.mul_f32s(near, beam.over[axis]), enter);
+                leave = simd.min_f32s(simd.mul_f32s(far, beam.more[axis]), leave);
+            }
+            S::as_mut_simd_f32s(&mut enters).0[i] = enter;
+            S::as_mut_simd_f32s(&mut leaves).0[i] = leave;
+        }
+        (enters, at_most(simd, &enters, &leaves))
+    }
+}
