@@ -1,6 +1,7 @@
 //! What is to be seen: bodies and where they are.
 
 mod body;
+mod change;
 mod cover;
 mod liquid;
 mod snapshot;

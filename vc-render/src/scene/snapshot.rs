@@ -1,14 +1,13 @@
 //! A scene at one moment.
 
 use std::collections::HashMap;
-use std::ops::Range;
 use std::sync::Arc;
 
 use vc_graph::asset::Joint;
 use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State};
 
 use super::body::Poured;
-use super::cover::{draw, hang};
+use super::cover::hang;
 use super::{Body, Instance, NO_ROOM, Store, liquid};
 use crate::RenderError;
 use crate::affine::Affine;
@@ -98,228 +97,10 @@ impl Snapshot {
         Err(RenderError::OtherScene { what, here: self.instances.len(), there: other.instances.len() })
     }
 
-    /// Moves a body. Costs a few operations for each of its links.
-    ///
-    /// # Errors
-    /// [`RenderError::NoBody`], [`RenderError::BadPose`].
-    pub fn place(&mut self, node: NodeId, pose: &Pose) -> Result<(), RenderError> {
-        let index = self.body(node)?;
-        let body = &mut self.bodies[index];
-        if !Affine::placed(pose, &body.scale).is_finite() {
-            return Err(RenderError::BadPose(node));
-        }
-        body.pose = *pose;
-        for instance in &mut self.instances[body.instances.start as usize..body.instances.end as usize] {
-            instance.put(pose, &body.scale);
-        }
-        Ok(())
-    }
-
     /// Whether all bodies and their parts are where they are in another moment of the same scene.
     pub(crate) fn stands_as(&self, other: &Self) -> bool {
         let (own, others) = (&self.instances, &other.instances);
         own.len() == others.len() && own.iter().zip(others).all(|(a, b)| a.world == b.world)
-    }
-
-    /// Moves the joints of a body: `position` gives each joint's, radians or metres,
-    /// where it is to change.
-    ///
-    /// # Errors
-    /// [`RenderError::NoBody`], [`RenderError::BadPose`].
-    pub fn articulate(
-        &mut self,
-        node: NodeId,
-        mut position: impl FnMut(&Joint) -> Option<f32>,
-    ) -> Result<(), RenderError> {
-        self.bend(node, |joint, _| position(joint).map(|at| (at, joint.motion(at))))
-    }
-
-    /// Puts the links of a body where a chain of joints has them, as a person's limbs:
-    /// `place` gives for each joint how far what hangs on it has moved from where the
-    /// asset has it, in the asset's frame.
-    ///
-    /// # Errors
-    /// [`RenderError::NoBody`], [`RenderError::BadPose`].
-    pub fn arrange(&mut self, node: NodeId, mut place: impl FnMut(&Joint) -> Option<Pose>) -> Result<(), RenderError> {
-        self.bend(node, |joint, at| place(joint).map(|moved| (at, moved)))
-    }
-
-    /// Gives links of a body the position of their joint, and their motion from where the asset has them; all that
-    /// are given one, or none if one of them cannot be.
-    fn bend(
-        &mut self,
-        node: NodeId,
-        mut motion: impl FnMut(&Joint, f32) -> Option<(f32, Pose)>,
-    ) -> Result<(), RenderError> {
-        let index = self.body(node)?;
-        let body = &mut self.bodies[index];
-        let instances = &mut self.instances[body.instances.start as usize..body.instances.end as usize];
-        let moved = instances.iter().map(|i| motion(&i.link.joint?, i.joint));
-        let moved: Vec<Option<(f32, Pose)>> = moved.collect();
-        let placed = Affine::placed(&body.pose, &body.scale);
-        let sound = |(at, own): &(f32, Pose)| at.is_finite() && placed.after(&Affine::of(own)).is_finite();
-        if !moved.iter().flatten().all(sound) {
-            return Err(RenderError::BadPose(node));
-        }
-        for (instance, moved) in instances.iter_mut().zip(moved) {
-            if let Some((at, own)) = moved {
-                instance.joint = at;
-                instance.arrange(&body.pose, &body.scale, &own);
-            }
-        }
-        body.bounds = body.measured(instances);
-        Ok(())
-    }
-
-    /// Switches what glows of a body.
-    ///
-    /// # Errors
-    /// [`RenderError::NoBody`].
-    pub fn switch(&mut self, node: NodeId, on: bool) -> Result<(), RenderError> {
-        let index = self.body(node)?;
-        self.bodies[index].lit = on;
-        Ok(())
-    }
-
-    /// Says what lies on a body; a graph's states are there from the beginning, as [`Coat::of`] has them.
-    ///
-    /// ```
-    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-    /// use vc_render::{Coat, Renderer};
-    /// let mut scene = SceneBuilder::new("table");
-    /// let plate = Draft::new("plate").bounds(Bounds::standing([0.2, 0.2, 0.02].into()));
-    /// let plate = scene.add(plate.at(Pose::identity()))?;
-    /// let mut snapshot = Renderer::new().snapshot(&scene.build())?;
-    /// snapshot.coat(plate, Coat { colour: [0.1, 0.05, 0.02], share: 0.5, roughness: 1.0 })?;
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`RenderError::NoBody`].
-    pub fn coat(&mut self, node: NodeId, coat: Coat) -> Result<(), RenderError> {
-        let index = self.body(node)?;
-        let Range { start, end } = self.bodies[index].instances;
-        let solid = self.instances[start as usize..end as usize].iter_mut().filter(|i| i.liquid.is_none());
-        solid.for_each(|instance| instance.coat = coat.sound());
-        Ok(())
-    }
-
-    /// Says what lies on the links of a body that move on joints, where it differs from the rest of it: what a person
-    /// wears. What [`coat`](Self::coat) says later holds for all of it again. Costs next to nothing.
-    ///
-    /// ```
-    /// use vc_graph::asset::JointKind;
-    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-    /// use vc_render::{Coat, Renderer};
-    /// let mut scene = SceneBuilder::new("shelf");
-    /// let doll = Draft::new("doll").bounds(Bounds::standing([0.1, 0.1, 0.3].into()));
-    /// let doll = scene.add(doll.at(Pose::identity()))?;
-    /// let mut snapshot = Renderer::new().snapshot(&scene.build())?;
-    /// let sleeve = Coat { colour: [0.1, 0.2, 0.5], share: 1.0, roughness: 1.0 };
-    /// snapshot.coat_links(doll, |joint| (joint.kind == JointKind::Hinge).then_some(sleeve))?;
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`RenderError::NoBody`].
-    pub fn coat_links(
-        &mut self,
-        node: NodeId,
-        mut coat: impl FnMut(&Joint) -> Option<Coat>,
-    ) -> Result<(), RenderError> {
-        let index = self.body(node)?;
-        let Range { start, end } = self.bodies[index].instances;
-        for instance in &mut self.instances[start as usize..end as usize] {
-            let other = instance.link.joint.as_ref().and_then(&mut coat);
-            instance.coat = other.map_or(instance.coat, Coat::sound);
-        }
-        Ok(())
-    }
-
-    /// Lets a body be seen or not: what somebody wears is where its wearer is.
-    ///
-    /// ```
-    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-    /// use vc_render::{Camera, Frame, Modality, Renderer, Shot};
-    /// let mut scene = SceneBuilder::new("hall");
-    /// let coat = Draft::new("coat").bounds(Bounds::standing([0.2, 0.5, 1.0].into()));
-    /// let coat = scene.add(coat.at(Pose::translation(2.0, 0.0, -0.5)))?;
-    /// let mut renderer = Renderer::new();
-    /// let mut snapshot = renderer.snapshot(&scene.build())?;
-    /// snapshot.hide(coat, true)?;
-    /// let camera = Camera::with_fov(32, 32, 1.0);
-    /// let mut frame = Frame::new();
-    /// renderer.render(&Shot::new(&snapshot, &camera, Modality::Instance), &mut frame)?;
-    /// assert!(!frame.instance.contains(&coat));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`RenderError::NoBody`].
-    pub fn hide(&mut self, node: NodeId, hidden: bool) -> Result<(), RenderError> {
-        let index = self.body(node)?;
-        let body = &self.bodies[index];
-        for instance in &mut self.instances[body.instances.start as usize..body.instances.end as usize] {
-            instance.hidden = hidden;
-            instance.put(&body.pose, &body.scale);
-        }
-        Ok(())
-    }
-
-    /// Fills a vessel with a liquid of a class, or empties it; a graph's contents are there from the beginning. What
-    /// is not open above with walls around holds nothing that is seen.
-    ///
-    /// ```
-    /// use vc_graph::{Draft, Pose, SceneBuilder};
-    /// use vc_render::Renderer;
-    /// let mut scene = SceneBuilder::new("table");
-    /// let mug = scene.add(Draft::new("mug").at(Pose::identity()).bounds(vc_graph::Bounds::standing([0.1; 3].into())))?;
-    /// let mut snapshot = Renderer::new().snapshot(&scene.build())?;
-    /// snapshot.fill(mug, Some("coffee"))?;
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`RenderError::NoBody`].
-    pub fn fill(&mut self, node: NodeId, contents: Option<&str>) -> Result<(), RenderError> {
-        let index = self.body(node)?;
-        let body = &self.bodies[index];
-        for instance in &mut self.instances[body.instances.start as usize..body.instances.end as usize] {
-            let Some(liquid) = &mut instance.liquid else { continue };
-            instance.coat = contents.map_or(Coat::NONE, liquid::coat);
-            if liquid.there != contents.is_some() {
-                liquid.there = contents.is_some();
-                instance.put(&body.pose, &body.scale);
-            }
-        }
-        Ok(())
-    }
-
-    /// Draws a blind or a curtain over the window or door that it hangs at, or aside: it is stretched over the opening,
-    /// down from above or from its side, to the middle where another comes from the other side. A graph's states are
-    /// there from the beginning. What hangs at nothing stays as it is.
-    ///
-    /// Light follows when it is made anew: see [`Renderer::relight`](crate::Renderer::relight). Costs next to nothing.
-    ///
-    /// ```
-    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-    /// use vc_render::Renderer;
-    /// let mut scene = SceneBuilder::new("study");
-    /// let window = Draft::new("window").bounds(Bounds::standing([0.1, 1.2, 1.4].into()));
-    /// scene.add(window.at(Pose::translation(0.0, 0.0, 0.9)))?;
-    /// let blinds = Draft::new("blinds").bounds(Bounds::standing([0.06, 1.2, 0.3].into()));
-    /// let blinds = scene.add(blinds.at(Pose::translation(0.1, 0.0, 2.0)))?;
-    /// let mut snapshot = Renderer::new().snapshot(&scene.build())?;
-    /// snapshot.draw(blinds, true)?;
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`RenderError::NoBody`].
-    pub fn draw(&mut self, node: NodeId, closed: bool) -> Result<(), RenderError> {
-        let index = self.body(node)?;
-        draw((&mut self.bodies[index], &mut self.instances), closed);
-        Ok(())
     }
 
     /// The name of a class number.
@@ -345,7 +126,7 @@ impl Snapshot {
         seen.map(|i| i.link.levels[0].len()).sum()
     }
 
-    fn body(&self, node: NodeId) -> Result<usize, RenderError> {
+    pub(super) fn body(&self, node: NodeId) -> Result<usize, RenderError> {
         self.by_node.get(&node).map(|&i| i as usize).ok_or(RenderError::NoBody(node))
     }
 
