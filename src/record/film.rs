@@ -15,6 +15,9 @@ const EVERY: u32 = 10;
 /// Most pictures; when there are more, every other one is dropped and fewer are made.
 const MOST: usize = 180;
 
+/// How many times finer pictures are made than they are shown: films are small, and grooves of furniture thin.
+const FINER: u32 = 2;
+
 /// Pixels of 80 by 60 in which somebody is seen well.
 const SEEN: usize = 60;
 
@@ -122,7 +125,8 @@ impl Film {
     }
 
     fn shot(&self, home: &Environment, view: Viewpoint) -> Result<Picture, RenderError> {
-        Ok(picture::rgb(&home.render(view, Modality::Rgb, self.size.0, self.size.1)?))
+        let fine = home.render(view, Modality::Rgb, FINER * self.size.0, FINER * self.size.1)?;
+        Ok(picture::rgb(&fine).shrunk(FINER as usize))
     }
 
     /// Keeps all modalities of the moment that tells most.

@@ -137,7 +137,7 @@ impl Renderer {
         let mut fine = frame.memory.finer.take().unwrap_or_default();
         self.render(&Shot { wanted: shot.wanted.without(Modality::Rgb), finer: 1, ..*shot }, frame)?;
         self.render(&colours, &mut fine)?;
-        shade::shrink(&fine, shot.finer as usize, (frame.width, &mut frame.rgb));
+        shade::shrink(&fine.rgb, shot.finer as usize, (frame.width, &mut frame.rgb));
         frame.holds = shot.wanted;
         frame.memory.finer = Some(fine);
         Ok(())

@@ -41,6 +41,31 @@ impl Picture {
         all
     }
 
+    /// So many times smaller along each side, a pixel the mean light of a square of them: with colours made larger, seams
+    /// and bars thinner than a pixel do not look dashed. What is left over at the right and below is left out.
+    ///
+    /// ```
+    /// use vc_render::picture::Picture;
+    /// let mut board = Picture::new(4, 2, [0; 3]);
+    /// board.pixels[0] = [255; 3];
+    /// let small = board.shrunk(2);
+    /// assert_eq!((small.width, small.height), (2, 1));
+    /// // A quarter of the light, as a screen has it.
+    /// assert_eq!(small.pixels, [[137; 3], [0; 3]]);
+    /// ```
+    #[must_use]
+    pub fn shrunk(&self, times: usize) -> Self {
+        let times = times.max(1);
+        let (width, height) = (self.width / times, self.height / times);
+        let mut whole = Self::new(width * times, height * times, [0; 3]);
+        whole.paste(self, 0, 0);
+        let mut small = Self { width, height, pixels: Vec::new() };
+        if width > 0 {
+            crate::shade::shrink(&whole.pixels, times, (width, &mut small.pixels));
+        }
+        small
+    }
+
     /// Draws the outline of a box.
     pub(super) fn outline(&mut self, of: &crate::PixelBox, colour: [u8; 3]) {
         let Some(within) = of.within(self.width, self.height) else { return };

@@ -3,21 +3,20 @@
 use rayon::prelude::*;
 
 use super::tone::{decoded, encoded};
-use crate::frame::Frame;
 
 /// Half a step of the table that encodes, which rounds down.
 const HALF: f32 = 0.5 / 4095.0;
 
 /// Writes the mean light of each square of pixels, so many along a side, in rows of a width.
-pub(crate) fn shrink(fine: &Frame, times: usize, (width, rgb): (usize, &mut Vec<[u8; 3]>)) {
-    rgb.resize(fine.rgb.len() / (times * times), [0; 3]);
+pub(crate) fn shrink(fine: &[[u8; 3]], times: usize, (width, rgb): (usize, &mut Vec<[u8; 3]>)) {
+    rgb.resize(fine.len() / (times * times), [0; 3]);
     let over = 1.0 / (times * times) as f32;
     rgb.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
         for (x, pixel) in row.iter_mut().enumerate() {
             let mut sum = [0.0; 3];
             for line in 0..times {
-                let first = (y * times + line) * fine.width + x * times;
-                for colour in &fine.rgb[first..first + times] {
+                let first = ((y * times + line) * width + x) * times;
+                for colour in &fine[first..first + times] {
                     let light = decoded(*colour);
                     (0..3).for_each(|i| sum[i] += light[i]);
                 }
