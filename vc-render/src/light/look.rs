@@ -97,12 +97,20 @@ impl ShadowMap {
         let places = self.places(points);
         let (mut found, mut least, mut greatest) = ([0.0_f32; N], [0.0_f32; N], [0.0_f32; N]);
         for i in 0..count.min(N) {
-            found[i] = self.depth[places.texel[i] as usize];
             [least[i], greatest[i]] = self.blocks[places.block[i] as usize];
         }
-        let mut share = [1.0_f32; N];
+        let (mut share, mut texel) = ([1.0_f32; N], [0_u32; N]);
         for i in 0..N {
-            let plain = self.plain(&places, i, found[i], [least[i], greatest[i]]);
+            share[i] = self.far(places.depth[i], [least[i], greatest[i]]);
+            // What has been told need not be fetched from far away.
+            texel[i] = if share[i] == UNKNOWN { places.texel[i] } else { 0 };
+        }
+        for i in 0..count.min(N) {
+            found[i] = self.depth[texel[i] as usize];
+        }
+        for i in 0..N {
+            let plain = self.plain(&places, i, found[i], least[i]);
+            let plain = if share[i] == UNKNOWN { plain } else { share[i] };
             share[i] = if places.inside[i] == 1 { plain } else { 1.0 };
         }
         for i in 0..count.min(N) {
@@ -140,9 +148,16 @@ impl ShadowMap {
         all
     }
 
+    /// The share of light at a depth which all around is in front of, or behind.
+    #[inline(always)]
+    fn far(&self, z: f32, [least, greatest]: [f32; 2]) -> f32 {
+        let told = if greatest < z - 4.0 * self.slack { 0.0 } else { UNKNOWN };
+        if least >= z - self.slack { 1.0 } else { told }
+    }
+
     /// The share of light at a point where one look tells.
     #[inline(always)]
-    fn plain<const N: usize>(&self, all: &Places<N>, i: usize, found: f32, [least, greatest]: [f32; 2]) -> f32 {
+    fn plain<const N: usize>(&self, all: &Places<N>, i: usize, found: f32, least: f32) -> f32 {
         let z = all.depth[i];
         // Where all that is looked at is one plane, which the point is on or clearly behind.
         let clear = (found.to_bits() & CLEAR) as i32 as f32 >= self.edge(z, least) + 2.0;
@@ -150,9 +165,7 @@ impl ShadowMap {
         let limit = z + by[0] * all.slope[0][i] + by[1] * all.slope[1][i] - self.slack;
         let behind = if found < limit - 3.0 * self.slack { 0.0 } else { UNKNOWN };
         let told = if found >= limit { 1.0 } else { behind };
-        let told = if clear { told } else { UNKNOWN };
-        let told = if greatest < z - 4.0 * self.slack { 0.0 } else { told };
-        if least >= z - self.slack { 1.0 } else { told }
+        if clear { told } else { UNKNOWN }
     }
 
     #[inline(always)]

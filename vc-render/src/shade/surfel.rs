@@ -7,7 +7,7 @@ mod first;
 use super::edge::{Lines, lines};
 use super::planes::{Row, gloss_of};
 use super::texture::Texture;
-use crate::affine::{self, Affine, Narrow};
+use crate::affine::{self, Affine, Narrow, three};
 use crate::label::Bent;
 use crate::light::Lighting;
 use crate::raster::{Frustum, Layers, NONE, Solid, Visible, refill};
@@ -240,17 +240,19 @@ impl Known {
         let Paint { look, colour, roughness, metallic, texture } = &self.paints[paint as usize];
         let Some(texture) = texture else {
             let gloss = gloss_of(*roughness, *metallic);
-            for from in at.step_by(SPAN) {
-                *part_mut(&mut row.look, from) = [*look; SPAN];
-                *part_mut(&mut row.gloss, from) = [gloss; SPAN];
-                *part_mut(&mut row.lean, from) = [0; SPAN];
-                (0..3).for_each(|c| *part_mut(&mut row.colour[c], from) = [colour[c]; SPAN]);
-            }
+            at.step_by(SPAN).for_each(|from| row.even(from, (*look, *colour, gloss)));
             return;
         };
         for from in at.clone().step_by(SPAN) {
-            let (place, seen) = ((from as u32 as f32 + 0.5, y as f32 + 0.5), part(&row.inverse, from));
-            let (span, lean) = texture.touch((seen, at.end - from), place, focal);
+            let (seen, count) = (part(&row.inverse, from), (at.end - from).min(SPAN));
+            let footprint = 1.0 / (seen[count / 2 % SPAN] * focal);
+            if let Some(touch) = texture.even(footprint) {
+                let gloss = gloss_of(roughness * touch.roughness, *metallic);
+                row.even(from, (*look, three(|c| (colour[c] * touch.tint[c]).min(1.0)), gloss));
+                continue;
+            }
+            let place = (from as u32 as f32 + 0.5, y as f32 + 0.5);
+            let (span, lean) = texture.touch((seen, count), place, footprint);
             let (mut colours, mut gloss) = ([[0.0; SPAN]; 3], [0; SPAN]);
             for c in 0..3 {
                 for i in 0..SPAN {
@@ -265,6 +267,17 @@ impl Known {
             *part_mut(&mut row.lean, from) = lean;
             (0..3).for_each(|c| *part_mut(&mut row.colour[c], from) = colours[c]);
         }
+    }
+}
+
+impl Row {
+    /// Writes a span of which all pixels are the same.
+    #[inline(always)]
+    fn even(&mut self, from: usize, (look, colour, gloss): (u32, [f32; 3], u32)) {
+        *part_mut(&mut self.look, from) = [look; SPAN];
+        *part_mut(&mut self.gloss, from) = [gloss; SPAN];
+        *part_mut(&mut self.lean, from) = [0; SPAN];
+        (0..3).for_each(|c| *part_mut(&mut self.colour[c], from) = [colour[c]; SPAN]);
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::planes::packed;
 use crate::affine::{self, Narrow, three};
-use crate::surface::{Picture, SPAN, Span, Tile};
+use crate::surface::{Picture, SPAN, Span, Tile, Touch};
 
 /// How a texture lies on a surface.
 #[derive(Debug, Clone)]
@@ -58,18 +58,25 @@ impl Texture {
         Self { cloth: Cloth::Picture(picture.clone(), density), places: [place(0), place(1)] }
     }
 
-    /// What the texture says at some pixels of a row, and how normals lean there, packed. Only so many
-    /// of them have it.
+    /// What the texture is at all pixels that are so many metres wide, if it is the same.
+    #[inline(always)]
+    pub(super) fn even(&self, footprint: f32) -> Option<&'static Touch> {
+        match &self.cloth {
+            Cloth::Tile(tile, _) => tile.even(tile.level(footprint)),
+            Cloth::Picture(..) => None,
+        }
+    }
+
+    /// What the texture says at some pixels of a row that are so many metres wide, and how normals lean there,
+    /// packed. Only so many of them have it.
     #[inline(always)]
     pub(super) fn touch(
         &self,
         (inverse, count): (&[f32; SPAN], usize),
         at: (f32, f32),
-        focal: f32,
+        footprint: f32,
     ) -> (Span, [u32; SPAN]) {
         let [us, vs] = self.places(inverse, at);
-        let count = count.min(SPAN);
-        let footprint = 1.0 / (inverse[count / 2 % SPAN] * focal);
         match &self.cloth {
             Cloth::Tile(tile, along) => {
                 let level = tile.level(footprint);
@@ -80,7 +87,7 @@ impl Texture {
             Cloth::Picture(picture, density) => {
                 let level = picture.level(footprint * density);
                 let mut tint = [[0.0; SPAN]; 3];
-                for i in 0..count {
+                for i in 0..count.min(SPAN) {
                     let colour = picture.at(level, [us[i], vs[i]]);
                     (0..3).for_each(|c| tint[c][i] = colour[c]);
                 }

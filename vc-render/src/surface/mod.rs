@@ -15,7 +15,7 @@ use vc_graph::asset::{Material, Part};
 pub use coat::Coat;
 pub(crate) use pattern::Pattern;
 pub(crate) use picture::Picture;
-pub(crate) use tile::{SPAN, Span, Tile};
+pub(crate) use tile::{SPAN, Span, Tile, Touch};
 
 /// A material as light meets it.
 #[derive(Debug, Clone, PartialEq)]
