@@ -87,7 +87,7 @@ fn main() -> Result<(), Complaint> {
     }
     let path = options.out.join(format!("{}.png", object.file));
     let bytes = picture::apng(&pictures, options.rate).map_err(Complaint::new)?;
-    std::fs::create_dir_all(&options.out).map_err(Complaint::new)?;
+    std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
     std::fs::write(&path, bytes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))?;
     say!("{} parts, {} pictures: {}", object.asset.parts.len(), pictures.len(), path.display());
     Ok(())

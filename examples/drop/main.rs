@@ -14,7 +14,6 @@ mod play;
 mod stage;
 
 use std::fmt::Write as _;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
@@ -41,7 +40,7 @@ struct Options {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    std::fs::create_dir_all(&options.out).map_err(Complaint::new)?;
+    std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
     let (graph, cast) = stage::build(options.seed, options.things).map_err(Complaint::new)?;
     let mut world = World::build(&graph, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
     play::prepare(&mut world, &cast).map_err(Complaint::new)?;
@@ -124,7 +123,8 @@ fn report(world: &World, graph: &SceneGraph, cast: &Cast, settling: &Settling) -
 
 /// Writes rows of RGB as a PNG.
 fn draw(path: &Path, rows: &[u8]) -> Result<(), Complaint> {
-    let file = std::fs::File::create(path).map_err(Complaint::new)?;
+    let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", path.display()));
+    let file = std::fs::File::create(path).map_err(fail)?;
     let mut encoder = png::Encoder::new(std::io::BufWriter::new(file), draw::SIZE.0, draw::SIZE.1);
     encoder.set_color(png::ColorType::Rgb);
     let mut writer = encoder.write_header().map_err(Complaint::new)?;
@@ -132,6 +132,5 @@ fn draw(path: &Path, rows: &[u8]) -> Result<(), Complaint> {
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Complaint> {
-    let mut file = std::fs::File::create(path).map_err(Complaint::new)?;
-    file.write_all(text.as_bytes()).map_err(Complaint::new)
+    std::fs::write(path, text).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))
 }

@@ -53,7 +53,7 @@ struct Options {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    std::fs::create_dir_all(&options.out).map_err(Complaint::new)?;
+    std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
     let mut scene = Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene();
     let walk = path::through(&mut scene)?;
     let step = options.speed.clamp(0.01, 100.0) / f32::from(options.rate.max(1));

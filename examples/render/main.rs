@@ -88,7 +88,7 @@ fn main() -> Result<(), Complaint> {
         Some(path) => format::native::read(&support::read(path)?, &ClassTable::builtin()).map_err(Complaint::new)?,
         None => Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene(),
     };
-    std::fs::create_dir_all(&options.out).map_err(Complaint::new)?;
+    std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
     let mut renderer = Renderer::new();
     let mut snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;
     switch_lamps(&scene, &mut snapshot, options.daylight == Hour::Night)?;
