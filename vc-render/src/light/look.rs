@@ -26,6 +26,9 @@ const DISC_POINTS: [[f32; LANES]; 2] = [
 const LANES: usize = 16;
 type Lanes = [f32; LANES];
 
+/// Radius of shadows' edges that are as sharp as texels allow, texels.
+const SHARP: f32 = 1.0;
+
 /// How far from surfaces looks begin, metres.
 const OFF: f32 = 0.015;
 
@@ -168,9 +171,14 @@ impl ShadowMap {
         if clear { told } else { UNKNOWN }
     }
 
+    /// The share of light at a point whose neighbourhood is not all in front of it or behind.
     #[inline(always)]
     fn share(&self, place: [f32; 2], z: f32, slope: [f32; 2], least: f32) -> f32 {
-        let reach = self.edge(z, least) + 1.0;
+        let widest = self.edge(z, least);
+        if widest <= SHARP {
+            return self.sharp(place, z, slope);
+        }
+        let reach = widest + 1.0;
         let (mut at, mut found) = ([0_u32; LANES], [f32::INFINITY; LANES]);
         let [x, y] = around(place, reach, 0.0, self.side as f32 - 1.0);
         for i in 0..LANES {
@@ -193,6 +201,9 @@ impl ShadowMap {
             return if count == 0 { 1.0 } else { 0.0 };
         }
         let width = self.edge(z, depth.iter().sum::<f32>() / count as f32);
+        if width <= SHARP {
+            return self.sharp(place, z, slope);
+        }
         self.softened(place, width, &self.limits(z, slope, width))
     }
 
@@ -205,6 +216,35 @@ impl ShadowMap {
             limits[i] = z + by[0] * slope[0] + by[1] * slope[1] - self.slack;
         }
         limits
+    }
+
+    /// The mean of comparisons with four by four texels, weighted by a cubic B-spline: of a disc of about a texel.
+    #[inline(always)]
+    fn sharp(&self, place: [f32; 2], z: f32, slope: [f32; 2]) -> f32 {
+        let (mut near, mut weights) = ([[0.0_f32; 4]; 2], [[0.0_f32; 4]; 2]);
+        for axis in 0..2 {
+            // From the middle of the second of four texels.
+            let at = place[axis] - 0.5;
+            let (first, share) = (at.floor(), at - at.floor());
+            weights[axis] = spline(share);
+            for (k, near) in near[axis].iter_mut().enumerate() {
+                *near = (first - 1.0 + k as f32).max(0.0).min(self.side as f32 - 1.0);
+            }
+        }
+        let rows = near[1].map(|y| self.row(whole(y)));
+        let columns = near[0].map(|x| column(whole(x)));
+        let mut found = [0.0_f32; LANES];
+        for i in 0..LANES {
+            found[i] = self.depth[(rows[i / 4] + columns[i % 4]) as usize];
+        }
+        let mut sums = [0.0_f32; LANES];
+        for i in 0..LANES {
+            let by = [near[0][i % 4] + 0.5 - place[0], near[1][i / 4] + 0.5 - place[1]];
+            let limit = z + by[0] * slope[0] + by[1] * slope[1] - self.slack;
+            let weight = weights[0][i % 4] * weights[1][i / 4];
+            sums[i] = if found[i] >= limit { weight } else { 0.0 };
+        }
+        total(sums)
     }
 
     /// The mean over a disc of comparisons with four texels each, smooth from texel to texel.
@@ -232,7 +272,8 @@ impl ShadowMap {
             let below = lit(2) * (1.0 - right[i]) + lit(3) * right[i];
             sums[i] = above * (1.0 - down[i]) + below * down[i];
         }
-        sums[..POINTS].iter().sum::<f32>() * (1.0 / POINTS as f32)
+        sums[POINTS..].fill(0.0);
+        total(sums) * (1.0 / POINTS as f32)
     }
 
     /// Radius of a shadow's edge, texels, where what throws it is at a depth.
@@ -252,6 +293,25 @@ impl ShadowMap {
 #[inline(always)]
 fn column(x: u32) -> u32 {
     (x & !(BLOCK - 1)) * BLOCK + (x & (BLOCK - 1))
+}
+
+/// The sum of all, in halves that wait for nothing.
+#[inline(always)]
+fn total(mut lanes: Lanes) -> f32 {
+    for half in [8, 4, 2, 1] {
+        for i in 0..half {
+            lanes[i] += lanes[half + i];
+        }
+    }
+    lanes[0]
+}
+
+/// Weights of four neighbours by a cubic B-spline, at a place so far from the second to the third.
+#[inline(always)]
+fn spline(share: f32) -> [f32; 4] {
+    let rest = 1.0 - share;
+    let near = |t: f32| (4.0 - 6.0 * t * t + 3.0 * t * t * t) * (1.0 / 6.0);
+    [rest * rest * rest * (1.0 / 6.0), near(share), near(rest), share * share * share * (1.0 / 6.0)]
 }
 
 /// The points of a disc around a place, within the map.
