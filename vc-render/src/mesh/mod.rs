@@ -11,7 +11,7 @@ pub(crate) use build::Source;
 pub(crate) use cluster::Cluster;
 pub(crate) use link::{Finish, Link, TOLERANCES, links, single};
 
-use crate::affine::three;
+use crate::affine::{Affine, three};
 use crate::trace::Bvh;
 
 /// Most triangles of a cluster, so that their corners fit in a byte.
@@ -43,6 +43,13 @@ pub(crate) struct Mesh {
 pub(crate) struct Bounds {
     pub(crate) centre: [f32; 3],
     pub(crate) half: [f32; 3],
+}
+
+/// Around something in the world.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Ball {
+    pub(crate) middle: [f32; 3],
+    pub(crate) radius: f32,
 }
 
 /// What a triangle looks like and belongs to.
@@ -83,6 +90,17 @@ impl Bounds {
         }
         let half = [0, 1, 2].map(|i: usize| 0.5 * (high[i] - low[i]));
         Self { centre: [0, 1, 2].map(|i: usize| low[i] + half[i]), half }
+    }
+
+    /// The ball around the box where a map takes it.
+    pub(crate) fn ball(&self, world: &Affine) -> Ball {
+        let middle = world.point(self.centre.map(f64::from)).map(|v| v as f32);
+        let side = |c: usize| three(|r| world.0[r][c] as f32 * self.half[c]);
+        let (a, b, c) = (side(0), side(1), side(2));
+        let corner = |s: f32, t: f32| three(|i| a[i] + s * b[i] + t * c[i]);
+        let corners = [corner(1.0, 1.0), corner(1.0, -1.0), corner(-1.0, 1.0), corner(-1.0, -1.0)];
+        let square = corners.map(|v| v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).into_iter().fold(0.0, f32::max);
+        Ball { middle, radius: square.sqrt() }
     }
 
     /// Around two boxes.

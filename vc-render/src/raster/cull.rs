@@ -1,8 +1,9 @@
 //! What need not be drawn.
 
-use crate::affine::{self, Affine, Narrow};
+use crate::affine::{self, Affine, Narrow, three};
 use crate::camera::Camera;
-use crate::mesh::{Bounds, Cluster};
+use crate::light::dot;
+use crate::mesh::{Ball, Bounds, Cluster};
 
 /// What a camera sees, or some rows of it.
 #[derive(Debug, Clone, Copy)]
@@ -17,6 +18,8 @@ pub(crate) struct Frustum {
     /// First column and row, and those after the last.
     low: [i32; 2],
     high: [i32; 2],
+    /// Unit normals of the planes around the view, which look into it: all but the first go through the eye.
+    planes: [[f32; 3]; 5],
 }
 
 /// Where a box is in the image.
@@ -36,14 +39,35 @@ impl Frustum {
         let mix = |f: f32, c: f32, r: usize| {
             [0, 1, 2, 3].map(|k: usize| f64::from(f) * view[r][k] + f64::from(c) * view[2][k])
         };
+        let map = Affine([mix(focal.0, centre.0, 0), mix(focal.1, centre.1, 1), view[2]]);
+        let (low, high) = ([0, rows.start], [camera.width as i32, rows.end]);
         Self {
-            map: Affine([mix(focal.0, centre.0, 0), mix(focal.1, centre.1, 1), view[2]]),
+            map,
             near: camera.near,
             eye: camera.eye().into(),
             focal: focal.0.max(focal.1),
-            low: [0, rows.start],
-            high: [camera.width as i32, rows.end],
+            low,
+            high,
+            planes: inwards(low, high).map(|k| {
+                let normal = three(|c| (0..3).map(|r| f64::from(k[r]) * map.0[r][c]).sum::<f64>());
+                let length = normal.iter().map(|v| v * v).sum::<f64>().sqrt();
+                normal.map(|v| (v / length) as f32)
+            }),
         }
+    }
+
+    /// Whether nothing within a ball can be in the image.
+    #[inline(always)]
+    pub(crate) fn misses(&self, ball: &Ball) -> bool {
+        let to = three(|i| ball.middle[i] - self.eye[i]);
+        // A little more, against rounding.
+        let far = three(|i| ball.middle[i].abs().max(self.eye[i].abs()));
+        let radius = 1.0001 * ball.radius + 1e-6 * (far[0] + far[1] + far[2]);
+        let mut out = dot(to, self.planes[0]) + radius < self.near;
+        for plane in &self.planes[1..] {
+            out |= dot(to, *plane) + radius < 0.0;
+        }
+        out
     }
 
     /// Where a box is in the image, if it can be in it at all. `map` leads from the
@@ -57,13 +81,8 @@ impl Frustum {
             let along = |v: [f32; 3]| k[0] * v[0] + k[1] * v[1] + k[2] * v[2];
             along(middle) + sides.iter().map(|s| along(*s).abs()).sum::<f32>()
         };
-        let (low, high) = (self.low.map(|v| v as f32), self.high.map(|v| v as f32));
-        let outside = reach([0.0, 0.0, 1.0]) < self.near
-            || reach([1.0, 0.0, -low[0]]) < 0.0
-            || reach([-1.0, 0.0, high[0]]) < 0.0
-            || reach([0.0, 1.0, -low[1]]) < 0.0
-            || reach([0.0, -1.0, high[1]]) < 0.0;
-        if outside {
+        let [front, others @ ..] = inwards(self.low, self.high);
+        if reach(front) < self.near || others.into_iter().any(|side| reach(side) < 0.0) {
             return None;
         }
         let nearest = middle[2] - sides.iter().map(|s| s[2].abs()).sum::<f32>();
@@ -92,6 +111,14 @@ impl Frustum {
         let last = [0, 1].map(|i: usize| ((high[i] - 0.49).floor() as i32).min(self.high[i] - 1));
         (first[0] <= last[0] && first[1] <= last[1]).then_some(Extent { nearest, low: first, high: last })
     }
+}
+
+/// What pixels times depth, and depth, are multiplied with to tell how far into the view something is: in front of the eye,
+/// and of the left, right, upper and lower side.
+#[inline(always)]
+fn inwards(low: [i32; 2], high: [i32; 2]) -> [[f32; 3]; 5] {
+    let (low, high) = (low.map(|v| v as f32), high.map(|v| v as f32));
+    [[0.0, 0.0, 1.0], [1.0, 0.0, -low[0]], [-1.0, 0.0, high[0]], [0.0, 1.0, -low[1]], [0.0, -1.0, high[1]]]
 }
 
 /// Whether all triangles of a cluster look away from the eye, which is given in the

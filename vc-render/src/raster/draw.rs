@@ -132,6 +132,9 @@ impl Layers {
         self.order.clear();
         for index in which {
             let instance = &drawing.instances[index as usize];
+            if drawing.frustum.misses(&instance.ball) {
+                continue;
+            }
             let map = drawing.frustum.map.after(&instance.world).narrow();
             let bounds = &instance.link.levels[0].bounds;
             let Some(extent) = drawing.frustum.extent(&map, bounds) else { continue };

@@ -9,7 +9,7 @@ use vc_graph::{NodeId, Pose};
 use super::cover::Drawn;
 use super::liquid::SPECK;
 use crate::affine::{Affine, Narrow};
-use crate::mesh::{Bounds, Link};
+use crate::mesh::{Ball, Bounds, Link};
 use crate::surface::Coat;
 
 /// Room of what is in none.
@@ -44,6 +44,8 @@ pub(crate) struct Instance {
     pub(crate) world: Affine,
     /// From the world to the mesh.
     pub(crate) inverse: Narrow,
+    /// Around it in the world.
+    pub(crate) ball: Ball,
     /// Whether the map turns triangles over.
     pub(crate) mirrored: bool,
     /// What lies on it.
@@ -97,6 +99,7 @@ impl Instance {
         let placed = placed.after(&Affine::of(own));
         // A speck where nobody sees it: as good as not there, and known to all that know the scene.
         self.world = self.speck().map_or(placed, |at| placed.after(&Affine::shrunk(at, SPECK)));
+        self.ball = self.link.levels[0].bounds.ball(&self.world);
         self.mirrored = self.world.determinant() < 0.0;
         let inverse = self.world.inverse();
         self.inverse = inverse.unwrap_or(Affine::IDENTITY).narrow();

@@ -11,7 +11,7 @@ use super::cover::hang;
 use super::{Body, Instance, NO_ROOM, Store, liquid};
 use crate::RenderError;
 use crate::affine::Affine;
-use crate::mesh::Link;
+use crate::mesh::{Ball, Link};
 use crate::surface::Coat;
 
 /// Everything that can be seen of a scene at one moment: which meshes are where,
@@ -179,6 +179,7 @@ fn instance(
         joint: position,
         world,
         inverse,
+        ball: Ball::default(),
         mirrored: false,
         coat,
         liquid,
