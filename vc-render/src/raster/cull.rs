@@ -1,8 +1,9 @@
 //! What need not be drawn.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
 use crate::affine::{self, Affine, Narrow, three};
 use crate::camera::Camera;
-use crate::light::dot;
 use crate::mesh::{Ball, Bounds, Cluster};
 
 /// What a camera sees, or some rows of it.
@@ -18,8 +19,21 @@ pub(crate) struct Frustum {
     /// First column and row, and those after the last.
     low: [i32; 2],
     high: [i32; 2],
-    /// Unit normals of the planes around the view, which look into it: all but the first go through the eye.
-    planes: [[f32; 3]; 5],
+    /// Around the view, in the image and in the world from the eye on.
+    sides: Sides,
+    planes: Sides,
+}
+
+/// How far from planes something is to lie. Five would do; vectors have eight lanes.
+type Lanes = [f32; LANES];
+const LANES: usize = 8;
+
+/// Planes around a view.
+#[derive(Debug, Clone, Copy)]
+struct Sides {
+    /// Their normals, which look into the view.
+    normals: [Lanes; 3],
+    least: Lanes,
 }
 
 /// Where a box is in the image.
@@ -41,6 +55,7 @@ impl Frustum {
         };
         let map = Affine([mix(focal.0, centre.0, 0), mix(focal.1, centre.1, 1), view[2]]);
         let (low, high) = ([0, rows.start], [camera.width as i32, rows.end]);
+        let sides = Sides::new(low, high, camera.near);
         Self {
             map,
             near: camera.near,
@@ -48,11 +63,8 @@ impl Frustum {
             focal: focal.0.max(focal.1),
             low,
             high,
-            planes: inwards(low, high).map(|k| {
-                let normal = three(|c| (0..3).map(|r| f64::from(k[r]) * map.0[r][c]).sum::<f64>());
-                let length = normal.iter().map(|v| v * v).sum::<f64>().sqrt();
-                normal.map(|v| (v / length) as f32)
-            }),
+            sides,
+            planes: sides.through(&map),
         }
     }
 
@@ -63,11 +75,10 @@ impl Frustum {
         // A little more, against rounding.
         let far = three(|i| ball.middle[i].abs().max(self.eye[i].abs()));
         let radius = 1.0001 * ball.radius + 1e-6 * (far[0] + far[1] + far[2]);
-        let mut out = dot(to, self.planes[0]) + radius < self.near;
-        for plane in &self.planes[1..] {
-            out |= dot(to, *plane) + radius < 0.0;
-        }
-        out
+        self.planes.any_beyond(
+            #[inline(always)]
+            |n| n[0] * to[0] + n[1] * to[1] + n[2] * to[2] + radius,
+        )
     }
 
     /// Where a box is in the image, if it can be in it at all. `map` leads from the
@@ -77,12 +88,11 @@ impl Frustum {
         let middle = affine::point(map, bounds.centre);
         let side = |c: usize| [0, 1, 2].map(|r: usize| map[r][c] * bounds.half[c]);
         let sides = [side(0), side(1), side(2)];
-        let reach = |k: [f32; 3]| {
-            let along = |v: [f32; 3]| k[0] * v[0] + k[1] * v[1] + k[2] * v[2];
-            along(middle) + sides.iter().map(|s| along(*s).abs()).sum::<f32>()
+        let reach = |n: [f32; 3]| {
+            let along = |v: [f32; 3]| n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
+            along(middle) + along(sides[0]).abs() + along(sides[1]).abs() + along(sides[2]).abs()
         };
-        let [front, others @ ..] = inwards(self.low, self.high);
-        if reach(front) < self.near || others.into_iter().any(|side| reach(side) < 0.0) {
+        if self.sides.any_beyond(reach) {
             return None;
         }
         let nearest = middle[2] - sides.iter().map(|s| s[2].abs()).sum::<f32>();
@@ -95,16 +105,25 @@ impl Frustum {
     /// The extent of a box that is all in front of the eye.
     #[inline(always)]
     fn projected(&self, middle: [f32; 3], sides: [[f32; 3]; 3], nearest: f32) -> Option<Extent> {
-        let (mut low, mut high) = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
-        for corner in 0..8 {
-            let sign = |axis: usize| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 };
-            let at = |r: usize| middle[r] + sign(0) * sides[0][r] + sign(1) * sides[1][r] + sign(2) * sides[2][r];
-            let inverse = 1.0 / at(2).max(nearest);
-            for axis in 0..2 {
-                let v = at(axis) * inverse;
-                low[axis] = low[axis].min(v);
-                high[axis] = high[axis].max(v);
+        let (mut low, mut high) = ([0.0; 2], [0.0; 2]);
+        let mut inverse = [0.0_f32; LANES];
+        let corners = |r: usize| {
+            let mut at = [0.0_f32; LANES];
+            for i in 0..LANES {
+                at[i] = middle[r] + SIGNS[0][i] * sides[0][r] + SIGNS[1][i] * sides[1][r] + SIGNS[2][i] * sides[2][r];
             }
+            at
+        };
+        let depth = corners(2);
+        for i in 0..LANES {
+            inverse[i] = 1.0 / if depth[i] > nearest { depth[i] } else { nearest };
+        }
+        for axis in 0..2 {
+            let mut at = corners(axis);
+            for i in 0..LANES {
+                at[i] *= inverse[i];
+            }
+            (low[axis], high[axis]) = ends(at);
         }
         // Half a pixel to the centres, a hundredth against rounding.
         let first = [0, 1].map(|i: usize| ((low[i] - 0.51).ceil() as i32).max(self.low[i]));
@@ -113,12 +132,58 @@ impl Frustum {
     }
 }
 
-/// What pixels times depth, and depth, are multiplied with to tell how far into the view something is: in front of the eye,
-/// and of the left, right, upper and lower side.
+/// The corners of a box.
+const SIGNS: [Lanes; 3] = [
+    [-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0],
+    [-1.0, -1.0, 1.0, 1.0, -1.0, -1.0, 1.0, 1.0],
+    [-1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0],
+];
+
+/// The least and the greatest of some numbers.
 #[inline(always)]
-fn inwards(low: [i32; 2], high: [i32; 2]) -> [[f32; 3]; 5] {
-    let (low, high) = (low.map(|v| v as f32), high.map(|v| v as f32));
-    [[0.0, 0.0, 1.0], [1.0, 0.0, -low[0]], [-1.0, 0.0, high[0]], [0.0, 1.0, -low[1]], [0.0, -1.0, high[1]]]
+fn ends(at: Lanes) -> (f32, f32) {
+    let (mut low, mut high) = (at, at);
+    for half in [4, 2, 1] {
+        for i in 0..half {
+            low[i] = if low[half + i] < low[i] { low[half + i] } else { low[i] };
+            high[i] = if high[half + i] > high[i] { high[half + i] } else { high[i] };
+        }
+    }
+    (low[0], high[0])
+}
+
+impl Sides {
+    /// The first is before the eye, the others go through it: left, right, above, below. Points are pixels times depth,
+    /// and depth.
+    fn new(low: [i32; 2], high: [i32; 2], near: f32) -> Self {
+        let (low, high) = (low.map(|v| v as f32), high.map(|v| v as f32));
+        let x = [0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let y = [0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0];
+        let z = [1.0, -low[0], high[0], -low[1], high[1], 1.0, 1.0, 1.0];
+        Self { normals: [x, y, z], least: [near, 0.0, 0.0, 0.0, 0.0, near, near, near] }
+    }
+
+    /// The same in a space from which a map leads here, normals of unit length and without its shift.
+    fn through(&self, map: &Affine) -> Self {
+        let mut normals = self.normals;
+        for i in 0..LANES {
+            let own = three(|r| f64::from(self.normals[r][i]));
+            let normal = three(|c| own[0] * map.0[0][c] + own[1] * map.0[1][c] + own[2] * map.0[2][c]);
+            let length = (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]).sqrt();
+            (0..3).for_each(|c| normals[c][i] = (normal[c] / length) as f32);
+        }
+        Self { normals, least: self.least }
+    }
+
+    /// Whether what is told of the normals of planes is too little for any of them.
+    #[inline(always)]
+    fn any_beyond(&self, reach: impl Fn([f32; 3]) -> f32) -> bool {
+        let mut out = 0;
+        for i in 0..LANES {
+            out |= u32::from(reach(three(|k| self.normals[k][i])) < self.least[i]);
+        }
+        out != 0
+    }
 }
 
 /// Whether all triangles of a cluster look away from the eye, which is given in the
