@@ -134,6 +134,14 @@ pub(crate) fn normal(inverse: &Narrow, n: [f32; 3]) -> [f32; 3] {
     )
 }
 
+/// The axis along which a vector reaches farthest, either way.
+#[inline(always)]
+pub(crate) fn longest(v: [f32; 3]) -> u8 {
+    let [x, y, z] = v.map(f32::abs);
+    let others = if y >= z { 1 } else { 2 };
+    if x >= y && x >= z { 0 } else { others }
+}
+
 /// What stands upright on two vectors, as long as the area between them.
 #[inline(always)]
 pub(crate) fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {

@@ -56,17 +56,17 @@ pub(crate) fn bent(
 ) -> Result<[f32; 3], Bent> {
     let instance = &instances[visible.instance as usize];
     let mesh = visible.mesh(instances);
-    let face = &mesh.faces[visible.index()];
+    let normals = &mesh.normals[visible.index()];
     let turned = |n: [f32; 3]| unit(affine::normal(&instance.inverse, n));
-    if face.is_flat() {
-        return Ok(turned(face.normals[0]));
+    if mesh.faces[visible.index()].is_flat() {
+        return Ok(turned(normals[0]));
     }
     let map = map();
     let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index()).map(|p| {
         let [x, y, z] = affine::point(&map, p);
         (z >= near, [x / z, y / z, 1.0 / z])
     });
-    let normals = face.normals.map(turned);
+    let normals = normals.map(turned);
     if corners.iter().all(|c| c.0) {
         Err(Bent::new(corners.map(|c| c.1), normals))
     } else {

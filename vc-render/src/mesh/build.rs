@@ -6,6 +6,7 @@ use vc_graph::TriangleMesh;
 
 use super::cluster::cone;
 use super::{Bounds, Cluster, Face, MOST, Mesh};
+use crate::affine;
 
 /// A part's triangles, in the asset's frame, and what they look like.
 pub(crate) struct Source {
@@ -24,6 +25,7 @@ struct Loose {
     /// Which way it looks; zero where it has no area.
     normal: [f32; 3],
     face: Face,
+    normals: [[f32; 3]; 3],
     uvs: [[f32; 2]; 3],
 }
 
@@ -75,6 +77,7 @@ impl Mesh {
             });
             self.corners.push(corners);
             self.faces.push(triangle.face);
+            self.normals.push(triangle.normals);
             self.uvs.push(triangle.uvs);
         }
         let normals: Vec<[f32; 3]> = loose.iter().map(|t| t.normal).filter(|n| *n != [0.0; 3]).collect();
@@ -91,7 +94,7 @@ impl Mesh {
 
 fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
     let mesh = &source.mesh;
-    let grain = longest(mesh);
+    let grain = mesh.bounds().map_or(0, |b| affine::longest((b.max - b.min).into()));
     mesh.triangles.iter().enumerate().filter_map(move |(number, triangle)| {
         let at = triangle.map(|v| v as usize);
         let [a, b, c] = [mesh.positions.get(at[0])?, mesh.positions.get(at[1])?, mesh.positions.get(at[2])?];
@@ -106,7 +109,15 @@ fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
             corners: [a, b, c].map(|p| [p.x, p.y, p.z]),
             middle: middle.into(),
             normal: normal.into(),
-            face: Face { normals, part: source.part, surface: source.surface, facet, sheet: source.sheet, grain },
+            face: Face {
+                part: source.part,
+                surface: source.surface,
+                facet,
+                sheet: source.sheet,
+                grain,
+                axis: affine::longest(normals[0]),
+            },
+            normals,
             uvs: mesh.uvs.get(number).copied().unwrap_or_default(),
         })
     })
@@ -116,10 +127,4 @@ fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
 fn facet(normal: [f32; 3]) -> u16 {
     let [x, y, z] = normal.map(|v| ((v * 8.0).round() as i32 + 9) as u16);
     x << 10 | y << 5 | z
-}
-
-/// The axis along which a mesh is longest.
-fn longest(mesh: &TriangleMesh) -> u8 {
-    let size = mesh.bounds().map_or([0.0; 3], |b| (b.max - b.min).into());
-    (0..3).fold(0, |best: usize, axis| if size[axis] > size[best] { axis } else { best }) as u8
 }

@@ -30,6 +30,8 @@ pub(crate) struct Mesh {
     pub(crate) corners: Vec<[u8; 3]>,
     /// What else there is to know about a triangle.
     pub(crate) faces: Vec<Face>,
+    /// Normals at the corners of triangles, unit length. Apart, as few ask for them.
+    pub(crate) normals: Vec<[[f32; 3]; 3]>,
     /// Where the corners of triangles are in their surface's picture; empty if none has one.
     pub(crate) uvs: Vec<[[f32; 2]; 3]>,
     /// The box around all, in the asset's frame.
@@ -55,8 +57,6 @@ pub(crate) struct Ball {
 /// What a triangle looks like and belongs to.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Face {
-    /// Normals at its corners, unit length.
-    pub(crate) normals: [[f32; 3]; 3],
     /// Index of the part in the asset.
     pub(crate) part: u16,
     /// Index in the renderer's list of surfaces.
@@ -65,8 +65,9 @@ pub(crate) struct Face {
     pub(crate) facet: u16,
     /// Whether it is of a sheet: another triangle that looks the other way is in the same place.
     pub(crate) sheet: bool,
-    /// The axis of the asset along which its part is longest.
+    /// The axis of the asset along which its part is longest, and the one along which it faces.
     pub(crate) grain: u8,
+    pub(crate) axis: u8,
 }
 
 impl Face {
@@ -137,7 +138,7 @@ impl Mesh {
         self.clusters.len() * size_of::<Cluster>()
             + self.axes.iter().map(|a| a.len() * 4).sum::<usize>()
             + self.corners.len() * 3
-            + self.faces.len() * size_of::<Face>()
+            + self.faces.len() * (size_of::<Face>() + size_of::<[[f32; 3]; 3]>())
             + self.uvs.len() * size_of::<[[f32; 2]; 3]>()
     }
 }

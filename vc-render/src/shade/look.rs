@@ -12,12 +12,12 @@ pub(crate) struct Look {
     pub(crate) normal: [f32; 3],
 }
 
-/// The look at a point: `local` is where it is and `facing` the triangle's normal,
+/// The look at a point: `local` is where it is and `facing` the axis along which the triangle faces,
 /// both in the frame that `axes` leads from; `footprint` is the width seen there, metres.
 #[inline(always)]
 pub(crate) fn look(
     surface: &Surface,
-    (local, facing, grain): ([f32; 3], [f32; 3], u8),
+    (local, facing, grain): ([f32; 3], u8, u8),
     axes: &Narrow,
     normal: [f32; 3],
     footprint: f32,
@@ -39,17 +39,9 @@ pub(crate) fn look(
     Look { colour, roughness, normal: unit(three(|i| normal[i] + a[i] + b[i])) }
 }
 
-/// The axes a texture lies along, across and with the grain.
+/// The axes a texture lies along, across and with the grain, where a surface faces along an axis.
 #[inline(always)]
-pub(super) fn plane(facing: [f32; 3], grain: u8) -> (usize, usize) {
-    let [x, y, z] = facing.map(f32::abs);
-    let through = if x >= y && x >= z {
-        0
-    } else if y >= z {
-        1
-    } else {
-        2
-    };
-    let (a, b) = [(1, 2), (0, 2), (0, 1)][through];
+pub(super) fn plane(facing: u8, grain: u8) -> (usize, usize) {
+    let (a, b) = [(1, 2), (0, 2), (0, 1)][usize::from(facing)];
     if usize::from(grain) == a { (b, a) } else { (a, b) }
 }

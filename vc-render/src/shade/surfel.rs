@@ -208,7 +208,7 @@ impl<'a> Writer<'a> {
         let instances = &self.view.snapshot.instances;
         let normal = |triangle: u32| {
             let visible = self.visible[triangle as usize];
-            &visible.mesh(instances).faces[visible.index()].normals[0]
+            &visible.mesh(instances).normals[visible.index()][0]
         };
         let (a, b) = (normal(triangles[0]), normal(triangles[1]));
         a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > 0.8

@@ -139,10 +139,11 @@ impl Tracer {
     fn met(&self, ray: &Ray, (hit, origin): &Found) -> Met<'_> {
         let Origin { instance: index, triangle, .. } = *origin;
         let instance = &self.snapshot.instances[index as usize];
-        let face = &instance.link.levels[0].faces[triangle as usize];
+        let mesh = &*instance.link.levels[0];
+        let face = &mesh.faces[triangle as usize];
         let (flat, area) = flat(hit, instance.mirrored);
         let [u, v] = hit.weights;
-        let [n0, n1, n2] = face.normals;
+        let [n0, n1, n2] = mesh.normals[triangle as usize];
         let bent = three(|i| n0[i] * (1.0 - u - v) + n1[i] * u + n2[i] * v);
         let normal = if face.is_flat() { n0 } else { bent };
         let normal = affine::normal(&instance.inverse, normal);
@@ -211,9 +212,9 @@ impl Met<'_> {
         }
         let built = matches!(surface.role, Role::Built | Role::Floor);
         let (local, facing) = if built {
-            (self.at, self.flat)
+            (self.at, affine::longest(self.flat))
         } else {
-            (affine::point(&self.instance.inverse, self.at), self.face.normals[0])
+            (affine::point(&self.instance.inverse, self.at), self.face.axis)
         };
         let axes = if built { Affine::IDENTITY.narrow() } else { self.instance.world.narrow() };
         look(surface, (local, facing, self.face.grain), &axes, self.normal, footprint)

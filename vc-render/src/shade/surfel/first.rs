@@ -20,12 +20,12 @@ impl Writer<'_> {
         let visible = self.visible[triangle as usize];
         let instances = &self.view.snapshot.instances;
         let instance = &instances[visible.instance as usize];
-        let face = &visible.mesh(instances).faces[visible.index()];
+        let mesh = visible.mesh(instances);
+        let face = &mesh.faces[visible.index()];
         let surface = &self.renderer.store.surfaces[usize::from(face.surface)];
         let look = self.look(visible.instance, (face.surface, face.facet), known);
         let number = if face.is_flat() { look } else { look | BENT };
         if let Some(picture) = &surface.picture {
-            let mesh = visible.mesh(instances);
             let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index());
             let uvs = mesh.uvs.get(visible.index()).copied().unwrap_or_default();
             let back = known.maps(visible.instance, instances, &self.frustum)[1];
@@ -34,7 +34,8 @@ impl Writer<'_> {
         }
         let built = matches!(surface.role, Role::Built | Role::Floor);
         let plain = surface.pattern == Pattern::Plain;
-        let facing = if built { affine::normal(&instance.inverse, face.normals[0]) } else { face.normals[0] };
+        let turned = || affine::longest(affine::normal(&instance.inverse, mesh.normals[visible.index()][0]));
+        let facing = if built { turned() } else { face.axis };
         let (u, v) = if plain { (0, 0) } else { crate::shade::look::plane(facing, face.grain) };
         let way = 3 * u + v;
         if known.looks[look as usize].paints[way] == NONE {
