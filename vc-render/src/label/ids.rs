@@ -1,8 +1,9 @@
 //! Nodes, classes and parts.
 
 use pulp::{Simd, WithSimd};
+use vc_graph::NodeId;
 
-use crate::frame::{NO_LABEL, Strip};
+use crate::frame::{NO_LABEL, NOTHING, Strip};
 use crate::raster::{Layers, NONE};
 use crate::scene::Snapshot;
 
@@ -57,21 +58,30 @@ impl WithSimd for Find<'_> {
 
 /// Writes what is asked for of nodes, classes and parts.
 pub(crate) fn ids(snapshot: &Snapshot, layers: &Layers, runs: &[Run], strip: &mut Strip<'_>) {
-    strip.instance.fill(crate::frame::NOTHING);
-    strip.class.fill(NO_LABEL);
+    let mut from = 0;
     for run in runs {
         let body = &snapshot.bodies[snapshot.instances[run.instance as usize].body as usize];
         let row = strip.row(run.y).start;
-        let pixels = row + run.from as usize..row + run.to as usize;
-        if let Some(instance) = strip.instance.get_mut(pixels.clone()) {
-            instance.fill(body.node);
-        }
-        if let Some(class) = strip.class.get_mut(pixels) {
-            class.fill(body.class);
-        }
+        let (start, to) = (row + run.from as usize, row + run.to as usize);
+        fill(strip, from..start, (NOTHING, NO_LABEL));
+        fill(strip, start..to, (body.node, body.class));
+        from = to;
     }
+    let end = strip.width * strip.rows.len();
+    fill(strip, from..end, (NOTHING, NO_LABEL));
     if !strip.part.is_empty() {
         parts(snapshot, layers, strip);
+    }
+}
+
+/// Writes the node and class of some pixels, if they are asked for.
+#[inline(always)]
+fn fill(strip: &mut Strip<'_>, pixels: std::ops::Range<usize>, (node, class): (NodeId, u16)) {
+    if let Some(instance) = strip.instance.get_mut(pixels.clone()) {
+        instance.fill(node);
+    }
+    if let Some(classes) = strip.class.get_mut(pixels) {
+        classes.fill(class);
     }
 }
 
