@@ -9,6 +9,7 @@ mod lamp;
 mod lighting;
 mod look;
 mod pane;
+mod penumbra;
 mod room;
 mod shadow;
 mod sky;

@@ -195,8 +195,9 @@ fn seen(leans: &[Texel]) -> bool {
 fn even(texels: &[Texel]) -> Option<Touch> {
     let count = texels.len() as f32;
     let mean: [f32; 4] = std::array::from_fn(|k| texels.iter().map(|t| f32::from(t[k])).sum::<f32>() / count);
-    let spread = |k: usize| texels.iter().map(|t| (f32::from(t[k]) - mean[k]).powi(2)).sum::<f32>() / count;
-    let alike = (0..4).all(|k| spread(k) <= (0.0075 * mean[k]).powi(2));
+    let square = |v: f32| v * v;
+    let spread = |k: usize| texels.iter().map(|t| square(f32::from(t[k]) - mean[k])).sum::<f32>() / count;
+    let alike = (0..4).all(|k| spread(k) <= square(0.0075 * mean[k]));
     alike.then(|| Touch { tint: three(|c| mean[c] / TINT), roughness: mean[3] / SHARE, lean: [0.0; 2] })
 }
 
