@@ -197,6 +197,52 @@ fn fast_light_through_a_drawn_cover_is_about_that_of_the_reference() {
 }
 
 #[test]
+fn few_paths_find_the_light_behind_a_drawn_cover() {
+    for (kind, day) in [(Kind::Blinds, sunny()), (Kind::Curtains, Daylight::overcast())] {
+        let room = Room::new(kind, true);
+        let lighting = room.renderer.light(&room.snapshot, &day);
+        let made = |samples: u32, seed: u32, brightest: f32| {
+            let how = Exposure { samples, seed, brightest, denoise: false, ..Exposure::default() };
+            let made = room.renderer.photograph(&lighting, &at_the_floor().resized(24, 18), &how, |_| true).unwrap();
+            made.light.iter().map(|c| f64::from(c[1])).collect::<Vec<f64>>()
+        };
+        let mean = |light: &[f64]| light.iter().sum::<f64>() / light.len() as f64;
+        let (many, few) = (made(1500, 0, f32::INFINITY), made(200, 1, f32::INFINITY));
+        let usual = made(64, 2, Exposure::default().brightest);
+        let off: f64 = usual.iter().zip(&many).map(|(a, b)| (a - b) * (a - b)).sum();
+        let ([few, usual], many, count) = ([&few, &usual].map(|l| mean(l)), mean(&many), usual.len() as f64);
+        let noise = (off / count).sqrt() / many;
+        eprintln!("{many:.4} of many paths, {few:.4} of few, {usual:.4} of those cut off, noise {noise:.3}");
+        assert!((few / many - 1.0).abs() < 0.06, "{few} of few paths, {many} of many");
+        assert!(usual > 0.7 * many, "{usual} where bright paths are cut off, {many} where they are not");
+        assert!(noise < 1.0, "noise {noise} with 64 paths");
+    }
+}
+
+#[test]
+fn drawn_covers_glow_in_fast_pictures_as_in_the_reference() {
+    for (kind, day) in [(Kind::Blinds, sunny()), (Kind::Curtains, Daylight::overcast())] {
+        let room = Room::new(kind, true);
+        let lighting = room.renderer.light(&room.snapshot, &day);
+        let camera = at_the_window().resized(48, 36);
+        let frame = room.frame(&room.snapshot, &lighting, &camera);
+        let how = Exposure { samples: 400, brightest: f32::INFINITY, ..Exposure::default() };
+        let reference = room.renderer.photograph(&lighting, &camera, &how, |_| true).unwrap().picture();
+        let mean = |pixels: &[[u8; 3]], cover: bool| {
+            let of = |id: &NodeId| room.covers.contains(id) == cover;
+            let all = pixels.iter().zip(&frame.instance).filter(|(_, id)| of(id));
+            let (sum, count) =
+                all.fold((0.0, 0), |(s, n), (c, _)| (s + c.iter().map(|v| f64::from(*v)).sum::<f64>(), n + 3));
+            sum / f64::from(count)
+        };
+        let levels = [&frame.rgb, &reference.pixels].map(|p| [mean(p, true), mean(p, false)]);
+        eprintln!("covers and what is around them: {levels:?}");
+        let [[fast, around], [slow, _]] = levels;
+        assert!(fast > around && (fast - slow).abs() < 25.0, "{levels:?}");
+    }
+}
+
+#[test]
 fn what_hangs_at_no_window_stays_as_it_is() {
     let mut stage = Stage::new();
     let asset = stage.asset(vec![part("cloth", block([0.01, 0.2, 0.8]), [0.0; 3], 0)]);

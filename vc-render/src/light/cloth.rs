@@ -2,8 +2,9 @@
 
 use super::room::Seen;
 use super::{Lighting, dot};
-use crate::affine::three;
+use crate::affine::{self, Affine, scaled, three};
 use crate::renderer::Renderer;
+use crate::scene::{Body, Instance};
 use crate::surface::{Pattern, Surface};
 use crate::trace::{Met, Ray};
 
@@ -14,6 +15,8 @@ const SLATS: f32 = 0.15;
 const NEAR: f32 = 0.002;
 /// Faces of a cover that light behind it is looked for through, at most.
 const FOLDS: usize = 16;
+/// Places along and up a cover at which light that comes through is looked for.
+const PLACES: usize = 8;
 
 /// The share of light that goes on through a face that was met; none but of what is drawn over an opening.
 pub(crate) fn through(met: &Met<'_>, surface: &Surface) -> f32 {
@@ -33,7 +36,49 @@ pub(crate) fn parted(met: &Met<'_>, surface: &Surface) -> [[f32; 3]; 2] {
     [three(|i| back[i] + out[i] * back[i]), out]
 }
 
+/// Light that comes into its room through each body that is a cover and drawn, radiance, about the same all over it.
+pub(super) fn lit(renderer: &Renderer, lighting: &Lighting) -> Vec<(u32, [f32; 3])> {
+    let snapshot = &lighting.tracer.snapshot;
+    let drawn = |body: &Body| {
+        let own = body.instances.start as usize..body.instances.end as usize;
+        snapshot.instances[own].iter().any(Instance::covers)
+    };
+    let bodies = snapshot.bodies.iter().zip(0..).filter(|(body, _)| drawn(body));
+    bodies.map(|(body, number)| (number, lighting.comes(renderer, body, number))).collect()
+}
+
 impl Lighting {
+    /// Light that comes through a cover that is drawn, as if it fell on its surface from in front: its pattern is seen
+    /// in it. None through anything else.
+    pub(crate) fn through(&self, surface: &Surface, instance: &Instance) -> Option<[f32; 3]> {
+        let index = self.cloth.binary_search_by_key(&instance.body, |(body, _)| *body).ok()?;
+        let light = self.cloth.get(index).filter(|_| instance.covers())?.1;
+        let over = |c: usize| std::f32::consts::PI / (surface.colour[c] * (1.0 - surface.metallic)).max(1e-3);
+        Some(three(|c| light[c] * over(c)))
+    }
+
+    /// The mean of what comes through a cover, seen straight from its room.
+    fn comes(&self, renderer: &Renderer, body: &Body, number: u32) -> [f32; 3] {
+        let pose = Affine::of(&body.pose).narrow();
+        let (along, ways) = (affine::vector(&pose, [-1.0, 0.0, 0.0]), super::room::directions());
+        let (centre, half) = (body.bounds.centre, body.bounds.half);
+        let (mut sum, mut count) = ([0.0; 3], 0.0);
+        for index in 0..PLACES * PLACES {
+            let [y, z] = [index % PLACES, index / PLACES].map(|i| (2 * i + 1) as f32 / PLACES as f32 - 1.0);
+            let from = [centre[0] + half[0] + 0.01, centre[1] + y * half[1], centre[2] + z * half[2]];
+            let ray = Ray { from: affine::point(&pose, from), along, end: 1e4 };
+            let met = self.tracer.first(&ray).filter(|met| met.instance.body == number && met.instance.covers());
+            let Some(met) = met.map(|met| met.facing(along.map(|v| -v))) else { continue };
+            let share = parted(&met, &renderer.store.surfaces[usize::from(met.face.surface)])[1];
+            let about = ways[index * super::room::STRIDE % ways.len()];
+            let room = usize::from(body.room).min(self.rooms.len() - 1);
+            let behind = self.outside(renderer, (&met, self.far_side(&met, &ray)), about, room);
+            sum = three(|i| sum[i] + share[i] * behind[i]);
+            count += 1.0;
+        }
+        scaled(sum, 1.0 / f32::max(count, 1.0))
+    }
+
     /// What is seen of a cover that is drawn over an opening: what it throws back, and what goes through it of the
     /// light behind it, of which that from about one direction stands for all.
     pub(super) fn past(

@@ -32,8 +32,10 @@ pub struct Lighting {
     pub(super) grids: Arc<Vec<Grid>>,
     /// By room, what share of the sun's light panes leave.
     sunlight: Vec<f32>,
+    /// By body, what comes through drawn covers.
+    pub(super) cloth: Vec<(u32, [f32; 3])>,
     /// Boxes of rooms, to tell in which an eye is.
-    rooms: Vec<([f32; 3], [f32; 3])>,
+    pub(super) rooms: Vec<([f32; 3], [f32; 3])>,
 }
 
 /// How far a picture's white is that of the light in its room: lamps stay warm, and do not make all yellow.
@@ -62,6 +64,7 @@ impl Renderer {
             gains: Vec::new(),
             grids: Arc::default(),
             sunlight: Vec::new(),
+            cloth: Vec::new(),
             rooms: Vec::new(),
         };
         if snapshot.is_in(&self.store) && daylight.check().is_ok() {
@@ -106,6 +109,7 @@ impl Renderer {
         (lighting.gains, lighting.lamps) = (gains, Arc::new(lamps));
         let (grids, sunlight) = room::grids(self, lighting);
         (lighting.grids, lighting.sunlight) = (Arc::new(grids), sunlight);
+        lighting.cloth = super::cloth::lit(self, lighting);
     }
 }
 

@@ -23,7 +23,7 @@ const RAYS: usize = 256;
 /// Width of what is one point to light thrown back, metres.
 const FAR: f32 = 0.05;
 /// Directions that come after another are this far apart behind a cover: they have nothing to do with each other.
-const STRIDE: usize = 97;
+pub(super) const STRIDE: usize = 97;
 /// How often light is thrown on.
 const BOUNCES: usize = 7;
 
@@ -114,7 +114,7 @@ impl Grid {
 }
 
 /// Directions spread evenly over the sphere (Fibonacci's lattice).
-fn directions() -> Vec<[f32; 3]> {
+pub(super) fn directions() -> Vec<[f32; 3]> {
     use vc_graph::portable::Portable;
     let direction = |i: usize| {
         let z = 1.0 - (2 * i + 1) as f32 / RAYS as f32;

@@ -16,6 +16,8 @@ pub(crate) const TOLERANCES: [f32; 5] = [0.0005, 0.001, 0.002, 0.008, 0.03];
 #[derive(Debug, Clone)]
 pub(crate) struct Link {
     pub(crate) joint: Option<Joint>,
+    /// Whether a cover hangs from it: it stays as it is when that is drawn.
+    pub(crate) head: bool,
     /// The most detailed one first.
     pub(crate) levels: [Arc<Mesh>; TOLERANCES.len()],
 }
@@ -33,25 +35,36 @@ pub(crate) struct Finish {
 /// A part's position and looks.
 type Look = (usize, Finish);
 
-/// The links of an asset, the one without a joint first where there is one.
+/// How far below a cover's top its head may end, metres, and what share of its height that has at most.
+const HEAD: (f32, f32) = (0.005, 0.4);
+
+/// The links of an asset, the one without a joint first where there is one; of a `cover` its head is one of its own.
 ///
 /// `finish` tells what a part looks like.
-pub(crate) fn links(asset: &Asset, mut finish: impl FnMut(&Part) -> Finish) -> Vec<Link> {
-    let mut groups: Vec<(Option<Joint>, Vec<Look>)> = vec![(None, Vec::new())];
+pub(crate) fn links(asset: &Asset, cover: bool, mut finish: impl FnMut(&Part) -> Finish) -> Vec<Link> {
+    type Key = (Option<Joint>, bool);
+    let whole = if cover { asset.extent().map(|(low, high)| (low.z, high.z)) } else { None };
+    let mut groups: Vec<(Key, Vec<Look>)> = vec![((None, false), Vec::new())];
     for (index, part) in asset.parts.iter().enumerate() {
-        let look = (index, finish(part));
-        match groups.iter_mut().find(|g| g.0 == part.joint) {
+        let (look, key) = ((index, finish(part)), (part.joint, whole.is_some_and(|whole| is_head(part, whole))));
+        match groups.iter_mut().find(|g| g.0 == key) {
             Some(group) => group.1.push(look),
-            None => groups.push((part.joint, vec![look])),
+            None => groups.push((key, vec![look])),
         }
     }
     groups.retain(|g| !g.1.is_empty());
-    groups.into_iter().map(|(joint, parts)| Link { joint, levels: levels(asset, &parts) }).collect()
+    groups.into_iter().map(|((joint, head), parts)| Link { joint, head, levels: levels(asset, &parts) }).collect()
+}
+
+/// Whether a part of a cover with these ends is its head.
+fn is_head(part: &Part, (bottom, top): (f32, f32)) -> bool {
+    let (low, high) = part.extent();
+    high.z > top - HEAD.0 && high.z - low.z < HEAD.1 * (top - bottom)
 }
 
 /// A part of an asset as a link of its own.
 pub(crate) fn single(asset: &Asset, part: usize, finish: Finish) -> Link {
-    Link { joint: asset.parts[part].joint, levels: levels(asset, &[(part, finish)]) }
+    Link { joint: asset.parts[part].joint, head: false, levels: levels(asset, &[(part, finish)]) }
 }
 
 fn levels(asset: &Asset, looks: &[Look]) -> [Arc<Mesh>; TOLERANCES.len()] {

@@ -22,11 +22,11 @@ pub(super) struct Point<'a> {
 }
 
 impl Paths<'_> {
-    /// Light at a point: of all kinds where the eye sees it, of one by chance further on.
+    /// Light at a point: of all kinds where the eye sees it and at covers, of one by chance elsewhere.
     pub(super) fn direct(&self, walk: &mut Walk, point: &Point<'_>, sampler: &mut Sampler) {
         let kinds = self.kinds(point);
         let all: f32 = kinds.iter().sum();
-        if walk.surfaces == 0 {
+        if walk.surfaces == 0 || point.met.instance.covers() {
             return (0..4).filter(|k| kinds[*k] > 0.0).for_each(|k| self.of_kind(walk, point, (k, 1.0), sampler));
         }
         let mut left = sampler.one() * all;
@@ -90,7 +90,7 @@ impl Paths<'_> {
             return [0.0; 3];
         }
         let share = self.reaches(point, towards, square.sqrt() * 0.999 - 2e-3).share;
-        let (value, chance) = point.scatter.evaluate(towards);
+        let (value, chance) = self.thrown(point, towards);
         let weight = 1.0 / (lit.density * square / facing + chance);
         three(|i| value[i] * lit.light[i] * share[i] * weight)
     }
@@ -105,7 +105,7 @@ impl Paths<'_> {
         if facing <= 1e-3 {
             return [0.0; 3];
         }
-        let (value, chance) = point.scatter.evaluate(towards);
+        let (value, chance) = self.thrown(point, towards);
         let share = self.reaches(point, towards, square.sqrt() * 0.999 - 2e-3).share;
         let sun: [f32; 3] = self.lighting.daylight.towards_sun.into();
         let thrown = Scatter::new(&spot.finish, spot.normal, towards.map(|v| -v)).evaluate(sun).0;
@@ -118,7 +118,7 @@ impl Paths<'_> {
     fn skylight(&self, point: &Point<'_>, which: f32, square: [f32; 2]) -> [f32; 3] {
         let Some(pane) = self.lights.window(&point.place, which, square) else { return [0.0; 3] };
         let towards = unit(three(|i| pane[i] - point.met.at[i]));
-        let (value, chance) = point.scatter.evaluate(towards);
+        let (value, chance) = self.thrown(point, towards);
         let way = self.reaches(point, towards, 1e4);
         if way.chance <= 0.0 {
             return [0.0; 3];

@@ -115,7 +115,7 @@ impl Lights {
 
     /// A place that is lit.
     pub(super) fn place(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> Place {
-        let mut place = Place { at, normal, room, lamps: 0.0, panes: 0.0 };
+        let mut place = Place { at, normal, room, lamps: 0.0, panes: 0.0, covers: 0.0 };
         place.lamps = self.lamps.iter().map(|l| l.weight(&place)).sum();
         place.panes = self.panes_of(room).iter().map(|p| p.weight(&place)).sum();
         place

@@ -2,12 +2,13 @@
 //!
 //! At every point light from the sun, from lamps and through panes is looked for directly
 //! ([`direct`]), and what a path meets by chance counts with the balance of both ways (multiple
-//! importance sampling, Veach 1997). Surfaces are Lambert's under microfacets ([`scatter`]); what
+//! importance sampling, Veach 1997); some paths are sent to drawn blinds and curtains ([`cover`]). Surfaces are Lambert's under microfacets ([`scatter`]); what
 //! the eye sees through glass is refracted ([`glass`]). What noise is left is smoothed along
 //! surfaces ([`denoise`]), and pixels at their edges are put together from both sides ([`bridge`]).
 
 mod albedo;
 mod bridge;
+mod cover;
 mod denoise;
 mod direct;
 mod film;
@@ -30,6 +31,7 @@ use crate::picture::Picture;
 use crate::renderer::Renderer;
 use crate::shade::{encoded, film};
 use crate::trace::Ray;
+use cover::Covers;
 use film::Traced;
 use lights::Lights;
 use path::Paths;
@@ -134,6 +136,7 @@ impl Renderer {
         let (width, height) = (camera.width as usize, camera.height as usize);
         let lights = Lights::of(self, lighting);
         let spots = Spots::of(self, lighting, &lights);
+        let covers = Covers::of(lighting);
         let exposure = lighting.exposure(camera.eye().into(), seen_rooms(lighting, camera));
         let paths = Paths {
             renderer: self,
@@ -141,6 +144,7 @@ impl Renderer {
             camera,
             lights: &lights,
             spots: &spots,
+            covers: &covers,
             how,
             most: how.brightest / exposure[1],
         };

@@ -1,6 +1,7 @@
 //! One path of light.
 
 use super::Exposure;
+use super::cover::Covers;
 use super::direct::Point;
 use super::glass::mirrored;
 use super::lights::Lights;
@@ -26,6 +27,7 @@ pub(super) struct Paths<'a> {
     pub(super) camera: &'a Camera,
     pub(super) lights: &'a Lights,
     pub(super) spots: &'a Spots,
+    pub(super) covers: &'a Covers,
     pub(super) how: &'a Exposure,
     /// Brightest light that a path may bring from afar.
     pub(super) most: f32,
@@ -61,6 +63,8 @@ pub(super) struct Walk {
     pub(super) ray: Ray,
     /// What share of light that is found reaches the eye.
     pub(super) share: [f32; 3],
+    /// Greatest of that where a drawn cover was last gone through: it is bright beyond.
+    pub(super) dimmed: f32,
     /// Chance of the direction taken; infinite where there was no choice.
     pub(super) chance: f32,
     /// Chance that the way through the panes met since would have been picked.
@@ -133,7 +137,7 @@ impl Paths<'_> {
         }
         walk.guide(look.colour, met.normal, met.at);
         let (share, beyond) = (through(met, surface), met.facing(walk.ray.along));
-        let passes = share > 0.0 && sampler.one() < share;
+        let passes = share > 0.0 && walk.passes(share, sampler.one());
         if passes {
             // It goes on from the other side, as if it had come from there.
             (met, back) = (&beyond, mirrored(back, met.flat));
@@ -144,10 +148,13 @@ impl Paths<'_> {
         let normal = if !passes && dot(look.normal, back) > 0.01 { look.normal } else { met.flat };
         let finish = Finish { colour: look.colour, metallic: surface.metallic, roughness: look.roughness };
         let scatter = Scatter::new(&finish, normal, back);
-        let place = self.lights.place(met.at, met.flat, self.room(met));
-        self.direct(walk, &Point { met, place, scatter: &scatter }, sampler);
+        let mut place = self.lights.place(met.at, met.flat, self.room(met));
+        // What is in its folds is at no cover.
+        place.covers = if met.instance.covers() { 0.0 } else { self.covers.weight(&place) };
+        let point = Point { met, place, scatter: &scatter };
+        self.direct(walk, &point, sampler);
         walk.last = place;
-        self.go_on(walk, met, &scatter, sampler)
+        self.go_on(walk, &point, sampler)
     }
 
     /// Light that a surface gives of itself.
@@ -168,9 +175,20 @@ impl Paths<'_> {
         }
     }
 
-    fn go_on(&self, walk: &mut Walk, met: &Met<'_>, scatter: &Scatter, sampler: &mut Sampler) -> bool {
-        let towards = scatter.sample(sampler.one(), sampler.pair());
-        let (value, chance) = scatter.evaluate(towards);
+    /// What a surface throws on from a direction, and the chance that a path goes on there.
+    pub(super) fn thrown(&self, point: &Point<'_>, towards: [f32; 3]) -> ([f32; 3], f32) {
+        let (value, chance) = point.scatter.evaluate(towards);
+        (value, self.covers.mixed(chance, &point.place, towards))
+    }
+
+    fn go_on(&self, walk: &mut Walk, point: &Point<'_>, sampler: &mut Sampler) -> bool {
+        let met = point.met;
+        let sent = match point.place.covers > 0.0 {
+            true => self.covers.towards(&point.place, sampler.one(), sampler.pair()),
+            false => None,
+        };
+        let towards = sent.unwrap_or_else(|| point.scatter.sample(sampler.one(), sampler.pair()));
+        let (value, chance) = self.thrown(point, towards);
         if chance <= 1e-7 || dot(met.flat, towards) <= 0.0 {
             return false;
         }
@@ -179,11 +197,12 @@ impl Paths<'_> {
         walk.ray.along = towards;
         walk.ray.from = off(met, towards);
         walk.surfaces += 1;
-        if walk.surfaces < 2 {
+        // What comes through a cover is bright for the little of it that reaches the eye.
+        if walk.surfaces < 2 || sent.is_some() || met.instance.covers() {
             return true;
         }
         // Paths that bring little end by chance, and others count for them.
-        let keep = walk.share.iter().fold(0.0_f32, |m, v| m.max(*v)).min(0.95);
+        let keep = (walk.greatest() / walk.dimmed).min(0.95);
         walk.share = walk.share.map(|v| v / keep.max(1e-6));
         sampler.one() < keep
     }
@@ -197,10 +216,11 @@ pub(super) fn off(met: &Met<'_>, towards: [f32; 3]) -> [f32; 3] {
 
 impl Walk {
     fn new(ray: Ray, most: f32) -> Self {
-        let last = Place { at: ray.from, normal: [0.0; 3], room: u16::MAX, lamps: 0.0, panes: 0.0 };
+        let last = Place { at: ray.from, normal: [0.0; 3], room: u16::MAX, lamps: 0.0, panes: 0.0, covers: 0.0 };
         Self {
             ray,
             share: [1.0; 3],
+            dimmed: 1.0,
             chance: f32::INFINITY,
             through: 0.0,
             gone: 0.0,
@@ -215,6 +235,11 @@ impl Walk {
     /// How much what was met by chance counts, given the chance to find it on purpose.
     pub(super) fn weight(&self, other: f32) -> f32 {
         if self.chance.is_finite() { self.chance / (self.chance + other) } else { 1.0 }
+    }
+
+    /// The greatest of the shares of colours.
+    pub(super) fn greatest(&self) -> f32 {
+        self.share.iter().fold(0.0, |m, v| m.max(*v))
     }
 
     /// Takes light up, specks from afar cut off.

@@ -58,9 +58,10 @@ pub(super) struct Place {
     pub(super) at: [f32; 3],
     pub(super) normal: [f32; 3],
     pub(super) room: u16,
-    /// Sums of weights of all lamps and panes from here.
+    /// Sums of weights of all lamps, panes and covers from here.
     pub(super) lamps: f32,
     pub(super) panes: f32,
+    pub(super) covers: f32,
 }
 
 impl Triangle {
@@ -82,6 +83,19 @@ impl Triangle {
     pub(super) fn point(&self, square: [f32; 2]) -> [f32; 3] {
         let [u, v] = weights(square);
         three(|i| self.corner[i] + u * self.edges[0][i] + v * self.edges[1][i])
+    }
+
+    /// The chance for each unit of solid angle that its points, evenly picked, are in a direction from a place.
+    pub(super) fn density(&self, from: [f32; 3], along: [f32; 3]) -> f32 {
+        let facing = dot(self.normal, along);
+        let to = three(|i| self.corner[i] - from[i]);
+        let distance = dot(self.normal, to) / facing;
+        // Where the direction meets its plane, from its corner.
+        let at = three(|i| distance * along[i] - to[i]);
+        let across = |a: [f32; 3], b: [f32; 3]| dot(self.normal, affine::cross(a, b));
+        let [u, v] = [across(at, self.edges[1]), across(self.edges[0], at)];
+        let within = distance > 0.0 && u >= 0.0 && v >= 0.0 && u + v <= 2.0 * self.area;
+        if within { distance * distance / (facing.abs().max(1e-4) * self.area) } else { 0.0 }
     }
 }
 

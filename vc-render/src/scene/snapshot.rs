@@ -148,7 +148,7 @@ fn links(store: &mut Store, graph: &SceneGraph, node: &Node) -> Result<Vec<Piece
     let Some(id) = node.spec().asset else { return Ok(solid(store.stand_in(node.spec()).unwrap_or_default())) };
     let missing = RenderError::NoSuchAsset { node: node.id(), asset: id.0 };
     let asset = graph.assets().get(id).ok_or(missing)?;
-    let mut all = solid(store.links(graph.assets(), asset));
+    let mut all = solid(store.links(graph.assets(), asset, node.affords(Property::Cover)));
     if node.affords(Property::Recipient) {
         let poured = |bottom| Poured { there: node.contents().is_some(), bottom };
         all.extend(store.liquid(graph.assets(), asset).map(|(link, bottom)| (link, Some(poured(bottom)))));

@@ -20,7 +20,8 @@ pub(crate) struct Store {
     known_surfaces: HashMap<(usize, u32, Role, bool), u16>,
     /// By library and position in it.
     pictures: HashMap<(usize, u32), Arc<Picture>>,
-    assets: HashMap<(usize, usize), Vec<Arc<Link>>>,
+    /// By the same, and whether it is a cover.
+    assets: HashMap<(usize, usize, bool), Vec<Arc<Link>>>,
     /// What fits into vessels, by the same.
     liquids: HashMap<(usize, usize), Option<Contained>>,
     water: Option<u16>,
@@ -60,15 +61,15 @@ impl Store {
         })
     }
 
-    /// The links of an asset; made if they are not there yet.
-    pub(crate) fn links(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>) -> Vec<Arc<Link>> {
-        let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize);
+    /// The links of an asset, which may be a cover; made if they are not there yet.
+    pub(crate) fn links(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>, cover: bool) -> Vec<Arc<Link>> {
+        let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize, cover);
         if let Some(links) = self.assets.get(&key) {
             return links.clone();
         }
         self.kept.push((library.clone(), asset.clone()));
         let made: Vec<Arc<Link>> =
-            links(asset, |part| self.surface(key.0, library, part)).into_iter().map(Arc::new).collect();
+            links(asset, cover, |part| self.surface(key.0, library, part)).into_iter().map(Arc::new).collect();
         self.assets.insert(key, made.clone());
         made
     }
@@ -94,7 +95,7 @@ impl Store {
         };
         let asset = Asset { name: "box".into(), parts: vec![part], ..Asset::default() };
         let finish = Finish { surface, clear: false, pictured: false };
-        let made: Vec<Arc<Link>> = links(&asset, |_| finish).into_iter().map(Arc::new).collect();
+        let made: Vec<Arc<Link>> = links(&asset, false, |_| finish).into_iter().map(Arc::new).collect();
         self.boxes.insert(key, made.clone());
         Some(made)
     }

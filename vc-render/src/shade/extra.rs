@@ -132,7 +132,8 @@ impl Lighting {
         let direct = self.direct(met.at, look.normal, room, self.sunlight(room));
         let shine = met.shine(surface, footprint);
         let glow = self.glow(surface, met.instance.body);
+        let behind = self.through(surface, met.instance).unwrap_or_default();
         let over = 1.0 / std::f32::consts::PI;
-        three(|i| glow[i] * shine[i] + look.colour[i] * over * (falling[i] + direct[i]))
+        three(|i| glow[i] * shine[i] + look.colour[i] * over * (falling[i] + direct[i] + behind[i]))
     }
 }

@@ -6,7 +6,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::cooker::fitting::*;
 
-/// A frame with one or two sashes that open into the room, a sill inside.
+/// A frame with one or two sashes that open into the room, a sill and a lining inside.
 ///
 /// The origin is the middle of the wall at the opening's lower edge.
 pub(super) fn window(b: &mut Build<'_>) {
@@ -26,6 +26,11 @@ pub(super) fn window(b: &mut Build<'_>) {
     let board = 0.024 * u;
     let sill = b.one(&[b.style.joinery, MARBLE, b.style.wood, WHITE]);
     b.block("sill", [depth, -y, 0.0], [reach, y, board], sill);
+    // Lines the hole up to the frame, so that no outer wall is seen within.
+    if x - depth > 0.005 {
+        let t = 0.01 * u;
+        ring(b, "lining", Axis::X, ([depth, -y, board], [x, y, h]), ((t - y, board), (y - t, h - t)), b.style.joinery);
+    }
     let free = depth + 0.055 * u;
     if reach - free > 0.03 {
         b.top("sill", [f32::midpoint(free, reach), 0.0, board], ((reach - free) / 2.0 - 0.005, y - 0.02 * u));

@@ -78,7 +78,8 @@ impl Writer<'_> {
         if at != NONE {
             return at;
         }
-        let index = self.view.snapshot.instances[instance as usize].body;
+        let own = &self.view.snapshot.instances[instance as usize];
+        let index = own.body;
         let body = &self.view.snapshot.bodies[index as usize];
         let of = &self.renderer.store.surfaces[usize::from(surface)];
         let glow = if body.lit { self.lighting.glow(of, index) } else { [0.0; 3] };
@@ -88,6 +89,7 @@ impl Writer<'_> {
             Some(_) => ([0.0; 3], affine::three(through)),
             None => (glow, [0.0; 3]),
         };
+        let shine = self.lighting.through(of, own).unwrap_or(shine);
         let next = known.heads[instance as usize];
         known.heads[instance as usize] = known.looks.len() as u32;
         let (room, mirror) = (body.room, of.is_mirror());

@@ -1,0 +1,99 @@
+//! Covers that are drawn over windows. Light comes through them only by way of paths that go there, so that some are
+//! sent there on purpose: a path goes on in a direction that its surface chose or towards a cover, and counts with the
+//! chance of both together (one-sample multiple importance sampling, Veach 1997).
+
+use super::path::Walk;
+use super::source::{Pane, Place, Triangle};
+use crate::affine;
+use crate::light::{Lighting, brightness};
+
+/// Share of paths that are sent to covers where there is no other light.
+const SENT: f32 = 0.3;
+/// How often paths are thrown back by a face, for once that light is: where there is light behind it, more paths go
+/// there, and each counts less.
+const BACK: f32 = 0.5;
+/// About what share of the light behind a cover comes through.
+const THROUGH: f32 = 0.1;
+
+/// Covers of a scene as rectangles, which need not be where the cloth is exactly.
+#[derive(Default)]
+pub(super) struct Covers {
+    halves: Vec<Pane>,
+    /// About how bright they are.
+    light: f32,
+}
+
+impl Covers {
+    pub(super) fn of(lighting: &Lighting) -> Self {
+        let (snapshot, daylight) = (&lighting.tracer.snapshot, &lighting.daylight);
+        let mut covers = Self::default();
+        for body in &snapshot.bodies {
+            let all = body.instances.start as usize..body.instances.end as usize;
+            if !snapshot.instances[all].iter().any(|instance| instance.covers()) {
+                continue;
+            }
+            let (centre, [_, wide, high]) = (body.bounds.centre, body.bounds.half);
+            let corner = |y: f32, z: f32| {
+                let at = nalgebra::Point3::new(centre[0], centre[1] + y * wide, centre[2] + z * high);
+                (body.pose * at).into()
+            };
+            let [a, b, c, d] = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+            let halves = [[a, b, c], [a, c, d]].map(Triangle::new).into_iter().filter(|half| half.area > 0.0);
+            covers.halves.extend(halves.map(|triangle| Pane { room: body.room, triangle }));
+        }
+        let sky = 0.5 * brightness((daylight.horizon + daylight.zenith).into());
+        covers.light = THROUGH * (sky + brightness(daylight.sun.into()) / std::f32::consts::PI);
+        covers
+    }
+
+    fn of_room(&self, room: u16) -> impl Iterator<Item = &Pane> {
+        self.halves.iter().filter(move |half| half.room == room)
+    }
+
+    /// About how large the covers of its room are seen from a place; zero if there is none.
+    pub(super) fn weight(&self, from: &Place) -> f32 {
+        self.of_room(from.room).map(|half| half.weight(from)).sum()
+    }
+
+    /// The share of paths that are sent to covers from a place.
+    fn share(&self, from: &Place) -> f32 {
+        let light = self.light * from.covers;
+        if light > 0.0 { SENT * light / (light + from.lamps) } else { 0.0 }
+    }
+
+    /// The direction to a point of a cover, chosen by about how large it is seen; none if the path is not sent there.
+    pub(super) fn towards(&self, from: &Place, which: f32, square: [f32; 2]) -> Option<[f32; 3]> {
+        let mut left = which * from.covers / self.share(from);
+        let half = self.of_room(from.room).find(|half| {
+            left -= half.weight(from);
+            left < 0.0
+        })?;
+        let at = half.triangle.point(square);
+        Some(crate::label::unit(affine::three(|i| at[i] - from.at[i])))
+    }
+
+    /// The chance for each unit of solid angle that a path goes on in a direction, given that with which its surface
+    /// chooses it.
+    pub(super) fn mixed(&self, own: f32, from: &Place, along: [f32; 3]) -> f32 {
+        let share = self.share(from);
+        if share == 0.0 {
+            return own;
+        }
+        let seen = |half: &Pane| half.triangle.density(from.at, along) * half.weight(from);
+        own + share * (self.of_room(from.room).map(seen).sum::<f32>() / from.covers - own)
+    }
+}
+
+impl Walk {
+    /// Whether a path goes on through a face that lets a share of light through; what it counts for follows.
+    pub(super) fn passes(&mut self, share: f32, choice: f32) -> bool {
+        let often = 1.0 - BACK * (1.0 - share);
+        let passes = choice < often;
+        let counts = if passes { share / often } else { 1.0 / BACK };
+        self.share = self.share.map(|v| v * counts);
+        if passes {
+            self.dimmed = self.greatest().max(1e-6);
+        }
+        passes
+    }
+}
