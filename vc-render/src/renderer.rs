@@ -230,7 +230,7 @@ fn seen_rooms<'a>(View { snapshot, camera }: View<'a>, bands: &'a [Band]) -> imp
 
 /// Flow of a band, and what is hidden at the other moments.
 fn flow(shot: &Shot<'_>, strip: &mut Strip<'_>, band: &mut Band, other: &[Other; 2]) {
-    let Band { layers, runs, motion, .. } = band;
+    let Band { layers, runs, motion, faces, .. } = band;
     let (width, seen) = (strip.width, (&*layers, runs.as_slice()));
     let ways = [
         (shot.after, Modality::FlowForward, &mut *strip.flow_forward, &mut *strip.occluded_forward),
@@ -245,7 +245,7 @@ fn flow(shot: &Shot<'_>, strip: &mut Strip<'_>, band: &mut Band, other: &[Other;
             );
         }
         if shot.wanted.has(Modality::Occlusion) {
-            label::hidden(shot.view, then, seen, (motion, other), (width, occluded));
+            label::hidden(shot.view, then, seen, (motion, faces, other), (width, occluded));
         }
     }
 }

@@ -88,6 +88,7 @@ pub(crate) struct Band {
     pub(crate) layers: Layers,
     pub(crate) runs: Vec<Run>,
     pub(crate) motion: crate::label::Motions,
+    pub(crate) faces: crate::label::Faces,
     pub(crate) shading: crate::shade::Scratch,
 }
 

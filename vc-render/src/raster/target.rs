@@ -141,6 +141,12 @@ impl Target {
         &self.triangles[at..at + self.stride].as_flattened()[..self.width]
     }
 
+    /// Triangles of all rows, and how far a row is from the next.
+    #[inline]
+    pub(crate) fn all_triangles(&self) -> (&[u32], usize) {
+        (self.triangles.as_flattened(), self.stride * LANES)
+    }
+
     /// Notes that pixels between two corners, both included, have changed.
     #[inline(always)]
     pub(super) fn mark(&mut self, low: [i32; 2], high: [i32; 2]) {
