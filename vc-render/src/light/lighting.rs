@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 
 use super::ambient::Ambient;
 use super::lamp::{Lamp, lamps};
@@ -12,7 +12,7 @@ use super::{Daylight, extent::rooms};
 use crate::RenderError;
 use crate::affine::{scaled, three};
 use crate::renderer::Renderer;
-use crate::scene::{Snapshot, Store};
+use crate::scene::{Body, Snapshot, Store};
 use crate::surface::{Role, Surface};
 use crate::trace::Tracer;
 
@@ -40,6 +40,8 @@ pub struct Lighting {
 
 /// How far a picture's white is that of the light in its room: lamps stay warm, and do not make all yellow.
 const BALANCE: f32 = 0.6;
+/// How far before a door it is in the room which it looks into, metres.
+const AHEAD: f32 = 0.3;
 /// How many times brighter than its own an eye takes other rooms to be, at most.
 const BRIGHTER: f32 = 4.0;
 
@@ -140,6 +142,29 @@ impl Lighting {
     /// [`RenderError::OtherScene`] if bodies have come or gone.
     pub fn follow(&mut self, snapshot: &Snapshot) -> Result<(), RenderError> {
         self.tracer.follow(snapshot)
+    }
+
+    /// The room whose light falls on a face of a body: that which it looks into, where the body stands between two.
+    pub(crate) fn room_of(&self, body: &Body, at: [f32; 3], normal: [f32; 3]) -> u16 {
+        if !body.between {
+            return body.room;
+        }
+        let (out, middle) = (body.pose.rotation * Vector3::x(), body.pose.translation.vector);
+        let side = (Vector3::from(at) - middle).dot(&out).signum();
+        // What looks along the wall is of the room on its side.
+        let before = [normal, (out * side).into()].map(|along| three(|i| at[i] + AHEAD * along[i]));
+        before.into_iter().find_map(|at| self.room_around(at)).unwrap_or(body.room)
+    }
+
+    /// The room that a place is in.
+    fn room_around(&self, at: [f32; 3]) -> Option<u16> {
+        let within = |room: &usize| {
+            let (low, high) = self.rooms[*room];
+            (0..3).all(|k| at[k] >= low[k] && at[k] <= high[k])
+        };
+        // Boxes of rooms with corners reach over their neighbours.
+        let rooms = (0..self.rooms.len().saturating_sub(1)).filter(within);
+        rooms.min_by(|a, b| self.floor(*a).total_cmp(&self.floor(*b))).map(|room| room as u16)
     }
 
     /// Light from all sides that falls on a surface, from the grid of its room.

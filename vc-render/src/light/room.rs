@@ -238,11 +238,12 @@ impl Lighting {
         let own = if lamp { [0.0; 3] } else { glow() };
         let sunny = self.sunshine(met.at, met.normal).is_some_and(|lit| lit > 0.0);
         let sun = if sunny { self.panes(renderer, met) } else { 0.0 };
-        let direct = self.direct(met.at, met.normal, body.room, sun);
+        let into = self.room_of(body, met.at, met.flat);
+        let direct = self.direct(met.at, met.normal, into, sun);
         let over = 1.0 / std::f32::consts::PI;
         Seen {
             direct: three(|i| own[i] + colour[i] * direct[i] * over),
-            place: Some((met.at, met.normal, colour, body.room)),
+            place: Some((met.at, met.normal, colour, into)),
             sun,
         }
     }

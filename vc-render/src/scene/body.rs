@@ -23,6 +23,8 @@ pub(crate) struct Body {
     pub(crate) class: u16,
     /// Index in the scene's list of rooms.
     pub(crate) room: u16,
+    /// Whether it stands between two rooms, as doors do.
+    pub(crate) between: bool,
     /// Whether what glows in it does.
     pub(crate) lit: bool,
     pub(crate) pose: Pose,

@@ -60,6 +60,7 @@ impl Snapshot {
                 node: node.id(),
                 class: classes.number(node.class()),
                 room,
+                between: &*node.spec().category == "door",
                 lit: node.is(State::On),
                 pose: *pose,
                 scale,

@@ -2,7 +2,8 @@
 
 use super::{BENT, Known, Look, NONE, Paint, UNMOVED, Writer};
 use crate::affine;
-use crate::label::{Bent, bent};
+use crate::label::{Bent, bent, unit};
+use crate::scene::Body;
 use crate::shade::texture::Texture;
 use crate::surface::{Coat, Pattern, Role, Surface, Tile};
 
@@ -23,7 +24,7 @@ impl Writer<'_> {
         let mesh = visible.mesh(instances);
         let face = &mesh.faces[visible.index()];
         let surface = &self.renderer.store.surfaces[usize::from(face.surface)];
-        let look = self.look(visible.instance, (face.surface, face.facet), known);
+        let look = self.look(triangle, (face.surface, face.facet), known);
         let number = if face.is_flat() { look } else { look | BENT };
         if let Some(picture) = &surface.picture {
             let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index());
@@ -67,8 +68,17 @@ impl Writer<'_> {
         });
     }
 
-    /// The number of what pixels of an instance's surface have in common.
-    fn look(&self, instance: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
+    /// The room whose light falls on a triangle.
+    fn looks_into(&self, triangle: u32, body: &Body) -> u16 {
+        let (visible, instances) = (self.visible[triangle as usize], &self.view.snapshot.instances);
+        let (mesh, index, instance) = (visible.mesh(instances), visible.index(), &instances[visible.instance as usize]);
+        let at = affine::point(&instance.world.narrow(), mesh.triangle(mesh.cluster_of(index), index)[0]);
+        self.lighting.room_of(body, at, unit(affine::normal(&instance.inverse, mesh.normals[index][0])))
+    }
+
+    /// The number of what pixels of an instance's surface have in common, one of whose triangles is given.
+    fn look(&self, triangle: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
+        let instance = self.visible[triangle as usize].instance;
         let mut at = known.heads[instance as usize];
         while let Some(look) = known.looks.get(at as usize)
             && (look.surface, look.facet) != (surface, facet)
@@ -92,7 +102,8 @@ impl Writer<'_> {
         let shine = self.lighting.through(of, own).unwrap_or(shine);
         let next = known.heads[instance as usize];
         known.heads[instance as usize] = known.looks.len() as u32;
-        let (room, mirror) = (body.room, of.is_mirror());
+        let room = if body.between { self.looks_into(triangle, body) } else { body.room };
+        let mirror = of.is_mirror();
         known.looks.push(Look { surface, facet, room, mirror, glow, shine, next, paints: [NONE; 9] });
         known.looks.len() as u32 - 1
     }

@@ -1,0 +1,65 @@
+//! A door stands between two rooms, and each of its sides is in the light of one.
+
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::{Stage, block, material, part};
+use nalgebra::{Point3, Vector3};
+use vc_graph::asset::{Material, Shape};
+use vc_graph::{Draft, NodeId, Pose, SceneGraph};
+use vc_render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
+
+/// The lamps' light before and behind the wall: reddish and bluish.
+const GLOW: [[f32; 3]; 2] = [[30.0, 10.0, 4.0], [4.0, 10.0, 30.0]];
+
+/// Two rooms with a lamp each, a wall between them, and a closed door in it that belongs to the second.
+fn home() -> (SceneGraph, Vec<NodeId>) {
+    let mut stage = Stage::new();
+    let mut lamps = Vec::new();
+    for (glow, side) in GLOW.into_iter().zip([-1.0, 1.0]) {
+        if side > 0.0 {
+            stage.room = stage.builder.add(Draft::new("kitchen")).unwrap();
+        }
+        let bulb = Material { emission: glow, ..material("bulb", [0.9; 3]) };
+        let bulb = stage.library.add_material(bulb).unwrap();
+        let mut slab = |class: &str, half: [f32; 3], at: [f32; 3]| {
+            let asset = stage.asset(vec![part(class, block(half), [side * at[0], at[1], at[2]], 1)]);
+            stage.put(class, asset, Pose::identity())
+        };
+        slab("floor", [1.5, 1.5, 0.05], [1.5, 0.0, -0.05]);
+        slab("ceiling", [1.5, 1.5, 0.05], [1.5, 0.0, 2.55]);
+        slab("wall", [0.05, 1.5, 1.25], [3.05, 0.0, 1.25]);
+        slab("wall", [1.5, 0.05, 1.25], [1.5, 1.55, 1.25]);
+        slab("wall", [1.5, 0.05, 1.25], [1.5, -1.55, 1.25]);
+        // Around the door.
+        slab("wall", [0.04, 0.5, 1.25], [0.04, 1.0, 1.25]);
+        slab("wall", [0.04, 0.5, 1.25], [0.04, -1.0, 1.25]);
+        slab("wall", [0.04, 0.5, 0.25], [0.04, 0.0, 2.25]);
+        let at = Pose::translation(side * 1.5, 0.0, 2.2);
+        lamps.push(stage.one("ceiling_lamp", Shape::Sphere { radius: 0.1 }, at, bulb));
+    }
+    stage.one("door", block([0.02, 0.5, 1.0]), Pose::translation(0.0, 0.0, 1.0), 1);
+    (stage.build(), lamps)
+}
+
+#[test]
+fn each_side_of_a_door_is_in_the_light_of_its_room() {
+    let (graph, lamps) = home();
+    let mut renderer = Renderer::new();
+    let mut snapshot = renderer.snapshot(&graph).unwrap();
+    lamps.iter().for_each(|lamp| snapshot.switch(*lamp, true).unwrap());
+    let dark = Vector3::zeros();
+    let night = Daylight { sun: dark, zenith: dark, horizon: dark, ground: dark, ..Daylight::noon() };
+    let lighting = renderer.light(&snapshot, &night);
+    let mut frame = Frame::new();
+    for side in [-1.0, 1.0] {
+        let camera =
+            Camera::with_fov(16, 16, 0.3).looking(Point3::new(side * 2.0, 0.0, 1.2), Point3::new(0.0, 0.0, 1.0));
+        renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame).unwrap();
+        for [red, _, blue] in &frame.rgb {
+            let (more, less) = if side < 0.0 { (red, blue) } else { (blue, red) };
+            assert!(i32::from(*more) > i32::from(*less) + 20, "from side {side}: {red} red, {blue} blue");
+        }
+    }
+}
