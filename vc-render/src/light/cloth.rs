@@ -39,11 +39,7 @@ pub(crate) fn parted(met: &Met<'_>, surface: &Surface) -> [[f32; 3]; 2] {
 /// Light that comes into its room through each body that is a cover and drawn, radiance, about the same all over it.
 pub(super) fn lit(renderer: &Renderer, lighting: &Lighting) -> Vec<(u32, [f32; 3])> {
     let snapshot = &lighting.tracer.snapshot;
-    let drawn = |body: &Body| {
-        let own = body.instances.start as usize..body.instances.end as usize;
-        snapshot.instances[own].iter().any(Instance::covers)
-    };
-    let bodies = snapshot.bodies.iter().zip(0..).filter(|(body, _)| drawn(body));
+    let bodies = snapshot.bodies.iter().zip(0..).filter(|(body, _)| body.covers(&snapshot.instances));
     bodies.map(|(body, number)| (number, lighting.comes(renderer, body, number))).collect()
 }
 
@@ -52,9 +48,7 @@ impl Lighting {
     /// in it. None through anything else.
     pub(crate) fn through(&self, surface: &Surface, instance: &Instance) -> Option<[f32; 3]> {
         let index = self.cloth.binary_search_by_key(&instance.body, |(body, _)| *body).ok()?;
-        let light = self.cloth.get(index).filter(|_| instance.covers())?.1;
-        let over = |c: usize| std::f32::consts::PI / (surface.colour[c] * (1.0 - surface.metallic)).max(1e-3);
-        Some(three(|c| light[c] * over(c)))
+        instance.covers().then(|| surface.as_fallen(self.cloth[index].1))
     }
 
     /// The mean of what comes through a cover, seen straight from its room.

@@ -153,18 +153,18 @@ impl Lighting {
         let side = (Vector3::from(at) - middle).dot(&out).signum();
         // What looks along the wall is of the room on its side.
         let before = [normal, (out * side).into()].map(|along| three(|i| at[i] + AHEAD * along[i]));
-        before.into_iter().find_map(|at| self.room_around(at)).unwrap_or(body.room)
+        before.into_iter().find_map(|at| self.room_around(at)).map_or(body.room, |room| room as u16)
     }
 
     /// The room that a place is in.
-    fn room_around(&self, at: [f32; 3]) -> Option<u16> {
+    fn room_around(&self, at: [f32; 3]) -> Option<usize> {
         let within = |room: &usize| {
             let (low, high) = self.rooms[*room];
             (0..3).all(|k| at[k] >= low[k] && at[k] <= high[k])
         };
         // Boxes of rooms with corners reach over their neighbours.
         let rooms = (0..self.rooms.len().saturating_sub(1)).filter(within);
-        rooms.min_by(|a, b| self.floor(*a).total_cmp(&self.floor(*b))).map(|room| room as u16)
+        rooms.min_by(|a, b| self.floor(*a).total_cmp(&self.floor(*b)))
     }
 
     /// Light from all sides that falls on a surface, from the grid of its room.
@@ -224,7 +224,7 @@ impl Lighting {
     /// nothing is; the white is that of the eye's.
     pub(crate) fn exposure(&self, eye: [f32; 3], seen: impl IntoIterator<Item = u16>) -> [f32; 3] {
         use vc_graph::portable::Portable;
-        let index = self.room_for(eye, |i| self.floor(i));
+        let index = self.room_for(eye);
         let (own, colour) = self.level(index);
         // Outside is as bright as it is; a little of a sunny balcony does not make its room dark.
         let inside = seen.into_iter().map(usize::from).filter(|room| room + 1 < self.rooms.len());
@@ -251,18 +251,16 @@ impl Lighting {
 
     /// The room for whose light a picture is exposed: the one the eye is in; from above, the
     /// one below if it fills half of the view, else the largest.
-    fn room_for(&self, eye: [f32; 3], floor: impl Fn(usize) -> f32) -> usize {
+    fn room_for(&self, eye: [f32; 3]) -> usize {
+        if let Some(around) = self.room_around(eye) {
+            return around;
+        }
         let outside = self.rooms.len() - 1;
         let over = |i: &usize| {
             let (low, high) = self.rooms[*i];
             (0..2).all(|k| eye[k] >= low[k] && eye[k] <= high[k])
         };
-        let within = |i: &usize| over(i) && eye[2] >= self.rooms[*i].0[2] && eye[2] <= self.rooms[*i].1[2];
-        let by_floor = |a: &usize, b: &usize| floor(*a).total_cmp(&floor(*b));
-        // Boxes of rooms with corners reach over their neighbours.
-        if let Some(around) = (0..outside).filter(within).min_by(by_floor) {
-            return around;
-        }
+        let by_floor = |a: &usize, b: &usize| self.floor(*a).total_cmp(&self.floor(*b));
         let fills = |i: &usize| {
             let (low, high) = self.rooms[*i];
             (high[0] - low[0]).max(high[1] - low[1]) >= 0.65 * (eye[2] - high[2])

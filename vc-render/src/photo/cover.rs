@@ -27,11 +27,7 @@ impl Covers {
     pub(super) fn of(lighting: &Lighting) -> Self {
         let (snapshot, daylight) = (&lighting.tracer.snapshot, &lighting.daylight);
         let mut covers = Self::default();
-        for body in &snapshot.bodies {
-            let all = body.instances.start as usize..body.instances.end as usize;
-            if !snapshot.instances[all].iter().any(|instance| instance.covers()) {
-                continue;
-            }
+        for body in snapshot.bodies.iter().filter(|body| body.covers(&snapshot.instances)) {
             let (centre, [_, wide, high]) = (body.bounds.centre, body.bounds.half);
             let corner = |y: f32, z: f32| {
                 let at = nalgebra::Point3::new(centre[0], centre[1] + y * wide, centre[2] + z * high);

@@ -110,6 +110,12 @@ impl Instance {
 }
 
 impl Body {
+    /// Whether it is drawn over a window, given the instances of all bodies.
+    pub(crate) fn covers(&self, instances: &[Instance]) -> bool {
+        let own = self.instances.start as usize..self.instances.end as usize;
+        instances[own].iter().any(Instance::covers)
+    }
+
     /// The box around the body's instances in its own frame.
     pub(crate) fn measured(&self, instances: &[Instance]) -> Bounds {
         let Some(back) = Affine::of(&self.pose).inverse() else { return Bounds::default() };

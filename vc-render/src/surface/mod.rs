@@ -75,6 +75,11 @@ impl Surface {
         Self { pattern: Pattern::Plain, picture: Some(picture), ..self }
     }
 
+    /// Light that it gives as what would have to fall on it to be thrown back as that: its texture colours it.
+    pub(crate) fn as_fallen(&self, light: [f32; 3]) -> [f32; 3] {
+        three(|c| std::f32::consts::PI * light[c] / (self.colour[c] * (1.0 - self.metallic)).max(1e-3))
+    }
+
     /// Its reflectance from afar.
     pub(crate) fn mean(&self) -> [f32; 3] {
         let picture = self.picture.as_ref().map_or([1.0; 3], |p| p.mean());

@@ -94,9 +94,8 @@ impl Writer<'_> {
         let of = &self.renderer.store.surfaces[usize::from(surface)];
         let glow = if body.lit { self.lighting.glow(of, index) } else { [0.0; 3] };
         // A picture colours light that falls on it; so it does that which comes from behind it.
-        let through = |c: usize| std::f32::consts::PI * glow[c] / (of.colour[c] * (1.0 - of.metallic)).max(1e-3);
         let (glow, shine) = match of.picture {
-            Some(_) => ([0.0; 3], affine::three(through)),
+            Some(_) => ([0.0; 3], of.as_fallen(glow)),
             None => (glow, [0.0; 3]),
         };
         let shine = self.lighting.through(of, own).unwrap_or(shine);
