@@ -1,5 +1,7 @@
 //! Boxes and masks of what is seen.
 
+#![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
+
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::Pose;
 
@@ -81,6 +83,9 @@ fn label(camera: &Camera, frustum: &Frustum, snapshot: &Snapshot, body: &Body, t
     }
 }
 
+/// Vertices that are looked at together.
+const LANES: usize = 8;
+
 /// The least and the greatest of places in the image.
 type Sides = [[f32; 2]; 2];
 
@@ -108,18 +113,42 @@ fn outline(frustum: &Frustum, instances: &[Instance]) -> Option<PixelBox> {
 /// Around all vertices of a mesh in front of the eye, and the depth of the nearest.
 #[inline(always)]
 fn around(map: &Narrow, mesh: &Mesh) -> (Sides, f32) {
-    let [xs, ys, zs] = &mesh.axes;
-    let (mut sides, mut nearest) = (NOWHERE, f32::INFINITY);
-    for ((x, y), z) in xs.iter().zip(ys).zip(zs) {
-        let [px, py, depth] = affine::point(map, [*x, *y, *z]);
-        let over = 1.0 / depth;
-        nearest = if depth < nearest { depth } else { nearest };
-        for (axis, v) in [px * over, py * over].into_iter().enumerate() {
-            sides[0][axis] = if v < sides[0][axis] { v } else { sides[0][axis] };
-            sides[1][axis] = if v > sides[1][axis] { v } else { sides[1][axis] };
+    let mut found =
+        Found { low: [[f32::INFINITY; LANES]; 2], high: [[f32::NEG_INFINITY; LANES]; 2], nearest: [f32::INFINITY; LANES] };
+    let [(xs, x), (ys, y), (zs, z)] = mesh.axes.each_ref().map(|axis| axis.as_chunks());
+    for ((xs, ys), zs) in xs.iter().zip(ys).zip(zs) {
+        found.add(map, [xs, ys, zs]);
+    }
+    if !x.is_empty() {
+        // The first of what is left again, where there are fewer.
+        let [x, y, z] = [x, y, z].map(|rest| std::array::from_fn(|i| rest[if i < rest.len() { i } else { 0 }]));
+        found.add(map, [&x, &y, &z]);
+    }
+    let least = |lanes: [f32; LANES]| lanes.into_iter().fold(f32::INFINITY, f32::min);
+    let most = |lanes: [f32; LANES]| lanes.into_iter().fold(f32::NEG_INFINITY, f32::max);
+    ([found.low.map(least), found.high.map(most)], least(found.nearest))
+}
+
+/// What is around vertices, in lanes that are put together at the end: none waits for the one before it.
+struct Found {
+    low: [[f32; LANES]; 2],
+    high: [[f32; LANES]; 2],
+    nearest: [f32; LANES],
+}
+
+impl Found {
+    #[inline(always)]
+    fn add(&mut self, map: &Narrow, [xs, ys, zs]: [&[f32; LANES]; 3]) {
+        for i in 0..LANES {
+            let [px, py, depth] = affine::point(map, [xs[i], ys[i], zs[i]]);
+            let over = 1.0 / depth;
+            self.nearest[i] = if depth < self.nearest[i] { depth } else { self.nearest[i] };
+            for (axis, v) in [px * over, py * over].into_iter().enumerate() {
+                self.low[axis][i] = if v < self.low[axis][i] { v } else { self.low[axis][i] };
+                self.high[axis][i] = if v > self.high[axis][i] { v } else { self.high[axis][i] };
+            }
         }
     }
-    (sides, nearest)
 }
 
 /// Around what is left beyond the near plane of triangles that are seen from the front.

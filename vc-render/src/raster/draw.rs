@@ -11,7 +11,7 @@ use super::project::Points;
 use super::setup::{EIGHT, Setup};
 use super::target::{Solid, Target, Visible};
 use crate::affine::{Affine, Narrow};
-use crate::mesh::{Cluster, Mesh, TOLERANCES};
+use crate::mesh::{Cluster, MOST, Mesh, TOLERANCES};
 use crate::scene::Instance;
 
 /// What is drawn, from where.
@@ -194,18 +194,20 @@ impl Layers {
             return self.with_strays(simd, run, triangles, name);
         }
         let setup = self.setup.get_or_insert_with(|| Box::new(Setup::new()));
-        for (eight, first) in triangles.chunks(EIGHT).zip((first..).step_by(EIGHT)) {
-            setup.load(points, eight, run.mirrored, &self.front);
+        let (points, mut kept) = ((&**points, run.mirrored), [0; MOST]);
+        let kept = setup.sift(points, triangles, &self.front, &mut kept);
+        for eight in kept.chunks(EIGHT) {
+            setup.load(points, eight.iter().map(|index| triangles[usize::from(*index)]), &self.front);
             for (lane, small) in setup.drawn() {
                 let number = self.visible.len() as u32;
                 let drawn = if small {
                     fill::small(simd, &mut self.front, setup, lane, number);
                     true
                 } else {
-                    fill::triangle(simd, &mut self.front, &points.triangle(eight[lane], run.mirrored), number)
+                    fill::triangle(simd, &mut self.front, &points.0.triangle(triangles[usize::from(eight[lane])], run.mirrored), number)
                 };
                 if drawn {
-                    self.visible.push(name(first + lane as u32));
+                    self.visible.push(name(first + u32::from(eight[lane])));
                 }
             }
         }

@@ -5,9 +5,13 @@
 use super::fill::{PIXEL, SMALL, tie};
 use super::project::Points;
 use super::target::{LANES, Target};
+use crate::mesh::MOST;
 
 /// Triangles that are set up at once.
 pub(super) const EIGHT: usize = 8;
+
+/// Corners of eight triangles, in one of a cluster's lists.
+type Corners = [[u8; EIGHT]; 3];
 
 type Whole = [i32; EIGHT];
 type Real = [f32; EIGHT];
@@ -67,23 +71,59 @@ impl Setup {
         self.kinds.iter().enumerate().filter(|(_, kind)| **kind > 0).map(|(lane, kind)| (lane, *kind == 1))
     }
 
-    /// Sets up triangles, whose corners go around as the y axis goes to the x axis.
+    /// Finds which triangles of a cluster are to be set up: most of the others look away, or lie between pixels'
+    /// centres. Their corners go around as the y axis goes to the x axis.
     #[inline(always)]
-    pub(super) fn load(&mut self, points: &Points, triangles: &[[u8; 3]], mirrored: bool, target: &Target) {
-        let (mut x, mut y) = ([[0_i32; EIGHT]; 3], [[0_i32; EIGHT]; 3]);
-        let (mut u, mut v, mut w) = ([[0.0_f32; EIGHT]; 3], [[0.0_f32; EIGHT]; 3], [[0.0_f32; EIGHT]; 3]);
-        for (lane, &[a, b, c]) in triangles.iter().enumerate().take(EIGHT) {
-            // Counter-clockwise seen from outside is clockwise with y down.
-            let corners = if mirrored { [a, b, c] } else { [a, c, b] };
-            for k in 0..3 {
-                let at = usize::from(corners[k]);
-                (x[k][lane], y[k][lane]) = (points.x[at], points.y[at]);
-                (u[k][lane], v[k][lane], w[k][lane]) = (points.across[at], points.down[at], points.inverse[at]);
+    pub(super) fn sift<'a>(
+        &mut self,
+        (points, mirrored): (&Points, bool),
+        triangles: &[[u8; 3]],
+        target: &Target,
+        kept: &'a mut [u8; MOST],
+    ) -> &'a [u8] {
+        let mut count = 0;
+        for (eight, first) in triangles.chunks(EIGHT).zip((0..).step_by(EIGHT)) {
+            self.cover((points, mirrored), eight.iter().copied(), target);
+            for lane in 0..EIGHT {
+                kept[count % MOST] = first + lane as u8;
+                count += usize::from(self.kinds[lane] > 0);
             }
         }
-        self.bound(&x, &y, target);
+        &kept[..count.min(MOST)]
+    }
+
+    /// Sets up triangles.
+    #[inline(always)]
+    pub(super) fn load(
+        &mut self,
+        (points, mirrored): (&Points, bool),
+        triangles: impl Iterator<Item = [u8; 3]>,
+        target: &Target,
+    ) {
+        let (at, [x, y]) = self.cover((points, mirrored), triangles, target);
         self.edges(&x, &y);
+        let [u, v, w] = [&points.across, &points.down, &points.inverse].map(|list| at.map(|at| at.map(|at| list[usize::from(at)])));
         self.depths(&u, &v, &w);
+    }
+
+    /// Finds which pixels triangles may cover, and gives their corners.
+    #[inline(always)]
+    fn cover(
+        &mut self,
+        (points, mirrored): (&Points, bool),
+        triangles: impl Iterator<Item = [u8; 3]>,
+        target: &Target,
+    ) -> (Corners, [[Whole; 3]; 2]) {
+        // Of lanes without a triangle all corners are one, and they cover nothing.
+        let mut at = [[0; EIGHT]; 3];
+        for (lane, [a, b, c]) in (0..EIGHT).zip(triangles) {
+            // Counter-clockwise seen from outside is clockwise with y down.
+            let corners = if mirrored { [a, b, c] } else { [a, c, b] };
+            (0..3).for_each(|k| at[k][lane] = corners[k]);
+        }
+        let [x, y] = [&points.x, &points.y].map(|list| at.map(|at| at.map(|at| list[usize::from(at)])));
+        self.bound(&x, &y, target);
+        (at, [x, y])
     }
 
     /// Which pixels triangles may cover. Those without any, or seen from behind, are not drawn;
