@@ -248,9 +248,9 @@ impl Row {
     /// Light that surfaces throw to the eye.
     #[inline(always)]
     fn thrown(&self, (lattice, row): (&Lattice, usize), out: &mut [Vec<f32>; 3]) {
+        let mut light = [[0.0_f32; PART]; LIGHT];
         for from in (0..self.width).step_by(PART) {
             let to = (from + PART).min(self.width);
-            let mut light = [[0.0_f32; PART]; LIGHT];
             lattice.light(row, from, &mut light);
             let leant = self.leant(from..to, (lattice, row));
             self.part(from..to, (&light, &leant), out.each_mut().map(|out| &mut out[from..to]));
