@@ -13,6 +13,9 @@ With --obj, this project's bench runs before and after the peers, and what a pee
 takes for the same is set beside its bar, at the largest size; where one is missed, the script exits with 1. MuJoCo
 draws the shadows of two lamps and of the sun and three lamps, each against ours in the same lights. Ours draws shadow
 maps once for all views, MuJoCo for each picture. `paths.py` compares path tracing.
+
+Bars in milliseconds and in rays a second are those of one machine. How much slower this one is the peers tell, by what
+they took there: the mean of ratios (geometric) at a size is the pace, and what is wanted is multiplied with it.
 """
 
 import argparse
@@ -37,6 +40,18 @@ BARS = (
     ("PyBullet", "RGB, depth, ids, no shadows", "plain colours, depth, nodes", 10),
     ("PyBullet", "RGB, depth, ids, shadows of 1", "colours, depth, nodes", 20),
 )
+# What peers take where the bars were set (Zen 4, quiet), for each size.
+THERE = {
+    ("Open3D", "depth and ids, rays made before"): (1.03, 12.4, 40.5),
+    ("MuJoCo", "RGB, depth, ids, no shadows"): (10.4, 22.0, 38.8),
+    ("MuJoCo", "RGB, depth, ids, shadows of 2"): (118, 138, 166),
+    ("MuJoCo", "RGB, depth, ids, shadows of 4"): (184, 208, 251),
+    ("PyBullet", "RGB, depth, ids, no shadows"): (25, 56, 133),
+    ("PyBullet", "RGB, depth, ids, shadows of 1"): (48, 134, 347),
+}
+# What ours may take there, milliseconds, at a size; and how many million rays it is to cast a second.
+WANTED = (("labels, depth and flow", 2, 3.0), ("all six", 2, 12.0), ("all six", 0, 1.0))
+RAYS = (("primary", 6.0), ("bounces", 2.5))
 SHOWN = {}
 
 
@@ -68,6 +83,37 @@ def our_times():
         if size in [f"{w}x{h}" for w, h in SIZES]:
             times.setdefault(what, []).append(float(one))
     return times
+
+
+def our_rays():
+    """Million rays a second of one thread through the same home."""
+    command = ["cargo", "bench", "-p", "vc-render", "--bench", "rays", "--", "home"]
+    text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    found = re.findall(r"/(\w+)\s+time:.*?thrpt:\s+\[\S+ \S+ (\S+) Melem/s", text, re.DOTALL)
+    return {kind: float(rate) for kind, rate in found}
+
+
+def keep_pace(rounds):
+    """Prints what is wanted in numbers beside what it would be there, and tells whether all of it is."""
+    ratios = {key: np.array(SHOWN[key]) / there for key, there in THERE.items() if key in SHOWN}
+    if not ratios:
+        return True
+    paces = np.exp(np.mean(np.log(list(ratios.values())), axis=0))
+    print("\nHow many times as long peers take as where the bars were set:")
+    for (peer, what), ratio in ratios.items():
+        print(f"{peer:12} {what:34}" + "".join(f"{r:10.2f}" for r in ratio))
+    print(f"{'pace':47}" + "".join(f"{p:10.2f}" for p in paces))
+    print("\nOurs at that pace:")
+    rows = [(f"{what}, {SIZES[at][0]}x{SIZES[at][1]}", np.mean([times[what][at] for times in rounds]), "ms",
+             lambda value, at=at: value / paces[at], "at most", most) for what, at, most in WANTED]
+    rays = our_rays()
+    rows += [(f"rays, {kind}", rays[kind], "M/s", lambda value: value * paces[-1], "at least", least) for kind, least in RAYS]
+    met = True
+    for what, here, unit, there, side, bar in rows:
+        missed = (there(here) > bar) == (side == "at most")
+        met = met and not missed
+        print(f"{what:34}{here:8.2f} {unit} here,{there(here):8.2f} there, {side} {bar}{', MISSED' if missed else ''}")
+    return met
 
 
 def hold(rounds):
@@ -218,7 +264,9 @@ def main():
         return peers(Scene(options.file) if options.file else generated(options))
     before = our_times()
     peers(Reference(options.obj))
-    raise SystemExit(0 if hold([before, our_times()]) else 1)
+    rounds = [before, our_times()]
+    met = [hold(rounds), keep_pace(rounds)]
+    raise SystemExit(0 if all(met) else 1)
 
 
 if __name__ == "__main__":
