@@ -1,4 +1,4 @@
-//! Blinds and curtains keep their heads when they are drawn, and keep off the sills of windows.
+//! Blinds and curtains keep their heads when they are drawn, and keep off the sills of windows and what stands below.
 
 #![allow(clippy::unwrap_used)]
 
@@ -15,7 +15,10 @@ const SILL: [f32; 2] = [1.9, 0.92];
 
 /// A window from z = 0.9 to 2.1 in a wall whose face is at x = 2, with a sill, and what covers it.
 fn hung(parts: Vec<Part>, places: &[[f32; 3]]) -> (Snapshot, NodeId, Vec<NodeId>) {
-    let mut stage = Stage::new();
+    hung_on(Stage::new(), parts, places)
+}
+
+fn hung_on(mut stage: Stage, parts: Vec<Part>, places: &[[f32; 3]]) -> (Snapshot, NodeId, Vec<NodeId>) {
     let window = vec![
         part("pane", block([0.003, 0.5, 0.6]), [0.0, 0.0, 0.6], 2),
         part("sill", block([0.1, 0.5, 0.01]), [-0.1, 0.0, 0.01], 0),
@@ -101,4 +104,70 @@ fn curtains_that_end_above_the_sill_hang_straight() {
     curtains.iter().for_each(|curtain| snapshot.draw(*curtain, true).unwrap());
     let closed = at(&snapshot, 0.1);
     assert!(curtains.contains(&closed.node) && (closed.point.x - open.point.x).abs() < 1e-4);
+}
+
+/// A pair of curtains down to the floor, drawn, and something that stands below the window, so high and so far off
+/// the wall at its front.
+fn before(high: f32, front: f32) -> (Snapshot, NodeId, Vec<NodeId>) {
+    let mut stage = Stage::new();
+    let half = [0.5 * (front - 0.02), 0.45, 0.5 * high];
+    let at = Pose::translation(2.0 - 0.02 - half[0], 0.0, half[2]);
+    let thing = stage.one("radiator", block(half), at, 0);
+    let parts = vec![part("cloth", block([0.04, 0.14, 1.1]), [0.0, 0.0, 1.1], 1)];
+    let places = [-1.0, 1.0].map(|side| [1.94, 0.66 * side, 0.02]);
+    let (mut snapshot, _, curtains) = hung_on(stage, parts, &places);
+    curtains.iter().for_each(|curtain| snapshot.draw(*curtain, true).unwrap());
+    (snapshot, thing, curtains)
+}
+
+#[test]
+fn curtains_are_drawn_before_a_radiator() {
+    let (snapshot, radiator, curtains) = before(0.6, 0.13);
+    for y in [-0.4, -0.1, 0.2, 0.44] {
+        let before = straight(&snapshot, [0.0, y, 0.3], [1.0, 0.0, 0.0]).unwrap();
+        assert!(curtains.contains(&before.node) && before.point.x < 1.87, "{before:?}");
+        let behind = straight(&snapshot, [1.868, y, 0.3], [1.0, 0.0, 0.0]).unwrap();
+        assert!(behind.node == radiator && (behind.point.x - 1.87).abs() < 1e-4, "{behind:?}");
+        // Down to the floor all the same.
+        assert!(straight(&snapshot, [0.0, y, 0.03], [1.0, 0.0, 0.0]).is_some_and(|hit| curtains.contains(&hit.node)));
+    }
+}
+
+#[test]
+fn curtains_end_above_a_desk() {
+    let (snapshot, desk, curtains) = before(0.74, 0.7);
+    for y in [-0.4, -0.1, 0.2, 0.44] {
+        let down = straight(&snapshot, [1.94, y, 0.76], [0.0, 0.0, -1.0]).unwrap();
+        assert!(down.node == desk && (down.point.z - 0.74).abs() < 1e-4, "no cloth within it: {down:?}");
+        let above = straight(&snapshot, [0.0, y, 0.76], [1.0, 0.0, 0.0]).unwrap();
+        assert!(curtains.contains(&above.node), "{above:?}");
+    }
+}
+
+#[test]
+fn tied_curtains_are_untied_where_they_are_drawn() {
+    // Wide above the band, and below it at one side.
+    let parts = vec![
+        part("cloth", block([0.04, 0.14, 0.6]), [0.0, 0.0, 1.55], 1),
+        part("cloth", block([0.04, 0.04, 0.5]), [0.0, 0.1, 0.5], 1),
+        part("tie", block([0.05, 0.05, 0.03]), [0.0, 0.09, 0.97], 0),
+    ];
+    let places = [-1.0, 1.0].map(|side| [1.94, 0.66 * side, 0.02]);
+    let (mut snapshot, _, curtains) = hung(parts, &places);
+    let met = |snapshot: &Snapshot, y: f32, z: f32| {
+        let hit = straight(snapshot, [0.0, y, z], [1.0, 0.0, 0.0]).unwrap();
+        curtains.contains(&hit.node).then_some(hit.part)
+    };
+    let open = snapshot.clone();
+    let window = || (0..64).map(|i| [-0.48 + 0.137 * (i % 8) as f32, 0.95 + 0.14 * (i / 8) as f32]);
+    assert!(window().all(|[y, z]| met(&open, y, z).is_none()), "it leaves the window free");
+    assert!([-1.0_f32, 1.0].iter().any(|side| met(&open, 0.57 * side, 0.99) == Some(2)), "tied");
+    curtains.iter().for_each(|curtain| snapshot.draw(*curtain, true).unwrap());
+    for [y, z] in window() {
+        assert_eq!(met(&snapshot, y, z), Some(0), "at {y}, {z}");
+    }
+    assert_ne!(open.triangles(), snapshot.triangles());
+    curtains.iter().for_each(|curtain| snapshot.draw(*curtain, false).unwrap());
+    assert_eq!(open.triangles(), snapshot.triangles());
+    assert!(window().all(|[y, z]| met(&snapshot, y, z).is_none()));
 }

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use nalgebra::{Point3, Vector3};
 
 use super::ambient::Ambient;
+use super::grid::Grid;
 use super::lamp::{Lamp, lamps};
-use super::room::{self, Grid};
 use super::shadow::ShadowMap;
-use super::{Daylight, extent::rooms};
+use super::{Daylight, extent::rooms, room};
 use crate::RenderError;
 use crate::affine::{scaled, three};
 use crate::renderer::Renderer;

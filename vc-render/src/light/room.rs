@@ -7,17 +7,12 @@
 use rayon::prelude::*;
 
 use super::extent::rooms;
+use super::grid::Grid;
 use super::{Ambient, Lighting, brightness, dot};
 use crate::affine::three;
 use crate::renderer::Renderer;
-use crate::simd::whole;
 use crate::trace::{Met, Ray};
 
-/// Distance of the grid's points over the floor and upwards, metres.
-const STEP: [f32; 3] = [0.5, 0.5, 0.6];
-/// Points of all rooms together at most, but for eight of each room: huge scenes have them farther apart. Each
-/// takes 14 kB while light is made.
-const MOST: usize = 1 << 14;
 /// Rays from each point.
 const RAYS: usize = 256;
 /// Width of what is one point to light thrown back, metres.
@@ -26,20 +21,6 @@ const FAR: f32 = 0.05;
 pub(super) const STRIDE: usize = 97;
 /// How often light is thrown on.
 const BOUNCES: usize = 7;
-
-/// The grid of a room.
-#[derive(Debug, Clone)]
-pub(crate) struct Grid {
-    low: [f32; 3],
-    over: [f32; 3],
-    counts: [usize; 3],
-    points: Vec<Ambient>,
-    /// Light from all sides at a middling point: half of the room has more. The few by a
-    /// window or a lit door do not tell how bright a room is.
-    pub(super) middling: f32,
-    /// The mean colour of light from all sides.
-    pub(super) colour: [f32; 3],
-}
 
 /// Where light is thrown back, which way that faces, its reflectance and room.
 pub(super) type Thrown = ([f32; 3], [f32; 3], [f32; 3], u16);
@@ -52,65 +33,6 @@ pub(super) struct Seen {
     pub(super) place: Option<Thrown>,
     /// The share of the sun's light that panes leave there; zero where the sun does not shine.
     pub(super) sun: f32,
-}
-
-impl Grid {
-    /// Over a room, with points so many times farther apart than usual.
-    fn over((low, high): ([f32; 3], [f32; 3]), apart: f32) -> Self {
-        // Points keep away from walls; the floor goes on below half of them.
-        const OFF: [f32; 3] = [0.3, 0.3, 0.12];
-        let low = three(|i| low[i] + OFF[i]);
-        let size = three(|i| (high[i] - OFF[i] - low[i]).max(0.05));
-        let counts: [usize; 3] = three(|i| ((size[i] / (apart * STEP[i])).ceil() as usize).clamp(1, 63) + 1);
-        let over = three(|i| (counts[i] - 1) as f32 / size[i]);
-        Self { low, over, counts, points: Vec::new(), middling: 0.0, colour: [0.0; 3] }
-    }
-
-    /// Over all rooms, with points as near to each other as there may be so many.
-    fn over_all(rooms: &[([f32; 3], [f32; 3])]) -> Vec<Self> {
-        let grids = |apart: f32| -> Vec<Self> { rooms.iter().map(|room| Self::over(*room, apart)).collect() };
-        let (mut apart, mut all) = (1.0, grids(1.0));
-        while all.iter().map(Self::count).sum::<usize>() > MOST.max(8 * rooms.len()) {
-            apart *= 1.1;
-            all = grids(apart);
-        }
-        all.iter_mut().for_each(|grid| grid.points = vec![Ambient::default(); grid.count()]);
-        all
-    }
-
-    fn count(&self) -> usize {
-        self.counts.iter().product()
-    }
-
-    fn place(&self, index: usize) -> [f32; 3] {
-        let [nx, ny, _] = self.counts;
-        let cell = [index % nx, index / nx % ny, index / (nx * ny)];
-        three(|i| self.low[i] + cell[i] as f32 / self.over[i])
-    }
-
-    /// Incoming light at a point.
-    #[inline(always)]
-    pub(crate) fn at(&self, p: [f32; 3]) -> Ambient {
-        let mut cell = [0_usize; 3];
-        let mut share = [0.0_f32; 3];
-        for i in 0..3 {
-            let most = (self.counts[i] - 1) as f32;
-            let x = ((p[i] - self.low[i]) * self.over[i]).max(0.0).min(most - 0.001);
-            cell[i] = whole(x.floor()) as usize;
-            share[i] = x - x.floor();
-        }
-        let [nx, ny, _] = self.counts;
-        let mut sum = Ambient::default();
-        for (z, high) in [(0, 1.0 - share[2]), (1, share[2])] {
-            for (y, deep) in [(0, high * (1.0 - share[1])), (1, high * share[1])] {
-                let first = ((cell[2] + z) * ny + cell[1] + y) * nx + cell[0];
-                let pair = &self.points[first..first + 2];
-                sum.mix(&pair[0], deep * (1.0 - share[0]));
-                sum.mix(&pair[1], deep * share[0]);
-            }
-        }
-        sum
-    }
 }
 
 /// Directions spread evenly over the sphere (Fibonacci's lattice).
@@ -147,11 +69,7 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec
         }
         grids.iter_mut().for_each(Grid::mend);
     }
-    for grid in &mut grids {
-        grid.smooth();
-        grid.middling = grid.middle();
-        grid.colour = grid.mean();
-    }
+    grids.iter_mut().for_each(Grid::settle);
     (grids, sunlight)
 }
 
@@ -273,69 +191,4 @@ fn gathered(grids: &[Grid], directions: &[[f32; 3]], seen: &[Seen]) -> Ambient {
         light.add(*towards, radiance.map(|v| v * each));
     }
     light
-}
-
-impl Grid {
-    /// Points inside of things take the mean of their neighbours, again and again until all have one.
-    fn mend(&mut self) {
-        let [nx, ny, nz] = self.counts;
-        for _ in 0..nx.max(ny).max(nz) {
-            let before = self.points.clone();
-            let known = |x: usize, y: usize, z: usize| {
-                // What lies beyond has no number.
-                let p = (x < nx && y < ny && z < nz).then(|| &before[(z * ny + y) * nx + x])?;
-                p.is_known().then_some(p)
-            };
-            for (index, point) in self.points.iter_mut().enumerate().filter(|(_, p)| !p.is_known()) {
-                let (x, y, z) = (index % nx, index / nx % ny, index / (nx * ny));
-                let down = |v: usize| v.wrapping_sub(1);
-                let around =
-                    [(down(x), y, z), (x + 1, y, z), (x, down(y), z), (x, y + 1, z), (x, y, down(z)), (x, y, z + 1)];
-                let found: Vec<&Ambient> = around.into_iter().filter_map(|(x, y, z)| known(x, y, z)).collect();
-                if !found.is_empty() {
-                    *point = Ambient::default();
-                    found.iter().for_each(|f| point.mix(f, 1.0 / found.len() as f32));
-                }
-            }
-            if before.iter().all(Ambient::is_known) {
-                return;
-            }
-        }
-        // A room without any free point is dark.
-        self.points.iter_mut().filter(|p| !p.is_known()).for_each(|p| *p = Ambient::default());
-    }
-
-    /// Takes the mean with neighbours along each axis in turn: rays are few, and what they
-    /// miss differs from point to point.
-    fn smooth(&mut self) {
-        let [nx, ny, _] = self.counts;
-        for (axis, stride) in [(0, 1), (1, nx), (2, nx * ny)] {
-            let before = self.points.clone();
-            for (index, point) in self.points.iter_mut().enumerate() {
-                let cell = index / stride % self.counts[axis];
-                let low = if cell > 0 { index - stride } else { index };
-                let high = if cell + 1 < self.counts[axis] { index + stride } else { index };
-                *point = Ambient::default();
-                for (index, share) in [(low, 0.25), (high, 0.25), (index, 0.5)] {
-                    point.mix(&before[index], share);
-                }
-            }
-        }
-    }
-
-    /// The mean of its points' light, all sides together.
-    fn mean(&self) -> [f32; 3] {
-        let share = 1.0 / self.points.len() as f32;
-        self.points.iter().fold([0.0; 3], |sum, point| {
-            let light = point.colour();
-            three(|c| sum[c] + share * light[c])
-        })
-    }
-
-    /// The middle one of its points' mean radiances.
-    fn middle(&self) -> f32 {
-        let mut means: Vec<f32> = self.points.iter().map(Ambient::mean).collect();
-        let middle = means.len() / 2;
-        *means.select_nth_unstable_by(middle, f32::total_cmp).1
-    }
 }

@@ -56,6 +56,8 @@ pub(crate) struct Instance {
     pub(super) liquid: Option<Poured>,
     /// What draws it over a window, if it hangs at one.
     pub(super) drawn: Option<Drawn>,
+    /// Of a curtain that may be tied, when it is there.
+    pub(super) tied: Option<Tied>,
     /// Whether nothing of its body is to be seen.
     pub(super) hidden: bool,
 }
@@ -66,6 +68,15 @@ pub(super) struct Poured {
     pub(super) there: bool,
     /// A point in the vessel's bottom.
     pub(super) bottom: [f64; 3],
+}
+
+/// Part of a curtain that is tied where it is not drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Tied {
+    /// Whether it is there when the curtain is drawn, or else when it is not.
+    pub(super) drawn: bool,
+    /// A point within what is there otherwise.
+    pub(super) hidden: [f64; 3],
 }
 
 impl Instance {
@@ -86,8 +97,13 @@ impl Instance {
         match self.liquid {
             _ if self.hidden => Some([0.0; 3]),
             Some(Poured { there: false, bottom }) => Some(bottom),
-            _ => None,
+            _ => self.tied.filter(|tied| tied.drawn != self.covers()).map(|tied| tied.hidden),
         }
+    }
+
+    /// Whether there is something to be seen of it.
+    pub(super) fn is_there(&self) -> bool {
+        self.speck().is_none()
     }
 
     /// Puts it where its body's pose and its own motion say.

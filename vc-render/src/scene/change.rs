@@ -204,8 +204,10 @@ impl Snapshot {
     }
 
     /// Draws a blind or a curtain over the window or door that it hangs at, or aside: it is stretched over the opening,
-    /// down from above or from its side, to the middle where another comes from the other side. A graph's states are
-    /// there from the beginning. What hangs at nothing stays as it is.
+    /// down from above or from its side, to the middle where another comes from the other side. It hangs before what is
+    /// flat and stands there, as radiators do, and ends above what is deep; where that was when the snapshot was made
+    /// counts. What is tied with a band comes loose. A graph's states are there from the beginning. What hangs at
+    /// nothing stays as it is.
     ///
     /// Light follows when it is made anew: see [`Renderer::relight`](crate::Renderer::relight). Costs next to nothing.
     ///

@@ -15,6 +15,8 @@ const WIDE: f32 = 0.8;
 const LAP: f32 = 0.005;
 /// Depth of a cover that sweeps before what stands out, at least, metres: its pleats are drawn flat.
 const FLAT: f32 = 0.03;
+/// How far off the wall a cover sweeps at most, metres: before a radiator. It ends above what reaches farther.
+const SWEEP: f32 = 0.2;
 
 /// A cover that can be drawn over an opening.
 #[derive(Debug, Clone)]
@@ -30,14 +32,23 @@ struct Hung {
     /// Without the head that it hangs from.
     loose: Bounds,
     opening: Bounds,
-    /// Of the opening's parts.
+    /// Of the opening's parts, and of what stands before it.
     parts: Vec<Bounds>,
 }
 
-/// Finds for covers, each with whether it is closed, where they hang, and draws them as they are.
-pub(super) fn hang((bodies, instances): (&mut [Body], &mut [Instance]), covers: &[(usize, bool)], openings: &[usize]) {
-    let numbers: Vec<usize> = covers.iter().map(|(body, _)| *body).collect();
-    for ((body, closed), stretch) in covers.iter().zip(stretches((bodies, instances), &numbers, openings)) {
+/// What covers may hang at and before, numbers of bodies.
+#[derive(Default)]
+pub(super) struct Around {
+    /// Covers, each with whether it is closed.
+    pub(super) covers: Vec<(usize, bool)>,
+    pub(super) openings: Vec<usize>,
+    /// What stands in rooms and is not carried about.
+    pub(super) standing: Vec<usize>,
+}
+
+/// Finds for covers where they hang, and draws them as they are.
+pub(super) fn hang((bodies, instances): (&mut [Body], &mut [Instance]), around: &Around) {
+    for ((body, closed), stretch) in around.covers.iter().zip(stretches((bodies, instances), around)) {
         let Some((wide, stretch)) = stretch.map(|(wide, stretch)| (wide, Arc::new(stretch))) else { continue };
         let body = &mut bodies[*body];
         let own = &mut instances[body.instances.start as usize..body.instances.end as usize];
@@ -60,18 +71,15 @@ pub(super) fn draw((body, instances): (&mut Body, &mut [Instance]), closed: bool
 }
 
 /// For each cover what draws it over the opening nearest to it, and whether it comes down; none where none is near.
-///
-/// Covers and openings are numbers of bodies.
-fn stretches(
-    (bodies, instances): (&[Body], &[Instance]),
-    covers: &[usize],
-    openings: &[usize],
-) -> Vec<Option<(bool, Affine)>> {
-    let hung = |cover: &usize| {
-        let all = openings.iter().filter_map(|o| Some((*o, Hung::of(&bodies[*cover], &bodies[*o], instances)?)));
-        all.min_by(|a, b| a.1.apart().total_cmp(&b.1.apart()))
+fn stretches((bodies, instances): (&[Body], &[Instance]), around: &Around) -> Vec<Option<(bool, Affine)>> {
+    let hung = |(cover, _): &(usize, bool)| {
+        let cover = &bodies[*cover];
+        let all = around.openings.iter().filter_map(|o| Some((*o, Hung::of(cover, &bodies[*o], instances)?)));
+        let (opening, hung) = all.min_by(|a, b| a.1.apart().total_cmp(&b.1.apart()))?;
+        let standing = around.standing.iter().map(|body| &bodies[*body]);
+        Some((opening, hung.among(cover, standing, instances)))
     };
-    let places: Vec<Option<(usize, Hung)>> = covers.iter().map(hung).collect();
+    let places: Vec<Option<(usize, Hung)>> = around.covers.iter().map(hung).collect();
     let other = |opening: usize, side: f32| {
         let there = |(at, hung): &(usize, Hung)| *at == opening && !hung.is_wide() && hung.side() == -side;
         places.iter().flatten().any(there)
@@ -104,8 +112,17 @@ impl Hung {
         along.then(|| Self { parts: fixed().flat_map(|i| parts(&own(i), &i.link.levels[0])).collect(), ..made })
     }
 
-    fn ends(bounds: &Bounds, axis: usize) -> [f32; 2] {
-        [bounds.centre[axis] - bounds.half[axis], bounds.centre[axis] + bounds.half[axis]]
+    /// With the parts of what stands where it may come.
+    fn among<'a>(self, cover: &Body, standing: impl Iterator<Item = &'a Body>, instances: &[Instance]) -> Self {
+        let Some(back) = Affine::of(&cover.pose).inverse() else { return self };
+        let (all, [wall, front]) = (self.own.joined(&self.opening), ends(&self.own, 0));
+        let reach = [[wall, front.max(wall + SWEEP + FLAT)], ends(&all, 1), ends(&all, 2)];
+        let near = |body: &&Body| meets(&turned(&back.after(&Affine::of(&body.pose)).narrow(), &body.bounds), &reach);
+        let own = |body: &Body| &instances[body.instances.start as usize..body.instances.end as usize];
+        let found = standing.filter(near).flat_map(own);
+        let found = found.flat_map(|i| parts(&back.after(&i.world).narrow(), &i.link.levels[0]));
+        let found: Vec<Bounds> = found.filter(|part| meets(part, &reach)).collect();
+        Self { parts: [self.parts, found].concat(), ..self }
     }
 
     fn gap(&self, axis: usize) -> f32 {
@@ -125,38 +142,56 @@ impl Hung {
         if self.own.centre[1] < self.opening.centre[1] { -1.0 } else { 1.0 }
     }
 
-    /// Parts of the opening that stand out of the wall as far as the cover hangs before it.
-    fn in_the_way(&self) -> impl Iterator<Item = &Bounds> {
-        let back = Self::ends(&self.own, 0)[0];
-        self.parts.iter().filter(move |part| Self::ends(part, 0)[1] > back)
-    }
-
-    /// Down to the opening's lower edge, or to what stands out there.
+    /// Down to the opening's lower edge, or to what stands out or stands there.
     fn lowered(&self) -> Affine {
-        let [low, high] = Self::ends(&self.loose, 2);
-        let below = self.in_the_way().map(|part| Self::ends(part, 2)[1]).filter(|top| *top < low);
-        let end = below.map(|top| top + LAP).fold(Self::ends(&self.opening, 2)[0], f32::max);
+        let [low, high] = ends(&self.loose, 2);
+        let way = [ends(&self.own, 0), ends(&self.own, 1), [f32::NEG_INFINITY, low]];
+        let tops = self.parts.iter().filter(|part| meets(part, &way)).map(|part| ends(part, 2)[1]);
+        let end = tops.filter(|top| *top < low).map(|top| top + LAP).fold(ends(&self.opening, 2)[0], f32::max);
         spanned(2, [low, high], [end.min(low), high])
     }
 
     /// From its side to the opening's other one: to the middle, if `other` comes from there. And before what stands
-    /// out there.
+    /// out there or is flat, as a radiator is, and above what is deep.
     fn drawn(&self, other: bool) -> Affine {
-        let (side, [low, high]) = (self.side(), Self::ends(&self.own, 1));
-        let end = if other { self.opening.centre[1] } else { Self::ends(&self.opening, 1)[usize::from(side < 0.0)] };
+        let (side, [low, high]) = (self.side(), ends(&self.own, 1));
+        let end = if other { self.opening.centre[1] } else { ends(&self.opening, 1)[usize::from(side < 0.0)] };
         let to = end - side * LAP;
         // It may already reach farther.
-        let along = spanned(1, [low, high], if side < 0.0 { [low, to.max(high)] } else { [to.min(low), high] });
-        let [bottom, top] = Self::ends(&self.own, 2);
-        let beside = |part: &&Bounds| Self::ends(part, 2)[1] > bottom && Self::ends(part, 2)[0] < top;
-        let way = self.in_the_way().filter(beside).map(|part| Self::ends(part, 0)[1] + LAP);
-        let [back, front] = Self::ends(&self.own, 0);
-        let clear = way.fold(back, f32::max);
-        if clear == back {
-            return along;
-        }
-        along.after(&spanned(0, [back, front], [clear, front.max(clear + FLAT)]))
+        let across = if side < 0.0 { [low, to.max(high)] } else { [to.min(low), high] };
+        let ([back, front], [bottom, top]) = (ends(&self.own, 0), ends(&self.own, 2));
+        let depth = |foot: f32| match self.clear(across, [foot, top]) {
+            clear if clear > back => [clear, front.max(clear + FLAT)],
+            _ => [back, front],
+        };
+        let foot = self.foot([depth(bottom), across, [bottom, top]]);
+        let along = spanned(1, [low, high], across).after(&spanned(2, [bottom, top], [foot, top]));
+        along.after(&spanned(0, [back, front], depth(foot)))
     }
+
+    /// How far out of the wall a cover is before all that is not deep, given how far it reaches across and upwards.
+    fn clear(&self, across: [f32; 2], upwards: [f32; 2]) -> f32 {
+        let back = ends(&self.own, 0)[0];
+        let way = self.parts.iter().filter(|part| meets(part, &[[back, back + SWEEP], across, upwards]));
+        way.map(|part| ends(part, 0)[1]).filter(|out| *out <= back + SWEEP).map(|out| out + LAP).fold(back, f32::max)
+    }
+
+    /// The height at which a cover ends, given the room it takes: above what reaches into that from below.
+    fn foot(&self, room: [[f32; 2]; 3]) -> f32 {
+        let (most, [bottom, _]) = (self.opening.centre[2], room[2]);
+        let tops = self.parts.iter().filter(|part| meets(part, &room)).map(|part| ends(part, 2)[1] + LAP);
+        // Of what is higher than half of the opening it leaves little free.
+        tops.filter(|top| *top < most).fold(bottom, f32::max)
+    }
+}
+
+fn ends(bounds: &Bounds, axis: usize) -> [f32; 2] {
+    [bounds.centre[axis] - bounds.half[axis], bounds.centre[axis] + bounds.half[axis]]
+}
+
+/// Whether a box reaches into another, given from where to where that goes along each axis.
+fn meets(bounds: &Bounds, other: &[[f32; 2]; 3]) -> bool {
+    (0..3).all(|axis| ends(bounds, axis)[1] > other[axis][0] && ends(bounds, axis)[0] < other[axis][1])
 }
 
 /// The boxes around the parts of a mesh that is mapped.

@@ -6,6 +6,7 @@ mod cover;
 mod liquid;
 mod snapshot;
 mod store;
+mod untied;
 
 pub(crate) use body::{Body, Instance, NO_ROOM, turned};
 pub use snapshot::Snapshot;

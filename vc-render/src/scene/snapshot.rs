@@ -6,8 +6,8 @@ use std::sync::Arc;
 use vc_graph::asset::Joint;
 use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State};
 
-use super::body::Poured;
-use super::cover::hang;
+use super::body::{Poured, Tied};
+use super::cover::{Around, hang};
 use super::{Body, Instance, NO_ROOM, Store, liquid};
 use crate::RenderError;
 use crate::affine::Affine;
@@ -43,7 +43,7 @@ impl Snapshot {
         let rooms: HashMap<NodeId, u16> = graph.rooms().iter().copied().zip(0..NO_ROOM).collect();
         let mut classes = Classes::of(graph);
         let (mut bodies, mut instances) = (Vec::new(), Vec::new());
-        let (mut covers, mut openings) = (Vec::new(), Vec::new());
+        let mut around = Around::default();
         for node in graph.nodes().filter(|n| n.kind() != Kind::Room) {
             let Some(pose) = node.pose() else { continue };
             let links = links(store, graph, node)?;
@@ -53,8 +53,8 @@ impl Snapshot {
             if !Affine::placed(pose, &scale).is_finite() {
                 return Err(RenderError::BadPose(node.id()));
             }
-            for (link, liquid) in links {
-                instances.extend(instance((link, liquid), bodies.len() as u32, node, (pose, &scale), joint));
+            for piece in links {
+                instances.extend(instance(piece, bodies.len() as u32, node, (pose, &scale), joint));
             }
             let mut body = Body {
                 node: node.id(),
@@ -68,14 +68,16 @@ impl Snapshot {
                 bounds: Default::default(),
             };
             body.bounds = body.measured(&instances[first as usize..]);
-            if node.affords(Property::Cover) && node.affords(Property::Openable) {
-                covers.push((bodies.len(), node.is(State::Closed)));
+            if is_cover(node) {
+                around.covers.push((bodies.len(), node.is(State::Closed)));
             } else if OPENINGS.contains(&&*node.spec().category) {
-                openings.push(bodies.len());
+                around.openings.push(bodies.len());
+            } else if node.kind() == Kind::Object && !node.affords(Property::Graspable) {
+                around.standing.push(bodies.len());
             }
             bodies.push(body);
         }
-        hang((&mut bodies, &mut instances), &covers, &openings);
+        hang((&mut bodies, &mut instances), &around);
         let by_node = bodies.iter().zip(0..).map(|(b, i)| (b.node, i)).collect();
         let (classes, rooms) = (Arc::new(classes.names), Arc::new(graph.rooms().to_vec()));
         let bounds = Arc::new(rooms.iter().map(|room| graph.node(*room)?.aabb()).collect());
@@ -123,7 +125,7 @@ impl Snapshot {
 
     /// Number of triangles at the finest level of detail.
     pub fn triangles(&self) -> usize {
-        let seen = self.instances.iter().filter(|i| !i.hidden && i.liquid.is_none_or(|liquid| liquid.there));
+        let seen = self.instances.iter().filter(|i| i.is_there());
         seen.map(|i| i.link.levels[0].len()).sum()
     }
 
@@ -140,26 +142,47 @@ impl Snapshot {
 /// Categories of what is in an opening of a wall.
 const OPENINGS: [&str; 2] = ["window", "door"];
 
-/// A link, and what it is if it is a liquid.
-type Piece = (Arc<Link>, Option<Poured>);
+/// A link, and when it is there: what can be poured, and what is tied or not.
+struct Piece {
+    link: Arc<Link>,
+    liquid: Option<Poured>,
+    tied: Option<Tied>,
+}
 
-/// The links of a node, and that of what can be poured into it.
+impl Piece {
+    fn new(link: Arc<Link>) -> Self {
+        Self { link, liquid: None, tied: None }
+    }
+}
+
+/// Whether it can be drawn over a window.
+fn is_cover(node: &Node) -> bool {
+    node.affords(Property::Cover) && node.affords(Property::Openable)
+}
+
+/// The links of a node, and those of what can be poured into it and of what it is when it is untied.
 fn links(store: &mut Store, graph: &SceneGraph, node: &Node) -> Result<Vec<Piece>, RenderError> {
-    let solid = |links: Vec<Arc<Link>>| links.into_iter().map(|link| (link, None)).collect::<Vec<Piece>>();
+    let solid = |links: Vec<Arc<Link>>| links.into_iter().map(Piece::new).collect::<Vec<Piece>>();
     let Some(id) = node.spec().asset else { return Ok(solid(store.stand_in(node.spec()).unwrap_or_default())) };
     let missing = RenderError::NoSuchAsset { node: node.id(), asset: id.0 };
     let asset = graph.assets().get(id).ok_or(missing)?;
     let mut all = solid(store.links(graph.assets(), asset, node.affords(Property::Cover)));
     if node.affords(Property::Recipient) {
         let poured = |bottom| Poured { there: node.contents().is_some(), bottom };
-        all.extend(store.liquid(graph.assets(), asset).map(|(link, bottom)| (link, Some(poured(bottom)))));
+        let liquid = store.liquid(graph.assets(), asset);
+        all.extend(liquid.map(|(link, bottom)| Piece { liquid: Some(poured(bottom)), ..Piece::new(link) }));
+    }
+    let untied = if is_cover(node) { store.untied(graph.assets(), asset) } else { None };
+    if let Some((link, [band, cloth])) = untied {
+        all.iter_mut().for_each(|piece| piece.tied = Some(Tied { drawn: false, hidden: cloth }));
+        all.push(Piece { tied: Some(Tied { drawn: true, hidden: band }), ..Piece::new(link) });
     }
     Ok(all)
 }
 
 /// The instance of a link; none where its scale leaves it no volume.
 fn instance(
-    (link, liquid): Piece,
+    Piece { link, liquid, tied }: Piece,
     body: u32,
     node: &Node,
     (pose, scale): (&Pose, &nalgebra::Vector3<f32>),
@@ -185,6 +208,7 @@ fn instance(
         coat,
         liquid,
         drawn: None,
+        tied,
         hidden: false,
     };
     (instance.put(pose, scale) && instance.world.is_finite()).then_some(instance)

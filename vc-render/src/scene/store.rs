@@ -7,6 +7,7 @@ use vc_graph::asset::{Material, Part, Shape};
 use vc_graph::{Asset, AssetLibrary, Pose, Spec};
 
 use super::liquid::Liquid;
+use super::untied::Untied;
 use crate::mesh::{Finish, Link, TOLERANCES, links, single};
 use crate::surface::{Picture, Role, Surface};
 
@@ -25,6 +26,8 @@ pub(crate) struct Store {
     /// What fits into vessels, by the same.
     liquids: HashMap<(usize, usize), Option<Contained>>,
     water: Option<u16>,
+    /// Curtains without their bands, by the same.
+    untied: HashMap<(usize, usize), Option<Loose>>,
     /// Keeps what the addresses above belong to.
     kept: Vec<(Arc<AssetLibrary>, Arc<Asset>)>,
     /// Boxes for nodes of which no more is known, by their lengths and offset, and their surface.
@@ -34,6 +37,9 @@ pub(crate) struct Store {
 
 /// A liquid that can be in a vessel, and a point in the vessel's bottom.
 pub(super) type Contained = (Arc<Link>, [f64; 3]);
+
+/// A tied curtain's cloth as it hangs when it is untied, and points within its band and within that cloth.
+pub(super) type Loose = (Arc<Link>, [[f64; 3]; 2]);
 
 impl Store {
     /// What can be poured into an asset whose links are there, if anything can; made if it is not there yet.
@@ -50,6 +56,22 @@ impl Store {
             (Arc::new(single(&filled, asset.parts.len(), finish)), liquid.bottom)
         });
         self.liquids.insert(key, made.clone());
+        made
+    }
+
+    /// The cloth of an asset whose links are there, without its band if it has one; made if it is not there yet.
+    pub(super) fn untied(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>) -> Option<Loose> {
+        let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize);
+        if let Some(known) = self.untied.get(&key) {
+            return known.clone();
+        }
+        let made = Untied::of(asset).map(|Untied { cloth, index, hidden }| {
+            let finish = self.surface(key.0, library, &cloth);
+            let mut hanging = asset.as_ref().clone();
+            hanging.parts[index] = cloth;
+            (Arc::new(single(&hanging, index, finish)), hidden)
+        });
+        self.untied.insert(key, made.clone());
         made
     }
 

@@ -1,0 +1,104 @@
+//! Curtains of generated homes leave their windows free, or cover them and go through no radiator.
+
+#![allow(clippy::unwrap_used)]
+
+use nalgebra::{Point3, Vector3};
+use virtualcity::graph::{Node, NodeId, Pose, SceneGraph, Seed};
+use virtualcity::procgen::Apartment;
+use virtualcity::render::{RayCaster, RayHit, Renderer, Snapshot};
+
+/// Places along a window and up at which is looked.
+const PLACES: usize = 16;
+
+/// A window with curtains, and the radiators of its room.
+struct Hung {
+    pose: Pose,
+    size: Vector3<f32>,
+    curtains: Vec<NodeId>,
+    radiators: Vec<NodeId>,
+}
+
+fn hung(graph: &SceneGraph) -> Vec<Hung> {
+    let at = |node: &Node| node.pose().unwrap().translation.vector.xy();
+    let of = |window: &Node| {
+        let size = window.spec().bounds.unwrap().half * 2.0;
+        let all = |class: &str| graph.of_class(class).into_iter().filter_map(|id| graph.node(id)).collect::<Vec<_>>();
+        let inside = |n: &&Node| graph.room_of(n.id()) == graph.room_of(window.id());
+        let hangs = |n: &&Node| (at(window) - at(n)).norm() < 0.5 * size.y + 0.4;
+        let curtains = all("curtain").into_iter().filter(inside).filter(hangs).map(Node::id).collect();
+        let radiators = all("radiator").into_iter().filter(inside).map(Node::id).collect();
+        Hung { pose: *window.pose().unwrap(), size, curtains, radiators }
+    };
+    let windows = graph.of_class("window");
+    windows.iter().map(|id| of(graph.node(*id).unwrap())).filter(|hung| !hung.curtains.is_empty()).collect()
+}
+
+/// All that a ray meets.
+fn met(caster: &RayCaster, from: Point3<f32>, along: Vector3<f32>, reach: f32) -> Vec<RayHit> {
+    let (mut hits, mut at) = (Vec::new(), 0.0);
+    while let Some(hit) = caster.first(&(from + at * along), &along, reach - at) {
+        at += hit.distance + 1e-4;
+        hits.push(hit);
+    }
+    hits
+}
+
+fn places() -> impl Iterator<Item = [f32; 2]> {
+    (0..PLACES * PLACES).map(|i| [i % PLACES, i / PLACES].map(|k| (k as f32 + 0.5) / PLACES as f32))
+}
+
+impl Hung {
+    /// The share of the window that is behind its curtains.
+    fn covered(&self, caster: &RayCaster) -> f32 {
+        let along = self.pose.rotation * Vector3::x();
+        let covers = |[u, v]: &[f32; 2]| {
+            let from = self.pose * Point3::new(-0.05, (u - 0.5) * 0.84 * self.size.y, (0.08 + 0.84 * v) * self.size.z);
+            met(caster, from, along, 0.6).iter().any(|hit| self.curtains.contains(&hit.node))
+        };
+        places().filter(covers).count() as f32 / (PLACES * PLACES) as f32
+    }
+
+    /// At how many places a curtain is met between the front and the back of a radiator.
+    fn through(&self, caster: &RayCaster) -> usize {
+        let into = self.pose.rotation * -Vector3::x();
+        let meets = |[u, v]: &[f32; 2]| {
+            let mut from = self.pose * Point3::new(1.0, (u - 0.5) * (self.size.y + 0.7), 0.0);
+            from.z = 0.03 + v;
+            let hits = met(caster, from, into, 1.2);
+            let warm = |hit: &RayHit| self.radiators.contains(&hit.node);
+            let (first, last) = (hits.iter().position(warm), hits.iter().rposition(warm));
+            let between = first.zip(last).map(|(first, last)| &hits[first..last]).unwrap_or_default();
+            between.iter().any(|hit| self.curtains.contains(&hit.node))
+        };
+        places().filter(meets).count()
+    }
+}
+
+fn drawn(snapshot: &Snapshot, windows: &[Hung], closed: bool) -> RayCaster {
+    let mut drawn = snapshot.clone();
+    windows.iter().flat_map(|hung| &hung.curtains).for_each(|curtain| drawn.draw(*curtain, closed).unwrap());
+    RayCaster::new(&drawn)
+}
+
+#[test]
+fn curtains_leave_windows_free_or_cover_them_and_go_through_no_radiator() {
+    let (mut windows, mut warmed, mut covered) = (0, 0, 0);
+    for seed in 0..20 {
+        let graph = Apartment::from_seed(Seed(seed)).unwrap().scene();
+        let snapshot = Renderer::new().snapshot(&graph).unwrap();
+        let all = hung(&graph);
+        let [open, closed] = [false, true].map(|closed| drawn(&snapshot, &all, closed));
+        for window in &all {
+            let place = format!("home {seed}, curtains {:?}", window.curtains);
+            let [aside, over] = [&open, &closed].map(|caster| window.covered(caster));
+            assert!(aside <= 0.25, "{place}: {aside} of the window are covered where they are open");
+            assert_eq!(window.through(&open) + window.through(&closed), 0, "{place}: through a radiator");
+            windows += 1;
+            warmed += usize::from(!window.radiators.is_empty());
+            covered += usize::from(over > 0.95);
+        }
+    }
+    eprintln!("{covered} of {windows} windows are covered by closed curtains; {warmed} have radiators in their room");
+    assert!(windows > 30 && warmed > 20);
+    assert!(20 * covered >= 19 * windows, "{covered} of {windows} windows are covered by closed curtains");
+}
