@@ -10,7 +10,7 @@
 use rayon::prelude::*;
 
 use super::film::Traced;
-use super::path::Kind;
+use super::path::{Kind, SCATTERED};
 use crate::affine::three;
 use crate::light::{brightness, dot};
 
@@ -18,9 +18,9 @@ use crate::light::{brightness, dot};
 const PASSES: u32 = 6;
 /// Weights of neighbours along an axis.
 const KERNEL: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
-/// Standard deviations by which light may differ in the first pass, of sharp light and of the other.
+/// Standard deviations by which light may differ in the first pass, of sharp light, of soft and of what panes reflect.
 /// It may differ more in later ones: what has been smoothed together errs together.
-const UNLIKE: [f32; 2] = [2.0, 4.0];
+const UNLIKE: [f32; 3] = [2.0, 4.0, 2.0];
 /// How far a point may be off a surface, in shares of its distance from the eye.
 const OFF: f32 = 0.004;
 
@@ -31,6 +31,8 @@ struct Soft {
     light: [f32; 3],
     /// Variance of its brightness.
     variance: f32,
+    /// How much it counts among its neighbours.
+    weight: f32,
 }
 
 /// What edges are told by.
@@ -40,6 +42,8 @@ pub(super) struct Guide {
     pub(super) mean: [f32; 3],
     normal: [f32; 3],
     pub(super) at: [f32; 3],
+    /// Share of light that glass before it reflects.
+    glass: f32,
     /// One over how far others may be off this surface.
     pub(super) over: f32,
 }
@@ -53,14 +57,14 @@ pub(super) struct Plane<'a> {
 pub(super) fn denoised(traced: &[Traced], width: usize, eye: [f32; 3]) -> Vec<[f32; 3]> {
     let guides: Vec<Guide> = traced.iter().map(|t| Guide::of(t, eye)).collect();
     let plane = Plane { guides: &guides, width };
-    let [sharp, soft] = [Kind::Sharp, Kind::Soft].map(|kind| {
-        let mut soft: Vec<Soft> = traced.iter().zip(&guides).map(|(t, g)| Soft::of(t, g, kind)).collect();
-        plane.dim_specks(&mut soft);
-        plane.spread_variance(&mut soft);
-        (0..PASSES).fold(soft, |soft, pass| plane.smoothed(&soft, 1 << pass, UNLIKE[kind as usize] * (1 + pass) as f32))
-    });
-    let both = sharp.iter().zip(&soft).zip(&guides);
-    let mut light: Vec<[f32; 3]> = both.map(|((a, b), g)| three(|i| (a.light[i] + b.light[i]) * g.colour[i])).collect();
+    let mut light = vec![[0.0; 3]; traced.len()];
+    for kind in SCATTERED {
+        let smooth = plane.smooth(traced, kind);
+        let under = guides.iter().map(|guide| guide.under(kind));
+        light.iter_mut().zip(smooth).zip(under).for_each(|((sum, soft), under)| {
+            *sum = three(|i| sum[i] + soft.light[i] * under[i]);
+        });
+    }
     let alone = plane.alone();
     plane.give_back(traced, &alone, &mut light);
     plane.bridge(traced, &alone, &mut light);
@@ -75,7 +79,12 @@ impl Guide {
         let over = 1.0 / (OFF * dot(to, to).sqrt()).max(1e-4);
         let length = dot(normal, normal).sqrt();
         let unit = if length > 1e-3 { normal.map(|v| v / length) } else { [0.0; 3] };
-        Self { colour: colour.map(|v| v.max(0.02)), mean: normal, normal: unit, at, over }
+        Self { colour: colour.map(|v| v.max(0.02)), mean: normal, normal: unit, at, glass: traced.glass(), over }
+    }
+
+    /// What light of a kind is coloured by.
+    fn under(&self, kind: Kind) -> [f32; 3] {
+        if kind == Kind::Reflected { [self.glass; 3] } else { self.colour }
     }
 
     /// How much a neighbour is of the same surface, 0 to 1.
@@ -98,9 +107,11 @@ impl Guide {
 
 impl Soft {
     fn of(traced: &Traced, guide: &Guide, kind: Kind) -> Self {
-        let (light, variance) = traced.light_of(kind);
-        let colour = brightness(guide.colour);
-        Self { light: three(|i| light[i] / guide.colour[i]), variance: variance / (colour * colour) }
+        let ((light, variance), under) = (traced.light_of(kind), guide.under(kind).map(|v| v.max(1e-6)));
+        let colour = brightness(under);
+        // Where there is no glass nothing is reflected, whatever it is beside it.
+        let weight = if kind == Kind::Reflected { guide.glass } else { 1.0 };
+        Self { light: three(|i| light[i] / under[i]), variance: variance / (colour * colour), weight }
     }
 }
 
@@ -121,6 +132,19 @@ impl Plane<'_> {
             let inside = tx >= 0 && ty >= 0 && tx < width && ty < height;
             inside.then_some((dx, dy, (ty * width + tx) as usize))
         })
+    }
+
+    /// One kind of light, smoothed.
+    fn smooth(&self, traced: &[Traced], kind: Kind) -> Vec<Soft> {
+        let mut soft: Vec<Soft> = traced.iter().zip(self.guides).map(|(t, g)| Soft::of(t, g, kind)).collect();
+        // Few pictures show panes.
+        if soft.iter().all(|soft| soft.light == [0.0; 3]) {
+            return soft;
+        }
+        self.dim_specks(&mut soft);
+        self.spread_variance(&mut soft);
+        let unlike = UNLIKE[kind as usize];
+        (0..PASSES).fold(soft, |soft, pass| self.smoothed(&soft, 1 << pass, unlike * (1 + pass) as f32))
     }
 
     /// A pixel more than twice as bright as all its neighbours is as bright as the brightest of them.
@@ -164,7 +188,8 @@ impl Plane<'_> {
                 let other = &soft[there];
                 let apart = (bright - blurred[there][0]).abs() * over;
                 let kernel = KERNEL[(dx + 2) as usize] * KERNEL[(dy + 2) as usize];
-                let weight = kernel * guide.like(&self.guides[there]) / (1.0 + apart + 0.5 * apart * apart);
+                let like = guide.like(&self.guides[there]) * other.weight;
+                let weight = kernel * like / (1.0 + apart + 0.5 * apart * apart);
                 light.iter_mut().zip(other.light).for_each(|(sum, value)| *sum += weight * value);
                 spread += weight * weight * other.variance;
                 total += weight;
@@ -172,7 +197,7 @@ impl Plane<'_> {
             if total < 1e-9 {
                 return *own;
             }
-            Soft { light: light.map(|v| v / total), variance: spread / (total * total) }
+            Soft { light: light.map(|v| v / total), variance: spread / (total * total), weight: own.weight }
         };
         (0..soft.len()).into_par_iter().map(pixel).collect()
     }
@@ -213,8 +238,8 @@ impl Plane<'_> {
     fn blurred(&self, soft: &[Soft], index: usize) -> [f32; 2] {
         let (mut sum, mut total) = ([0.0; 2], 0.0);
         for (dx, dy, there) in self.around(index, 1, 1) {
-            let weight =
-                (2 - dx.abs()) as f32 * (2 - dy.abs()) as f32 * self.guides[index].like(&self.guides[there]) + 1e-6;
+            let like = self.guides[index].like(&self.guides[there]) * soft[there].weight;
+            let weight = (2 - dx.abs()) as f32 * (2 - dy.abs()) as f32 * like + 1e-6;
             sum[0] += weight * brightness(soft[there].light);
             sum[1] += weight * soft[there].variance;
             total += weight;

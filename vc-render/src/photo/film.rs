@@ -1,6 +1,6 @@
 //! What all paths of a picture have found so far.
 
-use super::path::{KINDS, Kind, Sample};
+use super::path::{KINDS, Kind, SCATTERED, Sample};
 use crate::affine::three;
 use crate::light::brightness;
 
@@ -23,6 +23,7 @@ impl Traced {
         add(&mut self.sum.colour, one.colour);
         add(&mut self.sum.normal, one.normal);
         add(&mut self.sum.at, one.at);
+        self.sum.glass += one.glass;
         self.count += 1.0;
     }
 
@@ -52,8 +53,13 @@ impl Traced {
 
     /// Mean light that surfaces throw back, noise and all.
     pub(super) fn scattered(&self) -> [f32; 3] {
-        let [sharp, soft] = [Kind::Sharp, Kind::Soft].map(|kind| self.light_of(kind).0);
-        three(|i| sharp[i] + soft[i])
+        let kinds = SCATTERED.map(|kind| self.light_of(kind).0);
+        three(|i| kinds.iter().map(|light| light[i]).sum())
+    }
+
+    /// Mean share of light that glass before the first surface reflects.
+    pub(super) fn glass(&self) -> f32 {
+        self.sum.glass / self.paths()
     }
 
     /// Mean reflectance, normal and place of the first surface.

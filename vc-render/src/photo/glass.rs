@@ -4,8 +4,35 @@
 use super::path::{Paths, Walk, off};
 use crate::affine::three;
 use crate::label::unit;
-use crate::light::{INDEX, dot, fresnel, straight, tint};
-use crate::trace::Met;
+use crate::light::{INDEX, brightness, dot, fresnel, straight, tint};
+use crate::trace::{Met, Ray};
+
+/// What glass reflects along a way: one of the reflections stands for all, the brighter the likelier.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Reflections {
+    all: f32,
+    /// Where it goes, and the share of light that reaches the eye from there if it were all there is.
+    one: Option<(Ray, [f32; 3])>,
+}
+
+impl Reflections {
+    fn add(&mut self, ray: Ray, share: [f32; 3], choice: f32) {
+        let bright = brightness(share);
+        self.all += bright;
+        if choice * self.all < bright {
+            self.one = Some((ray, share.map(|v| v / bright)));
+        }
+    }
+
+    /// How bright all of it is where everything around is white.
+    pub(super) fn all(&self) -> f32 {
+        self.all
+    }
+
+    pub(super) fn one(&self) -> Option<(Ray, [f32; 3])> {
+        self.one.map(|(ray, share)| (ray, share.map(|v| v * self.all)))
+    }
+}
 
 pub(super) fn mirrored(along: [f32; 3], normal: [f32; 3]) -> [f32; 3] {
     let twice = 2.0 * dot(along, normal);
@@ -23,8 +50,18 @@ impl Paths<'_> {
         let cosine = -dot(walk.ray.along, normal);
         let (share, beyond) = fresnel(cosine, if bends && !entering { 1.0 / INDEX } else { INDEX });
         let share = if bends { share } else { 1.0 - straight(met, walk.ray.along) };
-        if choice < share {
-            walk.ray.along = mirrored(walk.ray.along, normal);
+        let reflected = mirrored(walk.ray.along, normal);
+        // Glass before what the eye sees is gone through, and what it reflects is another way. Were it left to chance
+        // which of them is gone, neighbouring pixels would seem to show different things, and not be smoothed.
+        // Round glass shows too much of everything in one pixel.
+        let parts = !walk.guided && share < 1.0 && met.face.is_flat();
+        if parts {
+            let ray = Ray { from: off(met, reflected), along: reflected, ..walk.ray };
+            walk.reflections.add(ray, walk.share.map(|v| v * share), choice);
+            walk.share = walk.share.map(|v| v * (1.0 - share));
+        }
+        if !parts && choice < share {
+            walk.ray.along = reflected;
             walk.chance = f32::INFINITY;
         } else {
             let tint = tint(self.renderer, met);

@@ -22,6 +22,8 @@ pub(super) struct Lights {
     by_body: Vec<u32>,
     /// By instance, whether its clear parts are all small, so that they bend light.
     bends: Vec<bool>,
+    /// By instance, whether the sky shines through its panes: it does not into cupboards.
+    opens: Vec<bool>,
 }
 
 /// A point of a lamp.
@@ -37,15 +39,16 @@ impl Lights {
     pub(super) fn of(renderer: &Renderer, lighting: &Lighting) -> Self {
         let snapshot = &lighting.tracer.snapshot;
         let by_body = vec![u32::MAX; snapshot.bodies.len()];
-        let bends = vec![true; snapshot.instances.len()];
-        let mut lights =
-            Self { lamps: Vec::new(), panes: Vec::new(), by_room: Vec::new(), glowing: Vec::new(), by_body, bends };
+        let (bends, opens) = (vec![true; snapshot.instances.len()], vec![false; snapshot.instances.len()]);
+        let (lamps, panes, by_room, glowing) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut lights = Self { lamps, panes, by_room, glowing, by_body, bends, opens };
         for (index, body) in snapshot.bodies.iter().enumerate() {
             let first = lights.glowing.len();
             for number in body.instances.start as usize..body.instances.end as usize {
                 let instance = &snapshot.instances[number];
                 let mesh = &*instance.link.levels[0];
                 let world = instance.world.narrow();
+                let kept = lights.panes.len();
                 for (place, cluster) in mesh.clusters.iter().enumerate() {
                     for triangle in cluster.triangles.clone() {
                         let corners = mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p));
@@ -61,6 +64,8 @@ impl Lights {
                         }
                     }
                 }
+                lights.opens[number] = lights.panes[kept..].iter().any(|pane| pane.triangle.opens(lighting));
+                lights.panes.truncate(if lights.opens[number] { lights.panes.len() } else { kept });
             }
             lights.lamp(index, body.room, first);
         }
@@ -174,6 +179,7 @@ impl Lights {
     /// may be met.
     pub(super) fn window_of(&self, met: &Met<'_>, room: u16) -> Option<Pane> {
         let picked = if met.face.sheet { met.area >= SMALL } else { is_window(met.area, met.flat) };
+        let picked = picked && self.opens.get(met.index as usize).is_some_and(|opens| *opens);
         picked.then(|| Pane { room, triangle: Triangle::new(met.corners()) })
     }
 

@@ -4,8 +4,9 @@
 //! ([`direct`]), and what a path meets by chance counts with the balance of both ways (multiple
 //! importance sampling, Veach 1997); some paths are sent to drawn blinds and curtains ([`cover`]).
 //! Surfaces are Lambert's under microfacets ([`scatter`]); what
-//! the eye sees through glass is refracted ([`glass`]). What noise is left is smoothed along
-//! surfaces ([`denoise`]), and pixels at their edges are put together from both sides ([`bridge`]).
+//! the eye sees through glass is refracted, and what panes reflect is a path of its own
+//! ([`glass`]). What noise is left is smoothed along surfaces ([`denoise`]), and pixels at their edges are put together
+//! from both sides ([`bridge`]).
 
 mod albedo;
 mod bridge;

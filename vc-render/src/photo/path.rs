@@ -3,7 +3,7 @@
 use super::Exposure;
 use super::cover::Covers;
 use super::direct::Point;
-use super::glass::mirrored;
+use super::glass::{Reflections, mirrored};
 use super::lights::Lights;
 use super::sampler::Sampler;
 use super::scatter::{Finish, Scatter};
@@ -40,12 +40,16 @@ pub(super) enum Kind {
     Sharp,
     /// All other.
     Soft,
+    /// What glass before the first surface reflects: it has nothing of that surface's colour.
+    Reflected,
     /// Of what glows where the eye sees it, and of the sky: there is no noise in it.
     Own,
 }
 
 /// How many there are.
-pub(super) const KINDS: usize = 3;
+pub(super) const KINDS: usize = 4;
+/// Those in which there is noise.
+pub(super) const SCATTERED: [Kind; 3] = [Kind::Sharp, Kind::Soft, Kind::Reflected];
 
 /// What one path found.
 #[derive(Debug, Clone, Copy, Default)]
@@ -56,6 +60,16 @@ pub(super) struct Sample {
     pub(super) colour: [f32; 3],
     pub(super) normal: [f32; 3],
     pub(super) at: [f32; 3],
+    /// How much of light from all around glass before it reflects.
+    pub(super) glass: f32,
+}
+
+impl Sample {
+    /// Adds the light that another found.
+    fn brighten(&mut self, other: &Self) {
+        let pairs = self.light.as_flattened_mut().iter_mut().zip(other.light.as_flattened());
+        pairs.for_each(|(sum, light)| *sum += light);
+    }
 }
 
 /// A path on its way.
@@ -75,9 +89,14 @@ pub(super) struct Walk {
     pub(super) last: Place,
     /// Surfaces met, panes and mirrors left out.
     pub(super) surfaces: u32,
+    /// What glass before the first surface reflects.
+    pub(super) reflections: Reflections,
     most: f32,
     found: Sample,
-    guided: bool,
+    /// Whether what smoothing goes by is known.
+    pub(super) guided: bool,
+    /// Whether it began off glass.
+    reflected: bool,
 }
 
 impl Paths<'_> {
@@ -89,19 +108,26 @@ impl Paths<'_> {
         let along = unit(affine::vector(&pose, self.camera.ray(x as f32 + dx, y as f32 + dy).into()));
         let ray = Ray { from: self.camera.eye().into(), along, end: 1e4 };
         let mut walk = Walk::new(ray, self.most);
-        for _ in 0..STEPS {
-            let Some(met) = self.lighting.tracer.first_of_all(&walk.ray) else {
-                self.sky(&mut walk);
-                break;
-            };
-            let surface = &self.renderer.store.surfaces[usize::from(met.face.surface)];
-            if surface.is_clear() {
-                self.glass(&mut walk, &met, sampler.one());
-            } else if !self.surface(&mut walk, &met, surface, &mut sampler) {
-                break;
-            }
+        self.follow(&mut walk, &mut sampler);
+        walk.found.glass = walk.reflections.all();
+        if let Some(mut reflected) = walk.reflected() {
+            self.follow(&mut reflected, &mut Sampler::new((x, y), round, !self.how.seed));
+            walk.found.brighten(&reflected.found);
         }
         walk.found
+    }
+
+    /// Goes on to where a path ends.
+    fn follow(&self, walk: &mut Walk, sampler: &mut Sampler) {
+        for _ in 0..STEPS {
+            let Some(met) = self.lighting.tracer.first_of_all(&walk.ray) else { return self.sky(walk) };
+            let surface = &self.renderer.store.surfaces[usize::from(met.face.surface)];
+            if surface.is_clear() {
+                self.glass(walk, &met, sampler.one());
+            } else if !self.surface(walk, &met, surface, sampler) {
+                return;
+            }
+        }
     }
 
     pub(super) fn room(&self, met: &Met<'_>) -> u16 {
@@ -226,10 +252,19 @@ impl Walk {
             gone: 0.0,
             last,
             surfaces: 0,
+            reflections: Reflections::default(),
             most,
             found: Sample::default(),
             guided: false,
+            reflected: false,
         }
+    }
+
+    /// The way off some glass that the eye looks through, which stands for all of it.
+    fn reflected(&self) -> Option<Self> {
+        let (ray, share) = self.reflections.one()?;
+        // Smoothing goes by what is behind.
+        Some(Self { share, guided: true, reflected: true, ..Self::new(ray, self.most) })
     }
 
     /// How much what was met by chance counts, given the chance to find it on purpose.
@@ -250,6 +285,7 @@ impl Walk {
             brought = brought.map(|v| v * self.most / bright);
         }
         if bright.is_finite() && brought.iter().all(|v| v.is_finite()) {
+            let kind = if self.reflected && kind != Kind::Own { Kind::Reflected } else { kind };
             let sum = &mut self.found.light[kind as usize];
             *sum = three(|i| sum[i] + brought[i]);
         }

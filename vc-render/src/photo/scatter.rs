@@ -175,7 +175,7 @@ impl Gloss {
 }
 
 /// A direction by the cosine to up (Malley's method).
-fn cosine([a, b]: [f32; 2]) -> [f32; 3] {
+pub(super) fn cosine([a, b]: [f32; 2]) -> [f32; 3] {
     let (s, c) = (2.0 * PI * b).sine_cosine();
     let r = a.sqrt();
     [r * c, r * s, (1.0 - a).max(0.0).sqrt()]

@@ -2,14 +2,20 @@
 
 use std::sync::Arc;
 
+use super::sampler::lattice;
+use super::scatter;
 use crate::affine::{self, three};
-use crate::light::dot;
+use crate::light::{Lighting, dot};
 use crate::surface::Picture;
+use crate::trace::Ray;
 
 /// How much a lamp in another room than the point that is lit counts.
 const ELSEWHERE: f32 = 0.05;
 /// Of the two sides of a pane the one that looks about this way is the one that is picked.
 const SIDE: [f32; 3] = [0.53, 0.81, 0.25];
+/// Rays to each side of a pane by which is told whether the sky shines through it, and how many have to meet nothing.
+const OUT: u32 = 64;
+const OPEN: usize = 12;
 /// Area of triangles of panes that are looked through on purpose, square metres.
 pub(super) const SMALL: f32 = 0.05;
 
@@ -83,6 +89,20 @@ impl Triangle {
     pub(super) fn point(&self, square: [f32; 2]) -> [f32; 3] {
         let [u, v] = weights(square);
         three(|i| self.corner[i] + u * self.edges[0][i] + v * self.edges[1][i])
+    }
+
+    /// Whether much of the sky is seen from one of its sides.
+    pub(super) fn opens(&self, lighting: &Lighting) -> bool {
+        [1.0, -1.0].into_iter().any(|side| {
+            let axes = scatter::frame(self.normal.map(|v| v * side));
+            let blocked = |index: &u32| {
+                let own = scatter::cosine(lattice(*index));
+                let along = three(|i| own[0] * axes[0][i] + own[1] * axes[1][i] + own[2] * axes[2][i]);
+                let from = self.point(lattice(OUT + index));
+                lighting.tracer.blocked(&Ray { from, along, end: 1e4 })
+            };
+            (0..OUT).filter(|index| !blocked(index)).count() >= OPEN
+        })
     }
 
     /// The chance for each unit of solid angle that its points, evenly picked, are in a direction from a place.
