@@ -113,8 +113,11 @@ fn outline(frustum: &Frustum, instances: &[Instance]) -> Option<PixelBox> {
 /// Around all vertices of a mesh in front of the eye, and the depth of the nearest.
 #[inline(always)]
 fn around(map: &Narrow, mesh: &Mesh) -> (Sides, f32) {
-    let mut found =
-        Found { low: [[f32::INFINITY; LANES]; 2], high: [[f32::NEG_INFINITY; LANES]; 2], nearest: [f32::INFINITY; LANES] };
+    let mut found = Found {
+        low: [[f32::INFINITY; LANES]; 2],
+        high: [[f32::NEG_INFINITY; LANES]; 2],
+        nearest: [f32::INFINITY; LANES],
+    };
     let [(xs, x), (ys, y), (zs, z)] = mesh.axes.each_ref().map(|axis| axis.as_chunks());
     for ((xs, ys), zs) in xs.iter().zip(ys).zip(zs) {
         found.add(map, [xs, ys, zs]);

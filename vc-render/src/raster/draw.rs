@@ -204,7 +204,12 @@ impl Layers {
                     fill::small(simd, &mut self.front, setup, lane, number);
                     true
                 } else {
-                    fill::triangle(simd, &mut self.front, &points.0.triangle(triangles[usize::from(eight[lane])], run.mirrored), number)
+                    fill::triangle(
+                        simd,
+                        &mut self.front,
+                        &points.0.triangle(triangles[usize::from(eight[lane])], run.mirrored),
+                        number,
+                    )
                 };
                 if drawn {
                     self.visible.push(name(first + u32::from(eight[lane])));

@@ -102,7 +102,8 @@ impl Setup {
     ) {
         let (at, [x, y]) = self.cover((points, mirrored), triangles, target);
         self.edges(&x, &y);
-        let [u, v, w] = [&points.across, &points.down, &points.inverse].map(|list| at.map(|at| at.map(|at| list[usize::from(at)])));
+        let [u, v, w] =
+            [&points.across, &points.down, &points.inverse].map(|list| at.map(|at| at.map(|at| list[usize::from(at)])));
         self.depths(&u, &v, &w);
     }
 
