@@ -64,3 +64,42 @@ fn neighbours_leave_no_gap_and_do_not_overlap() {
     }
     assert!(covered > 10_000, "{covered}");
 }
+
+/// A body whose front is a strip of so many triangles on a plane before the camera, and that ends in a point far behind.
+fn strip(count: u32) -> Shape {
+    let corner =
+        |i: u32| Point3::new(4.0, 1.9 - 3.8 * i as f32 / (count + 1) as f32, if i % 2 == 0 { -0.4 } else { 0.4 });
+    let turned = |i: u32| if i.is_multiple_of(2) { [i, i + 2, i + 1] } else { [i, i + 1, i + 2] };
+    let front: Vec<[u32; 3]> = (0..count).map(turned).collect();
+    let edges = |t: &[u32; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
+    let all: Vec<[u32; 2]> = front.iter().flat_map(edges).collect();
+    let open = all.iter().rev().filter(|[a, b]| !all.contains(&[*b, *a]));
+    let back = open.map(|[a, b]| [*b, *a, count + 2]);
+    Shape::Mesh {
+        vertices: (0..count + 2).map(corner).chain([Point3::new(30.0, 0.0, 0.0)]).collect(),
+        triangles: front.iter().copied().chain(back).collect(),
+        uvs: Vec::new(),
+    }
+}
+
+#[test]
+fn all_triangles_of_a_mesh_that_faces_the_eye_are_drawn() {
+    let camera = Camera::with_intrinsics(512, 64, (512.0, 256.0), (256.0, 32.0))
+        .looking(Point3::origin(), Point3::from(Vector3::x()));
+    for count in 1..=200 {
+        let shape = strip(count);
+        let Shape::Mesh { vertices, triangles, .. } = shape.clone() else { unreachable!() };
+        let mut stage = Stage::new();
+        let node = stage.one("strip", shape, Pose::identity(), 0);
+        let mut renderer = Renderer::new().with_detail(0.0);
+        let snapshot = renderer.snapshot(&stage.build()).unwrap();
+        let mut frame = Frame::new();
+        renderer.render(&Shot::new(&snapshot, &camera, Modality::Instance), &mut frame).unwrap();
+        for (i, corners) in triangles.iter().take(count as usize).enumerate() {
+            let sum: Vector3<f32> = corners.iter().map(|c| vertices[*c as usize].coords).sum();
+            let at = camera.project(&Point3::from(sum / 3.0)).unwrap();
+            let pixel = at.y as usize * 512 + at.x as usize;
+            assert_eq!(frame.instance[pixel], node, "triangle {i} of {count} is missing");
+        }
+    }
+}

@@ -8,10 +8,10 @@ use super::clip::Polygon;
 use super::cull::{Frustum, looks_away};
 use super::fill;
 use super::project::Points;
-use super::setup::{EIGHT, Setup};
+use super::setup::{EIGHT, SIFTED, Setup};
 use super::target::{Solid, Target, Visible};
 use crate::affine::{Affine, Narrow};
-use crate::mesh::{Cluster, MOST, Mesh, TOLERANCES};
+use crate::mesh::{Cluster, Mesh, TOLERANCES};
 use crate::scene::Instance;
 
 /// What is drawn, from where.
@@ -194,7 +194,7 @@ impl Layers {
             return self.with_strays(simd, run, triangles, name);
         }
         let setup = self.setup.get_or_insert_with(|| Box::new(Setup::new()));
-        let (points, mut kept) = ((&**points, run.mirrored), [0; MOST]);
+        let (points, mut kept) = ((&**points, run.mirrored), [0; SIFTED]);
         let kept = setup.sift(points, triangles, &self.front, &mut kept);
         for eight in kept.chunks(EIGHT) {
             setup.load(points, eight.iter().map(|index| triangles[usize::from(*index)]), &self.front);

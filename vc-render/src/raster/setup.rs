@@ -10,6 +10,9 @@ use crate::mesh::MOST;
 /// Triangles that are set up at once.
 pub(super) const EIGHT: usize = 8;
 
+/// Places for all triangles of a cluster, and for one that is tried after them.
+pub(super) const SIFTED: usize = (MOST + 1).next_multiple_of(EIGHT);
+
 /// Corners of eight triangles, in one of a cluster's lists.
 type Corners = [[u8; EIGHT]; 3];
 
@@ -79,17 +82,17 @@ impl Setup {
         (points, mirrored): (&Points, bool),
         triangles: &[[u8; 3]],
         target: &Target,
-        kept: &'a mut [u8; MOST],
+        kept: &'a mut [u8; SIFTED],
     ) -> &'a [u8] {
         let mut count = 0;
         for (eight, first) in triangles.chunks(EIGHT).zip((0..).step_by(EIGHT)) {
             self.cover((points, mirrored), eight.iter().copied(), target);
             for lane in 0..EIGHT {
-                kept[count % MOST] = first + lane as u8;
+                kept[count % SIFTED] = first + lane as u8;
                 count += usize::from(self.kinds[lane] > 0);
             }
         }
-        &kept[..count.min(MOST)]
+        &kept[..count.min(SIFTED)]
     }
 
     /// Sets up triangles.
