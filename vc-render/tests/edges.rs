@@ -67,8 +67,9 @@ fn neighbours_leave_no_gap_and_do_not_overlap() {
 
 /// A body whose front is a strip of so many triangles on a plane before the camera, and that ends in a point far behind.
 fn strip(count: u32) -> Shape {
-    let corner =
-        |i: u32| Point3::new(4.0, 1.9 - 3.8 * i as f32 / (count + 1) as f32, if i % 2 == 0 { -0.4 } else { 0.4 });
+    let corner = |i: u32| {
+        Point3::new(4.0, 1.9 - 3.8 * i as f32 / (count + 1) as f32, if i.is_multiple_of(2) { -0.4 } else { 0.4 })
+    };
     let turned = |i: u32| if i.is_multiple_of(2) { [i, i + 2, i + 1] } else { [i, i + 1, i + 2] };
     let front: Vec<[u32; 3]> = (0..count).map(turned).collect();
     let edges = |t: &[u32; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
