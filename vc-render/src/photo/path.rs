@@ -111,6 +111,7 @@ impl Paths<'_> {
         self.follow(&mut walk, &mut sampler);
         walk.found.glass = walk.reflections.all();
         if let Some(mut reflected) = walk.reflected() {
+            // By numbers that have nothing to do with those of the way through.
             self.follow(&mut reflected, &mut Sampler::new((x, y), round, !self.how.seed));
             walk.found.brighten(&reflected.found);
         }
