@@ -12,8 +12,6 @@ pub(crate) struct Planes(pub(super) Vec<Row>);
 #[derive(Default)]
 pub(crate) struct Row {
     pub(super) width: usize,
-    /// One over depth; zero where there is nothing.
-    pub(super) inverse: Vec<f32>,
     /// Which of the looks it has.
     pub(super) look: Vec<u32>,
     pub(super) colour: [Vec<f32>; 3],
@@ -67,7 +65,7 @@ impl Planes {
             for list in [&mut row.look, &mut row.gloss, &mut row.lean] {
                 list.resize(width + SPAN, 0);
             }
-            [&mut row.inverse].into_iter().chain(&mut row.colour).for_each(|list| list.resize(width + SPAN, 0.0));
+            row.colour.iter_mut().for_each(|list| list.resize(width + SPAN, 0.0));
         }
     }
 

@@ -61,6 +61,8 @@ pub(crate) struct Known {
     /// By visible triangle, the position of its paint in the list below.
     triangles: Vec<u32>,
     paints: Vec<Paint>,
+    /// Stretches of a row that have one paint: the first pixel of each, and the paint.
+    painted: Vec<(u32, u32)>,
     /// By visible triangle, the position of its normals in the list below.
     bent: Vec<u32>,
     bends: Vec<Bent>,
@@ -159,22 +161,22 @@ impl<'a> Writer<'a> {
     /// Writes down a row of the image.
     #[inline(always)]
     pub(super) fn row(&self, solid: Solid<'_>, y: i32, known: &mut Known, row: &mut Row) {
-        let triangles = solid.triangle_row(y);
-        row.inverse[..triangles.len()].copy_from_slice(solid.inverse_row(y));
-        let (mut start, mut paint) = (0, NOTHING);
+        let (triangles, inverse) = (solid.triangle_row(y), solid.inverse_row(y));
+        known.painted.clear();
         stretches(
             triangles,
             #[inline(always)]
             |triangle, from, _| {
-                let next = self.paint(triangle, known);
-                if next != paint && from > 0 {
-                    known.write(paint, row, start..from, (y, self.frustum.focal));
-                    start = from;
+                let paint = self.paint(triangle, known);
+                if known.painted.last().is_none_or(|last| last.1 != paint) {
+                    known.painted.push((from as u32, paint));
                 }
-                paint = next;
             },
         );
-        known.write(paint, row, start..triangles.len(), (y, self.frustum.focal));
+        known.painted.push((triangles.len() as u32, NOTHING));
+        for ((from, paint), (to, _)) in known.painted.iter().zip(known.painted.iter().skip(1)) {
+            known.write(*paint, row, *from as usize..*to as usize, (inverse, y, self.frustum.focal));
+        }
     }
 
     /// The paint of a triangle.
@@ -236,7 +238,7 @@ impl Known {
 
     /// Writes pixels of a row of the image that have one paint, and some after them.
     #[inline(always)]
-    fn write(&mut self, paint: u32, row: &mut Row, at: std::ops::Range<usize>, (y, focal): (i32, f32)) {
+    fn write(&self, paint: u32, row: &mut Row, at: std::ops::Range<usize>, (inverse, y, focal): (&[f32], i32, f32)) {
         let Paint { look, colour, roughness, metallic, texture } = &self.paints[paint as usize];
         let Some(texture) = texture else {
             let gloss = gloss_of(*roughness, *metallic);
@@ -244,15 +246,15 @@ impl Known {
             return;
         };
         for from in at.clone().step_by(SPAN) {
-            let (seen, count) = (part(&row.inverse, from), (at.end - from).min(SPAN));
-            let footprint = 1.0 / (seen[count / 2 % SPAN] * focal);
+            let count = (at.end - from).min(SPAN);
+            let footprint = 1.0 / (inverse[from + count / 2] * focal);
             if let Some(touch) = texture.even(footprint) {
                 let gloss = gloss_of(roughness * touch.roughness, *metallic);
                 row.even(from, (*look, three(|c| (colour[c] * touch.tint[c]).min(1.0)), gloss));
                 continue;
             }
             let place = (from as u32 as f32 + 0.5, y as f32 + 0.5);
-            let (span, lean) = texture.touch((seen, count), place, footprint);
+            let (span, lean) = texture.touch((&part(inverse, from), count), place, footprint);
             let (mut colours, mut gloss) = ([[0.0; SPAN]; 3], [0; SPAN]);
             for c in 0..3 {
                 for i in 0..SPAN {
@@ -281,13 +283,14 @@ impl Row {
     }
 }
 
-/// A span of a list.
+/// A span of a list that may end before it.
 #[inline(always)]
-fn part<T>(list: &[T], from: usize) -> &[T; SPAN] {
-    list[from..].first_chunk().expect("rows go on past their end")
+fn part(list: &[f32], from: usize) -> [f32; SPAN] {
+    let list = &list[from..];
+    list.first_chunk().copied().unwrap_or_else(|| std::array::from_fn(|i| list.get(i).copied().unwrap_or(1.0)))
 }
 
-/// The same to write to.
+/// A span of a list to write to.
 #[inline(always)]
 fn part_mut<T>(list: &mut [T], from: usize) -> &mut [T; SPAN] {
     list[from..].first_chunk_mut().expect("rows go on past their end")
