@@ -7,21 +7,25 @@
 //! pixels whose light is known, flat things get the mean however much the two differ: so shadows
 //! have smooth edges.
 //!
-//! Every fourth pixel of a row lies side by side in memory, in four combs, so that neighbours do.
+//! In rows whose pixels have neighbours to their sides, every fourth pixel lies side by side in memory, in four
+//! combs, so that neighbours do. The rows between those look up and down.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
 mod between;
 
-use self::between::{Near, PART, missing, mix, weigh};
+use self::between::{Near, missing, mix, weigh};
+use super::planes::{Cells, Planes};
 use crate::simd::widest;
+
+pub(super) use self::between::PART;
 
 /// Light at a pixel: what falls on it (red, green, blue) and its sheen towards the eye.
 pub(super) const LIGHT: usize = 6;
 /// Combs of a row; and light is found in one row of so many.
 pub(super) const STEP: usize = 4;
 /// Look of what is past a row's end.
-const BEYOND: u32 = u32::MAX;
+pub(super) const BEYOND: u32 = u32::MAX;
 
 /// Pixels of a strip: row and column, sixteen bits each.
 pub(super) type Spots = Vec<u32>;
@@ -31,27 +35,17 @@ pub(super) fn spot(row: usize, x: usize) -> u32 {
     (row << 16 | x) as u32
 }
 
-/// Every fourth pixel of a row. Lists go on past its end, to whole parts and one more.
-#[derive(Default)]
-pub(super) struct Comb {
-    pub(super) look: Vec<u32>,
-    /// One over depth; zero where there is nothing.
-    pub(super) inverse: Vec<f32>,
-    pub(super) light: [Vec<f32>; LIGHT],
-    /// By how much more light falls on what leans one way than another, packed.
-    pub(super) drift: Vec<u32>,
-}
-
 /// The light in a strip.
 #[derive(Default)]
 pub(crate) struct Lattice {
     width: usize,
-    pub(super) rows: Vec<[Comb; STEP]>,
+    /// Combs of every second row.
+    combs: Vec<[Cells; STEP]>,
     /// What is next to pixels where there is nothing.
-    none: Comb,
+    none: Cells,
 }
 
-/// Pixels that lie between others.
+/// Pixels of a comb that lie between others.
 #[derive(Clone, Copy)]
 pub(super) struct Between {
     row: usize,
@@ -63,39 +57,30 @@ pub(super) struct Between {
     close: bool,
 }
 
-impl Comb {
-    fn prepare(&mut self, count: usize) {
-        for list in [&mut self.look, &mut self.drift] {
-            list.clear();
-            list.resize(count, BEYOND);
-        }
-        for list in [&mut self.inverse].into_iter().chain(&mut self.light) {
-            list.clear();
-            list.resize(count, 0.0);
-        }
-    }
-}
-
 impl Lattice {
     /// Makes room for so many rows of this width, and one more.
     pub(super) fn prepare(&mut self, width: usize, rows: usize) {
         self.width = width;
-        self.rows.resize_with(rows + 1, Default::default);
+        self.combs.resize_with(rows / 2 + 1, Default::default);
         let count = width.div_ceil(STEP).next_multiple_of(PART) + 1;
-        self.rows.iter_mut().flatten().chain([&mut self.none]).for_each(|comb| comb.prepare(count));
+        self.combs.iter_mut().flatten().for_each(|comb| comb.prepare(count));
+        self.none.prepare(width.next_multiple_of(PART));
     }
 
     /// Makes the last row the first.
     pub(super) fn turn(&mut self) {
-        let last = self.rows.len() - 1;
-        self.rows.swap(0, last);
+        let last = self.combs.len() - 1;
+        self.combs.swap(0, last);
     }
 
     /// Takes note of what is seen in a row.
     #[inline(always)]
-    pub(super) fn write(&mut self, row: usize, look: &[u32], inverse: &[f32]) {
-        comb(look, self.rows[row].each_mut().map(|comb| comb.look.as_mut_slice()));
-        comb(inverse, self.rows[row].each_mut().map(|comb| comb.inverse.as_mut_slice()));
+    pub(super) fn write(&mut self, row: usize, seen: &Cells) {
+        if row.is_multiple_of(2) {
+            let combs = &mut self.combs[row / 2];
+            deal(&seen.look[..self.width], combs.each_mut().map(|comb| comb.look.as_mut_slice()));
+            deal(&seen.inverse[..self.width], combs.each_mut().map(|comb| comb.inverse.as_mut_slice()));
+        }
     }
 
     /// The pixels of a row that come first.
@@ -114,64 +99,93 @@ impl Lattice {
         [quarter(1, (row, 2, 0)), quarter(3, (row, 0, 1))]
     }
 
-    /// Some combs of a row between those above and below it, as far from it as that; there may be no row below.
-    pub(super) fn between(row: usize, by: usize, last: usize) -> impl Iterator<Item = Between> {
-        (0..STEP).step_by(by).map(move |comb| {
-            let after = (row + by <= last).then_some((row + by, comb, 0));
-            Between { row, comb, before: (row - by, comb), after, close: by == 1 }
+    /// Every second pixel of a row between two others, two rows away; there may be no row below.
+    pub(super) fn between(row: usize, last: usize) -> impl Iterator<Item = Between> {
+        (0..STEP).step_by(2).map(move |comb| {
+            let after = (row + 2 <= last).then_some((row + 2, comb, 0));
+            Between { row, comb, before: (row - 2, comb), after, close: false }
         })
     }
 
-    /// Fills in pixels between others, and notes those whose light is to be found.
-    pub(super) fn fill(&mut self, which: Between, spots: &mut Spots) {
-        let Between { row, comb, before, after, close } = which;
-        let mut own = std::mem::take(&mut self.rows[row][comb]);
-        let near = |(row, comb, further): (usize, usize, usize)| Near { comb: &self.rows[row][comb], further };
-        let after = after.map_or(Near { comb: &self.none, further: 0 }, near);
-        let beside = [near((before.0, before.1, 0)), after];
-        let count = self.width.saturating_sub(comb).div_ceil(STEP);
-        widest(
-            #[inline(always)]
-            || {
-                for from in (0..count).step_by(PART) {
-                    let shares = weigh(&own, beside, close, from);
-                    mix(&mut own, beside, from, &shares);
-                    missing(
-                        &shares,
-                        count - from,
-                        #[inline(always)]
-                        |i| spots.push(spot(row, STEP * (from + i) + comb)),
-                    );
-                }
-            },
-        );
-        self.rows[row][comb] = own;
-    }
-
-    /// Light of some pixels of a row in their order.
+    /// Where a pixel's light is kept: its list and its place there.
     #[inline(always)]
-    pub(super) fn light<const N: usize>(&self, row: usize, first: usize, light: &mut [[f32; N]; LIGHT]) {
-        for (c, out) in light.iter_mut().enumerate() {
-            uncomb(self.rows[row].each_ref().map(|comb| fours(&comb.light[c], first, N)), out);
+    pub(super) fn cell<'a>(&'a mut self, planes: &'a mut Planes, row: usize, x: usize) -> (&'a mut Cells, usize) {
+        match row.is_multiple_of(2) {
+            true => (&mut self.combs[row / 2][x % STEP], x / STEP),
+            false => (&mut planes.0[row].cells, x),
         }
     }
 
-    /// How it drifts.
-    #[inline(always)]
-    pub(super) fn drift<const N: usize>(&self, row: usize, first: usize, drift: &mut [u32; N]) {
-        uncomb(self.rows[row].each_ref().map(|comb| fours(&comb.drift, first, N)), drift);
+    /// Fills in pixels between others in combs, and notes those whose light is to be found.
+    pub(super) fn fill(&mut self, which: Between, spots: &mut Spots) {
+        let Between { row, comb, before, after, close } = which;
+        let mut own = std::mem::take(&mut self.combs[row / 2][comb]);
+        let near = |(row, comb, further): (usize, usize, usize)| Near { cells: &self.combs[row / 2][comb], further };
+        let after = after.map_or(Near { cells: &self.none, further: 0 }, near);
+        let beside = [near((before.0, before.1, 0)), after];
+        let count = self.width.saturating_sub(comb).div_ceil(STEP);
+        fill(
+            &mut own,
+            (beside, close),
+            count,
+            #[inline(always)]
+            |i| spots.push(spot(row, STEP * i + comb)),
+        );
+        self.combs[row / 2][comb] = own;
+    }
+
+    /// The same for a whole row right between two others; there may be no row below.
+    pub(super) fn fill_row(&self, planes: &mut Planes, (row, last): (usize, usize), spots: &mut Spots) {
+        let mut own = std::mem::take(&mut planes.0[row].cells);
+        let below = if row < last { &planes.0[row + 1].cells } else { &self.none };
+        let beside = [&planes.0[row - 1].cells, below].map(|cells| Near { cells, further: 0 });
+        fill(
+            &mut own,
+            (beside, true),
+            self.width,
+            #[inline(always)]
+            |x| spots.push(spot(row, x)),
+        );
+        planes.0[row].cells = own;
+    }
+
+    /// Puts the light of a row's combs together.
+    pub(super) fn gather(&self, row: usize, cells: &mut Cells) {
+        let (combs, count) = (&self.combs[row / 2], self.width.next_multiple_of(STEP));
+        widest(
+            #[inline(always)]
+            || {
+                for (c, light) in cells.light.iter_mut().enumerate() {
+                    collect(combs.each_ref().map(|comb| comb.light[c].as_slice()), &mut light[..count]);
+                }
+                collect(combs.each_ref().map(|comb| comb.drift.as_slice()), &mut cells.drift[..count]);
+            },
+        );
     }
 }
 
-/// The part of a comb that is in some pixels of a row.
-#[inline(always)]
-fn fours<T>(comb: &[T], first: usize, count: usize) -> &[T] {
-    &comb[first / STEP..comb.len().min((first + count) / STEP)]
+/// Fills in so many pixels between others, and goes through those whose light is to be found.
+fn fill(own: &mut Cells, (beside, close): ([Near<'_>; 2], bool), count: usize, mut each: impl FnMut(usize)) {
+    widest(
+        #[inline(always)]
+        || {
+            for from in (0..count).step_by(PART) {
+                let shares = weigh(own, beside, close, from);
+                mix(own, beside, from, &shares);
+                missing(
+                    &shares,
+                    count - from,
+                    #[inline(always)]
+                    |i| each(from + i),
+                );
+            }
+        },
+    );
 }
 
 /// Deals numbers out to four lists in turn.
 #[inline(always)]
-fn comb<T: Copy>(from: &[T], [a, b, c, d]: [&mut [T]; STEP]) {
+fn deal<T: Copy>(from: &[T], [a, b, c, d]: [&mut [T]; STEP]) {
     let (fours, rest) = from.as_chunks::<STEP>();
     let count = fours.len();
     for (list, v) in [&mut *a, &mut *b, &mut *c].into_iter().zip(rest) {
@@ -183,12 +197,12 @@ fn comb<T: Copy>(from: &[T], [a, b, c, d]: [&mut [T]; STEP]) {
     }
 }
 
-/// Puts together what [`comb`] has dealt out.
+/// Puts together what [`deal`] has dealt out.
 #[inline(always)]
-fn uncomb<T: Copy>([a, b, c, d]: [&[T]; STEP], out: &mut [T]) {
+fn collect<T: Copy>([a, b, c, d]: [&[T]; STEP], out: &mut [T]) {
     let fours = out.as_chunks_mut::<STEP>().0;
-    let count = a.len().min(fours.len());
-    let (a, b, c, d, fours) = (&a[..count], &b[..count], &c[..count], &d[..count], &mut fours[..count]);
+    let count = fours.len();
+    let (a, b, c, d) = (&a[..count], &b[..count], &c[..count], &d[..count]);
     for i in 0..count {
         fours[i] = [a[i], b[i], c[i], d[i]];
     }

@@ -5,7 +5,7 @@
 mod beam;
 
 use super::Openness;
-use super::lattice::{LIGHT, Lattice, STEP};
+use super::lattice::{LIGHT, Lattice};
 use super::planes::{Planes, gloss, packed};
 use super::surfel::{Known, Look, NOTHING, Writer};
 use crate::affine::{self, Affine, Narrow, three};
@@ -104,7 +104,7 @@ impl<'a> Lamps<'a> {
     /// Finds the light at pixels of a strip that begins at a row of the image.
     pub(super) fn light(
         &self,
-        (lattice, planes): (&mut Lattice, &Planes),
+        (lattice, planes): (&mut Lattice, &mut Planes),
         known: &mut Known,
         (start, spots): (i32, &[u32]),
         batch: &mut Batch,
@@ -121,12 +121,12 @@ impl<'a> Lamps<'a> {
     #[inline(always)]
     fn some(
         &self,
-        (lattice, planes): (&mut Lattice, &Planes),
+        (lattice, planes): (&mut Lattice, &mut Planes),
         known: &mut Known,
         (start, spots): (i32, &[u32]),
         batch: &mut Batch,
     ) {
-        batch.load(self, (lattice, planes), known, (start, spots));
+        batch.load(self, planes, known, (start, spots));
         batch.around(self);
         batch.sun(self.lighting, self.open.is_none());
         for lamp in &*self.lighting.lamps {
@@ -134,8 +134,8 @@ impl<'a> Lamps<'a> {
                 batch.lamp(lamp, self.open.is_none());
             }
         }
-        batch.store(lattice, known, spots);
-        batch.sky(self, lattice, (start, spots));
+        batch.store((lattice, planes), known, spots);
+        batch.sky(self, (lattice, planes), (start, spots));
     }
 }
 
@@ -153,24 +153,18 @@ impl Batch {
     }
 
     #[inline(always)]
-    fn load(
-        &mut self,
-        lamps: &Lamps<'_>,
-        (lattice, planes): (&Lattice, &Planes),
-        known: &mut Known,
-        (start, spots): (i32, &[u32]),
-    ) {
+    fn load(&mut self, lamps: &Lamps<'_>, planes: &Planes, known: &mut Known, (start, spots): (i32, &[u32])) {
         self.count = spots.len().min(BATCH);
         let (mut xs, mut ys, mut inverse) = ([0.0; BATCH], [0.0; BATCH], [1.0; BATCH]);
         let mut shiny = [0_u32; BATCH];
         for (i, spot) in spots.iter().enumerate().take(BATCH) {
             let (row, x) = place(*spot);
             let y = start + row as i32;
-            let comb = &lattice.rows[row][x % STEP];
-            self.looks[i] = comb.look[x / STEP];
+            let seen = &planes.0[row];
+            self.looks[i] = seen.cells.look[x];
             self.rooms[i] = known.look(self.looks[i]).room;
-            (xs[i], ys[i], inverse[i]) = (x as f32, y as f32, comb.inverse[x / STEP]);
-            shiny[i] = planes.0[row].gloss[x];
+            (xs[i], ys[i], inverse[i]) = (x as f32, y as f32, seen.cells.inverse[x]);
+            shiny[i] = seen.gloss[x];
             let triangle = lamps.solid.triangle_row(y)[x];
             let normal = lamps.writer.normal(triangle, (xs[i] + 0.5, ys[i] + 0.5), known);
             (self.normal[0][i], self.normal[1][i], self.normal[2][i]) = (normal[0], normal[1], normal[2]);
@@ -227,7 +221,7 @@ impl Batch {
     }
 
     #[inline(always)]
-    fn store(&mut self, lattice: &mut Lattice, known: &Known, spots: &[u32]) {
+    fn store(&mut self, (lattice, planes): (&mut Lattice, &mut Planes), known: &Known, spots: &[u32]) {
         let mut drift = [0_u32; BATCH];
         for i in 0..self.lanes() {
             let over = 1.0 / (DRIFT * brightness([self.light[0][i], self.light[1][i], self.light[2][i]])).max(1e-6);
@@ -235,19 +229,19 @@ impl Batch {
         }
         for (i, spot) in spots.iter().enumerate().take(self.count) {
             let (row, x) = place(*spot);
-            let (comb, k) = (&mut lattice.rows[row][x % STEP], x / STEP);
+            let (cells, k) = lattice.cell(planes, row, x);
             let Look { glow, shine, .. } = known.look(self.looks[i]);
             for c in 0..3 {
-                comb.light[c][k] = self.light[c][i] + shine[c];
-                comb.light[c + 3][k] = self.light[c + 3][i] + glow[c];
+                cells.light[c][k] = self.light[c][i] + shine[c];
+                cells.light[c + 3][k] = self.light[c + 3][i] + glow[c];
             }
-            comb.drift[k] = drift[i];
+            cells.drift[k] = drift[i];
         }
     }
 
     /// The sky at pixels where nothing is seen.
     #[inline(always)]
-    fn sky(&self, lamps: &Lamps<'_>, lattice: &mut Lattice, (start, spots): (i32, &[u32])) {
+    fn sky(&self, lamps: &Lamps<'_>, (lattice, planes): (&mut Lattice, &mut Planes), (start, spots): (i32, &[u32])) {
         if !self.looks[..self.count].contains(&NOTHING) {
             return;
         }
@@ -255,12 +249,12 @@ impl Batch {
             let (row, x) = place(*spot);
             let towards = unit(lamps.ray(x as f32, (start + row as i32) as f32));
             let sky = lamps.lighting.daylight.radiance(towards);
-            let (comb, k) = (&mut lattice.rows[row][x % STEP], x / STEP);
+            let (cells, k) = lattice.cell(planes, row, x);
             for c in 0..3 {
-                comb.light[c][k] = 0.0;
-                comb.light[c + 3][k] = sky[c];
+                cells.light[c][k] = 0.0;
+                cells.light[c + 3][k] = sky[c];
             }
-            comb.drift[k] = 0;
+            cells.drift[k] = 0;
         }
     }
 }

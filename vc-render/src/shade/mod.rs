@@ -27,7 +27,7 @@ pub(crate) use tone::{decoded, encoded, film};
 
 use self::edge::Find;
 use self::extra::Extra;
-use self::lattice::{Between, LIGHT, Lattice, STEP, Spots};
+use self::lattice::{Between, Lattice, STEP, Spots};
 use self::light::{Batch, DRIFT, Lamps};
 use self::planes::{Planes, Row, gloss, unpacked};
 use self::smooth::Edge;
@@ -123,6 +123,7 @@ impl Rows<'_> {
     fn band(&mut self, strip: &mut Strip<'_>) {
         self.write(0);
         self.lines(0, 0);
+        self.gather(0, 0);
         let end = self.layers.front.rows.end;
         while self.start < strip.rows.end {
             let last = (end - 1 - self.start).min(self.count as i32) as usize;
@@ -145,7 +146,7 @@ impl Rows<'_> {
             #[inline(always)]
             || {
                 self.writer.row(solid, y, known, &mut planes.0[row]);
-                lattice.write(row, planes.0[row].looks(), solid.inverse_row(y));
+                lattice.write(row, &planes.0[row].cells);
             },
         );
     }
@@ -168,9 +169,18 @@ impl Rows<'_> {
     /// Light in the rows after the first, so many.
     fn rest(&mut self, last: usize) {
         self.lines(STEP, last);
-        self.fill((2..=last).step_by(STEP).flat_map(|row| Lattice::between(row, 2, last)));
+        self.fill((2..=last).step_by(STEP).flat_map(|row| Lattice::between(row, last)));
         self.quarters(2, last);
-        self.fill((1..=last).step_by(2).flat_map(|row| Lattice::between(row, 1, last)));
+        self.gather(2, last);
+        let Scratch { lattice, planes, spots, .. } = &mut *self.scratch;
+        (1..=last).step_by(2).for_each(|row| lattice.fill_row(planes, (row, last), spots));
+        self.light();
+    }
+
+    /// Puts the light of every second row together.
+    fn gather(&mut self, first: usize, last: usize) {
+        let Scratch { lattice, planes, .. } = &mut *self.scratch;
+        (first..=last).step_by(2).for_each(|row| lattice.gather(row, &mut planes.0[row].cells));
     }
 
     /// Fills in light between pixels that have it, and finds it where that cannot be.
@@ -221,11 +231,11 @@ impl Rows<'_> {
     /// From light to colours in a row of the strip.
     fn colour(&mut self, row: usize, out: &mut [[u8; 3]]) {
         let (shading, y) = (self.shading, self.start + row as i32);
-        let Scratch { planes, lattice, linear, known, .. } = &mut *self.scratch;
+        let Scratch { planes, linear, known, .. } = &mut *self.scratch;
         let seen = &planes.0[row];
         widest(
             #[inline(always)]
-            || seen.thrown((lattice, row), linear),
+            || seen.thrown(linear),
         );
         let [r, g, b] = linear;
         let mut line = [r.as_mut_slice(), g.as_mut_slice(), b.as_mut_slice()];
@@ -247,24 +257,19 @@ impl Rows<'_> {
 impl Row {
     /// Light that surfaces throw to the eye.
     #[inline(always)]
-    fn thrown(&self, (lattice, row): (&Lattice, usize), out: &mut [Vec<f32>; 3]) {
-        let mut light = [[0.0_f32; PART]; LIGHT];
+    fn thrown(&self, out: &mut [Vec<f32>; 3]) {
         for from in (0..self.width).step_by(PART) {
             let to = (from + PART).min(self.width);
-            lattice.light(row, from, &mut light);
-            let leant = self.leant(from..to, (lattice, row));
-            self.part(from..to, (&light, &leant), out.each_mut().map(|out| &mut out[from..to]));
+            self.part(from..to, &self.leant(from..to), out.each_mut().map(|out| &mut out[from..to]));
         }
     }
 
-    /// By how much more light falls on pixels of a row whose texture leans.
+    /// By how much more light falls on pixels whose texture leans.
     #[inline(always)]
-    fn leant(&self, at: std::ops::Range<usize>, (lattice, row): (&Lattice, usize)) -> [f32; PART] {
+    fn leant(&self, at: std::ops::Range<usize>) -> [f32; PART] {
         let (mut more, count) = ([1.0; PART], at.len().min(PART));
-        let lean = &self.lean[at.clone()][..count];
+        let (lean, drift) = (&self.lean[at.clone()][..count], &self.cells.drift[at][..count]);
         if lean.iter().fold(0, |all, lean| all | lean) != 0 {
-            let mut drift = [0; PART];
-            lattice.drift(row, at.start, &mut drift);
             for x in 0..count {
                 let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
                 // Half as much as it would be: textures are flat, and lie.
@@ -275,12 +280,7 @@ impl Row {
     }
 
     #[inline(always)]
-    fn part(
-        &self,
-        at: std::ops::Range<usize>,
-        (light, leant): (&[[f32; PART]; LIGHT], &[f32; PART]),
-        out: [&mut [f32]; 3],
-    ) {
+    fn part(&self, at: std::ops::Range<usize>, leant: &[f32; PART], out: [&mut [f32]; 3]) {
         let count = at.len().min(PART);
         let shiny = &self.gloss[at.clone()][..count];
         let (mut more, mut metal) = ([0.0_f32; PART], [0.0_f32; PART]);
@@ -289,8 +289,8 @@ impl Row {
             more[x] = (1.0 - metal[x]) * std::f32::consts::FRAC_1_PI * leant[x];
         }
         for (c, out) in out.into_iter().enumerate() {
-            let (colour, out) = (&self.colour[c][at.start..][..count], &mut out[..count]);
-            let (falls, sheen) = (&light[c], &light[c + 3]);
+            let (colour, out) = (&self.colour[c][at.clone()][..count], &mut out[..count]);
+            let [falls, sheen] = [c, c + 3].map(|c| &self.cells.light[c][at.clone()][..count]);
             for x in 0..count {
                 let tint = 1.0 + metal[x] * (colour[x] - 1.0);
                 out[x] = colour[x] * falls[x] * more[x] + tint * sheen[x];

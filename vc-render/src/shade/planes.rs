@@ -1,5 +1,6 @@
 //! A strip of rows as lists of numbers, one list for each thing that is known of a pixel.
 
+use super::lattice::{BEYOND, LIGHT, PART};
 use crate::simd::whole;
 use crate::surface::SPAN;
 
@@ -7,18 +8,29 @@ use crate::surface::SPAN;
 #[derive(Default)]
 pub(crate) struct Planes(pub(super) Vec<Row>);
 
-/// What is seen at every pixel of a row. Lists go on past its end by [`SPAN`], so that pixels are
-/// written in whole spans: the next ones write over what was too much.
+/// What is seen at every pixel of a row, and the light there. Lists go on past its end, so that pixels are
+/// written in whole spans and parts: the next ones write over what was too much.
 #[derive(Default)]
 pub(crate) struct Row {
     pub(super) width: usize,
-    /// Which of the looks it has.
-    pub(super) look: Vec<u32>,
     pub(super) colour: [Vec<f32>; 3],
     /// Roughness and metal, [`gloss_of`].
     pub(super) gloss: Vec<u32>,
     /// How the texture leans the normal, [`packed`].
     pub(super) lean: Vec<u32>,
+    pub(super) cells: Cells,
+}
+
+/// What light between pixels is found from.
+#[derive(Default)]
+pub(crate) struct Cells {
+    /// Which of the looks they have.
+    pub(super) look: Vec<u32>,
+    /// One over depth; zero where there is nothing.
+    pub(super) inverse: Vec<f32>,
+    pub(super) light: [Vec<f32>; LIGHT],
+    /// By how much more light falls on what leans one way than another, [`packed`].
+    pub(super) drift: Vec<u32>,
 }
 
 /// Roughness and metal in a byte each.
@@ -48,11 +60,25 @@ pub(super) fn unpacked(v: u32) -> [f32; 3] {
     [part(22), part(12), part(2)]
 }
 
+impl Cells {
+    /// Makes room for so many.
+    pub(super) fn prepare(&mut self, count: usize) {
+        for list in [&mut self.look, &mut self.drift] {
+            list.clear();
+            list.resize(count, BEYOND);
+        }
+        for list in [&mut self.inverse].into_iter().chain(&mut self.light) {
+            list.clear();
+            list.resize(count, 0.0);
+        }
+    }
+}
+
 impl Row {
     /// The looks of its pixels.
     #[inline(always)]
     pub(super) fn looks(&self) -> &[u32] {
-        &self.look[..self.width]
+        &self.cells.look[..self.width]
     }
 }
 
@@ -60,12 +86,12 @@ impl Planes {
     /// Makes room for so many rows of this width, and one more.
     pub(super) fn prepare(&mut self, width: usize, rows: usize) {
         self.0.resize_with(rows + 1, Row::default);
+        let count = width.next_multiple_of(PART) + SPAN;
         for row in &mut self.0 {
             row.width = width;
-            for list in [&mut row.look, &mut row.gloss, &mut row.lean] {
-                list.resize(width + SPAN, 0);
-            }
-            row.colour.iter_mut().for_each(|list| list.resize(width + SPAN, 0.0));
+            [&mut row.gloss, &mut row.lean].into_iter().for_each(|list| list.resize(count, 0));
+            row.colour.iter_mut().for_each(|list| list.resize(count, 0.0));
+            row.cells.prepare(count);
         }
     }
 

@@ -161,7 +161,8 @@ impl<'a> Writer<'a> {
     /// Writes down a row of the image.
     #[inline(always)]
     pub(super) fn row(&self, solid: Solid<'_>, y: i32, known: &mut Known, row: &mut Row) {
-        let (triangles, inverse) = (solid.triangle_row(y), solid.inverse_row(y));
+        let triangles = solid.triangle_row(y);
+        row.cells.inverse[..triangles.len()].copy_from_slice(solid.inverse_row(y));
         known.painted.clear();
         stretches(
             triangles,
@@ -175,7 +176,7 @@ impl<'a> Writer<'a> {
         );
         known.painted.push((triangles.len() as u32, NOTHING));
         for ((from, paint), (to, _)) in known.painted.iter().zip(known.painted.iter().skip(1)) {
-            known.write(*paint, row, *from as usize..*to as usize, (inverse, y, self.frustum.focal));
+            known.write(*paint, row, *from as usize..*to as usize, (y, self.frustum.focal));
         }
     }
 
@@ -238,7 +239,7 @@ impl Known {
 
     /// Writes pixels of a row of the image that have one paint, and some after them.
     #[inline(always)]
-    fn write(&self, paint: u32, row: &mut Row, at: std::ops::Range<usize>, (inverse, y, focal): (&[f32], i32, f32)) {
+    fn write(&self, paint: u32, row: &mut Row, at: std::ops::Range<usize>, (y, focal): (i32, f32)) {
         let Paint { look, colour, roughness, metallic, texture } = &self.paints[paint as usize];
         let Some(texture) = texture else {
             let gloss = gloss_of(*roughness, *metallic);
@@ -246,15 +247,15 @@ impl Known {
             return;
         };
         for from in at.clone().step_by(SPAN) {
-            let count = (at.end - from).min(SPAN);
-            let footprint = 1.0 / (inverse[from + count / 2] * focal);
+            let (seen, count) = (part(&row.cells.inverse, from), (at.end - from).min(SPAN));
+            let footprint = 1.0 / (seen[count / 2 % SPAN] * focal);
             if let Some(touch) = texture.even(footprint) {
                 let gloss = gloss_of(roughness * touch.roughness, *metallic);
                 row.even(from, (*look, three(|c| (colour[c] * touch.tint[c]).min(1.0)), gloss));
                 continue;
             }
             let place = (from as u32 as f32 + 0.5, y as f32 + 0.5);
-            let (span, lean) = texture.touch((&part(inverse, from), count), place, footprint);
+            let (span, lean) = texture.touch((seen, count), place, footprint);
             let (mut colours, mut gloss) = ([[0.0; SPAN]; 3], [0; SPAN]);
             for c in 0..3 {
                 for i in 0..SPAN {
@@ -264,7 +265,7 @@ impl Known {
             for i in 0..SPAN {
                 gloss[i] = gloss_of(roughness * span.roughness[i], *metallic);
             }
-            *part_mut(&mut row.look, from) = [*look; SPAN];
+            *part_mut(&mut row.cells.look, from) = [*look; SPAN];
             *part_mut(&mut row.gloss, from) = gloss;
             *part_mut(&mut row.lean, from) = lean;
             (0..3).for_each(|c| *part_mut(&mut row.colour[c], from) = colours[c]);
@@ -276,21 +277,20 @@ impl Row {
     /// Writes a span of which all pixels are the same.
     #[inline(always)]
     fn even(&mut self, from: usize, (look, colour, gloss): (u32, [f32; 3], u32)) {
-        *part_mut(&mut self.look, from) = [look; SPAN];
+        *part_mut(&mut self.cells.look, from) = [look; SPAN];
         *part_mut(&mut self.gloss, from) = [gloss; SPAN];
         *part_mut(&mut self.lean, from) = [0; SPAN];
         (0..3).for_each(|c| *part_mut(&mut self.colour[c], from) = [colour[c]; SPAN]);
     }
 }
 
-/// A span of a list that may end before it.
+/// A span of a list.
 #[inline(always)]
-fn part(list: &[f32], from: usize) -> [f32; SPAN] {
-    let list = &list[from..];
-    list.first_chunk().copied().unwrap_or_else(|| std::array::from_fn(|i| list.get(i).copied().unwrap_or(1.0)))
+fn part<T>(list: &[T], from: usize) -> &[T; SPAN] {
+    list[from..].first_chunk().expect("rows go on past their end")
 }
 
-/// A span of a list to write to.
+/// The same to write to.
 #[inline(always)]
 fn part_mut<T>(list: &mut [T], from: usize) -> &mut [T; SPAN] {
     list[from..].first_chunk_mut().expect("rows go on past their end")

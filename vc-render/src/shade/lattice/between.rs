@@ -2,7 +2,8 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
-use super::{Comb, LIGHT};
+use super::LIGHT;
+use crate::shade::planes::Cells;
 use crate::shade::surfel::BENT;
 
 /// How far inverse depth may be from its neighbours' mean, as a share.
@@ -11,38 +12,38 @@ const FLAT: f32 = 0.01;
 const LONE: f32 = 0.05;
 /// Largest share by which neighbours' light may differ.
 const ALIKE: f32 = 0.10;
-/// Pixels of a comb that are filled in at once.
-pub(super) const PART: usize = 32;
+/// Pixels that are filled in at once.
+pub(in crate::shade) const PART: usize = 32;
 
-/// A comb whose pixels are next to others, from so far on.
+/// Pixels next to others, from so far on.
 #[derive(Clone, Copy)]
 pub(super) struct Near<'a> {
-    pub(super) comb: &'a Comb,
+    pub(super) cells: &'a Cells,
     pub(super) further: usize,
 }
 
-/// Combs on both sides.
+/// Pixels on both sides.
 pub(super) type Beside<'a> = [Near<'a>; 2];
 
 impl<'a> Near<'a> {
     #[inline(always)]
     fn look(self, from: usize) -> &'a [u32; PART] {
-        part(&self.comb.look, from + self.further)
+        part(&self.cells.look, from + self.further)
     }
 
     #[inline(always)]
     fn inverse(self, from: usize) -> &'a [f32; PART] {
-        part(&self.comb.inverse, from + self.further)
+        part(&self.cells.inverse, from + self.further)
     }
 
     #[inline(always)]
     fn light(self, c: usize, from: usize) -> &'a [f32; PART] {
-        part(&self.comb.light[c], from + self.further)
+        part(&self.cells.light[c], from + self.further)
     }
 
     #[inline(always)]
     fn drift(self, from: usize) -> &'a [u32; PART] {
-        part(&self.comb.drift, from + self.further)
+        part(&self.cells.drift, from + self.further)
     }
 
     /// Green light as a matt surface throws it, and sheen.
@@ -59,13 +60,13 @@ impl<'a> Near<'a> {
 /// Some pixels of a list.
 #[inline(always)]
 fn part<T>(list: &[T], from: usize) -> &[T; PART] {
-    list[from..].first_chunk().expect("combs go on past their end")
+    list[from..].first_chunk().expect("lists go on past their end")
 }
 
 /// The same to write to.
 #[inline(always)]
 fn part_mut<T>(list: &mut [T], from: usize) -> &mut [T; PART] {
-    list[from..].first_chunk_mut().expect("combs go on past their end")
+    list[from..].first_chunk_mut().expect("lists go on past their end")
 }
 
 /// All bits where it holds: what is put together of such needs no jumps.
@@ -76,7 +77,7 @@ fn bits(holds: bool) -> u32 {
 
 /// Finds what share neighbours have in the light of pixels between them: none where it is to be found.
 #[inline(always)]
-pub(super) fn weigh(own: &Comb, [a, b]: Beside<'_>, close: bool, from: usize) -> [[f32; PART]; 2] {
+pub(super) fn weigh(own: &Cells, [a, b]: Beside<'_>, close: bool, from: usize) -> [[f32; PART]; 2] {
     let (l0, l1, l2) = (part(&own.look, from), a.look(from), b.look(from));
     let (v0, v1, v2) = (part(&own.inverse, from), a.inverse(from), b.inverse(from));
     let (p, q) = (a.brightness(from), b.brightness(from));
@@ -96,7 +97,7 @@ pub(super) fn weigh(own: &Comb, [a, b]: Beside<'_>, close: bool, from: usize) ->
 
 /// Writes means by shares.
 #[inline(always)]
-pub(super) fn mix(own: &mut Comb, [a, b]: Beside<'_>, from: usize, [first, second]: &[[f32; PART]; 2]) {
+pub(super) fn mix(own: &mut Cells, [a, b]: Beside<'_>, from: usize, [first, second]: &[[f32; PART]; 2]) {
     for (c, own) in own.light.iter_mut().enumerate() {
         let (a, b, mut out) = (a.light(c, from), b.light(c, from), [0.0; PART]);
         for i in 0..PART {
