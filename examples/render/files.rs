@@ -21,8 +21,9 @@ pub(crate) fn all(
     let channels = [("Z", frame.depth.as_slice()), ("forward.u", &u), ("forward.v", &v)];
     write(name, "exr", &format::exr(frame.width, frame.height, &channels).map_err(Complaint::new)?)?;
     let shape = [frame.height, frame.width];
-    write(name, "depth.npy", &format::npy(&frame.depth, &shape))?;
-    write(name, "flow.npy", &format::npy(frame.flow_forward.as_flattened(), &[shape[0], shape[1], 2]))?;
+    write(name, "depth.npy", &format::npy(&frame.depth, &shape).map_err(Complaint::new)?)?;
+    let flow = format::npy(frame.flow_forward.as_flattened(), &[frame.height, frame.width, 2]);
+    write(name, "flow.npy", &flow.map_err(Complaint::new)?)?;
     let picture = name.with_extension("png");
     let picture = picture.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let mut coco = format::Coco::default();

@@ -9,7 +9,7 @@ use virtualcity::render::{Camera, Frame, Lighting, Modalities, Modality, RenderE
 /// doors would else come and go along a line.
 const FINER: u32 = 4;
 
-/// Colours, boxes, depth; nodes, classes, masks; normals, flow, and boxes with masks.
+/// Colours, nodes, classes; depth, parts, masks; flow, normals, boxes.
 pub(crate) fn all(
     renderer: &Renderer,
     snapshot: &Snapshot,
@@ -29,10 +29,11 @@ pub(crate) fn all(
         picture::instances(frame),
         picture::classes(frame),
         picture::depth(frame, 8.0),
+        picture::parts(frame),
+        picture::masks(frame),
         picture::flow(frame, 25.0),
         picture::normals(frame),
         picture::with_boxes(rgb, frame, 150),
-        picture::masks(frame),
     ];
-    Ok(Picture::sheet(&pictures, 4, 4))
+    Ok(Picture::sheet(&pictures, 3, 4))
 }

@@ -77,7 +77,7 @@ fn of_pixels(threads: &ThreadPool) -> Panel {
 /// Milliseconds on the wall, all threads, of light made, and brought up to date.
 fn of_light() {
     let home = home(6, 300);
-    let Stage { renderer, mut snapshot, mut lighting } = Stage::new(&home.graph, &home.lamps);
+    let Stage { renderer, mut snapshot, mut lighting, .. } = Stage::new(&home.graph, &home.lamps);
     let timed = |work: &mut dyn FnMut()| {
         let start = Instant::now();
         work();

@@ -1,7 +1,7 @@
 //! What pictures cost: sixteen views of a home of 130,000 and of a million triangles, in four sizes. Run with
 //! `cargo bench -p vc-render --bench render`; `-- first` leaves the million out. Light is the sun and three lamps,
-//! and in a row of its own two lamps alone. Another row is for what is hidden at the next moment, which the six leave
-//! out.
+//! and in rows of their own two lamps alone, and fifty things that have moved by the next moment. Another row is for
+//! what is hidden then, which the six leave out.
 //!
 //! CPU time of one thread, the time on the wall when all threads make a picture together, and when they make
 //! many side by side. The mean over the views of the median of seven; light is made once and not
@@ -14,8 +14,12 @@ mod home;
 #[path = "support/stage.rs"]
 mod stage;
 
-use home::{cameras, home};
-use stage::{LABELS, Stage, row, table};
+use std::time::Instant;
+
+use home::{Home, cameras, home};
+use nalgebra::Translation3;
+use stage::{LABELS, SIX, Stage, row, table};
+use vc_graph::Kind;
 use vc_render::{Daylight, Modality};
 
 /// Cells along an edge of each mesh: 130,000 and a million triangles.
@@ -26,12 +30,27 @@ fn main() {
     let poses: Vec<_> = cameras(64, 64).iter().map(|camera| camera.pose).collect();
     for fine in FINE.into_iter().take(if first { 1 } else { 2 }) {
         let home = home(fine, 300);
-        let stage = Stage::new(&home.graph, &home.lamps);
+        let mut stage = Stage::new(&home.graph, &home.lamps);
         table("a home of 300 objects", &stage, &poses);
         let hidden = (LABELS.0 | Modality::Occlusion, false);
         row(&stage, &poses, ("labels, and what is hidden", hidden));
         let seen = Modality::Depth | Modality::Instance | Modality::Rgb;
         let lamps = Stage::lit(&home.graph, &home.lamps[..2], &Daylight::overcast());
         row(&lamps, &poses, ("colours of two lamps, the same", (seen, false)));
+        move_some(&mut stage, &home);
+        row(&stage, &poses, ("all six, fifty things move", SIX));
     }
+}
+
+/// Moves fifty things by a few centimetres, and prints what that costs.
+fn move_some(stage: &mut Stage, home: &Home) {
+    let things = home.graph.nodes().filter(|node| node.kind() == Kind::Object);
+    let moved: Vec<_> = things
+        .filter_map(|node| Some((node.id(), Translation3::new(0.03, 0.02, 0.0) * node.pose()?)))
+        .step_by(6)
+        .take(50)
+        .collect();
+    let start = Instant::now();
+    moved.iter().for_each(|(thing, pose)| stage.next.place(*thing, pose).unwrap());
+    println!("{} things placed in {:.1} us", moved.len(), 1e6 * start.elapsed().as_secs_f64());
 }

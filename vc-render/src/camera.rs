@@ -217,17 +217,19 @@ impl Camera {
         }
         let length = |v: f32| v.is_finite() && v > 0.0 && v < 1e9;
         if !length(self.focal.0) || !length(self.focal.1) {
-            return Err(RenderError::BadCamera("focal length"));
+            return Err(RenderError::BadCamera("focal lengths are to be above 0 and below 1e9 pixels"));
         }
         if !(self.centre.0.abs() < 1e6 && self.centre.1.abs() < 1e6) {
-            return Err(RenderError::BadCamera("principal point"));
+            return Err(RenderError::BadCamera("principal point is to be within 1e6 pixels"));
         }
         if !(1e-6..1e6).contains(&self.near) {
-            return Err(RenderError::BadCamera("near plane"));
+            return Err(RenderError::BadCamera("near plane is to be from 1e-6 to 1e6 metres away"));
         }
         let turn = self.pose.rotation.norm();
         if !Affine::of(&self.pose).is_finite() || !(0.99..1.01).contains(&turn) {
-            return Err(RenderError::BadCamera("pose"));
+            return Err(RenderError::BadCamera(
+                "pose is to be finite, within 1e15 metres, and its turn of unit length",
+            ));
         }
         Ok(())
     }

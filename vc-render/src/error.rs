@@ -14,31 +14,34 @@ pub enum RenderError {
         /// Pixels down.
         height: u32,
     },
-    /// Focal lengths, principal point, near plane or pose of the camera are not finite, or a length is not positive.
-    #[error("the camera's {0} is not finite or not positive")]
+    /// Focal lengths, principal point, near plane or pose of the camera are no numbers, or absurd ones: what is wrong,
+    /// and how it is to be.
+    #[error("the camera cannot be used: its {0}")]
     BadCamera(&'static str),
-    /// A node's pose or scale is not finite.
-    #[error("the pose or scale of {0} is not finite")]
+    /// A node's pose, scale or joint is not finite, or it would be farther away than 1e15 metres.
+    #[error("the pose, scale or joint of {0} is not finite, or is beyond 1e15 metres: mend it where it was set")]
     BadPose(NodeId),
     /// A node points to an asset that its library does not have.
-    #[error("{node} has asset {asset}, which is not in the library")]
+    #[error(
+        "{node} has asset {asset}, which is not in its scene's library: add it there, or let the node have a box only"
+    )]
     NoSuchAsset {
         /// Which node.
         node: NodeId,
         /// Which asset.
         asset: u32,
     },
-    /// Something is asked for that needs what the shot does not have.
-    #[error("{wanted} needs {needs}, and the shot has none")]
+    /// Something is asked for that needs what is not there.
+    #[error("{wanted} needs {needs}, and there is none: give it, or do not ask for {wanted}")]
     Missing {
         /// What is asked for.
         wanted: &'static str,
-        /// What it needs.
+        /// What it needs, and how that is given.
         needs: &'static str,
     },
     /// Two things are used together that are not of the same scene.
     #[error(
-        "the {what} is of another scene ({there} meshes are in it, {here} in this one): \
+        "the {what} is of another scene ({there} meshes are in it, {here} in this one, and not of the same nodes): \
          make both from one snapshot, or from snapshots of the same nodes"
     )]
     OtherScene {
@@ -52,22 +55,37 @@ pub enum RenderError {
     /// Something was made by another renderer, whose meshes and materials this one does not have.
     #[error("the {0} was made by another renderer: use it with the one that made its snapshot")]
     OtherRenderer(&'static str),
-    /// A colour of the daylight is not finite or less than zero, or the direction to the sun has not unit length.
-    #[error("the daylight's {0} is not finite, is negative, or has not unit length")]
+    /// A colour of the daylight is no number or absurd, or the direction to the sun has not unit length: what is wrong,
+    /// and how it is to be.
+    #[error("the daylight cannot be used: its {0}")]
     BadDaylight(&'static str),
     /// There is no node of this number in the snapshot, or it has no body.
-    #[error("{0} has no body in this snapshot")]
+    #[error("{0} has no body in this snapshot: only nodes with a pose and an asset or a box have one")]
     NoBody(NodeId),
     /// There is no room of this number in the snapshot, or the graph knows no box around it.
-    #[error("{0} is no room of this snapshot, or has no box around it")]
+    #[error("{0} is no room of this snapshot, or has no box around it: ask for one of the graph's rooms")]
     NoRoom(NodeId),
     /// As many frames as shots are needed.
-    #[error("{shots} shots need as many frames, {frames} are given")]
+    #[error("{shots} shots need as many frames, but {frames} are given")]
     FrameCount {
         /// Shots given.
         shots: usize,
         /// Frames given.
         frames: usize,
+    },
+    /// There are more classes than numbers for them.
+    #[error("the scene has {classes} classes, and pictures can tell {most} apart: give nodes fewer names of classes", most = u16::MAX)]
+    TooManyClasses {
+        /// Classes of the scene's table and of its nodes.
+        classes: usize,
+    },
+    /// An array is not of the shape that it is said to have.
+    #[error("{numbers} numbers are no array of shape {shape:?}")]
+    BadShape {
+        /// Numbers given.
+        numbers: usize,
+        /// Length along each axis.
+        shape: Vec<usize>,
     },
     /// A file could not be encoded.
     #[error("cannot be encoded: {0}")]

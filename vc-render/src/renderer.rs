@@ -65,7 +65,7 @@ impl Renderer {
     /// triangle; the rest takes about a microsecond for each node.
     ///
     /// # Errors
-    /// [`RenderError::BadPose`], [`RenderError::NoSuchAsset`].
+    /// [`RenderError::BadPose`], [`RenderError::NoSuchAsset`], [`RenderError::TooManyClasses`].
     pub fn snapshot(&mut self, graph: &SceneGraph) -> Result<Snapshot, RenderError> {
         self.snapshot_with(graph, |_, _| None)
     }

@@ -92,13 +92,13 @@ impl<'a> Shot<'a> {
             snapshot.with("light", &lighting.tracer.snapshot)?;
         }
         let needs = [
-            (Modality::Rgb, "colour", "light", self.lighting.is_some()),
-            (Modality::FlowForward, "forward flow", "next moment", self.after.is_some()),
-            (Modality::FlowBackward, "backward flow", "moment before", self.before.is_some()),
+            (Modality::Rgb, "colour", "light (Shot::lit)", self.lighting.is_some()),
+            (Modality::FlowForward, "forward flow", "a next moment (Shot::after)", self.after.is_some()),
+            (Modality::FlowBackward, "backward flow", "a moment before (Shot::before)", self.before.is_some()),
             (
                 Modality::Occlusion,
                 "occlusion",
-                "next moment or moment before",
+                "a next moment or one before (Shot::after, Shot::before)",
                 self.before.is_some() || self.after.is_some(),
             ),
         ];

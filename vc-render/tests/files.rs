@@ -131,19 +131,19 @@ fn same(a: &[f32], b: &[f32]) -> bool {
 fn numpy_arrays_are_read_back() {
     let (_, mut frame) = rendered(Modality::Depth | Modality::FlowForward | Modality::Class);
     (frame.depth[3], frame.depth[4]) = (f32::INFINITY, f32::NAN);
-    let file = npy(&frame.depth, &[70, 90]);
+    let file = npy(&frame.depth, &[70, 90]).unwrap();
     let (kind, shape, bytes) = array(&file);
     assert_eq!((kind.as_str(), shape.as_slice()), ("<f4", [70, 90].as_slice()));
     assert!(same(&floats(bytes), &frame.depth));
-    let file = npy(frame.flow_forward.as_flattened(), &[70, 90, 2]);
+    let file = npy(frame.flow_forward.as_flattened(), &[70, 90, 2]).unwrap();
     let (_, shape, bytes) = array(&file);
     assert_eq!(shape, [70, 90, 2]);
     assert!(same(&floats(bytes), frame.flow_forward.as_flattened()));
-    let file = npy(&frame.class, &[6300]);
+    let file = npy(&frame.class, &[6300]).unwrap();
     let (kind, shape, bytes) = array(&file);
     assert_eq!((kind.as_str(), shape.as_slice()), ("<u2", [6300].as_slice()));
     assert!(bytes.as_chunks::<2>().0.iter().map(|b| u16::from_le_bytes(*b)).eq(frame.class.iter().copied()));
-    assert_eq!(array(&npy(&[1_u8, 2, 3], &[3, 1])).2, [1, 2, 3]);
+    assert_eq!(array(&npy(&[1_u8, 2, 3], &[3, 1]).unwrap()).2, [1, 2, 3]);
 }
 
 /// A reader of OpenEXR's scan lines without compression: attributes by name, and channels by name.

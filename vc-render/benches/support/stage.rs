@@ -26,6 +26,8 @@ pub(crate) fn sky() -> Daylight {
 pub(crate) struct Stage {
     pub(crate) renderer: Renderer,
     pub(crate) snapshot: Snapshot,
+    /// The next moment: the same, unless something is moved there.
+    pub(crate) next: Snapshot,
     pub(crate) lighting: Lighting,
 }
 
@@ -40,11 +42,11 @@ impl Stage {
         let mut snapshot = renderer.snapshot(graph).unwrap();
         lamps.iter().for_each(|lamp| snapshot.switch(*lamp, true).unwrap());
         let lighting = renderer.light(&snapshot, daylight);
-        Self { renderer, snapshot, lighting }
+        Self { renderer, next: snapshot.clone(), snapshot, lighting }
     }
 
     fn shot<'a>(&'a self, camera: &'a Camera, (wanted, plain): Wanted) -> Shot<'a> {
-        let shot = Shot::new(&self.snapshot, camera, wanted).lit(&self.lighting).after(&self.snapshot, camera);
+        let shot = Shot::new(&self.snapshot, camera, wanted).lit(&self.lighting).after(&self.next, camera);
         if plain { shot.plain() } else { shot }
     }
 

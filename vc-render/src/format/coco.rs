@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::RenderError;
 use crate::frame::Frame;
+use crate::modality::Modality;
 use crate::scene::Snapshot;
 
 /// Boxes and masks of pictures of one scene as a COCO document for `pycocotools`, picture by
@@ -42,8 +43,8 @@ impl Coco {
     /// # Errors
     /// [`RenderError::Missing`] for a frame without boxes or masks; then nothing is added.
     pub fn add(&mut self, file_name: impl Into<String>, frame: &Frame) -> Result<(), RenderError> {
-        if frame.boxes.len() != frame.masks().len() {
-            return Err(RenderError::Missing { wanted: "COCO", needs: "frame with boxes and masks" });
+        if ![Modality::Boxes, Modality::Masks].iter().all(|modality| frame.holds.has(*modality)) {
+            return Err(RenderError::Missing { wanted: "COCO", needs: "a frame with boxes and masks" });
         }
         let image_id = self.images.len() + 1;
         let (width, height) = (frame.width, frame.height);

@@ -1,5 +1,7 @@
 //! Arrays as numpy keeps them.
 
+use crate::RenderError;
+
 /// A number that numpy knows.
 pub trait Number: Copy {
     /// numpy's name of it, `<f4`.
@@ -22,15 +24,23 @@ macro_rules! numbers {
 numbers!(f32: "<f4", u32: "<u4", u16: "<u2", u8: "|u1");
 
 /// An array as a file for `numpy.load`, format 1.0. `shape` is the length along each axis, the
-/// slowest first; numbers that are missing are left out, so their count should be its product.
+/// slowest first.
+///
+/// # Errors
+/// [`RenderError::BadShape`] where there are not as many numbers as their product.
 ///
 /// ```
 /// let depth = [1.0_f32, 2.0, f32::INFINITY, 4.0];
-/// let file = vc_render::format::npy(&depth, &[2, 2]);
+/// let file = vc_render::format::npy(&depth, &[2, 2])?;
 /// assert!(file.starts_with(b"\x93NUMPY\x01\x00"));
 /// assert_eq!(file.len() % 64, 16); // a header of whole blocks, and four numbers
+/// assert!(vc_render::format::npy(&depth, &[2, 3]).is_err());
+/// # Ok::<(), vc_render::RenderError>(())
 /// ```
-pub fn npy<T: Number>(numbers: &[T], shape: &[usize]) -> Vec<u8> {
+pub fn npy<T: Number>(numbers: &[T], shape: &[usize]) -> Result<Vec<u8>, RenderError> {
+    if shape.iter().try_fold(1_usize, |all, length| all.checked_mul(*length)) != Some(numbers.len()) {
+        return Err(RenderError::BadShape { numbers: numbers.len(), shape: shape.to_vec() });
+    }
     let lengths: String = shape.iter().map(|n| format!("{n},")).collect();
     let mut header = format!("{{'descr': '{}', 'fortran_order': False, 'shape': ({lengths}), }}", T::NAME);
     // Header and what is before it fill blocks of 64 bytes.
@@ -43,5 +53,5 @@ pub fn npy<T: Number>(numbers: &[T], shape: &[usize]) -> Vec<u8> {
     file.extend((header.len() as u16).to_le_bytes());
     file.extend(header.bytes());
     numbers.iter().for_each(|n| n.bytes(&mut file));
-    file
+    Ok(file)
 }

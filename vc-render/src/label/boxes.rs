@@ -8,7 +8,7 @@ use vc_graph::Pose;
 use super::Run;
 use crate::affine::{self, Affine, Narrow, volume};
 use crate::camera::Camera;
-use crate::frame::{Box3, BoxLabel, Frame, Masks, PixelBox};
+use crate::frame::{Box3, BoxLabel, Frame, PixelBox};
 use crate::mesh::Mesh;
 use crate::modality::Modality;
 use crate::raster::{Frustum, refill};
@@ -35,26 +35,28 @@ pub(crate) fn boxes(camera: &Camera, snapshot: &Snapshot, frame: &mut Frame) {
     for run in memory.bands.iter().flat_map(|b| &b.runs) {
         tally[body(run)].add(run);
     }
-    let frustum = Frustum::new(camera, &(0..camera.height as i32));
-    for (body, tally) in snapshot.bodies.iter().zip(tally.iter_mut()).filter(|(_, t)| t.area > 0) {
-        tally.label = boxes.len() as u32;
-        boxes.push(label(camera, &frustum, snapshot, body, tally));
+    // Amodal boxes and masks are those of labels.
+    let labelled = holds.has(Modality::Boxes) || holds.has(Modality::Amodal);
+    let masked = holds.has(Modality::Masks);
+    if masked {
+        visible_masks.begin(*width, *height);
     }
-    if holds.has(Modality::Masks) {
-        masks(visible_masks, boxes, (*width, *height));
+    let frustum = Frustum::new(camera, &(0..camera.height as i32));
+    let seen = snapshot.bodies.iter().zip(tally.iter_mut()).filter(|(_, t)| t.area > 0);
+    for (number, (body, tally)) in seen.enumerate() {
+        tally.label = number as u32;
+        if labelled {
+            boxes.push(label(camera, &frustum, snapshot, body, tally));
+        }
+        if masked {
+            visible_masks.push(body.node, tally.within());
+        }
+    }
+    if masked {
         for run in memory.bands.iter().flat_map(|b| &b.runs) {
             visible_masks.set(memory.tally[body(run)].label as usize, run.y, run.from, run.to);
         }
     }
-    // Made for the masks alone.
-    if !holds.has(Modality::Boxes) && !holds.has(Modality::Amodal) {
-        boxes.clear();
-    }
-}
-
-fn masks(masks: &mut Masks, boxes: &[BoxLabel], (width, height): (usize, usize)) {
-    masks.begin(width, height);
-    boxes.iter().for_each(|b| masks.push(b.node, b.visible));
 }
 
 impl Tally {
@@ -63,10 +65,15 @@ impl Tally {
         self.high = [self.high[0].max(run.to - 1), self.high[1].max(run.y)];
         self.area += (run.to - run.from) as u32;
     }
+
+    /// The box around what is seen.
+    fn within(&self) -> PixelBox {
+        PixelBox::between(self.low, self.high)
+    }
 }
 
 fn label(camera: &Camera, frustum: &Frustum, snapshot: &Snapshot, body: &Body, tally: &Tally) -> BoxLabel {
-    let visible = PixelBox::between(tally.low, tally.high);
+    let visible = tally.within();
     let instances = &snapshot.instances[body.instances.start as usize..body.instances.end as usize];
     let whole = crate::simd::widest(
         #[inline(always)]

@@ -70,13 +70,18 @@ impl Daylight {
 
     pub(crate) fn check(&self) -> Result<(), RenderError> {
         let bad = |v: &Vector3<f32>| v.iter().any(|c| !(0.0..1e6).contains(c));
-        let colours =
-            [("sun", &self.sun), ("zenith", &self.zenith), ("horizon", &self.horizon), ("ground", &self.ground)];
-        if let Some((name, _)) = colours.into_iter().find(|(_, colour)| bad(colour)) {
-            return Err(RenderError::BadDaylight(name));
+        let colours = [
+            (&self.sun, "sun is to be from 0 to 1e6 in each colour"),
+            (&self.zenith, "zenith is to be from 0 to 1e6 in each colour"),
+            (&self.horizon, "horizon is to be from 0 to 1e6 in each colour"),
+            (&self.ground, "ground is to be from 0 to 1e6 in each colour"),
+        ];
+        if let Some((_, wrong)) = colours.into_iter().find(|(colour, _)| bad(colour)) {
+            return Err(RenderError::BadDaylight(wrong));
         }
         let length = self.towards_sun.norm();
-        if (0.99..1.01).contains(&length) { Ok(()) } else { Err(RenderError::BadDaylight("direction to the sun")) }
+        let there = (0.99..1.01).contains(&length);
+        if there { Ok(()) } else { Err(RenderError::BadDaylight("direction to the sun is to be of unit length")) }
     }
 
     /// Radiance from a direction of unit length, without the sun itself.

@@ -5,16 +5,30 @@ use vc_graph::portable::Portable;
 use super::Picture;
 use crate::frame::{Frame, NO_LABEL, NOTHING};
 
-/// Colours that tell numbers apart: the same number has the same colour always.
+/// Colours that tell numbers apart: the same number has the same colour always, and no other of the
+/// first eight million has it. None is dark.
+///
+/// ```
+/// use vc_render::picture::Palette;
+/// assert_eq!(Palette.colour(7), Palette.colour(7));
+/// assert_ne!(Palette.colour(7), Palette.colour(8));
+/// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Palette;
 
+/// Steps of a colour's channel.
+const STEPS: u64 = 200;
+
 impl Palette {
-    /// The colour of a number: hues a golden angle apart, in four shades.
+    /// The colour of a number.
+    ///
+    /// Steps through all colours of at least 56 in each channel. By each step, channels go on by about the powers of
+    /// 0.819 of their range, so that few numbers in a row are spread evenly (Roberts' R3 sequence, 2018); as the
+    /// step has no divisor in common with the count of colours, none comes twice.
     pub fn colour(self, number: u32) -> [u8; 3] {
-        let hue = (f64::from(number) * 0.618_033_988_75).fract() as f32;
-        let shade = [(0.65, 0.95), (0.45, 0.8), (0.85, 0.7), (0.35, 1.0)][number as usize / 3 % 4];
-        hsv(hue, shade.0, shade.1)
+        const STEP: u64 = 163 * STEPS * STEPS + 134 * STEPS + 109;
+        let place = (u64::from(number) * STEP + STEP / 3) % (STEPS * STEPS * STEPS);
+        [place / (STEPS * STEPS), place / STEPS % STEPS, place % STEPS].map(|step| 56 + step as u8)
     }
 }
 
@@ -61,6 +75,16 @@ fn turbo(x: f32) -> [u8; 3] {
 pub fn instances(frame: &Frame) -> Picture {
     let colour = |n: &vc_graph::NodeId| if *n == NOTHING { [0; 3] } else { Palette.colour(n.0) };
     picture(frame, frame.instance.iter().map(colour).collect())
+}
+
+/// Parts in the palette's colours, those of each node in their own, nothing in black; needs nodes and parts.
+pub fn parts(frame: &Frame) -> Picture {
+    // Nodes of more parts would share colours with the next.
+    const MOST: u32 = 64;
+    let colour = |(node, part): (&vc_graph::NodeId, &u16)| {
+        if *node == NOTHING { [0; 3] } else { Palette.colour(node.0.wrapping_mul(MOST).wrapping_add(u32::from(*part))) }
+    };
+    picture(frame, frame.instance.iter().zip(&frame.part).map(colour).collect())
 }
 
 /// Classes in the palette's colours, nothing in black.

@@ -5,5 +5,5 @@ mod colours;
 mod encode;
 
 pub use canvas::Picture;
-pub use colours::{Palette, classes, depth, flow, instances, masks, normals, rgb, with_boxes};
+pub use colours::{Palette, classes, depth, flow, instances, masks, normals, parts, rgb, with_boxes};
 pub use encode::{apng, png};

@@ -41,7 +41,7 @@ impl Snapshot {
         joint: &mut dyn FnMut(NodeId, &Joint) -> Option<f32>,
     ) -> Result<Self, RenderError> {
         let rooms: HashMap<NodeId, u16> = graph.rooms().iter().copied().zip(0..NO_ROOM).collect();
-        let mut classes = Classes::of(graph);
+        let mut classes = Classes::of(graph)?;
         let (mut bodies, mut instances) = (Vec::new(), Vec::new());
         let mut around = Around::default();
         for node in graph.nodes().filter(|n| n.kind() != Kind::Room) {
@@ -234,18 +234,23 @@ struct Classes {
 }
 
 impl Classes {
-    fn of(graph: &SceneGraph) -> Self {
+    fn of(graph: &SceneGraph) -> Result<Self, RenderError> {
         let mut names: Vec<Arc<str>> = graph.classes().iter().map(|c| c.name.clone()).collect();
         let mut numbers: HashMap<Arc<str>, u16> = names.iter().cloned().zip(0..).collect();
         let mut others: Vec<Arc<str>> =
             graph.nodes().map(|n| n.class().clone()).filter(|c| !numbers.contains_key(c)).collect();
         others.sort_unstable();
         others.dedup();
+        let classes = names.len() + others.len();
+        // The last number says that there is no class.
+        if classes > usize::from(u16::MAX) {
+            return Err(RenderError::TooManyClasses { classes });
+        }
         for name in others {
             numbers.insert(name.clone(), names.len() as u16);
             names.push(name);
         }
-        Self { names, numbers }
+        Ok(Self { names, numbers })
     }
 
     fn number(&mut self, class: &Arc<str>) -> u16 {
