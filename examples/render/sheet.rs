@@ -9,7 +9,7 @@ use virtualcity::render::{Camera, Frame, Lighting, Modalities, Modality, RenderE
 /// doors would else come and go along a line.
 const FINER: u32 = 4;
 
-/// Colours, boxes, depth; nodes, classes, masks; normals, flow, and boxes with masks.
+/// Colours, nodes, classes, depth; flow, normals, boxes, masks.
 pub(crate) fn all(
     renderer: &Renderer,
     snapshot: &Snapshot,

@@ -1,6 +1,6 @@
 //! Arrays as numpy keeps them.
 
-/// A number that numpy knows.
+/// A number that numpy knows, for [`npy`]: `f32`, `u32`, `u16` and `u8`.
 pub trait Number: Copy {
     /// numpy's name of it, `<f4`.
     const NAME: &'static str;
@@ -22,7 +22,8 @@ macro_rules! numbers {
 numbers!(f32: "<f4", u32: "<u4", u16: "<u2", u8: "|u1");
 
 /// An array as a file for `numpy.load`, format 1.0. `shape` is the length along each axis, the
-/// slowest first; numbers that are missing are left out, so their count should be its product.
+/// slowest first; numbers that are missing are left out, so their count should be its product. One pass over the
+/// numbers; the header is a multiple of 64 bytes.
 ///
 /// ```
 /// let depth = [1.0_f32, 2.0, f32::INFINITY, 4.0];
