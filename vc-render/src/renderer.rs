@@ -61,8 +61,8 @@ impl Renderer {
     /// A scene as it is now: nodes with a pose and a shape, or at least a box, and
     /// joints open or closed as the nodes' states say.
     ///
-    /// Assets not seen before are uploaded, which takes some hundred nanoseconds for each
-    /// triangle; the rest takes about a microsecond for each node. Curves are cut finer or coarser for each of five
+    /// Assets not seen before are uploaded, which takes time with their triangles, and most where meshes are made
+    /// coarser; the rest takes about a microsecond for each node. Curves are cut finer or coarser for each of five
     /// levels of detail; meshes get coarser by collapsing edges, cheapest first by the distance to the planes that
     /// were there (Garland and Heckbert 1997). [`Snapshot`] has an example.
     ///

@@ -118,7 +118,7 @@ impl<'a> Shot<'a> {
 
     /// With colours without shadows and occlusion, for who learns from many pictures that need not look real:
     /// light from all sides as ever, that of lamps on all that faces them in their rooms, that of the sun on
-    /// what is in no room. Colours take about four fifths of the time.
+    /// what is in no room. Colours take four fifths to nine tenths of the time.
     #[must_use]
     pub fn plain(self) -> Self {
         Self { plain: true, ..self }

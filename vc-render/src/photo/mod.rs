@@ -151,7 +151,7 @@ pub struct Progress<'a> {
 }
 
 impl Progress<'_> {
-    /// The picture so far, not smoothed. Costs some nanoseconds a pixel.
+    /// The picture so far, not smoothed. Linear in the pixels; a path costs far more.
     pub fn photograph(&self) -> Photograph {
         let light: Vec<[f32; 3]> = self.traced.iter().map(Traced::light).collect();
         let height = light.len() / self.width.max(1);
