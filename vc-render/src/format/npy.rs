@@ -2,7 +2,7 @@
 
 use crate::RenderError;
 
-/// A number that numpy knows.
+/// A number that numpy knows, for [`npy`]: `f32`, `u32`, `u16` and `u8`.
 pub trait Number: Copy {
     /// numpy's name of it, `<f4`.
     const NAME: &'static str;
@@ -24,7 +24,7 @@ macro_rules! numbers {
 numbers!(f32: "<f4", u32: "<u4", u16: "<u2", u8: "|u1");
 
 /// An array as a file for `numpy.load`, format 1.0. `shape` is the length along each axis, the
-/// slowest first.
+/// slowest first. One pass over the numbers; the header is a multiple of 64 bytes.
 ///
 /// # Errors
 /// [`RenderError::BadShape`] where there are not as many numbers as their product.

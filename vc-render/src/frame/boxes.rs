@@ -3,7 +3,16 @@
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{NodeId, Pose};
 
-/// A box of whole pixels.
+/// A box of whole pixels; it may reach over the border of the image.
+///
+/// ```
+/// use vc_render::PixelBox;
+/// let cup = PixelBox { x: 10, y: 20, width: 4, height: 5 };
+/// let table = PixelBox { x: 0, y: 24, width: 40, height: 10 };
+/// let both = cup.joined(&table);
+/// assert_eq!(both, PixelBox { x: 0, y: 20, width: 40, height: 14 });
+/// assert!(both.contains(&cup) && !table.contains(&cup));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct PixelBox {
     /// First column.
@@ -17,6 +26,16 @@ pub struct PixelBox {
 }
 
 /// A box in space.
+///
+/// ```
+/// use nalgebra::{Point3, Vector3};
+/// use vc_graph::Pose;
+/// use vc_render::Box3;
+/// let half = Vector3::new(0.3, 0.3, 0.9);
+/// let fridge = Box3 { pose: Pose::translation(2.0, 0.0, 0.9), half, corners: [None; 8] };
+/// assert!((fridge.corner(0b000) - Point3::new(1.7, -0.3, 0.0)).norm() < 1e-5);
+/// assert!((fridge.corner(0b101) - Point3::new(2.3, -0.3, 1.8)).norm() < 1e-5);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Box3 {
     /// Its middle and axes in the world.
@@ -28,7 +47,31 @@ pub struct Box3 {
     pub corners: [Option<Point2<f32>>; 8],
 }
 
-/// Boxes of one object.
+/// Boxes of one object, in [`Frame::boxes`](crate::Frame::boxes).
+///
+/// ```
+/// # use nalgebra::{Point3, Vector3};
+/// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// use vc_render::{Camera, Frame, Modality, PixelBox, Renderer, Shot};
+/// # let mut scene = SceneBuilder::new("flat");
+/// # let kitchen = scene.add(Draft::new("kitchen"))?;
+/// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+/// # let fridge = scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+/// # let scene = scene.build();
+/// # let mut renderer = Renderer::new();
+/// # let snapshot = renderer.snapshot(&scene)?;
+/// # let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
+/// // A fridge of 0.6 by 0.6 by 1.8 metres, two metres away.
+/// let mut frame = Frame::new();
+/// renderer.render(&Shot::new(&snapshot, &camera, Modality::Boxes), &mut frame)?;
+/// let label = &frame.boxes[0];
+/// assert_eq!((label.node, label.area), (fridge, 16 * 45));
+/// assert_eq!(label.visible, PixelBox { x: 24, y: 3, width: 16, height: 45 });
+/// // Its foot is below the border of the image.
+/// assert_eq!(label.amodal, PixelBox { height: 47, ..label.visible });
+/// assert!((label.oriented.half - Vector3::new(0.3, 0.3, 0.9)).norm() < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoxLabel {
     /// Which node.
@@ -83,7 +126,7 @@ impl PixelBox {
 }
 
 impl Box3 {
-    /// The corner of a number in the world.
+    /// The corner of a number (0 to 7) in the world, metres: its bits `zyx` are as in [`corners`](Self::corners).
     pub fn corner(&self, number: usize) -> Point3<f32> {
         let sign = |axis: usize| if number >> axis & 1 == 1 { 1.0 } else { -1.0 };
         self.pose * Point3::new(sign(0) * self.half.x, sign(1) * self.half.y, sign(2) * self.half.z)

@@ -57,7 +57,32 @@ impl Masks {
     }
 }
 
-/// The pixels of one object.
+/// The pixels of one object, from [`Frame::masks`](crate::Frame::masks) or
+/// [`Frame::amodal_masks`](crate::Frame::amodal_masks).
+///
+/// ```
+/// # use nalgebra::{Point3, Vector3};
+/// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// use vc_render::{Camera, Frame, Modality, Renderer, Shot};
+/// # let mut scene = SceneBuilder::new("flat");
+/// # let kitchen = scene.add(Draft::new("kitchen"))?;
+/// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+/// # let fridge = scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+/// # let scene = scene.build();
+/// # let mut renderer = Renderer::new();
+/// # let snapshot = renderer.snapshot(&scene)?;
+/// # let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
+/// let mut frame = Frame::new();
+/// renderer.render(&Shot::new(&snapshot, &camera, Modality::Masks), &mut frame)?;
+/// let mask = frame.masks().next().unwrap();
+/// assert_eq!((mask.node(), mask.area()), (fridge, 16 * 45));
+/// assert!(mask.has(24, 3) && !mask.has(23, 3));
+/// // Rows from the top, as in all buffers.
+/// assert_eq!(mask.bitmap()[24 * 64 + 32], 1);
+/// // Down the columns, from the left.
+/// assert_eq!(mask.rle().counts[..3], [24 * 48 + 3, 45, 3]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy)]
 pub struct Mask<'a> {
     entry: &'a Entry,
@@ -75,7 +100,7 @@ impl Mask<'_> {
         self.entry.within
     }
 
-    /// Whether a pixel of the image is in it.
+    /// Whether a pixel of the image is in it; false for places that are not in the image. Costs a look at one word.
     pub fn has(&self, x: i32, y: i32) -> bool {
         let PixelBox { x: left, y: top, width, height } = self.entry.within;
         let (x, y) = (x - left, y - top);
@@ -86,20 +111,22 @@ impl Mask<'_> {
         self.masks.bits[word] >> (x % 64) & 1 == 1
     }
 
-    /// Number of its pixels.
+    /// Number of its pixels. Costs one step for 64 pixels of each row of [`within`](Self::within).
     pub fn area(&self) -> u32 {
         let words = self.entry.words * self.entry.within.height as usize;
         self.masks.bits[self.entry.first..self.entry.first + words].iter().map(|w| w.count_ones()).sum()
     }
 
-    /// One byte for each pixel of the image, 1 where it is.
+    /// One byte for each pixel of the image, 1 where it is and 0 elsewhere: `height * width` of them, row-major, rows
+    /// from the top. Costs a step for every pixel of the image, also where the object is small.
     pub fn bitmap(&self) -> Vec<u8> {
         let (width, height) = (self.masks.width as i32, self.masks.height as i32);
         (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| u8::from(self.has(x, y))).collect()
     }
 
     /// As COCO has it: lengths of runs down the columns, from the left, of pixels
-    /// outside and inside in turn.
+    /// outside and inside in turn. Costs a step for every pixel of [`within`](Self::within), and takes four bytes for
+    /// each run.
     pub fn rle(&self) -> Rle {
         let within = self.entry.within;
         let (height, total) = (self.masks.height as u32, (self.masks.width * self.masks.height) as u32);
@@ -136,6 +163,14 @@ impl Mask<'_> {
 }
 
 /// A mask as run lengths, column by column.
+///
+/// ```
+/// use vc_render::Rle;
+/// // A square of two by two in the middle of four by four pixels.
+/// let square = Rle { size: [4, 4], counts: vec![5, 2, 2, 2, 5] };
+/// assert_eq!(square.area(), 4);
+/// assert_eq!(square.compressed(), "52203");
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
 pub struct Rle {
     /// Height and width of the image, pixels.
@@ -145,13 +180,13 @@ pub struct Rle {
 }
 
 impl Rle {
-    /// Number of pixels inside.
+    /// Number of pixels inside. Costs a step for each run.
     pub fn area(&self) -> u32 {
         self.counts.iter().skip(1).step_by(2).sum()
     }
 
     /// The counts in COCO's compressed text: differences to the count before last, five
-    /// bits to a character (pycocotools' `rleToString`).
+    /// bits to a character (pycocotools' `rleToString`). Linear in the runs, mostly one or two characters each.
     pub fn compressed(&self) -> String {
         let mut text = String::new();
         for (i, &count) in self.counts.iter().enumerate() {

@@ -25,7 +25,37 @@ pub const NO_LABEL: u16 = u16::MAX;
 /// What was asked for of one view. Buffers hold rows from the top, pixels from the
 /// left, `height * width` of them; those not asked for are empty.
 ///
-/// A frame that is rendered into again keeps its memory.
+/// A frame that is rendered into again keeps its memory. Bytes for each pixel: colours 3, depth and distance 4 each,
+/// nodes 4, parts and classes 2 each, normals and points 12 each, flow 8 for each direction, what is hidden 1 for each;
+/// masks a bit for each pixel of an object's box, its rows filled up to 64 bits. What rendering itself needs is kept too:
+/// 8 bytes for each pixel and more for colours, and with [`Shot::finer`](crate::Shot::finer) a larger frame of colours.
+///
+/// ```
+/// # use nalgebra::{Point3, Vector3};
+/// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// use vc_render::{Camera, Frame, Modality, NOTHING, Renderer, Shot};
+/// # let mut scene = SceneBuilder::new("flat");
+/// # let kitchen = scene.add(Draft::new("kitchen"))?;
+/// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+/// # let fridge = scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+/// # let scene = scene.build();
+/// # let mut renderer = Renderer::new();
+/// # let snapshot = renderer.snapshot(&scene)?;
+/// let wanted = Modality::Depth | Modality::Instance | Modality::Position;
+/// let mut frame = Frame::new();
+/// for step in [0.0, 0.5] {
+///     let eye = Point3::new(step, 0.0, 1.0);
+///     let camera = Camera::with_fov(64, 48, 1.0).looking(eye, Point3::new(2.0, 0.0, 1.0));
+///     renderer.render(&Shot::new(&snapshot, &camera, wanted), &mut frame)?;
+///     let middle = 24 * frame.width + 32;
+///     assert_eq!(frame.instance[middle], fridge);
+///     assert!((frame.depth[middle] - (1.7 - step)).abs() < 1e-4);
+///     assert!(frame.instance[0] == NOTHING && frame.depth[0].is_infinite());
+///     assert!(frame.points().all(|(_, point)| (point.x - 1.7).abs() < 1e-3));
+///     assert!(frame.rgb.is_empty()); // not asked for
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Default)]
 pub struct Frame {
     /// Pixels across.
@@ -53,7 +83,7 @@ pub struct Frame {
     /// Pixels right and down to where what is seen here is at the next moment; NaN where
     /// nothing is seen or it is then behind the camera.
     pub flow_forward: Vec<[f32; 2]>,
-    /// Pixels right and down to where what is seen here was at the moment before.
+    /// Pixels right and down to where what is seen here was at the moment before; NaN as above.
     pub flow_backward: Vec<[f32; 2]>,
     /// 1 where what is seen here cannot be seen at the next moment: hidden or out of the image; and where nothing
     /// is seen. What hides it by less than a thousandth of its depth, or between the centres of pixels, does not count.
@@ -109,7 +139,8 @@ impl Frame {
     }
 
     /// The points of all pixels where something is seen, metres, with their pixel's
-    /// position in the buffers; needs [`Modality::Position`].
+    /// position in the buffers; needs [`Modality::Position`], without which there are none. Costs a step for every
+    /// pixel, and no memory.
     pub fn points(&self) -> impl Iterator<Item = (usize, nalgebra::Point3<f32>)> + '_ {
         let seen = |(_, p): &(usize, &[f32; 3])| p[0].is_finite();
         self.position.iter().enumerate().filter(seen).map(|(i, p)| (i, (*p).into()))

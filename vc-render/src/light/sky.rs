@@ -30,7 +30,8 @@ pub struct Daylight {
 
 impl Daylight {
     /// A clear day with the sun at an elevation above the horizon and an azimuth
-    /// from X towards Y, radians. The lower the sun, the redder.
+    /// from X towards Y, radians. The lower the sun, the redder: by the air that its light passes (Kasten and Young's
+    /// formula, rounded).
     pub fn clear(elevation: f32, azimuth: f32) -> Self {
         let (rise, level) = elevation.sine_cosine();
         let (s, c) = azimuth.sine_cosine();

@@ -6,7 +6,46 @@ use vc_graph::NodeId;
 use super::lamp::LUMENS;
 use super::{Lighting, brightness};
 
-/// A source of light without extent, in photometric units.
+/// A source of light without extent, in photometric units, from [`Lighting::sources`].
+///
+/// ```
+/// # use std::sync::Arc;
+/// # use vc_graph::asset::{Material, Part, Shape};
+/// # use vc_graph::{Asset, AssetLibrary, Draft, Pose, SceneBuilder};
+/// use vc_render::{Daylight, Renderer, Source};
+/// # let mut scene = SceneBuilder::new("flat");
+/// # let kitchen = scene.add(Draft::new("kitchen"))?;
+/// # let material = Material {
+/// #     name: "warm_bulb".into(),
+/// #     colour: [0.9; 3],
+/// #     density: 500.0,
+/// #     friction: 0.5,
+/// #     restitution: 0.1,
+/// #     roughness: 0.5,
+/// #     metallic: 0.0,
+/// #     transmission: 0.0,
+/// #     emission: [30.0; 3],
+/// #     texture: None,
+/// # };
+/// # let mut library = AssetLibrary::default();
+/// # let material = library.add_material(material)?;
+/// # let shape = Shape::Sphere { radius: 0.12 };
+/// # let bulb = Part { name: "bulb".into(), shape, material, pose: Pose::identity(), joint: None };
+/// # let bulb = library.add(Asset { name: "lamp".into(), parts: vec![bulb], ..Asset::default() })?;
+/// # scene.assets(Arc::new(library));
+/// # let lamp = Draft { asset: Some(bulb), ..Draft::new("ceiling_lamp").at(Pose::translation(1.0, 0.0, 2.2)) };
+/// # let lamp = scene.add_in(kitchen, lamp)?;
+/// # let mut renderer = Renderer::new();
+/// let mut snapshot = renderer.snapshot(&scene.build())?;
+/// snapshot.switch(lamp, true)?;
+/// let lighting = renderer.light(&snapshot, &Daylight::night());
+/// for source in lighting.sources() {
+///     let Source::Lamp { node, candela, .. } = source else { continue };
+///     assert_eq!(node, lamp);
+///     assert!(candela > 100.0 && candela < 200.0); // about 2000 lumens, to all sides
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Source {
@@ -34,7 +73,7 @@ pub enum Source {
 
 impl Lighting {
     /// The sun and the lamps that are on, as points and directions. What the sky and glowing things
-    /// that are no lamps bring is not among them.
+    /// that are no lamps bring is not among them. Costs a few operations for each lamp that is on.
     pub fn sources(&self) -> Vec<Source> {
         let hue = |c: [f32; 3]| c.map(|v| v / c.iter().fold(1e-9_f32, |m, v| m.max(*v)));
         // Of a colour whose greatest part is one, what makes that light of it.

@@ -42,9 +42,24 @@ use spots::Spots;
 /// How a reference picture is made.
 ///
 /// ```
-/// use vc_render::Exposure;
-/// let quick = Exposure { samples: 4, ..Exposure::default() };
-/// assert!(quick.denoise);
+/// # use nalgebra::{Point3, Vector3};
+/// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// use vc_render::{Camera, Daylight, Exposure, Renderer};
+/// # let mut scene = SceneBuilder::new("flat");
+/// # let kitchen = scene.add(Draft::new("kitchen"))?;
+/// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+/// # let fridge = scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+/// # let scene = scene.build();
+/// # let mut renderer = Renderer::new();
+/// # let snapshot = renderer.snapshot(&scene)?;
+/// # let lighting = renderer.light(&snapshot, &Daylight::noon());
+/// # let camera = Camera::with_fov(16, 12, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
+/// let quick = Exposure { samples: 2, bounces: 3, ..Exposure::default() };
+/// let photograph = renderer.photograph(&lighting, &camera, &quick, |_| true)?;
+/// // Other noise in the same light.
+/// let other = renderer.photograph(&lighting, &camera, &Exposure { seed: 1, ..quick }, |_| true)?;
+/// assert_eq!(photograph.light.len(), other.light.len());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Exposure {
@@ -67,7 +82,30 @@ impl Default for Exposure {
     }
 }
 
-/// A picture by its light.
+/// A picture by its light, made by [`Renderer::photograph`].
+///
+/// ```
+/// # use nalgebra::{Point3, Vector3};
+/// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// use vc_render::{Camera, Daylight, Exposure, Renderer, picture};
+/// # let mut scene = SceneBuilder::new("flat");
+/// # let kitchen = scene.add(Draft::new("kitchen"))?;
+/// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+/// # let fridge = scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+/// # let scene = scene.build();
+/// # let mut renderer = Renderer::new();
+/// # let snapshot = renderer.snapshot(&scene)?;
+/// # let lighting = renderer.light(&snapshot, &Daylight::noon());
+/// # let camera = Camera::with_fov(16, 12, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
+/// let how = Exposure { samples: 2, ..Exposure::default() };
+/// let photograph = renderer.photograph(&lighting, &camera, &how, |_| true)?;
+/// // The sky in the corner, candela per square metre (Rec. 709).
+/// let [red, green, blue] = photograph.light[0];
+/// assert!(5000.0 * (0.2126 * red + 0.7152 * green + 0.0722 * blue) > 100.0);
+/// let file = picture::png(&photograph.picture())?;
+/// assert!(!file.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Photograph {
     /// Pixels across.
@@ -80,7 +118,30 @@ pub struct Photograph {
     exposure: [f32; 3],
 }
 
-/// A reference picture in the making.
+/// A reference picture in the making, which [`Renderer::photograph`] shows after each round.
+///
+/// ```
+/// # use nalgebra::{Point3, Vector3};
+/// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// use vc_render::{Camera, Daylight, Exposure, Renderer};
+/// # let mut scene = SceneBuilder::new("flat");
+/// # let kitchen = scene.add(Draft::new("kitchen"))?;
+/// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+/// # let fridge = scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+/// # let scene = scene.build();
+/// # let mut renderer = Renderer::new();
+/// # let snapshot = renderer.snapshot(&scene)?;
+/// # let lighting = renderer.light(&snapshot, &Daylight::noon());
+/// # let camera = Camera::with_fov(16, 12, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
+/// let how = Exposure { samples: 64, denoise: false, ..Exposure::default() };
+/// let mut sketch = None;
+/// let made = renderer.photograph(&lighting, &camera, &how, |so_far| {
+///     sketch = Some(so_far.photograph());
+///     so_far.rounds < 2 // that is enough
+/// })?;
+/// assert_eq!(sketch, Some(made));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Progress<'a> {
     /// Paths for each pixel so far.
     pub rounds: u32,
@@ -90,7 +151,7 @@ pub struct Progress<'a> {
 }
 
 impl Progress<'_> {
-    /// The picture so far, not smoothed. Costs some nanoseconds a pixel.
+    /// The picture so far, not smoothed. Linear in the pixels; a path costs far more.
     pub fn photograph(&self) -> Photograph {
         let light: Vec<[f32; 3]> = self.traced.iter().map(Traced::light).collect();
         let height = light.len() / self.width.max(1);
@@ -99,7 +160,8 @@ impl Progress<'_> {
 }
 
 impl Photograph {
-    /// The picture as film would have it.
+    /// The picture as film would have it: exposed for the rooms that are seen, and bright light compressed as fast
+    /// colours are (Naka and Rushton 1966). Costs three powers a pixel.
     pub fn picture(&self) -> Picture {
         let pixels = self.light.iter().map(|c| encoded(three(|i| film(c[i] * self.exposure[i])))).collect();
         Picture { width: self.width, height: self.height, pixels }
@@ -121,7 +183,14 @@ impl Renderer {
     ///
     /// `progress` hears after each round of one path for every pixel how many are done, may look at the picture
     /// so far, and may end it by returning false. The picture is the same for any number of
-    /// threads. Costs a microsecond or two for each path and surface met.
+    /// threads. Costs a microsecond or two for each path and surface met, and 108 bytes a pixel while paths are
+    /// followed. [`Exposure`], [`Photograph`] and [`Progress`] have examples.
+    ///
+    /// Light that is looked for on purpose and light that is met by chance are weighed against each other (multiple
+    /// importance sampling, Veach 1997), with Sobol's points shuffled for each pixel (Burley 2020). Surfaces are a
+    /// matt base under facets (Trowbridge and Reitz's, picked by Heitz 2018; shared as Ashikhmin and Shirley 2000
+    /// have it, what is lost between facets given back by Turquin 2019). Noise is smoothed by a wavelet that keeps
+    /// edges (Dammertz and others 2010), as far as each pixel is noisy (Schied and others 2017).
     ///
     /// # Errors
     /// [`RenderError::BadSize`], [`RenderError::BadCamera`], [`RenderError::OtherRenderer`],

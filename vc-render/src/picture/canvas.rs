@@ -1,6 +1,16 @@
 //! A picture in memory.
 
 /// Colours in sRGB, rows from the top.
+///
+/// ```
+/// use vc_render::picture::Picture;
+/// let mut flag = Picture::new(4, 2, [255; 3]);
+/// flag.paste(&Picture::new(2, 2, [200, 0, 0]), 2, 0);
+/// assert_eq!(flag.pixels[..4], [[255; 3], [255; 3], [200, 0, 0], [200, 0, 0]]);
+/// // Three side by side, a white line around each.
+/// let sheet = Picture::sheet(&[flag.clone(), flag.clone(), flag], 3, 1);
+/// assert_eq!((sheet.width, sheet.height), (3 * 5 + 1, 2 + 2));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Picture {
     /// Pixels across.
@@ -17,7 +27,8 @@ impl Picture {
         Self { width, height, pixels: vec![colour; width * height] }
     }
 
-    /// Puts another picture into it, its corner at a pixel; what is outside is left out.
+    /// Puts another picture into it, its upper left corner at a pixel; what is outside is left out. Costs a copy of
+    /// what is put in.
     pub fn paste(&mut self, other: &Self, x: usize, y: usize) {
         let width = other.width.min(self.width.saturating_sub(x));
         if width == 0 {
@@ -29,7 +40,8 @@ impl Picture {
         }
     }
 
-    /// Pictures of one size side by side, so many in a row, with a margin.
+    /// Pictures of one size side by side, so many in a row, in white margins of so many pixels. The first tells the
+    /// size: of larger ones parts are covered by the next or left out. Costs a copy of all pixels.
     pub fn sheet(pictures: &[Self], columns: usize, margin: usize) -> Self {
         let (columns, first) = (columns.max(1), pictures.first());
         let (width, height) = first.map_or((0, 0), |p| (p.width, p.height));
@@ -42,7 +54,8 @@ impl Picture {
     }
 
     /// So many times smaller along each side, a pixel the mean light of a square of them: with colours made larger, seams
-    /// and bars thinner than a pixel do not look dashed. What is left over at the right and below is left out.
+    /// and bars thinner than a pixel do not look dashed. What is left over at the right and below is left out. Linear
+    /// in the pixels of the larger one, on the threads there are.
     ///
     /// ```
     /// use vc_render::picture::Picture;

@@ -46,12 +46,23 @@ fn picture(frame: &Frame, pixels: Vec<[u8; 3]>) -> Picture {
     Picture { width: frame.width, height: frame.height, pixels }
 }
 
-/// The colours; black if the frame has none.
+/// The colours, copied; black if the frame has none.
 pub fn rgb(frame: &Frame) -> Picture {
     picture(frame, frame.rgb.clone())
 }
 
-/// Depth: near is bright and warm, `farthest` metres and beyond dark.
+/// Depth: red near by, over yellow, green and blue to nearly black at `farthest` metres and beyond, by Google's Turbo
+/// (Mikhailov 2019). Black if the frame has none.
+///
+/// ```
+/// use vc_render::{Frame, picture};
+/// let mut frame = Frame::new();
+/// (frame.width, frame.height) = (3, 1);
+/// frame.depth = vec![1.0, 7.0, f32::INFINITY];
+/// let [near, far, nothing] = picture::depth(&frame, 8.0).pixels[..] else { unreachable!() };
+/// assert!(near[0] > near[2] && far[2] > far[0]);
+/// assert!(nothing.iter().all(|part| *part < 40));
+/// ```
 pub fn depth(frame: &Frame, farthest: f32) -> Picture {
     let colour = |&d: &f32| turbo(1.0 - (d / farthest).min(1.0));
     picture(frame, frame.depth.iter().map(colour).collect())
@@ -71,7 +82,17 @@ fn turbo(x: f32) -> [u8; 3] {
     })
 }
 
-/// Nodes in the palette's colours, nothing in black.
+/// Nodes in the palette's colours, nothing in black; black if the frame has none.
+///
+/// ```
+/// use vc_graph::NodeId;
+/// use vc_render::picture::{self, Palette};
+/// use vc_render::{Frame, NOTHING};
+/// let mut frame = Frame::new();
+/// (frame.width, frame.height) = (2, 1);
+/// frame.instance = vec![NodeId(5), NOTHING];
+/// assert_eq!(picture::instances(&frame).pixels, [Palette.colour(5), [0; 3]]);
+/// ```
 pub fn instances(frame: &Frame) -> Picture {
     let colour = |n: &vc_graph::NodeId| if *n == NOTHING { [0; 3] } else { Palette.colour(n.0) };
     picture(frame, frame.instance.iter().map(colour).collect())
@@ -87,18 +108,44 @@ pub fn parts(frame: &Frame) -> Picture {
     picture(frame, frame.instance.iter().zip(&frame.part).map(colour).collect())
 }
 
-/// Classes in the palette's colours, nothing in black.
+/// Classes in the palette's colours, nothing in black; black if the frame has none.
+///
+/// ```
+/// use vc_render::picture::{self, Palette};
+/// use vc_render::{Frame, NO_LABEL};
+/// let mut frame = Frame::new();
+/// (frame.width, frame.height) = (2, 1);
+/// frame.class = vec![5, NO_LABEL];
+/// assert_eq!(picture::classes(&frame).pixels, [Palette.colour(5), [0; 3]]);
+/// ```
 pub fn classes(frame: &Frame) -> Picture {
     let colour = |c: &u16| if *c == NO_LABEL { [0; 3] } else { Palette.colour(u32::from(*c)) };
     picture(frame, frame.class.iter().map(colour).collect())
 }
 
-/// Normals: X, Y and Z as red, green and blue.
+/// Normals: X, Y and Z of the world as red, green and blue, from -1 to 1; grey where nothing is seen.
+///
+/// ```
+/// use vc_render::{Frame, picture};
+/// let mut frame = Frame::new();
+/// (frame.width, frame.height) = (2, 1);
+/// frame.normal = vec![[0.0, 0.0, 1.0], [0.0; 3]];
+/// assert_eq!(picture::normals(&frame).pixels, [[127, 127, 255], [127; 3]]);
+/// ```
 pub fn normals(frame: &Frame) -> Picture {
     picture(frame, frame.normal.iter().map(|n| n.map(|v| (127.5 + 127.5 * v) as u8)).collect())
 }
 
-/// Motion to the next moment: its direction as hue, its length up to `most` pixels as saturation.
+/// Motion to the next moment: its direction as hue (to the right is red), its length up to `most` pixels as saturation;
+/// white where nothing moves, black where nothing is seen.
+///
+/// ```
+/// use vc_render::{Frame, picture};
+/// let mut frame = Frame::new();
+/// (frame.width, frame.height) = (3, 1);
+/// frame.flow_forward = vec![[0.0, 0.0], [4.0, 0.0], [f32::NAN; 2]];
+/// assert_eq!(picture::flow(&frame, 4.0).pixels, [[255; 3], [255, 0, 0], [0; 3]]);
+/// ```
 pub fn flow(frame: &Frame, most: f32) -> Picture {
     let colour = |&[x, y]: &[f32; 2]| {
         if x.is_nan() {
@@ -110,7 +157,8 @@ pub fn flow(frame: &Frame, most: f32) -> Picture {
     picture(frame, frame.flow_forward.iter().map(colour).collect())
 }
 
-/// The visible masks over a grey picture of the frame.
+/// The visible masks in the colours of their nodes, mixed half and half with the frame's colours as grey. Linear in the
+/// pixels of the picture and of all boxes. The module's page has an example.
 pub fn masks(frame: &Frame) -> Picture {
     let mut all = picture(frame, frame.rgb.clone());
     for p in &mut all.pixels {
@@ -129,7 +177,7 @@ pub fn masks(frame: &Frame) -> Picture {
 }
 
 /// Boxes over a picture: visible ones as rectangles, oriented ones as edges in space,
-/// of what has at least `least` pixels.
+/// of what has at least `least` pixels. Linear in the pixels of their lines. The module's page has an example.
 pub fn with_boxes(mut picture: Picture, frame: &Frame, least: u32) -> Picture {
     for label in frame.boxes.iter().filter(|b| b.area >= least) {
         let colour = Palette.colour(label.node.0);

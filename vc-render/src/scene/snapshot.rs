@@ -19,6 +19,33 @@ use crate::surface::Coat;
 ///
 /// A snapshot is made by [`Renderer::snapshot`](crate::Renderer::snapshot) and is cheap to clone; a clone that is
 /// moved is the state before or after that optical flow needs. It knows no more of the graph.
+///
+/// ```
+/// # use nalgebra::{Point3, Vector3};
+/// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// use vc_render::{Camera, Frame, Modality, Renderer, Shot};
+/// # let mut scene = SceneBuilder::new("flat");
+/// # let kitchen = scene.add(Draft::new("kitchen"))?;
+/// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+/// # let fridge = scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+/// # let scene = scene.build();
+/// # let mut renderer = Renderer::new();
+/// # let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
+/// let snapshot = renderer.snapshot(&scene)?;
+/// assert_eq!(snapshot.nodes().collect::<Vec<_>>(), [fridge]);
+///
+/// let mut frame = Frame::new();
+/// renderer.render(&Shot::new(&snapshot, &camera, Modality::Class | Modality::Depth), &mut frame)?;
+/// let middle = 24 * 64 + 32;
+/// assert_eq!(snapshot.class(frame.class[middle]), scene.node(fridge).map(|node| node.class()));
+///
+/// // Moved in a copy: the graph and the first snapshot stay as they are.
+/// let mut moved = snapshot.clone();
+/// moved.place(fridge, &Pose::translation(2.5, 0.0, 0.0))?;
+/// renderer.render(&Shot::new(&moved, &camera, Modality::Depth), &mut frame)?;
+/// assert!((frame.depth[middle] - 2.2).abs() < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Snapshot {
     pub(crate) bodies: Vec<Body>,
@@ -106,7 +133,8 @@ impl Snapshot {
         own.len() == others.len() && own.iter().zip(others).all(|(a, b)| a.world == b.world)
     }
 
-    /// The name of a class number.
+    /// The name of a class number, as [`Frame::class`](crate::Frame::class) has them; none of a number that is no
+    /// class's.
     pub fn class(&self, number: u16) -> Option<&Arc<str>> {
         self.classes.get(usize::from(number))
     }
@@ -123,7 +151,7 @@ impl Snapshot {
         self.bodies.iter().filter(lamp).map(|b| b.node)
     }
 
-    /// Number of triangles at the finest level of detail.
+    /// Number of triangles at the finest level of detail, of all that is there to be seen. Costs a step for each mesh.
     pub fn triangles(&self) -> usize {
         let seen = self.instances.iter().filter(|i| i.is_there());
         seen.map(|i| i.link.levels[0].len()).sum()

@@ -12,6 +12,9 @@ use crate::scene::Snapshot;
 
 /// Finds what rays meet in a scene, by the finest meshes.
 ///
+/// A tree of boxes eight wide, cut by the surface area heuristic over bins (Wald 2007), whose boxes are tested at once
+/// (Wald, Benthin and Boulos 2008); triangles by Möller and Trumbore 1997.
+///
 /// ```
 /// use nalgebra::{Point3, Vector3};
 /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
