@@ -69,9 +69,9 @@ fn from_inside_of_things_is_seen_what_a_ray_caster_sees() {
     let caster = Caster::new(&graph, 0.0005);
     let mut renderer = Renderer::new().with_detail(0.0);
     let snapshot = renderer.snapshot(&graph).unwrap();
-    let ball = graph.node(graph.of_class("ball")[0]).unwrap().pose().unwrap().translation.vector;
+    let ball: [f32; 3] = graph.node(graph.of_class("ball")[0]).unwrap().pose().unwrap().translation.vector.into();
     // In a wall, in the floor, in the cabinet and its drawer, in a ball.
-    let eyes = [[3.05, 0.2, 1.0], [0.3, 0.1, -0.1], [2.0, 1.0, 0.25], [1.8, 1.0, 0.6], ball.into()];
+    let eyes = [[3.05, 0.2, 1.0], [0.3, 0.1, -0.1], [2.0, 1.0, 0.25], [1.8, 1.0, 0.6], ball];
     let (mut pixels, mut foreign, mut deep) = (0, 0, 0);
     for (eye, near) in eyes.into_iter().flat_map(|eye| [(eye, 0.01), (eye, 0.4)]) {
         let camera =
@@ -231,7 +231,7 @@ fn exposures_that_cannot_be_give_some_picture() {
 fn more_classes_than_there_are_numbers_do_not_go_by_each_others_names() {
     let mut stage = Stage::new();
     for i in 0..70_000 {
-        stage.builder.add(Draft::new(format!("thing_{i}"))).unwrap();
+        stage.builder.add(Draft::new(format!("qx{i}"))).unwrap();
     }
     // The last by name.
     let node = stage.one("zzz", block([0.3; 3]), Pose::translation(2.0, 0.0, 0.0), 0);
