@@ -9,7 +9,7 @@ const MANY: u32 = 100_000;
 
 #[test]
 fn a_hundred_thousand_numbers_in_a_row_have_as_many_colours_and_none_is_black() {
-    for first in [0, 12_345_678] {
+    for first in [0, u32::MAX - MANY] {
         let mut known = BTreeMap::new();
         for number in first..first + MANY {
             let colour = Palette.colour(number);
@@ -19,10 +19,6 @@ fn a_hundred_thousand_numbers_in_a_row_have_as_many_colours_and_none_is_black() 
                 panic!("{number} has the colour of {other}: {colour:?}");
             }
         }
-    }
-    // The last ones have a colour too, and it is theirs always.
-    for number in [u32::MAX - 1, u32::MAX] {
-        assert_eq!(Palette.colour(number), Palette.colour(number));
     }
 }
 

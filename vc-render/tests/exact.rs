@@ -61,9 +61,9 @@ fn inside(caster: &Caster, camera: &Camera, (x, y): (f64, f64)) -> Option<Hit> {
     const STEP: f64 = 1.0 / 64.0;
     let own = caster.cast(camera, x, y)?;
     let same = |(dx, dy): (f64, f64)| {
-        caster.cast(camera, x + dx, y + dy).is_some_and(|hit| {
-            (hit.node, hit.part) == (own.node, own.part) && hit.normal.dot(&own.normal) > 1.0 - 1e-9
-        })
+        caster
+            .cast(camera, x + dx, y + dy)
+            .is_some_and(|hit| (hit.node, hit.part) == (own.node, own.part) && hit.normal.dot(&own.normal) > 1.0 - 1e-9)
     };
     [(STEP, 0.0), (-STEP, 0.0), (0.0, STEP), (0.0, -STEP)].into_iter().all(same).then_some(own)
 }

@@ -33,8 +33,7 @@ fn seen(mirror: bool, eye: [f32; 3], target: [f32; 3]) -> Vec<[f32; 3]> {
     let none = Vector3::zeros();
     let dark = Daylight { zenith: none, horizon: none, ground: none, ..Daylight::night() };
     let lighting = renderer.light(&snapshot, &dark);
-    let camera =
-        Camera::with_fov(SIZE.0 as u32, SIZE.1 as u32, 0.5).looking(Point3::from(eye), Point3::from(target));
+    let camera = Camera::with_fov(SIZE.0 as u32, SIZE.1 as u32, 0.5).looking(Point3::from(eye), Point3::from(target));
     let how = Exposure { samples: 4, denoise: false, brightest: f32::INFINITY, ..Exposure::default() };
     renderer.photograph(&lighting, &camera, &how, |_| true).unwrap().light
 }
@@ -43,7 +42,9 @@ fn seen(mirror: bool, eye: [f32; 3], target: [f32; 3]) -> Vec<[f32; 3]> {
 fn even(light: &[[f32; 3]], x: usize, y: usize) -> Option<[f32; 3]> {
     let own = light[y * SIZE.0 + x];
     let alike = |at: [f32; 3]| (0..3).all(|c| (at[c] - own[c]).abs() <= 1e-3 * own[c]);
-    (y - 1..y + 2).flat_map(|y| (x - 1..x + 2).map(move |x| (x, y))).all(|(x, y)| alike(light[y * SIZE.0 + x]))
+    (y - 1..y + 2)
+        .flat_map(|y| (x - 1..x + 2).map(move |x| (x, y)))
+        .all(|(x, y)| alike(light[y * SIZE.0 + x]))
         .then_some(own)
 }
 

@@ -7,9 +7,7 @@ mod common;
 
 use common::{cameras, contents, crowded, lamplit};
 use vc_graph::Pose;
-use vc_render::{
-    Camera, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot, View,
-};
+use vc_render::{Camera, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot, View};
 
 /// A room with its lamp on, and another moment of it.
 struct Moments {

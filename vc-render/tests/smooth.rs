@@ -33,8 +33,8 @@ fn edges_have_colours_by_how_much_of_a_pixel_they_cover_and_labels_have_one() {
     let mut renderer = Renderer::new();
     let snapshot = renderer.snapshot(&graph).unwrap();
     let lighting = renderer.light(&snapshot, &Daylight::overcast());
-    let camera = Camera::with_fov(SIZE.0 as u32, SIZE.1 as u32, 0.8)
-        .looking(Point3::origin(), Point3::new(1.0, 0.0, 0.0));
+    let camera =
+        Camera::with_fov(SIZE.0 as u32, SIZE.1 as u32, 0.8).looking(Point3::origin(), Point3::new(1.0, 0.0, 0.0));
     let large = camera.resized((FINER * SIZE.0) as u32, (FINER * SIZE.1) as u32);
     let rendered = |camera: &Camera| {
         let mut frame = Frame::new();
@@ -55,14 +55,15 @@ fn edges_have_colours_by_how_much_of_a_pixel_they_cover_and_labels_have_one() {
     assert!(range > 100.0, "{dark} and {light}");
     let (mut crossed, mut half, mut between) = (0, 0, 0);
     // Against the fine picture: colours there are, and colours that were not smoothed.
-    let (mut off, mut hard, mut worst) = (0.0, 0.0, 0.0_f32);
+    let (mut off, mut hard, mut worst) = (0.0_f32, 0.0_f32, 0.0_f32);
     for i in 0..SIZE.0 * SIZE.1 {
         let (share, colour, truth) = (cover(i), f32::from(own.rgb[i][1]), f32::from(wanted.pixels[i][1]));
         if share > 0.0 && share < 1.0 {
             crossed += 1;
             off += (colour - truth).abs();
             worst = worst.max((colour - truth).abs());
-            hard += (if own.instance[i] == bright { light } else { dark } - truth).abs();
+            let unmixed = if own.instance[i] == bright { light } else { dark };
+            hard += (unmixed - truth).abs();
         }
         if (0.2..0.8).contains(&share) {
             half += 1;

@@ -57,7 +57,7 @@ fn more_light_is_never_darker_in_fast_pictures() {
     let mut stage = Stage::new();
     let places: Vec<Point3<f32>> =
         (0..24).map(|i| Point3::new(0.0, 0.35 - 0.1 * (i % 8) as f32, 0.1 - 0.1 * (i / 8) as f32)).collect();
-    let mut emission = 0.02;
+    let mut emission = 0.02_f32;
     for at in &places {
         let glow = Material { emission: [emission; 3], roughness: 1.0, ..material("plain", [0.0; 3]) };
         let glow = stage.library.add_material(glow).unwrap();
