@@ -127,6 +127,20 @@ fn coarser_meshes_are_drawn_far_away_and_the_finest_close_up() {
     assert!(errors[0] == 0.0 && errors.is_sorted() && errors[3] > 2.0 * errors[1], "{errors:?}");
 }
 
+#[test]
+fn a_detail_that_cannot_be_draws_the_finest_mesh() {
+    let graph = row(|shape| shape).0;
+    let fine = seen(&graph, &ahead(), Some(0.0));
+    for detail in [f32::NAN, -1.0, f32::NEG_INFINITY] {
+        let own = seen(&graph, &ahead(), Some(detail));
+        assert!(own.instance == fine.instance && own.depth == fine.depth && own.normal == fine.normal, "{detail}");
+    }
+    // Where all is allowed the coarsest is drawn, which is something still.
+    let coarse = seen(&graph, &ahead(), Some(f32::INFINITY));
+    let count = |frame: &Frame| frame.instance.iter().filter(|n| **n != NOTHING).count();
+    assert!(coarse.depth != fine.depth && 10 * count(&coarse) > 8 * count(&fine));
+}
+
 /// Balls and cups in a row, each of an asset of its own or all of two; and a floor, for their shadows.
 fn twins(count: usize, shared: bool) -> SceneGraph {
     let mut stage = Stage::new();

@@ -4,9 +4,9 @@
 
 mod common;
 
-use common::{cameras, furnished};
+use common::{Stage, cameras, furnished};
 use vc_render::format::{Coco, exr, npy};
-use vc_render::{Frame, Modalities, Modality, Renderer, Rle, Shot, Snapshot};
+use vc_render::{Camera, Frame, Modalities, Modality, RenderError, Renderer, Rle, Shot, Snapshot};
 
 fn rendered(wanted: impl Into<Modalities>) -> (Snapshot, Frame) {
     let mut renderer = Renderer::new();
@@ -103,6 +103,30 @@ fn coco_documents_are_read_back() {
     }
     let (_, bare) = rendered(Modality::Masks);
     assert!(Coco::default().add("a.png", &bare).is_err());
+}
+
+#[test]
+fn frames_without_boxes_or_masks_are_refused_and_empty_pictures_are_not() {
+    let mut coco = Coco::default();
+    let both = Modality::Boxes | Modality::Masks;
+    for wanted in [Modality::Depth.into(), Modality::Boxes.into(), Modality::Masks.into(), Modalities::NONE] {
+        let (_, frame) = rendered(wanted);
+        let refused = coco.add("a.png", &frame);
+        assert!(matches!(refused, Err(RenderError::Missing { wanted: "COCO", .. })), "{wanted:?}: {refused:?}");
+        assert_eq!(coco.pictures(), 0, "{wanted:?}");
+    }
+    assert!(coco.add("a.png", &Frame::new()).is_err(), "a frame that was never rendered into");
+    // A picture in which nothing is seen is one nevertheless.
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&Stage::new().build()).unwrap();
+    let mut frame = Frame::new();
+    renderer.render(&Shot::new(&snapshot, &Camera::with_fov(9, 7, 1.0), both), &mut frame).unwrap();
+    coco.add("b.png", &frame).unwrap();
+    assert_eq!(coco.pictures(), 1);
+    let document: serde_json::Value = serde_json::from_str(&coco.document(&snapshot).unwrap()).unwrap();
+    assert_eq!(document["images"].as_array().map(Vec::len), Some(1));
+    assert_eq!((&document["images"][0]["file_name"], &document["images"][0]["id"]), (&"b.png".into(), &1.into()));
+    assert_eq!(document["annotations"].as_array().map(Vec::len), Some(0));
 }
 
 /// What numpy's page on the format says: magic, version, length of the header, header, numbers.

@@ -4,7 +4,8 @@
 
 mod common;
 
-use common::{Stage, block, furnished, material, pose};
+use common::caster::Caster;
+use common::{Stage, block, furnished, lamplit, material, pose};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Material, Shape};
 use vc_graph::{Draft, Pose, SceneBuilder};
@@ -60,6 +61,39 @@ fn cameras_inside_things_and_upon_them_see_something_right() {
         let frame = rendered(&renderer, &snapshot, &camera);
         assert!(frame.depth.iter().all(|d| *d >= near * 0.999), "nothing is nearer than the near plane");
     }
+}
+
+#[test]
+fn from_inside_of_things_is_seen_what_a_ray_caster_sees() {
+    let graph = furnished();
+    let caster = Caster::new(&graph, 0.0005);
+    let mut renderer = Renderer::new().with_detail(0.0);
+    let snapshot = renderer.snapshot(&graph).unwrap();
+    let ball: [f32; 3] = graph.node(graph.of_class("ball")[0]).unwrap().pose().unwrap().translation.vector.into();
+    // In a wall, in the floor, in the cabinet and its drawer, in a ball.
+    let eyes = [[3.05, 0.2, 1.0], [0.3, 0.1, -0.1], [2.0, 1.0, 0.25], [1.8, 1.0, 0.6], ball];
+    let (mut pixels, mut foreign, mut deep) = (0, 0, 0);
+    for (eye, near) in eyes.into_iter().flat_map(|eye| [(eye, 0.01), (eye, 0.4)]) {
+        let camera =
+            Camera { near, ..Camera::with_fov(64, 48, 1.2) }.looking(Point3::from(eye), Point3::new(0.1, -0.2, 1.3));
+        let mut frame = Frame::new();
+        let wanted = Modality::Instance | Modality::Depth;
+        renderer.render(&Shot::new(&snapshot, &camera, wanted), &mut frame).unwrap();
+        for (i, node) in frame.instance.iter().enumerate() {
+            let hit = caster.cast(&camera, (i % 64) as f64 + 0.5, (i / 64) as f64 + 0.5);
+            pixels += 1;
+            if hit.map_or(NOTHING, |h| h.node) != *node {
+                foreign += 1;
+            } else if let Some(hit) = hit {
+                deep += usize::from((f64::from(frame.depth[i]) / hit.depth - 1.0).abs() > 1e-4);
+            }
+        }
+        let seen = frame.instance.iter().filter(|n| **n != NOTHING).count();
+        assert!(seen > 2000, "{seen} pixels show something from {eye:?}");
+    }
+    eprintln!("{pixels} pixels: {foreign} other ids, {deep} other depths");
+    // At edges, as vertices snap to parts of a pixel.
+    assert!(foreign * 1000 < pixels && deep * 1000 < pixels, "{foreign} ids and {deep} depths of {pixels} differ");
 }
 
 #[test]
@@ -140,6 +174,99 @@ fn glass_with_glass_in_it_ends() {
     let snapshot = renderer.snapshot(&stage.build()).unwrap();
     let camera = Camera::with_fov(16, 12, 1.0).looking(Point3::new(-2.0, 0.3, 0.2), Point3::origin());
     rendered(&renderer, &snapshot, &camera);
+}
+
+#[test]
+fn cameras_that_are_nowhere_are_refused_when_they_look() {
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&furnished()).unwrap();
+    let (good, at) = (Camera::with_fov(16, 12, 1.0), Point3::new(0.0, 0.0, 1.0));
+    let mut cameras = vec![Camera::with_fov(16, 12, 0.0), Camera::with_fov(16, 12, -1.0)];
+    for value in [f32::NAN, f32::INFINITY] {
+        let off = Point3::new(0.0, value, 1.0);
+        cameras.extend(good.around(off, 1.0, 0.3, 2));
+        cameras.extend(good.around(at, value, 0.3, 2));
+        cameras.extend(good.around(at, 1.0, value, 2));
+        cameras.extend([good.overhead(off, 2.0), good.overhead(at, value)]);
+        cameras.extend([good.looking(off, at), good.mounted(&Pose::translation(value, 0.0, 0.0))]);
+        cameras.push(Camera::with_fov(16, 12, value));
+    }
+    // One that cannot be told where to look.
+    cameras.push(good.looking(at, Point3::new(f32::NAN, 0.0, 0.0)));
+    let mut frame = Frame::new();
+    for (number, camera) in cameras.iter().enumerate() {
+        let refused = renderer.render(&Shot::new(&snapshot, camera, Modality::Depth), &mut frame);
+        assert!(matches!(refused, Err(RenderError::BadCamera(_))), "camera {number}: {refused:?}");
+    }
+    assert!(frame.depth.is_empty());
+    renderer.render(&Shot::new(&snapshot, &good.overhead(at, 2.0), Modality::Depth), &mut frame).unwrap();
+}
+
+#[test]
+fn exposures_that_cannot_be_give_some_picture() {
+    let mut renderer = Renderer::new();
+    let mut snapshot = renderer.snapshot(&lamplit()).unwrap();
+    snapshot.nodes().collect::<Vec<_>>().into_iter().for_each(|n| snapshot.switch(n, true).unwrap());
+    let lighting = renderer.light(&snapshot, &Daylight::noon());
+    let camera = common::cameras(16, 12)[0];
+    let numbers =
+        [(0, 0, f32::NAN), (0, 12, 0.0), (1, 0, 20.0), (1, 12, f32::NAN), (1, u32::MAX, f32::INFINITY), (2, 3, -1.0)];
+    for ((samples, bounces, brightest), denoise) in numbers.into_iter().flat_map(|n| [(n, false), (n, true)]) {
+        let how = Exposure { samples, bounces, brightest, seed: u32::MAX, denoise };
+        let mut rounds = 0;
+        let photograph = renderer.photograph(&lighting, &camera, &how, |made| {
+            rounds = made.rounds;
+            true
+        });
+        let light = photograph.unwrap().light;
+        // No path at all would be no picture.
+        assert_eq!(rounds, samples.max(1), "{how:?}");
+        assert_eq!(light.len(), 16 * 12);
+        assert!(light.iter().flatten().all(|v| v.is_finite()), "{how:?}");
+        assert!(brightest < 0.0 || light.iter().flatten().all(|v| *v >= 0.0), "{how:?}");
+    }
+}
+
+#[test]
+fn more_classes_than_there_are_numbers_do_not_go_by_each_others_names() {
+    let mut stage = Stage::new();
+    for i in 0..70_000 {
+        stage.builder.add(Draft::new(format!("qx{i}"))).unwrap();
+    }
+    // The last by name.
+    let node = stage.one("zzz", block([0.3; 3]), Pose::translation(2.0, 0.0, 0.0), 0);
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let camera = Camera::with_fov(8, 8, 0.5);
+    let mut frame = Frame::new();
+    let wanted = Modality::Instance | Modality::Class | Modality::Boxes;
+    renderer.render(&Shot::new(&snapshot, &camera, wanted), &mut frame).unwrap();
+    assert_eq!((frame.instance[4 * 8 + 4], frame.boxes.len()), (node, 1));
+    // None is better than that of another.
+    for number in [frame.class[4 * 8 + 4], frame.boxes[0].class] {
+        let name = snapshot.class(number).map(|name| &**name);
+        assert!(name.is_none_or(|name| name == "zzz"), "{name:?}");
+    }
+}
+
+#[test]
+fn sheets_of_pictures_of_any_size_have_their_corners_where_they_belong() {
+    use vc_render::picture::Picture;
+    let sizes = [(4, 3), (9, 1), (1, 7), (0, 0), (2, 2), (4, 3)];
+    let pictures: Vec<Picture> =
+        sizes.iter().zip(1..).map(|((width, height), i)| Picture::new(*width, *height, [10 * i; 3])).collect();
+    for (columns, margin) in [0, 1, 2, 7].into_iter().flat_map(|columns| [(columns, 0), (columns, 3)]) {
+        let sheet = Picture::sheet(&pictures, columns, margin);
+        assert_eq!(sheet.pixels.len(), sheet.width * sheet.height);
+        let columns = columns.max(1);
+        for (i, picture) in pictures.iter().enumerate().filter(|(_, p)| !p.pixels.is_empty()) {
+            let (x, y) = (margin + i % columns * (4 + margin), margin + i / columns * (3 + margin));
+            assert_eq!(sheet.pixels[y * sheet.width + x], picture.pixels[0], "picture {i}, {columns} columns");
+        }
+    }
+    assert!(Picture::sheet(&[], 3, 0).pixels.is_empty());
+    let lone = Picture::sheet(&pictures[..1], 1, 0);
+    assert!(lone == pictures[0]);
 }
 
 #[test]

@@ -153,3 +153,29 @@ fn poses_that_cannot_be_are_refused_and_change_nothing() {
     let again = renderer.snapshot_with(&scene, |_, _| Some(f32::NAN)).unwrap();
     assert!(picture(&renderer, &again) == before);
 }
+
+#[test]
+fn scenes_with_things_that_are_nowhere_are_refused() {
+    let scene = |x: f32, scale: f32| {
+        let mut stage = Stage::new();
+        let asset = stage.asset(vec![common::part("box", block([0.1; 3]), [0.0; 3], 0)]);
+        let mut draft = Draft::new("box").at(Pose::translation(x, 0.0, 0.0));
+        (draft.asset, draft.scale) = (Some(asset), Some(Vector3::new(1.0, scale, 1.0)));
+        let node = stage.builder.add_in(stage.room, draft).unwrap();
+        (stage.build(), node)
+    };
+    let mut renderer = Renderer::new();
+    for (x, scale) in [(1e30, 1.0), (-1e30, 1.0), (2.0, f32::NAN), (2.0, f32::INFINITY), (2.0, 1e30)] {
+        let (graph, node) = scene(x, scale);
+        let refused = renderer.snapshot(&graph).map(|_| ());
+        assert_eq!(refused, Err(RenderError::BadPose(node)), "at {x}, scaled by {scale}");
+    }
+    // What is flat is not seen; the renderer is as good as before.
+    let camera = vc_render::Camera::with_fov(32, 24, 1.0);
+    let mut frame = Frame::new();
+    for (scale, seen) in [(0.0, false), (1.0, true)] {
+        let snapshot = renderer.snapshot(&scene(2.0, scale).0).unwrap();
+        renderer.render(&Shot::new(&snapshot, &camera, Modality::Depth), &mut frame).unwrap();
+        assert_eq!(frame.depth.iter().any(|d| d.is_finite()), seen, "scaled by {scale}");
+    }
+}

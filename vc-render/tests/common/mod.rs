@@ -8,7 +8,7 @@ use std::sync::Arc;
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Joint, JointKind, Material, Part, Shape};
 use vc_graph::{Asset, AssetId, AssetLibrary, Draft, NodeId, Pose, SceneBuilder, SceneGraph, Seed, State};
-use vc_render::Camera;
+use vc_render::{BoxLabel, Camera, Frame, Mask, Modality};
 
 /// A scene under construction.
 pub struct Stage {
@@ -163,4 +163,43 @@ pub fn cameras(width: u32, height: u32) -> Vec<Camera> {
     ];
     let camera = Camera::with_fov(width, height, 1.1);
     views.iter().map(|(eye, target)| camera.looking(Point3::from(*eye), Point3::from(*target))).collect()
+}
+
+/// What a frame has of a modality as whole numbers, which differ where it does; none where it has nothing.
+pub fn contents(frame: &Frame, of: Modality) -> Vec<u32> {
+    match of {
+        Modality::Rgb => frame.rgb.as_flattened().iter().map(|v| u32::from(*v)).collect(),
+        Modality::Depth => bits(&frame.depth),
+        Modality::Distance => bits(&frame.distance),
+        Modality::Instance => frame.instance.iter().map(|n| n.0).collect(),
+        Modality::Part => frame.part.iter().map(|v| u32::from(*v)).collect(),
+        Modality::Class => frame.class.iter().map(|v| u32::from(*v)).collect(),
+        Modality::Normal => bits(frame.normal.as_flattened()),
+        Modality::Position => bits(frame.position.as_flattened()),
+        Modality::FlowForward => bits(frame.flow_forward.as_flattened()),
+        Modality::FlowBackward => bits(frame.flow_backward.as_flattened()),
+        Modality::Occlusion => {
+            frame.occluded_forward.iter().chain(&frame.occluded_backward).map(|v| u32::from(*v)).collect()
+        }
+        // The visible fraction comes with amodal masks.
+        Modality::Boxes => {
+            let text = |b: &BoxLabel| format!("{:?}", BoxLabel { visible_fraction: None, ..b.clone() }).into_bytes();
+            frame.boxes.iter().flat_map(text).map(u32::from).collect()
+        }
+        Modality::Masks => frame.masks().flat_map(|mask| pixels(&mask)).collect(),
+        Modality::Amodal => {
+            let fractions = frame.boxes.iter().filter_map(|b| b.visible_fraction).map(f32::to_bits);
+            fractions.chain(frame.amodal_masks().flat_map(|mask| pixels(&mask))).collect()
+        }
+        other => panic!("{other:?} is new: say here where it is"),
+    }
+}
+
+fn bits(list: &[f32]) -> Vec<u32> {
+    list.iter().map(|v| v.to_bits()).collect()
+}
+
+/// The node of a mask, and which pixels of the image are in it.
+fn pixels(mask: &Mask<'_>) -> Vec<u32> {
+    std::iter::once(mask.node().0).chain(mask.bitmap().into_iter().map(u32::from)).collect()
 }

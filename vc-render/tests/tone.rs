@@ -1,0 +1,83 @@
+//! More light is never darker, in reference pictures and in fast ones.
+
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::{Stage, block, material};
+use nalgebra::{Point3, Vector3};
+use vc_graph::Pose;
+use vc_graph::asset::Material;
+use vc_render::{Camera, Daylight, Exposure, Frame, Modality, Photograph, Renderer, Shot};
+
+fn even() -> Daylight {
+    let one = Vector3::repeat(1.0);
+    Daylight { sun: Vector3::zeros(), zenith: one, horizon: one, ground: one, ..Daylight::noon() }
+}
+
+/// A photograph of nothing much, for its exposure.
+fn photograph() -> Photograph {
+    let mut stage = Stage::new();
+    stage.one("box", block([0.5; 3]), Pose::translation(2.0, 0.0, 0.0), 1);
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let lighting = renderer.light(&snapshot, &even());
+    let how = Exposure { samples: 1, ..Exposure::default() };
+    renderer.photograph(&lighting, &Camera::with_fov(8, 6, 1.0), &how, |_| true).unwrap()
+}
+
+#[test]
+fn more_light_is_never_darker_on_film() {
+    let mut made = photograph();
+    // From a millionth up, a hundredth more each time.
+    let steps = std::iter::successors(Some(1e-6_f32), |v| Some(1.01 * v)).take(4000);
+    made.light = steps.map(|v| [v, 0.5 * v, 3.0 * v]).collect();
+    (made.width, made.height) = (4000, 1);
+    let picture = made.picture();
+    for (i, pair) in picture.pixels.windows(2).enumerate() {
+        assert!((0..3).all(|c| pair[0][c] <= pair[1][c]), "step {i}: {:?} and then {:?}", pair[0], pair[1]);
+    }
+    assert_eq!((picture.pixels[0], picture.pixels[3999]), ([0; 3], [255; 3]));
+    // In small steps: nearly all bytes are there.
+    let bytes: std::collections::BTreeSet<u8> = picture.pixels.iter().map(|p| p[0]).collect();
+    assert!(bytes.len() > 200, "{} bytes of 256", bytes.len());
+}
+
+#[test]
+fn light_that_cannot_be_has_a_colour() {
+    let mut made = photograph();
+    made.light = vec![[f32::NAN; 3], [-1.0; 3], [f32::NEG_INFINITY; 3], [0.0; 3], [f32::MAX; 3], [f32::INFINITY; 3]];
+    (made.width, made.height) = (6, 1);
+    assert_eq!(made.picture().pixels, [[0; 3], [0; 3], [0; 3], [0; 3], [255; 3], [255; 3]]);
+}
+
+#[test]
+fn more_light_is_never_darker_in_fast_pictures() {
+    // Patches side by side that glow, each four fifths brighter than the one before it.
+    let mut stage = Stage::new();
+    let places: Vec<Point3<f32>> =
+        (0..24).map(|i| Point3::new(0.0, 0.35 - 0.1 * (i % 8) as f32, 0.1 - 0.1 * (i / 8) as f32)).collect();
+    let mut emission = 0.02_f32;
+    for at in &places {
+        let glow = Material { emission: [emission; 3], roughness: 1.0, ..material("plain", [0.0; 3]) };
+        let glow = stage.library.add_material(glow).unwrap();
+        stage.one("tv", block([0.01, 0.048, 0.048]), Pose::translation(at.x, at.y, at.z), glow);
+        emission *= 1.8;
+    }
+    let mut renderer = Renderer::new();
+    let mut snapshot = renderer.snapshot(&stage.build()).unwrap();
+    snapshot.nodes().collect::<Vec<_>>().into_iter().for_each(|n| snapshot.switch(n, true).unwrap());
+    let lighting = renderer.light(&snapshot, &even());
+    let camera = Camera::with_fov(80, 40, 0.42).looking(Point3::new(-1.0, 0.0, 0.0), Point3::origin());
+    let mut frame = Frame::new();
+    renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame).unwrap();
+    let shown: Vec<u8> = places
+        .iter()
+        .map(|at| {
+            let seen = camera.project(at).unwrap();
+            frame.rgb[seen.y as usize * 80 + seen.x as usize][1]
+        })
+        .collect();
+    assert!(shown.is_sorted(), "{shown:?}");
+    assert!(shown[23] - shown[0] > 150, "{shown:?}");
+}
