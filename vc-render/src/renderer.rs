@@ -32,7 +32,7 @@ impl Default for Renderer {
 }
 
 /// What stands for pixels, of nodes and their bodies.
-const RUNS: [Modality; 7] = [
+const RUNS: [Modality; 8] = [
     Modality::Instance,
     Modality::Class,
     Modality::FlowForward,
@@ -40,6 +40,7 @@ const RUNS: [Modality; 7] = [
     Modality::Occlusion,
     Modality::Boxes,
     Modality::Masks,
+    Modality::Amodal,
 ];
 
 impl Renderer {
