@@ -1,7 +1,8 @@
 //! Where the edges of things cross pixels, so that colours may be smoothed there.
 //!
 //! The nearer triangle of two neighbouring pixels tells how far it reaches between their
-//! centres, or else the other one (after Persson's geometry buffer anti-aliasing, 2011).
+//! centres, or else the other one (after Persson's geometry buffer anti-aliasing, 2011). Steep edges
+//! are looked for between neighbours of a row and flat ones between rows, so that none is met twice.
 
 use super::smooth::Edge;
 use super::surfel::{Known, Writer};
@@ -147,22 +148,33 @@ impl Find<'_> {
             let step = if forward { 1.0 } else { -1.0 };
             let reach = if triangle == NONE { None } else { self.reach(triangle, from, (axis, step), known) };
             // Its owner ends within its own pixel.
-            reach.map(|reach| (0.5 - reach) * step)
+            reach.map(|(reach, across)| if across { (0.5 - reach) * step } else { 0.0 })
         };
         let forward = first.1 >= second.1;
         tells(forward).or_else(|| tells(!forward)).unwrap_or(0.0)
     }
 
-    /// How far a triangle reaches from a point in it along an axis, up to one pixel.
+    /// How far a triangle reaches from a point in it along an axis, up to one pixel, and whether its edge there lies
+    /// rather across the axis than along it.
     #[inline(always)]
-    fn reach(&self, triangle: u32, from: [f32; 2], (axis, step): (usize, f32), known: &mut Known) -> Option<f32> {
-        let mut best: Option<f32> = None;
+    fn reach(
+        &self,
+        triangle: u32,
+        from: [f32; 2],
+        (axis, step): (usize, f32),
+        known: &mut Known,
+    ) -> Option<(f32, bool)> {
+        let mut best: Option<(f32, bool)> = None;
         for line in known.lines(triangle, self.writer) {
             let here = (line[0] * from[0] + line[1] * from[1] + line[2]).max(0.0);
             let change = line[axis] * step;
             if here + change < 0.0 {
-                let at = here / -change;
-                best = Some(best.map_or(at, |b: f32| b.min(at)));
+                let (at, beside) = (here / -change, line[1 - axis]);
+                // Of edges at equal angles to both axes, those between neighbours of a row.
+                let across = if axis == 0 { change.abs() >= beside.abs() } else { change.abs() > beside.abs() };
+                if best.is_none_or(|best| at < best.0) {
+                    best = Some((at, across));
+                }
             }
         }
         best
