@@ -147,7 +147,7 @@ impl Lighting {
     pub(super) fn seen(&self, renderer: &Renderer, met: &Met<'_>, room: usize) -> Seen {
         let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
         let body = &self.tracer.snapshot.bodies[met.instance.body as usize];
-        let colour = surface.mean();
+        let colour = surface.thrown(&met.instance.coat);
         let lamp = self.lamps.iter().any(|l| l.body == met.instance.body && usize::from(l.room) == room);
         let glow = || {
             let (glow, shine) = (self.glow(surface, met.instance.body), met.shine(surface, FAR));

@@ -39,6 +39,8 @@ use lights::Lights;
 use path::Paths;
 use spots::Spots;
 
+pub(crate) use scatter::Finish;
+
 /// How a reference picture is made.
 ///
 /// ```

@@ -32,6 +32,8 @@ pub(crate) struct Tile {
     texels: usize,
     /// Texels to a metre.
     density: f32,
+    /// What it says from afar. Coarser copies are rounded again and again.
+    mean: Touch,
 }
 
 /// Pixels whose texture is found at once.
@@ -85,12 +87,18 @@ impl Tile {
             let (lu, lv) = (lean(height(x - 1, y), height(x + 1, y)), lean(height(x, y - 1), height(x, y + 1)));
             ([r, g, b, roughness], [lu, lv, 0, 0])
         };
-        let (colours, leans) = (0..texels * texels).map(texel).unzip();
+        let (colours, leans): (Vec<Texel>, Vec<Texel>) = (0..texels * texels).map(texel).unzip();
+        let mean = touch(&average(&colours));
         let levels = coarser(colours).into_iter().zip(coarser(leans)).map(|(colours, leans)| {
             let leans = seen(&leans).then(|| closed(&leans));
             Level { even: even(&colours), colours: closed(&colours), leans }
         });
-        Self { levels: levels.collect(), texels, density: texels as f32 / pattern.side() }
+        Self { levels: levels.collect(), texels, density: texels as f32 / pattern.side(), mean }
+    }
+
+    /// What it says on average.
+    pub(crate) fn mean(&self) -> &Touch {
+        &self.mean
     }
 
     /// The coarser copy to use where a pixel is so many metres wide.
@@ -193,12 +201,22 @@ fn seen(leans: &[Texel]) -> bool {
 /// The mean of colours that differ from it by less than is seen: by three quarters of a hundredth on average, about half
 /// a step of a picture's bytes.
 fn even(texels: &[Texel]) -> Option<Touch> {
-    let count = texels.len() as f32;
-    let mean: [f32; 4] = std::array::from_fn(|k| texels.iter().map(|t| f32::from(t[k])).sum::<f32>() / count);
+    let (count, mean) = (texels.len() as f32, average(texels));
     let square = |v: f32| v * v;
     let spread = |k: usize| texels.iter().map(|t| square(f32::from(t[k]) - mean[k])).sum::<f32>() / count;
     let alike = (0..4).all(|k| spread(k) <= square(0.0075 * mean[k]));
-    alike.then(|| Touch { tint: three(|c| mean[c] / TINT), roughness: mean[3] / SHARE, lean: [0.0; 2] })
+    alike.then(|| touch(&mean))
+}
+
+/// The mean of texels.
+fn average(texels: &[Texel]) -> [f32; 4] {
+    let count = texels.len() as f32;
+    std::array::from_fn(|k| texels.iter().map(|t| f32::from(t[k])).sum::<f32>() / count)
+}
+
+/// What a mean of texels says.
+fn touch(mean: &[f32; 4]) -> Touch {
+    Touch { tint: three(|c| mean[c] / TINT), roughness: mean[3] / SHARE, lean: [0.0; 2] }
 }
 
 /// Four texels: one and that to its right, and the two below, a row of so many further on.
