@@ -5,6 +5,7 @@
 mod ambient;
 mod cloth;
 mod extent;
+mod flux;
 mod grid;
 mod lamp;
 mod lighting;

@@ -39,7 +39,8 @@ use lights::Lights;
 use path::Paths;
 use spots::Spots;
 
-pub(crate) use scatter::Finish;
+pub(crate) use sampler::lattice;
+pub(crate) use scatter::{Finish, cosine, frame};
 
 /// How a reference picture is made.
 ///
