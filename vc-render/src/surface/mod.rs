@@ -84,10 +84,10 @@ impl Surface {
 
     /// What share of light from all sides it throws back on average, by colour, under a coat: its gloss has that of white.
     pub(crate) fn thrown(&self, coat: &Coat) -> [f32; 3] {
-        let touch = Tile::of(self.pattern).mean();
-        let tint = self.picture.as_ref().map_or(touch.tint, |picture| picture.mean());
+        let (tint, roughness) = tile::mean_of(self.pattern);
+        let tint = self.picture.as_ref().map_or(tint, |picture| picture.mean());
         let colour = coat.over(three(|i| self.colour[i] * tint[i]));
-        let roughness = coat.rough((self.roughness * touch.roughness).clamp(0.02, 1.0));
+        let roughness = coat.rough((self.roughness * roughness).clamp(0.02, 1.0));
         Finish { colour, metallic: self.metallic, roughness }.thrown()
     }
 

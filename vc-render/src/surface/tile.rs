@@ -32,8 +32,6 @@ pub(crate) struct Tile {
     texels: usize,
     /// Texels to a metre.
     density: f32,
-    /// What it says from afar. Coarser copies are rounded again and again.
-    mean: Touch,
 }
 
 /// Pixels whose texture is found at once.
@@ -59,6 +57,30 @@ pub(crate) struct Touch {
     pub(crate) tint: [f32; 3],
     pub(crate) roughness: f32,
     pub(crate) lean: [f32; 2],
+}
+
+/// What tints and roughness of all patterns are on average: known beforehand, as tiles take long to make, and light in
+/// rooms needs no more of them.
+#[rustfmt::skip]
+const MEANS: [([f32; 3], f32); 13] = [
+    ([1.0, 1.0, 1.0], 1.0), // plain
+    ([0.9064, 0.8859, 0.8721], 1.0042), // grain
+    ([0.8742, 0.8466, 0.8282], 1.0182), // boards
+    ([0.9513, 0.9513, 0.9513], 1.0), // weave
+    ([0.96, 0.96, 0.96], 0.9571), // leather
+    ([0.9435, 0.9435, 0.9435], 1.0926), // tiles
+    ([0.9406, 0.9893, 1.0059], 1.1875), // bricks
+    ([0.8626, 0.8626, 0.8626], 1.0), // speckle
+    ([0.9404, 0.9404, 0.9404], 0.5938), // marble
+    ([0.9816, 0.9816, 0.9816], 1.0), // rough
+    ([1.0008, 1.0008, 1.0008], 0.846), // brushed
+    ([0.9944, 0.9944, 0.9944], 1.0), // paper
+    ([0.9821, 0.9821, 0.9821], 1.0), // wall
+];
+
+/// The mean of a pattern's tints, and of its roughness.
+pub(crate) fn mean_of(pattern: Pattern) -> ([f32; 3], f32) {
+    MEANS[pattern as usize]
 }
 
 static TILES: LazyLock<Vec<Tile>> = LazyLock::new(|| {
@@ -87,18 +109,12 @@ impl Tile {
             let (lu, lv) = (lean(height(x - 1, y), height(x + 1, y)), lean(height(x, y - 1), height(x, y + 1)));
             ([r, g, b, roughness], [lu, lv, 0, 0])
         };
-        let (colours, leans): (Vec<Texel>, Vec<Texel>) = (0..texels * texels).map(texel).unzip();
-        let mean = touch(&average(&colours));
+        let (colours, leans) = (0..texels * texels).map(texel).unzip();
         let levels = coarser(colours).into_iter().zip(coarser(leans)).map(|(colours, leans)| {
             let leans = seen(&leans).then(|| closed(&leans));
             Level { even: even(&colours), colours: closed(&colours), leans }
         });
-        Self { levels: levels.collect(), texels, density: texels as f32 / pattern.side(), mean }
-    }
-
-    /// What it says on average.
-    pub(crate) fn mean(&self) -> &Touch {
-        &self.mean
+        Self { levels: levels.collect(), texels, density: texels as f32 / pattern.side() }
     }
 
     /// The coarser copy to use where a pixel is so many metres wide.
@@ -264,4 +280,22 @@ fn halved(fine: &[Texel]) -> Vec<Texel> {
         std::array::from_fn(|k| ((sum(k) + 2) >> 2) as u8)
     };
     (0..half * half).map(mean).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn means_are_those_of_the_tiles() {
+        for (pattern, (tint, roughness)) in Pattern::ALL.into_iter().zip(MEANS) {
+            let tile = Tile::of(pattern);
+            // Without the row and the column that are there twice.
+            let rows = tile.levels[0].colours.chunks(tile.row(0)).take(tile.texels);
+            let texels: Vec<Texel> = rows.flat_map(|row| &row[..tile.texels]).copied().collect();
+            let (found, near) = (touch(&average(&texels)), |a: f32, b: f32| (a - b).abs() < 1e-3);
+            assert!((0..3).all(|c| near(found.tint[c], tint[c])), "{pattern:?}: {found:?}");
+            assert!(near(found.roughness, roughness), "{pattern:?}: {found:?}");
+        }
+    }
 }
