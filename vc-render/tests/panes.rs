@@ -1,10 +1,11 @@
-//! Light through openings: the same pane as a box or as a sheet, and the sun through no pane at all.
+//! Light through openings: the same pane as a box or as a sheet, the sun through no pane at all, and what rooms make
+//! of it in fast pictures.
 
 #![allow(clippy::unwrap_used)]
 
 mod common;
 
-use common::{Stage, block, material};
+use common::{Stage, block, material, part};
 use nalgebra::{Point3, Vector3};
 use vc_graph::Pose;
 use vc_graph::asset::{Material, Shape};
@@ -155,4 +156,60 @@ fn what_is_seen_through_a_pane_is_smooth() {
     eprintln!("noise {bare:.4} without a pane, {behind:.4} behind one");
     // What it reflects of the window is left. Were reflections left to chance it would be 26 times as much.
     assert!(behind < 4.0 * bare, "{behind} behind a pane, {bare} without");
+}
+
+/// Mean light by colour for a picture's bytes, up to what it is exposed by: the film's curve undone.
+fn undone(pixels: &[[u8; 3]]) -> [f64; 3] {
+    let light = |byte: u8| {
+        let v = f64::from(byte) / 255.0;
+        let shown = if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) };
+        (shown / (1.0 - shown).max(0.02)).powf(1.0 / 1.2)
+    };
+    [0, 1, 2].map(|c: usize| pixels.iter().map(|p| light(p[c])).sum::<f64>() / pixels.len() as f64)
+}
+
+/// How many times brighter a fast picture is than the reference, and by colour against green.
+fn brighter(lit: &Lit, camera: &Camera) -> [f64; 3] {
+    let how = Exposure { samples: 256, brightest: f32::INFINITY, ..Exposure::default() };
+    let reference = lit.renderer.photograph(&lit.lighting, camera, &how, |_| true).unwrap().picture();
+    let (fast, wanted) = (undone(&lit.fast(camera).rgb), undone(&reference.pixels));
+    let [red, green, blue] = [0, 1, 2].map(|c: usize| fast[c] / wanted[c]);
+    [green, red / green, blue / green]
+}
+
+#[test]
+fn fast_light_in_a_room_of_wood_and_cloth_has_the_references_hue() {
+    // Patterns darken both, and most of the light has been thrown back often.
+    let walls = Material { roughness: 0.9, ..material("linen", [0.9, 0.85, 0.75]) };
+    let floor = Material { roughness: 0.5, ..material("oak", [0.6, 0.4, 0.2]) };
+    let lit = Lit::new(room(walls, floor).0, &Daylight::overcast());
+    let camera = Camera::with_fov(48, 36, 1.2).looking(Point3::new(1.6, 0.6, 1.6), Point3::new(-1.0, -0.4, 1.2));
+    let [bright, red, blue] = brighter(&lit, &camera);
+    eprintln!("{bright:.3} times as bright, red {red:.3}, blue {blue:.3}");
+    assert!((0.9..1.12).contains(&bright), "{bright} times as bright");
+    assert!((red - 1.0).abs() < 0.03 && (blue - 1.0).abs() < 0.03, "red {red}, blue {blue}");
+}
+
+#[test]
+fn a_shade_keeps_away_as_much_of_a_lamps_fast_light_as_of_the_references() {
+    let (mut stage, _) = room(matt(0.7), matt(0.5));
+    let bulb = Material { emission: [30.0; 3], ..material("bulb", [0.9; 3]) };
+    let [bulb, dark] = [bulb, matt(0.1)].map(|m| stage.library.add_material(m).unwrap());
+    // Black and open below.
+    let side = |x: f32, y: f32| {
+        let half = [if x == 0.0 { 0.1 } else { 0.004 }, if y == 0.0 { 0.1 } else { 0.004 }, 0.1];
+        part("housing", block(half), [0.1 * x, 0.1 * y, 0.0], dark)
+    };
+    let mut parts = vec![part("bulb", Shape::Sphere { radius: 0.04 }, [0.0; 3], bulb)];
+    parts.push(part("housing", block([0.1, 0.1, 0.004]), [0.0, 0.0, 0.1], dark));
+    parts.extend([side(1.0, 0.0), side(-1.0, 0.0), side(0.0, 1.0), side(0.0, -1.0)]);
+    let asset = stage.asset(parts);
+    let lamp = stage.put("ceiling_lamp", asset, Pose::translation(0.0, 0.0, 1.9));
+    let mut lit = Lit::new(stage, &Daylight::night());
+    lit.snapshot.switch(lamp, true).unwrap();
+    lit.lighting = lit.renderer.light(&lit.snapshot, &Daylight::night());
+    let camera = Camera::with_fov(48, 36, 1.0).looking(Point3::new(1.7, 1.4, 1.5), Point3::new(-0.6, -0.5, 0.3));
+    let [bright, red, blue] = brighter(&lit, &camera);
+    eprintln!("{bright:.3} times as bright, red {red:.3}, blue {blue:.3}");
+    assert!((0.88..1.14).contains(&bright), "{bright} times as bright");
 }

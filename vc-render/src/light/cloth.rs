@@ -83,7 +83,7 @@ impl Lighting {
         room: usize,
     ) -> Seen {
         let surface = &renderer.store.surfaces[usize::from(cover.face.surface)];
-        let ([thrown, share], mean) = (parted(cover, surface), surface.mean());
+        let ([thrown, share], mean) = (parted(cover, surface), surface.thrown(&cover.instance.coat));
         let own = self.seen(renderer, cover, room).behind(three(|i| thrown[i] / mean[i].max(1e-3)));
         let behind = self.outside(renderer, (cover, self.far_side(cover, ray)), about, room);
         Seen { direct: three(|i| own.direct[i] + share[i] * behind[i]), ..own }

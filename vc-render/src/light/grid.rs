@@ -111,6 +111,21 @@ impl Grid {
         self.points.iter_mut().filter(|p| !p.is_known()).for_each(|p| *p = Ambient::default());
     }
 
+    /// How much more light there is than before.
+    pub(super) fn more(&self, before: &[Ambient]) -> f32 {
+        self.points.iter().zip(before).map(|(point, before)| point.mean() - before.mean()).sum()
+    }
+
+    /// Adds all that follows when every further bounce brings a share of what the last one has brought.
+    pub(super) fn go_on(&mut self, before: &[Ambient], share: f32) {
+        let sum = share / (1.0 - share);
+        for (point, before) in self.points.iter_mut().zip(before) {
+            let now = *point;
+            point.mix(&now, sum);
+            point.mix(before, -sum);
+        }
+    }
+
     /// Smooths it when all light is there, and finds how bright and of which colour that is.
     pub(super) fn settle(&mut self) {
         self.smooth();

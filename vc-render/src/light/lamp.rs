@@ -2,11 +2,13 @@
 
 use rayon::prelude::*;
 
+use super::flux::{Leaving, leaving};
 use super::shadow::Cube;
 use super::{brightness, dot};
 use crate::affine::{self, scaled, three};
 use crate::renderer::Renderer;
 use crate::scene::{Body, Snapshot};
+use crate::trace::Tracer;
 
 /// Lumens of one unit of light.
 pub(super) const LUMENS: f32 = 5000.0;
@@ -27,7 +29,7 @@ pub(crate) struct Lamp {
     pub(crate) body: u32,
     pub(crate) room: u16,
     pub(crate) at: [f32; 3],
-    /// Radius of what glows, metres.
+    /// Light is no stronger than so far away, metres.
     pub(crate) radius: f32,
     /// Flux by colour.
     pub(crate) flux: [f32; 3],
@@ -41,13 +43,13 @@ struct Glow {
     area: f32,
     flux: [f32; 3],
     middle: [f32; 3],
-    axis: [f32; 3],
     shade: f32,
 }
 
 /// How much what glows of each body is to be turned up, and the lamps among them.
 /// Those of `kept` have their shadows already.
-pub(super) fn lamps(renderer: &Renderer, snapshot: &Snapshot, kept: &[Lamp]) -> (Vec<[f32; 2]>, Vec<Lamp>) {
+pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> (Vec<[f32; 2]>, Vec<Lamp>) {
+    let snapshot = &tracer.snapshot;
     let mut gains = vec![[0.0; 2]; snapshot.bodies.len()];
     let mut found = Vec::new();
     for (index, body) in snapshot.bodies.iter().enumerate().filter(|(_, b)| b.lit) {
@@ -58,17 +60,16 @@ pub(super) fn lamps(renderer: &Renderer, snapshot: &Snapshot, kept: &[Lamp]) -> 
         };
         if glow.area > 0.0 {
             let gain = target / LUMENS / brightness(glow.flux).max(1e-9);
-            let flux = glow.flux.map(|f| f * gain);
             // A third of the light goes through the shade.
-            let shade =
-                if glow.shade > 0.0 { 0.35 * brightness(flux) / (std::f32::consts::PI * glow.shade) } else { 0.0 };
+            let through = 0.35 * target / LUMENS;
+            let shade = if glow.shade > 0.0 { through / (std::f32::consts::PI * glow.shade) } else { 0.0 };
             gains[index] = [gain, shade];
-            found.push((index as u32, flux, glow));
+            found.push((index as u32, glow));
         }
     }
-    let lamp = |(body, flux, glow): (u32, [f32; 3], Glow)| {
+    let lamp = |(body, glow): (u32, Glow)| {
         let known = kept.iter().find(|lamp| lamp.body == body).cloned();
-        known.unwrap_or_else(|| Lamp::new(renderer, snapshot, body, flux, &glow))
+        known.unwrap_or_else(|| Lamp::new(renderer, tracer, (body, &gains[body as usize]), &glow))
     };
     let lamps = found.into_par_iter().map(lamp).collect();
     (gains, lamps)
@@ -86,9 +87,9 @@ fn lumens(snapshot: &Snapshot, body: &Body, area: f32) -> Option<f32> {
 
 impl Glow {
     fn of(renderer: &Renderer, snapshot: &Snapshot, body: &Body) -> Self {
-        let mut glow = Self { area: 0.0, flux: [0.0; 3], middle: [0.0; 3], axis: [0.0; 3], shade: 0.0 };
+        let mut glow = Self { area: 0.0, flux: [0.0; 3], middle: [0.0; 3], shade: 0.0 };
         for instance in &snapshot.instances[body.instances.start as usize..body.instances.end as usize] {
-            let mesh = &*instance.link.levels[2];
+            let mesh = &*instance.link.levels[0];
             let world = instance.world.narrow();
             for cluster in &mesh.clusters {
                 for triangle in cluster.triangles.clone() {
@@ -104,24 +105,22 @@ impl Glow {
         }
         if glow.area > 0.0 {
             glow.middle = glow.middle.map(|v| v / glow.area);
-            glow.axis = glow.axis.map(|v| v / glow.area);
         }
         glow
     }
 
     fn add(&mut self, corners: [[f32; 3]; 3], emission: [f32; 3]) {
-        let (normal, area) = area(corners);
+        let (_, area) = area(corners);
         self.area += area;
         for i in 0..3 {
             self.flux[i] += std::f32::consts::PI * emission[i] * area;
             self.middle[i] += (corners[0][i] + corners[1][i] + corners[2][i]) / 3.0 * area;
-            self.axis[i] += normal[i] * area;
         }
     }
 }
 
 /// Normal and area of a triangle.
-fn area([a, b, c]: [[f32; 3]; 3]) -> ([f32; 3], f32) {
+pub(super) fn area([a, b, c]: [[f32; 3]; 3]) -> ([f32; 3], f32) {
     let edge = |p: [f32; 3]| three(|i| p[i] - a[i]);
     let (u, v) = (edge(b), edge(c));
     let cross = affine::cross(u, v);
@@ -130,13 +129,16 @@ fn area([a, b, c]: [[f32; 3]; 3]) -> ([f32; 3], f32) {
 }
 
 impl Lamp {
-    fn new(renderer: &Renderer, snapshot: &Snapshot, index: u32, flux: [f32; 3], glow: &Glow) -> Self {
-        let body = &snapshot.bodies[index as usize];
+    fn new(renderer: &Renderer, tracer: &Tracer, (index, gains): (u32, &[f32; 2]), glow: &Glow) -> Self {
+        let snapshot = &tracer.snapshot;
         let others = |i: &u32| snapshot.instances[*i as usize].body != index;
         let others: Vec<u32> = (0..snapshot.instances.len() as u32).filter(others).collect();
         let radius = (glow.area / (4.0 * std::f32::consts::PI)).sqrt();
-        let shadows = Cube::new(renderer, snapshot, &others, glow.middle, radius);
-        Self { body: index, room: body.room, at: glow.middle, radius, flux, axis: glow.axis, shadows }
+        let Leaving { flux, axis, at } = leaving(renderer, tracer, index, gains).unwrap_or(Leaving::none(glow.middle));
+        let shadows = Cube::new(renderer, snapshot, &others, at, radius);
+        // A ceiling just over a lamp is to be lit.
+        let (room, radius) = (snapshot.bodies[index as usize].room, 0.5 * radius);
+        Self { body: index, room, at, radius, flux, axis, shadows }
     }
 
     /// Light on a surface at a point that faces the lamp, and the direction to it (unit

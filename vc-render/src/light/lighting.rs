@@ -190,7 +190,7 @@ impl Renderer {
     /// Finds the light in the scene of its tracer; shadows that are there are right.
     fn shine(&self, lighting: &mut Lighting) {
         let (snapshot, daylight) = (&lighting.tracer.snapshot, &lighting.daylight);
-        let (gains, lamps) = lamps(self, snapshot, &lighting.lamps);
+        let (gains, lamps) = lamps(self, &lighting.tracer, &lighting.lamps);
         if lighting.sun.is_none() && daylight.sun.norm() > 0.0 {
             let (middle, radius) = ball(snapshot);
             let map = ShadowMap::sun(self, snapshot, daylight.towards_sun, middle, radius);

@@ -5,6 +5,7 @@
 mod ambient;
 mod cloth;
 mod extent;
+mod flux;
 mod grid;
 mod lamp;
 mod lighting;
@@ -22,6 +23,6 @@ pub(crate) use lamp::{Lamp, is_lamp};
 pub use lighting::Lighting;
 pub(crate) use lighting::{brightness, dot};
 pub(crate) use look::Points;
-pub(crate) use pane::{INDEX, fresnel, straight, tint};
+pub(crate) use pane::{INDEX, fresnel, passes, straight, tint};
 pub use sky::Daylight;
 pub use source::Source;

@@ -13,7 +13,7 @@ const SIDES: usize = 16;
 pub(crate) const INDEX: f32 = 1.5;
 
 /// The share of light that passes panes along a ray, by colour.
-pub(super) fn passes(renderer: &Renderer, tracer: &Tracer, mut ray: Ray) -> [f32; 3] {
+pub(crate) fn passes(renderer: &Renderer, tracer: &Tracer, mut ray: Ray) -> [f32; 3] {
     let mut share = [1.0; 3];
     for _ in 0..SIDES {
         let Some(glass) = tracer.first_clear(&ray) else { break };

@@ -19,7 +19,9 @@ const RAYS: usize = 256;
 const FAR: f32 = 0.05;
 /// Directions that come after another are this far apart behind a cover: they have nothing to do with each other.
 pub(super) const STRIDE: usize = 97;
-/// How often light is thrown on.
+/// Share of light thrown back again at most.
+const MOST: f32 = 0.95;
+/// How often light is thrown on before the rest is foreseen.
 const BOUNCES: usize = 7;
 
 /// Where light is thrown back, which way that faces, its reflectance and room.
@@ -61,13 +63,23 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec
     let look = |(place, within): (&_, &bool)| within.then(|| look(place)).flatten();
     let seen: Vec<Option<Vec<Seen>>> = places.par_iter().zip(&within).map(look).collect();
     let sunlight = sunlight(seen.iter().flatten().flatten(), grids.len());
+    let mut sums = vec![[0.0; 2]; grids.len()];
+    let mut before: Vec<Vec<Ambient>> = Vec::new();
     for _ in 0..BOUNCES {
+        before = grids.iter().map(|grid| grid.points.clone()).collect();
         let gather = |seen: &Option<Vec<Seen>>| seen.as_ref().map(|seen| gathered(&grids, &directions, seen));
         let next: Vec<Option<Ambient>> = seen.par_iter().map(gather).collect();
         for ((g, i), light) in places.iter().zip(next) {
             grids[*g].points[*i] = light.unwrap_or(Ambient::UNKNOWN);
         }
         grids.iter_mut().for_each(Grid::mend);
+        for ((grid, before), [last, added]) in grids.iter().zip(&before).zip(&mut sums) {
+            (*last, *added) = (*added, grid.more(before));
+        }
+    }
+    // What is still to come of it; in white rooms that is much.
+    for ((grid, before), [last, added]) in grids.iter_mut().zip(&before).zip(sums) {
+        grid.go_on(before, if last > 0.0 { (added / last).clamp(0.0, MOST) } else { 0.0 });
     }
     grids.iter_mut().for_each(Grid::settle);
     (grids, sunlight)
@@ -147,7 +159,7 @@ impl Lighting {
     pub(super) fn seen(&self, renderer: &Renderer, met: &Met<'_>, room: usize) -> Seen {
         let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
         let body = &self.tracer.snapshot.bodies[met.instance.body as usize];
-        let colour = surface.mean();
+        let colour = surface.thrown(&met.instance.coat);
         let lamp = self.lamps.iter().any(|l| l.body == met.instance.body && usize::from(l.room) == room);
         let glow = || {
             let (glow, shine) = (self.glow(surface, met.instance.body), met.shine(surface, FAR));

@@ -39,6 +39,9 @@ use lights::Lights;
 use path::Paths;
 use spots::Spots;
 
+pub(crate) use sampler::lattice;
+pub(crate) use scatter::{Finish, cosine, frame};
+
 /// How a reference picture is made.
 ///
 /// ```

@@ -49,7 +49,7 @@ fn scrambled(value: u32, seed: u32) -> u32 {
 }
 
 /// Points that fill the unit square: a lattice after the plastic number (Roberts 2018).
-pub(super) fn lattice(index: u32) -> [f32; 2] {
+pub(crate) fn lattice(index: u32) -> [f32; 2] {
     // Whole numbers wrap around as fractions do.
     [3_242_174_889_u32, 2_447_445_414].map(|step| (index.wrapping_mul(step) >> 8) as f32 / (1 << 24) as f32)
 }

@@ -19,10 +19,30 @@ const HEAD_ON: f32 = 0.04;
 
 /// What a surface looks like where light meets it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Finish {
-    pub(super) colour: [f32; 3],
-    pub(super) metallic: f32,
-    pub(super) roughness: f32,
+pub(crate) struct Finish {
+    pub(crate) colour: [f32; 3],
+    pub(crate) metallic: f32,
+    pub(crate) roughness: f32,
+}
+
+impl Finish {
+    /// What share of light from all sides is thrown back to all, by colour.
+    pub(crate) fn thrown(&self) -> [f32; 3] {
+        let (coat, means) = (self.coat(), albedo::mean_shares(self.roughness));
+        let (matt, metal) = (1.0 - self.metallic, self.metallic);
+        let again = metal * (1.0 / (means[0] + means[1]).max(0.05) - 1.0);
+        let base = matt * (1.0 - reflected(coat, means));
+        three(|i| {
+            let head_on = HEAD_ON * coat * matt + self.colour[i] * metal;
+            let gloss = head_on * means[0] + (coat * matt + metal) * means[1];
+            base * self.colour[i] + (1.0 + head_on * again) * gloss
+        })
+    }
+
+    /// How much there is of a coat: the roughest surfaces have none.
+    fn coat(&self) -> f32 {
+        ((1.0 - self.roughness) * 10.0).clamp(0.0, 1.0)
+    }
 }
 
 /// A point of a surface, in its own frame: the normal is up.
@@ -52,7 +72,7 @@ impl Scatter {
         let mut own = axes.map(|axis| dot(axis, back));
         own[2] = own[2].max(1e-3);
         let back = unit(own);
-        let coat = ((1.0 - roughness) * 10.0).clamp(0.0, 1.0);
+        let coat = finish.coat();
         let here = albedo::shares(back[2], roughness);
         let passes = 1.0 - reflected(coat, here);
         let mean = 1.0 - reflected(coat, albedo::mean_shares(roughness));
@@ -175,14 +195,14 @@ impl Gloss {
 }
 
 /// A direction by the cosine to up (Malley's method).
-pub(super) fn cosine([a, b]: [f32; 2]) -> [f32; 3] {
+pub(crate) fn cosine([a, b]: [f32; 2]) -> [f32; 3] {
     let (s, c) = (2.0 * PI * b).sine_cosine();
     let r = a.sqrt();
     [r * c, r * s, (1.0 - a).max(0.0).sqrt()]
 }
 
 /// Three axes, the last one given (Duff and others 2017).
-pub(super) fn frame(n: [f32; 3]) -> [[f32; 3]; 3] {
+pub(crate) fn frame(n: [f32; 3]) -> [[f32; 3]; 3] {
     let sign = 1.0_f32.copysign(n[2]);
     let a = -1.0 / (sign + n[2]);
     let b = n[0] * n[1] * a;
@@ -230,6 +250,20 @@ mod tests {
                     assert!((followed - 1.0).abs() < 0.03, "{place}: {followed}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn what_is_thrown_on_the_whole_is_the_mean_over_all_directions() {
+        for (metallic, roughness, share) in [(0.0, 0.3, 0.05), (0.0, 0.7, 0.6), (0.0, 1.0, 0.4), (1.0, 0.5, 0.6)] {
+            let finish = Finish { colour: [share; 3], metallic, roughness };
+            // By the square of the cosine, rows of which are as wide.
+            let rows: Vec<f32> = (0..8).map(|i| thrown(&finish, ((i as f32 + 0.5) / 8.0).sqrt())[1]).collect();
+            let (mean, all) = (rows.iter().sum::<f32>() / 8.0, finish.thrown()[0]);
+            assert!(
+                (all - mean).abs() < 0.012,
+                "metallic {metallic}, roughness {roughness}, {share}: {all}, not {mean}"
+            );
         }
     }
 

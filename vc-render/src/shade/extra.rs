@@ -7,7 +7,7 @@ use super::planes;
 use super::surfel::Known;
 use crate::affine::three;
 use crate::label::{bent, unit};
-use crate::light::{Lighting, dot};
+use crate::light::{Lighting, dot, passes};
 use crate::raster::{Frustum, Layers, NONE};
 use crate::renderer::Renderer;
 use crate::simd::stretches;
@@ -52,10 +52,13 @@ impl Extra<'_> {
         let along = three(|i| towards[i] - twice * normal[i]);
         let from = three(|i| at[i] + 1e-3 * normal[i]);
         let lighting = self.lamps.lighting;
-        match lighting.tracer.first(&Ray { from, along, end: 1e4 }) {
-            Some(met) => lighting.thrown(self.renderer, &met, 0.004),
-            None => lighting.daylight.radiance(along),
-        }
+        let ray = Ray { from, along, end: 1e4 };
+        let (light, end) = match lighting.tracer.first(&ray) {
+            Some(met) => (lighting.thrown(self.renderer, &met, 0.004), met.t),
+            None => (lighting.daylight.radiance(along), ray.end),
+        };
+        let share = passes(self.renderer, &lighting.tracer, Ray { end, ..ray });
+        three(|i| share[i] * light[i])
     }
 
     /// What panes let through, and what they reflect, in a row of the image.

@@ -7,10 +7,12 @@ mod pattern;
 mod picture;
 mod tile;
 
-use crate::affine::three;
 use std::sync::Arc;
 
 use vc_graph::asset::{Material, Part};
+
+use crate::affine::three;
+use crate::photo::Finish;
 
 pub use coat::Coat;
 pub(crate) use pattern::Pattern;
@@ -80,10 +82,13 @@ impl Surface {
         three(|c| std::f32::consts::PI * light[c] / (self.colour[c] * (1.0 - self.metallic)).max(1e-3))
     }
 
-    /// Its reflectance from afar.
-    pub(crate) fn mean(&self) -> [f32; 3] {
-        let picture = self.picture.as_ref().map_or([1.0; 3], |p| p.mean());
-        three(|i| self.colour[i] * picture[i])
+    /// What share of light from all sides it throws back on average, by colour, under a coat: its gloss has that of white.
+    pub(crate) fn thrown(&self, coat: &Coat) -> [f32; 3] {
+        let (tint, roughness) = tile::mean_of(self.pattern);
+        let tint = self.picture.as_ref().map_or(tint, |picture| picture.mean());
+        let colour = coat.over(three(|i| self.colour[i] * tint[i]));
+        let roughness = coat.rough((self.roughness * roughness).clamp(0.02, 1.0));
+        Finish { colour, metallic: self.metallic, roughness }.thrown()
     }
 
     /// Light it gives from afar.

@@ -59,6 +59,30 @@ pub(crate) struct Touch {
     pub(crate) lean: [f32; 2],
 }
 
+/// What tints and roughness of all patterns are on average: known beforehand, as tiles take long to make, and light in
+/// rooms needs no more of them.
+#[rustfmt::skip]
+const MEANS: [([f32; 3], f32); 13] = [
+    ([1.0, 1.0, 1.0], 1.0), // plain
+    ([0.9064, 0.8859, 0.8721], 1.0042), // grain
+    ([0.8742, 0.8466, 0.8282], 1.0182), // boards
+    ([0.9513, 0.9513, 0.9513], 1.0), // weave
+    ([0.96, 0.96, 0.96], 0.9571), // leather
+    ([0.9435, 0.9435, 0.9435], 1.0926), // tiles
+    ([0.9406, 0.9893, 1.0059], 1.1875), // bricks
+    ([0.8626, 0.8626, 0.8626], 1.0), // speckle
+    ([0.9404, 0.9404, 0.9404], 0.5938), // marble
+    ([0.9816, 0.9816, 0.9816], 1.0), // rough
+    ([1.0008, 1.0008, 1.0008], 0.846), // brushed
+    ([0.9944, 0.9944, 0.9944], 1.0), // paper
+    ([0.9821, 0.9821, 0.9821], 1.0), // wall
+];
+
+/// The mean of a pattern's tints, and of its roughness.
+pub(crate) fn mean_of(pattern: Pattern) -> ([f32; 3], f32) {
+    MEANS[pattern as usize]
+}
+
 static TILES: LazyLock<Vec<Tile>> = LazyLock::new(|| {
     use rayon::prelude::*;
     Pattern::ALL.par_iter().map(|pattern| Tile::new(*pattern)).collect()
@@ -193,12 +217,22 @@ fn seen(leans: &[Texel]) -> bool {
 /// The mean of colours that differ from it by less than is seen: by three quarters of a hundredth on average, about half
 /// a step of a picture's bytes.
 fn even(texels: &[Texel]) -> Option<Touch> {
-    let count = texels.len() as f32;
-    let mean: [f32; 4] = std::array::from_fn(|k| texels.iter().map(|t| f32::from(t[k])).sum::<f32>() / count);
+    let (count, mean) = (texels.len() as f32, average(texels));
     let square = |v: f32| v * v;
     let spread = |k: usize| texels.iter().map(|t| square(f32::from(t[k]) - mean[k])).sum::<f32>() / count;
     let alike = (0..4).all(|k| spread(k) <= square(0.0075 * mean[k]));
-    alike.then(|| Touch { tint: three(|c| mean[c] / TINT), roughness: mean[3] / SHARE, lean: [0.0; 2] })
+    alike.then(|| touch(&mean))
+}
+
+/// The mean of texels.
+fn average(texels: &[Texel]) -> [f32; 4] {
+    let count = texels.len() as f32;
+    std::array::from_fn(|k| texels.iter().map(|t| f32::from(t[k])).sum::<f32>() / count)
+}
+
+/// What a mean of texels says.
+fn touch(mean: &[f32; 4]) -> Touch {
+    Touch { tint: three(|c| mean[c] / TINT), roughness: mean[3] / SHARE, lean: [0.0; 2] }
 }
 
 /// Four texels: one and that to its right, and the two below, a row of so many further on.
@@ -246,4 +280,22 @@ fn halved(fine: &[Texel]) -> Vec<Texel> {
         std::array::from_fn(|k| ((sum(k) + 2) >> 2) as u8)
     };
     (0..half * half).map(mean).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn means_are_those_of_the_tiles() {
+        for (pattern, (tint, roughness)) in Pattern::ALL.into_iter().zip(MEANS) {
+            let tile = Tile::of(pattern);
+            // Without the row and the column that are there twice.
+            let rows = tile.levels[0].colours.chunks(tile.row(0)).take(tile.texels);
+            let texels: Vec<Texel> = rows.flat_map(|row| &row[..tile.texels]).copied().collect();
+            let (found, near) = (touch(&average(&texels)), |a: f32, b: f32| (a - b).abs() < 1e-3);
+            assert!((0..3).all(|c| near(found.tint[c], tint[c])), "{pattern:?}: {found:?}");
+            assert!(near(found.roughness, roughness), "{pattern:?}: {found:?}");
+        }
+    }
 }

@@ -1,0 +1,120 @@
+//! What leaves a lamp of the light that its bulb and its shade give: much of it meets the lamp itself.
+
+use super::{brightness, dot};
+use crate::affine::{self, scaled, three};
+use crate::label::unit;
+use crate::photo::{cosine, frame, lattice};
+use crate::renderer::Renderer;
+use crate::surface::Role;
+use crate::trace::{Ray, Tracer};
+
+/// Ways of light that are followed.
+const WAYS: u32 = 512;
+/// How often light is thrown on within a lamp.
+const WITHIN: u32 = 8;
+
+/// A triangle that gives light, and all light up to it.
+struct Giver {
+    corners: [[f32; 3]; 3],
+    normal: [f32; 3],
+    flux: [f32; 3],
+    sum: f32,
+}
+
+/// Light that leaves a lamp.
+pub(super) struct Leaving {
+    pub(super) flux: [f32; 3],
+    /// Where it goes to: a direction times how much it prefers that, zero for all alike, one for the cosine's law.
+    pub(super) axis: [f32; 3],
+    /// From where, on the whole.
+    pub(super) at: [f32; 3],
+}
+
+impl Leaving {
+    /// No light.
+    pub(super) fn none(at: [f32; 3]) -> Self {
+        Self { flux: [0.0; 3], axis: [0.0; 3], at }
+    }
+}
+
+/// The light that leaves a lamp; none if all of it stays within.
+pub(super) fn leaving(renderer: &Renderer, tracer: &Tracer, body: u32, gains: &[f32; 2]) -> Option<Leaving> {
+    let givers = givers(renderer, tracer, body, gains);
+    let all = givers.last().map_or(0.0, |giver| giver.sum);
+    let (mut flux, mut axis, mut middle) = ([0.0; 3], [0.0; 3], [0.0; 3]);
+    for way in 0..WAYS {
+        let from = (way as f32 + 0.5) / WAYS as f32 * all;
+        let Some(giver) = givers.get(givers.partition_point(|giver| giver.sum <= from)) else { continue };
+        let share = all / WAYS as f32 / brightness(giver.flux);
+        let [a, b] = lattice(2 * way);
+        let root = a.sqrt();
+        let [p, q, r] = giver.corners;
+        let at = three(|i| (1.0 - root) * p[i] + root * ((1.0 - b) * q[i] + b * r[i]));
+        if let Some((light, along, at)) =
+            out(renderer, tracer, (body, way), (at, giver.normal), scaled(giver.flux, share))
+        {
+            let bright = brightness(light);
+            flux = three(|i| flux[i] + light[i]);
+            axis = three(|i| axis[i] + bright * along[i]);
+            middle = three(|i| middle[i] + bright * at[i]);
+        }
+    }
+    // The mean direction of light by the cosine's law is two thirds long.
+    let bright = brightness(flux);
+    let axis = scaled(axis, 1.5 / bright);
+    let length = dot(axis, axis).sqrt();
+    (bright > 0.0).then(|| Leaving {
+        flux,
+        axis: scaled(axis, 1.0 / length.max(1.0)),
+        at: scaled(middle, 1.0 / bright),
+    })
+}
+
+/// Light of a way when it has left the lamp, where to and from where.
+fn out(
+    renderer: &Renderer,
+    tracer: &Tracer,
+    (body, way): (u32, u32),
+    (mut at, mut normal): ([f32; 3], [f32; 3]),
+    mut light: [f32; 3],
+) -> Option<([f32; 3], [f32; 3], [f32; 3])> {
+    for bounce in 0..WITHIN {
+        let own = cosine(lattice(2 * way + 1 + bounce * 2 * WAYS));
+        let [u, v, n] = frame(normal);
+        let along = unit(three(|i| own[0] * u[i] + own[1] * v[i] + own[2] * n[i]));
+        let ray = Ray { from: three(|i| at[i] + 1e-4 * normal[i]), along, end: 1e4 };
+        let met = tracer.first(&ray).filter(|met| met.instance.body == body);
+        let Some(met) = met else { return Some((light, along, at)) };
+        let met = met.facing(along.map(|v| -v));
+        let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
+        let thrown = surface.thrown(&met.instance.coat);
+        (at, normal, light) = (met.at, met.flat, three(|i| light[i] * thrown[i]));
+    }
+    None
+}
+
+/// All triangles of a lamp that give light.
+fn givers(renderer: &Renderer, tracer: &Tracer, body: u32, [gain, shade]: &[f32; 2]) -> Vec<Giver> {
+    let (body, mut sum) = (&tracer.snapshot.bodies[body as usize], 0.0);
+    let mut givers = Vec::new();
+    for instance in &tracer.snapshot.instances[body.instances.start as usize..body.instances.end as usize] {
+        let (mesh, world) = (&*instance.link.levels[0], instance.world.narrow());
+        for cluster in &mesh.clusters {
+            for triangle in cluster.triangles.clone() {
+                let surface = &renderer.store.surfaces[usize::from(mesh.faces[triangle as usize].surface)];
+                let light = match surface.role {
+                    Role::Shade => scaled(surface.colour, *shade),
+                    _ => scaled(surface.mean_emission(), *gain),
+                };
+                let corners = mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p));
+                let (normal, area) = super::lamp::area(corners);
+                let flux = scaled(light, std::f32::consts::PI * area);
+                if brightness(flux) > 0.0 {
+                    sum += brightness(flux);
+                    givers.push(Giver { corners, normal, flux, sum });
+                }
+            }
+        }
+    }
+    givers
+}
