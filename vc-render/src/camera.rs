@@ -31,9 +31,10 @@ struct Way {
 /// use vc_render::Camera;
 /// let camera = Camera::with_fov(640, 480, 60_f32.to_radians())
 ///     .looking(Point3::new(0.0, 0.0, 1.6), Point3::new(2.0, 0.0, 1.6));
-/// let seen = camera.project(&Point3::new(4.0, 0.0, 1.6)).unwrap();
+/// let seen = camera.project(&Point3::new(4.0, 0.0, 1.6)).ok_or("behind the camera")?;
 /// assert!((seen.x - 320.0).abs() < 1e-3 && (seen.y - 240.0).abs() < 1e-3);
 /// assert!((seen.z - 4.0).abs() < 1e-5); // depth
+/// # Ok::<(), &str>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {

@@ -74,7 +74,7 @@ impl Masks {
 /// # let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
 /// let mut frame = Frame::new();
 /// renderer.render(&Shot::new(&snapshot, &camera, Modality::Masks), &mut frame)?;
-/// let mask = frame.masks().next().unwrap();
+/// let mask = frame.masks().next().ok_or("nothing is seen")?;
 /// assert_eq!((mask.node(), mask.area()), (fridge, 16 * 45));
 /// assert!(mask.has(24, 3) && !mask.has(23, 3));
 /// // Rows from the top, as in all buffers.

@@ -26,7 +26,7 @@ use crate::scene::Snapshot;
 /// let fridge = scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
 /// let caster = RayCaster::new(&Renderer::new().snapshot(&scene.build())?);
 ///
-/// let hit = caster.first(&Point3::new(0.0, 0.0, 1.0), &Vector3::x(), 10.0).unwrap();
+/// let hit = caster.first(&Point3::new(0.0, 0.0, 1.0), &Vector3::x(), 10.0).ok_or("nothing is met")?;
 /// assert_eq!(hit.node, fridge);
 /// assert!((hit.distance - 1.7).abs() < 1e-5 && (hit.normal + Vector3::x()).norm() < 1e-5);
 /// assert!(!caster.sees(&Point3::new(0.0, 0.0, 1.0), &Point3::new(4.0, 0.0, 1.0)));
