@@ -158,6 +158,28 @@ fn rays_that_cannot_be_meet_nothing() {
 }
 
 #[test]
+fn triangles_each_a_tenth_smaller_than_the_one_before_are_all_met() {
+    // Wherever a set is cut, most are on one side.
+    let sizes: Vec<f32> = (0..800).map(|k| 4.0 * 0.9_f32.powi(k)).collect();
+    let axes = [Point3::new(1.0, 0.0, 0.0), Point3::new(0.0, 1.0, 0.0), Point3::new(0.0, 0.0, 1.0)];
+    let vertices = sizes.iter().flat_map(|size| axes.map(|axis| axis * *size)).collect();
+    let triangles = (0..800).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    let mut stage = Stage::new();
+    stage.one("ball", Shape::Mesh { vertices, triangles, uvs: Vec::new() }, Pose::identity(), 0);
+    let caster = RayCaster::new(&Renderer::new().snapshot(&stage.build()).unwrap());
+    let out = Vector3::new(1.0, 1.0, 1.0).normalize();
+    let depth = |size: f32| size / 3.0_f32.sqrt();
+    for pair in sizes.windows(2).take_while(|pair| pair[0] > 1e-3) {
+        let start = Point3::origin() + out * (0.5 * (depth(pair[0]) + depth(pair[1])));
+        for (along, size) in [(out, pair[0]), (-out, pair[1])] {
+            let met = caster.first(&start, &along, 10.0).unwrap();
+            assert!(((met.point - Point3::origin()).norm() - depth(size)).abs() < 1e-5, "{size} m: {met:?}");
+        }
+        assert!(!caster.sees(&start, &Point3::new(5.0, 5.0, 5.0)));
+    }
+}
+
+#[test]
 fn glass_with_glass_in_it_ends() {
     // Balls of glass, one in the other, and a mirror around: paths go on and on.
     let mut stage = Stage::new();

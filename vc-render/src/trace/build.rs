@@ -10,6 +10,12 @@ pub(crate) type Corners = [[f32; 3]; 3];
 /// Places where a set may be cut.
 const BINS: usize = 12;
 
+/// From this depth on, sets are cut into equal parts, so that a tree has few more levels whatever the triangles.
+const DEEP: usize = 16;
+
+/// Most levels of a tree: below `DEEP`, each has eighths of the set above it, and there are less than 2^32.
+pub(super) const LEVELS: usize = DEEP + 11;
+
 #[derive(Clone, Copy)]
 struct Bounds {
     low: [f32; 3],
@@ -76,7 +82,7 @@ pub(super) fn over(boxes: impl Iterator<Item = (u32, mesh::Bounds)>) -> Vec<Node
 fn grown(items: &mut [Item], fill: usize, leaf: impl FnMut(&[Item]) -> u32) -> Vec<Node> {
     let mut growth = Growth { nodes: Vec::new(), fill, leaf };
     if !items.is_empty() {
-        growth.node(items);
+        growth.node(items, 0);
     }
     growth.nodes
 }
@@ -89,7 +95,7 @@ struct Growth<F> {
 }
 
 impl<F: FnMut(&[Item]) -> u32> Growth<F> {
-    fn node(&mut self, items: &mut [Item]) -> u32 {
+    fn node(&mut self, items: &mut [Item], depth: usize) -> u32 {
         let fill = self.fill;
         let at = self.nodes.len();
         // Boxes that end before they begin are met by no ray.
@@ -97,15 +103,20 @@ impl<F: FnMut(&[Item]) -> u32> Growth<F> {
         self.nodes.push(Node { bounds: [low, low, low, high, high, high], children: [EMPTY; WIDE] });
         let mut sets: Vec<&mut [Item]> = vec![items];
         while sets.len() < WIDE {
-            let size = |s: &&mut [Item]| if s.len() > fill { Bounds::around(s).area() } else { -1.0 };
+            let size = |s: &&mut [Item]| match s.len() {
+                few if few <= fill => -1.0,
+                many if depth >= DEEP => many as f32,
+                _ => Bounds::around(s).area(),
+            };
             let widest = (0..sets.len()).max_by(|a, b| size(&sets[*a]).total_cmp(&size(&sets[*b])));
             let Some(widest) = widest.filter(|w| sets[*w].len() > fill) else { break };
-            let (low, high) = cut(sets.swap_remove(widest));
+            let set = sets.swap_remove(widest);
+            let (low, high) = if depth < DEEP { cut(set) } else { set.split_at_mut(set.len() / 2) };
             sets.extend([low, high]);
         }
         for (lane, set) in sets.into_iter().enumerate() {
             let bounds = Bounds::around(set);
-            let child = if set.len() <= fill { (self.leaf)(set) } else { self.node(set) };
+            let child = if set.len() <= fill { (self.leaf)(set) } else { self.node(set, depth + 1) };
             let node = &mut self.nodes[at];
             node.children[lane] = child;
             for axis in 0..3 {

@@ -5,9 +5,9 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
-use pulp::{Simd, WithSimd};
+use pulp::Simd;
 
-use super::walk::walk;
+use super::walk::{Beam, walk};
 use crate::simd::at_most;
 
 /// Children of a node, triangles of a leaf.
@@ -74,40 +74,19 @@ struct Touch {
     weights: [f32; 2],
 }
 
-/// A search along a ray, in the version for a processor.
-struct Walk<'a, const ANY: bool> {
-    tree: &'a Bvh,
-    ray: &'a Ray,
-}
-
-impl<const ANY: bool> WithSimd for Walk<'_, ANY> {
-    type Output = Option<Hit>;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> Option<Hit> {
-        self.tree.meet::<S, ANY>(simd, self.ray)
-    }
-}
-
 impl Bvh {
-    /// The first triangle along a ray, from either side.
-    #[inline]
-    pub(crate) fn first(&self, ray: &Ray) -> Option<Hit> {
-        crate::simd::dispatch(Walk::<false> { tree: self, ray })
-    }
-
-    /// Whether there is any triangle along a ray.
-    #[inline]
-    pub(crate) fn any(&self, ray: &Ray) -> bool {
-        crate::simd::dispatch(Walk::<true> { tree: self, ray }).is_some()
-    }
-
+    /// The first triangle along a ray before an end, from either side, or any of them.
     #[inline(always)]
-    pub(super) fn meet<S: Simd, const ANY: bool>(&self, simd: S, ray: &Ray) -> Option<Hit> {
+    pub(super) fn meet<S: Simd, const ANY: bool>(
+        &self,
+        simd: S,
+        (ray, end): (&Ray, f32),
+        beam: &Beam<S>,
+    ) -> Option<Hit> {
         let (t, Touch { leaf, lane, weights }) = walk::<S, Touch, ANY>(
             simd,
             &self.nodes,
-            ray,
+            (beam, end),
             #[inline(always)]
             |leaf, end| {
                 let (t, lane, weights) = self.leaves[leaf as usize].meet(simd, ray, end)?;

@@ -6,7 +6,7 @@ use pulp::{Simd, WithSimd};
 
 use super::build::over;
 use super::bvh::{Bvh, Hit, Node, Ray};
-use super::walk::walk;
+use super::walk::{Beam, walk};
 use crate::affine::{self, three};
 use crate::mesh::{Bounds, Mesh};
 use crate::scene::{Instance, turned};
@@ -89,19 +89,48 @@ impl Layer {
         let moving = (0..).zip(instances).zip(moving).filter(|((_, i), moves)| **moves && has(&i.link.levels[0]));
         self.moving = over(moving.map(|((number, instance), _)| (number, reach(instance))));
     }
+}
 
-    pub(super) fn first(&self, instances: &[Instance], ray: &Ray) -> Option<Found> {
-        let standing = self.standing.first(ray).map(|hit| (hit, self.origins[hit.number as usize]));
-        if self.moving.is_empty() {
-            return standing;
-        }
-        let ray = Ray { end: standing.map_or(ray.end, |(hit, _)| hit.t), ..*ray };
-        crate::simd::dispatch(Among::<false> { layer: self, instances, ray: &ray }).or(standing)
+/// What is met first along a ray in several layers.
+#[inline]
+pub(super) fn first<const LAYERS: usize>(layers: [&Layer; LAYERS], instances: &[Instance], ray: &Ray) -> Option<Found> {
+    let mut found = crate::simd::dispatch(Standing::<false, LAYERS> { layers, ray });
+    for layer in layers.into_iter().filter(|layer| !layer.moving.is_empty()) {
+        let ray = Ray { end: found.map_or(ray.end, |(hit, _)| hit.t), ..*ray };
+        found = crate::simd::dispatch(Among::<false> { layer, instances, ray: &ray }).or(found);
     }
+    found
+}
 
-    pub(super) fn any(&self, instances: &[Instance], ray: &Ray) -> bool {
-        let among = || crate::simd::dispatch(Among::<true> { layer: self, instances, ray });
-        self.standing.any(ray) || !self.moving.is_empty() && among().is_some()
+/// Whether anything is met along a ray in a layer.
+#[inline]
+pub(super) fn any(layer: &Layer, instances: &[Instance], ray: &Ray) -> bool {
+    let among = || crate::simd::dispatch(Among::<true> { layer, instances, ray });
+    let standing = crate::simd::dispatch(Standing::<true, 1> { layers: [layer], ray });
+    standing.is_some() || !layer.moving.is_empty() && among().is_some()
+}
+
+/// A search among what stands, in several layers.
+struct Standing<'a, const ANY: bool, const LAYERS: usize> {
+    layers: [&'a Layer; LAYERS],
+    ray: &'a Ray,
+}
+
+impl<const ANY: bool, const LAYERS: usize> WithSimd for Standing<'_, ANY, LAYERS> {
+    type Output = Option<Found>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Option<Found> {
+        let Self { layers, ray } = self;
+        let beam = Beam::new(simd, ray);
+        let (mut found, mut end) = (None, ray.end);
+        for layer in layers {
+            if let Some(hit) = layer.standing.meet::<S, ANY>(simd, (ray, end), &beam) {
+                end = hit.t;
+                found = Some((hit, layer.origins[hit.number as usize]));
+            }
+        }
+        found
     }
 }
 
@@ -122,14 +151,14 @@ impl<const ANY: bool> WithSimd for Among<'_, ANY> {
         let met = walk::<S, Found, ANY>(
             simd,
             &layer.moving,
-            ray,
+            (&Beam::new(simd, ray), ray.end),
             #[inline(always)]
             |number, end| {
                 let instance = &instances[number as usize];
                 let (mesh, back) = (&*instance.link.levels[0], &instance.inverse);
                 // Lengths along the ray stay what they are.
                 let own = Ray { from: affine::point(back, ray.from), along: affine::vector(back, ray.along), end };
-                let hit = mesh.trees()[kind].meet::<S, ANY>(simd, &own)?;
+                let hit = mesh.trees()[kind].meet::<S, ANY>(simd, (&own, end), &Beam::new(simd, &own))?;
                 let world = instance.world.narrow();
                 let edges = hit.edges.map(|edge| affine::vector(&world, edge));
                 let triangle = hit.number + if layer.clear { mesh.first_clear() } else { 0 };

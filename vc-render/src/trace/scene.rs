@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::bvh::{Hit, Ray};
-use super::layer::{Found, Layer, Origin};
+use super::layer::{self, Found, Layer, Origin};
 use crate::RenderError;
 use crate::affine::{self, Affine, three};
 use crate::mesh::Face;
@@ -102,7 +102,7 @@ impl Tracer {
 
     /// The first solid thing along a ray.
     pub(crate) fn first(&self, ray: &Ray) -> Option<Met<'_>> {
-        self.solid.first(&self.snapshot.instances, ray).map(|found| self.met(ray, &found))
+        layer::first([&self.solid], &self.snapshot.instances, ray).map(|found| self.met(ray, &found))
     }
 
     /// The first thing along a ray, solid or clear.
@@ -120,20 +120,17 @@ impl Tracer {
 
     #[inline]
     fn nearest(&self, ray: &Ray) -> Option<Found> {
-        let instances = &self.snapshot.instances;
-        let solid = self.solid.first(instances, ray);
-        let nearer = Ray { end: solid.map_or(ray.end, |(hit, _)| hit.t), ..*ray };
-        self.clear.first(instances, &nearer).or(solid)
+        layer::first([&self.solid, &self.clear], &self.snapshot.instances, ray)
     }
 
     /// The first clear thing along a ray.
     pub(crate) fn first_clear(&self, ray: &Ray) -> Option<Met<'_>> {
-        self.clear.first(&self.snapshot.instances, ray).map(|found| self.met(ray, &found))
+        layer::first([&self.clear], &self.snapshot.instances, ray).map(|found| self.met(ray, &found))
     }
 
     /// Whether something solid is on the way.
     pub(crate) fn blocked(&self, ray: &Ray) -> bool {
-        self.solid.any(&self.snapshot.instances, ray)
+        layer::any(&self.solid, &self.snapshot.instances, ray)
     }
 
     fn met(&self, ray: &Ray, (hit, origin): &Found) -> Met<'_> {

@@ -2,16 +2,18 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
+use arrayvec::ArrayVec;
 use pulp::Simd;
 
+use super::build::LEVELS;
 use super::bvh::{LEAF, Lanes, Node, Ray, WIDE, part};
 use crate::simd::at_most;
 
-/// Most nodes that wait to be visited; [`Bvh::build`](super::build) makes no deeper trees.
-const STACK: usize = 128;
+/// Most nodes that wait to be visited: at each level but the last all children but one.
+const STACK: usize = (WIDE - 1) * LEVELS;
 
 /// A ray as boxes want it.
-struct Beam<S: Simd> {
+pub(super) struct Beam<S: Simd> {
     from: [S::f32s; 3],
     /// One over the direction, and a little more for the far sides, against rounding (Ize 2013).
     over: [S::f32s; 3],
@@ -19,105 +21,72 @@ struct Beam<S: Simd> {
     /// By axis, the bounds that the ray meets first and last.
     sides: [[usize; 2]; 3],
 }
-/// Goes along a ray through nodes: `meet` finds what is met in a leaf before an end, and where.
+
+/// Goes along a ray through nodes up to an end: `meet` finds what is met in a leaf before an end, and where.
 #[inline(always)]
 pub(super) fn walk<S: Simd, H, const ANY: bool>(
     simd: S,
     nodes: &[Node],
-    ray: &Ray,
+    (beam, mut end): (&Beam<S>, f32),
     mut meet: impl FnMut(u32, f32) -> Option<(f32, H)>,
 ) -> Option<(f32, H)> {
     if nodes.is_empty() {
         return None;
     }
-    let beam = Beam::new(simd, ray);
-    let (mut best, mut end) = (None, ray.end);
+    let mut best = None;
+    // Not set up beforehand, which would cost more than a node.
+    let mut stack = Stack::new();
     let mut current = 0_u32;
-    // Most rays that meet little of a tree need no stack, which costs more than a node to set up.
-    let (mut enters, mut met) = loop {
-        if current & LEAF != 0 {
-            return meet(current & !LEAF, end);
-        }
-        let node = &nodes[current as usize];
-        let (enters, met) = node.enters(simd, &beam, end);
-        if met == 0 {
-            return None;
-        }
-        if !met.is_power_of_two() {
-            break (enters, met);
-        }
-        current = node.children[met.trailing_zeros() as usize];
-    };
-    let mut stack = [(0_u32, 0.0_f32); STACK];
-    let mut height = 0_usize;
     loop {
-        let children = &nodes[current as usize].children;
-        current = if ANY {
-            any_child(children, met, &mut stack, &mut height)
-        } else {
-            nearest_child(children, (&enters, met), &mut stack, &mut height)
-        };
-        // Down to the next node of which more than one child is met.
-        loop {
-            if current & LEAF != 0 {
-                if let Some((at, hit)) = meet(current & !LEAF, end) {
-                    (end, best) = (at, Some((at, hit)));
-                    if ANY {
-                        return best;
-                    }
-                }
-                met = 0;
-            } else {
-                let node = &nodes[current as usize];
-                (enters, met) = node.enters(simd, &beam, end);
-                if met.is_power_of_two() {
-                    current = node.children[met.trailing_zeros() as usize];
-                    continue;
-                }
-            }
-            if met != 0 {
-                break;
-            }
-            // What begins behind the nearest hit is left out.
-            current = loop {
-                if height == 0 {
+        if current & LEAF != 0 {
+            if let Some((at, hit)) = meet(current & !LEAF, end) {
+                (end, best) = (at, Some((at, hit)));
+                if ANY {
                     return best;
                 }
-                height -= 1;
-                let (child, enter) = stack[height % STACK];
-                if enter <= end {
-                    break child;
-                }
-            };
+            }
+        } else {
+            let node = &nodes[current as usize];
+            let (enters, met) = node.enters(simd, beam, end);
+            if met != 0 {
+                current = match met.is_power_of_two() {
+                    true => node.children[met.trailing_zeros() as usize % WIDE],
+                    false if ANY => any_child(&node.children, met, &mut stack),
+                    false => nearest_child(&node.children, &enters, met, &mut stack),
+                };
+                continue;
+            }
         }
+        // What begins behind the nearest hit is left out.
+        current = loop {
+            match stack.pop() {
+                None => return best,
+                Some((child, enter)) if enter <= end => break child,
+                Some(_) => {}
+            }
+        };
     }
 }
 
 /// Nodes that wait: which, and where the ray enters them.
-type Stack = [(u32, f32); STACK];
+type Stack = ArrayVec<(u32, f32), STACK>;
 
 /// Any of the children that are met, several of them; the others have to wait.
 #[inline(always)]
-fn any_child(children: &[u32; WIDE], mut met: u32, stack: &mut Stack, height: &mut usize) -> u32 {
+fn any_child(children: &[u32; WIDE], mut met: u32, stack: &mut Stack) -> u32 {
     loop {
         let child = children[met.trailing_zeros() as usize % WIDE];
         met &= met - 1;
         if met == 0 {
             return child;
         }
-        stack[*height % STACK] = (child, 0.0);
-        *height += 1;
+        stack.push((child, 0.0));
     }
 }
 
 /// The nearest of the children that are met, several of them; the others have to wait, the farthest longest.
 #[inline(always)]
-fn nearest_child(
-    children: &[u32; WIDE],
-    (enters, mut met): (&Lanes, u32),
-    stack: &mut Stack,
-    height: &mut usize,
-) -> u32 {
+fn nearest_child(children: &[u32; WIDE], enters: &Lanes, mut met: u32, stack: &mut Stack) -> u32 {
     let mut next = || {
         let lane = met.trailing_zeros() as usize % WIDE;
         met &= met.wrapping_sub(1);
@@ -125,29 +94,28 @@ fn nearest_child(
     };
     let ((a, _), (b, mut left)) = (next(), next());
     let (mut near, far) = if b.1 < a.1 { (b, a) } else { (a, b) };
-    let first = *height;
-    stack[first % STACK] = far;
-    *height += 1;
+    let first = stack.len();
+    stack.push(far);
     while left != 0 {
         let (child, after) = next();
         left = after;
         let (nearer, other) = if child.1 < near.1 { (child, near) } else { (near, child) };
         near = nearer;
+        stack.push(other);
         // Nearest on top.
-        let mut at = *height;
-        while at > first && stack[(at - 1) % STACK].1 < other.1 {
-            stack[at % STACK] = stack[(at - 1) % STACK];
+        let mut at = stack.len() - 1;
+        while at > first && stack[at - 1].1 < other.1 {
+            stack[at] = stack[at - 1];
             at -= 1;
         }
-        stack[at % STACK] = other;
-        *height += 1;
+        stack[at] = other;
     }
     near.0
 }
 
 impl<S: Simd> Beam<S> {
     #[inline(always)]
-    fn new(simd: S, ray: &Ray) -> Self {
+    pub(super) fn new(simd: S, ray: &Ray) -> Self {
         let mut beam = Self {
             from: [simd.splat_f32s(0.0); 3],
             over: [simd.splat_f32s(0.0); 3],
