@@ -1,6 +1,13 @@
 #![doc = include_str!("../FRONT.md")]
 #![warn(clippy::disallowed_methods)]
 
+// What tests have in common names the crate as its users do.
+#[cfg(test)]
+extern crate self as vc_render;
+#[cfg(test)]
+#[path = "../tests/common/mod.rs"]
+mod common;
+
 mod affine;
 pub mod camera;
 mod error;

@@ -25,13 +25,24 @@ pub(crate) fn widest<R>(work: impl FnOnce() -> R) -> R {
 #[inline]
 pub(crate) fn dispatch<W: WithSimd>(work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
-    if let Some(v3) = pulp::x86::V3::try_new() {
+    if let Some(v3) = wide() {
         return Simd::vectorize(v3, work);
     }
     #[cfg(target_arch = "x86_64")]
     return Simd::vectorize(pulp::Scalar::new(), work);
     #[cfg(not(target_arch = "x86_64"))]
     pulp::Arch::new().dispatch(work)
+}
+
+/// The instructions for vectors of eight numbers, where there are any.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(crate) fn wide() -> Option<pulp::x86::V3> {
+    #[cfg(test)]
+    if tests::PLAIN.load(std::sync::atomic::Ordering::Relaxed) {
+        return None;
+    }
+    pulp::x86::V3::try_new()
 }
 
 /// Added to a number of less than 2^22, leaves the nearest whole number in the low bits.
@@ -110,6 +121,58 @@ pub(crate) fn runs<S: Simd>(simd: S, row: &[u32], mut run: impl FnMut(u32, usize
         if row.get(to) != Some(&row[to - 1]) {
             run(row[from], from, to);
             from = to;
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    use vc_graph::Pose;
+
+    use crate::{Camera, Daylight, Exposure, Frame, Modalities, Modality, Renderer, Shot, common};
+
+    /// Whether the processor is one without such vectors.
+    pub(super) static PLAIN: AtomicBool = AtomicBool::new(false);
+
+    /// All of a picture, by day and by lamplight, and what a path tracer makes of it.
+    fn pictures() -> Vec<Vec<u32>> {
+        let mut renderer = Renderer::new();
+        let mut snapshot = renderer.snapshot(&common::lamplit()).unwrap();
+        let mut next = snapshot.clone();
+        for (place, node) in snapshot.clone().nodes().enumerate() {
+            snapshot.switch(node, true).unwrap();
+            if place % 3 == 0 {
+                next.place(node, &Pose::translation(0.04 * place as f32, 0.3, 0.5)).unwrap();
+            }
+        }
+        let mut all = Vec::new();
+        for (camera, daylight) in common::cameras(76, 52).into_iter().zip([Daylight::noon(), Daylight::night()]) {
+            let lighting = renderer.light(&snapshot, &daylight);
+            let then = Camera { pose: camera.pose * nalgebra::Translation3::new(0.05, 0.0, 0.1), ..camera };
+            let shot = Shot::new(&snapshot, &camera, Modalities::of(Modality::ALL)).lit(&lighting);
+            let shot = shot.after(&next, &then).before(&next, &then);
+            let mut frame = Frame::new();
+            renderer.render(&shot, &mut frame).unwrap();
+            all.extend(Modality::ALL.iter().map(|modality| common::contents(&frame, *modality)));
+            let how = Exposure { samples: 2, ..Exposure::default() };
+            let photograph = renderer.photograph(&lighting, &camera, &how, |_| true).unwrap();
+            all.push(photograph.light.as_flattened().iter().map(|v| v.to_bits()).collect());
+        }
+        all
+    }
+
+    #[test]
+    fn processors_without_vectors_make_the_same_pictures() {
+        let wide = pictures();
+        PLAIN.store(true, Ordering::Relaxed);
+        let plain = pictures();
+        PLAIN.store(false, Ordering::Relaxed);
+        for (at, (wide, plain)) in wide.iter().zip(&plain).enumerate() {
+            let other = wide.iter().zip(plain).filter(|(a, b)| a != b).count();
+            assert!(wide.len() == plain.len() && other == 0, "list {at}: {other} of {} differ", wide.len());
         }
     }
 }

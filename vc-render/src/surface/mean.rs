@@ -29,7 +29,7 @@ impl Mixer {
     pub(super) fn new() -> Self {
         Self {
             #[cfg(target_arch = "x86_64")]
-            v3: pulp::x86::V3::try_new(),
+            v3: crate::simd::wide(),
         }
     }
 

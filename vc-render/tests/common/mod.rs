@@ -1,5 +1,6 @@
 //! A room to render, and an independent ray caster to compare with.
 #![allow(dead_code, unreachable_pub, missing_docs, clippy::unwrap_used, reason = "each test file uses a part of this")]
+#![allow(unreachable_patterns, reason = "inside of the crate, all modalities are known")]
 
 pub mod caster;
 
