@@ -245,7 +245,7 @@ fn exposures_that_cannot_be_give_some_picture() {
         assert_eq!(rounds, samples.max(1), "{how:?}");
         assert_eq!(light.len(), 16 * 12);
         assert!(light.iter().flatten().all(|v| v.is_finite()), "{how:?}");
-        assert!(brightest < 0.0 || light.iter().flatten().all(|v| *v >= 0.0), "{how:?}");
+        assert!(light.iter().flatten().all(|v| *v >= 0.0), "{how:?}");
     }
 }
 

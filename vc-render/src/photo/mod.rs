@@ -71,7 +71,7 @@ pub struct Exposure {
     /// Surfaces that throw light at most, from its source to the eye; panes and mirrors do not count.
     pub bounces: u32,
     /// Brightest light that a path may bring by way of a second surface, against middle grey:
-    /// brighter is cut off, as it would only be specks. Infinite for no loss at all.
+    /// brighter is cut off, as it would only be specks. Infinite for no loss at all; less than none is none.
     pub brightest: f32,
     /// Chooses among pictures that differ in their noise.
     pub seed: u32,
@@ -220,7 +220,7 @@ impl Renderer {
             spots: &spots,
             covers: &covers,
             how,
-            most: how.brightest / exposure[1],
+            most: how.brightest.max(0.0) / exposure[1],
         };
         let mut traced = vec![Traced::default(); width * height];
         for round in 0..how.samples.max(1) {

@@ -35,7 +35,7 @@ pub(super) struct Sample {
     pub(super) height: f32,
 }
 
-const WOODS: [&str; 15] = [
+const WOODS: [&str; 16] = [
     "oak",
     "beech",
     "birch",
@@ -49,8 +49,9 @@ const WOODS: [&str; 15] = [
     "wenge",
     "bamboo",
     "whitewashed",
-    "grey_oak",
     "wood",
+    "plywood",
+    "hardwood",
 ];
 
 impl Pattern {
@@ -70,10 +71,13 @@ impl Pattern {
         Self::Wall,
     ];
 
-    /// What suits a material, by the words in its name.
+    /// What suits a material, by how words in its name begin.
     pub(crate) fn of(material: &Material, role: Role) -> Self {
         let name = &*material.name;
-        let any = |words: &[&str]| words.iter().any(|w| name.contains(w));
+        // What is washed is not of ash.
+        let begins = |at: usize| !name[..at].ends_with(|c: char| c.is_alphabetic());
+        let has = |word: &str| name.match_indices(word).any(|(at, _)| begins(at));
+        let any = |words: &[&str]| words.iter().any(|word| has(word));
         match () {
             () if material.transmission > 0.3 || any(&["glass", "lacquer", "plastic", "screen"]) => Self::Plain,
             () if any(&WOODS) && role == Role::Floor => Self::Boards,
@@ -88,7 +92,9 @@ impl Pattern {
             () if any(&["granite", "gravel", "asphalt", "soil", "cork"]) => Self::Speckle,
             () if any(&["marble"]) => Self::Marble,
             () if any(&["wall_paint"]) => Self::Wall,
-            () if any(&["concrete", "plaster", "stone", "rock", "terracotta", "rust"]) => Self::Rough,
+            () if any(&["concrete", "plaster", "stone", "sandstone", "rock", "terracotta", "rust", "crust"]) => {
+                Self::Rough
+            }
             () if material.metallic > 0.5 && material.roughness > 0.15 => Self::Brushed,
             () if any(&["paper", "card"]) => Self::Paper,
             () => Self::Plain,
@@ -253,4 +259,26 @@ fn wall(u: f32, v: f32) -> Sample {
 fn brushed(u: f32, v: f32) -> Sample {
     let lines = octaves(u, v, (160, 2), 2, 131);
     even(0.95 + 0.1 * lines, 0.85 + 0.5 * (lines - 0.5), 0.0002 * lines)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patterns_go_by_how_words_begin() {
+        let of = |name: &str, role: Role| Pattern::of(&crate::common::material(name, [0.5; 3]), role);
+        let cases = [
+            ("ash", Pattern::Grain),
+            ("washed_linen", Pattern::Weave),
+            ("cash_green", Pattern::Plain),
+            ("red_brick", Pattern::Bricks),
+            ("sandstone", Pattern::Rough),
+            ("birch_plywood", Pattern::Grain),
+        ];
+        for (name, pattern) in cases {
+            assert_eq!(of(name, Role::Plain), pattern, "{name}");
+        }
+        assert_eq!(of("oak", Role::Floor), Pattern::Boards);
+    }
 }
