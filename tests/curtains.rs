@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
 use virtualcity::graph::{Node, NodeId, Pose, SceneGraph, Seed};
 use virtualcity::procgen::Apartment;
 use virtualcity::render::{RayCaster, RayHit, Renderer, Snapshot};
@@ -80,24 +81,27 @@ fn drawn(snapshot: &Snapshot, windows: &[Hung], closed: bool) -> RayCaster {
     RayCaster::new(&drawn)
 }
 
+/// How many windows of a home have curtains, how many of them radiators in their room, and how many are covered.
+fn counts(seed: u64) -> [usize; 3] {
+    let graph = Apartment::from_seed(Seed(seed)).unwrap().scene();
+    let snapshot = Renderer::new().snapshot(&graph).unwrap();
+    let all = hung(&graph);
+    let [open, closed] = [false, true].map(|closed| drawn(&snapshot, &all, closed));
+    let covered = |window: &&Hung| {
+        let place = format!("home {seed}, curtains {:?}", window.curtains);
+        let [aside, over] = [&open, &closed].map(|caster| window.covered(caster));
+        assert!(aside <= 0.25, "{place}: {aside} of the window are covered where they are open");
+        assert_eq!(window.through(&open) + window.through(&closed), 0, "{place}: through a radiator");
+        over > 0.95
+    };
+    let warmed = all.iter().filter(|window| !window.radiators.is_empty()).count();
+    [all.len(), warmed, all.iter().filter(covered).count()]
+}
+
 #[test]
 fn curtains_leave_windows_free_or_cover_them_and_go_through_no_radiator() {
-    let (mut windows, mut warmed, mut covered) = (0, 0, 0);
-    for seed in 0..20 {
-        let graph = Apartment::from_seed(Seed(seed)).unwrap().scene();
-        let snapshot = Renderer::new().snapshot(&graph).unwrap();
-        let all = hung(&graph);
-        let [open, closed] = [false, true].map(|closed| drawn(&snapshot, &all, closed));
-        for window in &all {
-            let place = format!("home {seed}, curtains {:?}", window.curtains);
-            let [aside, over] = [&open, &closed].map(|caster| window.covered(caster));
-            assert!(aside <= 0.25, "{place}: {aside} of the window are covered where they are open");
-            assert_eq!(window.through(&open) + window.through(&closed), 0, "{place}: through a radiator");
-            windows += 1;
-            warmed += usize::from(!window.radiators.is_empty());
-            covered += usize::from(over > 0.95);
-        }
-    }
+    let each = (0..20).into_par_iter().map(counts);
+    let [windows, warmed, covered] = each.reduce(|| [0; 3], |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
     eprintln!("{covered} of {windows} windows are covered by closed curtains; {warmed} have radiators in their room");
     assert!(windows > 30 && warmed > 20);
     assert!(20 * covered >= 19 * windows, "{covered} of {windows} windows are covered by closed curtains");
