@@ -4,11 +4,12 @@ use nalgebra::Point3;
 use vc_graph::NodeId;
 
 use crate::RenderError;
+use crate::affine;
 use crate::camera::Camera;
 use crate::frame::Frame;
 use crate::modality::Modality;
 use crate::renderer::Renderer;
-use crate::scene::Snapshot;
+use crate::scene::{Instance, Snapshot};
 use crate::view::Shot;
 
 /// Height of the eye, and of what it looks at, over the floor, metres.
@@ -16,6 +17,9 @@ const EYE: f32 = 1.55;
 const TARGET: f32 = 0.95;
 /// How far from the walls the eye keeps, metres.
 const OFF: f32 = 0.3;
+/// How far from the boxes of things, metres, and what places are worth that are nearer.
+const CLEAR: f32 = 0.1;
+const WITHIN: f32 = -1e3;
 /// What is farther away shows a room, metres.
 const FAR: f32 = 2.2;
 /// Places along each wall.
@@ -26,8 +30,8 @@ const SIDE: f32 = 80.0;
 impl Renderer {
     /// A camera in a room that sees most of it: of places in its corners and along its walls, at the height of
     /// eyes, the one from which most things of the room are seen, and farthest, and least that stands close before it
-    /// or belongs to other rooms. It looks past the middle of the room or along a wall. All but the pose is that of
-    /// `camera`.
+    /// or belongs to other rooms. It looks past the middle of the room or along a wall, from within a thing's box only
+    /// where there is no other place. All but the pose is that of `camera`.
     ///
     /// The room must have a box in the graph. Costs 64 renderings of ids and depth in 80 pixels across.
     ///
@@ -61,10 +65,11 @@ impl Renderer {
         let mut frame = Frame::new();
         let mut best: Option<(f32, Camera)> = None;
         for eye in eyes(&around.min, &around.max) {
+            let place = if is_free(snapshot, eye) { 0.0 } else { WITHIN };
             for at in targets(eye, around.centre()) {
                 let view = small.looking(eye, Point3::new(at[0], at[1], around.min.z + TARGET));
                 self.render(&Shot::new(snapshot, &view, Modality::Instance | Modality::Depth), &mut frame)?;
-                let score = score(snapshot, number as u16, &frame);
+                let score = place + score(snapshot, number as u16, &frame);
                 if best.is_none_or(|b| score > b.0) {
                     best = Some((score, view));
                 }
@@ -98,6 +103,15 @@ fn eyes(low: &Point3<f32>, high: &Point3<f32>) -> impl Iterator<Item = Point3<f3
     let all = (0..PLACES * PLACES).map(|i| (i / PLACES, i % PLACES));
     let outer = all.filter(move |(i, j)| i % last == 0 || j % last == 0);
     outer.map(move |(i, j)| Point3::new(place(i, low.x, high.x), place(j, low.y, high.y), low.z + EYE))
+}
+
+/// Whether a place is in no thing and not right before one.
+fn is_free(snapshot: &Snapshot, eye: Point3<f32>) -> bool {
+    let within = |instance: &Instance| {
+        let (bounds, own) = (&instance.link.levels[0].bounds, affine::point(&instance.inverse, eye.into()));
+        (0..3).all(|k| (own[k] - bounds.centre[k]).abs() <= bounds.half[k] + CLEAR)
+    };
+    !snapshot.instances.iter().any(within)
 }
 
 /// To where one may look from a place: the middle, a little beyond it, and along the walls, for rooms with corners

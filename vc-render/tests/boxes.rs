@@ -229,6 +229,28 @@ fn a_viewpoint_sees_more_of_its_room_than_others() {
 }
 
 #[test]
+fn a_viewpoint_is_in_no_cupboard() {
+    let mut stage = Stage::new();
+    let size = vc_graph::Bounds::standing(Vector3::new(2.4, 4.0, 2.5));
+    let kitchen = stage.builder.add(vc_graph::Draft::new("kitchen").at(Pose::identity()).bounds(size)).unwrap();
+    // Their fronts are a millimetre before where eyes are along the wall: too near to be seen.
+    let cupboard = stage.asset(vec![common::part("board", block([0.15, 0.3, 0.4]), [0.0; 3], 0)]);
+    let cup = stage.asset(vec![common::part("box", block([0.05; 3]), [0.0; 3], 1)]);
+    let mut put = |asset, at: [f32; 3]| {
+        let draft = vc_graph::Draft { asset: Some(asset), ..vc_graph::Draft::new("thing") };
+        stage.builder.add_in(kitchen, draft.at(pose(at, 0.0, 0.0))).unwrap();
+    };
+    let hung: Vec<[f32; 3]> = (0..5).map(|i| [-1.049, 0.8 * i as f32 - 1.6, 1.5]).collect();
+    hung.iter().for_each(|at| put(cupboard, *at));
+    (0..60).for_each(|i| put(cup, [1.1, 0.2 * (i % 15) as f32 - 1.4, 0.7 + 0.2 * (i / 15) as f32]));
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let eye = renderer.viewpoint(&snapshot, kitchen, &Camera::with_fov(160, 120, 1.15)).unwrap().eye();
+    let inside = |at: &&[f32; 3]| (eye.x - at[0]).abs() < 0.2 && (eye.y - at[1]).abs() < 0.35;
+    assert!(!hung.iter().any(|at| inside(&at)), "the eye is at {eye}, in a cupboard");
+}
+
+#[test]
 fn a_viewpoint_looks_along_a_narrow_hall() {
     let mut stage = Stage::new();
     let size = vc_graph::Bounds::standing(Vector3::new(6.0, 1.1, 2.5));
