@@ -19,6 +19,12 @@ const BATCH: usize = 64;
 /// Light that leans is kept up to so many times the light there is.
 pub(super) const DRIFT: f32 = 4.0;
 
+/// Reflectance head on of what is no metal.
+const HEAD_ON: f32 = 0.04;
+/// What the facets of rough metals throw from one to the next, by the square of roughness and by colour: a fit to what
+/// reference pictures give back (Turquin 2019).
+const AGAIN: f32 = 0.75;
+
 type Lanes = [f32; BATCH];
 
 /// Where light comes from and who sees it.
@@ -46,6 +52,8 @@ pub(crate) struct Batch {
     roughness: Lanes,
     /// Reflectance head on: a metal's colour comes later.
     head_on: Lanes,
+    /// What share of the light on it reaches the base under its gloss.
+    base: Lanes,
     open: Lanes,
     sides: [Ambient; BATCH],
     light: [Lanes; LIGHT],
@@ -72,6 +80,7 @@ impl Default for Batch {
             facing: zero,
             roughness: zero,
             head_on: zero,
+            base: zero,
             open: zero,
             sides: [Ambient::default(); BATCH],
             light: [zero; LIGHT],
@@ -173,7 +182,7 @@ impl Batch {
         for i in 0..self.lanes() {
             let (roughness, metallic) = gloss(shiny[i]);
             self.roughness[i] = roughness.max(0.05);
-            self.head_on[i] = 0.04 + 0.96 * metallic;
+            self.head_on[i] = HEAD_ON + (1.0 - HEAD_ON) * metallic;
             let normal = unit([self.normal[0][i], self.normal[1][i], self.normal[2][i]]);
             let ray = lamps.ray(xs[i], ys[i]);
             let over = -1.0 / (ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]).sqrt();
@@ -211,7 +220,11 @@ impl Batch {
             (0..3).for_each(|k| self.light[k + 3][i] = sheen[k]);
         }
         for i in 0..self.lanes() {
-            let shine = shine(self.roughness[i], self.facing[i], self.head_on[i]) * (0.3 + 0.7 * self.open[i]);
+            // The roughest surfaces have no gloss at all, but metals.
+            let coat = ((1.0 - self.roughness[i]) * 10.0).clamp(0.0, 1.0).max(self.metal(i));
+            let thrown = coat * shine(self.roughness[i], self.facing[i], self.head_on[i]);
+            self.base[i] = 1.0 - thrown;
+            let shine = thrown * (0.3 + 0.7 * self.open[i]);
             for k in 0..3 {
                 self.light[k][i] *= self.open[i];
                 self.drift[k][i] *= self.open[i];
@@ -220,15 +233,28 @@ impl Batch {
         }
     }
 
+    /// How much of it is metal.
+    #[inline(always)]
+    fn metal(&self, i: usize) -> f32 {
+        (self.head_on[i] - HEAD_ON) * (1.0 / (1.0 - HEAD_ON))
+    }
+
     #[inline(always)]
     fn store(&mut self, (lattice, planes): (&mut Lattice, &mut Planes), known: &Known, spots: &[u32]) {
-        let mut drift = [0_u32; BATCH];
+        let (mut drift, mut again, mut metals) = ([0_u32; BATCH], [0.0; BATCH], false);
         for i in 0..self.lanes() {
+            again[i] = AGAIN * self.roughness[i] * self.roughness[i] * self.metal(i);
+            metals |= again[i] > 0.0;
             let over = 1.0 / (DRIFT * brightness([self.light[0][i], self.light[1][i], self.light[2][i]])).max(1e-6);
             drift[i] = packed([self.drift[0][i] * over, self.drift[1][i] * over, self.drift[2][i] * over]);
+            (0..3).for_each(|k| self.light[k][i] *= self.base[i]);
         }
         for (i, spot) in spots.iter().enumerate().take(self.count) {
             let (row, x) = place(*spot);
+            if metals && again[i] > 0.0 {
+                let colour = planes.0[row].colour.each_ref().map(|list| list[x]);
+                (0..3).for_each(|c| self.light[c + 3][i] *= 1.0 + again[i] * colour[c]);
+            }
             let (cells, k) = lattice.cell(planes, row, x);
             let Look { glow, shine, .. } = known.look(self.looks[i]);
             for c in 0..3 {
