@@ -1,6 +1,7 @@
 //! Convex pieces for physics.
 
 use std::collections::HashMap;
+use std::panic::catch_unwind;
 
 use nalgebra::{Point3, Vector3};
 use parry3d::math::Vector;
@@ -167,8 +168,12 @@ fn decomposed(soup: &Soup, most: usize) -> Vec<Vec<Point3<f32>>> {
     let inside = |p: &Point3<f32>| (p - low) / size;
     let points: Vec<Vector> = soup.points.iter().map(inside).map(|v| Vector::new(v.x, v.y, v.z)).collect();
     let parameters = VHACDParameters { max_convex_hulls: asked as u32, ..VHACDParameters::default() };
-    let parts = VHACD::decompose(&parameters, &points, &soup.triangles, true);
-    let found = parts.compute_exact_convex_hulls(&points, &soup.triangles).into_iter();
+    // Of some sets of voxels parry3d 0.31 finds no hull and panics; then there is one piece.
+    let parts = catch_unwind(|| {
+        let parts = VHACD::decompose(&parameters, &points, &soup.triangles, true);
+        parts.compute_exact_convex_hulls(&points, &soup.triangles)
+    });
+    let Ok(found) = parts.map(IntoIterator::into_iter) else { return whole() };
     let back = |p: &Vector| low + Vector3::new(p.x, p.y, p.z) * size;
     let hulls: Vec<_> = found.filter_map(|(points, _)| hull(&points.iter().map(back).collect::<Vec<_>>())).collect();
     if hulls.is_empty() { whole() } else { hulls }
