@@ -149,7 +149,7 @@ fn order_matters() {
 }
 
 proptest! {
-    #![proptest_config(cases(60))]
+    #![proptest_config(cases(24))]
 
     #[test]
     fn a_trace_is_judged_as_its_last_situation_where_time_does_not_matter(goal in goal(0, 2)) {
