@@ -24,14 +24,17 @@ const WITHIN: f32 = -1e3;
 const FAR: f32 = 2.2;
 /// Places along each wall.
 const PLACES: usize = 5;
+/// What share of a picture windows of the room should have, and by how much things are worth more in their light.
+const WINDOWS: f32 = 0.03;
+const DAYLIGHT: f32 = 0.7;
 /// Longer side of the pictures by which places are compared, pixels.
 const SIDE: f32 = 80.0;
 
 impl Renderer {
     /// A camera in a room that sees most of it: of places in its corners and along its walls, at the height of
-    /// eyes, the one from which most things of the room are seen, and farthest, and least that stands close before it
-    /// or belongs to other rooms. It looks past the middle of the room or along a wall, from within a thing's box only
-    /// where there is no other place. All but the pose is that of `camera`.
+    /// eyes, the one from which most things of the room are seen, and farthest, with a window, and least that stands
+    /// close before it or belongs to other rooms. It looks past the middle of the room or along a wall, from within
+    /// a thing's box only where there is no other place. All but the pose is that of `camera`.
     ///
     /// The room must have a box in the graph. Costs 64 renderings of ids and depth in 80 pixels across.
     ///
@@ -121,12 +124,15 @@ fn targets(eye: Point3<f32>, middle: Point3<f32>) -> [[f32; 2]; 4] {
     [[middle.x, middle.y], [beyond.x, beyond.y], [middle.x, eye.y], [eye.x, middle.y]]
 }
 
-/// Things of the room that are seen and how much of it is far, less what stands in the way.
+/// Things of the room that are seen, more where a window is, and how much of it is far, less what stands in the way.
 fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let mine = |n: &NodeId| snapshot.body_of(*n).is_some_and(|body| body.room == room);
+    let class = |n: &NodeId| snapshot.body_of(*n).and_then(|body| snapshot.classes.get(usize::from(body.class)));
     let mut seen: Vec<NodeId> = frame.instance.iter().copied().filter(mine).collect();
     let pixels = frame.depth.len() as f32;
     let foreign = (frame.instance.len() - seen.len()) as f32 / pixels;
+    let windows = seen.iter().filter(|n| class(n).is_some_and(|c| **c == *"window")).count() as f32 / pixels;
+    let daylight = 1.0 + DAYLIGHT * (windows / WINDOWS).min(1.0);
     seen.sort_unstable();
     seen.dedup();
     // At the sides walls are near where rooms are narrow, and in nobody's way.
@@ -134,5 +140,5 @@ fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let ahead = || frame.depth.chunks(frame.width).flat_map(|row| &row[middle.clone()]);
     let nearer = |than: f32| ahead().filter(|d| **d < than).count() as f32 / ahead().count().max(1) as f32;
     let far = 1.0 - nearer(FAR);
-    seen.len() as f32 + 12.0 * far - 60.0 * nearer(0.7) - 15.0 * nearer(1.3) - 25.0 * foreign
+    seen.len() as f32 * daylight + 12.0 * far - 60.0 * nearer(0.7) - 15.0 * nearer(1.3) - 25.0 * foreign
 }

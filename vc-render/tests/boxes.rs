@@ -229,6 +229,32 @@ fn a_viewpoint_sees_more_of_its_room_than_others() {
 }
 
 #[test]
+fn a_viewpoint_sees_a_window() {
+    for side in [-1.0, 1.0] {
+        let mut stage = Stage::new();
+        let size = vc_graph::Bounds::standing(Vector3::new(5.0, 4.0, 2.5));
+        let den = stage.builder.add(vc_graph::Draft::new("bedroom").at(Pose::identity()).bounds(size)).unwrap();
+        let wide = stage.asset(vec![common::part("board", block([0.02, 0.6, 0.6]), [0.0; 3], 0)]);
+        let low = stage.asset(vec![common::part("box", block([0.1; 3]), [0.0; 3], 1)]);
+        let mut put = |asset, class, at: [f32; 3]| {
+            let draft = vc_graph::Draft { asset: Some(asset), ..vc_graph::Draft::new(class) };
+            stage.builder.add_in(den, draft.at(pose(at, 0.0, 0.0))).unwrap()
+        };
+        // As many things from everywhere, and at the other wall a board as wide as the window.
+        let window = put(wide, "window", [side * 2.45, 0.0, 1.4]);
+        put(wide, "painting", [side * -2.45, 0.0, 1.4]);
+        (0..8).for_each(|i| drop(put(low, "thing", [0.4 * (i % 2) as f32 - 0.2, 0.4 * (i / 2) as f32 - 0.6, 0.1])));
+        let mut renderer = Renderer::new();
+        let snapshot = renderer.snapshot(&stage.build()).unwrap();
+        let view = renderer.viewpoint(&snapshot, den, &Camera::with_fov(160, 120, 1.15)).unwrap();
+        let mut frame = Frame::new();
+        renderer.render(&Shot::new(&snapshot, &view, Modality::Instance), &mut frame).unwrap();
+        let seen = frame.instance.iter().filter(|n| **n == window).count();
+        assert!(seen > frame.instance.len() / 50, "{seen} pixels of the window from {}", view.eye());
+    }
+}
+
+#[test]
 fn a_viewpoint_is_in_no_cupboard() {
     let mut stage = Stage::new();
     let size = vc_graph::Bounds::standing(Vector3::new(2.4, 4.0, 2.5));

@@ -51,3 +51,38 @@ fn outlines_are_free_of_specks() {
     // Smoothed without regard to them it is six and fifteen.
     assert!(dark == 0 && bright < 12, "{dark} dark and {bright} bright specks");
 }
+
+/// Pillars before each other under a grey sky.
+fn pillars() -> (Renderer, Lighting) {
+    let mut stage = common::Stage::new();
+    stage.one("floor", common::block([4.0, 4.0, 0.05]), common::pose([0.0, 0.0, -0.05], 0.0, 0.0), 1);
+    for i in 0..9 {
+        let at = [0.6 * (i % 3) as f32 - 0.5, 0.7 * (i / 3) as f32 - 0.8, 0.8];
+        let turn = 0.35 * i as f32;
+        stage.one("pillar", common::block([0.1, 0.1, 0.8]), common::pose(at, turn, 0.0), i % 2);
+    }
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let lighting = renderer.light(&snapshot, &Daylight::overcast());
+    (renderer, lighting)
+}
+
+#[test]
+fn outlines_are_as_in_the_light_of_many_paths() {
+    let made = pillars();
+    let camera = Camera::with_fov(SIZE.0 as u32, SIZE.1 as u32, 0.9);
+    let camera = camera.looking([2.2, -2.4, 1.9].into(), [0.0, 0.0, 0.6].into());
+    let truth = brightness(&made, &camera, 512, false);
+    let smooth = brightness(&made, &camera, 8, true);
+    let ([mut off, mut count], sky) = ([0.0; 2], truth[0]);
+    for (index, light) in smooth.iter().enumerate() {
+        let [least, most] = range(&truth, index);
+        if most > 1.3 * least && most < 0.9 * sky {
+            off += (light - truth[index]).abs() / truth[index];
+            count += 1.0;
+        }
+    }
+    let off = off / count;
+    eprintln!("{off:.3} of the light off, at {count} pixels");
+    assert!(count > 200.0 && off < 0.1, "{off} off at {count} pixels");
+}

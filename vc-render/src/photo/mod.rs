@@ -5,11 +5,11 @@
 //! importance sampling, Veach 1997); some paths are sent to drawn blinds and curtains ([`cover`]).
 //! Surfaces are Lambert's under microfacets ([`scatter`]); what
 //! the eye sees through glass is refracted, and what panes reflect is a path of its own
-//! ([`glass`]). What noise is left is smoothed along surfaces ([`denoise`]), and pixels at their edges are put together
-//! from both sides ([`bridge`]).
+//! ([`glass`]). What noise is left is smoothed along surfaces ([`denoise`]), those of a pixel apart ([`film`]);
+//! where there are none, pixels get light from around them ([`alone`]).
 
 mod albedo;
-mod bridge;
+mod alone;
 mod cover;
 mod denoise;
 mod direct;
@@ -34,7 +34,7 @@ use crate::renderer::Renderer;
 use crate::shade::{encoded, film};
 use crate::trace::Ray;
 use cover::Covers;
-use film::Traced;
+use film::Pixel;
 use lights::Lights;
 use path::Paths;
 use spots::Spots;
@@ -148,7 +148,7 @@ pub struct Photograph {
 pub struct Progress<'a> {
     /// Paths for each pixel so far.
     pub rounds: u32,
-    traced: &'a [Traced],
+    traced: &'a [Pixel],
     width: usize,
     exposure: [f32; 3],
 }
@@ -156,7 +156,7 @@ pub struct Progress<'a> {
 impl Progress<'_> {
     /// The picture so far, not smoothed. Linear in the pixels; a path costs far more.
     pub fn photograph(&self) -> Photograph {
-        let light: Vec<[f32; 3]> = self.traced.iter().map(Traced::light).collect();
+        let light: Vec<[f32; 3]> = self.traced.iter().map(Pixel::light).collect();
         let height = light.len() / self.width.max(1);
         Photograph { width: self.width, height, light, exposure: self.exposure }
     }
@@ -186,8 +186,8 @@ impl Renderer {
     ///
     /// `progress` hears after each round of one path for every pixel how many are done, may look at the picture
     /// so far, and may end it by returning false. The picture is the same for any number of
-    /// threads. Costs a microsecond or two for each path and surface met, and 108 bytes a pixel while paths are
-    /// followed. [`Exposure`], [`Photograph`] and [`Progress`] have examples.
+    /// threads. Costs a microsecond or two for each path and surface met, and 132 bytes a pixel while paths are
+    /// followed, more at edges. [`Exposure`], [`Photograph`] and [`Progress`] have examples.
     ///
     /// Light that is looked for on purpose and light that is met by chance are weighed against each other (multiple
     /// importance sampling, Veach 1997), with Sobol's points shuffled for each pixel (Burley 2020). Surfaces are a
@@ -222,18 +222,19 @@ impl Renderer {
             how,
             most: how.brightest.max(0.0) / exposure[1],
         };
-        let mut traced = vec![Traced::default(); width * height];
+        let eye = camera.eye().into();
+        let mut traced = vec![Pixel::default(); width * height];
         for round in 0..how.samples.max(1) {
             traced.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
-                row.iter_mut().enumerate().for_each(|(x, pixel)| pixel.add(&paths.path((x, y), round)));
+                row.iter_mut().enumerate().for_each(|(x, pixel)| pixel.add(&paths.path((x, y), round), eye));
             });
             if !progress(&Progress { rounds: round + 1, traced: &traced, width, exposure }) {
                 break;
             }
         }
         let light = match how.denoise {
-            true => denoise::denoised(&traced, width, camera.eye().into()),
-            false => traced.iter().map(Traced::light).collect(),
+            true => denoise::denoised(&traced, width, eye),
+            false => traced.iter().map(Pixel::light).collect(),
         };
         Ok(Photograph { width, height, light, exposure })
     }
