@@ -243,7 +243,9 @@ fn a_viewpoint_sees_a_window() {
         // As many things from everywhere, and at the other wall a board as wide as the window.
         let window = put(wide, "window", [side * 2.45, 0.0, 1.4]);
         put(wide, "painting", [side * -2.45, 0.0, 1.4]);
-        (0..8).for_each(|i| drop(put(low, "thing", [0.4 * (i % 2) as f32 - 0.2, 0.4 * (i / 2) as f32 - 0.6, 0.1])));
+        for i in 0..8 {
+            put(low, "thing", [0.4 * (i % 2) as f32 - 0.2, 0.4 * (i / 2) as f32 - 0.6, 0.1]);
+        }
         let mut renderer = Renderer::new();
         let snapshot = renderer.snapshot(&stage.build()).unwrap();
         let view = renderer.viewpoint(&snapshot, den, &Camera::with_fov(160, 120, 1.15)).unwrap();
