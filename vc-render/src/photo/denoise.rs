@@ -54,7 +54,7 @@ pub(super) struct Plane<'a> {
     pub(super) guides: Vec<Guide>,
     /// Pixel of each piece.
     pixels: Vec<u32>,
-    /// First piece of each pixel, and their number.
+    /// First piece of each pixel, and at the end how many pieces there are.
     first: Vec<u32>,
     width: usize,
 }
@@ -238,15 +238,15 @@ impl<'a> Plane<'a> {
             let ratio = fallen[from].min(fallen[to]) / fallen[from].max(fallen[to]);
             let kernel = KERNEL[(dx + 2) as usize] * KERNEL[(dy + 2) as usize];
             let reach = if from == to { 1.0 } else { reached[from] };
-            reach * kernel * self.guides[from].lie.like(&self.guides[to].lie) * ratio * ratio
+            reach * kernel * self.like(from, to) * ratio * ratio
         };
         // What a piece gives to each for its share, and how much of all goes to others.
         let part = |index: usize| {
-            let own = taken(index, (0, 0, index)) * self.guides[index].share;
+            let share = self.guides[index].share;
+            let own = taken(index, (0, 0, index)) * share;
             let around = self.around(index, 2, step);
             let total: f32 = around.map(|to| taken(index, to) * self.guides[to.2].share).sum();
             // Like nothing, not even itself.
-            let share = self.guides[index].share;
             let part = if total > 1e-9 { lost[index].map(|v| share * v / total) } else { [0.0; 3] };
             (part, total - own)
         };
