@@ -28,3 +28,24 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
         let _ = std::fs::remove_file(&part);
     })
 }
+
+/// Removes the files of a folder that are named by a number and have this ending: `000.jpg`, `001.jpg`. A folder that is
+/// not there has none.
+///
+/// # Errors
+/// That of the system.
+pub fn remove_numbered(folder: &Path, ending: &str) -> io::Result<()> {
+    let entries = match std::fs::read_dir(folder) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        entries => entries?,
+    };
+    for entry in entries {
+        let path = entry?.path();
+        let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+        let is_number = !stem.is_empty() && stem.bytes().all(|b| b.is_ascii_digit());
+        if is_number && path.extension().is_some_and(|e| e == ending) {
+            std::fs::remove_file(&path)?;
+        }
+    }
+    Ok(())
+}

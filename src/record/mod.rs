@@ -140,6 +140,10 @@ impl Recorder {
         }
         let folder = folder.as_ref().to_path_buf();
         std::fs::create_dir_all(&folder).map_err(|error| RecordError::File { path: folder.clone(), error })?;
+        // Of a longer record that was here, pictures would be left among those of this one.
+        for (folder, ending) in [(folder.join("film"), "jpg"), (folder.join("frames"), "png")] {
+            files::remove_numbered(&folder, ending).map_err(|error| RecordError::File { path: folder, error })?;
+        }
         let trajectory = Trajectory::begin(&folder, &home, agent, task)?;
         let dataset = options.dataset.then(|| Dataset::begin(&folder)).transpose()?;
         let film = Film::new(&home, agent, options.width);
