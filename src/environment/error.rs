@@ -68,6 +68,9 @@ pub enum MakeError {
     /// The agents' figure does not fit the scene's shapes.
     #[error(transparent)]
     Asset(#[from] AssetError),
+    /// An agent of the scene cannot be put on free floor.
+    #[error(transparent)]
+    Agent(#[from] AgentError),
 }
 
 /// Why an environment was not reset; then it is as it was.
