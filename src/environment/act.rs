@@ -186,7 +186,6 @@ impl Environment {
         // They are there, and their scales are sound.
         folded.iter().for_each(|(id, scale)| drop(edit.set_scale(*id, *scale)));
         let sizes = edit.commit();
-        dress(&mut observed, &self.world, agent);
         let changed: Vec<NodeId> = changes.changes().iter().filter_map(holder).chain([agent]).collect();
         let looked = observe::look_again(&mut observed, &self.world, &mut self.relations, &changed);
         let action_text = action.describe(&self.graph).to_string();
@@ -223,18 +222,6 @@ pub(super) fn holder(change: &vc_graph::Change) -> Option<NodeId> {
         Link(e) | Unlink(e) if Relation::places().contains(&e.relation) => Some(e.from),
         _ => None,
     }
-}
-
-/// What is worn has no body; it is where its wearer is.
-pub(super) fn dress(graph: &mut SceneGraph, world: &World, agent: NodeId) {
-    let Some(feet) = world.pose(agent) else { return };
-    let worn: Vec<NodeId> = graph.relating(Relation::WornBy, agent).collect();
-    let mut edit = graph.edit();
-    for id in worn {
-        // The feet's pose is finite, the node is there.
-        let _ = edit.set_pose(id, Some(feet * vc_graph::Pose::translation(0.0, 0.0, 0.9)));
-    }
-    edit.commit();
 }
 
 /// Keeps what an agent has turned to, as long as it is before it. Relations know of screens and

@@ -90,7 +90,7 @@ impl Outcome<'_> {
     /// another while its drawer is pulled is still in the drawer: what counts is what a
     /// thing rests on in the end.
     fn stays(&self, id: NodeId, rule: &[Place], bodies: &[Place]) -> bool {
-        let is_built = |graph: &SceneGraph, id| graph.node(id).is_none_or(|n| &*n.spec().category == "structure");
+        let is_built = |graph: &SceneGraph, id| graph.node(id).is_none_or(vc_graph::Node::is_building);
         let end = |graph: &SceneGraph| graph.support_chain(id).into_iter().rfind(|at| !is_built(graph, *at));
         let same_end = || end(self.ruled).is_some_and(|at| end(self.observed) == Some(at));
         rule == bodies || same_end() || self.lies_still(id)

@@ -173,7 +173,8 @@ impl Deed<'_> {
             return self.open_in_hand(id, open);
         }
         if self.world.moving_parts(id).is_empty() {
-            return if self.has_cord(id) { self.stand_clear(id, open) } else { self.reach(id) };
+            let drawn = self.has_cord(id) && self.stands();
+            return if drawn { self.stand_clear(id, open) } else { self.reach(id) };
         }
         let body = self.body_of(id)?;
         if self.stands() {
@@ -187,8 +188,13 @@ impl Deed<'_> {
         self.note_drive(id, open, pushes);
         let now = self.world.openness(id).unwrap_or(open);
         let arrived = if open > 0.5 { now >= WIDE } else { self.world.open_state(id) == Some(State::Closed) };
-        let stuck = || Impossible::Stuck { thing: self.before.label(id), open: 100.0 * now };
-        if arrived { self.keeps_balance(id, before) } else { Err(stuck()) }
+        if arrived { self.keeps_balance(id, before) } else { Err(self.stuck(id, open, now)?) }
+    }
+
+    /// Why a thing stays open so far.
+    fn stuck(&self, id: NodeId, open: f32, now: f32) -> Result<Impossible, Impossible> {
+        let by = self.world.in_the_way(id, open)?.into_iter().map(|by| self.before.label(by)).collect();
+        Ok(Impossible::Stuck { thing: self.before.label(id), open: 100.0 * now, by })
     }
 
     /// Refuses to open what falls over by that: it lies elsewhere then, or otherwise.

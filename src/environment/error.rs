@@ -163,6 +163,15 @@ fn listed(refusals: &[Refusal]) -> String {
     refusals.iter().map(Refusal::to_string).collect::<Vec<_>>().join("; ")
 }
 
+/// What is in the way of something, in words.
+fn in_the_way(by: &[Label]) -> String {
+    match by {
+        [] => "it jams".to_owned(),
+        [one] => format!("{one} is in the way"),
+        all => format!("{} are in the way", all.iter().map(Label::to_string).collect::<Vec<_>>().join(", ")),
+    }
+}
+
 /// What bodies cannot do although the transition rule, which knows no shapes, allows it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -181,12 +190,14 @@ pub enum Impossible {
         at: Label,
     },
     /// A door, lid or drawer does not open or close.
-    #[error("{thing} stays {open:.0}% open: something is in the way")]
+    #[error("{thing} stays {open:.0}% open: {}", in_the_way(.by))]
     Stuck {
         /// Which.
         thing: Label,
         /// How far open it is, percent.
         open: f32,
+        /// What it would meet on the rest of its way; none if it jams by itself.
+        by: Vec<Label>,
     },
     /// A loose thing does not keep its balance while its lid turns.
     #[error("{0} would fall over where it is: take it out first")]

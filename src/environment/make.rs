@@ -8,6 +8,7 @@ use vc_graph::{AssetId, Draft, History, Kind, NodeId, Place, Pose, Relation, Sce
 use vc_physics::{BodyPlan, Floor, FloorPlan, Order, Settings, Shapes, World};
 use vc_relations::{Relations, Rule};
 
+use super::reset::undress;
 use super::undo::Undo;
 use super::{Environment, MakeError, Start, act, boxes, observe, scene};
 use crate::figure;
@@ -93,6 +94,7 @@ impl Environment {
         let shapes = Shapes::new();
         let mut world = World::build(builder.graph(), &shapes, Settings::default())?;
         boxes::hold(&mut world, builder.graph(), &bare)?;
+        undress(&mut world, builder.graph())?;
         act::calm(&mut world);
         let left_out = put_back(&mut world, &mut builder)?;
         let floor = Floor::of(&world, FloorPlan::default());

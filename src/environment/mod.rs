@@ -200,13 +200,18 @@ impl Environment {
         }
     }
 
+    /// Whether the things in the scene are those it began with, in the same shapes.
+    fn has_first_shapes(&self) -> bool {
+        let looks = |n: &vc_graph::Node| (n.spec().asset, n.spec().scale);
+        let was = |n: &vc_graph::Node| self.start.graph.node(n.id()).is_some_and(|was| looks(was) == looks(n));
+        self.graph.len() == self.start.graph.len() && self.graph.nodes().all(was)
+    }
+
     /// The scene and the bodies as they began, if they are still the same things; else as they are.
     /// What pictures start from, so that it does not matter when the first was asked for.
     #[cfg(feature = "render")]
     pub(crate) fn origin(&self) -> (&SceneGraph, &World) {
-        let looks = |n: &vc_graph::Node| (n.spec().asset, n.spec().scale);
-        let was = |n: &vc_graph::Node| self.start.graph.node(n.id()).is_some_and(|was| looks(was) == looks(n));
-        if self.graph.len() == self.start.graph.len() && self.graph.nodes().all(was) {
+        if self.has_first_shapes() {
             (&self.start.graph, &self.start.world)
         } else {
             (&self.graph, &self.world)

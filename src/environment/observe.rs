@@ -1,6 +1,6 @@
 //! From bodies back to the graph: poses, relations, and only of what has moved.
 
-use vc_graph::{ChangeSet, EditError, NodeId, Place, Pose, SceneGraph};
+use vc_graph::{ChangeSet, EditError, NodeId, Place, Pose, Relation, SceneGraph};
 use vc_physics::World;
 use vc_relations::{Evidence, Relations};
 
@@ -9,13 +9,25 @@ use super::Impossible;
 /// What moves less has not moved: metres, and the imaginary part of its turn.
 const STILL: (f32, f32) = (0.005, 0.01);
 
-/// Writes where bodies are into the graph, and gives the nodes that were elsewhere.
+/// How high what is worn is above the feet, metres.
+const WORN: f32 = 0.9;
+
+/// Writes where bodies are into the graph, and what they wear, and gives the nodes that were
+/// elsewhere.
 pub(super) fn write_poses(graph: &mut SceneGraph, world: &World) -> Result<(Vec<NodeId>, ChangeSet), EditError> {
     let elsewhere = |(id, pose): &(NodeId, Pose)| graph.node(*id).is_some_and(|n| n.pose() != Some(pose));
-    let moved: Vec<(NodeId, Pose)> = world.poses().into_iter().filter(elsewhere).collect();
+    let poses = world.poses().into_iter().chain(worn(graph, world));
+    let moved: Vec<(NodeId, Pose)> = poses.filter(elsewhere).collect();
     let mut edit = graph.edit();
     moved.iter().try_for_each(|(id, pose)| edit.set_pose(*id, Some(*pose)))?;
     Ok((moved.into_iter().map(|(id, _)| id).collect(), edit.commit()))
+}
+
+/// What is worn has no body; it is where its wearer is.
+fn worn(graph: &SceneGraph, world: &World) -> Vec<(NodeId, Pose)> {
+    let at = |agent: NodeId| Some(world.pose(agent)? * Pose::translation(0.0, 0.0, WORN));
+    let wearers = world.agents().filter_map(|agent| Some((agent, at(agent)?)));
+    wearers.flat_map(|(agent, at)| graph.relating(Relation::WornBy, agent).map(move |id| (id, at))).collect()
 }
 
 /// What relations cannot see: where the parts of doors and drawers are.

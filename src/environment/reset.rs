@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
 use vc_graph::{Effect, History, Kind, Label, NodeId, Place, Pose, Relation, SceneGraph, rule};
-use vc_physics::{Order, World};
+use vc_physics::{Order, PhysicsError, World};
 use vc_relations::Relations;
 
 use super::undo::Undo;
@@ -110,6 +110,10 @@ impl Environment {
             let (expected, found) = (labels(&self.start.graph, started), labels(graph, agents));
             return Err(ResetError::OtherAgents { expected, found });
         }
+        if *graph == self.start.graph {
+            self.begin_anew();
+            return Ok(ResetReport::default());
+        }
         let shaped = scene::shaped(graph)?;
         let boxed = boxes::shaped(shaped.as_ref().unwrap_or(graph))?;
         let shaped = boxed.map(|b| b.graph).or(shaped);
@@ -137,6 +141,17 @@ impl Environment {
         Ok(report)
     }
 
+    /// Back to the start itself, bit for bit.
+    fn begin_anew(&mut self) {
+        let start = self.start.clone();
+        if !self.has_first_shapes() {
+            self.look_anew();
+        }
+        (self.graph, self.world) = (start.graph.clone(), start.world.clone());
+        (self.relations, self.floor) = (start.relations.clone(), start.floor.clone());
+        (self.history, self.undo, self.poses) = (History::default(), Undo::default(), BTreeMap::new());
+    }
+
     /// Reads the relations of a scene that differs from the start and writes them.
     fn observed(&self, graph: &mut SceneGraph, world: &World, anew: bool) -> Result<Relations, ResetError> {
         let mut relations = self.start.relations.clone();
@@ -159,13 +174,10 @@ impl Environment {
 }
 
 /// What is worn has no body.
-fn undress(world: &mut World, graph: &SceneGraph) -> Result<(), ResetError> {
-    for agent in graph.agents() {
-        for id in graph.relating(Relation::WornBy, *agent).filter(|id| world.pose(*id).is_some()).collect::<Vec<_>>() {
-            world.remove(id)?;
-        }
-    }
-    Ok(())
+pub(super) fn undress(world: &mut World, graph: &SceneGraph) -> Result<(), PhysicsError> {
+    let worn = graph.agents().iter().flat_map(|&agent| graph.relating(Relation::WornBy, agent));
+    let bodies: Vec<NodeId> = worn.filter(|id| world.pose(*id).is_some()).collect();
+    bodies.into_iter().try_for_each(|id| world.remove(id))
 }
 
 /// Lets sit or lie who does so by the graph; who cannot, as the place is taken or there is none,

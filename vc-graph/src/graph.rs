@@ -277,11 +277,13 @@ impl SceneGraph {
         self.climb(id, &mut |p| p.at == at).is_some()
     }
 
-    /// Whether an agent is near a thing: it holds or wears it or rests on it; the
-    /// graph says so, directly or through one thing near both (VirtualHome's rule;
-    /// where poses are known, in the same room); the thing rests on or in something
-    /// near; or, where poses are known and the room is the same, its box is within
-    /// [`NEAR`] metres.
+    /// Whether an agent is near a thing: it holds or wears it or rests on it; the graph says so;
+    /// where poses are known and the room is the same, its box is within [`NEAR`] metres; or it is
+    /// at hand with something near: it rests on or in that, or is near the same thing
+    /// (VirtualHome's rule).
+    ///
+    /// What is at hand in that way is not behind a wall: where poses and rooms are known, a
+    /// picture on the other side of the wall one stands at is not near.
     pub fn near(&self, agent: NodeId, id: NodeId) -> bool {
         let (Some(body), Some(node)) = (self.node(agent), self.node(id)) else { return false };
         if node.affords(crate::Property::BodyPart) || body.has(Relation::Near, id) {
@@ -290,11 +292,16 @@ impl SceneGraph {
         if node.kind() == Kind::Room {
             return self.room_of(agent) == Some(id);
         }
-        if body.out(Relation::Near).any(|n| node.has(Relation::Near, n)) && !self.is_next_door(body, node) {
-            return true;
-        }
-        let at_hand = |p: Place| p.at == agent || body.has(Relation::Near, p.at);
-        self.climb(id, &mut { at_hand }).is_some() || self.rests_at(agent, id) || self.within_reach(body, node)
+        self.rests_at(id, agent)
+            || self.rests_at(agent, id)
+            || self.within_reach(body, node)
+            || (self.is_at_hand(body, node) && !self.is_next_door(body, node))
+    }
+
+    /// Whether a thing rests on or in something near an agent, or both are near one thing.
+    fn is_at_hand(&self, agent: &Node, node: &Node) -> bool {
+        let near = |p: Place| agent.has(Relation::Near, p.at);
+        agent.out(Relation::Near).any(|n| node.has(Relation::Near, n)) || self.climb(node.id, &mut { near }).is_some()
     }
 
     /// Whether a thing is in another room, as far as poses and rooms are known: what both are

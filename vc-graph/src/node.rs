@@ -156,6 +156,11 @@ impl Node {
         self.spec.slots.iter().filter(|s| s.kind == kind).fold(0, |sum, s| sum.saturating_add(s.number))
     }
 
+    /// Whether it is part of the building: a wall, a floor, a ceiling.
+    pub fn is_building(&self) -> bool {
+        matches!(&*self.spec.category, "structure" | "Floor" | "Floors" | "Walls" | "Ceiling")
+    }
+
     /// Whether it is closed and what is inside therefore hidden.
     pub fn hides_contents(&self) -> bool {
         self.is(State::Closed) && self.affords(Property::Openable)

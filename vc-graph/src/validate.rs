@@ -117,7 +117,9 @@ impl SceneGraph {
             if self.room_of(place.at) != room {
                 found.push(Violation::RoomApart(node.label(), at.label()));
             }
-            if place.relation == Relation::On && node.kind() == Kind::Object && !carries(at) {
+            // What hangs is on the wall, or on the ceiling.
+            let is_borne = carries(at) || at.is_building();
+            if place.relation == Relation::On && node.kind() == Kind::Object && !is_borne {
                 found.push(Violation::NotASurface(node.label(), at.label()));
             }
             if place.relation == Relation::Inside && !encloses(at) && !soaks(at) {

@@ -103,6 +103,14 @@ pub enum AgentError {
         /// The limit, kilograms.
         limit: f32,
     },
+    /// Somebody sits or lies on it.
+    #[error("{by} is on {seat}; one does not carry that off")]
+    Occupied {
+        /// What was to be taken.
+        seat: NodeId,
+        /// Who is on it.
+        by: NodeId,
+    },
     /// Somebody holds it already.
     #[error("{0} is held already")]
     Held(NodeId),

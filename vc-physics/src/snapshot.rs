@@ -10,7 +10,7 @@ use crate::engine::Engine;
 use crate::shapes::Shapes;
 use crate::vehicle::Vehicle;
 use crate::water::Water;
-use crate::world::{State, Thing, World};
+use crate::world::{Places, State, Thing, World};
 use crate::{Settings, SnapshotError};
 
 /// What a snapshot begins with.
@@ -80,7 +80,7 @@ impl World {
                 let node = graph.node(id).ok_or(SnapshotError::OtherScene(id))?;
                 let form = session.form(graph, node);
                 let form = form.filter(|f| f.links.len() == state.moving.len() + 1);
-                Ok(Thing { id, form: form.ok_or(SnapshotError::OtherScene(id))?, state })
+                Ok(Thing { id, form: form.ok_or(SnapshotError::OtherScene(id))?, places: Places::of(node), state })
             };
             content.things.into_iter().map(form).collect::<Result<Vec<Thing>, SnapshotError>>()
         })?;

@@ -40,7 +40,7 @@ pub(crate) struct Traits {
 impl Traits {
     fn of(node: &Node) -> Self {
         let category = &*node.spec().category;
-        let structure = matches!(category, "structure" | "Floor" | "Floors" | "Walls" | "Ceiling");
+        let structure = node.is_building();
         let door = matches!(category, "door" | "Doors");
         let boxed = node.spec().asset.is_none();
         let carries = [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(|p| node.affords(p));

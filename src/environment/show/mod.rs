@@ -114,9 +114,6 @@ impl Environment {
 
     /// Observes what has moved in a tick, and what the rule has changed.
     fn look(&mut self, changed: &[NodeId]) {
-        for agent in self.graph.agents().to_vec() {
-            act::dress(&mut self.graph, &self.world, agent);
-        }
         // For the moment between two ticks things may be where no relation can be told; then those
         // before hold.
         let _ = observe::look_again(&mut self.graph, &self.world, &mut self.relations, changed);

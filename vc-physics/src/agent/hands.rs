@@ -218,8 +218,8 @@ impl World {
     ///
     /// # Errors
     /// [`AgentError::HandFull`], [`AgentError::OutOfReach`],
-    /// [`AgentError::TooHeavy`], [`AgentError::Held`], [`PhysicsError::NotFree`] for
-    /// what is fixed.
+    /// [`AgentError::TooHeavy`], [`AgentError::Held`], [`AgentError::Occupied`],
+    /// [`PhysicsError::NotFree`] for what is fixed.
     pub fn grab(&mut self, agent: NodeId, hand: Hand, id: NodeId) -> Result<(), AgentError> {
         self.grab_with(agent, hand, id, |_| true)
     }
@@ -265,6 +265,9 @@ impl World {
         }
         if mass > body.plan.carries {
             return Err(AgentError::TooHeavy { id, mass, limit: body.plan.carries });
+        }
+        if let Some((&by, _)) = self.agents.iter().find(|(_, a)| a.posture.seat().is_some_and(|(seat, _)| seat == id)) {
+            return Err(AgentError::Occupied { seat: id, by });
         }
         let pose = self.engine.pose(base).unwrap_or_else(Pose::identity);
         let grip = grip(body, hand, &pose, thing.form.extent);

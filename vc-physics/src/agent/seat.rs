@@ -6,17 +6,21 @@ use rapier3d::math::Pose as EnginePose;
 use rapier3d::parry;
 use rapier3d::parry::shape::Capsule;
 use rapier3d::pipeline::QueryFilter;
-use vc_graph::asset::Hold;
+use vc_graph::asset::{Hold, Surface};
 use vc_graph::{NodeId, Pose};
 
 use super::{Agent, Posture};
 use crate::world::{Thing, World};
-use crate::{AgentError, PhysicsError, convert, group};
+use crate::{AgentError, PhysicsError, Role, convert, group};
 
 /// From how far one can sit down, metres to the place: a step.
 const STEP: f32 = 1.5;
-/// Width of one seat, metres.
-const WIDTH: f32 = 0.5;
+/// Places counted on one thing at most.
+const MOST: u32 = 64;
+/// Up to which difference of height surfaces are one seat, metres, and from which share of the
+/// largest's area: cushions are side by side, arms are no seats.
+const STEPPED: f32 = 0.06;
+const ALIKE: f32 = 0.4;
 /// Heights of surfaces one sits on, metres above the floor.
 const SEATS: std::ops::Range<f32> = 0.2..0.95;
 /// Up to which mass what lies on a seat is sat upon, kilograms.
@@ -31,29 +35,24 @@ const EXIT_TURNS: usize = 12;
 
 impl World {
     /// Places to sit on a node, in the world's frame: the middle of each seat, X
-    /// towards its front. They come from the asset's level surfaces at the height of
-    /// seats, or from its box.
+    /// towards its front. They are as many as the node's slots say, one at least, shared out
+    /// among the asset's level surfaces at the height of seats, or side by side on its box.
     pub fn seats(&self, id: NodeId) -> Vec<Pose> {
         self.thing(id).map(|t| self.places_on(t, false)).unwrap_or_default()
     }
 
-    /// Places to lie on a node: the middle of each, X along the body towards the
-    /// feet.
+    /// Places to lie on a node, as many as its slots say, one at least: the middle of each, X
+    /// along the body towards the feet.
     pub fn beds(&self, id: NodeId) -> Vec<Pose> {
         self.thing(id).map(|t| self.places_on(t, true)).unwrap_or_default()
     }
 
     fn places_on(&self, thing: &Thing, lying: bool) -> Vec<Pose> {
         let Some(pose) = self.engine.pose(thing.state.base) else { return Vec::new() };
-        let (centre, half) = seat_surface(thing);
-        if lying {
-            let along = if half.1 > half.0 { super::facing(0.0, 1.0) } else { UnitQuaternion::identity() };
-            return vec![pose * Pose::from_parts(centre.coords.into(), along)];
-        }
-        let count = ((2.0 * half.1 / WIDTH).round() as usize).clamp(1, 8);
-        let offset = |i: usize| half.1 * ((2 * i + 1) as f32 / count as f32 - 1.0);
-        let seat = |i: usize| pose * Pose::translation(centre.x, centre.y + offset(i), centre.z);
-        (0..count).map(seat).collect()
+        let (levels, count) = (levels(thing, lying), if lying { thing.places.beds } else { thing.places.seats });
+        let shares = share_out(&levels, count);
+        let each = levels.iter().zip(shares).flat_map(|(level, n)| (0..n).map(move |i| level.place(i, n)));
+        each.map(|place| pose * place).collect()
     }
 
     /// Sits an agent down on the nearest free place of a node. Cushions, covers and what else
@@ -62,7 +61,7 @@ impl World {
     /// # Errors
     /// [`AgentError::Posture`] if it does not stand, [`AgentError::NoSeat`],
     /// [`AgentError::OutOfReach`], [`AgentError::SeatTaken`] by others,
-    /// [`AgentError::SeatCovered`] by things.
+    /// [`AgentError::SeatCovered`] by things, [`AgentError::Held`] if somebody carries it.
     pub fn sit(&mut self, agent: NodeId, on: NodeId) -> Result<(), AgentError> {
         let places = self.seats(on);
         self.settle_down(agent, on, &places, Posture::Sitting)
@@ -84,7 +83,9 @@ impl World {
         places: &[Pose],
         posture: fn(NodeId, u32) -> Posture,
     ) -> Result<(), AgentError> {
-        self.thing(on)?;
+        if self.thing(on)?.state.role == Role::Carried {
+            return Err(AgentError::Held(on));
+        }
         let feet = self.standing(agent)?.feet;
         let far = |p: &Pose| (p.translation.vector - feet.translation.vector).xy().norm();
         let taken = |i: u32| self.agents.values().any(|a| a.posture.seat() == Some((on, i)));
@@ -237,16 +238,55 @@ pub(super) fn upright(plan: &super::BodyPlan, feet: &Pose) -> (Capsule, EnginePo
     (Capsule::new_z(half, plan.radius), at)
 }
 
-/// Middle and half lengths of what one sits or lies on, in the asset's frame: the
-/// largest level surface at the height of seats, or the box's top.
-fn seat_surface(thing: &Thing) -> (Point3<f32>, (f32, f32)) {
+/// A level on which people sit or lie side by side, in the asset's frame.
+struct Level {
+    centre: Point3<f32>,
+    half: (f32, f32),
+    /// Whether bodies lie along Y, and are side by side along X.
+    across: bool,
+}
+
+impl Level {
+    /// Room to each side, metres, of one of so many.
+    fn room(&self, count: u32) -> f32 {
+        (if self.across { self.half.0 } else { self.half.1 }) / count as f32
+    }
+
+    /// The middle of one of so many places.
+    fn place(&self, index: u32, count: u32) -> Pose {
+        let aside = self.room(count) * (2 * index + 1) as f32 - self.room(1);
+        let (x, y) = if self.across { (aside, 0.0) } else { (0.0, aside) };
+        let turn = if self.across { super::facing(0.0, 1.0) } else { UnitQuaternion::identity() };
+        Pose::from_parts((self.centre.coords + Vector3::new(x, y, 0.0)).into(), turn)
+    }
+}
+
+/// How many of so many places are on each level: each goes where it leaves most room.
+fn share_out(levels: &[Level], count: u32) -> Vec<u32> {
+    let mut shares = vec![0; levels.len()];
+    for _ in 0..count.min(MOST) {
+        let room = |i: &usize| levels[*i].room(shares[*i] + 1);
+        let widest = (0..levels.len()).rev().max_by(|a, b| room(a).total_cmp(&room(b)));
+        widest.into_iter().for_each(|i| shares[i] += 1);
+    }
+    shares
+}
+
+/// What one sits or lies on: the largest level surface at the height of seats and those that
+/// continue it, or the top of the box.
+fn levels(thing: &Thing, lying: bool) -> Vec<Level> {
+    let area = |s: &&Surface| s.half.0 * s.half.1;
     let level = thing.form.surfaces.iter().filter(|s| s.hold == Hold::On && SEATS.contains(&s.centre.z));
-    let largest = level.max_by(|a, b| (a.half.0 * a.half.1).total_cmp(&(b.half.0 * b.half.1)));
+    let largest = level.clone().max_by(|a, b| area(a).total_cmp(&area(b)));
     let (low, high) = thing.form.extent;
-    let top = high.z.min(low.z + 0.5 * (high.z - low.z).max(0.9));
-    let whole = || {
+    let Some(largest) = largest else {
         let middle = nalgebra::center(&low, &high);
-        (Point3::new(middle.x, middle.y, top), ((high.x - low.x) / 2.0, (high.y - low.y) / 2.0))
+        let top = high.z.min(low.z + 0.5 * (high.z - low.z).max(0.9));
+        let half = ((high.x - low.x) / 2.0, (high.y - low.y) / 2.0);
+        let across = lying && half.1 > half.0;
+        return vec![Level { centre: Point3::new(middle.x, middle.y, top), half, across }];
     };
-    largest.map_or_else(whole, |s| (s.centre, s.half))
+    let like = |s: &&Surface| (s.centre.z - largest.centre.z).abs() < STEPPED && area(s) > ALIKE * area(&largest);
+    let one = |s: &Surface| Level { centre: s.centre, half: s.half, across: lying && s.half.1 > s.half.0 };
+    if lying { vec![one(largest)] } else { level.filter(like).map(one).collect() }
 }

@@ -3,11 +3,11 @@
 use rapier3d::geometry::{Collider, ColliderHandle};
 use rapier3d::math::Pose as EnginePose;
 use rapier3d::pipeline::QueryFilter;
-use vc_graph::asset::JointKind;
+use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{NodeId, Pose};
 
 use super::motion::fraction;
-use crate::world::World;
+use crate::world::{Thing, World};
 use crate::{PhysicsError, convert, group};
 
 /// Positions looked at on the way, its end with them.
@@ -88,50 +88,109 @@ impl World {
         Ok((self.part_position(self.thing(id)?, part).unwrap_or(target), target))
     }
 
+    /// What keeps the parts of a node from getting to a fraction of their way, by number: what they,
+    /// and what they carry, would meet first. Empty where the way is free.
+    ///
+    /// # Errors
+    /// As [`Self::drive`].
+    pub fn in_the_way(&self, id: NodeId, open: f32) -> Result<Vec<NodeId>, PhysicsError> {
+        let mut met = Vec::new();
+        for part in 0..self.thing(id)?.state.moving.len() {
+            let (from, target) = self.way(id, part, open)?;
+            let Some(turn) = self.turn(id, part, from, target) else { continue };
+            let first = (1..=LOOKS).map(|look| self.met_on_turn(&turn, look)).find(|met| !met.is_empty());
+            met.extend(first.unwrap_or_default());
+        }
+        met.sort_unstable();
+        met.dedup();
+        Ok(met)
+    }
+
     /// Up to which share of its way a part meets nothing that it collides with, and what it
     /// carries has room.
     fn free_share(&self, id: NodeId, part: usize, from: f32, target: f32) -> f32 {
-        let Ok(thing) = self.thing(id) else { return 0.0 };
-        let (moving, link) = (&thing.state.moving[part], &thing.form.links[part + 1]);
-        let Some(joint) = link.joint else { return 1.0 };
-        let Some(base) = self.engine.pose(thing.state.base) else { return 0.0 };
-        if from == target {
-            return 1.0;
+        if self.thing(id).is_err() {
+            return 0.0;
         }
-        let load = moving.body.map_or_else(Vec::new, |body| self.load_of(body));
-        let share = |look: usize| look as f32 / LOOKS as f32;
-        let at = |look: usize| base * joint.motion(from + (target - from) * share(look));
-        let free = (1..=LOOKS).take_while(|&look| self.is_part_free(id, part, &at(look), &load)).count();
-        let start = at(0).inverse();
-        let has_room = |look: &usize| load.iter().all(|l| self.has_room(*l, &(at(*look) * start), id, &load));
+        let Some(turn) = self.turn(id, part, from, target) else { return 1.0 };
+        let free = (1..=LOOKS).take_while(|&look| self.met_by_part(&turn, look).next().is_none()).count();
+        let has_room = |look: &usize| self.met_by_load(&turn, *look).next().is_none();
         (1..=free).rev().find(has_room).map_or(0.0, share)
     }
 
-    fn is_part_free(&self, id: NodeId, part: usize, at: &Pose, load: &[NodeId]) -> bool {
-        let Ok(thing) = self.thing(id) else { return true };
-        let Some((shape, local)) = &thing.form.links[part + 1].solid else { return true };
-        // A lid that moves with its box collides as that does.
-        let own = thing.state.moving[part].body.map_or_else(|| group::base(thing.state.role), |_| group::leaf());
-        let at = convert::pose(at) * *local;
-        let other = |_: ColliderHandle, c: &Collider| {
-            let node = group::marked(c.user_data).0;
-            group::is_solid(c) && node != id && !load.contains(&node)
-        };
-        let filter = QueryFilter::default().exclude_sensors().groups(own).predicate(&other);
-        let queries = self.engine.queries(filter);
-        let mut met = queries.intersect_shape(at, &**shape);
-        met.all(|(_, collider)| {
-            let between = at.inv_mul(collider.position());
-            let depth =
-                rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
-            depth.is_ok_and(|c| c.is_none_or(|c| c.dist > -SKIN))
-        })
+    /// A part on its way from one position to another; none if it is there, or has no joint.
+    fn turn(&self, id: NodeId, part: usize, from: f32, target: f32) -> Option<Turn<'_>> {
+        let thing = self.thing(id).ok()?;
+        let (moving, link) = (&thing.state.moving[part], &thing.form.links[part + 1]);
+        let (joint, base) = (link.joint.filter(|_| from != target)?, self.engine.pose(thing.state.base)?);
+        let load = moving.body.map_or_else(Vec::new, |body| self.load_of(body));
+        Some(Turn { thing, part, joint, base, load, way: (from, target) })
     }
 
-    /// Whether what a part carries has room where it comes to.
-    fn has_room(&self, id: NodeId, motion: &Pose, part_of: NodeId, load: &[NodeId]) -> bool {
-        let Some(pose) = self.pose(id) else { return false };
-        let met = self.overlaps(id, &(motion * pose));
-        met.is_ok_and(|met| met.iter().all(|m| *m == part_of || load.contains(m)))
+    /// All that a part and what it carries would meet at a position looked at, by number.
+    fn met_on_turn(&self, turn: &Turn<'_>, look: usize) -> Vec<NodeId> {
+        self.met_by_part(turn, look).chain(self.met_by_load(turn, look)).collect()
     }
+
+    /// What a part would meet there.
+    fn met_by_part(&self, turn: &Turn<'_>, look: usize) -> impl Iterator<Item = NodeId> {
+        let thing = turn.thing;
+        let solid = thing.form.links[turn.part + 1].solid.as_ref();
+        // A lid that moves with its box collides as that does.
+        let moving = thing.state.moving[turn.part];
+        let own = moving.body.map_or_else(|| group::base(thing.state.role), |_| group::leaf());
+        let other = |_: ColliderHandle, c: &Collider| {
+            let node = group::marked(c.user_data).0;
+            group::is_solid(c) && node != thing.id && !turn.load.contains(&node)
+        };
+        let met = solid.map(|(shape, local)| {
+            let at = convert::pose(&turn.at(look)) * *local;
+            let filter = QueryFilter::default().exclude_sensors().groups(own).predicate(&other);
+            let queries = self.engine.queries(filter);
+            let deep = |collider: &Collider| {
+                let between = at.inv_mul(collider.position());
+                let depth =
+                    rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
+                !depth.is_ok_and(|c| c.is_none_or(|c| c.dist > -SKIN))
+            };
+            let met = queries.intersect_shape(at, &**shape).filter(|(_, c)| deep(c));
+            met.map(|(_, c)| group::marked(c.user_data).0).collect::<Vec<NodeId>>()
+        });
+        met.into_iter().flatten()
+    }
+
+    /// What that which a part carries would meet there.
+    fn met_by_load(&self, turn: &Turn<'_>, look: usize) -> impl Iterator<Item = NodeId> {
+        let motion = turn.at(look) * turn.at(0).inverse();
+        let is_other = |m: &NodeId| *m != turn.thing.id && !turn.load.contains(m);
+        let met = |id: &NodeId| {
+            let all = self.pose(*id).and_then(|pose| self.overlaps(*id, &(motion * pose)).ok());
+            // What cannot be asked has no room.
+            all.map_or_else(|| vec![*id], |all| all.into_iter().filter(is_other).collect())
+        };
+        turn.load.iter().flat_map(met).collect::<Vec<NodeId>>().into_iter()
+    }
+}
+
+/// A part on its way.
+struct Turn<'w> {
+    thing: &'w Thing,
+    part: usize,
+    joint: Joint,
+    base: Pose,
+    /// What it carries.
+    load: Vec<NodeId>,
+    way: (f32, f32),
+}
+
+impl Turn<'_> {
+    /// Where the part is at a position looked at.
+    fn at(&self, look: usize) -> Pose {
+        let (from, target) = self.way;
+        self.base * self.joint.motion(from + (target - from) * share(look))
+    }
+}
+
+fn share(look: usize) -> f32 {
+    look as f32 / LOOKS as f32
 }

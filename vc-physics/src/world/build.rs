@@ -10,7 +10,7 @@ use vc_graph::class::Category;
 use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph};
 
 use super::rest::Watch;
-use super::{State, Thing, World};
+use super::{Places, State, Thing, World};
 use crate::engine::Engine;
 use crate::role::{Roles, is_structure};
 use crate::shapes::{Link, Session, Shapes, scaled};
@@ -136,7 +136,7 @@ impl World {
             door: class.is_some_and(|c| c.category == Category::Door),
             graspable: node.affords(Property::Graspable),
         };
-        let mut thing = Thing { id: node.id(), form, state };
+        let mut thing = Thing { id: node.id(), form, places: Places::of(node), state };
         thing.state.base = self.add_base(&thing, &pose);
         joints::add(&mut self.engine, &mut thing, &self.settings, node.is(vc_graph::State::Open));
         let at = self.things.partition_point(|t| t.id < thing.id);

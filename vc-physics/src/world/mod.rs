@@ -14,7 +14,8 @@ use std::sync::Arc;
 
 use rapier3d::dynamics::{ImpulseJointHandle, RigidBodyHandle};
 use serde::{Deserialize, Serialize};
-use vc_graph::{Aabb, AssetId, NodeId, Place, Pose};
+use vc_graph::class::SlotKind;
+use vc_graph::{Aabb, AssetId, Node, NodeId, Place, Pose};
 
 use crate::agent::Agent;
 use crate::engine::Engine;
@@ -55,10 +56,24 @@ pub struct World {
 pub(crate) struct Thing {
     pub(crate) id: NodeId,
     pub(crate) form: Arc<Form>,
+    pub(crate) places: Places,
     pub(crate) state: State,
 }
 
-/// What a snapshot keeps of a thing; its form is found again by the graph.
+/// How many people have place on a node, by its slots.
+#[derive(Clone, Copy)]
+pub(crate) struct Places {
+    pub(crate) seats: u32,
+    pub(crate) beds: u32,
+}
+
+impl Places {
+    pub(crate) fn of(node: &Node) -> Self {
+        Self { seats: node.slots(SlotKind::Seat).max(1), beds: node.slots(SlotKind::Lie).max(1) }
+    }
+}
+
+/// What a snapshot keeps of a thing; its form and places are found again by the graph.
 #[derive(Clone, Serialize, Deserialize)]
 pub(crate) struct State {
     pub(crate) role: Role,
