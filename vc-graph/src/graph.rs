@@ -251,7 +251,7 @@ impl SceneGraph {
 
     /// Walks up from a node, nearest first, until `stop` says so. Data may be cyclic
     /// and chains of any length.
-    fn climb(&self, id: NodeId, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
+    pub(crate) fn climb(&self, id: NodeId, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
         let mut met = Met::default();
         let (mut node, mut next) = (Some(id), 0);
         while let Some(from) = node {
@@ -292,16 +292,12 @@ impl SceneGraph {
         if node.kind() == Kind::Room {
             return self.room_of(agent) == Some(id);
         }
-        self.rests_at(id, agent)
-            || self.rests_at(agent, id)
-            || self.within_reach(body, node)
-            || (self.is_at_hand(body, node) && !self.is_next_door(body, node))
-    }
-
-    /// Whether a thing rests on or in something near an agent, or both are near one thing.
-    fn is_at_hand(&self, agent: &Node, node: &Node) -> bool {
-        let near = |p: Place| agent.has(Relation::Near, p.at);
-        agent.out(Relation::Near).any(|n| node.has(Relation::Near, n)) || self.climb(node.id, &mut { near }).is_some()
+        let here = !self.is_next_door(body, node);
+        if here && body.out(Relation::Near).any(|n| node.has(Relation::Near, n)) {
+            return true;
+        }
+        let at_hand = |p: Place| p.at == agent || (here && body.has(Relation::Near, p.at));
+        self.climb(id, &mut { at_hand }).is_some() || self.rests_at(agent, id) || self.within_reach(body, node)
     }
 
     /// Whether a thing is in another room, as far as poses and rooms are known: what both are
