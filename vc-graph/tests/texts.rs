@@ -119,3 +119,28 @@ fn odd_variables_read_back() {
         }
     }
 }
+
+#[test]
+fn labels_are_held_against_their_nodes() {
+    let mut scene = vc_graph::SceneBuilder::new("flat");
+    let kitchen = scene.add(vc_graph::Draft::new("kitchen")).unwrap();
+    let knife = scene.add_in(kitchen, vc_graph::Draft::new("cutleryknife")).unwrap();
+    let odd = scene.add_in(kitchen, vc_graph::Draft::new("Odd_Thing").named("SM_Gizmo_3")).unwrap();
+    let graph = scene.build();
+    for (name, id) in [
+        ("cutlery_knife", knife),
+        ("CutleryKnife", knife),
+        ("knife", knife),
+        ("cutlery", knife),
+        ("odd thing", odd),
+        ("sm_gizmo_3", odd),
+        ("milk", NodeId(99)),
+    ] {
+        assert_eq!(graph.check_name(name, id), Ok(()), "{name}");
+    }
+    for (name, id) in [("milk", knife), ("gizmo", odd), ("kitchen", knife), ("bread_knife", knife)] {
+        let label = Label { class: name.into(), id };
+        let told = graph.check_label(&label).unwrap_err().to_string();
+        assert!(told.contains(&format!("`{label}` names")) && told.contains(&graph.label(id).to_string()), "{told}");
+    }
+}
