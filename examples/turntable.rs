@@ -121,6 +121,7 @@ fn model(path: &Path) -> Result<Object, Complaint> {
     let complaint = |e: String| Complaint::new(format!("{}: {e}", path.display()));
     let bytes = std::fs::read(path).map_err(|e| complaint(e.to_string()))?;
     let model = gltf::read(&bytes, &gltf::Options::default()).map_err(|e| complaint(e.to_string()))?;
+    model.missing_pictures.iter().for_each(|why| say!("{}: plain where a picture is missing: {why}", path.display()));
     let mut library = material::library();
     let id = model.add_to(&mut library).map_err(|e| complaint(e.to_string()))?;
     let class = model.class.map_or_else(|| "model".to_owned(), |c| c.to_string());

@@ -242,7 +242,7 @@ fn what_is_wrong_is_said() {
         (|d| d["accessors"][0]["count"] = json!(9_000_000), "more elements than its buffer holds"),
         (|d| d["accessors"][0]["byteOffset"] = json!(u64::MAX), "beyond its buffer"),
         (|d| d["accessors"][0]["sparse"] = json!({}), "sparse"),
-        (|d| d["accessors"][0]["componentType"] = json!(5122), "quantisation"),
+        (|d| d["accessors"][0]["componentType"] = json!(5130), "another type of number"),
         (|d| d["scenes"][0]["nodes"] = json!([]), "no triangles"),
         (|d| root(d)["children"] = json!([0, 0]), "more than one parent"),
         (|d| d["nodes"][0]["extras"] = json!({"vc": {"jiont": {}}}), "unknown field `jiont`"),
@@ -264,23 +264,95 @@ fn what_is_wrong_is_said() {
 /// Triangles with positions of any value.
 fn soup(positions: &[[f32; 3]]) -> Vec<u8> {
     let bytes: Vec<u8> = positions.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
-    let json = json!({
-        "asset": {"version": "2.0"},
-        "nodes": [{"mesh": 0}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
-        "accessors": [{"bufferView": 0, "componentType": 5126, "count": positions.len(), "type": "VEC3"}],
-        "bufferViews": [{"buffer": 0, "byteLength": bytes.len()}],
-        "buffers": [{"byteLength": bytes.len()}],
-    });
+    let accessor = json!([{"bufferView": 0, "componentType": 5126, "count": positions.len(), "type": "VEC3"}]);
+    triangles(&accessor, &json!([{"buffer": 0, "byteLength": bytes.len()}]), &bytes)
+}
+
+fn container(json: Value, bytes: &[u8]) -> Vec<u8> {
     let mut json = json.to_string().into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
     let mut file = b"glTF\x02\0\0\0\0\0\0\0".to_vec();
-    for (kind, content) in [(b"JSON", json), (b"BIN\0", bytes)] {
+    for (kind, content) in [(b"JSON", &json[..]), (b"BIN\0", bytes)] {
         file.extend((content.len() as u32).to_le_bytes());
         file.extend(kind);
         file.extend(content);
     }
     file
+}
+
+/// The triangles of files, by name; the first one is plain, the others come out the same.
+macro_rules! files {
+    ($($name:literal),*) => { [$(($name, &include_bytes!(concat!("data/gltf/", $name))[..])),*] };
+}
+
+#[test]
+fn what_is_passed_over_is_no_reason_to_refuse() {
+    let files = files![
+        "ok.glb",
+        "light_min.glb",
+        "ortho.glb",
+        "datauri.gltf",
+        "sparse.glb",
+        "badpng.glb",
+        "ext_image.glb",
+        "nosource.glb",
+        "webp.glb",
+        "ktx2.glb",
+        "unlit_required.glb",
+        "bom.glb",
+        "nulpad.glb",
+        "nullname.glb"
+    ];
+    let read = files.map(|(name, file)| (name, gltf::read(file, &plain()).unwrap_or_else(|e| panic!("{name}: {e}"))));
+    let shape = |model: &gltf::Imported| model.asset.parts.iter().map(|p| p.shape.clone()).collect::<Vec<_>>();
+    for (name, model) in &read {
+        assert_eq!(shape(model), shape(&read[0].1), "{name}");
+        let pictured = ["badpng.glb", "ext_image.glb", "nosource.glb", "webp.glb"].contains(name);
+        assert_eq!(!model.missing_pictures.is_empty(), pictured, "{name}: {:?}", model.missing_pictures);
+        assert!(model.materials.iter().all(|m| m.texture.is_none()));
+    }
+}
+
+#[test]
+fn vertices_may_be_sparse_or_quantised() {
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0]];
+    let own = gltf::read(&soup(&corners), &plain()).unwrap();
+    let shape = |file: &[u8]| gltf::read(file, &plain()).map(|m| m.asset.parts[0].shape.clone());
+    let same = |file: &[u8]| assert_eq!(shape(file).unwrap(), own.asset.parts[0].shape);
+    // Zeros, of which the second and third are replaced: by the first two of these.
+    let mut bytes: Vec<u8> = corners[1..].as_flattened().iter().flat_map(|v| v.to_le_bytes()).collect();
+    bytes.extend([1, 0, 2, 0]);
+    let sparse = json!({
+        "count": 2,
+        "indices": {"bufferView": 1, "componentType": 5123},
+        "values": {"bufferView": 0},
+    });
+    let views = json!([{"buffer": 0, "byteLength": 24}, {"buffer": 0, "byteOffset": 24, "byteLength": 4}]);
+    let accessor = json!([{"componentType": 5126, "count": 3, "type": "VEC3", "sparse": sparse}]);
+    same(&triangles(&accessor, &views, &bytes));
+    // Shares of the greatest number of their type, each vertex in four bytes.
+    let (view, quantised) = (json!([{"buffer": 0, "byteLength": 12, "byteStride": 4}]), [0_i8, 127, -128]);
+    let [zero, one, less] = quantised.map(|v| v as u8);
+    let bytes = [zero, zero, zero, 0, one, zero, zero, 0, zero, less, zero, 0];
+    let accessor = |kind, normalized| json!([{"bufferView": 0, "componentType": kind, "normalized": normalized, "count": 3, "type": "VEC3"}]);
+    same(&triangles(&accessor(5120, true), &view, &bytes));
+    let wide = shape(&triangles(&accessor(5120, false), &view, &bytes)).unwrap();
+    assert!((wide.mesh(0.0).area() - 127.0 * 128.0 / 2.0).abs() < 1.0);
+}
+
+/// Triangles whose positions are the first accessor.
+fn triangles(accessors: &Value, views: &Value, bytes: &[u8]) -> Vec<u8> {
+    container(
+        json!({
+            "asset": {"version": "2.0"},
+            "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": accessors,
+            "bufferViews": views,
+            "buffers": [{"byteLength": bytes.len()}],
+        }),
+        bytes,
+    )
 }
 
 #[test]

@@ -1,111 +1,186 @@
 //! Numbers out of a file's bytes, every range checked.
 
+use std::collections::BTreeMap;
+
 use super::GltfError;
-use super::document::{BYTE, Document, FLOAT, INT, SHORT};
+use super::buffers::Buffers;
+use super::document::{Accessor, BYTE, Document, FLOAT, INT, SHORT, SIGNED_BYTE, SIGNED_SHORT, Sparse};
 
 /// The bytes of a buffer view.
-pub(super) fn slice<'a>(document: &Document, file: &'a [u8], index: usize) -> Result<&'a [u8], GltfError> {
+pub(super) fn slice<'a>(document: &Document, buffers: &'a Buffers<'_>, index: usize) -> Result<&'a [u8], GltfError> {
     let view = document.buffer_views.get(index).ok_or(GltfError::missing("buffer view", index))?;
-    let bytes = range(buffer(document, file, view.buffer)?, view.byte_offset, Some(view.byte_length));
+    let bytes = range(buffers.get(view.buffer)?, view.byte_offset, Some(view.byte_length));
     bytes.ok_or(GltfError::BadView(index))
 }
 
 /// The elements of an accessor.
 pub(super) struct Elements<'a> {
-    bytes: &'a [u8],
-    stride: usize,
-    size: usize,
-    component: u32,
     pub(super) count: usize,
+    component: u32,
+    normalized: bool,
+    /// None where all are zero but those that are replaced.
+    dense: Option<Run<'a>>,
+    replaced: Replaced<'a>,
 }
 
 impl<'a> Elements<'a> {
-    fn new(document: &Document, file: &'a [u8], index: usize, kind: &str) -> Result<Self, GltfError> {
+    fn new(
+        document: &Document,
+        buffers: &'a Buffers<'_>,
+        index: usize,
+        kind: &str,
+        components: usize,
+    ) -> Result<Self, GltfError> {
         let bad = |reason| GltfError::BadAccessor { index, reason };
         let accessor = document.accessors.get(index).ok_or(GltfError::missing("accessor", index))?;
-        if accessor.sparse.is_some() {
-            return Err(bad("is sparse: export without sparse accessors"));
-        }
-        let number = accessor.buffer_view.ok_or(bad("has no buffer view: export without compression"))?;
-        let view = document.buffer_views.get(number).ok_or(GltfError::missing("buffer view", number))?;
-        let component = accessor.component_type;
-        let size = match (kind, component) {
-            ("VEC3", FLOAT) => 12,
-            ("VEC2", FLOAT) => 8,
-            ("VEC2", SHORT) if accessor.normalized => 4,
-            ("VEC2", BYTE) if accessor.normalized => 2,
-            ("SCALAR", INT) => 4,
-            ("SCALAR", SHORT) => 2,
-            ("SCALAR", BYTE) => 1,
-            _ => return Err(bad("has another type of number: export without quantisation")),
-        };
         if accessor.kind != kind {
             return Err(bad("has another shape of element than its use needs"));
         }
-        let bytes = range(buffer(document, file, view.buffer)?, view.byte_offset, Some(view.byte_length));
-        let bytes = bytes.and_then(|b| range(b, accessor.byte_offset, None)).ok_or(bad("reaches beyond its buffer"))?;
-        let stride = view.byte_stride.unwrap_or(size);
-        let needed = (accessor.count.saturating_sub(1)).checked_mul(stride).and_then(|n| n.checked_add(size));
-        if stride < size || accessor.count == 0 || needed.is_none_or(|needed| needed > bytes.len()) {
-            return Err(bad("has more elements than its buffer holds, or none"));
+        let (count, component, normalized) = (accessor.count, accessor.component_type, accessor.normalized);
+        let size = components * width(component).ok_or(bad("has another type of number than is read"))?;
+        let source = Source { document, buffers, index };
+        let dense = accessor.buffer_view.map(|view| source.run(view, accessor.byte_offset, count, size)).transpose()?;
+        let replaced = source.replaced(accessor, size)?;
+        if dense.is_none() && accessor.sparse.is_none() {
+            return Err(bad("has no buffer view: export without compression"));
         }
-        Ok(Self { bytes, stride, size, component, count: accessor.count })
+        Ok(Self { count, component, normalized, dense, replaced })
     }
 
-    pub(super) fn vectors(document: &Document, file: &'a [u8], index: usize) -> Result<Self, GltfError> {
-        Self::new(document, file, index, "VEC3")
+    /// Positions, of floats or quantised.
+    pub(super) fn vectors(document: &Document, buffers: &'a Buffers<'_>, index: usize) -> Result<Self, GltfError> {
+        Self::new(document, buffers, index, "VEC3", 3)
     }
 
-    pub(super) fn indices(document: &Document, file: &'a [u8], index: usize) -> Result<Self, GltfError> {
-        Self::new(document, file, index, "SCALAR")
+    /// Whole numbers from zero.
+    pub(super) fn indices(document: &Document, buffers: &'a Buffers<'_>, index: usize) -> Result<Self, GltfError> {
+        let all = Self::new(document, buffers, index, "SCALAR", 1)?;
+        let whole = [BYTE, SHORT, INT].contains(&all.component);
+        whole.then_some(all).ok_or(GltfError::BadAccessor { index, reason: "has no whole numbers: indices are" })
     }
 
-    /// Pairs of numbers, those of bytes and shorts in shares of their greatest.
-    pub(super) fn pairs(document: &Document, file: &'a [u8], index: usize) -> Result<Self, GltfError> {
-        Self::new(document, file, index, "VEC2")
+    /// Texture coordinates, of floats or quantised.
+    pub(super) fn pairs(document: &Document, buffers: &'a Buffers<'_>, index: usize) -> Result<Self, GltfError> {
+        Self::new(document, buffers, index, "VEC2", 2)
     }
 
-    fn element(&self, at: usize) -> Option<&'a [u8]> {
-        if at >= self.count {
-            return None;
+    /// The numbers of an element; none if there are not so many elements.
+    pub(super) fn numbers<const N: usize>(&self, at: usize) -> Option<[f32; N]> {
+        let mut all = [0.0; N];
+        let Some(bytes) = self.element(at)? else { return Some(all) };
+        for (number, bytes) in all.iter_mut().zip(bytes.chunks_exact(bytes.len() / N)) {
+            *number = real(self.component, self.normalized, bytes)?;
         }
-        let start = at * self.stride;
-        self.bytes.get(start..start + self.size)
-    }
-
-    pub(super) fn vector(&self, at: usize) -> Option<[f32; 3]> {
-        let bytes = self.element(at)?;
-        let word = |i: usize| Some(f32::from_le_bytes(bytes.get(i * 4..i * 4 + 4)?.try_into().ok()?));
-        Some([word(0)?, word(1)?, word(2)?])
-    }
-
-    pub(super) fn pair(&self, at: usize) -> Option<[f32; 2]> {
-        let bytes = self.element(at)?;
-        let part = |i: usize| match self.component {
-            FLOAT => Some(f32::from_le_bytes(bytes.get(i * 4..i * 4 + 4)?.try_into().ok()?)),
-            SHORT => Some(f32::from(u16::from_le_bytes(bytes.get(i * 2..i * 2 + 2)?.try_into().ok()?)) / 65_535.0),
-            _ => bytes.get(i).map(|&b| f32::from(b) / 255.0),
-        };
-        Some([part(0)?, part(1)?])
+        Some(all)
     }
 
     pub(super) fn index(&self, at: usize) -> Option<usize> {
-        let bytes = self.element(at)?;
-        match self.component {
-            INT => Some(u32::from_le_bytes(bytes.try_into().ok()?) as usize),
-            SHORT => Some(usize::from(u16::from_le_bytes(bytes.try_into().ok()?))),
-            _ => bytes.first().map(|&b| usize::from(b)),
-        }
+        self.element(at)?.map_or(Some(0), |bytes| whole(self.component, bytes))
+    }
+
+    /// The bytes of an element, or none where it is zero.
+    fn element(&self, at: usize) -> Option<Option<&'a [u8]>> {
+        let there = at < self.count;
+        there.then(|| self.replaced.element(at).or_else(|| self.dense.as_ref()?.element(at)))
     }
 }
 
-fn buffer<'a>(document: &Document, file: &'a [u8], number: Option<usize>) -> Result<&'a [u8], GltfError> {
-    let number = number.unwrap_or(usize::MAX);
-    let buffer = document.buffers.get(number).ok_or(GltfError::missing("buffer", number))?;
-    if number > 0 || buffer.uri.is_some() || file.is_empty() {
-        return Err(GltfError::ExternalBuffer(number));
+/// Elements that are others than the buffer view of their accessor has.
+#[derive(Default)]
+struct Replaced<'a> {
+    values: Option<Run<'a>>,
+    /// Which they are, and where each is among the values.
+    places: BTreeMap<usize, usize>,
+}
+
+impl<'a> Replaced<'a> {
+    fn element(&self, at: usize) -> Option<&'a [u8]> {
+        self.values.as_ref()?.element(*self.places.get(&at)?)
     }
-    Ok(file)
+}
+
+/// Elements of one size, one after the other.
+struct Run<'a> {
+    bytes: &'a [u8],
+    stride: usize,
+    size: usize,
+}
+
+impl<'a> Run<'a> {
+    fn element(&self, at: usize) -> Option<&'a [u8]> {
+        range(self.bytes, at.checked_mul(self.stride)?, Some(self.size))
+    }
+}
+
+/// Where an accessor's elements come from.
+struct Source<'d, 'a, 'b> {
+    document: &'d Document,
+    buffers: &'a Buffers<'b>,
+    index: usize,
+}
+
+impl<'a> Source<'_, 'a, '_> {
+    fn bad(&self, reason: &'static str) -> GltfError {
+        GltfError::BadAccessor { index: self.index, reason }
+    }
+
+    fn run(&self, view: usize, offset: usize, count: usize, size: usize) -> Result<Run<'a>, GltfError> {
+        let view = self.document.buffer_views.get(view).ok_or(GltfError::missing("buffer view", view))?;
+        let bytes = range(self.buffers.get(view.buffer)?, view.byte_offset, Some(view.byte_length));
+        let bytes =
+            bytes.and_then(|b| range(b, offset, None)).ok_or_else(|| self.bad("reaches beyond its buffer"))?;
+        let stride = view.byte_stride.unwrap_or(size);
+        let needed = (count.saturating_sub(1)).checked_mul(stride).and_then(|n| n.checked_add(size));
+        if stride < size || count == 0 || needed.is_none_or(|needed| needed > bytes.len()) {
+            return Err(self.bad("has more elements than its buffer holds, or none"));
+        }
+        Ok(Run { bytes, stride, size })
+    }
+
+    fn replaced(&self, accessor: &Accessor, size: usize) -> Result<Replaced<'a>, GltfError> {
+        let Some(sparse) = accessor.sparse.clone() else { return Ok(Replaced::default()) };
+        let unread = || self.bad("has a sparse part that cannot be read");
+        let sparse: Sparse = serde_json::from_value(sparse).map_err(|_| unread())?;
+        let (which, values) = (&sparse.indices, &sparse.values);
+        let narrow = width(which.component_type).ok_or_else(unread)?;
+        let run = |view: Option<usize>, offset, size| self.run(view.ok_or_else(unread)?, offset, sparse.count, size);
+        let indices = run(which.buffer_view, which.byte_offset, narrow)?;
+        let place = |at| Some((whole(which.component_type, indices.element(at)?)?, at));
+        let places = (0..sparse.count).map(place).collect::<Option<_>>().ok_or_else(unread)?;
+        Ok(Replaced { values: Some(run(values.buffer_view, values.byte_offset, size)?), places })
+    }
+}
+
+/// Bytes of a number.
+fn width(component: u32) -> Option<usize> {
+    match component {
+        BYTE | SIGNED_BYTE => Some(1),
+        SHORT | SIGNED_SHORT => Some(2),
+        INT | FLOAT => Some(4),
+        _ => None,
+    }
+}
+
+/// A number as it is, or as a share of its type's greatest.
+fn real(component: u32, normalized: bool, bytes: &[u8]) -> Option<f32> {
+    let (value, most) = match component {
+        FLOAT => return Some(f32::from_le_bytes(bytes.try_into().ok()?)),
+        SIGNED_BYTE => (f32::from(i8::from_le_bytes(bytes.try_into().ok()?)), f32::from(i8::MAX)),
+        SIGNED_SHORT => (f32::from(i16::from_le_bytes(bytes.try_into().ok()?)), f32::from(i16::MAX)),
+        BYTE => (f32::from(*bytes.first()?), f32::from(u8::MAX)),
+        SHORT => (f32::from(u16::from_le_bytes(bytes.try_into().ok()?)), f32::from(u16::MAX)),
+        _ => (whole(component, bytes)? as f32, u32::MAX as f32),
+    };
+    Some(if normalized { (value / most).max(-1.0) } else { value })
+}
+
+fn whole(component: u32, bytes: &[u8]) -> Option<usize> {
+    match component {
+        INT => Some(u32::from_le_bytes(bytes.try_into().ok()?) as usize),
+        SHORT => Some(usize::from(u16::from_le_bytes(bytes.try_into().ok()?))),
+        BYTE => bytes.first().map(|&b| usize::from(b)),
+        _ => None,
+    }
 }
 
 fn range(bytes: &[u8], start: usize, length: Option<usize>) -> Option<&[u8]> {

@@ -4,10 +4,8 @@ use vc_graph::portable::Portable;
 
 use super::GltfError;
 use super::access::Elements;
+use super::buffers::Buffers;
 use super::document::{Document, Material, Primitive, Transform};
-
-/// The extension that moves textures over surfaces.
-pub(super) const TRANSFORM: &str = "KHR_texture_transform";
 
 /// A primitive's texture coordinates, and what is done to them.
 pub(super) struct TextureMap<'a> {
@@ -18,7 +16,11 @@ pub(super) struct TextureMap<'a> {
 
 impl<'a> TextureMap<'a> {
     /// Of a primitive whose material has a texture that it has coordinates for.
-    pub(super) fn of(document: &Document, file: &'a [u8], primitive: &Primitive) -> Result<Option<Self>, GltfError> {
+    pub(super) fn of(
+        document: &Document,
+        buffers: &'a Buffers<'_>,
+        primitive: &Primitive,
+    ) -> Result<Option<Self>, GltfError> {
         let material = primitive.material.and_then(|m| document.materials.get(m));
         let Some(texture) = material.and_then(Material::texture) else { return Ok(None) };
         let transform = texture.extensions.transform.clone().unwrap_or_default();
@@ -28,12 +30,12 @@ impl<'a> TextureMap<'a> {
             _ => None,
         };
         let Some(accessor) = accessor else { return Ok(None) };
-        Ok(Some(Self { pairs: Elements::pairs(document, file, accessor)?, accessor, transform }))
+        Ok(Some(Self { pairs: Elements::pairs(document, buffers, accessor)?, accessor, transform }))
     }
 
     pub(super) fn at(&self, index: usize) -> Result<[f32; 2], GltfError> {
         let bad = |reason| GltfError::BadAccessor { index: self.accessor, reason };
-        let pair = self.pairs.pair(index).ok_or(bad("has fewer texture coordinates than there are vertices"))?;
+        let pair = self.pairs.numbers(index).ok_or(bad("has fewer texture coordinates than there are vertices"))?;
         let placed = self.transform.apply(pair);
         placed.iter().all(|v| v.is_finite()).then_some(placed).ok_or(bad("has a coordinate that is not finite"))
     }

@@ -1,16 +1,26 @@
 //! The part of glTF's JSON that is read and written. Specification:
 //! <https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html>.
+//!
+//! What is written and not read is skipped when a file is read, whatever stands there.
 
-use serde::{Deserialize, Serialize};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 
 pub(super) const FLOAT: u32 = 5126;
+pub(super) const SIGNED_BYTE: u32 = 5120;
 pub(super) const BYTE: u32 = 5121;
+pub(super) const SIGNED_SHORT: u32 = 5122;
 pub(super) const SHORT: u32 = 5123;
 pub(super) const INT: u32 = 5125;
 
 fn absent<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
+}
+
+/// What only adorns a model is none where it is not as the specification says.
+fn lenient<'de, D: Deserializer<'de>, T: DeserializeOwned + Default>(from: D) -> Result<T, D::Error> {
+    Ok(T::deserialize(Value::deserialize(from)?).unwrap_or_default())
 }
 
 macro_rules! object {
@@ -26,12 +36,12 @@ macro_rules! object {
 
 object! { Document {
     asset: Head,
-    extensions_used: Vec<String>,
+    #[serde(skip_deserializing)] extensions_used: Vec<String>,
     extensions_required: Vec<String>,
-    extensions: Option<DocumentExtensions>,
+    #[serde(skip_deserializing)] extensions: Option<DocumentExtensions>,
     scene: Option<usize>,
     scenes: Vec<Scene>,
-    cameras: Vec<Camera>,
+    #[serde(skip_deserializing)] cameras: Vec<Camera>,
     nodes: Vec<Node>,
     meshes: Vec<Mesh>,
     materials: Vec<Material>,
@@ -42,20 +52,20 @@ object! { Document {
     buffers: Vec<Buffer>,
 }}
 
-object! { Head { version: String, generator: String, } }
+object! { Head { version: String, #[serde(skip_deserializing)] generator: String, } }
 
-object! { Scene { name: String, nodes: Vec<usize>, } }
+object! { Scene { #[serde(deserialize_with = "lenient")] name: String, nodes: Vec<usize>, } }
 
 object! { Node {
-    name: String,
+    #[serde(deserialize_with = "lenient")] name: String,
     children: Vec<usize>,
     mesh: Option<usize>,
     matrix: Option<[f64; 16]>,
     translation: Option<[f32; 3]>,
     rotation: Option<[f32; 4]>,
     scale: Option<[f32; 3]>,
-    camera: Option<usize>,
-    extensions: Option<NodeExtensions>,
+    #[serde(skip_deserializing)] camera: Option<usize>,
+    #[serde(skip_deserializing)] extensions: Option<NodeExtensions>,
     extras: Option<Value>,
 }}
 
@@ -78,20 +88,19 @@ object! { DocumentExtensions {
 object! { Lights { lights: Vec<super::stage::Light>, } }
 
 /// Extensions of a node.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(super) struct NodeExtensions {
-    #[serde(rename = "KHR_lights_punctual", default)]
+    #[serde(rename = "KHR_lights_punctual")]
     pub(super) light: LightOf,
 }
 
 /// Which light a node carries; number zero is written as well.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(super) struct LightOf {
-    #[serde(default)]
     pub(super) light: usize,
 }
 
-object! { Mesh { name: String, primitives: Vec<Primitive>, } }
+object! { Mesh { #[serde(deserialize_with = "lenient")] name: String, primitives: Vec<Primitive>, } }
 
 object! { Primitive {
     attributes: Attributes,
@@ -102,18 +111,18 @@ object! { Primitive {
 
 object! { Attributes {
     #[serde(rename = "POSITION")] position: Option<usize>,
-    #[serde(rename = "NORMAL")] normal: Option<usize>,
+    #[serde(rename = "NORMAL", skip_deserializing)] normal: Option<usize>,
     #[serde(rename = "TEXCOORD_0")] first: Option<usize>,
     #[serde(rename = "TEXCOORD_1")] second: Option<usize>,
 }}
 
 object! { Material {
-    name: String,
+    #[serde(deserialize_with = "lenient")] name: String,
     pbr_metallic_roughness: Surface,
     emissive_factor: Option<[f32; 3]>,
     emissive_texture: Option<TextureOf>,
-    alpha_mode: Option<String>,
-    extensions: Extensions,
+    #[serde(deserialize_with = "lenient")] alpha_mode: Option<String>,
+    #[serde(deserialize_with = "lenient")] extensions: Extensions,
     extras: Option<Value>,
 }}
 
@@ -133,7 +142,7 @@ object! { Surface {
 
 object! {
 /// Which texture a material has, and which coordinates of its meshes are in it.
-TextureOf { index: Option<usize>, tex_coord: usize, extensions: TextureExtensions, }}
+TextureOf { index: Option<usize>, tex_coord: usize, #[serde(deserialize_with = "lenient")] extensions: TextureExtensions, }}
 
 object! { TextureExtensions {
     #[serde(rename = "KHR_texture_transform")] transform: Option<Transform>,
@@ -151,9 +160,9 @@ Transform {
 object! { Texture { source: Option<usize>, } }
 
 object! { Image {
-    name: String,
+    #[serde(deserialize_with = "lenient")] name: String,
     uri: Option<String>,
-    mime_type: Option<String>,
+    #[serde(skip_deserializing)] mime_type: Option<String>,
     buffer_view: Option<usize>,
 }}
 
@@ -173,17 +182,23 @@ object! { Accessor {
     normalized: bool,
     count: usize,
     #[serde(rename = "type")] kind: String,
-    min: Option<Vec<f32>>,
-    max: Option<Vec<f32>>,
+    #[serde(skip_deserializing)] min: Option<Vec<f32>>,
+    #[serde(skip_deserializing)] max: Option<Vec<f32>>,
     sparse: Option<Value>,
 }}
+
+object! {
+/// Elements of an accessor that are others than its buffer view has, or not zero where it has none.
+Sparse { count: usize, indices: SparsePart, values: SparsePart, }}
+
+object! { SparsePart { buffer_view: Option<usize>, byte_offset: usize, component_type: u32, }}
 
 object! { View {
     buffer: Option<usize>,
     byte_offset: usize,
     byte_length: usize,
     byte_stride: Option<usize>,
-    target: Option<u32>,
+    #[serde(skip_deserializing)] target: Option<u32>,
 }}
 
 object! { Buffer { byte_length: usize, uri: Option<String>, } }

@@ -9,6 +9,7 @@ use vc_graph::portable::Portable;
 
 use super::GltfError;
 use super::access::Elements;
+use super::buffers::Buffers;
 use super::coordinates::TextureMap;
 use super::document::{Document, Node, Primitive};
 use super::note::{JointNote, NodeNote, SurfaceNote, noted};
@@ -63,7 +64,7 @@ type Triangles = (Vec<Point3<f64>>, Vec<[u32; 3]>, Vec<[[f32; 2]; 3]>);
 type Visit = (usize, Matrix4<f64>, Option<usize>);
 
 /// Everything in the default scene, through `frame`.
-pub(super) fn gather(document: &Document, bytes: &[u8], frame: Matrix4<f64>) -> Result<Gathered, GltfError> {
+pub(super) fn gather(document: &Document, buffers: &Buffers<'_>, frame: Matrix4<f64>) -> Result<Gathered, GltfError> {
     let mut all = Gathered::default();
     let mut visited = vec![false; document.nodes.len()];
     let mut left: Vec<Visit> = roots(document)?.into_iter().rev().map(|n| (n, frame, None)).collect();
@@ -73,7 +74,7 @@ pub(super) fn gather(document: &Document, bytes: &[u8], frame: Matrix4<f64>) -> 
             return Err(GltfError::NotATree(index));
         }
         let frame = frame * local(node);
-        let joint = all.visit(document, bytes, (index, node), &frame, joint)?;
+        let joint = all.visit(document, buffers, (index, node), &frame, joint)?;
         left.extend(node.children.iter().rev().map(|&child| (child, frame, joint)));
     }
     Ok(all)
@@ -109,7 +110,7 @@ impl Gathered {
     fn visit(
         &mut self,
         document: &Document,
-        bytes: &[u8],
+        buffers: &Buffers<'_>,
         (index, node): (usize, &Node),
         frame: &Matrix4<f64>,
         joint: Option<usize>,
@@ -128,7 +129,7 @@ impl Gathered {
             None => joint,
         };
         let first = self.pieces.len();
-        self.mesh(document, bytes, node, frame, joint)?;
+        self.mesh(document, buffers, node, frame, joint)?;
         if let Some(surface) = note.surface {
             let pieces = first..self.pieces.len();
             if surface.half.is_none() && pieces.is_empty() {
@@ -146,7 +147,7 @@ impl Gathered {
     fn mesh(
         &mut self,
         document: &Document,
-        bytes: &[u8],
+        buffers: &Buffers<'_>,
         node: &Node,
         frame: &Matrix4<f64>,
         joint: Option<usize>,
@@ -155,7 +156,7 @@ impl Gathered {
         let mesh = document.meshes.get(index).ok_or(GltfError::missing("mesh", index))?;
         let name = [&node.name, &mesh.name].into_iter().find(|n| !n.is_empty());
         for primitive in &mesh.primitives {
-            let (points, triangles, uvs) = self.primitive(document, bytes, primitive, frame)?;
+            let (points, triangles, uvs) = self.primitive(document, buffers, primitive, frame)?;
             if !triangles.is_empty() {
                 let name = name.cloned().unwrap_or_else(|| format!("mesh_{index}"));
                 self.pieces.push(Piece { name, joint, material: primitive.material, points, triangles, uvs });
@@ -167,15 +168,15 @@ impl Gathered {
     fn primitive(
         &mut self,
         document: &Document,
-        bytes: &[u8],
+        buffers: &Buffers<'_>,
         primitive: &Primitive,
         frame: &Matrix4<f64>,
     ) -> Result<Triangles, GltfError> {
         let mode = primitive.mode.unwrap_or(4);
         let (4..=6, Some(position)) = (mode, primitive.attributes.position) else { return Ok(Default::default()) };
-        let positions = Elements::vectors(document, bytes, position)?;
-        let indices = primitive.indices.map(|i| Elements::indices(document, bytes, i)).transpose()?;
-        let map = TextureMap::of(document, bytes, primitive)?;
+        let positions = Elements::vectors(document, buffers, position)?;
+        let indices = primitive.indices.map(|i| Elements::indices(document, buffers, i)).transpose()?;
+        let map = TextureMap::of(document, buffers, primitive)?;
         let corners = indices.as_ref().map_or(positions.count, |i| i.count);
         let count = if mode == 4 { corners / 3 } else { corners.saturating_sub(2) };
         // An empty one counts too, so that no file takes long.
@@ -225,7 +226,7 @@ impl Welder<'_> {
     fn vertex(&mut self, index: usize) -> Result<u32, GltfError> {
         let position = self
             .positions
-            .vector(index)
+            .numbers(index)
             .ok_or(GltfError::BadAccessor { index: self.at, reason: "has fewer vertices than the indices ask for" })?;
         if let Some(&known) = self.known.get(&position.map(|v| (v + 0.0).to_bits())) {
             return Ok(known);

@@ -32,6 +32,10 @@ fn pad(bytes: &mut Vec<u8>, with: u8) {
 /// The JSON and the bytes of a file; a text file has no bytes.
 pub(super) fn split(file: &[u8]) -> Result<(Document, &[u8]), GltfError> {
     let (json, bytes) = if file.starts_with(MAGIC) { chunks(file)? } else { (file, &[][..]) };
+    // Some programs mark their text, or fill it up with zeros.
+    let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
+    let end = json.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
+    let json = &json[..end];
     if !json.trim_ascii_start().starts_with(b"{") {
         return Err(GltfError::NotGltf("it starts with neither `glTF` nor `{`"));
     }

@@ -1,5 +1,6 @@
 //! Pictures in a file: PNG and JPEG in, PNG out.
 
+use std::borrow::Cow;
 use std::io::Cursor;
 use std::sync::Arc;
 
@@ -11,7 +12,8 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 
 use super::GltfError;
 use super::access::slice;
-use super::document::Document;
+use super::buffers::{Buffers, inline};
+use super::document::{Document, Image};
 
 /// Most pixels of all pictures of a file together.
 const MOST: usize = 1 << 27;
@@ -35,15 +37,15 @@ impl Decoder {
     pub(super) fn texture(
         &mut self,
         document: &Document,
-        file: &[u8],
+        buffers: &Buffers<'_>,
         index: usize,
     ) -> Result<Arc<Texture>, GltfError> {
         let image = document.images.get(index).ok_or(GltfError::missing("image", index))?;
         let own = [&image.name, image.uri.as_ref().filter(|u| !u.starts_with("data:")).unwrap_or(&image.name)];
         let name = own.into_iter().find(|n| !n.is_empty()).cloned().unwrap_or_else(|| format!("image_{index}"));
         let refuse = |reason: String| GltfError::BadImage { name: name.clone(), reason };
-        let view = image.buffer_view.ok_or_else(|| refuse("is not in the file: export as .glb".into()))?;
-        let (width, height, pixels) = self.pixels(slice(document, file, view)?).map_err(refuse)?;
+        let bytes = bytes(document, buffers, image)?.ok_or_else(|| refuse("is not in the file: export as .glb".into()))?;
+        let (width, height, pixels) = self.pixels(&bytes).map_err(refuse)?;
         self.left -= pixels.len();
         Ok(Arc::new(Texture { name: name.into(), width: width as u32, height: height as u32, pixels }))
     }
@@ -94,6 +96,18 @@ impl Decoder {
         let pixels = all.as_chunks::<3>().0.to_vec();
         let whole = pixels.len() == width * height && !pixels.is_empty();
         whole.then_some((width, height, pixels)).ok_or_else(|| "cannot be decoded: pixels are missing".into())
+    }
+}
+
+/// The bytes of a picture; none if they are in another file.
+fn bytes<'a>(
+    document: &Document,
+    buffers: &'a Buffers<'_>,
+    image: &Image,
+) -> Result<Option<Cow<'a, [u8]>>, GltfError> {
+    match image.buffer_view {
+        Some(view) => Ok(Some(slice(document, buffers, view)?.into())),
+        None => Ok(image.uri.as_deref().and_then(inline).map(Cow::Owned)),
     }
 }
 

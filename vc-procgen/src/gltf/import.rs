@@ -7,6 +7,7 @@ use nalgebra::{Matrix4, Point3, Vector3};
 use vc_graph::asset::{Joint, JointKind, Material, Part, Shape, Surface, Texture};
 use vc_graph::{Asset, AssetId, AssetLibrary, Pose};
 
+use super::buffers::Buffers;
 use super::gather::{FoundJoint, FoundSurface, Gathered, Piece, gather};
 use super::image::Decoder;
 use super::{GltfError, collision, document, glb, paint};
@@ -78,6 +79,8 @@ pub struct Imported {
     pub class: Option<Arc<str>>,
     /// Whether each of its parts encloses a volume.
     pub closed: bool,
+    /// Why pictures are missing: what has one of these is plain.
+    pub missing_pictures: Vec<GltfError>,
 }
 
 impl Imported {
@@ -122,9 +125,10 @@ pub fn read(file: &[u8], options: &Options) -> Result<Imported, GltfError> {
     if let Some(extension) = document.extensions_required.iter().find(|e| !paint::understands(e)) {
         return Err(GltfError::Extension(extension.clone()));
     }
-    let found = gather(&document, bytes, upright(options.quarter_turns))?;
+    let buffers = Buffers::of(&document, bytes);
+    let found = gather(&document, &buffers, upright(options.quarter_turns))?;
     let placing = Placing::new(&found, options)?;
-    let mut paints = Paints::new(&document, bytes, options);
+    let mut paints = Paints::new(&document, &buffers, options);
     let joints: Vec<Joint> = found.joints.iter().map(|j| placing.joint(j)).collect();
     let mut parts = Vec::with_capacity(found.pieces.len());
     for piece in &found.pieces {
@@ -135,8 +139,8 @@ pub fn read(file: &[u8], options: &Options) -> Result<Imported, GltfError> {
     let collision = collision::pieces(&parts, options.hulls);
     let closed = parts.iter().all(|p| p.shape.mesh(0.0).is_closed());
     let asset = Asset { name: name(&document, options, &parts), parts, surfaces, collision };
-    let Paints { all: materials, textures, .. } = paints;
-    Ok(Imported { asset, materials, textures, class: found.class.map(Into::into), closed })
+    let Paints { all: materials, textures, missing: missing_pictures, .. } = paints;
+    Ok(Imported { asset, materials, textures, class: found.class.map(Into::into), closed, missing_pictures })
 }
 
 /// From Y up and Z in front to Z up and X in front, and quarter turns.
@@ -223,34 +227,50 @@ fn corners<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Option<(Point3<f64>, 
 /// The materials in use, and their textures.
 struct Paints<'a> {
     document: &'a document::Document,
-    bytes: &'a [u8],
+    buffers: &'a Buffers<'a>,
     options: &'a Options,
     numbers: BTreeMap<Option<usize>, u32>,
     all: Vec<Material>,
     decoder: Decoder,
-    /// By image.
-    pictures: BTreeMap<usize, u32>,
+    /// By image; none where it cannot be read.
+    pictures: BTreeMap<usize, Option<u32>>,
     textures: Vec<Arc<Texture>>,
+    missing: Vec<GltfError>,
 }
 
 impl<'a> Paints<'a> {
-    fn new(document: &'a document::Document, bytes: &'a [u8], options: &'a Options) -> Self {
+    fn new(document: &'a document::Document, buffers: &'a Buffers<'a>, options: &'a Options) -> Self {
         let (numbers, pictures, decoder) = (BTreeMap::new(), BTreeMap::new(), Decoder::new());
-        Self { document, bytes, options, numbers, all: Vec::new(), decoder, pictures, textures: Vec::new() }
+        let (all, textures, missing) = (Vec::new(), Vec::new(), Vec::new());
+        Self { document, buffers, options, numbers, all, decoder, pictures, textures, missing }
     }
 
-    /// The number of a material's picture, decoded when it is met first.
-    fn picture(&mut self, material: &document::Material) -> Result<Option<u32>, GltfError> {
-        let Some(index) = material.texture().and_then(|t| t.index) else { return Ok(None) };
-        let texture = self.document.textures.get(index).ok_or(GltfError::missing("texture", index))?;
-        let image = texture.source.ok_or(GltfError::NoPicture(index))?;
-        if let Some(&known) = self.pictures.get(&image) {
-            return Ok(Some(known));
+    /// The number of a material's picture; none, with the reason noted once, where it cannot be read.
+    fn picture(&mut self, material: &document::Material) -> Option<u32> {
+        let image = self.image(material.texture()?.index?);
+        let known = image.as_ref().ok().and_then(|image| self.pictures.get(image));
+        if let Some(&known) = known {
+            return known;
         }
-        self.textures.push(self.decoder.texture(self.document, self.bytes, image)?);
-        let number = self.textures.len() as u32 - 1;
-        self.pictures.insert(image, number);
-        Ok(Some(number))
+        let read = image.clone().and_then(|image| self.decoder.texture(self.document, self.buffers, image));
+        let number = read.map(|texture| {
+            self.textures.push(texture);
+            self.textures.len() as u32 - 1
+        });
+        let number = number.map_err(|error| self.miss(error)).ok();
+        image.ok().and_then(|image| self.pictures.insert(image, number));
+        number
+    }
+
+    fn image(&self, texture: usize) -> Result<usize, GltfError> {
+        let found = self.document.textures.get(texture).ok_or(GltfError::missing("texture", texture))?;
+        found.source.ok_or(GltfError::NoPicture(texture))
+    }
+
+    fn miss(&mut self, error: GltfError) {
+        if !self.missing.contains(&error) {
+            self.missing.push(error);
+        }
     }
 
     fn number(&mut self, index: Option<usize>) -> Result<u32, GltfError> {
@@ -262,7 +282,7 @@ impl<'a> Paints<'a> {
             Some(i) => self.document.materials.get(i).ok_or(GltfError::missing("material", i))?,
             None => &plain,
         };
-        let texture = self.picture(written)?;
+        let texture = self.picture(written);
         self.all.push(paint::read(written, index.unwrap_or(0), texture, self.options)?);
         self.numbers.insert(index, self.all.len() as u32 - 1);
         Ok(self.all.len() as u32 - 1)

@@ -2,11 +2,12 @@
 
 use vc_graph::asset::Material;
 
-use super::coordinates::TRANSFORM;
 use super::document as json;
 use super::note::{MaterialNote, Physics, noted, written};
 use super::{GltfError, Options};
 
+/// Its numbers are read wherever they stand.
+const QUANTISED: &str = "KHR_mesh_quantization";
 const STRENGTH: &str = "KHR_materials_emissive_strength";
 const TRANSMISSION: &str = "KHR_materials_transmission";
 
@@ -49,9 +50,13 @@ pub(super) fn extensions(materials: &[json::Material]) -> Vec<String> {
     all.into_iter().filter(|(_, used)| *used).map(|(name, _)| name.to_owned()).collect()
 }
 
-/// Whether a required extension is one that is read.
+/// Extensions that change how a model looks and not its shape begin so.
+const LOOKS: [&str; 6] =
+    ["KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_", "EXT_lights_"];
+
+/// Whether a model that requires an extension has its shape without it.
 pub(super) fn understands(extension: &str) -> bool {
-    [STRENGTH, TRANSMISSION, TRANSFORM].contains(&extension)
+    extension == QUANTISED || LOOKS.iter().any(|start| extension.starts_with(start))
 }
 
 /// A material as glTF's defaults fill it in, with this texture; the physical figures are the
