@@ -56,6 +56,7 @@
 //! | [`Batch`] | many of them, on all cores |
 //! | [`check_environment`] | the contract they keep, as a test |
 //! | [`Viewpoint`] | where a camera is |
+//! | [`read_text`] | a file's text, packed or not, up to a limit |
 //! | [`Recorder`] | an episode as a folder: trajectory, film, map, page, COCO and glTF |
 //!
 //! # What is not here
@@ -69,6 +70,7 @@ mod batch;
 mod check;
 #[cfg(feature = "environment")]
 mod environment;
+mod file;
 #[cfg(feature = "environment")]
 #[cfg_attr(not(feature = "render"), allow(dead_code, unused_imports, reason = "poses are for cameras"))]
 mod figure;
@@ -86,6 +88,7 @@ pub use environment::{
     ActionError, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError, ResetError, ResetReport,
     SaveError, Steering, Unplaced, Why,
 };
+pub use file::{FileError, FileProblem, read_bytes, read_text};
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use record::{RecordError, RecordOptions, Recorder};
 #[cfg(all(feature = "environment", feature = "render"))]

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use virtualcity::graph::format::native;
 use virtualcity::graph::{
     Action, Draft, Kind, NodeId, Place, Pose, Relation, SceneGraph, Seed, State, Verb, Violation,
@@ -118,6 +120,12 @@ fn scenes_are_made_of_files() {
     assert_eq!(read.left_out().len(), made.left_out().len());
     let breaches = check_environment(|| Environment::make(&name, 2), 20, Seed(4)).unwrap();
     assert!(breaches.is_empty(), "{breaches:?}");
+    let packed = file.with_extension("json.gz");
+    let mut encoder = GzEncoder::new(std::fs::File::create(&packed).unwrap(), Compression::fast());
+    std::io::copy(&mut std::fs::File::open(&file).unwrap(), &mut encoder).unwrap();
+    encoder.finish().unwrap();
+    let unpacked = Environment::make(&format!("scene:{}", packed.display()), 1).unwrap();
+    assert_eq!(unpacked.digest(), read.digest());
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What the examples share: reading files, printing, and saying what went wrong.
 
 use std::fmt;
-use std::io::{Read, Write};
+use std::io::Write;
 use std::path::Path;
 
 /// Something went wrong, said to a person.
@@ -20,17 +20,9 @@ impl fmt::Debug for Complaint {
     }
 }
 
-/// Reads a text file; one whose name ends in `.gz` is unpacked.
+/// Reads a text file, packed or not.
 pub(crate) fn read(path: &Path) -> Result<String, Complaint> {
-    let fail = |e: std::io::Error| Complaint(format!("{}: {e}", path.display()));
-    let file = std::fs::File::open(path).map_err(fail)?;
-    let mut text = String::new();
-    if path.extension().is_some_and(|e| e == "gz") {
-        flate2::read::GzDecoder::new(file).read_to_string(&mut text).map_err(fail)?;
-    } else {
-        std::io::BufReader::new(file).read_to_string(&mut text).map_err(fail)?;
-    }
-    Ok(text)
+    virtualcity::read_text(path).map_err(Complaint::new)
 }
 
 /// Prints a line; ends quietly when nobody reads any more, as `| head` does.

@@ -8,14 +8,14 @@ use vc_procgen::{Apartment, Style, object};
 
 use super::{MakeError, ShapesError};
 
-/// The scene of a name: `apartment/SEED` is generated, `scene:FILE` is read.
+/// The scene of a name: `apartment/SEED` is generated, `scene:FILE` is read, packed or not.
 pub(super) fn named(name: &str) -> Result<SceneGraph, MakeError> {
     if let Some(seed) = name.strip_prefix("apartment/") {
         let seed = seed.parse().map_err(|_| MakeError::BadSeed(seed.to_owned()))?;
         return Ok(Apartment::from_seed(Seed(seed))?.scene());
     }
     let path = name.strip_prefix("scene:").ok_or_else(|| MakeError::UnknownName(name.to_owned()))?;
-    let text = std::fs::read_to_string(path).map_err(|error| MakeError::File { path: path.to_owned(), error })?;
+    let text = crate::read_text(path)?;
     read_scene(&text, &ClassTable::builtin()).map_err(|error| MakeError::Format { path: path.to_owned(), error })
 }
 
