@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 use indicatif::ProgressBar;
 use support::{Complaint, say};
-use vc_graph::{AssetLibrary, ClassTable, Pose, Seed, Word};
+use vc_graph::{AssetLibrary, ClassTable, Pose, Seed, Word, did_you_mean};
 use virtualcity::procgen::catalogue::Instance;
 use virtualcity::procgen::object::{Generator, Realm, generator, generators};
 use virtualcity::procgen::picture::{Anchor, Canvas, Colour, Ink, View, sketch};
@@ -95,7 +95,10 @@ fn main() -> Result<(), Complaint> {
 /// The generators that are asked for, by category.
 fn groups(options: &Options) -> Result<BTreeMap<String, Vec<&'static Generator>>, Complaint> {
     let table = ClassTable::builtin();
-    let find = |name: &String| generator(name).ok_or_else(|| Complaint::new(format!("no generator makes `{name}`")));
+    let find = |name: &String| {
+        let near = || did_you_mean(name, generators().map(|g| g.class));
+        generator(name).ok_or_else(|| Complaint::new(format!("no generator makes `{name}`{}", near())))
+    };
     let asked = match options.classes.is_empty() {
         true => generators().collect(),
         false => options.classes.iter().map(find).collect::<Result<Vec<_>, _>>()?,

@@ -2,27 +2,29 @@
 //!
 //! `cargo run --release --example replay -- FILE...` takes JSON Lines of programs
 //! with the graphs before and after (the Embodied Agent Interface's), or, with
-//! `--scene`, plain programs to be run in that scene.
+//! `--scene`, plain programs to be run in that scene, by one character or by several. What
+//! cannot be read is told, and the rest goes on; then it ends with 1.
 
 mod support;
 
-use std::path::PathBuf;
-use std::sync::Arc;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use support::{Complaint, say};
+use vc_graph::format::program::{self, Program};
 use vc_graph::format::virtualhome::{Difference, EnvironmentGraph, RelationType};
-use vc_graph::format::{eai, program, read_scene};
-use vc_graph::{Action, ClassTable, NodeId, SceneGraph, Simulator};
+use vc_graph::format::{eai, read_scene};
+use vc_graph::{ClassTable, Event, NodeId, Refusal, SceneGraph, Simulator};
 
 /// Executes VirtualHome programs and compares what comes out with what should.
 #[derive(Parser)]
 struct Options {
-    /// Programs: .jsonl with graphs before and after, or .txt with --scene; .gz is unpacked.
+    /// Programs: .jsonl with graphs before and after, or .txt with --scene; packed ones are unpacked.
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// The scene in which .txt programs run.
+    /// The scene in which .txt programs run: any scene file, or one with graphs before and after.
     #[arg(long)]
     scene: Option<PathBuf>,
     /// Also show differences in CLOSE and FACING.
@@ -37,66 +39,83 @@ struct Tally {
     /// Programs whose expected result is known, and those that came out so.
     compared: usize,
     same: usize,
+    /// Files and lines that are no programs.
+    unread: usize,
 }
 
-fn main() -> Result<(), Complaint> {
+fn main() -> Result<ExitCode, Complaint> {
     let options = Options::parse();
     let classes = ClassTable::builtin();
+    let read = |path: &PathBuf| {
+        let text = support::read(path)?;
+        read_scene(&text, &classes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))
+    };
+    let scene = options.scene.as_ref().map(read).transpose()?;
     let mut tally = Tally::default();
     for file in &options.files {
-        let text = support::read(file)?;
-        let located = |e: &dyn std::fmt::Display| Complaint::new(format!("{}: {e}", file.display()));
-        if text.trim_start().starts_with('{') {
-            replay_records(&text, &options, &classes, &mut tally).map_err(|e| located(&format!("{e:?}")))?;
-        } else {
-            let program = program::read(&text).map_err(|e| located(&e))?;
-            let scene = options.scene.as_deref().ok_or_else(|| located(&"a plain program needs --scene FILE"))?;
-            let scene = read_scene(&support::read(scene)?, &classes).map_err(Complaint::new)?;
-            tally.programs += 1;
-            let run = execute(scene, &program.actions)?;
-            tally.executable += usize::from(run.refused.is_none());
-            say!("{}: {}", file.display(), run.verdict());
+        if let Err(complaint) = replay(file, scene.as_ref(), &options, &mut tally) {
+            say!("{complaint:?}");
+            tally.unread += 1;
         }
     }
     say!("\n{} programs, {} executable", tally.programs, tally.executable);
     if tally.compared > 0 {
         say!("{} of {} compared have the expected result", tally.same, tally.compared);
     }
+    Ok(if tally.unread == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// A file of records, or one plain program in a scene.
+fn replay(file: &Path, scene: Option<&SceneGraph>, options: &Options, tally: &mut Tally) -> Result<(), Complaint> {
+    let text = support::read(file)?;
+    let located = |e: &dyn std::fmt::Display| Complaint::new(format!("{}: {e}", file.display()));
+    if text.trim_start().starts_with('{') {
+        return replay_records(file, &text, options, tally);
+    }
+    let program = program::read(&text).map_err(|e| located(&e))?;
+    let scene = scene.ok_or_else(|| located(&"a plain program needs --scene FILE"))?;
+    let run = execute(scene.clone(), &program);
+    tally.programs += 1;
+    tally.executable += usize::from(run.refused.is_none());
+    say!("{}: {}", file.display(), run.verdict());
     Ok(())
 }
 
-fn replay_records(
-    text: &str,
-    options: &Options,
-    classes: &Arc<ClassTable>,
-    tally: &mut Tally,
-) -> Result<(), Complaint> {
+fn replay_records(file: &Path, text: &str, options: &Options, tally: &mut Tally) -> Result<(), Complaint> {
     let lines: Vec<&str> = text.lines().filter(|l| !l.trim().is_empty()).collect();
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} programs").map_err(Complaint::new)?;
     let bar = ProgressBar::new(lines.len() as u64).with_style(style);
     for (number, line) in lines.iter().enumerate() {
-        let located = |e: &dyn std::fmt::Display| Complaint::new(format!("line {}: {e}", number + 1));
-        let record = eai::read_record(line).map_err(|e| located(&e))?;
-        let build = |graph: &EnvironmentGraph| {
-            graph.build(&record.id, classes).map_err(|(field, problem)| located(&format!("{field}: {problem}")))
-        };
-        let run = execute(build(&record.initial)?, &record.actions)?;
-        let difference = EnvironmentGraph::of(&run.scene).difference(&EnvironmentGraph::of(&build(&record.last)?));
-        let shown = describe(&difference, &run.scene, options.all);
-        tally.programs += 1;
-        tally.executable += usize::from(run.refused.is_none());
-        tally.compared += 1;
-        tally.same += usize::from(run.refused.is_none() && shown.is_empty());
-        bar.suspend(|| {
-            say!("{} {}: {}", record.id, record.title, run.verdict());
-            if run.refused.is_none() {
-                shown.iter().for_each(|line| say!("    {line}"));
-            }
+        let replayed = replay_record(line, options.all, tally);
+        let shown = replayed.unwrap_or_else(|problem| {
+            tally.unread += 1;
+            vec![format!("{}, line {}: {problem}", file.display(), number + 1)]
         });
+        bar.suspend(|| shown.iter().for_each(|line| say!("{line}")));
         bar.inc(1);
     }
     bar.finish_and_clear();
     Ok(())
+}
+
+/// What is to be said of a record, line by line; or why it is none.
+fn replay_record(line: &str, all: bool, tally: &mut Tally) -> Result<Vec<String>, String> {
+    let record = eai::read_record(line).map_err(|e| e.to_string())?;
+    let build = |graph: &EnvironmentGraph| {
+        let built = graph.build(&record.id, &ClassTable::builtin());
+        built.map_err(|(field, problem)| format!("{field}: {problem}"))
+    };
+    let run = execute(build(&record.initial)?, &record.program);
+    let difference = EnvironmentGraph::of(&run.scene).difference(&EnvironmentGraph::of(&build(&record.last)?));
+    let differing = describe(&difference, &run.scene, all);
+    let executable = run.refused.is_none();
+    tally.programs += 1;
+    tally.executable += usize::from(executable);
+    tally.compared += 1;
+    tally.same += usize::from(executable && differing.is_empty());
+    let verdict = format!("{} {}: {}", record.id, record.title, run.verdict());
+    let differing = differing.into_iter().filter(|_| executable).map(|line| format!("    {line}"));
+    Ok(std::iter::once(verdict).chain(differing).collect())
 }
 
 /// How a program went.
@@ -115,21 +134,30 @@ impl Run {
     }
 }
 
-fn execute(scene: SceneGraph, actions: &[Action]) -> Result<Run, Complaint> {
-    let no_agent = || Complaint::new("the scene has no character");
-    let me = *scene.agents().first().ok_or_else(no_agent)?;
+fn execute(scene: SceneGraph, program: &Program) -> Run {
     let mut world = Simulator::new(scene);
-    let mut refused = None;
-    let mut done = 0;
-    for action in actions {
-        if let Err(refusals) = world.step(me, action) {
-            let reasons: Vec<String> = refusals.iter().map(ToString::to_string).collect();
-            refused = Some(format!("{}: {}", action.describe(world.graph()), reasons.join("; ")));
-            break;
+    let (mut done, mut refused) = (0, None);
+    match program.cast(world.graph()) {
+        _ if world.graph().agents().is_empty() => refused = Some("the scene has no character".into()),
+        Err(error) => refused = Some(error.to_string()),
+        Ok(steps) => {
+            for step in steps {
+                if let Err((deed, refusals)) = world.step_together(&step) {
+                    refused = Some(told(world.graph(), &deed, &refusals));
+                    break;
+                }
+                done += step.len();
+            }
         }
-        done += 1;
     }
-    Ok(Run { scene: world.into_graph(), done, refused })
+    Run { scene: world.into_graph(), done, refused }
+}
+
+/// Who was refused what, and why; who, where there are several.
+fn told(graph: &SceneGraph, deed: &Event, refusals: &[Refusal]) -> String {
+    let reasons: Vec<String> = refusals.iter().map(ToString::to_string).collect();
+    let who = if graph.agents().len() > 1 { format!("{} ", graph.label(deed.agent)) } else { String::new() };
+    format!("{who}{}: {}", deed.action.describe(graph), reasons.join("; "))
 }
 
 fn describe(difference: &Difference, scene: &SceneGraph, all: bool) -> Vec<String> {

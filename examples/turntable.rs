@@ -16,8 +16,10 @@ use nalgebra::{Point3, Vector3};
 use support::{Complaint, say};
 use virtualcity::graph::asset::{Joint, Part, Shape};
 use virtualcity::graph::portable::Portable;
-use virtualcity::graph::{Asset, AssetId, AssetLibrary, Draft, NodeId, Pose, SceneBuilder, SceneGraph, Seed};
-use virtualcity::procgen::object::generator;
+use virtualcity::graph::{
+    Asset, AssetId, AssetLibrary, Draft, NodeId, Pose, SceneBuilder, SceneGraph, Seed, did_you_mean,
+};
+use virtualcity::procgen::object::{generator, generators};
 use virtualcity::procgen::{gltf, material};
 use virtualcity::render::picture::{self, Picture};
 use virtualcity::render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
@@ -109,7 +111,8 @@ impl Object {
 
 fn catalogued(options: &Options) -> Result<Object, Complaint> {
     let Options { class, index, .. } = options;
-    let made = generator(class).ok_or_else(|| Complaint::new(format!("no generator makes `{class}`")))?;
+    let near = || did_you_mean(class, generators().map(|g| g.class));
+    let made = generator(class).ok_or_else(|| Complaint::new(format!("no generator makes `{class}`{}", near())))?;
     let asset = Arc::new(made.instance(Seed(options.seed), *index).object.asset);
     let mut library = material::library();
     let id = library.share(asset.clone()).map_err(Complaint::new)?;
@@ -119,7 +122,7 @@ fn catalogued(options: &Options) -> Result<Object, Complaint> {
 /// A model from a file, its textures with it.
 fn model(path: &Path) -> Result<Object, Complaint> {
     let complaint = |e: String| Complaint::new(format!("{}: {e}", path.display()));
-    let bytes = std::fs::read(path).map_err(|e| complaint(e.to_string()))?;
+    let bytes = virtualcity::read_bytes(path).map_err(Complaint::new)?;
     let model = gltf::read(&bytes, &gltf::Options::default()).map_err(|e| complaint(e.to_string()))?;
     model.missing_pictures.iter().for_each(|why| say!("{}: plain where a picture is missing: {why}", path.display()));
     let mut library = material::library();

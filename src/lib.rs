@@ -58,7 +58,7 @@
 //! | [`Viewpoint`] | where a camera is |
 //! | [`Recorder`] | an episode as a folder: trajectory, film, map, page, COCO and glTF |
 //! | [`Page`] | an episode in any world as an HTML page |
-//! | [`files`] | files that are written whole or not at all |
+//! | [`files`] | files that are read packed or not and up to a limit, and written whole or not at all |
 //!
 //! # What is not here
 //!
@@ -90,6 +90,7 @@ pub use environment::{
     ActionError, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError, ResetError, ResetReport,
     SaveError, Steering, Unplaced, Why,
 };
+pub use files::{FileError, FileProblem, read_bytes, read_text};
 pub use page::{Page, PageAction, PageFigure, PageFilm};
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use record::{RecordError, RecordOptions, Recorder};

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use virtualcity::graph::format::native;
 use virtualcity::graph::{
     Action, Draft, Kind, NodeId, Place, Pose, Relation, SceneGraph, Seed, State, Verb, Violation,
@@ -118,6 +120,12 @@ fn scenes_are_made_of_files() {
     assert_eq!(read.left_out().len(), made.left_out().len());
     let breaches = check_environment(|| Environment::make(&name, 2), 20, Seed(4)).unwrap();
     assert!(breaches.is_empty(), "{breaches:?}");
+    let packed = file.with_extension("json.gz");
+    let mut encoder = GzEncoder::new(std::fs::File::create(&packed).unwrap(), Compression::fast());
+    std::io::copy(&mut std::fs::File::open(&file).unwrap(), &mut encoder).unwrap();
+    encoder.finish().unwrap();
+    let unpacked = Environment::make(&format!("scene:{}", packed.display()), 1).unwrap();
+    assert_eq!(unpacked.digest(), read.digest());
 }
 
 #[test]
@@ -418,7 +426,9 @@ fn a_dishwasher_shuts_however_its_bowls_lie() {
 fn scratch_repro() {
     let mut home = home(42, 1);
     let me = home.agents()[0];
-    for text in ["walk kitchen.1", "open dishwasher.136", "open kitchen_cabinet.131", "walk fridge.130", "open fridge.130"] {
+    for text in
+        ["walk kitchen.1", "open dishwasher.136", "open kitchen_cabinet.131", "walk fridge.130", "open fridge.130"]
+    {
         match home.set_action(me, text.parse().unwrap()) {
             Ok(c) => println!("{text}: {} changes", c.changes().len()),
             Err(e) => println!("{text}: {e}"),
@@ -437,41 +447,63 @@ fn scratch_f16() {
     println!("{} graph {} world {}", home.digest(), home.graph().digest(), home.world().digest());
     home.reset(&start).unwrap();
     println!("{} graph {} world {}", home.digest(), home.graph().digest(), home.world().digest());
-    for v in home.graph().validate() { println!("{v}"); }
+    for v in home.graph().validate() {
+        println!("{v}");
+    }
 }
 
 #[test]
 #[ignore]
 fn scratch_open() {
-    let number = |name: &str, otherwise: u64| std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(otherwise);
+    let number =
+        |name: &str, otherwise: u64| std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(otherwise);
     let (from, homes) = (number("FROM", 1), number("HOMES", 10));
     let mut all = std::collections::BTreeMap::<String, (u32, u32)>::new();
     for seed in from..from + homes {
         let fresh = home(seed, 1);
         let me = fresh.agents()[0];
-        let things: Vec<NodeId> = fresh.graph().nodes().filter(|n| n.affords(virtualcity::graph::Property::Openable) && n.is(State::Closed)).map(|n| n.id()).collect();
+        let things: Vec<NodeId> = fresh
+            .graph()
+            .nodes()
+            .filter(|n| n.affords(virtualcity::graph::Property::Openable) && n.is(State::Closed))
+            .map(|n| n.id())
+            .collect();
         for id in things {
             let mut home = fresh.clone();
             let class = home.graph().node(id).unwrap().class().to_string();
             let e = all.entry(class).or_default();
             e.0 += 1;
-            if home.graph().hidden_in(id).is_some() { continue; }
+            if home.graph().hidden_in(id).is_some() {
+                continue;
+            }
             let w = home.set_action(me, Action::one(Verb::Walk, id));
             let o = home.set_action(me, Action::one(Verb::Open, id));
-            if let Err(x) = &w { println!("{seed}: walk {} {x}", home.graph().label(id)); }
-            if let Err(x) = o { e.1 += 1; println!("{seed}: {x}"); }
+            if let Err(x) = &w {
+                println!("{seed}: walk {} {x}", home.graph().label(id));
+            }
+            if let Err(x) = o {
+                e.1 += 1;
+                println!("{seed}: {x}");
+            }
         }
     }
-    for (c, (n, bad)) in all { println!("{c}: {bad} of {n}"); }
+    for (c, (n, bad)) in all {
+        println!("{c}: {bad} of {n}");
+    }
 }
 
-fn edges(g: &SceneGraph) -> Vec<virtualcity::graph::Edge> { let mut v: Vec<_> = g.edges().collect(); v.sort(); v }
+fn edges(g: &SceneGraph) -> Vec<virtualcity::graph::Edge> {
+    let mut v: Vec<_> = g.edges().collect();
+    v.sort();
+    v
+}
 
 #[test]
 #[ignore]
 fn scratch_rebuild() {
     use virtualcity::relations::{Evidence, Relations, Rule};
-    let number = |name: &str, otherwise: u64| std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(otherwise);
+    let number =
+        |name: &str, otherwise: u64| std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(otherwise);
     let (from, homes, actions) = (number("FROM", 1), number("HOMES", 2), number("ACTIONS", 100));
     for seed in from..from + homes {
         let mut home = home(seed, 2);
@@ -480,18 +512,36 @@ fn scratch_rebuild() {
             let agent = *stream.pick(home.agents()).unwrap();
             let action = virtualcity::legal_action(home.graph(), agent, &mut stream);
             let text = action.describe(home.graph()).to_string();
-            if home.set_action(agent, action).is_err() { continue; }
+            if home.set_action(agent, action).is_err() {
+                continue;
+            }
             let mut e = Evidence::default();
-            for id in home.world().nodes() { for (j, p) in (0..).zip(home.world().moving_parts(id)) { if p.position != 0.0 { e.positions.insert((id, j), p.position); } } }
+            for id in home.world().nodes() {
+                for (j, p) in (0..).zip(home.world().moving_parts(id)) {
+                    if p.position != 0.0 {
+                        e.positions.insert((id, j), p.position);
+                    }
+                }
+            }
             let r = Relations::new(home.graph(), Rule::Repaired, e).unwrap();
             let mut g = home.graph().clone();
             let all: Vec<NodeId> = g.nodes().map(|n| n.id()).collect();
             r.write(&mut g, &all).unwrap();
             let (a, b) = (edges(home.graph()), edges(&g));
             let mut n = 0;
-            for x in a.iter().filter(|x| !b.contains(x)) { n += 1; if n < 6 { println!("{k} {text}: only graph {} {} {}", g.label(x.from), x.relation, g.label(x.to)); } }
+            for x in a.iter().filter(|x| !b.contains(x)) {
+                n += 1;
+                if n < 6 {
+                    println!("{k} {text}: only graph {} {} {}", g.label(x.from), x.relation, g.label(x.to));
+                }
+            }
             let mut n = 0;
-            for x in b.iter().filter(|x| !a.contains(x)) { n += 1; if n < 6 { println!("{k} {text}: only rebuild {} {} {}", g.label(x.from), x.relation, g.label(x.to)); } }
+            for x in b.iter().filter(|x| !a.contains(x)) {
+                n += 1;
+                if n < 6 {
+                    println!("{k} {text}: only rebuild {} {} {}", g.label(x.from), x.relation, g.label(x.to));
+                }
+            }
         }
     }
 }

@@ -57,8 +57,8 @@ fn replay(line: &str) -> Replay {
     let me = scene.agents()[0];
     let mut world = Simulator::new(scene);
     let mut refused = None;
-    for action in &record.actions {
-        if let Err(refusals) = world.step(me, action) {
+    for action in record.program.actions() {
+        if let Err(refusals) = world.step(me, &action) {
             refused = Some(refusals[0].to_string());
             break;
         }

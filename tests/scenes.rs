@@ -5,9 +5,10 @@
 mod common;
 
 use std::collections::BTreeSet;
+use std::io::{Read, Write};
 
 use vc_graph::format::virtualhome::EnvironmentGraph;
-use vc_graph::format::{native, thesis, virtualhome};
+use vc_graph::format::{native, read_scene, thesis, virtualhome};
 use vc_graph::{ClassTable, Kind, Relation, SceneGraph, Violation};
 
 /// Nodes and edges of each scene, by its file.
@@ -138,4 +139,86 @@ fn the_apartment_round_trips_in_the_thesis_format() {
         let motion = a.pose().unwrap().inverse() * b.pose().unwrap();
         assert!(motion.translation.vector.norm() < 1e-5 && motion.rotation.angle() < 1e-3, "{}", a.label());
     }
+}
+
+/// A file of so many bytes in the folder for tests, packed or not.
+fn file(name: &str, bytes: &[u8], packed: bool) -> std::path::PathBuf {
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let mut written = bytes.to_vec();
+    if packed {
+        let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+        encoder.write_all(bytes).unwrap();
+        written = encoder.finish().unwrap();
+    }
+    std::fs::write(&path, written).unwrap();
+    path
+}
+
+#[test]
+fn files_are_read_packed_marked_and_of_any_name() {
+    let text = "[WALK] <kitchen> (11)\n";
+    let marked = format!("\u{feff}{text}");
+    for (name, bytes, packed) in [
+        ("plain.txt", text, false),
+        ("packed.txt.gz", text, true),
+        ("packed.txt", text, true),
+        ("plain.txt.gz", text, false),
+        ("marked.txt", &marked, false),
+        ("marked.txt.gz", &marked, true),
+    ] {
+        assert_eq!(virtualcity::read_text(file(name, bytes.as_bytes(), packed)).unwrap(), text, "{name}");
+    }
+    // Two packed files one after the other are one.
+    let twice =
+        [std::fs::read(file("one.gz", b"[WAL", true)).unwrap(), std::fs::read(file("two.gz", b"K]", true)).unwrap()];
+    assert_eq!(virtualcity::read_text(file("both.gz", &twice.concat(), false)).unwrap(), "[WALK]");
+}
+
+#[test]
+fn what_is_no_text_or_too_long_is_refused() {
+    let told = |path: &std::path::Path| virtualcity::read_text(path).unwrap_err().to_string();
+    let utf16 = file("utf16.json", &[0xff, 0xfe, b'{', 0], false);
+    assert_eq!(told(&utf16), format!("{}: this is no text in UTF-8: save it in that encoding", utf16.display()));
+    assert!(told(&file("broken.gz", &[0x1f, 0x8b, 8, 0, 1], false)).contains("broken.gz: "));
+    assert!(told(std::path::Path::new("no/such/file")).starts_with("no/such/file: "));
+    // Some hundred kilobytes that unpack to one byte more than is read.
+    let bomb = file("bomb.gz", b"", false);
+    let mut encoder = flate2::write::GzEncoder::new(std::fs::File::create(&bomb).unwrap(), flate2::Compression::fast());
+    std::io::copy(&mut std::io::repeat(b' ').take(vc_graph::format::LARGEST as u64 + 1), &mut encoder).unwrap();
+    encoder.finish().unwrap();
+    assert!(std::fs::metadata(&bomb).unwrap().len() < 3 << 20);
+    assert!(told(&bomb).contains("more than 268435456 bytes"), "{}", told(&bomb));
+    if std::path::Path::new("/dev/zero").exists() {
+        assert!(told(std::path::Path::new("/dev/zero")).contains("more than"));
+    }
+}
+
+/// Odd files that people have: what is taken of them is written so that it is taken again.
+#[test]
+fn what_is_read_of_odd_files_is_read_again() {
+    let Some(folder) = common::data() else { return };
+    let classes = ClassTable::builtin();
+    let listed = |name: &str| std::fs::read_dir(folder.join("cases").join(name)).unwrap().map(|e| e.unwrap().path());
+    let mut files: Vec<_> = ["vh", "odd", "bodies"].into_iter().flat_map(listed).collect();
+    files.retain(|path| path.extension().is_some_and(|e| e == "json"));
+    files.push(folder.join("cases/native_sorted.json.gz"));
+    let mut taken = 0;
+    for file in files {
+        let Ok(graph) =
+            virtualcity::read_text(&file).map_err(drop).and_then(|t| read_scene(&t, &classes).map_err(drop))
+        else {
+            continue;
+        };
+        taken += 1;
+        let again =
+            native::read(&native::write(&graph), &classes).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+        assert!(again == graph, "{}", file.display());
+        let others =
+            [virtualhome::read(&virtualhome::write(&graph), &classes), thesis::read(&thesis::write(&graph), &classes)];
+        for other in others {
+            let other = other.unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+            assert_eq!(other.len(), graph.len(), "{}", file.display());
+        }
+    }
+    assert!(taken >= 80, "{taken}");
 }

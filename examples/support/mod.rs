@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "no example reads, writes and prints at once")]
 
 use std::fmt;
-use std::io::{Read, Write};
+use std::io::Write;
 use std::path::Path;
 
 /// Something went wrong, said to a person.
@@ -22,17 +22,9 @@ impl fmt::Debug for Complaint {
     }
 }
 
-/// Reads a text file; one whose name ends in `.gz` is unpacked.
+/// Reads a text file, packed or not.
 pub(crate) fn read(path: &Path) -> Result<String, Complaint> {
-    let fail = |e: std::io::Error| Complaint(format!("{}: {e}", path.display()));
-    let file = std::fs::File::open(path).map_err(fail)?;
-    let mut text = String::new();
-    if path.extension().is_some_and(|e| e == "gz") {
-        flate2::read::GzDecoder::new(file).read_to_string(&mut text).map_err(fail)?;
-    } else {
-        std::io::BufReader::new(file).read_to_string(&mut text).map_err(fail)?;
-    }
-    Ok(text)
+    virtualcity::read_text(path).map_err(Complaint::new)
 }
 
 /// Writes a file whole or not at all, in a folder that is made if need be.

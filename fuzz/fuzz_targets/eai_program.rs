@@ -12,7 +12,7 @@ fuzz_target!(|text: &str| {
         let _ = scene.validate();
         assert_eq!(EnvironmentGraph::of(&scene).nodes.len(), graph.nodes.len());
     }
-    for action in record.actions {
+    for action in record.program.actions() {
         assert_eq!(action.to_string().parse(), Ok(action));
     }
 });

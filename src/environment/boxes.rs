@@ -3,10 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use vc_graph::{
-    Aabb, Draft, EditError, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder,
-    SceneGraph,
-};
+use vc_graph::{Aabb, Draft, EditError, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph};
 use vc_physics::{Floor, PhysicsError, Role, World};
 
 use super::{Elsewhere, ShapesError, scene};

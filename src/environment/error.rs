@@ -22,13 +22,8 @@ pub enum MakeError {
     #[error(transparent)]
     Generation(#[from] vc_procgen::Impossible),
     /// The scene file could not be read.
-    #[error("{path}: {error}")]
-    File {
-        /// Which file.
-        path: String,
-        /// Why.
-        error: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] crate::FileError),
     /// The scene file is no scene.
     #[error("{path}: {error}")]
     Format {

@@ -1,34 +1,22 @@
 //! Scenes by name, and shapes for what has none.
 
-use std::io::Read;
 use std::sync::Arc;
 
-use vc_graph::format::{LARGEST, read_scene};
+use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, Draft, Kind, Node, SceneBuilder, SceneGraph, Seed};
 use vc_procgen::{Apartment, Style, object};
 
 use super::{MakeError, ShapesError};
 
-/// The scene of a name: `apartment/SEED` is generated, `scene:FILE` is read.
+/// The scene of a name: `apartment/SEED` is generated, `scene:FILE` is read, packed or not.
 pub(super) fn named(name: &str) -> Result<SceneGraph, MakeError> {
     if let Some(seed) = name.strip_prefix("apartment/") {
         let seed = seed.parse().map_err(|_| MakeError::BadSeed(seed.to_owned()))?;
         return Ok(Apartment::from_seed(Seed(seed))?.scene());
     }
     let path = name.strip_prefix("scene:").ok_or_else(|| MakeError::UnknownName(name.to_owned()))?;
-    let text = text(path).map_err(|error| MakeError::File { path: path.to_owned(), error })?;
+    let text = crate::read_text(path)?;
     read_scene(&text, &ClassTable::builtin()).map_err(|error| MakeError::Format { path: path.to_owned(), error })
-}
-
-/// The text of a file, unpacked if its name ends in `.gz`.
-fn text(path: &str) -> std::io::Result<String> {
-    if !path.ends_with(".gz") {
-        return std::fs::read_to_string(path);
-    }
-    let mut text = String::new();
-    let packed = std::io::BufReader::new(std::fs::File::open(path)?);
-    flate2::read::GzDecoder::new(packed).take(LARGEST as u64 + 1).read_to_string(&mut text)?;
-    Ok(text)
 }
 
 /// The scene with a shape for everything that has neither asset nor box and of whose class

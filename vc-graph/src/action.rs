@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use crate::vocabulary::{Word, clip, same_word, vocabulary};
-use crate::{Label, NodeId, SceneGraph};
+use crate::vocabulary::{same_word, vocabulary};
+use crate::{Deed, NodeId, SceneGraph};
 
 vocabulary! {
     /// A verb. [`Verb::rule`](crate::Verb::rule) says what each needs and does.
@@ -238,6 +238,9 @@ pub enum ActionError {
     /// VirtualHome notation that is not well formed.
     #[error("`{0}` is not of the form `[VERB] <class> (number)`")]
     Notation(String),
+    /// Somebody is named where only what is done is asked for.
+    #[error("an action does not say who acts, as `<char{0}>` does; a program's line may")]
+    Character(u32),
     /// A verb that VirtualHome does not know.
     #[error("VirtualHome has no verb for `{0}`")]
     NotInVirtualHome(Verb),
@@ -320,44 +323,9 @@ impl std::str::FromStr for Action {
     type Err = ActionError;
 
     fn from_str(text: &str) -> Result<Self, ActionError> {
-        let text = text.trim();
-        if text.starts_with('[') || text.starts_with("<char") {
-            return parse_virtualhome(text);
-        }
-        let mut words = text.split_whitespace();
-        let verb = Verb::parse(words.next().ok_or(ActionError::Empty)?)?;
-        let things: Result<Vec<NodeId>, _> = words.map(thing).collect();
-        Self::with(verb, &things?)
+        let deed: Deed = text.parse()?;
+        if deed.character == 0 { Ok(deed.action) } else { Err(ActionError::Character(deed.character)) }
     }
-}
-
-/// `cup.12` or `#12`.
-fn thing(word: &str) -> Result<NodeId, crate::BadLabel> {
-    match word.strip_prefix('#').and_then(|number| number.parse().ok()) {
-        Some(number) => Ok(NodeId(number)),
-        None => word.parse::<Label>().map(|label| label.id),
-    }
-}
-
-/// `[GRAB] <cup> (12)`; numbers as `(1.12)`, VirtualHome's older form, name the
-/// instance after the dot.
-fn parse_virtualhome(text: &str) -> Result<Action, ActionError> {
-    let bad = || ActionError::Notation(clip(text));
-    let (verb, mut rest) = text.split_once(']').ok_or_else(bad)?;
-    let (_, verb) = verb.split_once('[').ok_or_else(bad)?;
-    let unknown = || Verb::parse(verb.trim()).map_err(ActionError::Verb);
-    let verb = Verb::from_virtualhome(verb.trim()).map_or_else(unknown, Ok)?;
-    let mut things = Vec::new();
-    while let Some((before, after)) = rest.split_once('(') {
-        if !before.trim_start().starts_with('<') || things.len() == 2 {
-            return Err(bad());
-        }
-        let (number, tail) = after.split_once(')').ok_or_else(bad)?;
-        let number = number.rsplit('.').next().unwrap_or(number).trim();
-        things.push(NodeId(number.parse().map_err(|_| bad())?));
-        rest = tail;
-    }
-    if rest.trim().is_empty() { Action::with(verb, &things) } else { Err(bad()) }
 }
 
 impl serde::Serialize for Action {

@@ -1,7 +1,7 @@
 //! Whether a node is what it is called: `milk.8` may name a node that is a knife.
 
 use crate::vocabulary::{clip, same_word};
-use crate::{Label, NodeId, SceneGraph};
+use crate::{Label, NodeId, SceneGraph, nearest};
 
 /// A label whose class is not that of its node.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -14,6 +14,18 @@ pub struct Misnomer {
 }
 
 impl SceneGraph {
+    /// The classes of the scene, by name or alias, that a misspelt one is nearest to; none for a
+    /// name that the class table knows. See [`nearest`].
+    pub fn nearest_classes(&self, name: &str) -> Vec<&str> {
+        let table = self.classes();
+        if table.get(name).is_some() {
+            return Vec::new();
+        }
+        let known = self.by_class.keys().filter_map(|class| table.exact(class));
+        let aliases = known.flat_map(|class| &class.aliases);
+        nearest(name, self.by_class.keys().chain(aliases).map(|name| &**name))
+    }
+
     /// Checks that a node is what a text calls it: its class, a kind of which it is one,
     /// or another name of these, in any spelling. Other numbers than those of nodes are
     /// not looked into: whoever goes on with them finds that out.

@@ -60,12 +60,18 @@ impl FromStr for Label {
     fn from_str(text: &str) -> Result<Self, BadLabel> {
         let bad = || BadLabel(crate::vocabulary::clip(text));
         let (class, number) = text.trim().rsplit_once('.').ok_or_else(bad)?;
-        if class.is_empty() || !class.chars().all(is_class_char) {
+        if !is_class(class) {
             return Err(bad());
         }
         let id = number.parse().map(NodeId).map_err(|_| bad())?;
         Ok(Self { class: class.into(), id })
     }
+}
+
+/// Whether a class may be called so; what is told by its signs alone has no letters.
+fn is_class(name: &str) -> bool {
+    let signs = !name.chars().any(|c| c.is_alphanumeric() || c.is_whitespace() || c.is_control());
+    !name.is_empty() && (signs || name.chars().all(is_class_char))
 }
 
 /// Characters a class name may contain.

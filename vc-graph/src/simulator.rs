@@ -94,6 +94,19 @@ impl Simulator {
         Ok(changes)
     }
 
+    /// Lets several agents act at once: each meets what those before it have done.
+    ///
+    /// # Errors
+    /// What was refused first, and every [`Refusal`]; then nothing has changed.
+    pub fn step_together(&mut self, deeds: &[Event]) -> Result<(), (Event, Vec<Refusal>)> {
+        let before = (deeds.len() > 1).then(|| self.clone());
+        let refused = deeds.iter().find_map(|deed| Some((*deed, self.step(deed.agent, &deed.action).err()?)));
+        if let (Some(before), Some(_)) = (before, &refused) {
+            *self = before;
+        }
+        refused.map_or(Ok(()), Err)
+    }
+
     /// The scene, with the history dropped.
     pub fn into_graph(self) -> SceneGraph {
         self.graph

@@ -4,6 +4,8 @@ use std::fmt;
 use std::hash::Hash;
 use std::marker::PhantomData;
 
+use crate::nearest::did_you_mean;
+
 /// A closed vocabulary: an enum whose variants each have one written word.
 pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
     /// What a word of this vocabulary is called in messages ("state", "verb").
@@ -32,7 +34,7 @@ pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
 
 /// A word that is not in its vocabulary.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("unknown {what} `{word}`; use one of: {allowed}")]
+#[error("unknown {what} `{word}`{}; use one of: {allowed}", did_you_mean(.word, .allowed.split(' ')))]
 pub struct UnknownWord {
     /// Which vocabulary was asked.
     pub what: &'static str,
@@ -51,9 +53,11 @@ pub(crate) fn clip(text: &str) -> String {
     }
 }
 
-/// Letters and digits of a spelling, lower case: what matching compares.
+/// Letters and digits of a spelling, lower case: what matching compares. A name that has
+/// neither, such as a picture, has nothing but its signs to tell it by.
 pub(crate) fn folded(text: &str) -> impl Iterator<Item = char> + '_ {
-    text.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase)
+    let signs = !text.chars().any(char::is_alphanumeric);
+    text.chars().filter(move |c| c.is_alphanumeric() || signs && !c.is_whitespace()).flat_map(char::to_lowercase)
 }
 
 /// The folded spelling as a key of a table.
@@ -63,7 +67,7 @@ pub(crate) fn key(text: &str) -> String {
     }
     let mut key = String::with_capacity(text.len());
     key.extend(text.bytes().filter(u8::is_ascii_alphanumeric).map(|b| char::from(b.to_ascii_lowercase())));
-    key
+    if key.is_empty() { folded(text).collect() } else { key }
 }
 
 /// Whether two spellings are the same word up to case and separators.

@@ -192,7 +192,11 @@ fn errors_name_line_and_column() {
         ("mug | dish | | prop | | | | | |", "kind of", "there is no class `dish`"),
         ("mug | mug | | prop | | | | | |", "kind of", "`mug` is a kind of itself"),
         ("mug | | | pottery | | | | | |", "category", "unknown category `pottery`; use one of: room structure"),
-        ("mug | | | prop | grabable | | | | |", "affordances", "unknown property `grabable`; use one of: surface"),
+        (
+            "mug | | | prop | grabable | | | | |",
+            "affordances",
+            "unknown property `grabable` (did you mean `graspable`?); use one of: surface",
+        ),
         ("mug | | | prop | | 0.1 0.1 | | | |", "size", "a size is three ranges: depth, width and height in metres"),
         (
             "mug | | | prop | | 0.1 0.1 0.2-0.1 | | | |",
@@ -204,7 +208,7 @@ fn errors_name_line_and_column() {
         ("mug | | | prop | | | 0 | | |", "mass", "`0` is no range"),
         ("mug | | | prop | | | | tidy | |", "starts", "unknown state `tidy`; use one of: open"),
         ("mug | | | prop | | | | | hook |", "slots", "`hook` is no slot such as `drawer:3`"),
-        ("mug | | | prop | | | | | nook:2 |", "slots", "unknown slot `nook`; use one of: shelf"),
+        ("mug | | | prop | | | | | nook:2 |", "slots", "unknown slot `nook` (did you mean `hook`?); use one of: shelf"),
         (
             "mug | | | prop | | | | | | kitchen",
             "kept",
@@ -251,4 +255,52 @@ fn tables_can_be_extended() {
         "mine.txt, line 1, column `name`: `couch` is the name or alias of another class already"
     );
     assert!(builtin.extended("mine.txt", "").is_ok_and(|t| t.len() == builtin.len()));
+}
+
+/// ALFRED's classes that are called otherwise here; of the others the name is the class's.
+const ALFRED: &str = "ArmChair:armchair BaseballBat:baseball_bat BathtubBasin:bathtub Cart:serving_trolley Cloth:washcloth \
+    CoffeeMachine:coffee_maker CounterTop:kitchen_counter Curtains:curtain DishSponge:sponge Drawer:kitchen_drawer \
+    Footstool:ottoman GarbageCan:trash_can Glassbottle:water_bottle HandTowel:towel HandTowelHolder:towel_rack \
+    KeyChain:keys LaundryHamper:laundry_hamper Pan:frying_pan PaperTowelRoll:paper_towel PepperShaker:condiment_shaker \
+    SaltShaker:condiment_shaker ScrubBrush:scrubbing_brush ShowerDoor:shower_stall ShowerGlass:shower_stall \
+    SinkBasin:sink SoapBar:bar_soap SoapBottle:soap SprayBottle:all_purpose_cleaner Statue:sculpture \
+    StoveBurner:stove ToiletPaperHanger:toilet_roll_holder ToiletPaperRoll:toilet_paper TowelHolder:towel_rack \
+    WineBottle:wine LaundryHamperLid: StoveKnob:";
+
+/// The others.
+const ALFRED_SAME: &str = "AlarmClock Apple BasketBall Bathtub Bed Blinds Book Boots Bowl Box Bread ButterKnife Cabinet \
+    Candle CD CellPhone Chair CreditCard Cup Desk DeskLamp Dresser Egg FloorLamp Fork Fridge HousePlant Kettle Knife \
+    Ladle Laptop Lettuce LightSwitch Microwave Mirror Mug Newspaper Ottoman Painting PaperTowel Pen Pencil Pillow Plate \
+    Plunger Poster Pot Potato RemoteControl Safe Shelf Sink Sofa Spatula Spoon DiningTable CoffeeTable SideTable \
+    TeddyBear Television TennisRacket TissueBox Toaster Toilet ToiletPaper Tomato Towel TVStand Vase Watch WateringCan \
+    Window";
+
+#[test]
+fn the_classes_of_alfred_are_known() {
+    let table = ClassTable::builtin();
+    let folded = |name: &str| name.replace('_', "").to_lowercase();
+    for (name, class) in ALFRED.split_whitespace().map(|pair| pair.split_once(':').unwrap()) {
+        assert_eq!(table.get(name).map_or("", |c| &c.name), class, "{name}");
+    }
+    for name in ALFRED_SAME.split_whitespace() {
+        let class = table.get(name).unwrap_or_else(|| panic!("{name} is unknown"));
+        let called = std::iter::once(&class.name).chain(&class.aliases).any(|n| folded(n) == folded(name));
+        assert!(called, "{name} is taken for {}", class.name);
+    }
+}
+
+#[test]
+fn a_compound_is_what_its_last_word_says() {
+    let table = ClassTable::builtin();
+    for name in ["kitchen_gadget", "man_cave_sign", "fridge_magnet", "KitchenGadget", "SM_Fridge_Magnet_02"] {
+        assert_eq!(table.get(name).map(|c| &c.name), None, "{name}");
+    }
+    for (name, class) in [
+        ("toy_kitchen_table", "kitchen_table"),
+        ("SM_Table_Round_White_03", "table"),
+        ("SM_Chair_A", "chair"),
+        ("food_milk", "milk"),
+    ] {
+        assert_eq!(table.get(name).map_or("", |c| &c.name), class, "{name}");
+    }
 }

@@ -77,7 +77,7 @@ fn words_that_are_none() {
         &in_native(r#"["sitting"]"#, r#"["siting"]"#),
         7,
         "nodes[2].states[0]",
-        "unknown state `siting`; use one of: open closed",
+        "unknown state `siting` (did you mean `sitting`?); use one of: open closed",
     );
     check(&in_native(r#""on", 2"#, r#""onto", 2"#), 13, "edges[2][1]", "unknown relation `onto`");
     check(&in_virtualhome(r#"["CLOSED"]"#, r#"["CLOSED", "AJAR"]"#), 4, "nodes[1].states[1]", "unknown state `AJAR`");

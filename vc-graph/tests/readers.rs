@@ -12,7 +12,13 @@ use vc_graph::{Action, ClassTable, Goal, Label, SceneGraph, State, Word};
 fn read_all(text: &str) {
     let classes = ClassTable::builtin();
     let readers = [native::read, thesis::read, virtualhome::read, read_scene];
-    readers.into_iter().filter_map(|read| read(text, &classes).ok()).for_each(|graph| look_at(&graph));
+    for graph in readers.into_iter().filter_map(|read| read(text, &classes).ok()) {
+        look_at(&graph);
+        let written = native::write(&graph);
+        assert!(native::read(&written, &classes).as_ref() == Ok(&graph), "{written}");
+        let written = virtualhome::write(&graph);
+        virtualhome::read(&written, &classes).unwrap_or_else(|e| panic!("{e}: {written}"));
+    }
     if let Ok(record) = eai::read_record(text) {
         let graphs = [&record.initial, &record.last].map(|g| g.build("EAI", &classes));
         graphs.iter().flatten().for_each(look_at);
@@ -22,7 +28,12 @@ fn read_all(text: &str) {
     let tasks = tasks.into_values().flat_map(|t| [Some(t.goal), t.formula]);
     goals.into_iter().chain(tasks).flatten().for_each(|goal| drop(goal.to_string()));
     if let Ok(program) = program::read(text) {
-        let _ = program::write(&program, &SceneGraph::new("", classes));
+        let nothing = SceneGraph::new("", classes);
+        let _ = program.cast(&nothing);
+        if let Ok(written) = program::write(&program, &nothing) {
+            let again = program::read(&written).unwrap_or_else(|e| panic!("{e}: {written}"));
+            assert!(again.actions().eq(program.actions()) && again.heading == program.heading, "{written}");
+        }
     }
     let _ = (text.parse::<Action>(), text.parse::<Label>(), State::parse(text));
     if let Ok(table) = ClassTable::parse("mine", text) {

@@ -54,9 +54,11 @@ proptest! {
     fn programs_read_back(actions in prop::collection::vec(action(), 0..8), titled: bool) {
         let actions: Vec<Action> = actions.into_iter().filter(|a| a.verb.virtualhome().is_some()).collect();
         let heading = if titled { vec!["Make coffee".to_owned(), "In the morning.".to_owned()] } else { Vec::new() };
-        let program = Program { heading, actions };
+        let program = Program { heading, ..Program::of(actions) };
         let text = program::write(&program, &scene(&[], false)).unwrap();
-        prop_assert_eq!(program::read(&text).unwrap(), program, "{}", text);
+        let again = program::read(&text).unwrap();
+        prop_assert_eq!(&again.heading, &program.heading, "{}", text);
+        prop_assert!(again.actions().eq(program.actions()) && again.steps.len() == program.steps.len(), "{}", text);
     }
 }
 
@@ -143,4 +145,122 @@ fn labels_are_held_against_their_nodes() {
         let told = graph.check_label(&label).unwrap_err().to_string();
         assert!(told.contains(&format!("`{label}` names")) && told.contains(&graph.label(id).to_string()), "{told}");
     }
+}
+
+/// Steps of a program: who does what.
+fn steps_of(text: &str) -> Vec<Vec<(u32, String)>> {
+    let program = program::read(text).unwrap_or_else(|e| panic!("{e}: {text}"));
+    program.steps.iter().map(|s| s.iter().map(|d| (d.character, d.action.to_string())).collect()).collect()
+}
+
+#[test]
+fn characters_act_alone_and_together() {
+    let walk = |who| vec![(who, "walk #6".to_owned())];
+    assert_eq!(steps_of("<char1> [walk] <waterglass> (6) [0]"), [walk(1)]);
+    assert_eq!(steps_of("\u{feff}[walk] <waterglass> (6)\n# then nothing\n\n"), [walk(0)]);
+    let both = "<char0> [walk] <waterglass> (6) | <char1> [switchon] <tablelamp> (11)";
+    assert_eq!(steps_of(both), [[(0, "walk #6".to_owned()), (1, "switch_on #11".to_owned())]]);
+    assert_eq!(steps_of(&format!("Two\n\n{both}\n{both}")).len(), 2);
+    let program = program::read(both).unwrap();
+    let written = program::write(&program, &scene(&[], false)).unwrap();
+    assert_eq!(steps_of(&written), steps_of(both), "{written}");
+    assert!("<char1> [STANDUP]".parse::<Action>().unwrap_err().to_string().contains("`<char1>`"));
+}
+
+#[test]
+fn lines_that_are_meant_as_actions_are_no_titles() {
+    for (text, line, told) in [
+        ("1. [WALK] <waterglass> (6)\n2. [GRAB] <waterglass> (6)", 1, "is not of the form"),
+        ("- [WALK] <waterglass> (6)", 1, "is not of the form"),
+        ("[WALK] <waterglass> (6) | [GRAB] <waterglass> (6)", 1, "`<char0>` does two things at once"),
+        ("Title\n\n[WALK <waterglass> (6)", 3, "is not of the form"),
+        ("<charx> [WALK] <waterglass> (6)", 1, "is not of the form"),
+        ("wlak kitchen.1\ngrab cup.2", 1, "(did you mean `walk`?)"),
+        ("dance\nwvae", 2, "(did you mean `wave`?)"),
+        ("[WALK] <waterglass> (6) [x]", 1, "is not of the form"),
+    ] {
+        let error = program::read(text).unwrap_err();
+        assert!(error.line == Some(line) && error.to_string().contains(told), "{error}: {text}");
+    }
+}
+
+#[test]
+fn titles_may_be_verbs() {
+    for (text, heading, steps) in [
+        ("Dance\n\n[WALK] <tablelamp> (11)\n", &["Dance"][..], 1),
+        ("Sleep\nThe person sleeps.\n\n[WALK] <waterglass> (6)\n", &["Sleep", "The person sleeps."], 1),
+        ("Make coffee (quick)\n\n\n[WALK] <waterglass> (6)\n", &["Make coffee (quick)"], 1),
+        ("Make coffee\n\n\n", &["Make coffee"], 0),
+        ("Turn on light\nGo [on].\n[WALK] <waterglass> (6)", &["Turn on light", "Go [on]."], 1),
+        ("dance\nwave\n", &[], 2),
+        ("stand\n\n", &[], 1),
+        ("grab cup.2\n\nwalk kitchen.1", &[], 2),
+        ("", &[], 0),
+    ] {
+        let program = program::read(text).unwrap_or_else(|e| panic!("{e}: {text}"));
+        assert_eq!(
+            (program.heading.as_slice(), program.steps.len()),
+            (&heading.iter().map(|&l| l.to_owned()).collect::<Vec<_>>()[..], steps),
+            "{text}"
+        );
+    }
+}
+
+/// A kitchen with a cup, and two people.
+fn couple() -> vc_graph::SceneGraph {
+    let mut scene = vc_graph::SceneBuilder::new("flat");
+    let kitchen = scene.add(vc_graph::Draft::new("kitchen")).unwrap();
+    for class in ["cup", "character", "character"] {
+        scene.add_in(kitchen, vc_graph::Draft::new(class)).unwrap();
+    }
+    scene.build()
+}
+
+#[test]
+fn programs_are_cast_with_who_and_what_there_is() {
+    let graph = couple();
+    let cast = |text: &str| program::read(text).unwrap().cast(&graph);
+    let agents = |text: &str| -> Vec<u32> { cast(text).unwrap().concat().iter().map(|e| e.agent.0).collect() };
+    assert_eq!(agents("[WALK] <cup> (2)\n<char1> [WALK] <mug> (99)"), [3, 4]);
+    for (text, told) in [
+        (
+            "[WALK] <cup> (2)\n<char9> [WALK] <cup> (2)",
+            "action 2: there is no `<char9>`, the scene has 2 characters, `<char0>` to `<char1>`",
+        ),
+        ("[WALK] <kitchen> (1)\n[WALK] <milk> (2)", "action 2: `milk.2` names a thing that is cup.2"),
+        ("grab milk.2", "action 1: `milk.2` names a thing that is cup.2"),
+    ] {
+        let error = cast(text).unwrap_err().to_string();
+        assert!(error.starts_with(told), "{error}");
+    }
+}
+
+#[test]
+fn acting_together_is_done_whole_or_not_at_all() {
+    let mut world = vc_graph::Simulator::new(couple());
+    let cast = |text: &str| program::read(text).unwrap().cast(&couple()).unwrap().concat();
+    world.step_together(&cast("<char0> [WALK] <cup> (2) | <char1> [WALK] <cup> (2)")).unwrap();
+    let before = world.clone();
+    let (event, refusals) =
+        world.step_together(&cast("<char0> [GRAB] <cup> (2) | <char1> [GRAB] <cup> (2)")).unwrap_err();
+    assert_eq!((event.agent, refusals[0].to_string()), (NodeId(4), "character.3 holds cup.2".to_owned()));
+    assert!(world == before);
+}
+
+#[test]
+fn misspelt_words_get_the_nearest() {
+    for (error, told) in [
+        ("garb cup.2".parse::<Action>().unwrap_err().to_string(), "unknown verb `garb` (did you mean `grab`?)"),
+        ("[SWICHON] <lamp> (2)".parse::<Action>().unwrap_err().to_string(), "(did you mean `switch_on`?)"),
+        ("Opne(fridge)".parse::<Goal>().unwrap_err().to_string(), "`Opne` (did you mean `open`?)"),
+        ("Insid(milk, fridge)".parse::<Goal>().unwrap_err().to_string(), "(did you mean `inside`?)"),
+        ("teleport cup.2".parse::<Action>().unwrap_err().to_string(), "unknown verb `teleport`; use one of"),
+    ] {
+        assert!(error.contains(told), "{error}");
+    }
+    let classes = vc_graph::ClassTable::builtin();
+    assert_eq!(classes.nearest("refridgerator"), ["refrigerator"]);
+    assert_eq!(classes.nearest("aple"), ["apple"]);
+    assert!(classes.nearest("unicorn").is_empty());
+    assert!(vc_graph::nearest("", ["a", "on"]).is_empty());
 }

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use serde::{Deserialize, Serialize};
+use vc_graph::format::unmarked;
 use vc_graph::goal::Situation;
 use vc_graph::{Action, Edge, Goal, NodeId, Observation, Refusal, Relation, SceneGraph, Scope, Seed, Simulator, Verb};
 use vc_tasks::{Outcome, Task, World};
@@ -137,7 +138,7 @@ impl Trajectory {
     /// [`RecordError`] with the line.
     pub fn read_json_lines(text: &str) -> Result<Self, RecordError> {
         let lines: Vec<(usize, &str)> =
-            text.lines().enumerate().map(|(i, l)| (i + 1, l)).filter(|(_, l)| !l.trim().is_empty()).collect();
+            unmarked(text).lines().enumerate().map(|(i, l)| (i + 1, l)).filter(|(_, l)| !l.trim().is_empty()).collect();
         let [first, middle @ .., last] = lines.as_slice() else { return Err(RecordError::TooShort) };
         let steps: Result<Vec<Step>, RecordError> = middle.iter().map(read).collect();
         Ok(Self { header: read(first)?, steps: steps?, summary: read(last)? })

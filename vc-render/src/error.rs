@@ -74,9 +74,9 @@ pub enum RenderError {
         frames: usize,
     },
     /// There are more classes than numbers for them.
-    #[error("the scene has {classes} classes, and pictures can tell {most} apart: give nodes fewer names of classes", most = u16::MAX)]
+    #[error("the class table has {classes} classes, and pictures can tell {most} apart: leave out some", most = 1 << 15)]
     TooManyClasses {
-        /// Classes of the scene's table and of its nodes.
+        /// Classes of the scene's table.
         classes: usize,
     },
     /// An array is not of the shape that it is said to have.

@@ -7,7 +7,7 @@ mod common;
 use common::{Stage, block, cameras, furnished, pose};
 use nalgebra::{Point3, Vector3, Vector4};
 use vc_graph::asset::Shape;
-use vc_graph::{Pose, State};
+use vc_graph::{Bounds, Draft, Pose, SceneBuilder, State};
 use vc_render::{Camera, Daylight, Frame, Modalities, Modality, NO_LABEL, NOTHING, RenderError, Renderer, Shot};
 
 #[test]
@@ -307,4 +307,32 @@ fn lamps_are_told_by_their_class() {
         .map(|class| stage.one(class, block([0.1; 3]), Pose::identity(), 3));
     let snapshot = Renderer::new().snapshot(&stage.build()).unwrap();
     assert_eq!(snapshot.lamps().collect::<Vec<_>>(), [made[0], made[2]]);
+}
+
+/// Class numbers of what stands before the camera, by class.
+fn numbers(classes: &[&str]) -> Vec<(String, u16)> {
+    let mut scene = SceneBuilder::new("shelf");
+    for (class, y) in classes.iter().zip([-0.6_f32, 0.0, 0.6]) {
+        let bounds = Bounds::standing([0.3; 3].into());
+        scene.add(Draft::new(*class).at(Pose::translation(2.0, y, -0.1)).bounds(bounds)).unwrap();
+    }
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&scene.build()).unwrap();
+    let mut frame = Frame::new();
+    let camera = Camera::with_fov(64, 48, 1.0);
+    renderer.render(&Shot::new(&snapshot, &camera, Modality::Boxes), &mut frame).unwrap();
+    let named = |label: &vc_render::BoxLabel| (snapshot.class(label.class).unwrap().to_string(), label.class);
+    frame.boxes.iter().map(named).collect()
+}
+
+#[test]
+fn a_class_has_one_number_whatever_the_scene() {
+    let first = numbers(&["gizmo", "cup", "widget"]);
+    let second = numbers(&["aardvark", "widget", "cup"]);
+    assert_eq!((first.len(), second.len()), (3, 3));
+    for (class, number) in &first {
+        let others = second.iter().filter(|(name, other)| (name == class) != (other == number));
+        assert_eq!(others.count(), 0, "{class} is {number}: {second:?}");
+    }
+    assert!(first.iter().all(|(class, number)| (class == "cup") == (*number < 1 << 15)));
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
-use vc_graph::{Node, Property, Relation, SceneGraph, State};
+use vc_graph::{Node, Property, Relation, SceneGraph, State, did_you_mean};
 
 use crate::Task;
 
@@ -21,6 +21,8 @@ pub enum Obstacle {
         needs: usize,
         /// How many there are.
         has: usize,
+        /// Classes of the scene that may have been meant, where the class is of no scene.
+        nearest: Vec<String>,
     },
     /// There are things of the class, but too few that afford what is asked.
     NotAfforded {
@@ -36,8 +38,9 @@ pub enum Obstacle {
 impl fmt::Display for Obstacle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TooFew { part, class, needs, has } => {
-                write!(f, "`{part}` needs {needs} of `{class}`, the scene has {has}")
+            Self::TooFew { part, class, needs, has, nearest } => {
+                let near = did_you_mean(class, nearest.iter().map(String::as_str));
+                write!(f, "`{part}` needs {needs} of `{class}`{near}, the scene has {has}")
             }
             Self::NotAfforded { part, class, must_be } => {
                 write!(f, "`{part}` needs `{class}` to be {must_be}, which it is not in this scene")
@@ -138,7 +141,8 @@ fn require(
     let fit = all.iter().filter(|&&id| graph.node(id).is_some_and(&fits)).count();
     let (part, class) = (part.to_string(), class.to_owned());
     if all.len() < needs {
-        found.push(Obstacle::TooFew { part, class, needs, has: all.len() });
+        let nearest = graph.nearest_classes(&class).into_iter().map(str::to_owned).collect();
+        found.push(Obstacle::TooFew { part, class, needs, has: all.len(), nearest });
     } else if fit < needs {
         found.push(Obstacle::NotAfforded { part, class, must_be });
     }

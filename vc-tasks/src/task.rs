@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use vc_graph::Goal;
+use vc_graph::format::unmarked;
 use vc_graph::goal::GoalError;
 
 /// Something to be done in a scene.
@@ -73,7 +74,7 @@ impl Task {
     /// # Errors
     /// [`TaskError`] with the line.
     pub fn read_list(text: &str) -> Result<Vec<Self>, TaskError> {
-        let lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
+        let lines = unmarked(text).lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
         let tasks = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
         tasks.map(|(line, text)| Self::read_line(line, text)).collect()
     }

@@ -87,13 +87,14 @@ fn goals_hold_at_the_end_and_formulas_only_in_order() {
         };
         let (start, end) = (build(&record.initial, &classes), build(&record.last, &classes));
         let me = *start.agents().first().unwrap();
+        let actions: Vec<Action> = record.program.actions().collect();
         // What was done is told by the program, the state by their final graph.
-        let events: Vec<Event> = record.actions.iter().map(|&action| Event { agent: me, action }).collect();
+        let events: Vec<Event> = actions.iter().map(|&action| Event { agent: me, action }).collect();
         let now = vc_graph::goal::Situation { graph: &end, agent: me, events: &events };
         assert!(task.goal.holds(&now), "{}: {}", record.id, task.goal);
         ends += 1;
         let Some(formula) = &task.formula else { continue };
-        let there = trace(&start, me, &record.actions, &end);
+        let there = trace(&start, me, &actions, &end);
         assert!(formula.holds_on(&there), "{}: {formula}", record.id);
         forwards += 1;
         assert!(Monitor::on(formula, &there).unwrap().holds(), "{}: {formula}", record.id);

@@ -240,3 +240,20 @@ fn errors_say_what_was_expected_where_and_what_was_found() {
         "line 2, column 2: PDDL: expected a step such as `(grab cup_12 ...)`, found `fly cup_1`"
     );
 }
+
+#[test]
+fn a_byte_order_mark_is_no_part_of_a_text() {
+    for text in DOCUMENTS {
+        let marked = format!("\u{feff}{text}");
+        assert_eq!(Activity::read(&marked).ok(), Activity::read(text).ok());
+        assert_eq!(marked.parse::<pddl::Domain>().ok(), text.parse().ok());
+        assert_eq!(marked.parse::<pddl::Problem>().ok(), text.parse().ok());
+        assert_eq!(pddl::read_plan(&marked).ok(), pddl::read_plan(text).ok());
+        assert_eq!(json::read(&marked).ok(), json::read(text).ok());
+        assert_eq!(Template::read(&marked).ok(), Template::read(text).ok());
+        assert_eq!(watch_and_help::read(&marked).ok(), watch_and_help::read(text).ok());
+        assert_eq!(thesis::read(&marked).ok(), thesis::read(text).ok());
+    }
+    let tasks = vc_tasks::Task::read_list("\u{feff}# mornings\nbreakfast: On(apple, table)\n").unwrap();
+    assert_eq!(tasks.len(), 1);
+}

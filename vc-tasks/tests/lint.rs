@@ -112,3 +112,22 @@ fn what_is_not_declared_is_said_with_its_place() {
         ]
     );
 }
+
+#[test]
+fn a_class_that_is_misspelt_gets_the_nearest_of_the_scene() {
+    let mut scene = vc_graph::SceneBuilder::new("flat");
+    let kitchen = scene.add(vc_graph::Draft::new("kitchen")).unwrap();
+    let table = scene.add_in(kitchen, vc_graph::Draft::new("kitchen_table")).unwrap();
+    scene.add_on(table, vc_graph::Draft::new("apple")).unwrap();
+    let graph = scene.build();
+    for (goal, told) in [
+        ("On(aple, kitchen_table)", "`aple` (did you mean `apple`?), the scene has 0"),
+        ("On(apple, kitchn tabel)", "`kitchn_tabel` (did you mean `kitchen_table`?)"),
+        ("On(unicorn, kitchen_table)", "`unicorn`, the scene has 0"),
+        ("On(pear, kitchen_table)", "`pear`, the scene has 0"),
+    ] {
+        let task = vc_tasks::Task::new("t", goal.parse().unwrap());
+        let obstacles: Vec<String> = task.obstacles(&graph).iter().map(ToString::to_string).collect();
+        assert!(obstacles.iter().any(|o| o.contains(told)), "{goal}: {obstacles:?}");
+    }
+}

@@ -235,7 +235,8 @@ impl ClassTable {
 
     /// The class of a name, in any usual spelling: case, `_`, `-` and spaces do
     /// not matter, nor do engine prefixes and numbers (`SM_Coffee_Table_03`); of a
-    /// longer name the part counts that is a class (`SM_Glass_Milk` is milk).
+    /// longer name its end counts (`SM_Glass_Milk` is milk, a fridge magnet no fridge), but for
+    /// words such as colours behind it.
     pub fn get(&self, name: &str) -> Option<&Class> {
         let plain = name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit());
         let whole = plain.then(|| self.by_name.get(name)).flatten();
@@ -247,6 +248,12 @@ impl ClassTable {
     pub(crate) fn exact(&self, name: &str) -> Option<&Class> {
         let key = crate::vocabulary::key(name);
         self.by_name.get(&key).map(|&i| &self.classes[i])
+    }
+
+    /// The names and aliases nearest to a misspelt one, see [`nearest`](crate::nearest).
+    pub fn nearest(&self, name: &str) -> Vec<&str> {
+        let named = self.iter().flat_map(|class| std::iter::once(&class.name).chain(&class.aliases));
+        crate::nearest(name, named.map(|name| &**name))
     }
 
     /// The class and all its kinds.

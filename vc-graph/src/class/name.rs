@@ -5,12 +5,22 @@ use crate::vocabulary::key;
 /// Words that engines and artists put around a name.
 const NOISE: &[&str] = &["sm", "bp", "pre", "mod", "fur", "pro", "dec", "ele", "app", "lam", "prefab", "mesh", "ingir"];
 
-/// Longest name that is taken apart; longer ones are only matched whole.
+/// Words that say more of a thing behind its name: `Table_Round_White`.
+const QUALIFIERS: &[&str] = &[
+    "small", "medium", "large", "big", "mini", "tall", "short", "long", "wide", "narrow", "high", "low", "left",
+    "right", "front", "back", "top", "bottom", "upper", "lower", "inner", "outer", "open", "closed", "old", "new",
+    "modern", "classic", "antique", "vintage", "round", "square", "oval", "single", "double", "black", "white", "grey",
+    "gray", "red", "green", "blue", "yellow", "brown", "pink", "purple", "beige", "dark", "bright", "wood", "wooden",
+    "metal", "plastic", "leather", "fabric", "marble", "steel", "gold", "silver", "copy", "clone", "variant",
+    "version", "var", "ver", "lod",
+];
+
+/// Longest name that is taken apart, words; longer ones are only matched whole.
 const LONGEST: usize = 12;
 
 /// The folded spellings to look up, best first: the whole name, the name without
-/// noise and numbers, then its parts, longer before shorter and later before
-/// earlier (in English the last word says what a thing is).
+/// noise and numbers, then its ends, longer before shorter: in English the last word says
+/// what a thing is, and a fridge magnet is no fridge.
 pub(super) fn candidates(name: &str) -> impl Iterator<Item = String> {
     let whole = key(name);
     std::iter::once(whole).chain(std::iter::once_with(|| parts(name)).flatten())
@@ -18,7 +28,15 @@ pub(super) fn candidates(name: &str) -> impl Iterator<Item = String> {
 
 fn parts(name: &str) -> Vec<String> {
     let mut found = with_singular(unnumbered(name));
-    found.extend(spans(name));
+    let words = words(name);
+    let mut meaning: Vec<&str> = words.iter().map(String::as_str).filter(|w| !NOISE.contains(w)).collect();
+    if meaning.len() <= LONGEST {
+        found.extend(ends(&meaning));
+        while meaning.len() > 1 && meaning.last().is_some_and(|w| w.len() == 1 || QUALIFIERS.contains(w)) {
+            meaning.pop();
+            found.extend(ends(&meaning));
+        }
+    }
     found
 }
 
@@ -29,15 +47,9 @@ fn unnumbered(name: &str) -> String {
     pieces.filter(|p| !NOISE.contains(&p.as_str()) && !p.chars().all(|c| c.is_ascii_digit())).collect()
 }
 
-/// Runs of words of a name, longer before shorter and later before earlier.
-fn spans(name: &str) -> Vec<String> {
-    let words = words(name);
-    let meaning: Vec<&str> = words.iter().map(String::as_str).filter(|w| !NOISE.contains(w)).collect();
-    if meaning.len() > LONGEST {
-        return Vec::new();
-    }
-    let spans = (1..=meaning.len()).rev().flat_map(|len| (0..=meaning.len() - len).rev().map(move |at| (at, len)));
-    spans.flat_map(|(at, len)| with_singular(meaning[at..at + len].concat())).collect()
+/// The last words of a name, more before fewer.
+fn ends(words: &[&str]) -> Vec<String> {
+    (0..words.len()).flat_map(|from| with_singular(words[from..].concat())).collect()
 }
 
 /// A name and, if it looks like a plural, its singular.
@@ -72,12 +84,12 @@ mod tests {
     use super::candidates;
 
     #[test]
-    fn whole_name_comes_first_and_later_words_before_earlier() {
-        let all: Vec<String> = candidates("SM_Kitchen_Table_03").collect();
-        assert_eq!(all[0], "smkitchentable03");
-        assert_eq!(all[1], "kitchentable");
-        let table = all.iter().position(|c| c == "table");
-        let kitchen = all.iter().position(|c| c == "kitchen");
-        assert!(table < kitchen);
+    fn whole_name_comes_first_and_then_its_ends() {
+        let all: Vec<String> = candidates("SM_Kitchen_Table_Round_03").collect();
+        assert_eq!(all[0], "smkitchentableround03");
+        assert_eq!(all[1], "kitchentableround");
+        let place = |name: &str| all.iter().position(|c| c == name);
+        assert!(place("round") < place("kitchentable") && place("kitchentable") < place("table"));
+        assert_eq!(place("kitchen"), None, "a kitchen table is no kitchen");
     }
 }

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::{Category, Class, ClassTable, Kept, Range, Slot, SlotKind};
+use crate::format::unmarked;
 use crate::vocabulary::{Set, Word, clip, key};
 use crate::{Property, Relation, State};
 
@@ -119,7 +120,7 @@ pub(super) fn parse(mut table: ClassTable, texts: &[(&str, &str)]) -> Result<Cla
     let first_new = table.classes.len();
     let mut origins = Vec::new();
     for (file, text) in texts {
-        for (index, line) in text.lines().enumerate() {
+        for (index, line) in unmarked(text).lines().enumerate() {
             let line_text = line.trim();
             if line_text.is_empty() || line_text.starts_with('#') {
                 continue;

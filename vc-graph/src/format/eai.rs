@@ -1,15 +1,17 @@
 //! Data of the Embodied Agent Interface: programs with the graphs before and
-//! after, and goals.
+//! after, and goals. VirtualHome's own files of such graphs are read as scenes.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use serde::Deserialize;
 
+use super::program::{self, Program};
 use super::virtualhome::{EnvironmentGraph, RelationType};
 use super::{FormatError, Problem, Source};
 use crate::goal::{Goal, Predicate, Term};
 use crate::vocabulary::clip;
-use crate::{Action, NodeId, Relation, State, Verb, Word};
+use crate::{ClassTable, NodeId, Relation, SceneGraph, State, Verb, Word};
 
 /// A program with the graph it starts from and the one it should end in.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +21,7 @@ pub struct Record {
     /// Its title, `Work`.
     pub title: String,
     /// What to do.
-    pub actions: Vec<Action>,
+    pub program: Program,
     /// Graph before.
     pub initial: EnvironmentGraph,
     /// Graph after, as VirtualHome's simulator left it.
@@ -41,13 +43,34 @@ struct RecordFile {
 /// # Errors
 /// [`FormatError`] with field and what was expected.
 pub fn read_record(line: &str) -> Result<Record, FormatError> {
-    let source = Source { format: "EAI program", text: line };
+    let source = Source::new("EAI program", line);
     let file: RecordFile = source.json()?;
-    let action = |(i, text): (usize, &String)| {
-        text.parse().map_err(|e| source.error(format!("program[{i}]"), Problem::Action(e)))
+    let step = |(i, line): (usize, &String)| {
+        program::step(line).map_err(|problem| source.error(format!("program[{i}]"), problem))
     };
-    let actions = file.program.iter().enumerate().map(action).collect::<Result<_, _>>()?;
-    Ok(Record { id: file.id, title: file.title, actions, initial: file.init_graph, last: file.final_graph })
+    let steps = file.program.iter().enumerate().map(step).collect::<Result<_, _>>()?;
+    let program = Program { heading: Vec::new(), steps };
+    Ok(Record { id: file.id, title: file.title, program, initial: file.init_graph, last: file.final_graph })
+}
+
+#[derive(Deserialize)]
+struct GraphsFile {
+    init_graph: Option<EnvironmentGraph>,
+    final_graph: Option<EnvironmentGraph>,
+}
+
+/// Reads the scene of a file that has graphs before and after, with a program or without:
+/// the one before, or the one after where there is no other.
+///
+/// # Errors
+/// [`FormatError`] with field and what was expected.
+pub fn read_start(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
+    let source = Source::new("VirtualHome graphs", text);
+    let GraphsFile { init_graph, final_graph } = source.json()?;
+    let first = init_graph.map(|g| ("init_graph", g)).or(final_graph.map(|g| ("final_graph", g)));
+    let missing = || source.error(String::new(), Problem::Shape("there is no `init_graph`".into()));
+    let (key, graph) = first.ok_or_else(missing)?;
+    graph.build("VirtualHome", classes).map_err(|(field, problem)| source.error(format!("{key}.{field}"), problem))
 }
 
 /// A goal by states, edges and actions, and as a formula.
@@ -90,7 +113,7 @@ enum PartFile {
 /// # Errors
 /// [`FormatError`] with field and what was expected.
 pub fn read_tasks(text: &str) -> Result<BTreeMap<String, Task>, FormatError> {
-    let source = Source { format: "EAI goals", text };
+    let source = Source::new("EAI goals", text);
     let file: BTreeMap<String, TaskFile> = source.json()?;
     let mut tasks = BTreeMap::new();
     for (id, task) in file {

@@ -15,19 +15,31 @@
 pub mod eai;
 pub mod native;
 pub mod program;
+mod scene;
 pub(crate) mod serial;
 pub mod thesis;
 pub mod virtualhome;
 
 use std::fmt;
-use std::sync::Arc;
 
 use serde::de::DeserializeOwned;
 
-use crate::{ClassTable, EditError, SceneGraph};
+use crate::EditError;
+
+pub use scene::read_scene;
 
 /// Largest text a reader takes, bytes.
 pub const LARGEST: usize = 256 << 20;
+
+/// A text without the byte order mark that some editors write in front: no reader of ours takes
+/// it for a part of what is said.
+///
+/// ```
+/// assert_eq!(vc_graph::format::unmarked("\u{feff}[WALK] <kitchen> (11)"), "[WALK] <kitchen> (11)");
+/// ```
+pub fn unmarked(text: &str) -> &str {
+    text.trim_start_matches('\u{feff}')
+}
 
 /// Where a file is wrong.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -76,6 +88,9 @@ pub enum Problem {
     /// An action that is not one.
     #[error(transparent)]
     Action(#[from] crate::ActionError),
+    /// One character does two things in one step.
+    #[error("`<char{0}>` does two things at once; write them in two lines, or who else does one of them")]
+    ActsTwice(u32),
     /// A goal that is not one.
     #[error(transparent)]
     Goal(#[from] crate::goal::GoalError),
@@ -103,7 +118,11 @@ pub(crate) struct Source<'t> {
     pub(crate) text: &'t str,
 }
 
-impl Source<'_> {
+impl<'t> Source<'t> {
+    pub(crate) fn new(format: &'static str, text: &'t str) -> Self {
+        Self { format, text: unmarked(text) }
+    }
+
     /// Reads JSON into a type.
     pub(crate) fn json<T: DeserializeOwned>(&self) -> Result<T, FormatError> {
         if self.text.len() > LARGEST {
@@ -158,19 +177,4 @@ fn element_line(text: &str, field: &str) -> Option<usize> {
         }
     }
     None
-}
-
-/// Reads a scene in whichever of the three scene formats the text is.
-///
-/// # Errors
-/// The [`FormatError`] of the format that the text looks most like.
-pub fn read_scene(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
-    let head: String = text.chars().take(4096).collect();
-    if head.contains("\"virtualcity\"") {
-        native::read(text, classes)
-    } else if head.contains("\"nodes\"") || head.contains("\"class_name\"") || head.contains("\"edges\"") {
-        virtualhome::read(text, classes)
-    } else {
-        thesis::read(text, classes)
-    }
 }

@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::serial::{BoundsFile, PoseFile};
+use super::serial::{BoundsFile, LARGEST_SCALE, PoseFile, within};
 use super::{FormatError, Problem, Source};
 use crate::class::Slot;
 use crate::node::{Kind, Node, Spec};
@@ -111,7 +111,7 @@ fn implied(category: &str) -> KindFile {
 /// [`FormatError`]: not this format, a newer version, numbers that occur twice,
 /// edges that lead nowhere, poses that are none.
 pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
-    let source = Source { format: "virtualcity scene", text };
+    let source = Source::new("virtualcity scene", text);
     let file: File = source.json()?;
     if file.virtualcity > VERSION {
         return Err(source.error("virtualcity".into(), Problem::Version(file.virtualcity, VERSION)));
@@ -234,7 +234,7 @@ impl NodeFile {
             KindFile::Object => Kind::Object,
         };
         let scale = self.scale.unwrap_or([1.0; 3]);
-        if !scale.iter().all(|v| v.is_finite()) {
+        if !within(&scale, LARGEST_SCALE) {
             return Err(".scale");
         }
         let spelled: Arc<str> = self.class.into();

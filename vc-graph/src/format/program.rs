@@ -2,22 +2,104 @@
 //!
 //! ```text
 //! Make coffee
-//! A line that is no action before the first one is the title.
+//! Lines before the first action are title and description, up to a blank line.
 //!
+//! # A comment.
 //! [WALK] <kitchen> (11)
-//! [GRAB] <cup> (12)
+//! <char0> [GRAB] <cup> (12) | <char1> [WALK] <kitchen> (11)
 //! ```
+//!
+//! What several characters do at once stands in one line. A line that looks like an action
+//! and is none is an error, wherever it stands; a title that is also a verb, `Sleep`, is a
+//! title if a blank line follows.
 
-use super::{FormatError, LARGEST, Problem};
-use crate::{Action, ActionError, SceneGraph};
+use super::{FormatError, LARGEST, Problem, unmarked};
+use crate::simulator::Event;
+use crate::{Action, ActionError, Deed, Label, Misnomer, SceneGraph, Verb, Word};
 
-/// A program: what an agent is to do, in order.
+/// A program: what characters are to do, in order.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Program {
     /// Title and description, as far as there are any.
     pub heading: Vec<String>,
-    /// What to do.
-    pub actions: Vec<Action>,
+    /// What to do, step by step: in each step one deed, or one of each of several characters.
+    pub steps: Vec<Vec<Deed>>,
+}
+
+/// Why a program cannot be carried out in a scene, whatever its actions do.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CastError {
+    /// Somebody is to act who is not there.
+    #[error("action {step}: there is no `<char{character}>`, the scene has {}", characters(*.agents))]
+    NoSuchCharacter {
+        /// Which step, counted from one.
+        step: usize,
+        /// Who.
+        character: u32,
+        /// How many characters there are.
+        agents: usize,
+    },
+    /// A thing is not what it is called.
+    #[error("action {step}: {misnomer}")]
+    Misnomer {
+        /// Which step, counted from one.
+        step: usize,
+        /// What is called wrongly.
+        misnomer: Misnomer,
+    },
+}
+
+fn characters(number: usize) -> String {
+    match number {
+        0 => "no character".into(),
+        1 => "one character, `<char0>`".into(),
+        n => format!("{n} characters, `<char0>` to `<char{}>`", n - 1),
+    }
+}
+
+impl Program {
+    /// A program of one character, without title.
+    pub fn of(actions: impl IntoIterator<Item = Action>) -> Self {
+        Self { heading: Vec::new(), steps: actions.into_iter().map(|action| vec![action.into()]).collect() }
+    }
+
+    /// What is done, in the order in which it is written, whoever does it.
+    pub fn actions(&self) -> impl Iterator<Item = Action> + '_ {
+        self.steps.iter().flatten().map(|deed| deed.action)
+    }
+
+    /// Who of a scene does what, step by step: `<char0>` is its first agent, `<char1>` its
+    /// second.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Simulator, format::program};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// scene.add_in(kitchen, Draft::new("cup"))?;
+    /// let agents = [scene.add_in(kitchen, Draft::new("character"))?, scene.add_in(kitchen, Draft::new("character"))?];
+    /// let mut world = Simulator::new(scene.build());
+    /// let program = program::read("<char0> [WALK] <cup> (2) | <char1> [STANDUP]\n<char1> [WALK] <cup> (2)")?;
+    /// let cast = program.cast(world.graph())?;
+    /// assert_eq!((cast[0][0].agent, cast[1][0].agent), (agents[0], agents[1]));
+    /// assert!(world.step_together(&cast[1]).is_ok());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CastError`]: a character that is not there, a thing that is not what it is called.
+    pub fn cast(&self, graph: &SceneGraph) -> Result<Vec<Vec<Event>>, CastError> {
+        let agents = graph.agents();
+        let event = |step: usize, deed: &Deed| {
+            let missing =
+                || CastError::NoSuchCharacter { step: step + 1, character: deed.character, agents: agents.len() };
+            let agent = *agents.get(deed.character as usize).ok_or_else(missing)?;
+            deed.check(graph).map_err(|misnomer| CastError::Misnomer { step: step + 1, misnomer })?;
+            Ok(Event { agent, action: deed.action })
+        };
+        let step = |(i, deeds): (usize, &Vec<Deed>)| deeds.iter().map(|deed| event(i, deed)).collect();
+        self.steps.iter().enumerate().map(step).collect()
+    }
 }
 
 /// Reads a program in VirtualHome's notation or ours.
@@ -26,7 +108,7 @@ pub struct Program {
 /// use vc_graph::format::program;
 /// let program = program::read("Drink\n\n[WALK] <kitchen> (11)\n[GRAB] <cup> (12)\n")?;
 /// assert_eq!(program.heading, ["Drink"]);
-/// assert_eq!(program.actions.len(), 2);
+/// assert_eq!(program.steps.len(), 2);
 /// # Ok::<(), vc_graph::format::FormatError>(())
 /// ```
 ///
@@ -42,20 +124,71 @@ pub fn read(text: &str) -> Result<Program, FormatError> {
     if text.len() > LARGEST {
         return Err(fail(0, Problem::TooLarge(text.len())));
     }
+    let lines = text.lines().map(|line| unmarked(line.trim_start()).trim()).enumerate();
+    let lines: Vec<(usize, &str)> = lines.filter(|(_, line)| !line.starts_with('#')).collect();
+    let (heading, rest) = lines.split_at(heading(&lines));
+    let written = |line: &&(usize, &str)| !line.1.is_empty();
     let mut program = Program::default();
-    for (index, line) in text.lines().enumerate().filter(|(_, l)| !l.trim().is_empty()) {
-        match line.parse() {
-            Ok(action) => program.actions.push(action),
-            Err(_) if program.actions.is_empty() && !line.trim().starts_with('[') => {
-                program.heading.push(line.trim().to_owned());
-            }
-            Err(error) => return Err(fail(index, Problem::Action(error))),
-        }
+    program.heading.extend(heading.iter().filter(written).map(|(_, line)| (*line).to_owned()));
+    for (index, line) in rest.iter().filter(written) {
+        program.steps.push(step(line).map_err(|problem| fail(*index, problem))?);
     }
     Ok(program)
 }
 
-/// Writes a program in VirtualHome's notation, with a scene's class names.
+/// What is done in a line, by one character or by several: `<char0> [..] | <char1> [..]`.
+pub(super) fn step(line: &str) -> Result<Vec<Deed>, Problem> {
+    let deeds: Vec<Deed> = line.split('|').map(str::parse).collect::<Result<_, ActionError>>()?;
+    let twice = |(i, deed): (usize, &Deed)| deeds[..i].iter().any(|d| d.character == deed.character);
+    match deeds.iter().enumerate().find(|&(i, deed)| twice((i, deed))) {
+        Some((_, deed)) => Err(Problem::ActsTwice(deed.character)),
+        None => Ok(deeds),
+    }
+}
+
+/// How many of the lines are before the first action.
+fn heading(lines: &[(usize, &str)]) -> usize {
+    let blank = |line: &&(usize, &str)| line.1.is_empty();
+    let start = lines.iter().take_while(blank).count();
+    let end = start + lines[start..].iter().take_while(|line| !blank(line)).count();
+    let (first, rest) = (&lines[start..end], &lines[end..]);
+    let is_step = |line: &(usize, &str)| step(line.1).is_ok();
+    let title = !rest.is_empty()
+        && !first.iter().any(|line| is_meant_as_step(line.1))
+        && (!first.iter().all(is_step) || !rest.iter().all(|line| blank(&line)));
+    let sure = if title { end } else { start };
+    let more = lines[sure..].iter().take_while(|line| blank(line) || !is_meant_as_step(line.1) && !is_step(line));
+    sure + more.count()
+}
+
+/// Whether a line is written as an action is, right or wrong: in VirtualHome's brackets, or as a
+/// verb with labels of things.
+fn is_meant_as_step(line: &str) -> bool {
+    let verb = |text: &str| {
+        let word = text.split(']').next().unwrap_or_default().trim();
+        Verb::from_virtualhome(word).is_some() || Verb::parse(word).is_ok()
+    };
+    let labelled = |line: &str| {
+        let mut things = line.split_whitespace().skip(1).peekable();
+        let thing = |word: &str| word.parse::<Label>().is_ok() || word.strip_prefix('#').is_some_and(is_number);
+        things.peek().is_some() && things.all(thing)
+    };
+    line.starts_with(['[', '<']) || line.split('[').skip(1).any(verb) || labelled(unnumbered(line))
+}
+
+/// The line without a number in front of it, `1. `.
+fn unnumbered(line: &str) -> &str {
+    let number = line.split_whitespace().next().unwrap_or_default();
+    let counts = is_number(number.trim_end_matches(['.', ')', ':']));
+    if counts { line[number.len()..].trim_start() } else { line }
+}
+
+fn is_number(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// Writes a program in VirtualHome's notation, with a scene's class names. Who acts is
+/// written where not everything is done by the first character.
 ///
 /// # Errors
 /// [`ActionError::NotInVirtualHome`] for a verb it does not have.
@@ -64,8 +197,14 @@ pub fn write(program: &Program, graph: &SceneGraph) -> Result<String, ActionErro
     if !text.is_empty() {
         text.push('\n');
     }
-    for action in &program.actions {
-        text.push_str(&action.to_virtualhome(graph)?);
+    let several = program.steps.iter().flatten().any(|deed| deed.character > 0);
+    let deed = |deed: &Deed| {
+        let action = deed.action.to_virtualhome(graph)?;
+        Ok(if several { format!("<char{}> {action}", deed.character) } else { action })
+    };
+    for step in &program.steps {
+        let deeds: Vec<String> = step.iter().map(deed).collect::<Result<_, ActionError>>()?;
+        text.push_str(&deeds.join(" | "));
         text.push('\n');
     }
     Ok(text)

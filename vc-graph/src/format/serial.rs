@@ -19,15 +19,44 @@ impl From<&Pose> for PoseFile {
     }
 }
 
+/// Farthest from the origin that any format places a thing, metres.
+pub(super) const FARTHEST: f32 = 1e7;
+/// Largest scale that any format has.
+pub(super) const LARGEST_SCALE: f32 = 1e9;
+/// Largest size and offset of a box, metres: of what is scaled so.
+const LARGEST_BOX: f32 = 1e12;
+
+/// Whether numbers are finite and no larger than a limit, either sign.
+pub(super) fn within(numbers: &[f32], limit: f32) -> bool {
+    numbers.iter().all(|v| v.abs() <= limit)
+}
+
+/// Whether the numbers of a box are ones that every format has.
+pub(super) fn is_box(numbers: &[f32]) -> bool {
+    within(numbers, LARGEST_BOX)
+}
+
+/// Whether a rotation is one. What is, is kept to the bit: to normalise it would change what
+/// was written.
+fn is_unit(rotation: &Quaternion<f32>) -> bool {
+    (rotation.norm() - 1.0).abs() < 1e-3
+}
+
+/// A rotation of whatever length it was written with; one of no length turns nothing.
+pub(super) fn mended(rotation: Quaternion<f32>) -> UnitQuaternion<f32> {
+    if is_unit(&rotation) {
+        return UnitQuaternion::new_unchecked(rotation);
+    }
+    UnitQuaternion::try_new(rotation, f32::MIN_POSITIVE).unwrap_or_else(UnitQuaternion::identity)
+}
+
 impl PoseFile {
-    /// The pose, if its numbers are finite and its rotation has unit length.
+    /// The pose, if its numbers are sensible and its rotation has unit length.
     pub(super) fn pose(&self) -> Option<Pose> {
         let rotation = Quaternion::from(nalgebra::Vector4::from(self.rotation));
-        let unit = (rotation.norm() - 1.0).abs() < 1e-3;
-        let finite = self.position.iter().all(|v| v.is_finite());
-        // Kept to the bit: normalising would change what was written.
+        let sound = is_unit(&rotation) && within(&self.position, FARTHEST);
         let rotation = UnitQuaternion::new_unchecked(rotation);
-        (unit && finite).then(|| Isometry3::from_parts(Translation3::from(Vector3::from(self.position)), rotation))
+        sound.then(|| Isometry3::from_parts(Translation3::from(Vector3::from(self.position)), rotation))
     }
 }
 
@@ -54,7 +83,7 @@ impl From<&Bounds> for BoundsFile {
 
 impl BoundsFile {
     pub(super) fn bounds(&self) -> Option<Bounds> {
-        let sound = self.offset.iter().all(|v| v.is_finite()) && self.half.iter().all(|v| v.is_finite() && *v >= 0.0);
+        let sound = is_box(&self.offset) && is_box(&self.half) && self.half.iter().all(|v| *v >= 0.0);
         let frame = if self.world { Frame::World } else { Frame::Object };
         sound.then(|| Bounds { offset: self.offset.into(), half: self.half.into(), frame })
     }

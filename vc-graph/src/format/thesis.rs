@@ -99,7 +99,7 @@ const PHRASES: &[(&str, Relation)] = &[
 /// [`FormatError`]: not this format, numbers or states that are none, relations to
 /// objects that do not exist.
 pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
-    let source = Source { format: "thesis scene", text };
+    let source = Source::new("thesis scene", text);
     let Environments(file) = source.json()?;
     let number = file.len();
     let mut environments = file.into_iter();
@@ -233,7 +233,7 @@ fn fields(text: &str, keys: [&str; 3]) -> Option<[f64; 3]> {
     let mut parts = text.split_whitespace();
     let mut next = |key: &str| {
         let (found, number) = parts.next()?.split_once('=')?;
-        let number: f64 = number.parse().ok().filter(|v: &f64| v.abs() < 1e9)?;
+        let number: f64 = number.parse().ok().filter(|v: &f64| v.abs() <= 1e9)?;
         found.eq_ignore_ascii_case(key).then_some(number)
     };
     let [a, b, c] = keys;

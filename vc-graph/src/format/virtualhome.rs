@@ -9,7 +9,8 @@
 //! | `ON` a character | [`Relation::WornBy`] |
 //! | `CLOSE`, written both ways | [`Relation::Near`], symmetric |
 //!
-//! Reading and writing again keeps every node, state, property and edge that the
+//! A rotation of another length than one is made one, a size below zero is taken for its
+//! opposite. Reading and writing again keeps every node, state, property and edge that the
 //! format has. What it has no word for is not written: our further states and
 //! properties, contents, where a held thing was taken from, touching, directions.
 
@@ -19,12 +20,13 @@ use std::sync::Arc;
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
+use super::serial::{FARTHEST, LARGEST_SCALE, is_box, mended, within};
 use super::{FormatError, Problem, Source};
 use crate::node::Kind;
 use crate::vocabulary::clip;
 use crate::{
     Bounds, ClassTable, Draft, Edge, EditError, Frame, Node, NodeId, Pose, Property, PropertySet, Relation,
-    SceneBuilder, SceneGraph, State, StateSet, UnknownWord, Word,
+    SceneBuilder, SceneGraph, State, StateSet, UnknownWord, Word, did_you_mean,
 };
 
 /// An environment graph as the file has it.
@@ -79,8 +81,13 @@ pub struct Transform {
     pub position: [f32; 3],
     /// Quaternion x, y, z, w.
     pub rotation: [f32; 4],
-    /// Along each axis.
+    /// Along each axis; one where the file has none.
+    #[serde(default = "unscaled")]
     pub scale: [f32; 3],
+}
+
+fn unscaled() -> [f32; 3] {
+    [1.0; 3]
 }
 
 /// A relation as the file has it.
@@ -115,7 +122,7 @@ pub enum RelationType {
 /// [`FormatError`]: not this format, unknown states or properties, numbers that
 /// occur twice, edges that lead nowhere.
 pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
-    let source = Source { format: "VirtualHome graph", text };
+    let source = Source::new("VirtualHome graph", text);
     let file: EnvironmentGraph = source.json()?;
     file.build("VirtualHome", classes).map_err(|(field, problem)| source.error(field, problem))
 }
@@ -228,7 +235,7 @@ fn swap_back(v: Vector3<f32>) -> [f32; 3] {
 impl Transform {
     fn pose(&self) -> Pose {
         let [x, y, z, w] = self.rotation;
-        let turn = UnitQuaternion::new_unchecked(Quaternion::new(w, -x, -z, -y));
+        let turn = mended(Quaternion::new(w, -x, -z, -y));
         Isometry3::from_parts(Translation3::from(swap(self.position)), turn)
     }
 
@@ -240,10 +247,6 @@ impl Transform {
             scale: swap_back(node.spec().scale),
         }
     }
-}
-
-fn sound(numbers: &[f32]) -> bool {
-    numbers.iter().all(|v| v.is_finite() && v.abs() < 1e7)
 }
 
 impl EnvironmentNode {
@@ -260,21 +263,22 @@ impl EnvironmentNode {
         let number =
             |field: &str, v: &dyn std::fmt::Debug| (field.to_owned(), Problem::Number(clip(&format!("{v:?}"))));
         if let Some(t) = &self.obj_transform {
-            if !sound(&t.position) || !sound(&t.scale) || !sound(&t.rotation) {
+            if !within(&t.position, FARTHEST) || !within(&t.scale, LARGEST_SCALE) || !within(&t.rotation, FARTHEST) {
                 return Err(number("obj_transform", t));
             }
             draft.pose = Some(t.pose());
             draft.scale = Some(swap(t.scale));
         }
         if let Some(b) = &self.bounding_box {
-            if !sound(&b.center) || !sound(&b.size) {
+            let placed = draft.pose.is_some() || within(&b.center, FARTHEST);
+            if !placed || !is_box(&b.center) || !is_box(&b.size) {
                 return Err(number("bounding_box", b));
             }
             let centre = swap(b.center);
             let pose =
                 *draft.pose.get_or_insert_with(|| Isometry3::from_parts(centre.into(), UnitQuaternion::identity()));
             let offset = centre - pose.translation.vector;
-            draft.bounds = Some(Bounds { offset, half: swap(b.size) / 2.0, frame: Frame::World });
+            draft.bounds = Some(Bounds { offset, half: swap(b.size).abs() / 2.0, frame: Frame::World });
         }
         Ok(draft)
     }
@@ -282,7 +286,11 @@ impl EnvironmentNode {
     fn properties(&self) -> Result<PropertySet, Wrong> {
         let read = |(i, word): (usize, &String)| {
             let unknown = || {
-                Problem::Shape(format!("unknown property `{}`; VirtualHome's are SURFACES, GRABBABLE, ...", clip(word)))
+                let near = did_you_mean(word, Property::ALL.iter().filter_map(|p| p.virtualhome()));
+                Problem::Shape(format!(
+                    "unknown property `{}`{near}; VirtualHome's are SURFACES, GRABBABLE, ...",
+                    clip(word)
+                ))
             };
             Property::from_virtualhome(word).ok_or_else(|| (format!("properties[{i}]"), unknown()))
         };

@@ -45,6 +45,16 @@ const NAMES: &[(&str, Predicate)] = &[
     ("real", Predicate::Real),
 ];
 
+/// Every name of a predicate.
+pub(super) fn predicates() -> impl Iterator<Item = &'static str> {
+    let named = NAMES.iter().map(|(name, _)| *name);
+    named.chain(words::<State>()).chain(words::<Relation>()).chain(words::<Verb>())
+}
+
+fn words<W: Word>() -> impl Iterator<Item = &'static str> {
+    W::ALL.iter().map(|word| word.as_str())
+}
+
 pub(super) fn native_predicate(name: &str, given: usize) -> Option<Predicate> {
     let state = State::parse(name).ok().map(Predicate::State);
     let relation = Relation::parse(name).ok().map(Predicate::Relation);

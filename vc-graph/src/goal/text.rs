@@ -4,7 +4,9 @@ use std::str::FromStr;
 
 use super::Goal;
 use super::scan::{Token, scan};
+use crate::format::unmarked;
 use crate::vocabulary::clip;
+use crate::{did_you_mean, goal::names};
 
 /// Longest goal that is read, bytes.
 const LONGEST: usize = 64 * 1024;
@@ -37,7 +39,10 @@ pub enum GoalProblem {
         found: String,
     },
     /// No such predicate.
-    #[error("unknown predicate `{0}`; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat)")]
+    #[error(
+        "unknown predicate `{0}`{near}; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat)",
+        near = did_you_mean(.0, names::predicates())
+    )]
     Predicate(String),
     /// A predicate with the wrong number of things.
     #[error("`{predicate}` takes {takes} things, {given} are given")]
@@ -94,6 +99,7 @@ pub(super) enum Dialect {
 }
 
 fn read(text: &str, dialect: Dialect) -> Result<Goal, GoalError> {
+    let text = unmarked(text);
     if text.len() > LONGEST {
         return Err(GoalError { at: 1, problem: GoalProblem::TooLong(text.len()) });
     }

@@ -46,6 +46,9 @@ pub(crate) const VIRTUALHOME: &str = r#"{"nodes": [
 pub(crate) const PROGRAM: &str = "Drink\nGo and drink something.\n\n[WALK] <kitchen> (11)\n[FIND] <fridge> (1.12)\n\
     [PUTIN] <milk> (3) <fridge> (12)\n[SLEEP]\n";
 
+pub(crate) const TOGETHER: &str = "Sleep\n\n# A comment.\n<char0> [WALK] <kitchen> (11) [0] | <char1> [STANDUP]\n\
+    <char1> grab cup.12\n";
+
 pub(crate) const RECORD: &str = r#"{"id": "file1_1", "title": "Drink", "program": ["[WALK] <kitchen> (11)", "[OPEN] <fridge> (12)"],
  "init_graph": {"nodes": [{"id": 11, "class_name": "kitchen", "category": "Rooms"}, {"id": 12, "class_name": "fridge", "states": ["CLOSED"], "properties": ["CAN_OPEN"]}],
   "edges": [{"from_id": 12, "relation_type": "INSIDE", "to_id": 11}]},
@@ -73,4 +76,4 @@ pub(crate) const CLASSES: &str = "# name | kind of | aliases | category | afford
     mug | | beaker, cup | prop | graspable | 0.1 0.1 0.1 | 0.3 | clean | | kitchen/on/rack:8 */in/rack:2\n";
 
 pub(crate) const ALL: &[&str] =
-    &[NATIVE, THESIS, VIRTUALHOME, PROGRAM, RECORD, TASKS, GOAL, EAI_GOAL, ACTION, NOTATION, LABEL, CLASSES];
+    &[NATIVE, THESIS, VIRTUALHOME, PROGRAM, TOGETHER, RECORD, TASKS, GOAL, EAI_GOAL, ACTION, NOTATION, LABEL, CLASSES];

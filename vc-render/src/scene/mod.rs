@@ -2,6 +2,7 @@
 
 mod body;
 mod change;
+mod classes;
 mod cover;
 mod liquid;
 mod snapshot;

@@ -7,6 +7,7 @@ use vc_graph::asset::Joint;
 use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State};
 
 use super::body::{Poured, Tied};
+use super::classes::Classes;
 use super::cover::{Around, hang};
 use super::{Body, Instance, NO_ROOM, Store, liquid};
 use crate::RenderError;
@@ -50,7 +51,7 @@ use crate::surface::Coat;
 pub struct Snapshot {
     pub(crate) bodies: Vec<Body>,
     pub(crate) instances: Vec<Instance>,
-    pub(crate) classes: Arc<Vec<Arc<str>>>,
+    classes: Arc<Classes>,
     pub(crate) rooms: Arc<Vec<NodeId>>,
     /// Boxes around rooms, where the graph knows them.
     pub(crate) bounds: Arc<Vec<Option<Aabb>>>,
@@ -68,7 +69,7 @@ impl Snapshot {
         joint: &mut dyn FnMut(NodeId, &Joint) -> Option<f32>,
     ) -> Result<Self, RenderError> {
         let rooms: HashMap<NodeId, u16> = graph.rooms().iter().copied().zip(0..NO_ROOM).collect();
-        let mut classes = Classes::of(graph)?;
+        let classes = Classes::of(graph)?;
         let (mut bodies, mut instances) = (Vec::new(), Vec::new());
         let mut around = Around::default();
         for node in graph.nodes().filter(|n| n.kind() != Kind::Room) {
@@ -106,7 +107,7 @@ impl Snapshot {
         }
         hang((&mut bodies, &mut instances), &around);
         let by_node = bodies.iter().zip(0..).map(|(b, i)| (b.node, i)).collect();
-        let (classes, rooms) = (Arc::new(classes.names), Arc::new(graph.rooms().to_vec()));
+        let (classes, rooms) = (Arc::new(classes), Arc::new(graph.rooms().to_vec()));
         let bounds = Arc::new(rooms.iter().map(|room| graph.node(*room)?.aabb()).collect());
         Ok(Self { bodies, instances, classes, rooms, bounds, by_node: Arc::new(by_node), store: store.name.clone() })
     }
@@ -134,9 +135,14 @@ impl Snapshot {
     }
 
     /// The name of a class number, as [`Frame::class`](crate::Frame::class) has them; none of a number that is no
-    /// class's.
+    /// class's. A class has the same number in every scene that goes by the same class table.
     pub fn class(&self, number: u16) -> Option<&Arc<str>> {
-        self.classes.get(usize::from(number))
+        self.classes.named(number).map(|(name, _)| name)
+    }
+
+    /// The category of a class number, `furniture`: [`Node::spec`](vc_graph::Node::spec) has it.
+    pub fn category(&self, number: u16) -> Option<&Arc<str>> {
+        self.classes.named(number).map(|(_, category)| category)
     }
 
     /// Nodes that have a body, in order.
@@ -252,36 +258,4 @@ fn opened(joint: &Joint) -> f32 {
 fn closed(joint: &Joint) -> f32 {
     let (low, high) = joint.limits;
     0.0_f32.max(low).min(high)
-}
-
-/// Numbers of classes: those of the scene's class table, then classes it does not
-/// know in the order of their names.
-struct Classes {
-    names: Vec<Arc<str>>,
-    numbers: HashMap<Arc<str>, u16>,
-}
-
-impl Classes {
-    fn of(graph: &SceneGraph) -> Result<Self, RenderError> {
-        let mut names: Vec<Arc<str>> = graph.classes().iter().map(|c| c.name.clone()).collect();
-        let mut numbers: HashMap<Arc<str>, u16> = names.iter().cloned().zip(0..).collect();
-        let mut others: Vec<Arc<str>> =
-            graph.nodes().map(|n| n.class().clone()).filter(|c| !numbers.contains_key(c)).collect();
-        others.sort_unstable();
-        others.dedup();
-        let classes = names.len() + others.len();
-        // The last number says that there is no class.
-        if classes > usize::from(u16::MAX) {
-            return Err(RenderError::TooManyClasses { classes });
-        }
-        for name in others {
-            numbers.insert(name.clone(), names.len() as u16);
-            names.push(name);
-        }
-        Ok(Self { names, numbers })
-    }
-
-    fn number(&mut self, class: &Arc<str>) -> u16 {
-        self.numbers.get(class).copied().unwrap_or(u16::MAX)
-    }
 }

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::Path;
 
+use vc_graph::format::unmarked;
+
 /// Where a text is wrong: the place, what was expected there and what was found.
 ///
 /// ```
@@ -124,7 +126,7 @@ impl<'de> serde::Deserialize<'de> for Entries {
 
 /// Reads JSON into a type.
 pub(crate) fn from_json<T: serde::de::DeserializeOwned>(format: &'static str, text: &str) -> Result<T, ReadError> {
-    serde_json::from_str(text).map_err(|error| {
+    serde_json::from_str(unmarked(text)).map_err(|error| {
         let message = error.to_string();
         let message = message.split(" at line ").next().unwrap_or(&message);
         let (found, expected) = message.split_once(", expected ").unwrap_or((message, "JSON of this format"));

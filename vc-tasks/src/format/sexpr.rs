@@ -14,7 +14,7 @@
 
 use std::fmt;
 
-use vc_graph::format::LARGEST;
+use vc_graph::format::{LARGEST, unmarked};
 
 use super::ReadError;
 use super::error::{clip, line_and_column};
@@ -53,7 +53,7 @@ impl Tree {
             let found = format!("one of {} bytes", text.len());
             return Err(ReadError::at(format, "", 0, format!("a text of at most {LARGEST} bytes"), found));
         }
-        let text = text.to_ascii_lowercase().into_boxed_str();
+        let text = unmarked(text).to_ascii_lowercase().into_boxed_str();
         match scan(&text) {
             Ok(nodes) => Ok(Self { format, text, nodes }),
             Err((at, expected, found)) => Err(ReadError::at(format, &text, at, expected, found)),

@@ -8,6 +8,7 @@
 //!
 //! Lines may be joined by commas. Without a number one is meant.
 
+use vc_graph::format::unmarked;
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
 use vc_graph::{Relation, State, Verb, Word};
 
@@ -28,7 +29,7 @@ const FORMAT: &str = "thesis goal";
 /// [`ReadError`] with the line.
 pub fn read(text: &str) -> Result<Goal, ReadError> {
     let mut parts = Vec::new();
-    for (index, line) in text.lines().enumerate().filter(|(_, l)| !l.trim().is_empty()) {
+    for (index, line) in unmarked(text).lines().enumerate().filter(|(_, l)| !l.trim().is_empty()) {
         let goal: Goal = line.parse().map_err(|error| read_error(index + 1, &error))?;
         parts.extend(goal.conjuncts().iter().cloned());
     }

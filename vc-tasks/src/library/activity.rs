@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use vc_graph::class::Category;
+use vc_graph::format::unmarked;
 use vc_graph::goal::{Comparison, Goal, Term};
 use vc_graph::{ClassTable, Relation, State, Verb};
 
@@ -70,7 +71,7 @@ impl Activity {
     /// [`ActivityError`] with line, column and what was expected.
     pub fn read_list(list: &str, text: &str) -> Result<Vec<Self>, ActivityError> {
         let fail = |e: serde_json::Error| ActivityError { file: list.to_owned(), message: e.to_string() };
-        let written: Vec<Written> = serde_json::from_str(text).map_err(fail)?;
+        let written: Vec<Written> = serde_json::from_str(unmarked(text)).map_err(fail)?;
         Ok(written.into_iter().map(|w| w.named(list)).collect())
     }
 

@@ -1,6 +1,7 @@
 //! The benchmark: few base tasks, many things they can be about.
 
 use serde::Deserialize;
+use vc_graph::format::unmarked;
 use vc_graph::{Digest, Goal};
 
 use super::activity::nothing;
@@ -80,7 +81,7 @@ impl Benchmark {
     /// # Errors
     /// [`BenchmarkError`] says which text is wrong, and how.
     pub fn read(text: &str) -> Result<Vec<Activity>, BenchmarkError> {
-        let bases: Vec<Base> = serde_json::from_str(text).map_err(|e| BenchmarkError::Form(e.to_string()))?;
+        let bases: Vec<Base> = serde_json::from_str(unmarked(text)).map_err(|e| BenchmarkError::Form(e.to_string()))?;
         bases.iter().flat_map(|base| (0..base.variants.len()).map(move |i| base.variant(i))).collect()
     }
 

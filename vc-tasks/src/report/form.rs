@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use vc_graph::format::unmarked;
+
 use super::{Report, Row, Run, Table};
 
 const HEADINGS: [&str; 14] = [
@@ -87,7 +89,7 @@ impl Report {
     /// # Errors
     /// What is wrong, with line and column.
     pub fn from_json(text: &str) -> Result<Self, serde_json::Error> {
-        serde_json::from_str(text)
+        serde_json::from_str(unmarked(text))
     }
 
     /// All attempts as CSV (RFC 4180), one a line.

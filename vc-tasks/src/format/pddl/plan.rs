@@ -1,5 +1,6 @@
 //! Plans.
 
+use vc_graph::format::unmarked;
 use vc_graph::{Action, NodeId, Verb, Word};
 
 use super::FORMAT;
@@ -16,7 +17,7 @@ use crate::format::error::clip;
 /// [`planning`](super::planning).
 pub fn read_plan(text: &str) -> Result<Vec<Action>, ReadError> {
     let mut actions = Vec::new();
-    for (index, line) in text.lines().enumerate() {
+    for (index, line) in unmarked(text).lines().enumerate() {
         let line = line.split(';').next().unwrap_or_default();
         let start = line.find('(').unwrap_or_else(|| line.len() - line.trim_start().len());
         let step = line[start..].trim();

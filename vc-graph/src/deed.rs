@@ -1,0 +1,112 @@
+//! What somebody does, as it is written: by whom, and what its things are called.
+
+use std::str::FromStr;
+
+use crate::format::unmarked;
+use crate::vocabulary::{Word, clip};
+use crate::{Action, ActionError, BadLabel, Label, Misnomer, NodeId, SceneGraph, Verb};
+
+/// An action as a text has it: who does it, and what its things are called there.
+///
+/// ```
+/// use vc_graph::{Action, Deed, NodeId, Verb};
+/// let deed: Deed = "<char1> [GRAB] <cup> (12)".parse()?;
+/// assert_eq!((deed.character, deed.action), (1, Action::one(Verb::Grab, NodeId(12))));
+/// assert_eq!(deed.labels[0].to_string(), "cup.12");
+/// assert_eq!("<char1> grab cup.12".parse::<Deed>()?, deed);
+/// # Ok::<(), vc_graph::ActionError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Deed {
+    /// Who does it: the number in `<char1>`, 0 where nobody is named.
+    pub character: u32,
+    /// What is done.
+    pub action: Action,
+    /// Its things as they are called; `#12` calls nothing by a name.
+    pub labels: Vec<Label>,
+}
+
+impl From<Action> for Deed {
+    /// What the first character does, to things without names.
+    fn from(action: Action) -> Self {
+        Self { character: 0, action, labels: Vec::new() }
+    }
+}
+
+impl Deed {
+    /// Checks that the things are what they are called, see [`SceneGraph::check_name`].
+    ///
+    /// # Errors
+    /// The first [`Misnomer`].
+    pub fn check(&self, graph: &SceneGraph) -> Result<(), Misnomer> {
+        self.labels.iter().try_for_each(|label| graph.check_label(label))
+    }
+}
+
+impl FromStr for Deed {
+    type Err = ActionError;
+
+    fn from_str(text: &str) -> Result<Self, ActionError> {
+        let text = unmarked(text).trim();
+        let (character, deed) = character(text)?;
+        let (action, labels) = if deed.contains('[') { virtualhome(deed)? } else { native(deed)? };
+        Ok(Self { character, action, labels })
+    }
+}
+
+/// `<char1> [GRAB] ...`: whose number is in front, and the rest.
+fn character(text: &str) -> Result<(u32, &str), ActionError> {
+    if !text.starts_with('<') {
+        return Ok((0, text));
+    }
+    let bad = || ActionError::Notation(clip(text));
+    let (name, rest) = text[1..].split_once('>').ok_or_else(bad)?;
+    let number = name.trim().strip_prefix("char").ok_or_else(bad)?;
+    Ok((number.parse().map_err(|_| bad())?, rest.trim_start()))
+}
+
+/// `grab cup.12`.
+fn native(text: &str) -> Result<(Action, Vec<Label>), ActionError> {
+    let mut words = text.split_whitespace();
+    let verb = Verb::parse(words.next().ok_or(ActionError::Empty)?)?;
+    let mut labels = Vec::new();
+    let things = words.map(|word| thing(word, &mut labels)).collect::<Result<Vec<NodeId>, BadLabel>>()?;
+    Ok((Action::with(verb, &things)?, labels))
+}
+
+/// `cup.12` or `#12`.
+fn thing(word: &str, labels: &mut Vec<Label>) -> Result<NodeId, BadLabel> {
+    if let Some(number) = word.strip_prefix('#').and_then(|number| number.parse().ok()) {
+        return Ok(NodeId(number));
+    }
+    let label: Label = word.parse()?;
+    let id = label.id;
+    labels.push(label);
+    Ok(id)
+}
+
+/// `[GRAB] <cup> (12)`; numbers as `(1.12)`, VirtualHome's older form, name the
+/// instance after the dot. A number in brackets may follow, `[0]`.
+fn virtualhome(text: &str) -> Result<(Action, Vec<Label>), ActionError> {
+    let bad = || ActionError::Notation(clip(text));
+    let (verb, mut rest) = text.strip_prefix('[').and_then(|t| t.split_once(']')).ok_or_else(bad)?;
+    let unknown = || Verb::parse(verb.trim()).map_err(ActionError::Verb);
+    let verb = Verb::from_virtualhome(verb.trim()).map_or_else(unknown, Ok)?;
+    let mut labels: Vec<Label> = Vec::new();
+    while let Some((name, after)) = rest.split_once('(') {
+        let name = name.trim().strip_prefix('<').ok_or_else(bad)?;
+        let (number, tail) = after.split_once(')').ok_or_else(bad)?;
+        let number = number.rsplit('.').next().unwrap_or(number).trim();
+        let id = NodeId(number.parse().map_err(|_| bad())?);
+        labels.push(Label { class: name.trim_end_matches('>').trim().into(), id });
+        rest = tail;
+    }
+    let things: Vec<NodeId> = labels.iter().map(|label| label.id).collect();
+    if things.len() > 2 || !is_tail(rest.trim()) { Err(bad()) } else { Ok((Action::with(verb, &things)?, labels)) }
+}
+
+/// Nothing, or a number in brackets.
+fn is_tail(text: &str) -> bool {
+    let number = text.strip_prefix('[').and_then(|t| t.strip_suffix(']'));
+    text.is_empty() || number.is_some_and(|n| n.trim().parse::<u32>().is_ok())
+}

@@ -1,0 +1,115 @@
+//! A scene in whichever format it is written, told by its structure.
+
+use std::fmt;
+use std::sync::Arc;
+
+use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+
+use super::{FormatError, eai, native, thesis, unmarked, virtualhome};
+use crate::{ClassTable, SceneGraph};
+
+/// Reads a scene in whichever format the text is: ours, the thesis's, VirtualHome's, or
+/// VirtualHome's graphs before and after something, of which the first counts.
+///
+/// # Errors
+/// The [`FormatError`] of the format that the text looks most like.
+pub fn read_scene(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
+    let mut outline = Outline::default();
+    let mut json = serde_json::Deserializer::from_str(unmarked(text));
+    // Where it ends early, the outline has what came before.
+    let _ = Look(&mut outline, 0).deserialize(&mut json);
+    outline.reader()(text, classes)
+}
+
+type Reader = fn(&str, &Arc<ClassTable>) -> Result<SceneGraph, FormatError>;
+
+/// What formats differ in: the keys at the top of a text, and of each whether a list is there
+/// and which keys the first object below it has.
+#[derive(Default)]
+struct Outline {
+    keys: Vec<(String, bool, Vec<String>)>,
+}
+
+impl Outline {
+    fn reader(&self) -> Reader {
+        let has = |key: &str| self.keys.iter().any(|(name, ..)| name == key);
+        let no_list = |key: &str| self.keys.iter().any(|(name, list, _)| name == key && !list);
+        let below =
+            |any: &[&str]| self.keys.iter().flat_map(|(.., below)| below).any(|key| any.contains(&key.as_str()));
+        match self.keys.as_slice() {
+            _ if no_list("virtualcity") => native::read,
+            _ if no_list("init_graph") || no_list("final_graph") => eai::read_start,
+            // A scene of the thesis has one key, its name, which may be any.
+            [(_, true, objects)] if objects.is_empty() || below(&["name", "transform"]) => thesis::read,
+            _ if has("nodes") || has("edges") || below(&["class_name"]) => virtualhome::read,
+            _ => thesis::read,
+        }
+    }
+}
+
+/// A look at a value so many levels below the top.
+struct Look<'o>(&'o mut Outline, u32);
+
+impl<'de> DeserializeSeed<'de> for Look<'_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, json: D) -> Result<(), D::Error> {
+        json.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Look<'_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("JSON")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
+        while let Some(key) = map.next_key::<String>()? {
+            if self.1 == 0 {
+                self.0.keys.push((key, false, Vec::new()));
+                map.next_value_seed(Look(&mut *self.0, 1))?;
+            } else {
+                self.0.keys.last_mut().into_iter().for_each(|(.., below)| below.push(key.clone()));
+                map.next_value::<IgnoredAny>()?;
+            }
+        }
+        Ok(())
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<(), A::Error> {
+        match self.0.keys.last_mut() {
+            Some((_, list, _)) => *list = true,
+            // A list at the top is a key without a name.
+            None => self.0.keys.push((String::new(), true, Vec::new())),
+        }
+        seq.next_element_seed(Look(&mut *self.0, 2))?;
+        while seq.next_element::<IgnoredAny>()?.is_some() {}
+        Ok(())
+    }
+
+    fn visit_bool<E>(self, _: bool) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn visit_i64<E>(self, _: i64) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn visit_u64<E>(self, _: u64) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn visit_f64<E>(self, _: f64) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn visit_str<E>(self, _: &str) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn visit_unit<E>(self) -> Result<(), E> {
+        Ok(())
+    }
+}

@@ -1,0 +1,62 @@
+//! Did you mean ...? The known words that a misspelt one is nearest to.
+
+use crate::vocabulary::folded;
+
+/// Most words that are suggested.
+const MOST: usize = 3;
+
+/// Longest word that is compared, characters: what is longer is no misspelt word.
+const LONGEST: usize = 40;
+
+/// The known words nearest to a misspelt one, best first, three at most: those that fewest
+/// slips lead to. A slip is a letter too many, too few, wrong, or swapped with the next; one is
+/// allowed, or one for every three letters. Case and separators do not count.
+///
+/// ```
+/// let verbs = ["grab", "walk", "wake_up", "switch_on"];
+/// assert_eq!(vc_graph::nearest("garb", verbs), ["grab"]);
+/// assert_eq!(vc_graph::nearest("SwichOn", verbs), ["switch_on"]);
+/// assert!(vc_graph::nearest("teleport", verbs).is_empty());
+/// ```
+pub fn nearest<'w>(word: &str, known: impl IntoIterator<Item = &'w str>) -> Vec<&'w str> {
+    let word: Vec<char> = folded(word).take(LONGEST + 1).collect();
+    if word.len() > LONGEST {
+        return Vec::new();
+    }
+    let most = (word.len() / 3).max(1);
+    let near = known.into_iter().filter_map(|other| {
+        let folded: Vec<char> = folded(other).take(LONGEST).collect();
+        let slips = if folded.len().abs_diff(word.len()) > most { usize::MAX } else { slips(&word, &folded) };
+        (slips <= most && slips < word.len().max(folded.len())).then_some((slips, other))
+    });
+    let mut near: Vec<(usize, &str)> = near.collect();
+    near.sort_unstable();
+    near.dedup();
+    let best = near.first().map_or(0, |(slips, _)| *slips);
+    near.into_iter().filter(|(slips, _)| *slips <= best).take(MOST).map(|(_, word)| word).collect()
+}
+
+/// The nearest words in brackets, ` (did you mean grab?)`, to stand behind the misspelt one; or
+/// nothing.
+pub fn did_you_mean<'w>(word: &str, known: impl IntoIterator<Item = &'w str>) -> String {
+    let near: Vec<String> = nearest(word, known).iter().map(|w| format!("`{w}`")).collect();
+    if near.is_empty() { String::new() } else { format!(" (did you mean {}?)", near.join(" or ")) }
+}
+
+/// How many slips lie between two words: the distance of optimal string alignment.
+fn slips(a: &[char], b: &[char]) -> usize {
+    let mut before: Vec<usize> = Vec::new();
+    let mut last: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.iter().enumerate() {
+        let mut row = vec![i + 1];
+        for (j, y) in b.iter().enumerate() {
+            let mut least = (last[j] + usize::from(x != y)).min(last[j + 1] + 1).min(row[j] + 1);
+            if i > 0 && j > 0 && a[i - 1] == *y && b[j - 1] == *x {
+                least = least.min(before[j - 1] + 1);
+            }
+            row.push(least);
+        }
+        before = std::mem::replace(&mut last, row);
+    }
+    last[b.len()]
+}

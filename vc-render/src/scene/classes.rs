@@ -1,0 +1,67 @@
+//! Numbers of classes.
+
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::sync::Arc;
+
+use vc_graph::class::Class;
+use vc_graph::{SceneGraph, Seed, Word};
+
+use crate::RenderError;
+use crate::frame::NO_LABEL;
+
+/// From here on numbers are those of classes that no table knows.
+const UNKNOWN: u16 = 1 << 15;
+
+/// Numbers of classes: those of the scene's class table by their place in it, the same
+/// in every scene. A class that the table does not know has a number that follows from its name
+/// alone, so that it too is the same everywhere; of two whose names give the same number, the
+/// later name has none.
+#[derive(Debug)]
+pub(crate) struct Classes {
+    known: Vec<Named>,
+    others: BTreeMap<u16, Named>,
+    numbers: HashMap<Arc<str>, u16>,
+}
+
+/// A class and its category.
+type Named = (Arc<str>, Arc<str>);
+
+impl Classes {
+    pub(crate) fn of(graph: &SceneGraph) -> Result<Self, RenderError> {
+        let named = |c: &Class| (c.name.clone(), c.category.as_str().into());
+        let known: Vec<Named> = graph.classes().iter().map(named).collect();
+        if known.len() > usize::from(UNKNOWN) {
+            return Err(RenderError::TooManyClasses { classes: known.len() });
+        }
+        let numbers: HashMap<Arc<str>, u16> = known.iter().map(|(name, _)| name.clone()).zip(0..).collect();
+        let unknown = graph.nodes().filter(|n| !numbers.contains_key(n.class()));
+        let unknown: BTreeSet<Named> = unknown.map(|n| (n.class().clone(), n.spec().category.clone())).collect();
+        let mut classes = Self { known, others: BTreeMap::new(), numbers };
+        unknown.into_iter().for_each(|named| classes.add(named));
+        Ok(classes)
+    }
+
+    fn add(&mut self, named: Named) {
+        let number = by_name(&named.0);
+        // Of a class in two categories the first counts.
+        if let Entry::Vacant(free) = self.others.entry(number) {
+            self.numbers.insert(named.0.clone(), number);
+            free.insert(named);
+        }
+    }
+
+    /// The number of a class of the scene; [`NO_LABEL`] of one that has none.
+    pub(crate) fn number(&self, class: &Arc<str>) -> u16 {
+        self.numbers.get(class).copied().unwrap_or(NO_LABEL)
+    }
+
+    /// The class of a number, and its category.
+    pub(crate) fn named(&self, number: u16) -> Option<&Named> {
+        self.known.get(usize::from(number)).or_else(|| self.others.get(&number))
+    }
+}
+
+fn by_name(class: &str) -> u16 {
+    UNKNOWN + (Seed(0).child(class).0 % u64::from(NO_LABEL - UNKNOWN)) as u16
+}
