@@ -89,7 +89,7 @@ pub use environment::{
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use record::{RecordError, RecordOptions, Recorder};
 #[cfg(all(feature = "environment", feature = "render"))]
-pub use sight::Viewpoint;
+pub use sight::{PictureOptions, Viewpoint};
 
 #[cfg(feature = "procgen")]
 pub mod initial;

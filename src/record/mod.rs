@@ -12,11 +12,11 @@ use std::path::{Path, PathBuf};
 use nalgebra::Point2;
 use vc_graph::{Action, ChangeSet, History, NodeId, SceneGraph};
 use vc_planner::Episode;
-use vc_render::RenderError;
 use vc_render::picture::{self, Picture};
+use vc_render::{Daylight, RenderError};
 use vc_tasks::{Task, World, WorldError};
 
-use crate::Environment;
+use crate::{Environment, PictureOptions};
 use dataset::Dataset;
 use film::Film;
 use trajectory::Trajectory;
@@ -55,6 +55,8 @@ use trajectory::Trajectory;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
+/// In the film an eye that comes through a door into other light gets used to it within half a second.
+///
 /// Costs one pair of pictures for each sixth of a second of the home's time: 320 pixels across,
 /// some ten milliseconds. The same run writes the same files.
 pub struct Recorder {
@@ -73,8 +75,15 @@ pub struct Recorder {
     failed: Option<RecordError>,
 }
 
-/// What is written down, and how large.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What is written down, how large and in which light.
+///
+/// ```
+/// use virtualcity::RecordOptions;
+/// use virtualcity::render::Daylight;
+/// let evening = RecordOptions { daylight: Some(Daylight::at(19.0)), finer: 3, ..RecordOptions::default() };
+/// assert_eq!(evening.width, 320);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecordOptions {
     /// Pixels across of each picture; it is three quarters as high.
     pub width: u32,
@@ -82,11 +91,16 @@ pub struct RecordOptions {
     /// `frames`, boxes and masks of all that is seen in them as a COCO document for
     /// `pycocotools`, `annotations.json`, and the home as it is in the end as glTF, `scene.glb`.
     pub dataset: bool,
+    /// How many times finer colours are made along each side before they are shrunk: twice if not said, as films are
+    /// small and grooves of furniture thin. See [`PictureOptions::finer`].
+    pub finer: u32,
+    /// The light outside; that of the environment's [`pictures`](Environment::pictures) if not said.
+    pub daylight: Option<Daylight>,
 }
 
 impl Default for RecordOptions {
     fn default() -> Self {
-        Self { width: 320, dataset: false }
+        Self { width: 320, dataset: false, finer: 2, daylight: None }
     }
 }
 
@@ -128,7 +142,7 @@ impl Recorder {
     /// made.
     pub fn create(
         folder: impl AsRef<Path>,
-        home: Environment,
+        mut home: Environment,
         agent: NodeId,
         task: &Task,
         options: RecordOptions,
@@ -136,6 +150,8 @@ impl Recorder {
         if !home.agents().contains(&agent) {
             return Err(RecordError::NoSuchAgent { agent, there: home.agents().to_vec() });
         }
+        let daylight = options.daylight.unwrap_or(home.pictures().daylight);
+        home.set_pictures(PictureOptions { daylight, finer: options.finer, ..*home.pictures() });
         let folder = folder.as_ref().to_path_buf();
         std::fs::create_dir_all(&folder).map_err(|error| RecordError::File { path: folder.clone(), error })?;
         let trajectory = Trajectory::begin(&folder, &home, agent, task)?;
