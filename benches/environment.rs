@@ -17,12 +17,12 @@ use std::time::{Duration, Instant};
 
 use cpu_time::ThreadTime;
 use criterion::{BatchSize, Criterion};
-use virtualcity::graph::{Action, NodeId, Property, Scope, Seed, Verb};
+use virtualcity::graph::{Action, Node, NodeId, Property, Scope, Seed, State, Verb};
 use virtualcity::planner::{Agent, Decision};
 use virtualcity::procgen::Apartment;
 use virtualcity::relations::{Evidence, Relations, Rule};
-use virtualcity::render::{Modalities, Modality};
-use virtualcity::{Batch, Environment, Viewpoint, legal_action};
+use virtualcity::render::{Daylight, Modalities, Modality};
+use virtualcity::{Batch, Environment, PictureOptions, Viewpoint, legal_action};
 
 /// As in the bench of homes: with the system's allocator they take a fifth longer.
 #[global_allocator]
@@ -250,6 +250,7 @@ fn table() {
     actions(&homes, row);
     row("next planned action (see, believe, decide)", decisions(&homes), "0.05 s");
     fridges(&homes, row);
+    pictures(&homes, row);
     batches(&homes);
 }
 
@@ -327,6 +328,46 @@ fn fridges(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
     }
     row("opening a full fridge", opens, "");
     row("closing it", closes, "");
+}
+
+/// A picture from an agent's eyes again, and after it has walked to something: shadows follow. By day, and at night with all
+/// ceiling lamps on. On one thread.
+fn pictures(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    for (hour, lamps) in [(12.0, false), (23.0, true)] {
+        let (mut again, mut after) = (Vec::new(), Vec::new());
+        for mut home in homes.iter().cloned() {
+            home.set_pictures(PictureOptions { daylight: Daylight::at(hour), ..PictureOptions::default() });
+            if lamps {
+                home.reset(&lit(&home)).unwrap();
+            }
+            let me = home.agents()[0];
+            let picture = |home: &Environment| {
+                pool.install(|| cpu(|| home.render(Viewpoint::Agent(me), Modality::Rgb, 300, 300).unwrap()).0)
+            };
+            let goals = home.graph().nodes().filter(|n| n.affords(Property::Container)).map(Node::id);
+            for goal in goals.step_by(3).take(6).collect::<Vec<_>>() {
+                picture(&home);
+                again.push(picture(&home));
+                if home.set_action(me, Action::one(Verb::Walk, goal)).is_ok() {
+                    after.push(picture(&home));
+                }
+            }
+        }
+        let when = if lamps { "at night, all lamps on" } else { "by day" };
+        row(&format!("300 x 300 colours {when}"), again, "");
+        row("  after a walk", after, "");
+    }
+}
+
+/// A home with all ceiling lamps on.
+fn lit(home: &Environment) -> virtualcity::graph::SceneGraph {
+    let mut graph = home.graph().clone();
+    let lamps = graph.of_class("ceiling_lamp").to_vec();
+    let mut edit = graph.edit();
+    lamps.into_iter().for_each(|lamp| edit.enter_state(lamp, State::On).unwrap());
+    edit.commit();
+    graph
 }
 
 /// A step of a batch, and making one, on one thread and on all.

@@ -95,7 +95,7 @@ pub use page::{Page, PageAction, PageFigure, PageFilm};
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use record::{RecordError, RecordOptions, Recorder};
 #[cfg(all(feature = "environment", feature = "render"))]
-pub use sight::Viewpoint;
+pub use sight::{PictureOptions, Viewpoint};
 
 #[cfg(feature = "procgen")]
 pub mod initial;

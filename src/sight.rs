@@ -1,47 +1,29 @@
 //! What cameras see of an environment.
 
+mod camera;
 mod light;
+mod options;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, OnceLock};
 
 use nalgebra::Point3;
 use vc_graph::asset::Joint;
-use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, Relation, State};
+use vc_graph::{Kind, Node, NodeId, Pose, Property, Relation, State};
 use vc_physics::Role;
-use vc_render::{Camera, Coat, Daylight, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
+use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
+pub use self::camera::Viewpoint;
 use self::light::{Lit, lit, switch};
+pub use self::options::PictureOptions;
 use crate::Environment;
 use crate::environment::position;
 use crate::figure::{Bone, clothes};
 
-/// Vertical field of view of eyes and of cameras in rooms, radians.
-const FIELD: f32 = 1.15;
-/// Height above the floor at which a view from above cuts the home open, metres.
-const CUT: f32 = 2.1;
-/// Pixels of the pictures by which corners are compared.
-const LOOK: (u32, u32) = (64, 48);
-/// Height of cameras in corners above the floor, and of what they look at, metres.
-const CORNER: (f32, f32) = (2.05, 0.8);
-
 /// Categories of what lets light in.
 const OPENINGS: [&str; 2] = ["door", "window"];
-/// Where a camera is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Viewpoint {
-    /// An agent's eyes.
-    Agent(NodeId),
-    /// Fixed in a room: of its corners the one from which most of it is seen as the home begins.
-    Room(NodeId),
-    /// Above a room, its ceiling taken off.
-    Above(NodeId),
-    /// Above the whole home, ceilings taken off.
-    Overhead,
-    /// Anywhere; [resized](Camera::resized) to the width and height asked for.
-    Free(Camera),
-}
+/// How far rooms come to be as bright as each other where all are seen from above.
+const EVEN: f32 = 0.8;
 
 /// Uploaded meshes and the light, made when first asked for and shared by clones.
 #[derive(Debug, Default)]
@@ -69,21 +51,24 @@ struct Base {
     jointed: Vec<NodeId>,
     /// Those of them that let light into rooms.
     openings: Vec<NodeId>,
-    /// Blinds, curtains and what else covers and can be opened.
+    /// Blinds, curtains and what else is drawn over windows.
     covers: Vec<NodeId>,
+    /// What lights rooms.
+    lamps: Vec<NodeId>,
 }
 
 impl Environment {
-    /// A picture of the environment as it is: `Renderer::render` of its
-    /// [`snapshot`](Self::snapshot). Changes nothing.
+    /// A picture of the environment as it is, made as its [`pictures`](Self::pictures) say: `Renderer::render` of its
+    /// [`snapshot`](Self::snapshot). Changes nothing, and does not depend on what was rendered before.
     ///
-    /// Meshes are uploaded and light is made when a picture is first asked for. Light is that of
-    /// the home as it begins, made again when something was switched, when a door between rooms
-    /// or a window comes to stand open or shut, or when a blind or a curtain is drawn: some tenths of a second, the last
-    /// few are kept. What else moves, furniture and people too, is lit where it is and is seen in mirrors, but throws its light
-    /// and its shadow on others from where it stood, so that no picture costs more because something moved:
-    /// [`render_relit`](Self::render_relit) makes light of all that has moved. Optical flow needs a second moment: see
-    /// [`render_until`](Self::render_until).
+    /// What has moved, was opened or is carried is lit where it is, by the room it is in, and throws its shadow from
+    /// there: `Renderer::follow`, some milliseconds where that is in the sun or below a lamp, and less than one
+    /// elsewhere. What rooms throw back is that of the home as it begins, made again by `Renderer::light` when something
+    /// was switched, when a door between rooms or a window comes to stand open or shut, when a blind or a curtain is drawn,
+    /// when a lamp that is on stands elsewhere and for another daylight: some tenths of a second, the last few are kept,
+    /// and none of it changes because furniture or people moved. [`render_relit`](Self::render_relit) makes that anew
+    /// as well, and `benches/README.md` has what each costs. From above each room is seen about as bright as to one
+    /// who is in it: `Lighting::evened`. Optical flow needs a second moment: see [`render_until`](Self::render_until).
     ///
     /// # Errors
     /// [`RenderError`]: a bad size, no such node, or flow, for which there is no second
@@ -95,12 +80,12 @@ impl Environment {
         width: u32,
         height: u32,
     ) -> Result<Frame, RenderError> {
-        self.picture(None, view, wanted.into(), width, height, Self::lighting)
+        self.picture(&self.pictures, None, (view, wanted.into()), (width, height))
     }
 
-    /// As [`render`](Self::render), with light that is made for where everything is now: shadows of furniture and people
-    /// that have moved, and what rooms throw back, follow. Takes some tenths of a second for every picture with colours,
-    /// and nothing is kept; without colours it is `render`.
+    /// As [`render`](Self::render), with light that is made for where everything is now: what rooms throw back follows
+    /// furniture and people too. Takes some tenths of a second for every picture with colours, and nothing is kept;
+    /// without colours it is `render`.
     ///
     /// ```no_run
     /// use virtualcity::{Environment, Viewpoint, render::Modality};
@@ -119,8 +104,8 @@ impl Environment {
         width: u32,
         height: u32,
     ) -> Result<Frame, RenderError> {
-        let anew = |home: &Self, now: &Snapshot| Ok(home.base()?.renderer.light(now, &Daylight::noon()));
-        self.picture(None, view, wanted.into(), width, height, anew)
+        let anew = |now: &Snapshot| Ok(self.base()?.renderer.light(now, &self.pictures.daylight));
+        self.picture_lit(&self.pictures, None, (view, wanted.into()), (width, height), anew)
     }
 
     /// As [`render`](Self::render), with the optical flow from this moment to a later one of
@@ -137,24 +122,35 @@ impl Environment {
         width: u32,
         height: u32,
     ) -> Result<Frame, RenderError> {
-        self.picture(Some(later), view, wanted.into(), width, height, Self::lighting)
+        self.picture(&self.pictures, Some(later), (view, wanted.into()), (width, height))
     }
 
-    fn picture(
+    /// A picture by these options.
+    pub(crate) fn picture(
         &self,
+        how: &PictureOptions,
         later: Option<&Self>,
-        view: Viewpoint,
-        wanted: Modalities,
-        width: u32,
-        height: u32,
-        light: impl Fn(&Self, &Snapshot) -> Result<Lighting, RenderError>,
+        what: (Viewpoint, Modalities),
+        size: (u32, u32),
+    ) -> Result<Frame, RenderError> {
+        self.picture_lit(how, later, what, size, |now| self.lighting(&how.daylight, now))
+    }
+
+    fn picture_lit(
+        &self,
+        how: &PictureOptions,
+        later: Option<&Self>,
+        (view, wanted): (Viewpoint, Modalities),
+        (width, height): (u32, u32),
+        light: impl Fn(&Snapshot) -> Result<Lighting, RenderError>,
     ) -> Result<Frame, RenderError> {
         let base = self.base()?;
         let (snapshot, camera) = (self.snapshot()?, self.camera(view, width, height)?);
         let then = later.map(|l| Ok::<_, RenderError>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
-        let lighting = if wanted.has(Modality::Rgb) { Some(light(self, &snapshot)?) } else { None };
-        let mut shot = Shot::new(&snapshot, &camera, wanted);
-        shot.lighting = lighting.as_ref();
+        let lighting = if wanted.has(Modality::Rgb) { Some(light(&snapshot)?) } else { None };
+        let lighting = lighting.map(|light| if view.is_plan() { light.evened(EVEN) } else { light });
+        let mut shot = Shot::new(&snapshot, &camera, wanted).finer(how.finer);
+        (shot.lighting, shot.adapts) = (lighting.as_ref(), how.adapts);
         if let Some((snapshot, camera)) = &then {
             shot = shot.after(snapshot, camera);
         }
@@ -164,7 +160,7 @@ impl Environment {
     }
 
     /// The environment as it is for the renderer: `Renderer::snapshot_with` once, then
-    /// `Snapshot::place`, `articulate`, `arrange`, `switch`, `coat`, `fill`, `draw` and `hide` of what differs.
+    /// `Snapshot::place`, `enter`, `articulate`, `arrange`, `switch`, `coat`, `fill`, `draw` and `hide` of what differs.
     ///
     /// # Errors
     /// [`RenderError`] if something has no sound pose or no shape.
@@ -175,6 +171,7 @@ impl Environment {
             let now = self.graph().node(*id).and_then(|n| n.pose());
             if let Some(now) = now.filter(|now| *now != was) {
                 snapshot.place(*id, now)?;
+                snapshot.enter(*id, self.room_of_place(*id, now))?;
             }
         }
         switch(&mut snapshot, &base.lit, &lit(self.graph()))?;
@@ -209,93 +206,14 @@ impl Environment {
         Ok(snapshot)
     }
 
-    /// The camera of a viewpoint, for pictures of a size in pixels: `Camera::mounted` on an agent's
-    /// eyes, `Camera::looking` from a corner of a room, `Camera::overhead`, `Camera::resized`.
-    ///
-    /// # Errors
-    /// [`RenderError::NoBody`] if there is no such agent or room.
-    pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, RenderError> {
-        let camera = Camera::with_fov(width, height, FIELD);
-        match view {
-            Viewpoint::Free(free) => Ok(free.resized(width, height)),
-            Viewpoint::Agent(agent) => self.eyes(agent, camera).ok_or(RenderError::NoBody(agent)),
-            Viewpoint::Room(room) => self.corner(room, camera),
-            Viewpoint::Above(room) => {
-                let aabb = self.bounds_of(room)?;
-                Ok(above(camera, aabb.min, aabb.max))
-            }
-            Viewpoint::Overhead => {
-                let boxes = self.graph().rooms().iter().filter_map(|r| self.graph().node(*r)?.aabb());
-                let all = boxes.map(|b| (b.min, b.max)).reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)));
-                let (low, high) = all.unwrap_or((Point3::new(-5.0, -5.0, 0.0), Point3::new(5.0, 5.0, 2.5)));
-                Ok(above(camera, low, high))
-            }
-        }
+    /// The room in which something is that has come to a place; what is over no floor is where the graph has it.
+    fn room_of_place(&self, id: NodeId, at: &Pose) -> Option<NodeId> {
+        self.room_at(at.translation.vector.xy().into()).or_else(|| self.graph().room_of(id))
     }
 
     fn base(&self) -> Result<&Base, RenderError> {
         let base = self.sight().base.get_or_init(|| Base::of(self));
         base.as_ref().map_err(Clone::clone)
-    }
-
-    /// The box around a room.
-    fn bounds_of(&self, room: NodeId) -> Result<Aabb, RenderError> {
-        let node = self.graph().node(room).filter(|n| n.kind() == Kind::Room);
-        node.and_then(|n| n.aabb()).ok_or(RenderError::NoBody(room))
-    }
-
-    fn eyes(&self, agent: NodeId, camera: Camera) -> Option<Camera> {
-        let pose = self.graph().node(agent)?.pose()?;
-        let mut camera = camera.mounted(&(pose * self.skeleton(agent)?.eyes()));
-        camera.near = 0.03;
-        Some(camera)
-    }
-
-    /// Of the corners of a room the one from which most things in it are seen as the home begins.
-    fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError> {
-        let bounds = self.bounds_of(room)?;
-        let (low, high, middle) = (bounds.min, bounds.max, bounds.centre());
-        let target = Point3::new(middle.x, middle.y, low.z + CORNER.1);
-        // A thread that panicked left nothing half done here.
-        let mut known = self.sight().corners.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        if let Some(eye) = known.get(&room) {
-            return Ok(camera.looking(*eye, target));
-        }
-        let base = self.base()?;
-        let small = Camera::with_fov(LOOK.0, LOOK.1, FIELD);
-        let mut frame = Frame::new();
-        let mut best: Option<(f32, Point3<f32>)> = None;
-        for (x, y) in [(0, 0), (0, 1), (1, 0), (1, 1), (0, 2), (1, 2), (2, 0), (2, 1)] {
-            let along = |i: i32, low: f32, high: f32| match i {
-                0 => low + 0.22,
-                1 => high - 0.22,
-                _ => (low + high) / 2.0,
-            };
-            let eye = Point3::new(along(x, low.x, high.x), along(y, low.y, high.y), low.z + CORNER.0);
-            let small = small.looking(eye, target);
-            base.renderer
-                .render(&Shot::new(&base.snapshot, &small, Modality::Instance | Modality::Depth), &mut frame)?;
-            let score = self.shown(room, &frame);
-            if best.is_none_or(|b| score > b.0) {
-                best = Some((score, eye));
-            }
-        }
-        let eye = best.map_or(target, |(_, eye)| eye);
-        known.insert(room, eye);
-        Ok(camera.looking(eye, target))
-    }
-
-    /// How many things of a room a picture shows, less what is in the way.
-    fn shown(&self, room: NodeId, frame: &Frame) -> f32 {
-        let mut seen: Vec<NodeId> = frame.instance.clone();
-        let (pixels, graph) = (seen.len().max(1) as f32, self.origin().0);
-        let foreign = |id: &&NodeId| graph.room_of(**id) != Some(room);
-        let others = seen.iter().filter(foreign).count() as f32 / pixels;
-        let close = frame.depth.iter().filter(|d| **d < 0.7).count() as f32 / pixels;
-        seen.sort_unstable();
-        seen.dedup();
-        let own = seen.iter().filter(|id| !foreign(id)).count() as f32;
-        own - 60.0 * close - 20.0 * others
     }
 }
 
@@ -315,22 +233,8 @@ impl Base {
         let openings = jointed.iter().copied().filter(lets_in).collect();
         let node = |id: &NodeId| graph.node(*id).filter(|n| n.affords(Property::Recipient));
         let vessels = seen.iter().filter_map(|id| Some((*id, node(id)?.contents().is_some()))).collect();
-        let is_cover =
-            |id: &NodeId| graph.node(*id).is_some_and(|n| n.affords(Property::Cover) && n.affords(Property::Openable));
-        let covers = seen.iter().copied().filter(is_cover).collect();
-        Ok(Self { lit: lit(graph), renderer, snapshot, poses, seen, loose, vessels, jointed, openings, covers })
+        let covers = seen.iter().copied().filter(|id| graph.covers_windows(*id)).collect();
+        let lamps = snapshot.lamps().collect();
+        Ok(Self { lit: lit(graph), renderer, snapshot, poses, seen, loose, vessels, jointed, openings, covers, lamps })
     }
-}
-
-/// Straight down on a box, cut open below the ceiling.
-fn above(camera: Camera, low: Point3<f32>, high: Point3<f32>) -> Camera {
-    let middle = nalgebra::center(&low, &high);
-    let at = Point3::new(middle.x, middle.y, low.z + CUT);
-    let aspect = camera.width as f32 / camera.height.max(1) as f32;
-    // North is to the right where the box is longer that way.
-    let span = ((high.x - low.x) + 0.6).max(((high.y - low.y) + 0.6) / aspect);
-    let mut camera = camera.overhead(at, span);
-    let up = camera.pose.translation.z - at.z;
-    camera.near = up.max(0.01);
-    camera
 }

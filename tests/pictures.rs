@@ -3,11 +3,13 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use nalgebra::{Point3, Vector3};
-use virtualcity::graph::Seed;
-use virtualcity::graph::{Action, NodeId, State, Verb};
+use rayon::prelude::*;
+use virtualcity::graph::{
+    Aabb, Action, Bounds, Draft, NodeId, Pose, Property, Relation, SceneBuilder, Seed, State, Verb,
+};
 use virtualcity::procgen::Apartment;
-use virtualcity::render::{Camera, Daylight, Frame, Modalities, Modality, Renderer, Shot};
-use virtualcity::{Environment, Viewpoint};
+use virtualcity::render::{Camera, Daylight, Frame, Modalities, Modality, NOTHING, Renderer, Shot};
+use virtualcity::{Environment, PictureOptions, Viewpoint};
 
 /// The brightness that half of the pixels have, 0 to 255, of a view across each bathroom of a home
 /// at noon, all ceiling lamps on.
@@ -330,6 +332,241 @@ fn covers_are_drawn_and_light_follows() {
     assert!(fresh.rgb == closed.rgb && fresh.instance == closed.instance);
     let again = look(&aside).unwrap();
     assert!(again.rgb == open.rgb && again.depth == open.depth);
+}
+
+/// Switches all lamps on, at an hour.
+fn lit(seed: u64, hour: f32) -> Environment {
+    let mut home = home(seed, 1);
+    home.set_pictures(PictureOptions { daylight: Daylight::at(hour), ..PictureOptions::default() });
+    let mut graph = home.graph().clone();
+    let lamps: Vec<NodeId> = graph.of_class("ceiling_lamp").to_vec();
+    let mut edit = graph.edit();
+    lamps.into_iter().for_each(|lamp| edit.enter_state(lamp, State::On).unwrap());
+    edit.commit();
+    home.reset(&graph).unwrap();
+    home
+}
+
+/// By how much the colours of some pixels differ on average, and the share of them that differ much.
+fn difference(a: &Frame, b: &Frame, which: impl Fn(usize) -> bool) -> (f32, f32) {
+    let same = |i: &usize| a.instance[*i] == b.instance[*i] && which(*i);
+    let off = |i: usize| a.rgb[i].iter().zip(b.rgb[i]).map(|(a, b)| f32::from(a.abs_diff(b))).fold(0.0, f32::max);
+    let all: Vec<f32> = (0..a.rgb.len()).filter(same).map(off).collect();
+    let count = all.len().max(1) as f32;
+    (all.iter().sum::<f32>() / count, all.iter().filter(|off| **off > 40.0).count() as f32 / count)
+}
+
+/// A person who opens, takes and carries through rooms, and what is opened, taken and put down, look as if the light
+/// had been made for it, and as in a home that begins like that.
+#[test]
+fn what_has_moved_is_lit_where_it_is() {
+    let wanted = Modality::Rgb | Modality::Instance;
+    for (hour, lamps) in [(12.0, false), (19.0, true), (23.0, true)] {
+        let mut home = if lamps { lit(42, hour) } else { home(42, 1) };
+        let (me, fridge) = (home.agents()[0], home.graph().of_class("fridge")[0]);
+        let kitchen = home.graph().room_of(fridge).unwrap();
+        act(&mut home, me, Verb::Walk, &[fridge]);
+        act(&mut home, me, Verb::Open, &[fridge]);
+        let inside = home.graph().relating(Relation::Inside, fridge);
+        let graspable = |id: &NodeId| home.graph().node(*id).is_some_and(|n| n.affords(Property::Graspable));
+        let thing = inside.filter(graspable).find(|id| home.clone().set_action(me, Action::one(Verb::Grab, *id)).is_ok());
+        let thing = thing.unwrap();
+        act(&mut home, me, Verb::Grab, &[thing]);
+        let table = home.graph().of_class("coffee_table")[0];
+        let mut moments = vec![(home.clone(), kitchen)];
+        act(&mut home, me, Verb::Walk, &[table]);
+        let room = home.graph().room_of(table).unwrap();
+        moments.push((home.clone(), room));
+        act(&mut home, me, Verb::Place, &[thing, table]);
+        moments.push((home.clone(), room));
+        for (at, (home, room)) in moments.iter().enumerate() {
+            for view in [Viewpoint::Room(*room), Viewpoint::Agent(me)] {
+                let now = home.render(view, wanted, 160, 120).unwrap();
+                let anew = home.render_relit(view, wanted, 160, 120).unwrap();
+                let (mean, much) = difference(&now, &anew, |_| true);
+                let moved = |i: usize| [me, thing, fridge].contains(&now.instance[i]);
+                let own = difference(&now, &anew, moved);
+                eprintln!("{hour} {at} {view:?}: {mean} {much} {own:?}");
+                assert!(mean < 16.0 && much < 0.03 && own.0 < 25.0, "{hour}, {at}, {view:?}: {mean}, {much}, {own:?}");
+            }
+        }
+        let mut fresh = Environment::of(home.graph().clone(), 1).unwrap();
+        fresh.set_pictures(*home.pictures());
+        let camera = Viewpoint::Free(home.camera(Viewpoint::Room(room), 160, 120).unwrap());
+        let [now, begun] = [&home, &fresh].map(|home| home.render(camera, wanted, 160, 120).unwrap());
+        let off = difference(&now, &begun, |_| true);
+        eprintln!("fresh {off:?}");
+        assert!(off.0 < 6.0 && off.1 < 0.02, "{hour}: {off:?} from a home that begins like that");
+    }
+}
+
+/// From above no room burns out, and none is dark.
+#[test]
+fn plans_show_all_rooms() {
+    for seed in [7, 42] {
+        let home = home(seed, 1);
+        let frame = home.render(Viewpoint::Overhead, Modality::Rgb | Modality::Instance, 240, 180).unwrap();
+        for room in home.graph().rooms() {
+            let own = |i: &usize| home.graph().room_of(frame.instance[*i]) == Some(*room);
+            let floor = |i: &usize| home.graph().node(frame.instance[*i]).is_some_and(|n| &**n.class() == "floor");
+            let level = |i: usize| frame.rgb[i].iter().copied().max().unwrap_or(0);
+            let mut levels: Vec<u8> = (0..frame.rgb.len()).filter(own).filter(floor).map(level).collect();
+            levels.sort_unstable();
+            let Some(middle) = levels.get(levels.len() / 2) else { continue };
+            eprintln!("{seed} {} {middle}", home.graph().label(*room));
+            assert!((25..=235).contains(middle), "{}: half of its floor is below {middle}", home.graph().label(*room));
+        }
+    }
+}
+
+/// A camera that goes through a door gets used to the other room with what it sees, and not at once.
+#[test]
+fn exposure_does_not_jump_in_doors() {
+    let mut home = home(42, 1);
+    let [kitchen, living] = ["kitchen", "living_room"].map(|class| home.graph().of_class(class)[0]);
+    let way = home.graph().of_class("door").into_iter().chain(home.graph().of_class("sliding_door"));
+    let between = |door: &NodeId| {
+        let rooms: Vec<NodeId> = home.graph().related(*door, Relation::Between).collect();
+        rooms.contains(&kitchen) && rooms.contains(&living)
+    };
+    let door = way.into_iter().find(between).unwrap();
+    let me = home.agents()[0];
+    act(&mut home, me, Verb::Walk, &[door]);
+    if !home.graph().node(door).unwrap().is(State::Open) {
+        act(&mut home, me, Verb::Open, &[door]);
+    }
+    let pose = *home.graph().node(door).unwrap().pose().unwrap();
+    let exposure = |i: i32| {
+        let eye = pose * Point3::new(0.02 * i as f32, 0.0, 0.0);
+        let eye = Point3::new(eye.x, eye.y, 1.6);
+        let camera = Camera::with_fov(96, 72, 1.15).looking(eye, eye + pose.rotation * Vector3::x());
+        home.render(Viewpoint::Free(camera), Modality::Rgb, 96, 72).unwrap().exposure[1]
+    };
+    let all: Vec<f32> = (-40..40).map(exposure).collect();
+    let step = all.windows(2).map(|pair| (pair[1] / pair[0]).max(pair[0] / pair[1])).fold(1.0, f32::max);
+    eprintln!("{step} {all:?}");
+    assert!(step < 1.35, "in two centimetres the exposure changes by {step}");
+}
+
+/// Screens that are off are black, in pictures and as glTF; of what is exported no turn is longer than one.
+#[test]
+fn screens_that_are_off_are_dark() {
+    let mut home = home(42, 1);
+    let (me, screen) = (home.agents()[0], home.graph().of_class("television")[0]);
+    act(&mut home, me, Verb::Walk, &[screen]);
+    let middle = home.world().aabb(screen).unwrap().centre();
+    let out = home.graph().node(screen).unwrap().pose().unwrap().rotation * Vector3::x();
+    let view = Viewpoint::Free(Camera::with_fov(48, 36, 0.5).looking(middle + 1.2 * out, middle));
+    let colours = |home: &Environment| {
+        let frame = home.render(view, Modality::Rgb, 48, 36).unwrap();
+        let middle = |i: &usize| (12..36).contains(&(i % 48)) && (9..27).contains(&(i / 48));
+        (0..48 * 36).filter(middle).map(|i| frame.rgb[i]).collect::<Vec<[u8; 3]>>()
+    };
+    let spread = |colours: &[[u8; 3]]| colours.iter().flatten().map(|v| u32::from(*v)).sum::<u32>() / colours.len() as u32;
+    let off = colours(&home);
+    let glowing = |home: &Environment| {
+        let json = document(&home.gltf().unwrap());
+        let turns = json["nodes"].as_array().unwrap().iter().filter_map(|node| node["rotation"].as_array());
+        for turn in turns {
+            let parts: Vec<f32> = turn.iter().map(|v| v.as_f64().unwrap() as f32).collect();
+            let norm = parts.iter().map(|v| f64::from(*v).powi(2)).sum::<f64>().sqrt();
+            assert!(parts.iter().all(|v| v.abs() <= 1.0) && (norm - 1.0).abs() < 1e-6, "{parts:?}");
+        }
+        json["materials"].as_array().unwrap().iter().filter(|m| m.get("emissiveFactor").is_some()).count()
+    };
+    let dark = glowing(&home);
+    act(&mut home, me, Verb::SwitchOn, &[screen]);
+    let on = colours(&home);
+    assert!(spread(&off) < 240 && spread(&on) > 2 * spread(&off), "{} off, {} on", spread(&off), spread(&on));
+    assert!(glowing(&home) > dark, "{dark} materials glow");
+}
+
+/// The JSON of a binary glTF file.
+fn document(bytes: &[u8]) -> serde_json::Value {
+    let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    serde_json::from_slice(&bytes[20..20 + length]).unwrap()
+}
+
+/// Outer walls are in the light outside, whatever room is behind them, and at night the sky is darker than walls by
+/// lamplight.
+#[test]
+fn outside_has_its_own_light() {
+    let home = home(7, 1);
+    let outdoors = |home: &Environment, turn: f32| {
+        let boxes = home.graph().rooms().iter().filter_map(|room| home.graph().node(*room)?.aabb());
+        let all = boxes.reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) }).unwrap();
+        let (middle, way) = (all.centre(), nalgebra::Rotation3::from_axis_angle(&Vector3::z_axis(), turn) * Vector3::x());
+        let eye = middle + way * 14.0;
+        home.render(Viewpoint::Free(Camera::with_fov(96, 72, 0.9).looking(eye, middle)), Modality::Rgb | Modality::Instance, 96, 72).unwrap()
+    };
+    let walls = |frame: &Frame| {
+        let wall = |i: &usize| home.graph().node(frame.instance[*i]).is_some_and(|n| &**n.class() == "wall");
+        let level = |i: usize| *frame.rgb[i].iter().max().unwrap();
+        let mut levels: Vec<u8> = (0..frame.rgb.len()).filter(wall).map(level).collect();
+        levels.sort_unstable();
+        (levels[levels.len() / 10], levels[levels.len() / 2], levels[levels.len() * 9 / 10])
+    };
+    for turn in [0.7, 2.3, 3.9, 5.4] {
+        let seen = walls(&outdoors(&home, turn));
+        eprintln!("{turn} {seen:?}");
+        assert!(seen.0 > 60, "{turn}: a tenth of the outer walls is below {}", seen.0);
+    }
+    let night = lit(7, 23.0);
+    let frame = outdoors(&night, 0.7);
+    let sky = (0..frame.rgb.len()).filter(|i| frame.instance[*i] == NOTHING && i / 96 < 20);
+    let sky = sky.map(|i| *frame.rgb[i].iter().max().unwrap()).max().unwrap();
+    eprintln!("sky {sky}");
+    assert!(sky < 80, "the night's sky is as bright as {sky}");
+}
+
+/// What is drawn out of its box by more than a centimetre in a home as it begins; elbows may be by three.
+fn drawn_out(seed: u64) -> Vec<String> {
+    let home = home(seed, 1);
+    let snapshot = home.snapshot().unwrap();
+    let off = |id: NodeId| {
+        let node = home.graph().node(id)?;
+        let (own, drawn) = (node.aabb()?, snapshot.bounds(id)?);
+        let out = (own.min - drawn.min).sup(&(drawn.max - own.max)).max();
+        let slack = if home.agents().contains(&id) { 0.03 } else { 0.01 };
+        (out > slack).then(|| format!("home {seed}: {} is drawn {out} m out of its box", node.label()))
+    };
+    snapshot.nodes().filter_map(off).collect()
+}
+
+#[test]
+fn things_are_drawn_within_their_boxes() {
+    let all: Vec<String> = [3, 8, 42].into_par_iter().flat_map_iter(drawn_out).collect();
+    assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+/// The same for many homes: `proofs/drawn_bounds.sh`.
+#[test]
+#[ignore = "takes minutes; proofs/drawn_bounds.sh runs it home by home"]
+fn things_are_drawn_within_their_boxes_in_many_homes() {
+    let range = std::env::var("VC_HOMES").unwrap_or_else(|_| "0..200".into());
+    let (from, to) = range.split_once("..").unwrap();
+    let homes = from.parse::<u64>().unwrap()..to.parse().unwrap();
+    let all: Vec<String> = homes.into_par_iter().flat_map_iter(drawn_out).collect();
+    assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+/// What has a lid and stands below a window is no curtain.
+#[test]
+fn lids_are_no_curtains() {
+    let mut scene = SceneBuilder::new("study");
+    let window = Draft::new("window").bounds(Bounds::standing([0.1, 1.2, 1.4].into()));
+    scene.add(window.at(Pose::translation(0.0, 0.0, 0.9))).unwrap();
+    let names = ["box", "umbrella", "bag", "curtain"];
+    let things = names.map(|class| {
+        let bounds = Bounds::standing([0.1, 0.3, 0.4].into());
+        scene.add(Draft::new(class).bounds(bounds).at(Pose::translation(0.12, 0.3, 1.2)).state(State::Closed)).unwrap()
+    });
+    let snapshot = Renderer::new().snapshot(&scene.build()).unwrap();
+    for (class, thing) in names.into_iter().zip(things) {
+        let drawn = snapshot.bounds(thing).unwrap();
+        let wide = drawn.max.y - drawn.min.y;
+        assert_eq!(wide > 0.31, class == "curtain", "{class} is {wide} m wide");
+    }
 }
 
 /// Light that is made anew has the shadow of who has walked where that is now; labels are the same.

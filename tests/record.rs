@@ -11,7 +11,7 @@ use virtualcity::planner::{Episode, Newcomer, run_episode};
 use virtualcity::tasks::{Outcome, Task, World};
 use virtualcity::{Environment, RecordError, RecordOptions, Recorder};
 
-const SMALL: RecordOptions = RecordOptions { width: 64, dataset: true };
+const SMALL: RecordOptions = RecordOptions { width: 64, dataset: true, finer: 2, daylight: None };
 
 /// A folder of this test's own.
 fn folder(name: &str) -> PathBuf {
@@ -104,7 +104,7 @@ fn datasets_go_on_as_they_began() {
     let me = home.agents()[0];
     let task = Task::new("to and fro", "Holds(novel)".parse().unwrap());
     let rooms = home.graph().rooms().to_vec();
-    let options = RecordOptions { width: 16, dataset: true };
+    let options = RecordOptions { width: 16, dataset: true, ..RecordOptions::default() };
     let at = folder("record_long");
     let mut recorder = Recorder::create(&at, home, me, &task, options).unwrap();
     for room in rooms.into_iter().cycle() {

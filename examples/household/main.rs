@@ -66,6 +66,18 @@ pub(crate) struct Options {
     /// Pixels across of each picture; it is three quarters as high.
     #[arg(long, default_value_t = 480, value_parser = clap::value_parser!(u32).range(64..=1280))]
     width: u32,
+    /// How many times finer pictures are made along each side before they are shrunk, which smooths edges.
+    #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=4))]
+    finer: u32,
+    /// The hour of the day by which the sun shines in: 12 is noon, 19 dusk, 23 night.
+    #[arg(long, value_parser = hour)]
+    hour: Option<f32>,
+}
+
+/// An hour of the day.
+fn hour(text: &str) -> Result<f32, String> {
+    let hour = text.parse().ok().filter(|hour| (0.0..=24.0).contains(hour));
+    hour.ok_or_else(|| "an hour is a number from 0 to 24, such as 19.5".to_owned())
 }
 
 /// Who acts.

@@ -4,9 +4,10 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use vc_graph::goal::Situation;
-use vc_graph::{Action, ChangeSet, History, Node, NodeId, Property, SceneGraph, State};
+use vc_graph::{Action, ChangeSet, History, NodeId, Property, SceneGraph};
 use vc_planner::{Episode, Policy, Run, Step, Team, objects_of_interest};
 use vc_tasks::{Outcome, Task, World, WorldError};
+use virtualcity::render::Daylight;
 use virtualcity::{Environment, RecordOptions, Recorder};
 
 use crate::support::{Complaint, say};
@@ -23,11 +24,10 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
         Some(file) => format!("scene:{}", file.display()),
         None => format!("apartment/{}", options.seed),
     };
-    let mut home = Environment::make(&name, options.agents.max(1)).map_err(Complaint::new)?;
+    let home = Environment::make(&name, options.agents.max(1)).map_err(Complaint::new)?;
     for (id, class) in home.left_out() {
         say!("left out  {class}.{}, which fell out of the home", id.0);
     }
-    light_up(&mut home)?;
     let me = home.agents()[0];
     if options.list {
         symbolic::list(home.graph(), me);
@@ -37,7 +37,8 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     say!("home   {name}: {} rooms, {} nodes", home.graph().rooms().len(), home.graph().len());
     say!("agent  {} in {}", home.graph().label(me), room(&home, me));
     say!("task   {}: {}\n", task.title, task.goal);
-    let wanted = RecordOptions { width: options.width, dataset: options.dataset };
+    let (width, finer, daylight) = (options.width, options.finer, options.hour.map(Daylight::at));
+    let wanted = RecordOptions { width, dataset: options.dataset, finer, daylight };
     let first = home.clone();
     let mut recorder = Recorder::create(&options.out, home, me, &task, wanted).map_err(Complaint::new)?;
     let mut policy = options.policy.policy();
@@ -63,18 +64,6 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
         (Outcome::Won, _) => Err(Complaint::new("the same actions do not lead to the same home")),
         (_, reason) => Err(Complaint::new(reason.unwrap_or_else(|| "the goal was not reached".into()))),
     }
-}
-
-/// Switches the lamps of the home on, so that there is something to see in rooms without
-/// windows.
-fn light_up(home: &mut Environment) -> Result<(), Complaint> {
-    let mut graph = home.graph().clone();
-    let lamp = |n: &&Node| n.affords(Property::Switchable) && ["lamp", "light"].iter().any(|w| n.class().ends_with(w));
-    let lamps: Vec<NodeId> = graph.nodes().filter(lamp).map(Node::id).collect();
-    let mut edit = graph.edit();
-    lamps.into_iter().try_for_each(|id| edit.enter_state(id, State::On)).map_err(Complaint::new)?;
-    edit.commit();
-    home.reset(&graph).map(drop).map_err(Complaint::new)
 }
 
 /// The task asked for, or the first of the library that makes sense in the home and is not

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use virtualcity::graph::SceneGraph;
+use virtualcity::graph::{SceneGraph, State};
 use virtualcity::procgen::gltf::{LightPlace, Stage, StageCamera, StageLight, staged_scene};
 use virtualcity::render::{Camera, Frame, Lighting, Photograph, Snapshot, Source, format};
 
@@ -31,7 +31,20 @@ pub(crate) fn all(
     let coco = coco.document(snapshot).map_err(Complaint::new)?;
     write(name, "coco.json", coco.as_bytes())?;
     let stage = Stage { cameras: vec![seen(camera)], lights: lights(scene, lighting) };
-    write(name, "glb", &staged_scene(scene, &stage).map_err(Complaint::new)?)
+    write(name, "glb", &staged_scene(&lit(scene, lighting)?, &stage).map_err(Complaint::new)?)
+}
+
+/// The scene with the lamps on that the light is of.
+fn lit(scene: &SceneGraph, lighting: &Lighting) -> Result<SceneGraph, Complaint> {
+    let mut scene = scene.clone();
+    let mut edit = scene.edit();
+    for source in lighting.sources() {
+        if let Source::Lamp { node, .. } = source {
+            edit.enter_state(node, State::On).map_err(Complaint::new)?;
+        }
+    }
+    edit.commit();
+    Ok(scene)
 }
 
 /// The light of a reference picture.

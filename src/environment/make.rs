@@ -145,6 +145,8 @@ impl Environment {
             poses: BTreeMap::new(),
             #[cfg(feature = "render")]
             sight: Arc::default(),
+            #[cfg(feature = "render")]
+            pictures: crate::PictureOptions::default(),
             start,
         }
     }

@@ -46,7 +46,7 @@ const WAIST: f32 = 0.9;
 /// | [`make`](Self::make) | `Apartment::from_seed`, `World::build`, `World::step`, `World::doze`, `Floor::of`, `World::add_agent`, `Relations::new`, `Relations::write` |
 /// | [`reset`](Self::reset) | `World::reset`, `World::free_spot_at`, `World::lower`, `World::step`, `World::doze`, `Relations::update_with` |
 /// | [`observation`](Self::observation) | `SceneGraph::observe` |
-/// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::render` |
+/// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::follow`, `Renderer::render` |
 /// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::stand`, `World::grab_with`, `World::free_spot_at`, `World::put`, `World::drive` ..., then `Relations::update_with` |
 ///
 /// `Clone` is the snapshot: what is constant is shared, and a clone goes on as the
@@ -79,6 +79,8 @@ pub struct Environment {
     poses: std::collections::BTreeMap<NodeId, crate::figure::Doing>,
     #[cfg(feature = "render")]
     sight: Arc<crate::sight::Sight>,
+    #[cfg(feature = "render")]
+    pub(crate) pictures: crate::PictureOptions,
 }
 
 /// How an environment began; its resets start from here.

@@ -80,14 +80,15 @@ impl Skeleton {
             let turn = from.rotation.try_slerp(&end.rotation, share, 1e-6).unwrap_or(end.rotation);
             let anchor = bone.anchor();
             let at = (from * anchor).coords.lerp(&(end * anchor).coords, share);
-            between.bones[bone.index()] = base(&between) * Pose::from_parts((at - turn * anchor.coords).into(), turn);
+            let own = Pose::from_parts((at - turn * anchor.coords).into(), turn);
+            between.bones[bone.index()] = sound(base(&between) * own);
         }
         between
     }
 
     /// The same pose seen from a body's frame that has moved; `moved` is where that was.
     pub(crate) fn seen_after(&self, moved: &Pose) -> Self {
-        Self { bones: self.bones.map(|bone| moved * bone) }
+        Self { bones: self.bones.map(|bone| sound(moved * bone)) }
     }
 
     /// How a bone has moved.
@@ -104,7 +105,7 @@ impl Skeleton {
     /// Turns a bone at its anchor against what it hangs on; what hangs on it follows.
     fn turn(&mut self, bone: Bone, turn: UnitQuaternion<f32>) {
         let base = bone.parent().map_or_else(Pose::identity, |p| self.motion(p));
-        self.bones[bone.index()] = base * about(bone.anchor(), turn);
+        self.bones[bone.index()] = sound(base * about(bone.anchor(), turn));
         for child in Bone::ALL.into_iter().filter(|b| b.parent() == Some(bone)) {
             self.turn(child, UnitQuaternion::identity());
         }
@@ -219,6 +220,11 @@ impl Skeleton {
         self.turn(Bone::UpperArm(side), own.slerp(&down, HANGS));
         self.turn(Bone::Forearm(side), pitch(-0.25 - 0.5 * (-swing).max(0.0)));
     }
+}
+
+/// A pose whose turn is of unit length: products of many are no more.
+fn sound(pose: Pose) -> Pose {
+    Pose::from_parts(pose.translation, UnitQuaternion::new_normalize(pose.rotation.into_inner()))
 }
 
 /// A turn at a point.

@@ -5,12 +5,13 @@ use std::path::Path;
 
 use rayon::prelude::*;
 use vc_graph::NodeId;
+use vc_graph::portable::Portable;
 use vc_render::picture::{self, Picture};
-use vc_render::{Frame, Modalities, Modality, RenderError};
+use vc_render::{Adaptation, Frame, Modalities, Modality, RenderError};
 
 use super::dataset::Dataset;
 use super::{RecordError, feet, save};
-use crate::{Environment, PageFilm, Viewpoint};
+use crate::{Environment, PageFilm, PictureOptions, Viewpoint};
 
 /// Ticks of the home between two pictures, at first.
 const EVERY: u32 = 10;
@@ -19,10 +20,8 @@ const MOST: usize = 180;
 
 /// Quality of the film's pictures as JPEG: no blocks are seen.
 const JPEG_QUALITY: u8 = 88;
-
-/// How many times finer pictures are made than they are shown: films are small, and grooves of furniture thin.
-const FINER: u32 = 2;
-
+/// In how many seconds of the home an eye comes two thirds of the way to other light.
+const GETS_USED: f32 = 0.35;
 /// Pixels of 80 by 60 in which somebody is seen well.
 const SEEN: usize = 60;
 
@@ -42,6 +41,8 @@ pub(super) struct Film {
     most_telling: usize,
     /// The moment of the last picture, for flow.
     before: Option<Environment>,
+    /// What the eyes and the corner's camera are used to, each with where it is.
+    used: [Option<(Viewpoint, [f32; 3])>; 2],
 }
 
 impl Film {
@@ -57,6 +58,7 @@ impl Film {
             modalities: None,
             most_telling: 0,
             before: None,
+            used: [None; 2],
         }
     }
 
@@ -114,7 +116,7 @@ impl Film {
         self.ticks += 1;
         if self.ticks.is_multiple_of(self.every) {
             let views = self.views(home);
-            let pair = [self.shot(home, views[0])?, self.shot(home, views[1])?];
+            let pair = [self.shot(home, views, 0)?, self.shot(home, views, 1)?];
             self.pictures.push(Picture::sheet(&pair, 2, 4));
             if self.pictures.len() > MOST {
                 self.thin();
@@ -150,9 +152,16 @@ impl Film {
         [Viewpoint::Agent(self.me), corner]
     }
 
-    fn shot(&self, home: &Environment, view: Viewpoint) -> Result<Picture, RenderError> {
-        let fine = home.render(view, Modality::Rgb, FINER * self.size.0, FINER * self.size.1)?;
-        Ok(picture::rgb(&fine).shrunk(FINER as usize))
+    /// A picture from one of the views. An eye gets used to other light little by little, but for one that sees another
+    /// room at once.
+    fn shot(&mut self, home: &Environment, views: [Viewpoint; 2], which: usize) -> Result<Picture, RenderError> {
+        let (view, seconds) = (views[which], self.every as f32 * home.world().settings().dt);
+        let share = 1.0 - (-seconds / GETS_USED).exponential();
+        let used = self.used[which].filter(|(from, _)| *from == view);
+        let adapts = used.map(|(_, from)| Adaptation { from, share });
+        let frame = home.picture(&PictureOptions { adapts, ..*home.pictures() }, None, (view, Modality::Rgb.into()), self.size)?;
+        self.used[which] = Some((view, frame.exposure));
+        Ok(picture::rgb(&frame))
     }
 
     /// Keeps all modalities of the moment that tells most.
@@ -186,8 +195,8 @@ impl Film {
 
     /// One more picture, from the corner.
     pub(super) fn end(&mut self, home: &Environment) -> Result<Picture, RenderError> {
-        let [_, corner] = self.views(home);
-        self.shot(home, corner)
+        let views = self.views(home);
+        self.shot(home, views, 1)
     }
 }
 

@@ -11,11 +11,11 @@ use std::path::{Path, PathBuf};
 use nalgebra::Point2;
 use vc_graph::{Action, ChangeSet, History, NodeId, SceneGraph};
 use vc_planner::Episode;
-use vc_render::RenderError;
 use vc_render::picture::{self, Picture};
+use vc_render::{Daylight, RenderError};
 use vc_tasks::{Task, World, WorldError};
 
-use crate::{Environment, Page, PageAction, PageFilm, files};
+use crate::{Environment, Page, PageAction, PageFilm, PictureOptions, files};
 use dataset::Dataset;
 use film::Film;
 use trajectory::Trajectory;
@@ -57,6 +57,8 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
+/// In the film an eye that comes through a door into other light gets used to it within half a second.
+///
 /// Costs one pair of pictures for each sixth of a second of the home's time: 480 pixels across,
 /// some twenty milliseconds. The same run writes the same files. Each file is written whole or not at all.
 pub struct Recorder {
@@ -75,8 +77,15 @@ pub struct Recorder {
     failed: Option<RecordError>,
 }
 
-/// What is written down, and how large.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What is written down, how large and in which light.
+///
+/// ```
+/// use virtualcity::RecordOptions;
+/// use virtualcity::render::Daylight;
+/// let evening = RecordOptions { daylight: Some(Daylight::at(19.0)), finer: 3, ..RecordOptions::default() };
+/// assert_eq!(evening.width, 320);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecordOptions {
     /// Pixels across of each picture; it is three quarters as high.
     pub width: u32,
@@ -84,11 +93,16 @@ pub struct RecordOptions {
     /// `frames`, boxes and masks of all that is seen in them as a COCO document for
     /// `pycocotools`, `annotations.json`, and the home as it is in the end as glTF, `scene.glb`.
     pub dataset: bool,
+    /// How many times finer colours are made along each side before they are shrunk: twice if not said, as films are
+    /// small and grooves of furniture thin. See [`PictureOptions::finer`].
+    pub finer: u32,
+    /// The light outside; that of the environment's [`pictures`](Environment::pictures) if not said.
+    pub daylight: Option<Daylight>,
 }
 
 impl Default for RecordOptions {
     fn default() -> Self {
-        Self { width: 480, dataset: false }
+        Self { width: 480, dataset: false, finer: 2, daylight: None }
     }
 }
 
@@ -130,7 +144,7 @@ impl Recorder {
     /// made.
     pub fn create(
         folder: impl AsRef<Path>,
-        home: Environment,
+        mut home: Environment,
         agent: NodeId,
         task: &Task,
         options: RecordOptions,
@@ -138,6 +152,8 @@ impl Recorder {
         if !home.agents().contains(&agent) {
             return Err(RecordError::NoSuchAgent { agent, there: home.agents().to_vec() });
         }
+        let daylight = options.daylight.unwrap_or(home.pictures().daylight);
+        home.set_pictures(PictureOptions { daylight, finer: options.finer, ..*home.pictures() });
         let folder = folder.as_ref().to_path_buf();
         std::fs::create_dir_all(&folder).map_err(|error| RecordError::File { path: folder.clone(), error })?;
         // Of a longer record that was here, pictures would be left among those of this one.

@@ -1,5 +1,7 @@
 //! The light of an environment, made again when what it depends on changes.
 
+use std::sync::MutexGuard;
+
 use vc_graph::asset::{Joint, Part};
 use vc_graph::{Node, NodeId, Pose, SceneGraph, State};
 use vc_render::{Daylight, Lighting, RenderError, Snapshot};
@@ -12,11 +14,17 @@ const AJAR: f32 = 0.5;
 /// How many lights are kept.
 const LIGHTS: usize = 8;
 
-/// What the light depends on.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// How far a lamp has to be moved to count as moved, metres.
+const ASIDE: f32 = 0.05;
+
+/// What the light that rooms throw back depends on.
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Lit {
+    daylight: Daylight,
     /// What is on.
     on: Vec<NodeId>,
+    /// Lamps that are on and stand elsewhere than where the home begins, and in which room.
+    moved: Vec<(NodeId, Pose, Option<NodeId>)>,
     /// What of the building stands open: doors and windows.
     open: Vec<NodeId>,
     /// Blinds and curtains that are drawn.
@@ -24,38 +32,52 @@ pub(super) struct Lit {
 }
 
 impl Environment {
-    /// The light as it is: `Renderer::light`, in which mirrors show what there is now. It depends on
-    /// nothing that was rendered before.
-    pub(super) fn lighting(&self, now: &Snapshot) -> Result<Lighting, RenderError> {
-        let mut lighting = self.first_light()?;
-        lighting.follow(now)?;
-        Ok(lighting)
-    }
-
-    /// The light of the home as it began, with what is on and open now.
-    fn first_light(&self) -> Result<Lighting, RenderError> {
+    /// The light as it is: `Renderer::light` of how the home begins, then `Renderer::follow`. As that makes what
+    /// `light` would, the result depends on nothing that was rendered before.
+    pub(super) fn lighting(&self, daylight: &Daylight, now: &Snapshot) -> Result<Lighting, RenderError> {
         let base = self.base()?;
-        let stands_open = |id: &NodeId| self.world().openness(*id).is_some_and(|open| open >= AJAR);
-        let open = base.openings.iter().copied().filter(stands_open).collect();
-        let closed = |id: &NodeId| self.graph().node(*id).is_some_and(|n| n.is(State::Closed));
-        let drawn = base.covers.iter().copied().filter(closed).collect();
-        let lit = Lit { on: lit(self.graph()), open, drawn };
-        // A thread that panicked left nothing half done here.
-        let mut made = self.sight().light.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        if let Some(known) = made.iter().position(|(known, _)| *known == lit) {
-            made[..=known].rotate_right(1);
-            return Ok(made[0].1.clone());
-        }
-        let mut lighting = base.renderer.light(&base.as_lit(&lit)?, &Daylight::noon());
-        // Whatever may move counts as moved from now on, so that it does not matter what moved when.
-        lighting.follow(&base.stirred(&lit)?)?;
+        let lit = self.lit(base, daylight);
+        let known = self.lights().iter().find(|(known, _)| *known == lit).map(|(_, lighting)| lighting.clone());
+        let mut lighting = known.map_or_else(|| base.made(&lit), Ok)?;
+        base.renderer.follow(&mut lighting, now)?;
+        // It is not held meanwhile: who waits for threads may be given a picture to make.
+        let mut made = self.lights();
+        made.retain(|(known, _)| *known != lit);
         made.insert(0, (lit, lighting.clone()));
         made.truncate(LIGHTS);
         Ok(lighting)
     }
+
+    /// Light that was made. A thread that panicked left nothing half done there.
+    fn lights(&self) -> MutexGuard<'_, Vec<(Lit, Lighting)>> {
+        self.sight().light.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+
+    fn lit(&self, base: &Base, daylight: &Daylight) -> Lit {
+        let stands_open = |id: &NodeId| self.world().openness(*id).is_some_and(|open| open >= AJAR);
+        let open = base.openings.iter().copied().filter(stands_open).collect();
+        let closed = |id: &NodeId| self.graph().node(*id).is_some_and(|n| n.is(State::Closed));
+        let drawn = base.covers.iter().copied().filter(closed).collect();
+        let on = lit(self.graph());
+        let elsewhere = |id: &NodeId| {
+            let was = base.poses.binary_search_by_key(id, |(id, _)| *id).ok().map(|at| base.poses[at].1)?;
+            let now = *self.graph().node(*id)?.pose()?;
+            let off = (now.translation.vector - was.translation.vector).norm();
+            (off > ASIDE).then(|| (*id, now, self.room_of_place(*id, &now)))
+        };
+        let moved = on.iter().filter(|id| base.lamps.contains(id)).filter_map(elsewhere).collect();
+        Lit { daylight: *daylight, on, moved, open, drawn }
+    }
 }
 
 impl Base {
+    fn made(&self, lit: &Lit) -> Result<Lighting, RenderError> {
+        let mut lighting = self.renderer.light(&self.as_lit(lit)?, &lit.daylight);
+        // Whatever may move counts as moved from now on, so that it does not matter what moved when.
+        lighting.follow(&self.stirred(lit)?)?;
+        Ok(lighting)
+    }
+
     /// The home as it begins, with this light: what moves is where it stood, and either shut or open.
     fn as_lit(&self, lit: &Lit) -> Result<Snapshot, RenderError> {
         let mut snapshot = self.snapshot.clone();
@@ -64,6 +86,10 @@ impl Base {
             snapshot.articulate(id, |joint| Some(ends(joint)[end]))?;
         }
         self.covers.iter().try_for_each(|id| snapshot.draw(*id, lit.drawn.contains(id)))?;
+        for (id, pose, room) in &lit.moved {
+            snapshot.place(*id, pose)?;
+            snapshot.enter(*id, *room)?;
+        }
         switch(&mut snapshot, &self.lit, &lit.on)?;
         Ok(snapshot)
     }

@@ -12,11 +12,13 @@ use crate::met::Met;
 use crate::node::{Kind, Link, Node};
 use crate::store::Store;
 use crate::vocabulary::key;
-use crate::{Edge, Edit, Label, NodeId, Relation};
+use crate::{Edge, Edit, Label, NodeId, Property, Relation};
 
 /// How near is near: within reach of an agent's step and arm, metres.
 /// VirtualHome's CLOSE uses the same figure.
 pub const NEAR: f32 = 1.5;
+/// Classes of what is drawn over windows.
+const WINDOW_COVERS: [&str; 3] = ["curtain", "blinds", "roller_shutter"];
 
 /// Rooms, agents and objects with their states, poses and relations.
 ///
@@ -161,6 +163,22 @@ impl SceneGraph {
     /// included, by a grid: the cost grows with what is found, not with the scene.
     pub fn within(&self, centre: Point3<f32>, radius: f32) -> Vec<NodeId> {
         self.grid.within(centre, radius)
+    }
+
+    /// Whether a thing is drawn over a window or a door when it is closed: curtains, blinds, shutters and what else is of
+    /// these classes; not what covers otherwise, as lids, bags and umbrellas do. False for what is not there.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let [blinds, umbrella] = [scene.add(Draft::new("blinds"))?, scene.add(Draft::new("umbrella"))?];
+    /// let scene = scene.build();
+    /// assert!(scene.covers_windows(blinds) && !scene.covers_windows(umbrella));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn covers_windows(&self, id: NodeId) -> bool {
+        let hangs = |n: &Node| WINDOW_COVERS.iter().any(|class| self.classes().is_a(n.class(), class));
+        self.node(id).is_some_and(|n| n.affords(Property::Openable) && hangs(n))
     }
 
     /// Where a relation leads from a node.

@@ -44,7 +44,12 @@ pub enum Family {
     Liquid,
     /// What shines when its object is on.
     Glow,
+    /// Parts of a screen, which show their colour when their object is on, and are black when it is off.
+    Screen,
 }
+
+/// Colour of screens that are off.
+const OFF: u32 = 0x0b0c0f;
 
 /// Density, friction, restitution, roughness, metallic, transmission.
 const fn physics(family: Family) -> [f32; 6] {
@@ -63,7 +68,7 @@ const fn physics(family: Family) -> [f32; 6] {
         Family::Organic => [800.0, 0.5, 0.2, 0.8, 0.0, 0.0],
         Family::Rubber => [1100.0, 0.9, 0.6, 0.9, 0.0, 0.0],
         Family::Liquid => [1000.0, 0.1, 0.0, 0.02, 0.0, 0.8],
-        Family::Glow => [1000.0, 0.4, 0.3, 0.4, 0.0, 0.0],
+        Family::Glow | Family::Screen => [1000.0, 0.4, 0.3, 0.4, 0.0, 0.0],
     }
 }
 
@@ -199,10 +204,10 @@ materials! {
     CLEAR_PLASTIC "clear_plastic" Glass 0xe6edee;
     FOAM "foam" Fabric 0xe4e1d6;
     SCREEN "dark_screen" Plastic 0x0b0c0f;
-    PICTURE_SKY "picture_sky" Glow 0x7fb2d9;
-    PICTURE_LAND "picture_land" Glow 0x5b8a4a;
-    PICTURE_SUN "picture_sun" Glow 0xf3d27a;
-    PICTURE_DARK "picture_dark" Glow 0x2b3a55;
+    PICTURE_SKY "picture_sky" Screen 0x7fb2d9;
+    PICTURE_LAND "picture_land" Screen 0x5b8a4a;
+    PICTURE_SUN "picture_sun" Screen 0xf3d27a;
+    PICTURE_DARK "picture_dark" Screen 0x2b3a55;
     LED "led" Glow 0x7ae08a;
     WARM_BULB "warm_bulb" Glow 0xffe2b0;
     COOL_BULB "cool_bulb" Glow 0xf4f6ff;
@@ -317,9 +322,13 @@ pub fn library() -> AssetLibrary {
 
 fn material(name: &str, family: Family, colour: u32) -> Material {
     let [density, friction, restitution, roughness, metallic, transmission] = physics(family);
-    let channel = |shift: u32| linear(((colour >> shift) & 0xff) as f32 / 255.0);
-    let colour = [channel(16), channel(8), channel(0)];
-    let emission = if family == Family::Glow { colour.map(|c| c * 40.0) } else { [0.0; 3] };
+    let of = |colour: u32| [16, 8, 0].map(|shift: u32| linear(((colour >> shift) & 0xff) as f32 / 255.0));
+    let shines = |colour: [f32; 3]| colour.map(|c| c * 40.0);
+    let (colour, emission) = match family {
+        Family::Glow => (of(colour), shines(of(colour))),
+        Family::Screen => (of(OFF), shines(of(colour))),
+        _ => (of(colour), [0.0; 3]),
+    };
     let (name, texture) = (name.into(), None);
     Material { name, colour, density, friction, restitution, roughness, metallic, transmission, emission, texture }
 }

@@ -39,4 +39,4 @@ pub use renderer::Renderer;
 pub use scene::Snapshot;
 pub use surface::Coat;
 pub use trace::{RayCaster, RayHit};
-pub use view::{Shot, View};
+pub use view::{Adaptation, Shot, View};

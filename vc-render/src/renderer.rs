@@ -199,6 +199,7 @@ impl Renderer {
         self.render(&colours, &mut fine)?;
         shade::shrink(&fine.rgb, shot.finer as usize, (frame.width, &mut frame.rgb));
         frame.holds = shot.wanted;
+        frame.exposure = fine.exposure;
         frame.memory.finer = Some(fine);
         Ok(())
     }
@@ -251,8 +252,10 @@ impl Renderer {
         let (strip, memory) = Strip::of(frame);
         let Memory { bands, open, .. } = memory;
         let open = (!shot.plain).then(|| shade::occlusion(view.camera, bands, open));
-        let exposure = lighting.exposure(view.camera.eye().into(), seen_rooms(view, bands));
+        let exposure = lighting.exposure(view.camera.eye().into(), seen_rooms(lighting, view, bands));
+        let exposure = shot.adapts.map_or(exposure, |adapts| adapts.towards(exposure));
         shade_bands(&Shading { renderer: self, lighting, view, open, exposure }, strip, bands);
+        frame.exposure = exposure;
         shade::smooth(frame);
     }
 
@@ -300,12 +303,15 @@ impl Renderer {
 }
 
 /// Rooms of what is seen at places strewn over a picture, through glass.
-fn seen_rooms<'a>(View { snapshot, camera }: View<'a>, bands: &'a [Band]) -> impl Iterator<Item = u16> + 'a {
+fn seen_rooms<'a>(
+    lighting: &'a Lighting,
+    View { snapshot, camera }: View<'a>,
+    bands: &'a [Band],
+) -> impl Iterator<Item = u16> + 'a {
     camera.strewn().filter_map(move |[x, y]| {
         let band = bands.iter().find(|band| band.rows.contains(&(y as i32)))?;
         let triangle = *band.layers.solid().triangle_row(y as i32).get(x as usize)?;
-        let instance = band.layers.visible.get(triangle as usize)?.instance;
-        Some(snapshot.bodies[snapshot.instances[instance as usize].body as usize].room)
+        Some(lighting.room_seen(snapshot, band.layers.visible.get(triangle as usize)?))
     })
 }
 

@@ -1,6 +1,7 @@
 //! What is rendered: who sees what, and what of it is wanted.
 
 use crate::RenderError;
+use crate::affine::three;
 use crate::camera::Camera;
 use crate::light::Lighting;
 use crate::modality::{Modalities, Modality};
@@ -81,13 +82,58 @@ pub struct Shot<'a> {
     pub finer: u32,
     /// Colours without shadows.
     pub plain: bool,
+    /// What the eye is used to, if it does not see for the first time.
+    pub adapts: Option<Adaptation>,
+}
+
+/// An eye that comes from other light: it gets used to what it sees little by little.
+///
+/// ```
+/// # use nalgebra::{Point3, Vector3};
+/// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// use vc_render::{Adaptation, Camera, Daylight, Frame, Modality, Renderer, Shot};
+/// # let mut scene = SceneBuilder::new("flat");
+/// # let kitchen = scene.add(Draft::new("kitchen"))?;
+/// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+/// # scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+/// # let scene = scene.build();
+/// # let mut renderer = Renderer::new();
+/// # let snapshot = renderer.snapshot(&scene)?;
+/// let lighting = renderer.light(&snapshot, &Daylight::overcast());
+/// let cameras = Camera::with_fov(64, 48, 1.0).around(Point3::new(2.0, 0.0, 1.0), 3.0, 0.3, 8);
+/// let (mut frame, mut adapts) = (Frame::new(), None);
+/// for camera in &cameras {
+///     let shot = Shot { adapts, ..Shot::new(&snapshot, camera, Modality::Rgb).lit(&lighting) };
+///     renderer.render(&shot, &mut frame)?;
+///     // A third of the way from picture to picture.
+///     adapts = Some(Adaptation { from: frame.exposure, share: 0.33 });
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Adaptation {
+    /// The exposure it is used to: [`Frame::exposure`](crate::Frame::exposure) of the picture before.
+    pub from: [f32; 3],
+    /// How far it goes from there to that of what it sees now: 0 not at all, 1 all the way.
+    pub share: f32,
+}
+
+impl Adaptation {
+    /// The exposure of a picture of what would by itself have this one.
+    pub(crate) fn towards(&self, now: [f32; 3]) -> [f32; 3] {
+        use vc_graph::portable::Portable;
+        let share = self.share.clamp(0.0, 1.0);
+        let between = |from: f32, to: f32| from * (to / from).power(share);
+        let sound = self.from.iter().all(|v| v.is_finite() && *v > 0.0) && share.is_finite();
+        if sound { three(|c| between(self.from[c], now[c])) } else { now }
+    }
 }
 
 impl<'a> Shot<'a> {
     /// A picture of a moment.
     pub fn new(snapshot: &'a Snapshot, camera: &'a Camera, wanted: impl Into<Modalities>) -> Self {
         let view = View { snapshot, camera };
-        Self { view, before: None, after: None, lighting: None, wanted: wanted.into(), finer: 1, plain: false }
+        Self { view, before: None, after: None, lighting: None, wanted: wanted.into(), finer: 1, plain: false, adapts: None }
     }
 
     /// With the moment before.
@@ -122,6 +168,12 @@ impl<'a> Shot<'a> {
     #[must_use]
     pub fn plain(self) -> Self {
         Self { plain: true, ..self }
+    }
+
+    /// With an eye that comes from other light.
+    #[must_use]
+    pub fn adapting(self, adapts: Adaptation) -> Self {
+        Self { adapts: Some(adapts), ..self }
     }
 
     pub(crate) fn check(&self, store: &Store) -> Result<(), RenderError> {

@@ -1,7 +1,7 @@
 //! Where to stand for what is to be done, and getting there.
 
 use nalgebra::{Point2, Point3, Vector2};
-use vc_graph::{Kind, NodeId, Pose, Property};
+use vc_graph::{Kind, NodeId, Pose};
 use vc_physics::Stand;
 
 use super::{Deed, Done, towards};
@@ -298,7 +298,6 @@ impl Deed<'_> {
     /// Whether a thing covers a window from above.
     pub(super) fn has_cord(&self, id: NodeId) -> bool {
         let high = self.feet().translation.z + self.plan().shoulder();
-        let covers = self.before.node(id).is_some_and(|n| n.affords(Property::Cover) && n.affords(Property::Openable));
-        covers && self.world.aabb(id).is_some_and(|aabb| aabb.max.z > high)
+        self.before.covers_windows(id) && self.world.aabb(id).is_some_and(|aabb| aabb.max.z > high)
     }
 }

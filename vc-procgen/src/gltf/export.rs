@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 use vc_graph::asset::{Joint, Surface};
-use vc_graph::{Asset, AssetId, AssetLibrary, Node, NodeId, Pose, SceneGraph};
+use vc_graph::{Asset, AssetId, AssetLibrary, Node, NodeId, Pose, SceneGraph, State};
 
 use super::GltfError;
 use super::document as json;
@@ -68,8 +68,8 @@ fn written_asset(asset: &Asset, library: &AssetLibrary, class: Option<String>) -
 }
 
 /// A scene as a binary glTF file: each node that has an asset and a pose is a glTF
-/// node, named by its label. Nodes that share an asset share its meshes. Joints are
-/// at zero, whatever the nodes' states.
+/// node, named by its label. Nodes that share an asset share its meshes, but for those that are on and glow and those
+/// that are off. Joints are at zero, whatever the nodes' states.
 ///
 /// # Errors
 /// [`GltfError::NoSuchAsset`], [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].
@@ -98,15 +98,18 @@ pub fn posed_scene(
 ) -> Result<Vec<u8>, GltfError> {
     let library = graph.assets();
     let mut writer = Writer::new(library, TOLERANCE);
-    let mut shared: BTreeMap<AssetId, Vec<Link>> = BTreeMap::new();
+    let mut shared: BTreeMap<(AssetId, bool), Vec<Link>> = BTreeMap::new();
     let mut children = Vec::new();
     for node in graph.nodes() {
         let Some(id) = node.spec().asset else { continue };
-        if let std::collections::btree_map::Entry::Vacant(vacant) = shared.entry(id) {
-            let asset = library.get(id).ok_or(GltfError::NoSuchAsset(id))?;
+        let asset = library.get(id).ok_or(GltfError::NoSuchAsset(id))?;
+        // What glows has other materials where it is on than where it is off.
+        let key = (id, node.is(State::On) && writer.glows(asset));
+        if let std::collections::btree_map::Entry::Vacant(vacant) = shared.entry(key) {
+            writer.lit = key.1;
             vacant.insert(writer.links(asset)?);
         }
-        children.extend(placed(&mut writer, node, &shared[&id], &mut moved));
+        children.extend(placed(&mut writer, node, &shared[&key], &mut moved));
     }
     children.extend(super::stage::write(&mut writer, stage));
     let root = json::Node { name: graph.name().to_owned(), rotation: Some(UPRIGHT), children, ..json::Node::default() };
@@ -127,7 +130,7 @@ fn placed(
         let mut own = link_node(link, &joint, Vec::new());
         if let Some(moved) = moved(node.id(), &joint) {
             own.translation = Some((moved * joint.anchor).into());
-            own.rotation = Some(moved.rotation.coords.into());
+            own.rotation = Some(turned(&moved));
         }
         children.push(writer.node(own));
     }
@@ -137,12 +140,17 @@ fn placed(
         name: node.label().to_string(),
         mesh: links.iter().find(|l| l.joint.is_none()).and_then(|l| l.mesh),
         translation: Some(pose.translation.vector.into()),
-        rotation: Some(pose.rotation.coords.into()),
+        rotation: Some(turned(pose)),
         scale: (scale != Vector3::repeat(1.0)).then(|| scale.into()),
         children,
         extras: written(&note),
         ..json::Node::default()
     }))
+}
+
+/// A pose's turn as glTF has it: of unit length, and no part of it above one.
+pub(super) fn turned(pose: &Pose) -> [f32; 4] {
+    pose.rotation.into_inner().normalize().coords.into()
 }
 
 fn link_node(link: &Link, joint: &Joint, children: Vec<usize>) -> json::Node {

@@ -101,7 +101,7 @@ impl StageCamera {
             name: self.name.clone(),
             camera: Some(writer.document.cameras.len() - 1),
             translation: Some(self.pose.translation.vector.into()),
-            rotation: Some(turned.coords.into()),
+            rotation: Some(turned.into_inner().normalize().coords.into()),
             ..json::Node::default()
         })
     }
@@ -116,7 +116,7 @@ impl StageLight {
                 let up = towards.try_normalize(1e-9)?;
                 let turn = UnitQuaternion::rotation_between(&Vector3::z(), &up)
                     .unwrap_or_else(|| UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(0.0, 1.0, 0.0, 0.0)));
-                ("directional", lux, None, Some(turn.coords.into()))
+                ("directional", lux, None, Some(turn.into_inner().normalize().coords.into()))
             }
             LightPlace::At { point, candela } => ("point", candela, Some(point.coords), None),
         };

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
-use vc_graph::asset::{Joint, Part};
+use vc_graph::asset::{Joint, Material, Part};
 use vc_graph::{Asset, AssetLibrary, Pose, TriangleMesh};
 
 use super::document::{self as json, Document};
@@ -33,8 +33,10 @@ pub(super) struct Writer<'a> {
     pub(super) document: Document,
     /// Positions and normals, texture coordinates, indices of four bytes, indices of two.
     bytes: [Vec<u8>; 4],
-    /// By position in the library, and whether with its texture.
-    materials: BTreeMap<(u32, bool), usize>,
+    /// Whether what is written glows, if its materials do.
+    pub(super) lit: bool,
+    /// By position in the library, whether with its texture, and whether it glows.
+    materials: BTreeMap<(u32, bool, bool), usize>,
     /// By position in the library.
     textures: BTreeMap<u32, usize>,
     /// Encoded.
@@ -47,13 +49,19 @@ impl<'a> Writer<'a> {
         let document = Document { asset, ..Document::default() };
         let (bytes, images) = Default::default();
         let (materials, textures) = (BTreeMap::new(), BTreeMap::new());
-        Self { library, tolerance, document, bytes, materials, textures, images }
+        Self { library, tolerance, document, bytes, lit: true, materials, textures, images }
     }
 
     /// Adds a node and returns its number.
     pub(super) fn node(&mut self, node: json::Node) -> usize {
         self.document.nodes.push(node);
         self.document.nodes.len() - 1
+    }
+
+    /// Whether a part of an asset can glow.
+    pub(super) fn glows(&self, asset: &Asset) -> bool {
+        let emission = |part: &Part| self.library.material(part.material).map(|material| material.emission);
+        asset.parts.iter().filter_map(emission).any(|emission| emission != [0.0; 3])
     }
 
     /// Writes the meshes of an asset's links, the fixed one first.
@@ -122,12 +130,14 @@ impl<'a> Writer<'a> {
 
     fn material(&mut self, index: u32, textured: bool) -> Result<usize, GltfError> {
         let material = self.library.material(index).ok_or(GltfError::NoSuchMaterial(index))?;
-        if let Some(&known) = self.materials.get(&(index, textured)) {
+        let dark = Material { emission: [0.0; 3], ..material.clone() };
+        let lit = self.lit || material.emission == [0.0; 3];
+        if let Some(&known) = self.materials.get(&(index, textured, lit)) {
             return Ok(known);
         }
         let texture = material.texture.filter(|_| textured).map(|t| self.texture(t)).transpose()?;
-        self.document.materials.push(paint::write(material, texture.flatten()));
-        self.materials.insert((index, textured), self.document.materials.len() - 1);
+        self.document.materials.push(paint::write(if lit { material } else { &dark }, texture.flatten()));
+        self.materials.insert((index, textured, lit), self.document.materials.len() - 1);
         Ok(self.document.materials.len() - 1)
     }
 

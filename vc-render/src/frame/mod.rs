@@ -66,6 +66,8 @@ pub struct Frame {
     pub holds: Modalities,
     /// Colours in sRGB.
     pub rgb: Vec<[u8; 3]>,
+    /// What light was multiplied with to become these colours, linear RGB; zero without colours.
+    pub exposure: [f32; 3],
     /// Depth along the optical axis, metres; infinite where nothing is seen.
     pub depth: Vec<f32>,
     /// Distance from the eye, metres; infinite where nothing is seen.
@@ -152,6 +154,7 @@ impl Frame {
         let pixels = width * height;
         let count = |of: Modality| if wanted.has(of) { pixels } else { 0 };
         self.rgb.resize(count(Modality::Rgb), [0; 3]);
+        self.exposure = [0.0; 3];
         self.depth.resize(count(Modality::Depth), 0.0);
         self.distance.resize(count(Modality::Distance), 0.0);
         self.instance.resize(count(Modality::Instance), NOTHING);

@@ -22,6 +22,11 @@ impl Ambient {
     /// Inside of things, where nothing is known.
     pub(super) const UNKNOWN: Self = Self([f32::NAN; SIDES]);
 
+    /// The same radiance from all sides.
+    pub(super) fn even(radiance: f32) -> Self {
+        Self([std::f32::consts::PI * radiance; SIDES])
+    }
+
     pub(super) fn is_known(&self) -> bool {
         !self.0[0].is_nan()
     }

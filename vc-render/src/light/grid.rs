@@ -48,6 +48,23 @@ impl Grid {
         all
     }
 
+    /// The same with all light multiplied, and some radiance from all sides more.
+    pub(super) fn dimmed(&self, by: f32, more: f32) -> Self {
+        let dimmed = |point: &Ambient| {
+            let mut light = Ambient::even(more);
+            light.mix(point, by);
+            light
+        };
+        let colour = three(|c| self.colour[c] * by + more);
+        let middling = self.middling * by + more;
+        Self { points: self.points.iter().map(dimmed).collect(), middling, colour, ..self.clone() }
+    }
+
+    /// Gives all points the same light.
+    pub(super) fn fill(&mut self, light: &Ambient) {
+        self.points.fill(*light);
+    }
+
     fn count(&self) -> usize {
         self.counts.iter().product()
     }

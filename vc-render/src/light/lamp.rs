@@ -46,6 +46,11 @@ struct Glow {
     shade: f32,
 }
 
+/// Instances of all but a body.
+pub(super) fn others(snapshot: &Snapshot, body: u32) -> impl Iterator<Item = u32> + Clone + '_ {
+    (0..snapshot.instances.len() as u32).filter(move |i| snapshot.instances[*i as usize].body != body)
+}
+
 /// How much what glows of each body is to be turned up, and the lamps among them.
 /// Those of `kept` have their shadows already.
 pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> (Vec<[f32; 2]>, Vec<Lamp>) {
@@ -131,8 +136,7 @@ pub(super) fn area([a, b, c]: [[f32; 3]; 3]) -> ([f32; 3], f32) {
 impl Lamp {
     fn new(renderer: &Renderer, tracer: &Tracer, (index, gains): (u32, &[f32; 2]), glow: &Glow) -> Self {
         let snapshot = &tracer.snapshot;
-        let others = |i: &u32| snapshot.instances[*i as usize].body != index;
-        let others: Vec<u32> = (0..snapshot.instances.len() as u32).filter(others).collect();
+        let others: Vec<u32> = others(snapshot, index).collect();
         let radius = (glow.area / (4.0 * std::f32::consts::PI)).sqrt();
         let Leaving { flux, axis, at } = leaving(renderer, tracer, index, gains).unwrap_or(Leaving::none(glow.middle));
         let shadows = Cube::new(renderer, snapshot, &others, at, radius);

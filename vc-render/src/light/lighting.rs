@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::Point3;
 
 use super::ambient::Ambient;
 use super::grid::Grid;
@@ -12,7 +12,7 @@ use super::{Daylight, extent::rooms, room};
 use crate::RenderError;
 use crate::affine::{scaled, three};
 use crate::renderer::Renderer;
-use crate::scene::{Body, Snapshot, Store};
+use crate::scene::{Snapshot, Store};
 use crate::surface::{Role, Surface};
 use crate::trace::Tracer;
 
@@ -22,7 +22,7 @@ use crate::trace::Tracer;
 /// brings it up to date.
 ///
 /// ```
-/// # use nalgebra::{Point3, Vector3};
+/// # use nalgebra::Point3;
 /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
 /// use vc_render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
 /// # let mut scene = SceneBuilder::new("flat");
@@ -54,22 +54,24 @@ pub struct Lighting {
     pub(crate) sun: Option<Arc<ShadowMap>>,
     pub(crate) lamps: Arc<Vec<Lamp>>,
     /// By body: what its glow and its shade's glow are multiplied with.
-    gains: Vec<[f32; 2]>,
+    pub(super) gains: Vec<[f32; 2]>,
     pub(super) grids: Arc<Vec<Grid>>,
     /// By room, what share of the sun's light panes leave.
-    sunlight: Vec<f32>,
+    pub(super) sunlight: Vec<f32>,
     /// By body, what comes through drawn covers.
     pub(super) cloth: Vec<(u32, [f32; 3])>,
     /// Boxes of rooms, to tell in which an eye is.
     pub(super) rooms: Vec<([f32; 3], [f32; 3])>,
+    /// The moment whose shadows these are.
+    pub(super) cast: Arc<Snapshot>,
 }
 
 /// How far a picture's white is that of the light in its room: lamps stay warm, and do not make all yellow.
 const BALANCE: f32 = 0.6;
-/// How far before a door it is in the room which it looks into, metres.
-const AHEAD: f32 = 0.3;
-/// How many times brighter than its own an eye takes other rooms to be, at most.
+/// How many times brighter than all together an eye takes rooms to be, at most.
 const BRIGHTER: f32 = 4.0;
+/// What is darker than this stays dark.
+const DARK: f32 = 5e-4;
 
 /// How bright a colour is to the eye (Rec. 709).
 #[inline(always)]
@@ -90,7 +92,7 @@ impl Renderer {
     /// what is made then says so when it is used.
     ///
     /// ```
-    /// # use nalgebra::{Point3, Vector3};
+    /// # use nalgebra::Point3;
     /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
     /// use vc_render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
     /// # let mut scene = SceneBuilder::new("flat");
@@ -120,6 +122,7 @@ impl Renderer {
             sunlight: Vec::new(),
             cloth: Vec::new(),
             rooms: Vec::new(),
+            cast: Arc::new(snapshot.clone()),
         };
         if snapshot.is_in(&self.store) && daylight.check().is_ok() {
             self.shine(&mut lighting);
@@ -177,12 +180,13 @@ impl Renderer {
     pub fn relight(&self, lighting: &mut Lighting, snapshot: &Snapshot) -> Result<(), RenderError> {
         lighting.check(&self.store)?;
         lighting.tracer.snapshot.with("snapshot to follow", snapshot)?;
-        let moved = !lighting.tracer.snapshot.stands_as(snapshot);
+        let moved = !lighting.cast.stands_as(snapshot);
         lighting.tracer.follow(snapshot)?;
         if moved {
             lighting.sun = None;
             lighting.lamps = Arc::default();
         }
+        lighting.cast = Arc::new(snapshot.clone());
         self.shine(lighting);
         Ok(())
     }
@@ -231,29 +235,6 @@ impl Lighting {
     /// [`RenderError::OtherScene`] if bodies have come or gone.
     pub fn follow(&mut self, snapshot: &Snapshot) -> Result<(), RenderError> {
         self.tracer.follow(snapshot)
-    }
-
-    /// The room whose light falls on a face of a body: that which it looks into, where the body stands between two.
-    pub(crate) fn room_of(&self, body: &Body, at: [f32; 3], normal: [f32; 3]) -> u16 {
-        if !body.between {
-            return body.room;
-        }
-        let (out, middle) = (body.pose.rotation * Vector3::x(), body.pose.translation.vector);
-        let side = (Vector3::from(at) - middle).dot(&out).signum();
-        // What looks along the wall is of the room on its side.
-        let before = [normal, (out * side).into()].map(|along| three(|i| at[i] + AHEAD * along[i]));
-        before.into_iter().find_map(|at| self.room_around(at)).map_or(body.room, |room| room as u16)
-    }
-
-    /// The room that a place is in.
-    fn room_around(&self, at: [f32; 3]) -> Option<usize> {
-        let within = |room: &usize| {
-            let (low, high) = self.rooms[*room];
-            (0..3).all(|k| at[k] >= low[k] && at[k] <= high[k])
-        };
-        // Boxes of rooms with corners reach over their neighbours.
-        let rooms = (0..self.rooms.len().saturating_sub(1)).filter(within);
-        rooms.min_by(|a, b| self.floor(*a).total_cmp(&self.floor(*b)))
     }
 
     /// Light from all sides that falls on a surface, from the grid of its room.
@@ -309,23 +290,32 @@ impl Lighting {
     }
 
     /// What brings the light that an eye sees to a picture's middle grey, and partly to white, by colour. It is that of
-    /// the rooms in which something is seen, as much of each as is seen of it, and of the eye's own where
-    /// nothing is; the white is that of the eye's.
+    /// the rooms in which something is seen, as much of each as is seen of it, so that it changes as the view does and
+    /// not where a door is passed; and of the eye's own where nothing is.
     pub(crate) fn exposure(&self, eye: [f32; 3], seen: impl IntoIterator<Item = u16>) -> [f32; 3] {
         use vc_graph::portable::Portable;
-        let index = self.room_for(eye);
-        let (own, colour) = self.level(index);
         // Outside is as bright as it is; a little of a sunny balcony does not make its room dark.
-        let inside = seen.into_iter().map(usize::from).filter(|room| room + 1 < self.rooms.len());
-        let levels = inside.map(|room| if room == index { own } else { self.level(room).0.min(BRIGHTER * own) });
-        let (sum, count) = levels.fold((0.0, 0), |(sum, count), level| (sum + level, count + 1));
-        let mean = if count > 0 { sum / count as f32 } else { own };
-        let white = scaled(colour, 1.0 / brightness(colour));
-        three(|c| 0.8 / mean.max(1e-4) / white[c].max(0.1).power(BALANCE))
+        let outdoors = self.room_for(eye) + 1 == self.rooms.len();
+        let inside = |room: &usize| outdoors || room + 1 < self.rooms.len();
+        let levels = seen.into_iter().map(|r| usize::from(r).min(self.rooms.len() - 1)).filter(inside);
+        let mut levels: Vec<_> = levels.map(|room| self.level(room)).collect();
+        if levels.is_empty() {
+            levels.push(self.level(self.room_for(eye)));
+        }
+        let (count, first) = (levels.len() as f32, levels[0].0.max(DARK));
+        // Against the first, so that rooms alike are exactly that.
+        let off = levels.iter().map(|(level, _)| (level.max(DARK) / first).logarithm()).sum::<f32>() / count;
+        let most = BRIGHTER * first * off.exponential();
+        let mean = levels.iter().map(|(level, _)| level.min(most)).sum::<f32>() / count;
+        let colour = levels.iter().fold([0.0; 3], |sum, (_, c)| {
+            let share = 1.0 / brightness(*c);
+            three(|i| sum[i] + share * c[i])
+        });
+        three(|c| 0.8 / mean.max(DARK) / (colour[c] / count).max(0.1).power(BALANCE))
     }
 
     /// Mean radiance of a room if it were grey, thrown back and straight from its lamps, and its colour.
-    fn level(&self, room: usize) -> (f32, [f32; 3]) {
+    pub(super) fn level(&self, room: usize) -> (f32, [f32; 3]) {
         let lamps = self.lamps.iter().filter(|l| usize::from(l.room) == room);
         let own = lamps.fold([0.0; 3], |sum, lamp| three(|c| sum[c] + lamp.flux[c]));
         let (grid, share) = (&self.grids[room], 0.25 / (self.floor(room) * 4.0).max(1.0));
@@ -333,7 +323,7 @@ impl Lighting {
     }
 
     /// Area of a room's floor.
-    fn floor(&self, room: usize) -> f32 {
+    pub(super) fn floor(&self, room: usize) -> f32 {
         let (low, high) = self.rooms[room];
         (high[0] - low[0]) * (high[1] - low[1])
     }

@@ -5,7 +5,9 @@
 mod ambient;
 mod cloth;
 mod extent;
+mod even;
 mod flux;
+mod follow;
 mod grid;
 mod lamp;
 mod lighting;
@@ -14,6 +16,7 @@ mod pane;
 mod penumbra;
 mod room;
 mod shadow;
+mod side;
 mod sky;
 mod source;
 

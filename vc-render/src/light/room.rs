@@ -8,9 +8,10 @@ use rayon::prelude::*;
 
 use super::extent::rooms;
 use super::grid::Grid;
-use super::{Ambient, Lighting, brightness, dot};
+use super::{Ambient, Daylight, Lighting, brightness, dot};
 use crate::affine::three;
 use crate::renderer::Renderer;
+use crate::scene::NO_ROOM;
 use crate::trace::{Met, Ray};
 
 /// Rays from each point.
@@ -81,11 +82,24 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec
     for ((grid, before), [last, added]) in grids.iter_mut().zip(&before).zip(sums) {
         grid.go_on(before, if last > 0.0 { (added / last).clamp(0.0, MOST) } else { 0.0 });
     }
+    // Where nothing is in no room, outside is under the open sky.
+    if let Some(outside) = grids.last_mut().filter(|_| lighting.tracer.snapshot.bodies.iter().all(|b| b.room != NO_ROOM)) {
+        outside.fill(&open(&lighting.daylight, &directions));
+    }
     grids.iter_mut().for_each(Grid::settle);
     (grids, sunlight)
 }
 
-/// The mean share of the sun's light that panes leave, in each room; one where it does not shine.
+/// Light from all sides under the open sky.
+fn open(daylight: &Daylight, directions: &[[f32; 3]]) -> Ambient {
+    let mut light = Ambient::default();
+    let each = 4.0 * std::f32::consts::PI / directions.len() as f32;
+    directions.iter().for_each(|towards| light.add(*towards, daylight.radiance(*towards).map(|v| v * each)));
+    light
+}
+
+/// The mean share of the sun's light that panes leave, in each room: none where it does not shine, so that none comes
+/// through the edges of shadows, but outside, where one need not look.
 fn sunlight<'a>(seen: impl Iterator<Item = &'a Seen>, rooms: usize) -> Vec<f32> {
     let mut sums = vec![(0.0_f64, 0_u32); rooms];
     for seen in seen.filter(|seen| seen.sun > 0.0) {
@@ -95,7 +109,12 @@ fn sunlight<'a>(seen: impl Iterator<Item = &'a Seen>, rooms: usize) -> Vec<f32> 
             *count += 1;
         }
     }
-    sums.into_iter().map(|(sum, count)| if count > 0 { (sum / f64::from(count)) as f32 } else { 1.0 }).collect()
+    let share = |(room, (sum, count)): (usize, (f64, u32))| match count {
+        0 if room + 1 == rooms => 1.0,
+        0 => 0.0,
+        count => (sum / f64::from(count)) as f32,
+    };
+    sums.into_iter().enumerate().map(share).collect()
 }
 
 /// Which points are over something of their room: boxes of rooms with corners reach through their walls. All
@@ -166,7 +185,10 @@ impl Lighting {
             three(|i| glow[i] * shine[i])
         };
         let own = if lamp { [0.0; 3] } else { glow() };
-        let sunny = self.sunshine(met.at, met.normal).is_some_and(|lit| lit > 0.0);
+        // At edges maps of shadows let a little through.
+        let towards = || Ray { from: three(|i| met.at[i] + 1e-3 * met.flat[i]), along: self.daylight.towards_sun.into(), end: 1e4 };
+        let lit = self.sunshine(met.at, met.normal).is_some_and(|lit| lit > 0.0);
+        let sunny = lit && !self.tracer.blocked(&towards());
         let sun = if sunny { self.panes(renderer, met) } else { 0.0 };
         let into = self.room_of(body, met.at, met.flat);
         let direct = self.direct(met.at, met.normal, into, sun);

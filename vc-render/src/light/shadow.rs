@@ -2,6 +2,9 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
+use std::ops::Range;
+use std::sync::Arc;
+
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -9,11 +12,14 @@ use crate::affine::{Narrow, three};
 use crate::camera::Camera;
 use crate::raster::{Drawing, Frustum, Layers, Target};
 use crate::renderer::Renderer;
-use crate::scene::Snapshot;
+use crate::scene::{Instance, Snapshot};
+
+use super::look::column;
 
 /// Depth over an image plane, as seen from the middle of a round light.
 #[derive(Debug, Clone)]
 pub(crate) struct ShadowMap {
+    camera: Camera,
     /// From the world to pixels times depth, and depth.
     pub(super) map: Narrow,
     /// The image's axes in the world.
@@ -33,7 +39,7 @@ pub(crate) struct ShadowMap {
 
 /// Maps in all six directions.
 #[derive(Debug, Clone)]
-pub(crate) struct Cube(pub(super) Vec<ShadowMap>);
+pub(crate) struct Cube(pub(super) Vec<Arc<ShadowMap>>);
 
 /// Side of the sun's map, and of one of a lamp's, texels.
 const SUN: u32 = 2048;
@@ -44,6 +50,8 @@ pub(super) const BLOCK: u32 = 8;
 pub(super) const WIDEST: f32 = 6.0;
 /// Greatest clearance of a texel: bits of a depth, less than a millimetre.
 pub(super) const CLEAR: u32 = 15;
+/// How far clearances reach, texels.
+const REACH: i32 = WIDEST as i32 + 2;
 /// How far the eye of the sun's map is, metres; its rays are as good as parallel.
 const FAR: f32 = 400.0;
 /// The sun's radius at that distance, and half as much again for haze.
@@ -57,25 +65,86 @@ impl ShadowMap {
         camera: &Camera,
         (source, slack): (f32, f32),
     ) -> Self {
-        let side = camera.height as i32;
-        let frustum = Frustum::new(camera, &(0..side));
-        let drawing = Drawing { instances: &snapshot.instances, frustum, detail: renderer.detail.max(0.5) };
-        let mut layers = Layers::default();
-        layers.draw_solid(&drawing, which, (side as usize, 0..side));
-        let depth = blockwise(&depths(&layers.front, side, slack), side as usize);
+        let (side, across) = (camera.height as usize, (camera.height / BLOCK) as usize);
         let turn = camera.pose.rotation.to_rotation_matrix();
-        let axes = three(|c| turn.matrix().column(c).into());
-        let blocks = widened(&blocks(&depth), side as usize / BLOCK as usize);
-        Self {
-            map: frustum.map.narrow(),
-            axes,
+        let mut made = Self {
+            camera: *camera,
+            map: Frustum::new(camera, &(0..side as i32)).map.narrow(),
+            axes: three(|c| turn.matrix().column(c).into()),
             focal: camera.focal.0,
             side: camera.height,
-            depth,
-            blocks,
+            depth: vec![0.0; side * side],
+            blocks: vec![[0.0; 2]; across * across],
             source,
             slack,
+        };
+        made.draw(renderer, snapshot, which, &(0..side as i32));
+        made
+    }
+
+    /// Draws some rows anew, with all that hangs on them; the others are right.
+    fn draw(&mut self, renderer: &Renderer, snapshot: &Snapshot, which: impl Iterator<Item = u32>, rows: &Range<i32>) {
+        let side = self.side as i32;
+        // Whose clearance may have changed, and what that hangs on.
+        let changed = grown(rows, REACH + 1, side);
+        let drawn = grown(&changed, REACH + 1, side);
+        let frustum = Frustum::new(&self.camera, &drawn);
+        let drawing = Drawing { instances: &snapshot.instances, frustum, detail: renderer.detail.max(0.5) };
+        let mut layers = Layers::default();
+        layers.draw_solid(&drawing, which, (side as usize, drawn.clone()));
+        let depths = depths(&layers.front, (side, &drawn), self.slack);
+        for (y, depths) in drawn.zip(depths.chunks(side as usize)).filter(|(y, _)| changed.contains(y)) {
+            for (x, texels) in (0..self.side).step_by(BLOCK as usize).zip(depths.chunks(BLOCK as usize)) {
+                let at = (self.row(y as u32) + column(x)) as usize;
+                self.depth[at..at + texels.len()].copy_from_slice(texels);
+            }
         }
+        self.measure(&changed);
+    }
+
+    /// Finds the ends of depth of blocks anew, in some rows of texels and around.
+    fn measure(&mut self, rows: &Range<i32>) {
+        let (block, across) = (BLOCK as i32, (self.side / BLOCK) as i32);
+        let changed = grown(&(rows.start / block..(rows.end + block - 1) / block), 1, across);
+        let around = grown(&changed, 1, across);
+        let at = |row: i32| (row * across) as usize;
+        let texels = (BLOCK * BLOCK) as usize;
+        let found = blocks(&self.depth[at(around.start) * texels..at(around.end) * texels]);
+        let found = widened(&found, across as usize);
+        let first = at(changed.start - around.start);
+        let count = at(changed.end - changed.start);
+        self.blocks[at(changed.start)..at(changed.end)].copy_from_slice(&found[first..first + count]);
+    }
+
+    /// The map of another moment, at which some instances are elsewhere; none if it is the same.
+    pub(super) fn followed(
+        &self,
+        renderer: &Renderer,
+        moments: [&Snapshot; 2],
+        moved: &[u32],
+        which: impl Iterator<Item = u32>,
+    ) -> Option<Self> {
+        let frustum = Frustum::new(&self.camera, &(0..self.side as i32));
+        let rows = |index: &u32| moments.map(|moment| self.rows_of(&frustum, &moment.instances[*index as usize]));
+        let rows = moved.iter().flat_map(rows).flatten();
+        let rows = rows.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))?;
+        let mut map = self.clone();
+        map.draw(renderer, moments[1], which, &rows);
+        Some(map)
+    }
+
+    /// The rows in which an instance may be the nearest; none where all there is is nearer.
+    fn rows_of(&self, frustum: &Frustum, instance: &Instance) -> Option<Range<i32>> {
+        if frustum.misses(&instance.ball) {
+            return None;
+        }
+        let map = frustum.map.after(&instance.world).narrow();
+        let seen = frustum.extent(&map, &instance.link.levels[0].bounds)?;
+        let across = self.side / BLOCK;
+        let [low, high] = [seen.low, seen.high].map(|at| at.map(|v| v as u32 / BLOCK));
+        let hides = |x: u32, y: u32| self.blocks[(y * across + x) as usize][1] < seen.nearest - self.slack;
+        let hidden = (low[1]..=high[1]).all(|y| (low[0]..=high[0]).all(|x| hides(x, y)));
+        (!hidden).then_some(seen.low[1]..seen.high[1] + 1)
     }
 
     /// The sun's, over everything within a ball.
@@ -95,23 +164,17 @@ impl ShadowMap {
     }
 }
 
-/// Texels row by row to texels block by block.
-fn blockwise(rows: &[f32], side: usize) -> Vec<f32> {
-    let block = BLOCK as usize;
-    let mut all = Vec::with_capacity(rows.len());
-    for rows in rows.chunks(side * block) {
-        for x in (0..side).step_by(block) {
-            rows.chunks(side).for_each(|row| all.extend_from_slice(&row[x..x + block]));
-        }
-    }
-    all
+/// Some rows and so many around them, of all there are.
+fn grown(rows: &Range<i32>, by: i32, all: i32) -> Range<i32> {
+    (rows.start - by).max(0)..(rows.end + by).min(all)
 }
 
-/// Depths row by row, with their clearance in the lowest bits.
-fn depths(target: &Target, side: i32, slack: f32) -> Vec<f32> {
+/// Depths row by row, with their clearance in the lowest bits: that is right where it does not reach beyond the rows.
+fn depths(target: &Target, (side, rows): (i32, &Range<i32>), slack: f32) -> Vec<f32> {
     let width = side as usize;
-    let mut clear = vec![0; width * width];
-    clear.par_chunks_mut(width).zip(0..side).filter(|(_, y)| (1..side - 1).contains(y)).for_each(|(out, y)| {
+    let mut clear = vec![0; width * rows.len()];
+    let inner = (rows.start + 1).max(1)..(rows.end - 1).min(side - 1);
+    clear.par_chunks_mut(width).zip(rows.clone()).filter(|(_, y)| inner.contains(y)).for_each(|(out, y)| {
         let [above, own, below] = [y - 1, y, y + 1].map(|y| target.inverse_row(y));
         crate::simd::widest(
             #[inline(always)]
@@ -119,7 +182,7 @@ fn depths(target: &Target, side: i32, slack: f32) -> Vec<f32> {
         );
     });
     let clear = spread(&spread(&clear, 1), width);
-    let inverse = (0..side).flat_map(|y| target.inverse_row(y));
+    let inverse = rows.clone().flat_map(|y| target.inverse_row(y));
     let depth = |(v, clear): (&f32, u8)| f32::from_bits((1.0 / v.max(1e-12)).to_bits() & !CLEAR | u32::from(clear));
     inverse.zip(clear).map(depth).collect()
 }
@@ -145,7 +208,7 @@ fn spread(from: &[u8], stride: usize) -> Vec<u8> {
     let mut near = from.to_vec();
     near.par_chunks_mut(PART).enumerate().for_each(|(part, near)| {
         let (start, end) = (part * PART, part * PART + near.len());
-        for by in 1..=WIDEST as usize + 2 {
+        for by in 1..=REACH as usize {
             // Texels at the border are zero, so none beyond is missed.
             let after = from.get(start + by * stride..).unwrap_or(&[]);
             let missing = (by * stride).saturating_sub(start).min(near.len());
@@ -178,9 +241,10 @@ fn blocks(depth: &[f32]) -> Vec<[f32; 2]> {
 
 /// The same of every block and those around it.
 fn widened(blocks: &[[f32; 2]], across: usize) -> Vec<[f32; 2]> {
-    let around = |at: usize| at.saturating_sub(1)..(at + 2).min(across);
+    let around = |at: usize, count: usize| at.saturating_sub(1)..(at + 2).min(count);
     let wide = |i: usize| {
-        let near = around(i / across).flat_map(|y| around(i % across).map(move |x| blocks[y * across + x]));
+        let rows = around(i / across, blocks.len() / across);
+        let near = rows.flat_map(|y| around(i % across, across).map(move |x| blocks[y * across + x]));
         near.fold([f32::INFINITY, 0.0], |a: [f32; 2], b| [a[0].min(b[0]), a[1].max(b[1])])
     };
     (0..blocks.len()).map(wide).collect()
@@ -196,8 +260,22 @@ impl Cube {
         let face = |axis: usize| {
             let towards = Vector3::ith(axis % 3, if axis < 3 { 1.0 } else { -1.0 });
             let camera = camera.looking(eye, eye + towards);
-            ShadowMap::new(renderer, snapshot, which.iter().copied(), &camera, (radius, 0.025))
+            Arc::new(ShadowMap::new(renderer, snapshot, which.iter().copied(), &camera, (radius, 0.025)))
         };
         Self((0..6).map(face).collect())
+    }
+
+    /// The maps of another moment, as [`ShadowMap::followed`] makes them.
+    pub(super) fn followed(
+        &self,
+        renderer: &Renderer,
+        moments: [&Snapshot; 2],
+        moved: &[u32],
+        which: impl Iterator<Item = u32> + Clone,
+    ) -> Self {
+        let face = |map: &Arc<ShadowMap>| {
+            map.followed(renderer, moments, moved, which.clone()).map_or_else(|| map.clone(), Arc::new)
+        };
+        Self(self.0.iter().map(face).collect())
     }
 }

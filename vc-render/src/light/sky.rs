@@ -28,6 +28,13 @@ pub struct Daylight {
     pub ground: Vector3<f32>,
 }
 
+/// Elevation and azimuth of the sun at noon, radians.
+const NOON: (f32, f32) = (0.85, 0.7);
+/// Elevation of a sun that has not quite set, radians.
+const LOW: f32 = 0.12;
+/// When dusk begins and ends, hours from midday.
+const DUSK: (f32, f32) = (5.5, 7.5);
+
 impl Daylight {
     /// A clear day with the sun at an elevation above the horizon and an azimuth
     /// from X towards Y, radians. The lower the sun, the redder: by the air that its light passes (Kasten and Young's
@@ -53,7 +60,40 @@ impl Daylight {
 
     /// A clear day, the sun high.
     pub fn noon() -> Self {
-        Self::clear(0.85, 0.7)
+        Self::clear(NOON.0, NOON.1)
+    }
+
+    /// A clear day's light at an hour of the day, 0 to 24: that of [`noon`](Self::noon) at 12, of the sun in the east
+    /// at 6 and in the west at 18, which is half as high at 8 and at 16; of dusk then, which takes an hour, and of
+    /// [`night`](Self::night). Other hours are of the day before or after.
+    ///
+    /// ```
+    /// use vc_render::Daylight;
+    /// assert_eq!(Daylight::at(12.0), Daylight::noon());
+    /// assert_eq!(Daylight::at(23.0), Daylight::night());
+    /// let [morning, evening] = [Daylight::at(8.0), Daylight::at(19.0)];
+    /// assert!(morning.sun.x > 0.0 && evening.sun.x == 0.0 && evening.zenith.z < morning.zenith.z);
+    /// ```
+    pub fn at(hour: f32) -> Self {
+        use std::f32::consts::PI;
+        // From midday, hours.
+        let off = (hour - 12.0) - 24.0 * ((hour - 12.0) / 24.0).round();
+        let rise = NOON.0 * (off * PI / 12.0).cosine();
+        let day = Self::clear(rise.max(LOW), NOON.1 - off * PI / 12.0);
+        let (since, night) = ((off.abs() - DUSK.0) / (DUSK.1 - DUSK.0), Self::night());
+        match since {
+            s if s <= 0.0 => day,
+            s if s < 1.0 => {
+                // Light falls off by the same share in the same time.
+                let between = |day: Vector3<f32>, night: Vector3<f32>| {
+                    day.zip_map(&night, |day, night| day.max(night) * (night / day.max(night)).power(s))
+                };
+                let (zenith, horizon) = (between(day.zenith, night.zenith), between(day.horizon, night.horizon));
+                let ground = between(day.ground, night.ground);
+                Self { sun: Vector3::zeros(), zenith, horizon, ground, ..day }
+            }
+            _ => night,
+        }
     }
 
     /// An even grey sky, no sun.
@@ -64,8 +104,8 @@ impl Daylight {
 
     /// Darkness, but for a little light of the sky.
     pub fn night() -> Self {
-        // Far darker than rooms with a lamp: windows are dark panes then.
-        let dark = Vector3::new(0.0004, 0.0006, 0.0012);
+        // A town's, some tenths of a candela per square metre: far darker than walls by lamplight.
+        let dark = Vector3::new(1.0e-5, 1.5e-5, 3.0e-5);
         Self { sun: Vector3::zeros(), zenith: dark, horizon: dark * 1.8, ground: dark * 0.4, ..Self::noon() }
     }
 

@@ -15,6 +15,27 @@ use crate::surface::Coat;
 /// Room of what is in none.
 pub(crate) const NO_ROOM: u16 = u16::MAX;
 
+/// How a body stands to its room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Stands {
+    Within,
+    /// It bounds the room, as walls and windows do: its outer side is not in it.
+    Around,
+    /// It is of two rooms, as doors are.
+    Between,
+}
+
+impl Stands {
+    /// By the category of its class.
+    pub(super) fn of(category: &str) -> Self {
+        match category {
+            "door" => Self::Between,
+            "structure" | "window" => Self::Around,
+            _ => Self::Within,
+        }
+    }
+}
+
 /// A node that can be seen.
 #[derive(Debug, Clone)]
 pub(crate) struct Body {
@@ -23,8 +44,8 @@ pub(crate) struct Body {
     pub(crate) class: u16,
     /// Index in the scene's list of rooms.
     pub(crate) room: u16,
-    /// Whether it stands between two rooms, as doors do.
-    pub(crate) between: bool,
+    /// How it stands to its room.
+    pub(crate) stands: Stands,
     /// Whether what glows in it does.
     pub(crate) lit: bool,
     pub(crate) pose: Pose,

@@ -6,7 +6,7 @@ use vc_graph::asset::Joint;
 use vc_graph::{NodeId, Pose};
 
 use super::cover::draw;
-use super::{Snapshot, liquid};
+use super::{NO_ROOM, Snapshot, liquid};
 use crate::RenderError;
 use crate::affine::Affine;
 use crate::surface::Coat;
@@ -26,6 +26,31 @@ impl Snapshot {
         for instance in &mut self.instances[body.instances.start as usize..body.instances.end as usize] {
             instance.put(pose, &body.scale);
         }
+        Ok(())
+    }
+
+    /// Says in which room a body is from now on, if in any: that room's light falls on it. What was moved, by
+    /// [`place`](Self::place), is else lit as in the room in which it was. Costs a step for each room.
+    ///
+    /// ```
+    /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// use vc_render::Renderer;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let [kitchen, hall] = [scene.add(Draft::new("kitchen"))?, scene.add(Draft::new("hallway"))?];
+    /// let cart = Draft::new("serving_cart").bounds(Bounds::standing([0.4, 0.7, 0.8].into()));
+    /// let cart = scene.add_in(kitchen, cart.at(Pose::identity()))?;
+    /// let mut snapshot = Renderer::new().snapshot(&scene.build())?;
+    /// snapshot.place(cart, &Pose::translation(0.0, 4.0, 0.0))?;
+    /// snapshot.enter(cart, Some(hall))?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RenderError::NoBody`] if the scene has no such body or no such room.
+    pub fn enter(&mut self, node: NodeId, room: Option<NodeId>) -> Result<(), RenderError> {
+        let index = self.body(node)?;
+        let number = |room: NodeId| self.rooms.iter().position(|r| *r == room).ok_or(RenderError::NoBody(room));
+        self.bodies[index].room = room.map(number).transpose()?.map_or(NO_ROOM, |number| number as u16);
         Ok(())
     }
 

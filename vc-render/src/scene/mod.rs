@@ -4,11 +4,12 @@ mod body;
 mod change;
 mod classes;
 mod cover;
+mod extent;
 mod liquid;
 mod snapshot;
 mod store;
 mod untied;
 
-pub(crate) use body::{Body, Instance, NO_ROOM, turned};
+pub(crate) use body::{Body, Instance, NO_ROOM, Stands, turned};
 pub use snapshot::Snapshot;
 pub(crate) use store::Store;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use vc_graph::asset::Joint;
 use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State};
 
-use super::body::{Poured, Tied};
+use super::body::{Poured, Stands, Tied};
 use super::classes::Classes;
 use super::cover::{Around, hang};
 use super::{Body, Instance, NO_ROOM, Store, liquid};
@@ -88,7 +88,7 @@ impl Snapshot {
                 node: node.id(),
                 class: classes.number(node.class()),
                 room,
-                between: &*node.spec().category == "door",
+                stands: Stands::of(&node.spec().category),
                 lit: node.is(State::On),
                 pose: *pose,
                 scale,
@@ -96,7 +96,7 @@ impl Snapshot {
                 bounds: Default::default(),
             };
             body.bounds = body.measured(&instances[first as usize..]);
-            if is_cover(node) {
+            if graph.covers_windows(node.id()) {
                 around.covers.push((bodies.len(), node.is(State::Closed)));
             } else if OPENINGS.contains(&&*node.spec().category) {
                 around.openings.push(bodies.len());
@@ -189,24 +189,20 @@ impl Piece {
     }
 }
 
-/// Whether it can be drawn over a window.
-fn is_cover(node: &Node) -> bool {
-    node.affords(Property::Cover) && node.affords(Property::Openable)
-}
-
 /// The links of a node, and those of what can be poured into it and of what it is when it is untied.
 fn links(store: &mut Store, graph: &SceneGraph, node: &Node) -> Result<Vec<Piece>, RenderError> {
     let solid = |links: Vec<Arc<Link>>| links.into_iter().map(Piece::new).collect::<Vec<Piece>>();
     let Some(id) = node.spec().asset else { return Ok(solid(store.stand_in(node.spec()).unwrap_or_default())) };
     let missing = RenderError::NoSuchAsset { node: node.id(), asset: id.0 };
     let asset = graph.assets().get(id).ok_or(missing)?;
-    let mut all = solid(store.links(graph.assets(), asset, node.affords(Property::Cover)));
+    let cover = graph.covers_windows(node.id());
+    let mut all = solid(store.links(graph.assets(), asset, cover));
     if node.affords(Property::Recipient) {
         let poured = |bottom| Poured { there: node.contents().is_some(), bottom };
         let liquid = store.liquid(graph.assets(), asset);
         all.extend(liquid.map(|(link, bottom)| Piece { liquid: Some(poured(bottom)), ..Piece::new(link) }));
     }
-    let untied = if is_cover(node) { store.untied(graph.assets(), asset) } else { None };
+    let untied = if cover { store.untied(graph.assets(), asset) } else { None };
     if let Some((link, [band, cloth])) = untied {
         all.iter_mut().for_each(|piece| piece.tied = Some(Tied { drawn: false, hidden: cloth }));
         all.push(Piece { tied: Some(Tied { drawn: true, hidden: band }), ..Piece::new(link) });

@@ -124,7 +124,7 @@ pub(super) fn kitchen(b: &mut Build<'_>) {
     b.tube("tap", &tap, b.size.z * 0.011, STEEL);
     b.deck("worktop", [0.55, -0.0, z], (0.1, 0.12));
     b.slab("back_panel", [-1.0, -0.98, z], [-0.92, 0.98, 1.0], case);
-    b.slab("window", [-0.925, -0.3, z + 0.1], [-0.9, 0.3, z + 0.3], PICTURE_SKY);
+    b.slab("window", [-0.925, -0.3, z + 0.1], [-0.9, 0.3, z + 0.3], SKY);
     b.slab("shelf", [-0.92, -0.98, 0.92], [-0.3, 0.98, 0.94], b.style.wood);
     b.deck("shelf", [-0.6, 0.0, 0.94], (0.28, 0.9));
     for i in 0..4 {

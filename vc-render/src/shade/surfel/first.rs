@@ -2,8 +2,7 @@
 
 use super::{BENT, Known, Look, NONE, Paint, UNMOVED, Writer};
 use crate::affine;
-use crate::label::{Bent, bent, unit};
-use crate::scene::Body;
+use crate::label::{Bent, bent};
 use crate::shade::texture::Texture;
 use crate::surface::{Coat, Pattern, Role, Surface, Tile};
 
@@ -68,14 +67,6 @@ impl Writer<'_> {
         });
     }
 
-    /// The room whose light falls on a triangle.
-    fn looks_into(&self, triangle: u32, body: &Body) -> u16 {
-        let (visible, instances) = (self.visible[triangle as usize], &self.view.snapshot.instances);
-        let (mesh, index, instance) = (visible.mesh(instances), visible.index(), &instances[visible.instance as usize]);
-        let at = affine::point(&instance.world.narrow(), mesh.triangle(mesh.cluster_of(index), index)[0]);
-        self.lighting.room_of(body, at, unit(affine::normal(&instance.inverse, mesh.normals[index][0])))
-    }
-
     /// The number of what pixels of an instance's surface have in common, one of whose triangles is given.
     fn look(&self, triangle: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
         let instance = self.visible[triangle as usize].instance;
@@ -101,7 +92,7 @@ impl Writer<'_> {
         let shine = self.lighting.through(of, own).unwrap_or(shine);
         let next = known.heads[instance as usize];
         known.heads[instance as usize] = known.looks.len() as u32;
-        let room = if body.between { self.looks_into(triangle, body) } else { body.room };
+        let room = self.lighting.room_seen(self.view.snapshot, &self.visible[triangle as usize]);
         let mirror = of.is_mirror();
         known.looks.push(Look { surface, facet, room, mirror, glow, shine, next, paints: [NONE; 9] });
         known.looks.len() as u32 - 1

@@ -1,0 +1,75 @@
+//! Light for plans, on which rooms that are bright and rooms that are dark are seen at once.
+
+use std::sync::Arc;
+
+use super::Lighting;
+use super::lamp::Lamp;
+use crate::affine::scaled;
+use crate::scene::{Body, NO_ROOM};
+
+/// Levels below this are as good as dark.
+const DARK: f32 = 1e-4;
+
+impl Lighting {
+    /// The same light with rooms, and what is outside, nearer to each other in brightness: by none of the way for 0,
+    /// all alike for 1. For plans and maps, where an eye would get used to each room by itself. Shadows and patches
+    /// of sun stay within each room what they are; a room that is all but dark is lit evenly, by half as much light as
+    /// others have. Costs a copy of the light that rooms throw back, about a
+    /// millisecond; for fast pictures, as mirrors and reference pictures show light as it is.
+    ///
+    /// ```
+    /// # use nalgebra::{Point3, Vector3};
+    /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// use vc_render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
+    /// # let mut scene = SceneBuilder::new("flat");
+    /// # let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+    /// # scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+    /// # let scene = scene.build();
+    /// # let mut renderer = Renderer::new();
+    /// # let snapshot = renderer.snapshot(&scene)?;
+    /// let lighting = renderer.light(&snapshot, &Daylight::noon()).evened(0.8);
+    /// let camera = Camera::with_fov(64, 48, 1.0).overhead(Point3::new(2.0, 0.0, 2.0), 4.0);
+    /// let mut frame = Frame::new();
+    /// renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn evened(&self, share: f32) -> Self {
+        let share = share.clamp(0.0, 1.0);
+        let (middle, gains) = self.evening(share);
+        let Some((outside, _)) = gains.split_last() else { return self.clone() };
+        let of = |room: u16| gains.get(usize::from(room)).unwrap_or(outside);
+        let lamp = |lamp: &Lamp| Lamp { flux: scaled(lamp.flux, *of(lamp.room)), ..lamp.clone() };
+        let room = |body: u32| of(self.tracer.snapshot.bodies.get(body as usize).map_or(NO_ROOM, |b: &Body| b.room));
+        let even = |(room, gain): (usize, &f32)| {
+            let missing = 0.5 * middle - gain * self.level(room).0;
+            let inside = room + 1 < gains.len();
+            self.grids[room].dimmed(*gain, if inside { share * missing.max(0.0) } else { 0.0 })
+        };
+        let mut daylight = self.daylight;
+        for sky in [&mut daylight.zenith, &mut daylight.horizon, &mut daylight.ground] {
+            *sky *= *outside;
+        }
+        Self {
+            daylight,
+            lamps: Arc::new(self.lamps.iter().map(lamp).collect()),
+            gains: self.gains.iter().zip(0..).map(|(gain, body)| gain.map(|g| g * room(body))).collect(),
+            grids: Arc::new(gains.iter().enumerate().map(even).collect()),
+            sunlight: self.sunlight.iter().zip(&gains).map(|(light, gain)| light * gain).collect(),
+            cloth: self.cloth.iter().map(|(body, light)| (*body, scaled(*light, *room(*body)))).collect(),
+            ..self.clone()
+        }
+    }
+
+    /// The level of rooms on the whole, and by room, with outside last, what its light is multiplied with.
+    fn evening(&self, share: f32) -> (f32, Vec<f32>) {
+        use vc_graph::portable::Portable;
+        let levels: Vec<f32> = (0..self.rooms.len()).map(|room| self.level(room).0.max(DARK)).collect();
+        // Without outside, unless there is nothing else.
+        let inside = &levels[..levels.len().saturating_sub(1).max(levels.len().min(1))];
+        let middle = inside.iter().map(|level| level.logarithm()).sum::<f32>() / inside.len().max(1) as f32;
+        let gain = |level: &f32| (share * (middle - level.logarithm())).exponential();
+        (middle.exponential(), levels.iter().map(gain).collect())
+    }
+}

@@ -1,0 +1,133 @@
+//! Shadows that follow what moves, while the light that rooms throw back stays.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::lamp::{Lamp, lamps, others};
+use super::Lighting;
+use crate::RenderError;
+use crate::renderer::Renderer;
+use crate::scene::Snapshot;
+
+impl Renderer {
+    /// Lets shadows, mirrors and reference pictures follow to another moment of the same scene: what has moved throws
+    /// its shadow from where it is and no more from where it was, and lamps that were carried shine from where they
+    /// are. What rooms throw back stays as it was; [`relight`](Self::relight) makes that anew, too.
+    ///
+    /// Shadows are then to the bit as [`light`](Self::light) would make them. Only rows of shadow maps in which
+    /// something moved may be the nearest are drawn again: some milliseconds where a person walks in the sun or below
+    /// a lamp, and less than one where nothing has moved in the light (`benches/README.md`).
+    ///
+    /// ```
+    /// # use nalgebra::{Point3, Vector3};
+    /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// use vc_render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
+    /// # let mut scene = SceneBuilder::new("yard");
+    /// # let slab = Bounds::standing(Vector3::new(6.0, 6.0, 0.1));
+    /// # scene.add(Draft::new("floor").at(Pose::translation(0.0, 0.0, -0.1)).bounds(slab))?;
+    /// # let size = Bounds::standing(Vector3::new(0.4, 0.4, 1.0));
+    /// # let chair = scene.add(Draft::new("chair").at(Pose::identity()).bounds(size))?;
+    /// # let scene = scene.build();
+    /// # let mut renderer = Renderer::new();
+    /// let mut snapshot = renderer.snapshot(&scene)?;
+    /// let mut lighting = renderer.light(&snapshot, &Daylight::noon());
+    /// snapshot.place(chair, &Pose::translation(1.0, 0.5, 0.0))?;
+    /// renderer.follow(&mut lighting, &snapshot)?;
+    /// let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(3.0, -2.0, 2.0), Point3::new(0.5, 0.0, 0.0));
+    /// let mut frame = Frame::new();
+    /// renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`relight`](Self::relight); the light is then as it was.
+    pub fn follow(&self, lighting: &mut Lighting, snapshot: &Snapshot) -> Result<(), RenderError> {
+        lighting.check(&self.store)?;
+        lighting.tracer.snapshot.with("snapshot to follow", snapshot)?;
+        lighting.tracer.follow(snapshot)?;
+        let before = std::mem::replace(&mut lighting.cast, Arc::new(snapshot.clone()));
+        let pairs = before.instances.iter().zip(&snapshot.instances).zip(0..);
+        let moved: Vec<u32> = pairs.filter(|((a, b), _)| a.world != b.world).map(|(_, index)| index).collect();
+        if moved.is_empty() {
+            return Ok(());
+        }
+        let moments = [&*before, snapshot];
+        let all = 0..snapshot.instances.len() as u32;
+        let sun = lighting.sun.as_ref().and_then(|map| map.followed(self, moments, &moved, all));
+        if let Some(sun) = sun {
+            lighting.sun = Some(Arc::new(sun));
+        }
+        self.follow_lamps(lighting, moments, &moved);
+        Ok(())
+    }
+
+    /// Lamps by which something has moved, and those that have moved themselves.
+    fn follow_lamps(&self, lighting: &mut Lighting, moments: [&Snapshot; 2], moved: &[u32]) {
+        let bodies: Vec<u32> = moved.iter().map(|i| moments[1].instances[*i as usize].body).collect();
+        let stays = |lamp: &&Lamp| !bodies.contains(&lamp.body);
+        let followed = |lamp: &Lamp| {
+            let others = others(moments[1], lamp.body);
+            Lamp { shadows: lamp.shadows.followed(self, moments, moved, others), ..lamp.clone() }
+        };
+        let count = lighting.lamps.len();
+        let mut all: Vec<Lamp> = lighting.lamps.par_iter().filter(stays).map(followed).collect();
+        if all.len() < count {
+            (lighting.gains, all) = lamps(self, &lighting.tracer, &all);
+        }
+        lighting.lamps = Arc::new(all);
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
+mod tests {
+    use vc_graph::{NodeId, Pose};
+
+    use crate::common::lamplit;
+    use crate::light::Daylight;
+    use crate::light::shadow::ShadowMap;
+    use crate::renderer::Renderer;
+
+    fn same(name: &str, a: &ShadowMap, b: &ShadowMap) {
+        let bits = |map: &ShadowMap| map.depth.iter().map(|v| v.to_bits()).collect::<Vec<u32>>();
+        let other = bits(a).iter().zip(&bits(b)).filter(|(a, b)| a != b).count();
+        assert_eq!(other, 0, "{name}: {other} texels are others");
+        assert!(a.blocks == b.blocks, "{name}: ends of blocks are others");
+    }
+
+    /// Shadows that followed step by step are to the bit those that are made at once.
+    #[test]
+    fn shadows_that_followed_are_as_if_made_anew() {
+        let mut renderer = Renderer::new();
+        let mut snapshot = renderer.snapshot(&lamplit()).unwrap();
+        let nodes: Vec<NodeId> = snapshot.nodes().collect();
+        let lamp = snapshot.lamps().next().unwrap();
+        snapshot.switch(lamp, true).unwrap();
+        // Low enough to shine in where a wall is left out.
+        snapshot.hide(nodes[2], true).unwrap();
+        let daylight = Daylight::clear(0.3, 0.1);
+        let mut lighting = renderer.light(&snapshot, &daylight);
+        let things: Vec<NodeId> = nodes.into_iter().rev().filter(|node| *node != lamp).take(30).collect();
+        let mut drawn = 0;
+        for (step, moved) in things.chunks(3).enumerate() {
+            for (i, node) in moved.iter().enumerate() {
+                let at = [0.5 * step as f32 - 2.2, 0.9 * i as f32 - 1.0, 0.4 + 0.15 * step as f32];
+                snapshot.place(*node, &crate::common::pose(at, step as f32, 0.3)).unwrap();
+            }
+            // The lamp is carried, too, in the end.
+            if step == 8 {
+                snapshot.place(lamp, &Pose::translation(0.9, 0.2, 1.9)).unwrap();
+            }
+            let before = lighting.sun.clone().unwrap();
+            renderer.follow(&mut lighting, &snapshot).unwrap();
+            drawn += usize::from(!std::sync::Arc::ptr_eq(&before, lighting.sun.as_ref().unwrap()));
+            let anew = renderer.light(&snapshot, &daylight);
+            same("sun", lighting.sun.as_ref().unwrap(), anew.sun.as_ref().unwrap());
+            let [own, other] = [&lighting.lamps[0], &anew.lamps[0]];
+            assert!(own.at == other.at && own.flux == other.flux);
+            own.shadows.0.iter().zip(&other.shadows.0).for_each(|(a, b)| same("lamp", a, b));
+        }
+        assert!(drawn > 2, "the sun shines on {drawn} of these moves");
+    }
+}

@@ -1,0 +1,78 @@
+//! Which room's light falls on what is seen.
+
+use nalgebra::Vector3;
+
+use super::Lighting;
+use crate::affine::{self, three};
+use crate::label::unit;
+use crate::raster::Visible;
+use crate::scene::{Body, NO_ROOM, Snapshot, Stands};
+use crate::trace::Ray;
+
+/// How far before a door or a wall it is in the room which that looks into, metres.
+const AHEAD: f32 = 0.3;
+
+impl Lighting {
+    /// The room whose light falls on a triangle that is seen.
+    pub(crate) fn room_seen(&self, snapshot: &Snapshot, seen: &Visible) -> u16 {
+        let instance = &snapshot.instances[seen.instance as usize];
+        let body = &snapshot.bodies[instance.body as usize];
+        if body.stands == Stands::Within {
+            return body.room;
+        }
+        let (mesh, index) = (seen.mesh(&snapshot.instances), seen.index());
+        let [a, b, c] = mesh.triangle(mesh.cluster_of(index), index);
+        let at = if body.stands == Stands::Between { a } else { three(|i| (a[i] + b[i] + c[i]) / 3.0) };
+        let at = affine::point(&instance.world.narrow(), at);
+        self.room_of(body, at, unit(affine::normal(&instance.inverse, mesh.normals[index][0])))
+    }
+
+    /// The room whose light falls on a face of a body: that which it looks into, where the body stands between two or
+    /// bounds its room.
+    pub(crate) fn room_of(&self, body: &Body, at: [f32; 3], normal: [f32; 3]) -> u16 {
+        match body.stands {
+            Stands::Within => body.room,
+            Stands::Around => self.room_before(body.room, at, normal),
+            Stands::Between => {
+                let (out, middle) = (body.pose.rotation * Vector3::x(), body.pose.translation.vector);
+                let side = (Vector3::from(at) - middle).dot(&out).signum();
+                // What looks along the wall is of the room on its side.
+                let before = [normal, (out * side).into()].map(|along| three(|i| at[i] + AHEAD * along[i]));
+                let around = before.into_iter().find_map(|at| self.room_around(at));
+                around.map_or_else(|| self.open_or(body.room, at, normal), |room| room as u16)
+            }
+        }
+    }
+
+    /// The room before a face of a room's wall: another, or none, where it looks out of the room into the open.
+    fn room_before(&self, own: u16, at: [f32; 3], normal: [f32; 3]) -> u16 {
+        let ahead = three(|i| at[i] + AHEAD * normal[i]);
+        if self.rooms.get(usize::from(own)).is_none_or(|(low, high)| holds(low, high, ahead)) {
+            return own;
+        }
+        self.room_around(ahead).map_or_else(|| self.open_or(own, at, normal), |room| room as u16)
+    }
+
+    /// No room for a face that looks out under the open sky, past the wall that it may be set in; else the one that is
+    /// given.
+    fn open_or(&self, room: u16, at: [f32; 3], normal: [f32; 3]) -> u16 {
+        let from = three(|i| at[i] + 2.0 * AHEAD * normal[i]);
+        if self.tracer.blocked(&Ray { from, along: [0.0, 0.0, 1.0], end: 1e4 }) { room } else { NO_ROOM }
+    }
+
+    /// The room that a place is in.
+    pub(super) fn room_around(&self, at: [f32; 3]) -> Option<usize> {
+        let within = |room: &usize| {
+            let (low, high) = &self.rooms[*room];
+            holds(low, high, at)
+        };
+        // Boxes of rooms with corners reach over their neighbours.
+        let rooms = (0..self.rooms.len().saturating_sub(1)).filter(within);
+        rooms.min_by(|a, b| self.floor(*a).total_cmp(&self.floor(*b)))
+    }
+}
+
+/// Whether a box holds a point.
+fn holds(low: &[f32; 3], high: &[f32; 3], at: [f32; 3]) -> bool {
+    (0..3).all(|k| at[k] >= low[k] && at[k] <= high[k])
+}
