@@ -5,6 +5,9 @@
 //! `--scene`, plain programs to be run in that scene, by one character or by several. What
 //! cannot be read is told, and the rest goes on; then it ends with 1.
 
+#[cfg(feature = "environment")]
+#[path = "support/bodies.rs"]
+mod bodies;
 mod support;
 
 use std::path::{Path, PathBuf};
@@ -27,6 +30,11 @@ struct Options {
     /// The scene in which .txt programs run: any scene file, or one with graphs before and after.
     #[arg(long)]
     scene: Option<PathBuf>,
+    /// Run the programs of .jsonl with bodies in --scene, each that fits it: every number it names has
+    /// the same class there.
+    #[cfg(feature = "environment")]
+    #[arg(long)]
+    bodies: bool,
     /// Also show differences in CLOSE and FACING.
     #[arg(long)]
     all: bool,
@@ -52,6 +60,11 @@ fn main() -> Result<ExitCode, Complaint> {
     };
     let scene = options.scene.as_ref().map(read).transpose()?;
     let mut tally = Tally::default();
+    #[cfg(feature = "environment")]
+    if options.bodies {
+        let scene = options.scene.as_deref().ok_or_else(|| Complaint::new("--bodies needs --scene FILE"))?;
+        return bodies::replay(&options.files, scene);
+    }
     for file in &options.files {
         if let Err(complaint) = replay(file, scene.as_ref(), &options, &mut tally) {
             say!("{complaint:?}");
