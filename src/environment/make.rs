@@ -9,7 +9,7 @@ use vc_physics::{BodyPlan, Floor, FloorPlan, Order, Settings, Shapes, World};
 use vc_relations::{Relations, Rule};
 
 use super::undo::Undo;
-use super::{Environment, MakeError, Start, act, observe, scene};
+use super::{Environment, MakeError, SceneOptions, Start, act, observe, scene};
 use crate::figure;
 
 /// What is not in the environment though it is in the scene.
@@ -27,7 +27,8 @@ const ASTRAY: f32 = 2.5;
 impl Environment {
     /// An environment by name, with some agents at free spots from where the rooms can be
     /// reached: `apartment/42` generates a home from a seed, `scene:FILE` reads a scene of
-    /// any format whose things have poses.
+    /// any format whose things have poses. What has a class and a box and no shape gets one
+    /// ([`vc_procgen::dress`]); [`make_with`](Self::make_with) leaves it a box.
     ///
     /// `Apartment::from_seed(seed).scene()` or `vc_graph::format::read_scene`, then
     /// [`Environment::of`].
@@ -44,7 +45,15 @@ impl Environment {
     /// # Errors
     /// [`MakeError`].
     pub fn make(name: &str, agents: usize) -> Result<Self, MakeError> {
-        Self::of(scene::named(name)?, agents)
+        Self::make_with(name, agents, &SceneOptions::default())
+    }
+
+    /// [`make`](Self::make) with choices: whether what has only a box gets a shape.
+    ///
+    /// # Errors
+    /// [`MakeError`].
+    pub fn make_with(name: &str, agents: usize, options: &SceneOptions) -> Result<Self, MakeError> {
+        Self::of(scene::named(name, options)?, agents)
     }
 
     /// An environment of a scene of your own. Agents that the scene has are kept, others

@@ -24,11 +24,11 @@ use vc_physics::{Floor, Posture, Shapes, World};
 use vc_relations::Relations;
 
 pub use agree::{Difference, Disagreement};
-use error::ShapesError;
 pub use error::{ActionError, Impossible, MakeError, ResetError, SaveError};
 #[cfg(feature = "render")]
 pub(crate) use export::position;
 pub use reset::{Elsewhere, ResetReport, Unplaced, Why};
+pub use scene::{Assets, SceneOptions};
 pub use steer::Steering;
 
 /// At which height somebody is in a room, metres.
