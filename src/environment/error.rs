@@ -72,6 +72,9 @@ pub enum MakeError {
     /// What has no shape cannot be given one.
     #[error(transparent)]
     Dress(#[from] DressError),
+    /// An agent of the scene cannot be put on free floor.
+    #[error(transparent)]
+    Agent(#[from] AgentError),
 }
 
 /// Why an environment was not reset; then it is as it was.

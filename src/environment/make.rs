@@ -9,7 +9,7 @@ use vc_physics::{BodyPlan, Floor, FloorPlan, Order, Settings, Shapes, World};
 use vc_relations::{Relations, Rule};
 
 use super::undo::Undo;
-use super::{Environment, MakeError, SceneOptions, Start, act, observe, scene};
+use super::{Assets, Environment, MakeError, SceneOptions, Start, act, boxes, observe, scene};
 use crate::figure;
 
 /// What is not in the environment though it is in the scene.
@@ -24,11 +24,22 @@ const APART: f32 = 0.8;
 /// How far from the middle of its room an agent may stand, metres.
 const ASTRAY: f32 = 2.5;
 
+/// What a scene was made into.
+struct Made {
+    world: World,
+    floor: Floor,
+    shapes: Shapes,
+    left_out: LeftOut,
+    /// Things of which the scene had only boxes, and what was made of them.
+    bare: Vec<NodeId>,
+    assets: Assets,
+}
+
 impl Environment {
     /// An environment by name, with some agents at free spots from where the rooms can be
     /// reached: `apartment/42` generates a home from a seed, `scene:FILE` reads a scene of
     /// any format whose things have poses. What has a class and a box and no shape gets one
-    /// ([`vc_procgen::dress`]); [`make_with`](Self::make_with) leaves it a box.
+    /// ([`vc_procgen::dress`]); [`make_with`](Self::make_with) leaves it to its box.
     ///
     /// `Apartment::from_seed(seed).scene()` or `vc_graph::format::read_scene`, then
     /// [`Environment::of`].
@@ -53,7 +64,7 @@ impl Environment {
     /// # Errors
     /// [`MakeError`].
     pub fn make_with(name: &str, agents: usize, options: &SceneOptions) -> Result<Self, MakeError> {
-        Self::of(scene::named(name, options)?, agents)
+        Self::of_with(scene::named(name)?, agents, options)
     }
 
     /// An environment of a scene of your own. Agents that the scene has are kept, others
@@ -79,7 +90,19 @@ impl Environment {
     /// # Errors
     /// [`MakeError`].
     pub fn of(graph: SceneGraph, agents: usize) -> Result<Self, MakeError> {
+        Self::of_with(graph, agents, &SceneOptions { assets: Assets::None })
+    }
+
+    /// [`of`](Self::of) with choices: whether what has only a box gets its class's shape.
+    ///
+    /// # Errors
+    /// [`MakeError`].
+    pub fn of_with(graph: SceneGraph, agents: usize, options: &SceneOptions) -> Result<Self, MakeError> {
         let graph = scene::shaped(&graph)?.unwrap_or(graph);
+        let (graph, bare) = match boxes::shaped(&graph, options.assets)? {
+            Some(shaped) => (shaped.graph, shaped.bare),
+            None => (graph, Vec::new()),
+        };
         let posed = |n: &&vc_graph::Node| n.kind() == Kind::Object && n.pose().is_some();
         if !graph.nodes().any(|n| posed(&n)) {
             return Err(MakeError::NoPoses { scene: graph.name().to_owned(), things: graph.len() });
@@ -87,9 +110,13 @@ impl Environment {
         let mut builder = SceneBuilder::of(graph);
         let shapes = Shapes::new();
         let mut world = World::build(builder.graph(), &shapes, Settings::default())?;
+        boxes::hold(&mut world, builder.graph(), &bare)?;
         act::calm(&mut world);
         let left_out = put_back(&mut world, &mut builder)?;
         let floor = Floor::of(&world, FloorPlan::default());
+        if !bare.is_empty() {
+            boxes::step_aside(&mut world, builder.graph(), &floor)?;
+        }
         let places = standing_places(builder.graph(), &world, &floor, agents)?;
         let mut library = builder.graph().assets().as_ref().clone();
         let people = (0..places.len()).map(|i| figure::add_to(&mut library, i));
@@ -106,21 +133,19 @@ impl Environment {
         if builder.graph().agents().is_empty() {
             return Err(MakeError::NoAgents);
         }
-        Self::begin(builder.build(), world, floor, shapes, left_out)
+        let made = Made { world, floor, shapes, left_out, bare, assets: options.assets };
+        Self::begin(builder.build(), made)
     }
 
-    fn begin(
-        mut graph: SceneGraph,
-        world: World,
-        floor: Floor,
-        shapes: Shapes,
-        left_out: LeftOut,
-    ) -> Result<Self, MakeError> {
+    fn begin(mut graph: SceneGraph, made: Made) -> Result<Self, MakeError> {
+        let Made { world, floor, shapes, left_out, bare, assets } = made;
+        let scene = graph.clone();
         observe::write_poses(&mut graph, &world)?;
         let relations = Relations::new(&graph, Rule::Repaired, observe::evidence(&world))?;
         let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
         relations.write(&mut graph, &all)?;
-        let start = Start { graph, world, relations, floor, shapes, left_out };
+        let elsewhere = boxes::keep(&scene, &mut graph, &bare)?;
+        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, assets };
         Ok(Self::at(Arc::new(start)))
     }
 

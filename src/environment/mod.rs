@@ -3,6 +3,7 @@
 mod act;
 mod agree;
 mod beat;
+mod boxes;
 mod deed;
 mod error;
 mod export;
@@ -88,6 +89,9 @@ struct Start {
     floor: Floor,
     shapes: Shapes,
     left_out: Vec<(NodeId, Arc<str>)>,
+    elsewhere: Vec<Elsewhere>,
+    /// What is made of things of which a scene has only boxes.
+    assets: Assets,
 }
 
 impl Start {
@@ -133,6 +137,14 @@ impl Environment {
     /// of the home and had no free spot where the scene has them. Hardly ever any.
     pub fn left_out(&self) -> &[(NodeId, Arc<str>)] {
         &self.start.left_out
+    }
+
+    /// Things of a scene of boxes that geometry has elsewhere than the scene: it has coats in a
+    /// wardrobe that stick out of it, and a table in the box around a corner sofa. What is carried
+    /// and is still where the scene has it counts as there until it is moved; `now` is where it would
+    /// be by geometry.
+    pub fn elsewhere(&self) -> &[Elsewhere] {
+        &self.start.elsewhere
     }
 
     /// The agents, by number.

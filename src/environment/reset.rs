@@ -8,7 +8,7 @@ use vc_physics::{Order, World};
 use vc_relations::Relations;
 
 use super::undo::Undo;
-use super::{Environment, ResetError, act, observe, scene};
+use super::{Environment, ResetError, act, boxes, observe, scene};
 
 /// How far below a thing its support may be, metres.
 const HOVER: f32 = 0.02;
@@ -111,6 +111,8 @@ impl Environment {
             return Err(ResetError::OtherAgents { expected, found });
         }
         let shaped = scene::shaped(graph)?;
+        let boxed = boxes::shaped(shaped.as_ref().unwrap_or(graph), self.start.assets)?;
+        let shaped = boxed.map(|b| b.graph).or(shaped);
         let new_shapes = shaped.is_some();
         let mut wanted = shaped.unwrap_or_else(|| graph.clone());
         let mut plan = Plan::of(&self.start.graph, &wanted);

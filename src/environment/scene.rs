@@ -1,13 +1,15 @@
 //! Scenes by name, and shapes for what has none.
 
-use vc_graph::format::read_scene;
+use std::io::Read;
+
+use vc_graph::format::{LARGEST, read_scene};
 use vc_graph::{ClassTable, SceneGraph, Seed};
-use vc_procgen::dress::{self, DressError};
 use vc_procgen::Apartment;
+use vc_procgen::dress::{self, DressError};
 
 use super::MakeError;
 
-/// How a scene by name becomes an environment: [`Environment::make_with`](super::Environment::make_with).
+/// How a scene becomes an environment: [`Environment::make_with`](super::Environment::make_with).
 ///
 /// ```
 /// use virtualcity::{Assets, SceneOptions};
@@ -22,7 +24,7 @@ pub struct SceneOptions {
 /// Which shapes things get that have a class and a box alone, as in VirtualHome's scenes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Assets {
-    /// None: they stay boxes.
+    /// Plain ones, enough to walk and to put things on: [`vc_geometry`].
     None,
     /// Those their classes' generators make in their sizes: [`vc_procgen::dress`].
     #[default]
@@ -30,19 +32,25 @@ pub enum Assets {
 }
 
 /// The scene of a name: `apartment/SEED` is generated, `scene:FILE` is read.
-pub(super) fn named(name: &str, options: &SceneOptions) -> Result<SceneGraph, MakeError> {
+pub(super) fn named(name: &str) -> Result<SceneGraph, MakeError> {
     if let Some(seed) = name.strip_prefix("apartment/") {
         let seed = seed.parse().map_err(|_| MakeError::BadSeed(seed.to_owned()))?;
         return Ok(Apartment::from_seed(Seed(seed))?.scene());
     }
     let path = name.strip_prefix("scene:").ok_or_else(|| MakeError::UnknownName(name.to_owned()))?;
-    let text = std::fs::read_to_string(path).map_err(|error| MakeError::File { path: path.to_owned(), error })?;
-    let scene = read_scene(&text, &ClassTable::builtin());
-    let scene = scene.map_err(|error| MakeError::Format { path: path.to_owned(), error })?;
-    Ok(match options.assets {
-        Assets::None => scene,
-        Assets::Generated => dress::dressed(&scene, dress::seed_of(&scene))?,
-    })
+    let text = text(path).map_err(|error| MakeError::File { path: path.to_owned(), error })?;
+    read_scene(&text, &ClassTable::builtin()).map_err(|error| MakeError::Format { path: path.to_owned(), error })
+}
+
+/// The text of a file, unpacked if its name ends in `.gz`.
+fn text(path: &str) -> std::io::Result<String> {
+    if !path.ends_with(".gz") {
+        return std::fs::read_to_string(path);
+    }
+    let mut text = String::new();
+    let packed = std::io::BufReader::new(std::fs::File::open(path)?);
+    flate2::read::GzDecoder::new(packed).take(LARGEST as u64 + 1).read_to_string(&mut text)?;
+    Ok(text)
 }
 
 /// The scene with a shape for everything that has neither asset nor box and of whose class

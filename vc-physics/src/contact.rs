@@ -158,6 +158,12 @@ impl World {
         let mut open: Vec<_> = load.iter().filter_map(|id| Some(self.thing(*id).ok()?.state.base)).collect();
         open.push(body);
         while let Some(body) = open.pop() {
+            for pinned in self.pinned_on_base(body) {
+                if Some(pinned) != own && !load.contains(&pinned) {
+                    load.push(pinned);
+                    open.extend(self.thing(pinned).map(|t| t.state.base));
+                }
+            }
             for above in self.resting_on(body) {
                 let loose = self.thing(above).ok().filter(|t| t.state.role == Role::Loose);
                 if let Some(thing) = loose.filter(|_| Some(above) != own && !load.contains(&above)) {
@@ -209,6 +215,12 @@ impl World {
     /// The things that were pinned on a node's link.
     pub(crate) fn pinned_on(&self, part: (NodeId, usize)) -> Vec<NodeId> {
         self.things.iter().filter(|t| t.state.rides == Some(part)).map(|t| t.id).collect()
+    }
+
+    /// The things that were pinned to what a body is the base of.
+    fn pinned_on_base(&self, body: RigidBodyHandle) -> Vec<NodeId> {
+        let part = self.engine.bodies.get(body).map(|b| group::marked(b.user_data));
+        part.filter(|(_, link)| *link == 0).map_or_else(Vec::new, |part| self.pinned_on(part))
     }
 
     /// The nodes, and which of their links, that push a body from below.

@@ -65,6 +65,8 @@ struct Loaded {
     id: NodeId,
     #[serde(with = "crate::serial::pose")]
     at: Pose,
+    /// Whether it was pinned there, and is so again when the whole is put down.
+    pinned: bool,
 }
 
 impl Agent {
@@ -267,7 +269,9 @@ impl World {
         let pose = self.engine.pose(base).unwrap_or_else(Pose::identity);
         let grip = grip(body, hand, &pose, thing.form.extent);
         let load = self.load_of(base);
-        let at = |load: NodeId| Some(Loaded { id: load, at: pose.inverse() * self.pose(load)? });
+        let pinned = |load: NodeId| self.role(load) == Some(Role::Hung);
+        let at =
+            |load: NodeId| Some(Loaded { id: load, at: pose.inverse() * self.pose(load)?, pinned: pinned(load) });
         let (load, left): (Vec<NodeId>, Vec<NodeId>) = load.into_iter().partition(|id| comes(*id));
         let load: Vec<Loaded> = load.into_iter().filter_map(at).collect();
         for carried in load.iter().map(|l| l.id).chain([id]) {
@@ -346,11 +350,14 @@ impl World {
     fn free_hand(&mut self, agent: NodeId, hand: Hand, pose: Option<Pose>) -> Result<NodeId, AgentError> {
         let held = self.agent_mut(agent)?.hands[hand as usize].take().ok_or(AgentError::HandEmpty(agent))?;
         let pose = pose.or_else(|| self.pose(held.id)).unwrap_or_else(Pose::identity);
-        let load = held.load.iter().map(|l| (l.id, pose * l.at));
-        for (id, at) in std::iter::once((held.id, pose)).chain(load) {
+        let load = held.load.iter().map(|l| (l.id, pose * l.at, l.pinned));
+        for (id, at, pinned) in std::iter::once((held.id, pose, false)).chain(load) {
             // What was taken out of the world meanwhile is not put down.
             if self.set_role(id, Role::Loose).is_ok() {
                 self.place(id, at)?;
+                if pinned {
+                    self.pin_to(id, held.id)?;
+                }
             }
         }
         Ok(held.id)

@@ -154,6 +154,20 @@ impl World {
         }
     }
 
+    /// As [`Self::pin`], as a part of another thing: it goes along when that is taken. For what is in
+    /// a box and reaches into its walls.
+    ///
+    /// # Errors
+    /// As [`Self::pin`], also for what it is to be a part of.
+    pub fn pin_to(&mut self, id: NodeId, at: NodeId) -> Result<(), PhysicsError> {
+        self.thing(at)?;
+        self.pin(id)?;
+        let part = Some((at, 0));
+        let thing = self.thing_mut(id)?;
+        thing.state.rides = thing.state.rides.or(part);
+        Ok(())
+    }
+
     /// The body of a thing that moves; what hangs is taken down.
     fn loosen(&mut self, id: NodeId) -> Result<RigidBodyHandle, PhysicsError> {
         let thing = self.thing(id)?;

@@ -4,20 +4,22 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use vc_graph::{Aabb, ClassTable, Kind, Node, NodeId, Property, SceneGraph};
+use vc_geometry::Opening;
+use vc_graph::{Aabb, Asset, Bounds, ClassTable, Frame, Kind, Node, NodeId, Property, SceneGraph};
 
 use super::holders;
-use super::shell::{self, Opening};
 
 /// A scene's geometry, as far as it says how things look and which way they face.
 pub(super) struct House<'g> {
     pub(super) graph: &'g SceneGraph,
-    /// Floors, with their rooms.
-    pub(super) floors: Vec<(Aabb, Option<NodeId>)>,
+    /// Floors.
+    pub(super) floors: Vec<Aabb>,
     /// Straight pieces of wall.
     pub(super) walls: Vec<Aabb>,
-    /// Holes in walls for doors and windows.
+    /// Doors, their frames, windows.
     pub(super) openings: Vec<Opening>,
+    /// Walls and floors as geometry has them.
+    pub(super) shapes: BTreeMap<NodeId, Asset>,
     /// What stands in the way of somebody who walks.
     standing: Vec<(NodeId, Aabb)>,
     /// For each thing what it rests on or in.
@@ -31,21 +33,28 @@ impl<'g> House<'g> {
     pub(super) fn of(graph: &'g SceneGraph) -> Self {
         let objects = || graph.nodes().filter(|n| n.kind() == Kind::Object);
         let of_class = |class: &'static str| objects().filter(move |n| &**n.class() == class);
-        let boxed = |n: &Node| Some((n.aabb()?, graph.room_of(n.id())));
+        let mut shapes = vc_geometry::shapes(graph);
+        shapes.retain(|id, _| graph.node(*id).is_some_and(|n| ["wall", "floor"].contains(&&**n.class())));
+        let pieces = |n: &Node| shapes.get(&n.id()).map_or_else(Vec::new, |asset| pieces(n, asset));
         let mut house = Self {
             graph,
-            floors: of_class("floor").filter_map(boxed).collect(),
-            walls: Vec::new(),
-            openings: Vec::new(),
+            floors: of_class("floor").filter_map(Node::aabb).collect(),
+            walls: of_class("wall").flat_map(pieces).collect(),
+            openings: vc_geometry::openings(graph),
+            shapes: BTreeMap::new(),
             standing: Vec::new(),
             holders: BTreeMap::new(),
         };
-        house.walls = of_class("wall").flat_map(|n| shell::arms(&house, n)).collect();
-        house.openings = shell::openings(&house);
+        house.shapes = shapes;
         house.standing = objects().filter(|n| stands(graph.classes(), n)).filter_map(|n| Some((n.id(), n.aabb()?))).collect();
         let chain = |n: &Node| (n.id(), holders(graph, n.id()).map(Node::id).collect());
         house.holders = objects().map(chain).collect();
         house
+    }
+
+    /// Whether a node is the frame of a door.
+    pub(super) fn is_frame(&self, id: NodeId) -> bool {
+        self.graph.node(id).is_some_and(|n| &**n.class() == "doorjamb")
     }
 
     /// What a thing rests on or in, the nearest first.
@@ -56,9 +65,9 @@ impl<'g> House<'g> {
     /// The height of the floor below a thing, metres.
     pub(super) fn level(&self, around: &Aabb) -> f32 {
         let centre = around.centre();
-        let below = self.floors.iter().filter(|(f, _)| covers(f, centre.xy()) && f.max.z < centre.z);
-        let under = below.map(|(f, _)| f.max.z).reduce(f32::max);
-        under.or_else(|| self.floors.iter().map(|(f, _)| f.max.z).reduce(f32::min)).unwrap_or(around.min.z)
+        let below = self.floors.iter().filter(|f| covers(f, centre.xy()) && f.max.z < centre.z);
+        let under = below.map(|f| f.max.z).reduce(f32::max);
+        under.or_else(|| self.floors.iter().map(|f| f.max.z).reduce(f32::min)).unwrap_or(around.min.z)
     }
 
     /// Whether there is floor at a point that one can stand on, whatever `who` and what holds it
@@ -68,7 +77,7 @@ impl<'g> House<'g> {
         let apart = |id: NodeId| {
             id != who && !self.holders_of(who).contains(&id) && !self.holders_of(id).contains(&who)
         };
-        self.floors.iter().any(|(f, _)| covers(f, at))
+        self.floors.iter().any(|f| covers(f, at))
             && !self.walls.iter().any(|w| covers(w, at))
             && !self.standing.iter().any(|(id, b)| in_way(b) && apart(*id))
     }
@@ -97,4 +106,16 @@ pub(super) fn is_seat(classes: &ClassTable, class: &str) -> bool {
 
 fn covers(b: &Aabb, at: Point2<f32>) -> bool {
     (b.min.x..=b.max.x).contains(&at.x) && (b.min.y..=b.max.y).contains(&at.y)
+}
+
+/// The parts of a thing as boxes of the world.
+fn pieces(node: &Node, asset: &Asset) -> Vec<Aabb> {
+    let Some(pose) = node.pose() else { return Vec::new() };
+    let placed = |part: &vc_graph::asset::Part| {
+        let (low, high) = part.extent();
+        let half = (high - low) / 2.0;
+        let bounds = Bounds { offset: nalgebra::center(&low, &high).coords, half, frame: Frame::Object };
+        bounds.aabb(pose)
+    };
+    asset.parts.iter().map(placed).collect()
 }

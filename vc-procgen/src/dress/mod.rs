@@ -79,7 +79,7 @@ pub fn seed_of(graph: &SceneGraph) -> Seed {
 pub fn dressed(graph: &SceneGraph, seed: Seed) -> Result<SceneGraph, DressError> {
     let house = House::of(graph);
     let mut wardrobe = Wardrobe::new(graph, seed)?;
-    let looks = graph.nodes().map(|node| wardrobe.look(graph, &house, node)).collect::<Result<Vec<_>, _>>()?;
+    let looks = graph.nodes().map(|node| wardrobe.look(&house, node)).collect::<Result<Vec<_>, _>>()?;
     rebuilt(graph, looks, wardrobe.library)
 }
 
@@ -131,12 +131,12 @@ impl Wardrobe {
         Ok(Self { library, offset, style: Style::from_seed(seed), seed, made: BTreeMap::new() })
     }
 
-    fn look(&mut self, graph: &SceneGraph, house: &House, node: &Node) -> Result<Option<Look>, AssetError> {
+    fn look(&mut self, house: &House, node: &Node) -> Result<Option<Look>, AssetError> {
         let (Some(bounds), Some(pose)) = (node.spec().bounds, node.pose()) else { return self.usual(node) };
         if node.kind() != Kind::Object || node.spec().asset.is_some() {
             return Ok(None);
         }
-        if let Some(made) = shell::built(graph, house, node, &self.style, self.seed) {
+        if let Some(made) = shell::built(house, node, &self.style, self.seed) {
             return self.keep(made.asset, made.pose, made.bounds).map(Some);
         }
         let place = turn::placed(house, node.id(), pose, &bounds);

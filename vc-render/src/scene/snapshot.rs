@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use vc_graph::asset::Joint;
-use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State};
+use vc_graph::class::Category;
+use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State, Word};
 
 use super::body::{Poured, Tied};
 use super::cover::{Around, hang};
@@ -87,7 +88,7 @@ impl Snapshot {
                 node: node.id(),
                 class: classes.number(node.class()),
                 room,
-                between: &*node.spec().category == "door",
+                between: is_one(graph, node, &[Category::Door]),
                 lit: node.is(State::On),
                 pose: *pose,
                 scale,
@@ -97,7 +98,7 @@ impl Snapshot {
             body.bounds = body.measured(&instances[first as usize..]);
             if is_cover(node) {
                 around.covers.push((bodies.len(), node.is(State::Closed)));
-            } else if OPENINGS.contains(&&*node.spec().category) {
+            } else if is_one(graph, node, &[Category::Door, Category::Window]) {
                 around.openings.push(bodies.len());
             } else if node.kind() == Kind::Object && !node.affords(Property::Graspable) {
                 around.standing.push(bodies.len());
@@ -167,8 +168,13 @@ impl Snapshot {
     }
 }
 
-/// Categories of what is in an opening of a wall.
-const OPENINGS: [&str; 2] = ["window", "door"];
+/// Whether a node's class is of one of some categories; scenes of others have their own words for them.
+fn is_one(graph: &SceneGraph, node: &Node, of: &[Category]) -> bool {
+    match graph.classes().get(node.class()) {
+        Some(class) => of.contains(&class.category),
+        None => of.iter().any(|c| *c.as_str() == *node.spec().category),
+    }
+}
 
 /// A link, and when it is there: what can be poured, and what is tied or not.
 struct Piece {

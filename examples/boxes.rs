@@ -1,0 +1,119 @@
+//! What agents can do in homes of which only boxes are known.
+//!
+//! `cargo run --release --example boxes -- FILE...` takes scenes (VirtualHome's, the thesis's; `.gz` is
+//! unpacked) and prints, for each, between which rooms one can walk and how many of the things that
+//! can be carried are taken and put back where the scene has them. `--out DIR` draws each from above.
+
+#[allow(dead_code, reason = "examples use what they need of it")]
+mod support;
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use clap::Parser;
+use support::{Complaint, say};
+use vc_graph::{Action, NodeId, Place, Property, Relation, Verb};
+use virtualcity::{ActionError, Environment};
+
+/// What agents can do in homes of which only boxes are known.
+#[derive(Parser)]
+struct Options {
+    /// Scenes; .gz is unpacked.
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Draw each from above into this folder.
+    #[cfg(feature = "render")]
+    #[arg(long)]
+    out: Option<PathBuf>,
+}
+
+fn main() -> Result<(), Complaint> {
+    let options = Options::parse();
+    for file in &options.files {
+        let home = Environment::make(&format!("scene:{}", file.display()), 1).map_err(Complaint::new)?;
+        say!("{}: {} nodes, left out {:?}", file.display(), home.graph().len(), home.left_out());
+        say!("  {} things are elsewhere by geometry", home.elsewhere().len());
+        rooms(&home);
+        places(&home);
+        #[cfg(feature = "render")]
+        if let Some(out) = &options.out {
+            picture(&home, out, file)?;
+        }
+    }
+    Ok(())
+}
+
+/// Walks to every room.
+fn rooms(home: &Environment) {
+    let (me, mut reached) = (home.agents()[0], 0);
+    for &room in home.graph().rooms() {
+        match home.clone().set_action(me, Action::one(Verb::Walk, room)) {
+            Ok(_) => reached += 1,
+            Err(error) => say!("  {error}"),
+        }
+    }
+    say!("  {reached} of {} rooms reached", home.graph().rooms().len());
+}
+
+/// Takes everything that can be carried and puts it back where it was.
+fn places(home: &Environment) {
+    let graph = home.graph();
+    let carried = graph.nodes().filter(|n| n.affords(Property::Graspable));
+    let rests = |p: &Place| matches!(p.relation, Relation::On | Relation::Inside);
+    let wanted: Vec<(NodeId, Place)> =
+        carried.filter_map(|n| Some((n.id(), graph.place(n.id()).filter(rests)?))).collect();
+    let (mut done, mut failed) = (0, BTreeMap::<String, Vec<String>>::new());
+    for &(id, place) in &wanted {
+        match put_back(&mut home.clone(), id, place) {
+            Ok(()) => done += 1,
+            Err((step, error)) => {
+                let (kind, detail) = sorted(&error);
+                let thing = format!("{} {}: {detail}", graph.label(id), graph.label(place.at));
+                failed.entry(format!("{step}: {kind}")).or_default().push(thing);
+            }
+        }
+    }
+    say!("  {done} of {} things are put back where they were", wanted.len());
+    for (kind, things) in failed {
+        say!("    {} {kind}", things.len());
+        things.iter().take(4).for_each(|t| say!("      {t}"));
+    }
+}
+
+fn put_back(home: &mut Environment, id: NodeId, place: Place) -> Result<(), (&'static str, ActionError)> {
+    let me = home.agents()[0];
+    let mut act = |name: &'static str, action: Action| {
+        home.set_action(me, action).map(|_| home.graph().hidden_in(id)).map_err(|e| (name, e))
+    };
+    let mut hidden = act("walk", Action::one(Verb::Walk, id))?;
+    while let Some(container) = hidden {
+        act("walk", Action::one(Verb::Walk, container))?;
+        hidden = act("open", Action::one(Verb::Open, container))?;
+    }
+    act("walk", Action::one(Verb::Walk, id))?;
+    act("grab", Action::one(Verb::Grab, id))?;
+    act("walk back", Action::one(Verb::Walk, place.at))?;
+    let verb = if place.relation == Relation::Inside { Verb::PutIn } else { Verb::Place };
+    act("put", Action::two(verb, id, place.at)).map(drop)
+}
+
+fn sorted(error: &ActionError) -> (&'static str, String) {
+    let kind = match error {
+        ActionError::Refused(_) => "refused",
+        ActionError::Impossible { .. } => "impossible",
+        ActionError::Disagreement(_) => "disagreement",
+        _ => "other",
+    };
+    (kind, error.to_string())
+}
+
+#[cfg(feature = "render")]
+fn picture(home: &Environment, out: &std::path::Path, file: &std::path::Path) -> Result<(), Complaint> {
+    use virtualcity::Viewpoint;
+    use virtualcity::render::{Modality, picture};
+    let name = file.file_name().and_then(|n| n.to_str()).and_then(|n| n.split('.').next()).unwrap_or("scene");
+    std::fs::create_dir_all(out).map_err(Complaint::new)?;
+    let frame = home.render(Viewpoint::Overhead, Modality::Rgb, 1200, 900).map_err(Complaint::new)?;
+    let png = picture::png(&picture::rgb(&frame)).map_err(Complaint::new)?;
+    std::fs::write(out.join(format!("{name}.png")), png).map_err(Complaint::new)
+}

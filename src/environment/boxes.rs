@@ -1,0 +1,180 @@
+//! Homes of which only boxes are known: shapes for them, poses that stay, places that stay.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use vc_graph::{
+    Aabb, Asset, Draft, EditError, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder,
+    SceneGraph,
+};
+use vc_procgen::dress::{self, DressError};
+use vc_physics::{Floor, PhysicsError, Role, World};
+
+use super::{Assets, Elsewhere};
+use crate::figure;
+
+/// How far above what carries it a thing may be in the scene, metres, and how far it may fall.
+const HOVER: f32 = 0.06;
+const REST: f32 = 0.002;
+/// How far from the box of its place a thing may be, metres.
+const BESIDE: f32 = 0.1;
+/// How far a thing may have come that is where the scene has it, metres.
+const STILL: f32 = 0.02;
+/// How far an agent is moved aside that stands in something, metres.
+const ASIDE: f32 = 2.5;
+
+/// A scene in which everything has a shape, and what had none.
+pub(super) struct Shaped {
+    pub(super) graph: SceneGraph,
+    pub(super) bare: Vec<NodeId>,
+}
+
+/// Gives a shape to all of which only a box is known, and a figure to people. `None` if nothing
+/// lacks one.
+pub(super) fn shaped(graph: &SceneGraph, assets: Assets) -> Result<Option<Shaped>, DressError> {
+    if !graph.nodes().any(|n| vc_geometry::is_bare(n) || is_bare_agent(n)) {
+        return Ok(None);
+    }
+    let bare = graph.nodes().filter(|n| vc_geometry::is_bare(n)).map(Node::id).collect();
+    let graph = match assets {
+        Assets::None => peopled(graph, vc_geometry::shapes(graph))?,
+        Assets::Generated => peopled(&dress::dressed(graph, dress::seed_of(graph))?, BTreeMap::new())?,
+    };
+    Ok(Some(Shaped { graph, bare }))
+}
+
+/// The scene with shapes for some of it and a figure for people.
+fn peopled(graph: &SceneGraph, mut shapes: BTreeMap<NodeId, Asset>) -> Result<SceneGraph, DressError> {
+    let mut library = graph.assets().as_ref().clone();
+    let material = library.add_material(vc_geometry::material())?;
+    let mut builder = SceneBuilder::with_classes(graph.name(), graph.classes().clone());
+    for node in graph.nodes() {
+        let mut draft = Draft::of(node);
+        if let Some(mut asset) = shapes.remove(&node.id()) {
+            asset.parts.iter_mut().for_each(|part| part.material = material);
+            draft.asset = Some(library.add(asset)?);
+            draft.scale = Some(Vector3::repeat(1.0));
+        } else if is_bare_agent(node) {
+            draft.asset = Some(figure::add_to(&mut library, builder.graph().agents().len())?);
+            stand(&mut draft);
+        }
+        builder.add_with_id(node.id(), draft)?;
+    }
+    builder.link_all(&graph.edges().collect::<Vec<_>>())?;
+    builder.assets(Arc::new(library));
+    Ok(builder.build())
+}
+
+fn is_bare_agent(node: &Node) -> bool {
+    node.kind() == Kind::Agent && node.spec().asset.is_none() && node.spec().bounds.is_some() && node.pose().is_some()
+}
+
+/// An agent's pose is where its feet are: at the bottom of its box.
+fn stand(draft: &mut Draft) {
+    if let (Some(bounds), Some(pose)) = (draft.bounds, draft.pose.as_mut()) {
+        let aabb = bounds.aabb(pose);
+        let feet = aabb.centre().xy();
+        *pose = Pose::from_parts([feet.x, feet.y, aabb.min.z].into(), UnitQuaternion::new(yaw(pose)));
+        draft.bounds = Some(figure::bounds());
+    }
+}
+
+fn yaw(pose: &Pose) -> Vector3<f32> {
+    let front = pose.rotation * Vector3::x();
+    let angle = vc_graph::portable::Portable::angle_to(front.y, front.x);
+    Vector3::z() * angle
+}
+
+/// Holds where they are the things of which only boxes were known and that would not stay: boxes
+/// overlap, and hover a little. What is at another thing goes along with that.
+pub(super) fn hold(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Result<(), PhysicsError> {
+    let loose: Vec<NodeId> = bare.iter().copied().filter(|id| world.role(*id) == Some(Role::Loose)).collect();
+    let mut held = Vec::new();
+    for id in loose {
+        if would_move(world, graph, id)? {
+            held.push(id);
+        }
+    }
+    for id in held {
+        match graph.place(id).filter(|p| p.at != id && world.aabb(p.at).is_some()) {
+            Some(place) => world.pin_to(id, place.at)?,
+            None => world.pin(id)?,
+        }
+    }
+    Ok(())
+}
+
+/// Whether a thing is where the scene has it only if it is held there.
+fn would_move(world: &World, graph: &SceneGraph, id: NodeId) -> Result<bool, PhysicsError> {
+    let (Some(pose), Some(own)) = (world.pose(id), world.aabb(id)) else { return Ok(false) };
+    let lowered = |by: f32| world.overlaps(id, &(Pose::translation(0.0, 0.0, -by) * pose)).map(|o| !o.is_empty());
+    if lowered(0.0)? {
+        return Ok(true);
+    }
+    if lowered(REST)? {
+        return Ok(false);
+    }
+    let at = |p: Place| world.aabb(p.at).is_some_and(|at| meets(&own, &at));
+    Ok(lowered(HOVER)? || graph.places(id).any(at))
+}
+
+fn meets(a: &Aabb, b: &Aabb) -> bool {
+    (0..3).all(|i| a.min[i] < b.max[i] + BESIDE && b.min[i] < a.max[i] + BESIDE)
+}
+
+/// Moves agents to free floor that the scene has standing in something.
+pub(super) fn step_aside(world: &mut World, graph: &SceneGraph, floor: &Floor) -> Result<(), vc_physics::AgentError> {
+    for &agent in graph.agents() {
+        let Some(feet) = world.pose(agent) else { continue };
+        let at = feet.translation.vector.xy().into();
+        if let Some(spot) = floor.nearest(at, ASIDE) {
+            let level = nalgebra::Translation3::new(spot.x, spot.y, floor.plan().level);
+            world.teleport(agent, Pose::from_parts(level, feet.rotation))?;
+        }
+    }
+    Ok(())
+}
+
+/// Keeps the places that a scene has things at that are where it has them, though their boxes say
+/// otherwise: what sticks out of a drawer is still in it. Returns what it kept so, and what has come
+/// elsewhere.
+pub(super) fn keep(scene: &SceneGraph, graph: &mut SceneGraph, bare: &[NodeId]) -> Result<Vec<Elsewhere>, EditError> {
+    let mut told = Vec::new();
+    let rests = |p: &Place| matches!(p.relation, Relation::On | Relation::Inside);
+    for &id in bare {
+        let Some(wanted) = scene.place(id).filter(rests) else { continue };
+        if graph.places(id).any(|p| p == wanted) {
+            inside_only(graph, id, wanted)?;
+            continue;
+        }
+        let now = graph.place(id);
+        told.push(Elsewhere { thing: graph.label(id), wanted, now });
+        let carried = scene.node(id).is_some_and(|n| n.affords(Property::Graspable));
+        if carried && is_still(scene, graph, id) {
+            let mut edit = graph.edit();
+            match edit.place_as_seen(id, &[wanted], scene.room_of(id)) {
+                Ok(()) | Err(EditError::SupportCycle { .. }) => drop(edit.commit()),
+                Err(error) => return Err(error),
+            }
+        }
+    }
+    Ok(told)
+}
+
+/// What is in a container is not also on what that stands on.
+fn inside_only(graph: &mut SceneGraph, id: NodeId, wanted: Place) -> Result<(), EditError> {
+    let all: Vec<Place> = graph.places(id).collect();
+    let inside: Vec<Place> = all.iter().copied().filter(|p| p.relation == Relation::Inside).collect();
+    if wanted.relation == Relation::Inside && inside.len() < all.len() {
+        let mut edit = graph.edit();
+        edit.place_as_seen(id, &inside, None)?;
+        edit.commit();
+    }
+    Ok(())
+}
+
+fn is_still(before: &SceneGraph, now: &SceneGraph, id: NodeId) -> bool {
+    let at = |graph: &SceneGraph| graph.node(id).and_then(|n| Some(n.pose()?.translation.vector));
+    at(before).zip(at(now)).is_some_and(|(a, b)| (a - b).norm() < STILL)
+}

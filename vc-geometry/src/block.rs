@@ -1,0 +1,106 @@
+//! The box around a node in the node's own frame, and parts cut from it.
+
+use nalgebra::{Point3, Vector3};
+use vc_graph::asset::{Hold, Part, Shape, Surface};
+use vc_graph::{Aabb, Frame, Node, Pose};
+
+/// Least half length of a part, metres: boxes of floors and pictures have none.
+const LEAST: f32 = 0.001;
+/// Up to which sine of its tilt a node stands upright.
+const UPRIGHT: f32 = 0.02;
+/// Up to which sine of its turn against the world's axes a node is along them.
+const ALONG: f32 = 0.02;
+/// Least difference of the squares of cosine and sine at which a turned box can be found from the
+/// upright one around it.
+const TURNED: f32 = 0.3;
+
+/// A box in its node's frame, metres.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Block {
+    pub(crate) low: Vector3<f32>,
+    pub(crate) high: Vector3<f32>,
+    /// Where the node is.
+    pub(crate) pose: Pose,
+}
+
+impl Block {
+    /// `None` if the node has no box or pose, or leans.
+    pub(crate) fn of(node: &Node) -> Option<Self> {
+        let (bounds, pose) = (node.spec().bounds?, *node.pose()?);
+        let up = pose.rotation * Vector3::z();
+        if up.z < 0.0 || up.xy().norm() > UPRIGHT {
+            return None;
+        }
+        let (centre, half) = match bounds.frame {
+            Frame::Object => (bounds.offset, bounds.half),
+            Frame::World => (pose.rotation.inverse() * bounds.offset, own_half(&pose, bounds.half)),
+        };
+        let half = half.map(|h| h.abs().max(LEAST));
+        Some(Self { low: centre - half, high: centre + half, pose })
+    }
+
+    pub(crate) fn size(&self) -> Vector3<f32> {
+        self.high - self.low
+    }
+
+
+    /// An upright box of the world in this frame.
+    pub(crate) fn local(&self, aabb: &Aabb) -> (Vector3<f32>, Vector3<f32>) {
+        let corner = |i: u32| {
+            let pick = |bit: u32, axis: usize| if i >> bit & 1 == 0 { aabb.min[axis] } else { aabb.max[axis] };
+            self.pose.inverse_transform_point(&Point3::new(pick(0, 0), pick(1, 1), pick(2, 2))).coords
+        };
+        (1..8).map(corner).fold((corner(0), corner(0)), |(low, high), c| (low.inf(&c), high.sup(&c)))
+    }
+
+    /// All of it as one part.
+    pub(crate) fn whole(&self, name: &str) -> Part {
+        part(name, self.low, self.high)
+    }
+
+    /// All of it up to a height.
+    pub(crate) fn up_to(&self, name: &str, top: f32) -> Part {
+        part(name, self.low, Vector3::new(self.high.x, self.high.y, top))
+    }
+
+    /// A level surface so far in from its sides.
+    pub(crate) fn surface(&self, name: &str, hold: Hold, level: f32, inset: f32, clearance: Option<f32>) -> Surface {
+        let (centre, half) = ((self.low + self.high) / 2.0, self.size() / 2.0);
+        let inset = inset.min(half.x / 2.0).min(half.y / 2.0);
+        Surface {
+            name: name.into(),
+            hold,
+            centre: Point3::new(centre.x, centre.y, level),
+            half: (half.x - inset, half.y - inset),
+            clearance,
+            joint: None,
+        }
+    }
+}
+
+/// Half the size of a box that is turned around the vertical, from the upright one around it; where
+/// that does not say, one that is within it.
+fn own_half(pose: &Pose, half: Vector3<f32>) -> Vector3<f32> {
+    let front = pose.rotation * Vector3::x();
+    let (cos, sin) = (front.x.abs(), front.y.abs());
+    if sin < ALONG {
+        return half;
+    }
+    if cos < ALONG {
+        return Vector3::new(half.y, half.x, half.z);
+    }
+    let squares = cos * cos - sin * sin;
+    let (x, y) = ((cos * half.x - sin * half.y) / squares, (cos * half.y - sin * half.x) / squares);
+    if squares.abs() > TURNED && x > 0.0 && y > 0.0 {
+        return Vector3::new(x, y, half.z);
+    }
+    let least = half.x.min(half.y) / (cos + sin);
+    Vector3::new(least, least, half.z)
+}
+
+/// A box between two corners.
+pub(crate) fn part(name: &str, low: Vector3<f32>, high: Vector3<f32>) -> Part {
+    let (centre, half) = ((low + high) / 2.0, ((high - low) / 2.0).map(|h| h.max(LEAST / 2.0)));
+    let pose = Pose::translation(centre.x, centre.y, centre.z);
+    Part { name: name.into(), shape: Shape::Box { half }, material: 0, pose, joint: None }
+}

@@ -1,0 +1,62 @@
+//! At which heights things stand on and in a thing.
+
+use vc_graph::{Node, NodeId, Relation, SceneGraph};
+
+use crate::block::Block;
+
+/// Things whose bottoms differ less stand on one level, metres.
+const SAME: f32 = 0.03;
+
+/// A thing at another, by the heights of its bottom and top in the other's frame, metres.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Load {
+    pub(crate) bottom: f32,
+    pub(crate) top: f32,
+    pub(crate) inside: bool,
+}
+
+/// What the graph has on and in a node, from below.
+pub(crate) fn loads(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Load> {
+    let base = block.pose.translation.z;
+    let of = |inside: bool| {
+        let relation = if inside { Relation::Inside } else { Relation::On };
+        let load = move |id: NodeId| {
+            let aabb = graph.node(id)?.aabb()?;
+            Some(Load { bottom: aabb.min.z - base, top: aabb.max.z - base, inside })
+        };
+        graph.relating(relation, node.id()).filter_map(load)
+    };
+    let mut all: Vec<Load> = of(true).chain(of(false)).collect();
+    all.sort_by(|a, b| a.bottom.total_cmp(&b.bottom));
+    all
+}
+
+/// A height at which things stand, metres, and whether they are inside.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Level {
+    pub(crate) at: f32,
+    pub(crate) inside: bool,
+}
+
+/// The heights between two others at which things stand, from below. What is inside stands at the
+/// least height of its level, what is on it in the midst.
+pub(crate) fn levels(loads: &[Load], low: f32, high: f32) -> Vec<Level> {
+    let within: Vec<&Load> = loads.iter().filter(|l| l.bottom > low && l.bottom < high).collect();
+    let mut found = Vec::new();
+    let mut from = 0;
+    while let Some(first) = within.get(from) {
+        let same = within[from..].iter().take_while(|l| l.bottom - first.bottom < SAME).count();
+        let group = &within[from..from + same];
+        let inside = 2 * group.iter().filter(|l| l.inside).count() >= same;
+        let middle = f32::midpoint(first.bottom, group[same - 1].bottom);
+        found.push(Level { at: if inside { first.bottom } else { middle }, inside });
+        from += same;
+    }
+    found
+}
+
+/// The height at which most of what is on a thing stands near its top: the median.
+pub(crate) fn top(loads: &[Load], above: f32) -> Option<f32> {
+    let bottoms: Vec<f32> = loads.iter().filter(|l| !l.inside && l.bottom > above).map(|l| l.bottom).collect();
+    bottoms.get(bottoms.len() / 2).copied()
+}

@@ -1,0 +1,106 @@
+//! Geometry that several crates need and that is decided once: what is made of things of which
+//! only a box is known.
+//!
+//! Scenes of others (VirtualHome's, the thesis's) say of a thing its class and the box around it.
+//! [`shapes`] makes an [`Asset`] of each such box: boards, surfaces, hollows, doorways. An asset is
+//! plain data of `vc-graph`, so relations, physics and pictures all go by the same one.
+//!
+//! | of | is made |
+//! |---|---|
+//! | walls | the box, or where it is as deep as wide the sides along which the floor ends; doorways and windows are cut out |
+//! | floors | a slab below their top, as far as the next floor |
+//! | doors | a leaf on a hinge in the plane of the wall; of their frames two posts and a lintel |
+//! | tables, seats, beds | boards at the height at which things lie on them, or the class's |
+//! | what holds things | boards around a hollow, shelves where things stand in it; open at the front, or above |
+//! | anything else | its box, a surface on top where things can be put |
+//!
+//! ```
+//! use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+//! let mut scene = SceneBuilder::new("kitchen");
+//! let fridge = Bounds::standing([0.7, 0.7, 1.8].into());
+//! let fridge = scene.add(Draft::new("fridge").bounds(fridge).at(Pose::identity()))?;
+//! let shapes = vc_geometry::shapes(&scene.build());
+//! assert!(shapes[&fridge].surfaces.len() > 2);
+//! # Ok::<(), vc_graph::EditError>(())
+//! ```
+
+#![warn(clippy::disallowed_methods)]
+
+mod block;
+mod door;
+mod floor;
+mod form;
+mod furniture;
+mod level;
+mod opening;
+mod wall;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use vc_graph::asset::Material;
+use vc_graph::class::Category;
+use vc_graph::{Asset, Kind, Node, NodeId, SceneGraph};
+
+use block::Block;
+pub use opening::{Opening, openings};
+
+/// Density of things of which only the box is known, kilograms per cubic metre.
+const DENSITY: f32 = 150.0;
+
+/// The one material of all shapes that are made here: their parts have number 0.
+pub fn material() -> Material {
+    Material {
+        name: "plain".into(),
+        colour: [0.6, 0.58, 0.55],
+        density: DENSITY,
+        friction: 0.5,
+        restitution: 0.0,
+        roughness: 0.8,
+        metallic: 0.0,
+        transmission: 0.0,
+        emission: [0.0; 3],
+        texture: None,
+    }
+}
+
+/// Whether of a node only a box is known: an object with a pose and without an asset.
+pub fn is_bare(node: &Node) -> bool {
+    let spec = node.spec();
+    node.kind() == Kind::Object && spec.asset.is_none() && spec.bounds.is_some() && node.pose().is_some()
+}
+
+/// A shape for every object that has a box and a pose and no asset, and stands upright: what leans
+/// stays a box. Costs some microseconds for each.
+pub fn shapes(graph: &SceneGraph) -> BTreeMap<NodeId, Asset> {
+    let openings = openings(graph);
+    let bare = graph.nodes().filter(|n| is_bare(n));
+    bare.filter_map(|n| Some((n.id(), shape(graph, n, &Block::of(n)?, &openings)))).collect()
+}
+
+fn shape(graph: &SceneGraph, node: &Node, block: &Block, openings: &[Opening]) -> Asset {
+    let mut asset = Asset { name: node.class().clone(), ..Asset::default() };
+    match (&**node.class(), category(graph, node)) {
+        ("wall", _) => asset.parts = wall::parts(graph, node, block, openings),
+        ("floor", _) => asset.parts = floor::parts(graph, node, block),
+        ("doorjamb", _) => asset.parts = door::frame(block),
+        (_, Some(Category::Door)) => {
+            asset.parts = openings.iter().find(|o| o.door == node.id()).map_or_else(Vec::new, |o| door::leaf(block, o));
+        }
+        _ => furniture::build(graph, node, block, &mut asset),
+    }
+    if asset.parts.is_empty() {
+        asset.parts = vec![block.whole("box")];
+    }
+    asset
+}
+
+fn category(graph: &SceneGraph, node: &Node) -> Option<Category> {
+    graph.classes().get(node.class()).map(|class| class.category)
+}
+
+/// The class of a node and all that it is a kind of, itself first.
+fn is_a(graph: &SceneGraph, node: &Node, class: &str) -> bool {
+    let own: &Arc<str> = node.class();
+    &**own == class || graph.classes().is_a(own, class)
+}

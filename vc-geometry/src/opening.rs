@@ -1,0 +1,79 @@
+//! Openings in walls: what doors, their frames and windows say.
+
+use vc_graph::class::Category;
+use vc_graph::{Aabb, Kind, Node, NodeId, Relation, SceneGraph};
+
+use crate::category;
+
+/// Height of a doorway at least, metres: boxes of doors may end at their handles.
+const DOORWAY: f32 = 2.0;
+/// A box whose one side is at least this part of the other does not say which way it leads.
+const SQUARE: f32 = 0.5;
+
+/// An opening in the walls.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Opening {
+    /// The door, frame or window that says so.
+    pub door: NodeId,
+    /// What is clear, or filled by what says so, metres.
+    pub clear: Aabb,
+    /// The axis of the world along which one goes or looks through: 0 is X, 1 is Y.
+    pub across: usize,
+    /// Rooms that the graph has it between.
+    pub rooms: Vec<NodeId>,
+    /// Whether one can walk through.
+    pub is_doorway: bool,
+}
+
+/// All openings of a scene, by number: of doors, door frames and windows.
+///
+/// A door's box may be around a leaf that stands open and end at its handle: the opening is as high
+/// as a person, and leads the way in which the frame, or the wall, at the same place is thin.
+pub fn openings(graph: &SceneGraph) -> Vec<Opening> {
+    graph.nodes().filter(|n| n.kind() == Kind::Object).filter_map(|n| opening(graph, n)).collect()
+}
+
+fn opening(graph: &SceneGraph, node: &Node) -> Option<Opening> {
+    let is_doorway = match category(graph, node)? {
+        Category::Door => true,
+        Category::Window => false,
+        _ if &**node.class() == "doorjamb" => true,
+        _ => return None,
+    };
+    let mut clear = node.aabb()?;
+    if is_doorway {
+        clear.max.z = clear.max.z.max(clear.min.z + DOORWAY);
+    }
+    let rooms = graph.related(node.id(), Relation::Between).collect();
+    Some(Opening { door: node.id(), clear, across: across(graph, node, &clear), rooms, is_doorway })
+}
+
+/// The axis across an opening: across its own box, or that of a frame or a wall it is in.
+fn across(graph: &SceneGraph, node: &Node, clear: &Aabb) -> usize {
+    if let Some(axis) = thin(clear) {
+        return axis;
+    }
+    let of = |class: &str| {
+        let meets = |id: &NodeId| {
+            let aabb = (*id != node.id()).then(|| graph.node(*id)?.aabb()).flatten()?;
+            thin(&aabb).filter(|_| overlap(&aabb, clear))
+        };
+        graph.of_class(class).iter().find_map(meets)
+    };
+    of("doorjamb").or_else(|| of("wall")).unwrap_or_else(|| usize::from(size(clear, 1) < size(clear, 0)))
+}
+
+/// The axis along which a box is thin.
+pub(crate) fn thin(aabb: &Aabb) -> Option<usize> {
+    let (x, y) = (size(aabb, 0), size(aabb, 1));
+    if x < SQUARE * y { Some(0) } else { (y < SQUARE * x).then_some(1) }
+}
+
+pub(crate) fn size(aabb: &Aabb, axis: usize) -> f32 {
+    aabb.max[axis] - aabb.min[axis]
+}
+
+/// Whether two boxes share some room.
+pub(crate) fn overlap(a: &Aabb, b: &Aabb) -> bool {
+    (0..3).all(|i| a.min[i] < b.max[i] && b.min[i] < a.max[i])
+}
