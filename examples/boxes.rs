@@ -12,7 +12,10 @@ use std::path::PathBuf;
 
 use clap::Parser;
 use support::{Complaint, say};
+use vc_graph::goal::Situation;
 use vc_graph::{Action, NodeId, Place, Property, Relation, Verb};
+use vc_planner::{Newcomer, Run, Step};
+use vc_tasks::{Outcome, Task};
 use virtualcity::{ActionError, Environment};
 
 /// What agents can do in homes of which only boxes are known.
@@ -21,6 +24,12 @@ struct Options {
     /// Scenes; .gz is unpacked.
     #[arg(required = true)]
     files: Vec<PathBuf>,
+    /// Let the planner go about forty everyday goals.
+    #[arg(long)]
+    goals: bool,
+    /// Do not take and put back things.
+    #[arg(long)]
+    rooms_only: bool,
     /// Draw each from above into this folder.
     #[cfg(feature = "render")]
     #[arg(long)]
@@ -29,17 +38,54 @@ struct Options {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
+    let mut won = (0, 0);
     for file in &options.files {
         let home = Environment::make(&format!("scene:{}", file.display()), 1).map_err(Complaint::new)?;
         say!("{}: {} nodes, left out {:?}", file.display(), home.graph().len(), home.left_out());
         say!("  {} things are elsewhere by geometry", home.elsewhere().len());
         rooms(&home);
-        places(&home);
+        if !options.rooms_only {
+            places(&home);
+        }
+        if options.goals {
+            goals(&home, &mut won)?;
+        }
         #[cfg(feature = "render")]
         if let Some(out) = &options.out {
             picture(&home, out, file)?;
         }
     }
+    if options.goals {
+        say!("{} of {} goals won", won.0, won.1);
+    }
+    Ok(())
+}
+
+/// Everyday goals for such homes.
+const GOALS: &str = include_str!("data/box_goals.txt");
+
+/// Lets the planner, which does not know the home, go about every goal that makes sense in it and is
+/// open.
+fn goals(home: &Environment, won: &mut (usize, usize)) -> Result<(), Complaint> {
+    let me = home.agents()[0];
+    for task in Task::read_list(GOALS).map_err(Complaint::new)? {
+        let done = task.goal.holds(&Situation::new(home.graph(), me, home.history()));
+        if done || !task.obstacles(home.graph()).is_empty() {
+            continue;
+        }
+        let mut steps = Vec::new();
+        let mut note = |step: &Step| steps.push(step.described.clone());
+        let run = Run { agent: Some(me), ..Run::seeded(1) };
+        let episode = run.episode(&mut Newcomer::best(), &task, &mut home.clone(), &mut note);
+        won.1 += 1;
+        if episode.outcome == Outcome::Won {
+            won.0 += 1;
+        } else {
+            say!("  {}: {:?} after {} actions, {:?}", task.title, episode.outcome, episode.steps, episode.reason);
+            steps.iter().rev().take(4).rev().for_each(|step| say!("      {step}"));
+        }
+    }
+    say!("  {} of {} goals won so far", won.0, won.1);
     Ok(())
 }
 
@@ -76,7 +122,7 @@ fn places(home: &Environment) {
     say!("  {done} of {} things are put back where they were", wanted.len());
     for (kind, things) in failed {
         say!("    {} {kind}", things.len());
-        things.iter().take(4).for_each(|t| say!("      {t}"));
+        things.iter().take(12).for_each(|t| say!("      {t}"));
     }
 }
 

@@ -4,6 +4,9 @@
 //! with the graphs before and after (the Embodied Agent Interface's), or, with
 //! `--scene`, plain programs to be run in that scene.
 
+#[cfg(feature = "environment")]
+#[path = "support/bodies.rs"]
+mod bodies;
 mod support;
 
 use std::path::PathBuf;
@@ -25,6 +28,11 @@ struct Options {
     /// The scene in which .txt programs run.
     #[arg(long)]
     scene: Option<PathBuf>,
+    /// Run the programs of .jsonl with bodies in --scene, each that fits it: every number it names has
+    /// the same class there.
+    #[cfg(feature = "environment")]
+    #[arg(long)]
+    bodies: bool,
     /// Also show differences in CLOSE and FACING.
     #[arg(long)]
     all: bool,
@@ -43,6 +51,11 @@ fn main() -> Result<(), Complaint> {
     let options = Options::parse();
     let classes = ClassTable::builtin();
     let mut tally = Tally::default();
+    #[cfg(feature = "environment")]
+    if options.bodies {
+        let scene = options.scene.as_deref().ok_or_else(|| Complaint::new("--bodies needs --scene FILE"))?;
+        return bodies::replay(&options.files, scene);
+    }
     for file in &options.files {
         let text = support::read(file)?;
         let located = |e: &dyn std::fmt::Display| Complaint::new(format!("{}: {e}", file.display()));

@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
-use virtualcity::graph::format::native;
+use virtualcity::graph::format::{native, thesis};
 use virtualcity::graph::{
-    Action, Draft, Kind, NodeId, Place, Pose, Relation, SceneGraph, Seed, State, Verb, Violation,
+    Action, Draft, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneGraph, Seed, State, Verb, Violation,
 };
 use virtualcity::physics::Hand;
 use virtualcity::procgen::Apartment;
@@ -410,5 +410,33 @@ fn a_dishwasher_shuts_however_its_bowls_lie() {
             home.set_action(me, Action::one(verb, dishwasher)).unwrap();
             assert_eq!(inside(&home), full, "{verb:?}");
         }
+    }
+}
+
+/// The thesis's JSON carries no shapes: a home that is written in it comes back with the same boxes
+/// in the same places, and stands.
+#[test]
+fn a_home_comes_back_from_the_thesis_form() {
+    for seed in [42, 3] {
+        let made = Apartment::from_seed(Seed(seed)).unwrap().scene();
+        let read = thesis::read(&thesis::write(&made), made.classes()).unwrap();
+        for (old, new) in made.nodes().zip(read.nodes()) {
+            assert_eq!((old.id(), old.class(), old.states()), (new.id(), new.class(), new.states()));
+            let (Some(was), Some(is)) = (old.aabb(), new.aabb()) else { continue };
+            let off = (was.min - is.min).norm().max((was.max - is.max).norm());
+            assert!(off < 2e-3, "{}: {was:?} {is:?}", old.label());
+        }
+        let home = Environment::of(read, 1).unwrap();
+        assert_eq!(home.left_out(), []);
+        let stays = |n: &&Node| {
+            let now = home.graph().node(n.id()).and_then(|n| n.position());
+            n.position().zip(now).is_none_or(|(was, is)| (was - is).norm() < 0.25)
+        };
+        let strayed: Vec<_> = made.nodes().filter(|n| n.kind() == Kind::Object && !stays(n)).map(Node::label).collect();
+        assert!(strayed.is_empty(), "{strayed:?}");
+        let at = |graph: &SceneGraph, id| graph.place(id).filter(|p| p.relation == Relation::Inside);
+        let carried = || made.nodes().filter(|n| n.affords(Property::Graspable) && at(&made, n.id()).is_some());
+        let same = carried().filter(|n| at(&made, n.id()) == at(home.graph(), n.id())).count();
+        assert_eq!(same, carried().count());
     }
 }

@@ -2,7 +2,7 @@
 //! compared.
 
 use nalgebra::Vector3;
-use vc_graph::{Action, ChangeSet, Edge, Event, NodeId, Relation, SceneGraph, State, rule};
+use vc_graph::{Action, ChangeSet, Edge, Event, NodeId, Place, Property, Relation, SceneGraph, State, rule};
 use vc_physics::{Role, World};
 use vc_relations::threshold::FACING_COSINE;
 
@@ -194,7 +194,7 @@ impl Environment {
             self.look_at_all();
             ActionError::Impossible { action: action_text.clone(), why }
         })?;
-        let faced = keep_facing(&mut observed, &ruled, agent);
+        let faced = keep_facing(&mut observed, &ruled, agent).then(lay_through(&mut observed, &ruled, &changed));
         let outcome = Outcome { before: &self.graph, ruled: &ruled, observed: &observed, world: &self.world };
         let differences = outcome.differences(agent, action, &changes, &met);
         if !differences.is_empty() {
@@ -213,6 +213,24 @@ impl Environment {
             self.relations = relations;
         }
     }
+}
+
+/// What is put on a table with a cloth on it is on the table too: the rule knows of no cloth.
+fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed: &[NodeId]) -> ChangeSet {
+    let is_cover = |id: NodeId| observed.node(id).is_some_and(|n| n.affords(Property::Cover));
+    let on = |id: NodeId, graph: &SceneGraph| graph.related(id, Relation::On).collect::<Vec<NodeId>>();
+    let through = |&id: &NodeId| {
+        let (wanted, found) = (on(id, ruled), on(id, observed));
+        let covered = |at: &NodeId| found.iter().any(|c| is_cover(*c) && observed.has(Edge::new(*c, Relation::On, *at)));
+        let more: Vec<NodeId> = wanted.into_iter().filter(|at| !found.contains(at) && covered(at)).collect();
+        let places = found.into_iter().chain(more.iter().copied()).map(|at| Place { relation: Relation::On, at });
+        (!more.is_empty()).then(|| (id, places.collect::<Vec<Place>>()))
+    };
+    let laid: Vec<(NodeId, Vec<Place>)> = changed.iter().filter_map(through).collect();
+    let mut edit = observed.edit();
+    // All are there, and carry one another already.
+    laid.into_iter().for_each(|(id, places)| drop(edit.place_as_seen(id, &places, None)));
+    edit.commit()
 }
 
 /// What is somewhere else by the rule.

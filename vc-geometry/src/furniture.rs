@@ -12,6 +12,8 @@ use crate::level::{self, Level, Load};
 /// Thickness of boards, metres, and as a part of the least side at most.
 const BOARD: f32 = 0.02;
 const SLIM: f32 = 0.1;
+/// Least thickness of a board, metres: where a drawer is full.
+const THIN: f32 = 0.002;
 /// Width of legs, metres, and thickness of the backs of seats.
 const LEG: f32 = 0.05;
 const BACK: f32 = 0.08;
@@ -36,7 +38,7 @@ pub(crate) fn build(graph: &SceneGraph, node: &Node, block: &Block, asset: &mut 
     let top = || level::top(&loads, block.high.z - SUNK.min(block.size().z / 2.0)).unwrap_or(block.high.z);
     match form {
         Form::Solid if carries => slab(block, top().min(block.high.z), asset),
-        Form::Solid => asset.parts = vec![block.whole("body")],
+        Form::Solid => asset.parts.push(block.whole("body")),
         Form::Table => table(block, &loads, top().min(block.high.z), asset),
         Form::Slab => slab(block, seat_level(block, &loads, level), asset),
         Form::Seat => seat(block, seat_level(block, &loads, level), asset),
@@ -73,8 +75,8 @@ fn thickness(block: &Block) -> f32 {
 
 /// A box up to a level.
 fn slab(block: &Block, level: f32, asset: &mut Asset) {
-    asset.parts = vec![block.up_to("body", level)];
-    asset.surfaces = vec![block.surface("top", Hold::On, level, 0.0, None)];
+    asset.parts.push(block.up_to("body", level));
+    asset.surfaces.push(block.surface("top", Hold::On, level, 0.0, None));
 }
 
 /// A board between two corners of the block, its top at a height.
@@ -100,7 +102,7 @@ fn legs(block: &Block, top: f32) -> Vec<Part> {
 /// A board on legs, and boards below where things stand there.
 fn table(block: &Block, loads: &[Load], top: f32, asset: &mut Asset) {
     let thick = (2.0 * BOARD).min((top - block.low.z) / 4.0);
-    asset.parts = legs(block, top - thick);
+    asset.parts.extend(legs(block, top - thick));
     asset.parts.push(board(block, "top", top, thick));
     asset.surfaces.push(block.surface("top", Hold::On, top, 0.0, None));
     let mut roof = top - thick;
@@ -115,7 +117,7 @@ fn table(block: &Block, loads: &[Load], top: f32, asset: &mut Asset) {
 /// A seat on legs and a back, its front along X.
 fn seat(block: &Block, level: f32, asset: &mut Asset) {
     let thick = (2.0 * LEG).min((level - block.low.z) / 2.0);
-    asset.parts = legs(block, level - thick);
+    asset.parts.extend(legs(block, level - thick));
     asset.parts.push(board(block, "seat", level, thick));
     let mut before = *block;
     if block.high.z - level > LEG {
@@ -124,16 +126,16 @@ fn seat(block: &Block, level: f32, asset: &mut Asset) {
         let (low, high) = (block.low, Vector3::new(before.low.x, block.high.y, block.high.z));
         asset.parts.push(part("back", Vector3::new(low.x, low.y, level), high));
     }
-    asset.surfaces = vec![before.surface("seat", Hold::On, level, 0.0, None)];
+    asset.surfaces.push(before.surface("seat", Hold::On, level, 0.0, None));
 }
 
 /// A floor and four walls.
 fn basin(block: &Block, asset: &mut Asset) {
     let wall = thickness(block);
     let floor = block.low.z + wall;
-    asset.parts = vec![block.up_to("floor", floor)];
+    asset.parts.push(block.up_to("floor", floor));
     asset.parts.extend((0..4).map(|side| wall_of(block, side, wall, floor, block.high.z)));
-    asset.surfaces = vec![block.surface("floor", Hold::Inside, floor, wall, Some(block.high.z - floor))];
+    asset.surfaces.push(block.surface("floor", Hold::Inside, floor, wall, Some(block.high.z - floor)));
 }
 
 /// One of the four walls of a block: at -X, +X, -Y, +Y.
@@ -148,10 +150,15 @@ fn wall_of(block: &Block, side: usize, thick: f32, from: f32, to: f32) -> Part {
 /// Boards around a hollow with shelves, open at its front.
 fn case(block: &Block, loads: &[Load], top: f32, carries: bool, asset: &mut Asset) {
     let thick = thickness(block);
-    let floor = block.low.z + thick;
-    let roof = (top - thick).max(floor);
-    asset.parts = vec![block.up_to("floor", floor), board(block, "top", top, thick)];
-    asset.parts.extend([0, 2, 3].map(|side| wall_of(block, side, thick, floor, roof)));
+    let contents = || loads.iter().filter(|l| l.inside);
+    // As thin as what is in it asks for.
+    let side = contents().map(|l| l.margin).fold(thick, f32::min).max(THIN);
+    let lowest = contents().map(|l| l.bottom - THIN).fold(block.low.z + thick, f32::min);
+    let floor = lowest.max(block.low.z + THIN);
+    let highest = contents().map(|l| l.top + THIN).fold(top - thick, f32::max);
+    let roof = highest.min(top - THIN).max(floor);
+    asset.parts.extend([block.up_to("floor", floor), board(block, "top", top, top - roof)]);
+    asset.parts.extend([0, 2, 3].map(|at| wall_of(block, at, side, floor, roof)));
     let base = block.pose.translation.z;
     if carries {
         asset.surfaces.push(block.surface("top", Hold::On, top, 0.0, None));
@@ -160,7 +167,7 @@ fn case(block: &Block, loads: &[Load], top: f32, carries: bool, asset: &mut Asse
     for (index, Level { at, inside }) in levels.iter().enumerate() {
         let next = levels.get(index + 1).map_or(roof, |next| next.at - thick);
         let hold = if *inside { Hold::Inside } else { Hold::On };
-        asset.surfaces.push(block.surface("shelf", hold, *at, thick, Some((next - at).max(thick))));
+        asset.surfaces.push(block.surface("shelf", hold, *at, side, Some((next - at).max(THIN))));
         if index > 0 {
             asset.parts.push(board(block, "shelf", *at, thick));
         }

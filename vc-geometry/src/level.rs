@@ -13,16 +13,19 @@ pub(crate) struct Load {
     pub(crate) bottom: f32,
     pub(crate) top: f32,
     pub(crate) inside: bool,
+    /// How far it is from the sides of the other at least, metres.
+    pub(crate) margin: f32,
 }
 
 /// What the graph has on and in a node, from below.
 pub(crate) fn loads(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Load> {
-    let base = block.pose.translation.z;
     let of = |inside: bool| {
         let relation = if inside { Relation::Inside } else { Relation::On };
         let load = move |id: NodeId| {
             let aabb = graph.node(id)?.aabb()?;
-            Some(Load { bottom: aabb.min.z - base, top: aabb.max.z - base, inside })
+            let (low, high) = block.local(&aabb);
+            let margin = |i: usize| (low[i] - block.low[i]).min(block.high[i] - high[i]);
+            Some(Load { bottom: low.z, top: high.z, inside, margin: margin(0).min(margin(1)) })
         };
         graph.relating(relation, node.id()).filter_map(load)
     };

@@ -10,6 +10,7 @@
 //! | walls | the box, or where it is as deep as wide the sides along which the floor ends; doorways and windows are cut out |
 //! | floors | a slab below their top, as far as the next floor |
 //! | doors | a leaf on a hinge in the plane of the wall; of their frames two posts and a lintel |
+//! | furniture around a corner | two arms, without the corner in which other furniture stands |
 //! | tables, seats, beds | boards at the height at which things lie on them, or the class's |
 //! | what holds things | boards around a hollow, shelves where things stand in it; open at the front, or above |
 //! | anything else | its box, a surface on top where things can be put |
@@ -27,6 +28,7 @@
 #![warn(clippy::disallowed_methods)]
 
 mod block;
+mod corner;
 mod door;
 mod floor;
 mod form;
@@ -82,12 +84,15 @@ fn shape(graph: &SceneGraph, node: &Node, block: &Block, openings: &[Opening]) -
     let mut asset = Asset { name: node.class().clone(), ..Asset::default() };
     match (&**node.class(), category(graph, node)) {
         ("wall", _) => asset.parts = wall::parts(graph, node, block, openings),
-        ("floor", _) => asset.parts = floor::parts(graph, node, block),
+        ("floor", _) => {
+            asset.parts = floor::parts(graph, node, block);
+            asset.surfaces = vec![block.surface("floor", vc_graph::asset::Hold::On, block.high.z, 0.0, None)];
+        }
         ("doorjamb", _) => asset.parts = door::frame(block),
         (_, Some(Category::Door)) => {
             asset.parts = openings.iter().find(|o| o.door == node.id()).map_or_else(Vec::new, |o| door::leaf(block, o));
         }
-        _ => furniture::build(graph, node, block, &mut asset),
+        _ => corner::arms(graph, node, block).iter().for_each(|arm| furniture::build(graph, node, arm, &mut asset)),
     }
     if asset.parts.is_empty() {
         asset.parts = vec![block.whole("box")];

@@ -32,7 +32,7 @@ use super::{FormatError, Problem, Source};
 use crate::class::{Slot, SlotKind};
 use crate::node::Kind;
 use crate::vocabulary::clip;
-use crate::{Bounds, ClassTable, Draft, Edge, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Word};
+use crate::{Bounds, ClassTable, Draft, Edge, Frame, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Word};
 
 #[derive(Serialize, Deserialize)]
 struct ObjectFile {
@@ -46,6 +46,10 @@ struct ObjectFile {
     state: Vec<String>,
     transform: [String; 3],
 }
+
+/// Up to which part a size is the one that a scale gives, and how far from a node's origin the base
+/// of its box is none, metres.
+const SAME: f32 = 1e-4;
 
 /// The file's keys and what is under them; a map would drop a key that occurs twice.
 struct Environments(Vec<(String, Vec<ObjectFile>)>);
@@ -127,8 +131,9 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
     Ok(scene.build())
 }
 
-/// Writes a scene. What the format has no word for is not written: what a vessel
-/// is filled with, properties, boxes and assets.
+/// Writes a scene. Of boxes it has the sizes, as scales of the classes' typical ones. What the format
+/// has no word for is not written: what a vessel is filled with, properties, assets, and boxes of
+/// classes that the table does not know.
 pub fn write(graph: &SceneGraph) -> String {
     let mut by_name: HashMap<String, usize> = HashMap::new();
     for node in graph.nodes() {
@@ -208,9 +213,35 @@ impl ObjectFile {
             name: name_of(node),
             relation: relation.collect(),
             state: node.states().iter().map(|s| titled(s.as_str())).collect(),
-            transform: to_unreal(node.pose().unwrap_or(&Pose::identity()), node.spec().scale),
+            transform: to_unreal(&base(node), scale(graph, node)),
         }
     }
+}
+
+/// Where the middle of the base of a node's box is.
+fn base(node: &Node) -> Pose {
+    let pose = node.pose().copied().unwrap_or_else(Pose::identity);
+    let Some(own) = own_box(node) else { return pose };
+    let down = own.offset - Vector3::z() * own.half.z;
+    // What stands on its origin stays there to the last bit.
+    if down.norm() < SAME { pose } else { pose * Translation3::from(down) }
+}
+
+/// The scale by which its class's typical size is a node's own.
+fn scale(graph: &SceneGraph, node: &Node) -> Vector3<f32> {
+    let written = node.spec().scale;
+    let typical = graph.classes().get(node.class()).and_then(crate::Class::typical_size);
+    let Some((own, typical)) = own_box(node).zip(typical) else { return written };
+    let size = own.size();
+    let is_so = (0..3).all(|i| (typical[i] * written[i].abs() - size[i]).abs() <= SAME * size[i]);
+    let side = |i: usize, _| size[i] / typical[i] * if written[i] < 0.0 { -1.0 } else { 1.0 };
+    if is_so { written } else { Vector3::from_fn(side) }
+}
+
+/// A node's box, if it is along the node's own axes.
+fn own_box(node: &Node) -> Option<Bounds> {
+    let turned = node.pose().is_some_and(|p| p.rotation != UnitQuaternion::identity());
+    node.spec().bounds.filter(|b| b.frame == Frame::Object || !turned)
 }
 
 /// `plugged_in` as `Plugged_In`.
