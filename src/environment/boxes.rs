@@ -1,12 +1,16 @@
 //! Homes of which only boxes are known: shapes for them, poses that stay, places that stay.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use vc_graph::{Aabb, Draft, EditError, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph};
+use vc_graph::{
+    Aabb, Asset, Draft, EditError, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
+};
+use vc_procgen::dress::{self, DressError};
 use vc_physics::{Floor, PhysicsError, Role, World};
 
-use super::{Elsewhere, ShapesError, scene};
+use super::{Assets, Elsewhere};
 use crate::figure;
 
 /// How far above what carries it a thing may be in the scene, metres, and how far it may fall.
@@ -25,20 +29,27 @@ pub(super) struct Shaped {
     pub(super) bare: Vec<NodeId>,
 }
 
-/// Gives a shape to all of which only a box is known ([`vc_geometry::shapes`]), and a figure to
-/// people. `None` if nothing lacks one.
-pub(super) fn shaped(graph: &SceneGraph) -> Result<Option<Shaped>, ShapesError> {
-    let mut shapes = vc_geometry::shapes(graph);
-    let nobody = |n: &&Node| is_bare_agent(n);
-    if shapes.is_empty() && !graph.nodes().any(|n| nobody(&n)) {
+/// Gives a shape to all of which only a box is known, and a figure to people. `None` if nothing
+/// lacks one.
+pub(super) fn shaped(graph: &SceneGraph, assets: Assets) -> Result<Option<Shaped>, DressError> {
+    if !graph.nodes().any(|n| vc_geometry::is_bare(n) || is_bare_agent(n)) {
         return Ok(None);
     }
     let bare = graph.nodes().filter(|n| vc_geometry::is_bare(n)).map(Node::id).collect();
+    let graph = match assets {
+        Assets::None => peopled(graph, vc_geometry::shapes(graph))?,
+        Assets::Generated => peopled(&dress::dressed(graph, dress::seed_of(graph))?, BTreeMap::new())?,
+    };
+    Ok(Some(Shaped { graph, bare }))
+}
+
+/// The scene with shapes for some of it and a figure for people.
+fn peopled(graph: &SceneGraph, mut shapes: BTreeMap<NodeId, Asset>) -> Result<SceneGraph, DressError> {
     let mut library = graph.assets().as_ref().clone();
     let material = library.add_material(vc_geometry::material())?;
     let mut builder = SceneBuilder::with_classes(graph.name(), graph.classes().clone());
     for node in graph.nodes() {
-        let mut draft = scene::draft(node);
+        let mut draft = Draft::of(node);
         if let Some(mut asset) = shapes.remove(&node.id()) {
             asset.parts.iter_mut().for_each(|part| part.material = material);
             draft.asset = Some(library.add(asset)?);
@@ -51,7 +62,7 @@ pub(super) fn shaped(graph: &SceneGraph) -> Result<Option<Shaped>, ShapesError> 
     }
     builder.link_all(&graph.edges().collect::<Vec<_>>())?;
     builder.assets(Arc::new(library));
-    Ok(Some(Shaped { graph: builder.build(), bare }))
+    Ok(builder.build())
 }
 
 fn is_bare_agent(node: &Node) -> bool {

@@ -3,6 +3,7 @@
 use vc_graph::asset::AssetError;
 use vc_graph::format::FormatError;
 use vc_graph::{EditError, Label, Refusal};
+use vc_procgen::dress::DressError;
 use vc_physics::{AgentError, PhysicsError, SnapshotError};
 use vc_relations::InputError;
 
@@ -63,6 +64,9 @@ pub enum MakeError {
     /// The agents' figure does not fit the scene's shapes.
     #[error(transparent)]
     Asset(#[from] AssetError),
+    /// What has no shape cannot be given one.
+    #[error(transparent)]
+    Dress(#[from] DressError),
     /// An agent of the scene cannot be put on free floor.
     #[error(transparent)]
     Agent(#[from] AgentError),
@@ -89,46 +93,9 @@ pub enum ResetError {
     /// The graph cannot be changed as need be.
     #[error(transparent)]
     Edit(#[from] EditError),
-    /// A shape that was made does not fit the scene's.
+    /// What has no shape cannot be given one.
     #[error(transparent)]
-    Asset(#[from] AssetError),
-}
-
-/// Why shapes for what has none cannot be added to a scene.
-#[derive(Debug)]
-pub(super) enum ShapesError {
-    Edit(EditError),
-    Asset(AssetError),
-}
-
-impl From<EditError> for ShapesError {
-    fn from(error: EditError) -> Self {
-        Self::Edit(error)
-    }
-}
-
-impl From<AssetError> for ShapesError {
-    fn from(error: AssetError) -> Self {
-        Self::Asset(error)
-    }
-}
-
-impl From<ShapesError> for MakeError {
-    fn from(error: ShapesError) -> Self {
-        match error {
-            ShapesError::Edit(error) => Self::Edit(error),
-            ShapesError::Asset(error) => Self::Asset(error),
-        }
-    }
-}
-
-impl From<ShapesError> for ResetError {
-    fn from(error: ShapesError) -> Self {
-        match error {
-            ShapesError::Edit(error) => Self::Edit(error),
-            ShapesError::Asset(error) => Self::Asset(error),
-        }
-    }
+    Dress(#[from] DressError),
 }
 
 /// Why an action was not done; then nothing has changed.

@@ -10,7 +10,7 @@ use vc_relations::{Relations, Rule};
 
 use super::reset::undress;
 use super::undo::Undo;
-use super::{Environment, MakeError, Start, act, boxes, observe, scene};
+use super::{Assets, Environment, MakeError, SceneOptions, Start, act, boxes, observe, scene};
 use crate::figure;
 
 /// What is not in the environment though it is in the scene.
@@ -31,14 +31,16 @@ struct Made {
     floor: Floor,
     shapes: Shapes,
     left_out: LeftOut,
-    /// Things of which the scene had only boxes.
+    /// Things of which the scene had only boxes, and what was made of them.
     bare: Vec<NodeId>,
+    assets: Assets,
 }
 
 impl Environment {
     /// An environment by name, with some agents at free spots from where the rooms can be
     /// reached: `apartment/42` generates a home from a seed, `scene:FILE` reads a scene of
-    /// any format whose things have poses.
+    /// any format whose things have poses. What has a class and a box and no shape gets one
+    /// ([`vc_procgen::dress`]); [`make_with`](Self::make_with) leaves it to its box.
     ///
     /// `Apartment::from_seed(seed).scene()` or `vc_graph::format::read_scene`, then
     /// [`Environment::of`].
@@ -55,7 +57,15 @@ impl Environment {
     /// # Errors
     /// [`MakeError`].
     pub fn make(name: &str, agents: usize) -> Result<Self, MakeError> {
-        Self::of(scene::named(name)?, agents)
+        Self::make_with(name, agents, &SceneOptions::default())
+    }
+
+    /// [`make`](Self::make) with choices: whether what has only a box gets a shape.
+    ///
+    /// # Errors
+    /// [`MakeError`].
+    pub fn make_with(name: &str, agents: usize, options: &SceneOptions) -> Result<Self, MakeError> {
+        Self::of_with(scene::named(name)?, agents, options)
     }
 
     /// An environment of a scene of your own. Agents that the scene has are kept, others
@@ -81,8 +91,16 @@ impl Environment {
     /// # Errors
     /// [`MakeError`].
     pub fn of(graph: SceneGraph, agents: usize) -> Result<Self, MakeError> {
+        Self::of_with(graph, agents, &SceneOptions { assets: Assets::None })
+    }
+
+    /// [`of`](Self::of) with choices: whether what has only a box gets its class's shape.
+    ///
+    /// # Errors
+    /// [`MakeError`].
+    pub fn of_with(graph: SceneGraph, agents: usize, options: &SceneOptions) -> Result<Self, MakeError> {
         let graph = scene::shaped(&graph)?.unwrap_or(graph);
-        let (graph, bare) = match boxes::shaped(&graph)? {
+        let (graph, bare) = match boxes::shaped(&graph, options.assets)? {
             Some(shaped) => (shaped.graph, shaped.bare),
             None => (graph, Vec::new()),
         };
@@ -117,19 +135,19 @@ impl Environment {
         if builder.graph().agents().is_empty() {
             return Err(MakeError::NoAgents);
         }
-        let made = Made { world, floor, shapes, left_out, bare };
+        let made = Made { world, floor, shapes, left_out, bare, assets: options.assets };
         Self::begin(builder.build(), made)
     }
 
     fn begin(mut graph: SceneGraph, made: Made) -> Result<Self, MakeError> {
-        let Made { world, floor, shapes, left_out, bare } = made;
+        let Made { world, floor, shapes, left_out, bare, assets } = made;
         let scene = graph.clone();
         observe::write_poses(&mut graph, &world)?;
         let relations = Relations::new(&graph, Rule::Repaired, observe::evidence(&world))?;
         let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
         relations.write(&mut graph, &all)?;
         let elsewhere = boxes::keep(&scene, &mut graph, &bare)?;
-        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere };
+        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, assets };
         Ok(Self::at(Arc::new(start)))
     }
 

@@ -25,11 +25,11 @@ use vc_physics::{Floor, Posture, Shapes, World};
 use vc_relations::Relations;
 
 pub use agree::{Difference, Disagreement};
-use error::ShapesError;
 pub use error::{ActionError, Impossible, MakeError, ResetError, SaveError};
 #[cfg(feature = "render")]
 pub(crate) use export::position;
 pub use reset::{Elsewhere, ResetReport, Unplaced, Why};
+pub use scene::{Assets, SceneOptions};
 pub use steer::Steering;
 
 /// At which height somebody is in a room, metres.
@@ -92,6 +92,8 @@ struct Start {
     shapes: Shapes,
     left_out: Vec<(NodeId, Arc<str>)>,
     elsewhere: Vec<Elsewhere>,
+    /// What is made of things of which a scene has only boxes.
+    assets: Assets,
 }
 
 impl Start {

@@ -115,7 +115,7 @@ impl Environment {
             return Ok(ResetReport::default());
         }
         let shaped = scene::shaped(graph)?;
-        let boxed = boxes::shaped(shaped.as_ref().unwrap_or(graph))?;
+        let boxed = boxes::shaped(shaped.as_ref().unwrap_or(graph), self.start.assets)?;
         let shaped = boxed.map(|b| b.graph).or(shaped);
         let new_shapes = shaped.is_some();
         let mut wanted = shaped.unwrap_or_else(|| graph.clone());

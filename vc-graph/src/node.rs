@@ -257,6 +257,25 @@ impl Draft {
         Self { class: class.into(), ..Self::default() }
     }
 
+    /// What a node would be made from: everything but its number and relations.
+    pub fn of(node: &Node) -> Self {
+        let spec = node.spec();
+        Self {
+            class: spec.spelling.clone(),
+            name: spec.name.clone(),
+            category: Some(spec.category.clone()),
+            properties: Some(spec.properties),
+            states: Some(node.states()),
+            entering: Vec::new(),
+            pose: node.pose().copied(),
+            bounds: spec.bounds,
+            scale: Some(spec.scale),
+            slots: Some(spec.slots.to_vec()),
+            contents: node.contents().cloned(),
+            asset: spec.asset,
+        }
+    }
+
     /// Sets the author's name for the instance.
     #[must_use]
     pub fn named(self, name: impl Into<Arc<str>>) -> Self {

@@ -18,7 +18,7 @@
 //! ```
 //!
 //! [`object::generator`] finds the generator of a class, [`catalogue`] lists instances
-//! of all of them, and [`gltf`] writes any asset or scene and reads models of others.
+//! of all of them, [`dress`] makes scenes of boxes look like homes, and [`gltf`] writes any asset or scene and reads models of others.
 
 #![warn(clippy::disallowed_methods)]
 
@@ -27,6 +27,7 @@ mod bits;
 pub mod catalogue;
 pub mod check;
 mod clutter;
+pub mod dress;
 mod error;
 mod fingerprint;
 pub mod furnish;

@@ -4,7 +4,7 @@
 use std::sync::LazyLock;
 
 use vc_graph::AssetLibrary;
-use vc_graph::asset::Material;
+use vc_graph::asset::{AssetError, Material};
 use vc_graph::portable::Portable;
 
 /// A material of the [table](ALL): its position in every library this crate makes.
@@ -318,6 +318,22 @@ pub fn library() -> AssetLibrary {
         library
     });
     LIBRARY.clone()
+}
+
+/// Adds the [table](library)'s materials to a library, unless it begins with them, and returns
+/// where they begin: a material's position is that plus its own.
+///
+/// # Errors
+/// None that is known: the table's materials are sound.
+pub fn join(library: &mut AssetLibrary) -> Result<u32, AssetError> {
+    let own = self::library();
+    let all = |of: &AssetLibrary| (0..).map_while(|i| of.material(i)).cloned().collect::<Vec<Material>>();
+    let (table, there) = (all(&own), all(library));
+    if there.starts_with(&table) {
+        return Ok(0);
+    }
+    table.into_iter().try_for_each(|material| library.add_material(material).map(drop))?;
+    Ok(there.len() as u32)
 }
 
 fn material(name: &str, family: Family, colour: u32) -> Material {

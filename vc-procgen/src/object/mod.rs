@@ -221,7 +221,7 @@ impl Draft {
 }
 
 /// The usual measures of a class, least and largest.
-fn ranges(class: &str) -> Option<[Range; 3]> {
+pub(crate) fn usual_ranges(class: &str) -> Option<[Range; 3]> {
     static RANGES: LazyLock<HashMap<&'static str, [Range; 3]>> = LazyLock::new(|| {
         let classes = ClassTable::builtin();
         generators().filter_map(|g| Some((g.class, classes.get(g.class)?.size?))).collect()
@@ -231,11 +231,11 @@ fn ranges(class: &str) -> Option<[Range; 3]> {
 
 /// The least usual depth, width and height of a class, metres.
 pub(crate) fn least_size(class: &str) -> Option<Vector3<f32>> {
-    ranges(class).map(|r| r.map(|r| r.low).into())
+    usual_ranges(class).map(|r| r.map(|r| r.low).into())
 }
 
 /// A size from the class's usual range.
 fn usual_size(class: &str, seed: Seed) -> Vector3<f32> {
     let mut rng = seed.child("size").stream();
-    ranges(class).map_or_else(|| Vector3::repeat(0.3), |r| r.map(|r| rng.between(r.low, r.high)).into())
+    usual_ranges(class).map_or_else(|| Vector3::repeat(0.3), |r| r.map(|r| rng.between(r.low, r.high)).into())
 }

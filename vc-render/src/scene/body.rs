@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
+use vc_graph::class::Category;
 use vc_graph::{NodeId, Pose};
 
 use super::cover::Drawn;
@@ -27,10 +28,10 @@ pub(crate) enum Stands {
 
 impl Stands {
     /// By the category of its class.
-    pub(super) fn of(category: &str) -> Self {
+    pub(super) fn of(category: Option<Category>) -> Self {
         match category {
-            "door" => Self::Between,
-            "structure" | "window" => Self::Around,
+            Some(Category::Door) => Self::Between,
+            Some(Category::Structure | Category::Window) => Self::Around,
             _ => Self::Within,
         }
     }

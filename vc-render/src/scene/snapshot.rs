@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use vc_graph::asset::Joint;
-use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State};
+use vc_graph::class::Category;
+use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State, Word};
 
 use super::body::{Poured, Stands, Tied};
 use super::classes::Classes;
@@ -88,7 +89,7 @@ impl Snapshot {
                 node: node.id(),
                 class: classes.number(node.class()),
                 room,
-                stands: Stands::of(&node.spec().category),
+                stands: Stands::of(category(graph, node)),
                 lit: node.is(State::On),
                 pose: *pose,
                 scale,
@@ -98,7 +99,7 @@ impl Snapshot {
             body.bounds = body.measured(&instances[first as usize..]);
             if graph.covers_windows(node.id()) {
                 around.covers.push((bodies.len(), node.is(State::Closed)));
-            } else if OPENINGS.contains(&&*node.spec().category) {
+            } else if matches!(category(graph, node), Some(Category::Door | Category::Window)) {
                 around.openings.push(bodies.len());
             } else if node.kind() == Kind::Object && !node.affords(Property::Graspable) {
                 around.standing.push(bodies.len());
@@ -173,8 +174,11 @@ impl Snapshot {
     }
 }
 
-/// Categories of what is in an opening of a wall.
-const OPENINGS: [&str; 2] = ["window", "door"];
+/// The category of a node's class; of one that is in no table, what the scene says.
+fn category(graph: &SceneGraph, node: &Node) -> Option<Category> {
+    let known = graph.classes().get(node.class()).map(|class| class.category);
+    known.or_else(|| Category::parse(&node.spec().category).ok())
+}
 
 /// A link, and when it is there: what can be poured, and what is tied or not.
 struct Piece {

@@ -1,0 +1,121 @@
+//! Making a thing that fills a box: as its generator makes it in that size, several side by side
+//! where one would be too wide, stretched where it comes out smaller.
+
+use nalgebra::{Point3, Vector3};
+use vc_graph::{Asset, Seed};
+
+use super::compose::{block, joined, moved};
+use super::turn::Place;
+use super::Made;
+use crate::Style;
+use crate::material::*;
+use crate::object::{self, Generator, Object};
+
+/// Instances that are tried for one that fills its box without being stretched.
+const TRIES: u64 = 4;
+/// Stretched by less than this nobody sees it.
+const UNSEEN: f32 = 1.04;
+/// Nothing is thinner, metres.
+const THIN: f32 = 0.004;
+
+/// Classes of which several stand side by side in a wide box, and how wide one is at most, metres.
+const ROWS: [(&str, f32); 5] = [
+    ("kitchen_cabinet", 0.85),
+    ("kitchen_wall_cabinet", 0.85),
+    ("medicine_cabinet", 0.95),
+    ("bathroom_vanity", 1.2),
+    ("wall_hook_rack", 1.0),
+];
+
+/// What a thing without generator is made of, by a word of its class.
+const MATTER: [(&str, Mat); 12] = [
+    ("wood", OAK),
+    ("metal", STEEL),
+    ("glass", GLASS),
+    ("paper", WHITE_PAPER),
+    ("card", CARDBOARD),
+    ("cloth", GREY_FABRIC),
+    ("towel", TOWEL_WHITE),
+    ("food", CRUST),
+    ("plant", LEAF),
+    ("stone", GRANITE),
+    ("water", WATER),
+    ("leather", BROWN_LEATHER),
+];
+
+/// The thing for its box, its origin in the middle of it.
+pub(super) fn made(place: &Place, style: &Style, seed: Seed) -> Made {
+    let size = place.bounds.size().map(|v| v.max(THIN));
+    let Some(generator) = object::generator(&place.class) else {
+        return Made { asset: plain(&place.class, size), scale: Vector3::repeat(1.0) };
+    };
+    let row = ROWS.iter().find(|(class, most)| *class == &*place.class && size.y > *most * 1.3);
+    match row {
+        Some((_, most)) => Made { asset: side_by_side(generator, size, (*most, &place.taken), style, seed), scale: Vector3::repeat(1.0) },
+        None => fitted(generator, size, style, seed),
+    }
+}
+
+fn fitted(generator: &Generator, size: Vector3<f32>, style: &Style, seed: Seed) -> Made {
+    let stretch = |o: &Object| size.component_div(&o.size().map(|v| v.max(1e-4)));
+    let worst = |o: &Object| stretch(o).iter().map(|s| s.max(1.0 / s)).fold(1.0, f32::max);
+    let mut best: Option<(f32, Object)> = None;
+    for n in 0..TRIES {
+        let object = generator.sized(size, style, seed.nth(n));
+        let off = worst(&object);
+        if best.as_ref().is_none_or(|(b, _)| off < *b) {
+            best = Some((off, object));
+        }
+        if off < UNSEEN {
+            break;
+        }
+    }
+    match best {
+        Some((_, object)) => Made { scale: stretch(&object), asset: centred(object) },
+        None => Made { asset: plain(generator.class, size), scale: Vector3::repeat(1.0) },
+    }
+}
+
+fn centred(object: Object) -> Asset {
+    moved(object.asset, -object.bounds.offset)
+}
+
+/// Units in a row as wide as the box, none where something else is; a worktop bridges those.
+fn side_by_side(generator: &Generator, size: Vector3<f32>, (most, taken): (f32, &[(f32, f32)]), style: &Style, seed: Seed) -> Asset {
+    const LEAST: f32 = 0.2;
+    let mut units = Vec::new();
+    let (mut from, end) = (-size.y / 2.0, size.y / 2.0);
+    let gaps = taken.iter().copied().chain([(end, end)]);
+    for (low, high) in gaps {
+        let (low, wide) = (low.min(end), low.min(end) - from);
+        if wide > LEAST {
+            let count = (wide / most).ceil().max(1.0);
+            for i in 0..count as usize {
+                let unit = Vector3::new(size.x, wide / count, size.z);
+                let made = fitted(generator, unit, style, seed);
+                // Units are near enough to their size to be set side by side as they are.
+                let middle = from + wide / count * (i as f32 + 0.5);
+                units.push(moved(made.asset, Vector3::new(0.0, middle, 0.0)));
+            }
+        }
+        if high - low > LEAST {
+            units.push(bridge(size, (low.max(from), high.min(end)), style));
+        }
+        from = from.max(high);
+    }
+    joined(generator.class, units)
+}
+
+/// The worktop over something that stands in a row.
+fn bridge(size: Vector3<f32>, (low, high): (f32, f32), style: &Style) -> Asset {
+    let half = size / 2.0;
+    let (from, to) = (Point3::new(-half.x, low, half.z - 0.03), Point3::new(half.x, high, half.z));
+    Asset { name: "worktop".into(), parts: vec![block("worktop", from, to, style.worktop)], ..Asset::default() }
+}
+
+/// A box of what the class suggests.
+fn plain(class: &str, size: Vector3<f32>) -> Asset {
+    let mat = MATTER.iter().find(|(word, _)| class.contains(word)).map_or(BEIGE_FABRIC, |(_, mat)| *mat);
+    let half = Point3::from(size / 2.0);
+    Asset { name: class.into(), parts: vec![block("box", -half, half, mat)], ..Asset::default() }
+}

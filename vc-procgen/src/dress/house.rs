@@ -1,0 +1,121 @@
+//! What stands where in a scene of boxes: floors, walls, openings, furniture.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use nalgebra::Point2;
+use vc_geometry::Opening;
+use vc_graph::{Aabb, Asset, Bounds, ClassTable, Frame, Kind, Node, NodeId, Property, SceneGraph};
+
+use super::holders;
+
+/// A scene's geometry, as far as it says how things look and which way they face.
+pub(super) struct House<'g> {
+    pub(super) graph: &'g SceneGraph,
+    /// Floors.
+    pub(super) floors: Vec<Aabb>,
+    /// Straight pieces of wall.
+    pub(super) walls: Vec<Aabb>,
+    /// Doors, their frames, windows.
+    pub(super) openings: Vec<Opening>,
+    /// Walls and floors as geometry has them.
+    pub(super) shapes: BTreeMap<NodeId, Asset>,
+    /// What stands in the way of somebody who walks.
+    standing: Vec<(NodeId, Aabb)>,
+    /// For each thing what it rests on or in.
+    holders: BTreeMap<NodeId, Vec<NodeId>>,
+}
+
+/// Heights over the floor between which things stand in the way, metres.
+const WAY: (f32, f32) = (0.12, 1.6);
+
+impl<'g> House<'g> {
+    pub(super) fn of(graph: &'g SceneGraph) -> Self {
+        let objects = || graph.nodes().filter(|n| n.kind() == Kind::Object);
+        let of_class = |class: &'static str| objects().filter(move |n| &**n.class() == class);
+        let mut shapes = vc_geometry::shapes(graph);
+        shapes.retain(|id, _| graph.node(*id).is_some_and(|n| ["wall", "floor"].contains(&&**n.class())));
+        let pieces = |n: &Node| shapes.get(&n.id()).map_or_else(Vec::new, |asset| pieces(n, asset));
+        let mut house = Self {
+            graph,
+            floors: of_class("floor").filter_map(Node::aabb).collect(),
+            walls: of_class("wall").flat_map(pieces).collect(),
+            openings: vc_geometry::openings(graph),
+            shapes: BTreeMap::new(),
+            standing: Vec::new(),
+            holders: BTreeMap::new(),
+        };
+        house.shapes = shapes;
+        house.standing = objects().filter(|n| stands(graph.classes(), n)).filter_map(|n| Some((n.id(), n.aabb()?))).collect();
+        let chain = |n: &Node| (n.id(), holders(graph, n.id()).map(Node::id).collect());
+        house.holders = objects().map(chain).collect();
+        house
+    }
+
+    /// Whether a node is the frame of a door.
+    pub(super) fn is_frame(&self, id: NodeId) -> bool {
+        self.graph.node(id).is_some_and(|n| &**n.class() == "doorjamb")
+    }
+
+    /// What a thing rests on or in, the nearest first.
+    pub(super) fn holders_of(&self, id: NodeId) -> &[NodeId] {
+        self.holders.get(&id).map_or(&[], Vec::as_slice)
+    }
+
+    /// The height of the floor below a thing, metres.
+    pub(super) fn level(&self, around: &Aabb) -> f32 {
+        let centre = around.centre();
+        let below = self.floors.iter().filter(|f| covers(f, centre.xy()) && f.max.z < centre.z);
+        let under = below.map(|f| f.max.z).reduce(f32::max);
+        under.or_else(|| self.floors.iter().map(|f| f.max.z).reduce(f32::min)).unwrap_or(around.min.z)
+    }
+
+    /// Whether there is floor at a point that one can stand on, whatever `who` and what holds it
+    /// or rests at it take of it.
+    pub(super) fn is_free(&self, at: Point2<f32>, level: f32, who: NodeId) -> bool {
+        let in_way = |b: &Aabb| covers(b, at) && b.min.z < level + WAY.1 && b.max.z > level + WAY.0;
+        let apart = |id: NodeId| {
+            id != who && !self.holders_of(who).contains(&id) && !self.holders_of(id).contains(&who)
+        };
+        self.floors.iter().any(|f| covers(f, at))
+            && !self.walls.iter().any(|w| covers(w, at))
+            && !self.standing.iter().any(|(id, b)| in_way(b) && apart(*id))
+    }
+
+    /// Boxes of things of a kind, with what they are.
+    pub(super) fn of_kind<'a>(&'a self, kind: &'a str) -> impl Iterator<Item = (NodeId, &'a Arc<str>, Aabb)> + 'a {
+        let classes = self.graph.classes();
+        let of_kind = move |n: &&Node| n.kind() == Kind::Object && classes.is_a(n.class(), kind);
+        self.graph.nodes().filter(of_kind).filter_map(|n| Some((n.id(), n.class(), n.aabb()?)))
+    }
+}
+
+/// Whether a thing is neither building nor carried nor moved aside nor lain on the floor.
+fn stands(classes: &ClassTable, node: &Node) -> bool {
+    use vc_graph::class::Category;
+    let category = classes.get(node.class()).map(|c| c.category);
+    let builds = matches!(category, Some(Category::Structure | Category::Door | Category::Window));
+    let carried = node.affords(Property::Graspable);
+    !builds && !carried && !is_seat(classes, node.class())
+}
+
+/// What is drawn up to a table.
+pub(super) fn is_seat(classes: &ClassTable, class: &str) -> bool {
+    ["chair", "stool", "bench"].iter().any(|kind| classes.is_a(class, kind))
+}
+
+fn covers(b: &Aabb, at: Point2<f32>) -> bool {
+    (b.min.x..=b.max.x).contains(&at.x) && (b.min.y..=b.max.y).contains(&at.y)
+}
+
+/// The parts of a thing as boxes of the world.
+fn pieces(node: &Node, asset: &Asset) -> Vec<Aabb> {
+    let Some(pose) = node.pose() else { return Vec::new() };
+    let placed = |part: &vc_graph::asset::Part| {
+        let (low, high) = part.extent();
+        let half = (high - low) / 2.0;
+        let bounds = Bounds { offset: nalgebra::center(&low, &high).coords, half, frame: Frame::Object };
+        bounds.aabb(pose)
+    };
+    asset.parts.iter().map(placed).collect()
+}

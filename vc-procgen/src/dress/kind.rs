@@ -1,0 +1,85 @@
+//! Which generator makes a thing: by its class, and by what its name, size and place add.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+use vc_graph::{Aabb, ClassTable, NodeId};
+
+use super::house::House;
+use crate::object;
+
+/// What is known of a thing when its look is chosen.
+struct Facts {
+    /// In lower case, words run together.
+    name: String,
+    /// The longer and the shorter measure of its footprint, and its height, metres.
+    long: f32,
+    short: f32,
+    high: f32,
+    /// How far its bottom is over the floor, metres.
+    lift: f32,
+}
+
+impl Facts {
+    fn named(&self, word: &str) -> bool {
+        self.name.contains(word)
+    }
+}
+
+/// What a thing of a class is taken for when something more is known of it; the first that holds.
+type Rule = (&'static str, fn(&Facts) -> bool, &'static str);
+
+const RULES: [Rule; 16] = [
+    ("chair", |f| f.named("cpu") || f.named("office"), "office_chair"),
+    ("chair", |f| f.named("recliner") || f.short.max(f.long) > 0.8, "armchair"),
+    ("sofa", |f| f.short > 1.5, "corner_sofa"),
+    ("bed", |f| f.high < 0.24, "mattress"),
+    ("bed", |f| f.short > 1.3, "double_bed"),
+    ("sink", |f| f.named("kitchen"), "kitchen_sink"),
+    ("kitchen_cabinet", |f| f.lift > 0.6, "kitchen_wall_cabinet"),
+    ("bathroom_cabinet", |f| f.short < 0.25, "medicine_cabinet"),
+    ("kitchen_counter", |f| f.high > 0.5, "kitchen_cabinet"),
+    ("bathroom_counter", |f| f.high > 0.3, "bathroom_vanity"),
+    ("bookshelf", |f| f.high < 1.0, "low_bookcase"),
+    ("table", |f| f.high < 0.55, "coffee_table"),
+    ("table", |_| true, "dining_table"),
+    ("trash_can", |f| f.high < 0.38, "wastebasket"),
+    ("picture", |f| f.lift > 0.3, "wall_picture_frame"),
+    ("window", |_| true, "window"),
+];
+
+/// The class whose generator makes a thing; its own if none does.
+pub(super) fn of(house: &House, id: NodeId, size: Vector3<f32>, around: &Aabb) -> Arc<str> {
+    let Some(node) = house.graph.node(id) else { return "".into() };
+    let classes = house.graph.classes();
+    let name = node.spec().name.as_deref().unwrap_or(&node.spec().spelling);
+    let facts = Facts {
+        name: name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect(),
+        long: size.x.max(size.y),
+        short: size.x.min(size.y),
+        high: size.z,
+        lift: around.min.z - house.level(around),
+    };
+    let own = node.class();
+    // A name that says more than the class: a kitchen chair is a chair.
+    let said = classes.get(name).map(|c| &c.name).filter(|c| *c != own && classes.is_a(c, own));
+    let class = said.filter(|c| object::generator(c).is_some()).unwrap_or(own);
+    let rule = RULES.iter().find(|(of, holds, _)| **of == **class && holds(&facts));
+    match rule {
+        Some((_, _, like)) => (*like).into(),
+        None if object::generator(class).is_some() => class.clone(),
+        None => related(classes, class, id).unwrap_or_else(|| class.clone()),
+    }
+}
+
+/// A kind of a class that has a generator, or else the nearest class it is a kind of: any toy
+/// for a toy.
+fn related(classes: &ClassTable, class: &str, id: NodeId) -> Option<Arc<str>> {
+    let own = classes.get(class)?;
+    let kinds: Vec<&str> = object::generators().map(|g| g.class).filter(|c| classes.is_a(c, class)).collect();
+    if !kinds.is_empty() {
+        return Some(kinds[id.0 as usize % kinds.len()].into());
+    }
+    let above = classes.kinds_of(own).filter(|c| object::generator(&c.name).is_some());
+    above.map(|c| c.name.clone()).next()
+}

@@ -1,0 +1,161 @@
+//! The building: floors, ceilings, walls with holes, doors and windows in them.
+
+use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector2, Vector3};
+use vc_geometry::Opening;
+use vc_graph::{Aabb, Asset, Bounds, Frame, Node, NodeId, Pose, Seed};
+
+use super::compose::{block, moved};
+use super::house::House;
+use crate::Style;
+use crate::furnish::Facing;
+use crate::material::{self, Mat};
+use crate::object::{self, Object};
+
+/// What a ceiling is made thick if it has no thickness, metres.
+const SLAB: f32 = 0.1;
+/// How far from an opening's box the walls may be that it is in, metres.
+const NEAR: f32 = 0.12;
+/// Height of the strip on the floor below a door, metres.
+const STRIP: f32 = 0.004;
+/// Rooms with tiles on the floor; the first also has them on its walls.
+const WET: [&str; 4] = ["bathroom", "kitchen", "laundry_room", "utility_room"];
+
+/// Something of the building as it is drawn.
+pub(super) struct Built {
+    pub(super) asset: Asset,
+    pub(super) pose: Pose,
+    pub(super) bounds: Bounds,
+}
+
+/// What the building has for a node; `None` if the node is no part of it.
+pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
+    let room = house.graph.room_of(node.id()).and_then(|r| house.graph.node(r)).map_or("", |r| r.class());
+    match &**node.class() {
+        "floor" => painted(house, node, if WET.contains(&room) { style.tile } else { style.floor }),
+        "wall" => painted(house, node, if room == WET[0] { style.tile } else { style.wall }),
+        "ceiling" => ceiling(node),
+        _ => {
+            let opening = house.openings.iter().find(|o| o.door == node.id())?;
+            let frames_door = || house.openings.iter().any(|o| o.door != node.id() && o.is_doorway && meet(&o.clear, &opening.clear));
+            match &**node.class() {
+                "doorjamb" if frames_door() => threshold(node, opening, style.joinery),
+                _ => filled(house, opening, node, style, seed),
+            }
+        }
+    }
+}
+
+/// Walls and floors as geometry has them, in a material.
+fn painted(house: &House, node: &Node, mat: Mat) -> Option<Built> {
+    let mut asset = house.shapes.get(&node.id())?.clone();
+    asset.parts.iter_mut().for_each(|part| part.material = mat.0);
+    let (low, high) = asset.extent()?;
+    Some(Built { asset, pose: *node.pose()?, bounds: around(low, high) })
+}
+
+fn ceiling(node: &Node) -> Option<Built> {
+    let (bounds, pose) = (node.spec().bounds?, node.pose()?);
+    let pose = upright(pose, &bounds);
+    let (low, mut high) = (Point3::from(bounds.offset - bounds.half), Point3::from(bounds.offset + bounds.half));
+    high.z = high.z.max(low.z + SLAB);
+    Some(Built { asset: one_block(node.class(), (low, high), material::WALL_WHITE), pose, bounds: around(low, high) })
+}
+
+/// The pose whose axes a node's box is aligned with.
+fn upright(pose: &Pose, bounds: &Bounds) -> Pose {
+    match bounds.frame {
+        Frame::Object => *pose,
+        Frame::World => Isometry3::from_parts(pose.translation, UnitQuaternion::identity()),
+    }
+}
+
+fn around(low: Point3<f32>, high: Point3<f32>) -> Bounds {
+    Bounds { offset: nalgebra::center(&low, &high).coords, half: (high - low) / 2.0, frame: Frame::Object }
+}
+
+fn one_block(name: &str, (low, high): (Point3<f32>, Point3<f32>), mat: Mat) -> Asset {
+    Asset { name: name.into(), parts: vec![block(name, low, high, mat)], ..Asset::default() }
+}
+
+/// Whether a turn takes upright axes to upright axes.
+fn quarter(turn: &UnitQuaternion<f32>) -> bool {
+    turn.to_rotation_matrix().matrix().iter().all(|v| v.abs() < 1e-3 || v.abs() > 1.0 - 1e-3)
+}
+
+fn meet(a: &Aabb, b: &Aabb) -> bool {
+    (0..3).all(|i| a.min[i] < b.max[i] && b.min[i] < a.max[i])
+}
+
+/// The hole that a door, frame or window fills: as thick as the walls it is in.
+fn hole(house: &House, opening: &Opening) -> Aabb {
+    let (mut hole, thin) = (opening.clear, opening.across);
+    // A leaf that stands open says little of the hole; the frame at its place says all.
+    let framed = house.openings.iter().find(|o| house.is_frame(o.door) && meet(&o.clear, &opening.clear));
+    if let Some(frame) = framed {
+        hole = frame.clear;
+    }
+    let near = Aabb { min: hole.min - Vector3::repeat(NEAR), max: hole.max + Vector3::repeat(NEAR) };
+    let wide = 1 - thin;
+    let along = |w: &&Aabb| w.max[thin] - w.min[thin] < w.max[wide] - w.min[wide] && w.max[thin] - w.min[thin] < 0.6;
+    let walls = house.walls.iter().filter(|w| meet(w, &near)).filter(along);
+    if let Some((low, high)) = walls.map(|w| (w.min[thin], w.max[thin])).reduce(|p, q| (p.0.min(q.0), p.1.max(q.1))) {
+        (hole.min[thin], hole.max[thin]) = (low, high);
+    }
+    hole
+}
+
+/// A strip on the floor in place of a frame whose door has its own.
+fn threshold(node: &Node, opening: &Opening, mat: Mat) -> Option<Built> {
+    let (bounds, pose) = (node.spec().bounds?, node.pose()?);
+    let pose = upright(pose, &bounds);
+    if !quarter(&pose.rotation) {
+        return None;
+    }
+    let clear = opening.clear;
+    let top = Point3::new(clear.max.x, clear.max.y, clear.min.z + STRIP);
+    let (a, c) = (pose.inverse() * clear.min, pose.inverse() * top);
+    let asset = one_block("threshold", (a.inf(&c), a.sup(&c)), mat);
+    Some(Built { asset, pose, bounds: Bounds { frame: Frame::Object, ..bounds } })
+}
+
+/// A door, window or empty frame as its generator makes it for the hole.
+fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
+    let generator = object::generator(node.class())?;
+    let hole = hole(house, opening);
+    let size = hole.max - hole.min;
+    let size = if opening.across == 0 { size } else { Vector3::new(size.y, size.x, size.z) };
+    let own = node.spec().name.as_deref().unwrap_or("opening");
+    let made = generator.sized(size, style, seed.child(own));
+    let (pose, bounds) = (node.pose()?, node.spec().bounds?);
+    let known = Some(pose.rotation).filter(|turn| !super::is_unturned(&bounds) && quarter(turn));
+    let (turn, mirrored) = hung(house, (&hole, opening.across), node.id(), known);
+    let made = if mirrored { made.mirrored() } else { made };
+    let foot = Point3::new((hole.min.x + hole.max.x) / 2.0, (hole.min.y + hole.max.y) / 2.0, hole.min.z);
+    let pose = Isometry3::from_parts(pose.translation, turn);
+    let by = (pose.inverse() * foot).coords;
+    let Object { asset, bounds, .. } = made;
+    let bounds = Bounds { offset: bounds.offset + by, ..bounds };
+    Some(Built { asset: moved(asset, by), pose, bounds })
+}
+
+/// Which way a door or window looks, and whether its hinge is on the right: it opens to the side
+/// where there is more floor, and its open leaf stands where it is least in the way.
+fn hung(house: &House, (hole, across): (&Aabb, usize), id: NodeId, known: Option<UnitQuaternion<f32>>) -> (UnitQuaternion<f32>, bool) {
+    let centre = hole.centre().xy();
+    let width = hole.max[1 - across] - hole.min[1 - across];
+    let level = house.level(hole);
+    let facings: [Facing; 2] = if across == 0 { [Facing(0), Facing(2)] } else { [Facing(1), Facing(3)] };
+    let free = |facing: Facing, hinge: f32| {
+        let (x, y) = facing.step();
+        let (ahead, left) = (Vector2::new(x, y), Vector2::new(-y, x));
+        let at = |i: usize, side: f32| centre + ahead * (0.15 * i as f32 + 0.1) + left * (side * width * 0.45);
+        let leaf = (1..=5).filter(|&i| house.is_free(at(i, hinge), level, id)).count();
+        let way = (1..=5).filter(|&i| house.is_free(at(i, 0.0), level, id)).count();
+        leaf + 2 * way
+    };
+    let turn = |facing: Facing| UnitQuaternion::from_axis_angle(&Vector3::z_axis(), facing.yaw());
+    let wanted = |f: &Facing| known.is_none_or(|k| k.angle_to(&turn(*f)) < 0.1);
+    let ways = facings.into_iter().filter(wanted).flat_map(|f| [(f, 1.0), (f, -1.0)]);
+    let best = ways.map(|(f, hinge)| (free(f, hinge), f, hinge)).reduce(|p, q| if q.0 > p.0 { q } else { p });
+    best.map_or((known.unwrap_or_default(), false), |(_, f, hinge)| (turn(f), hinge < 0.0))
+}
