@@ -1,0 +1,51 @@
+//! Whether a node is what it is called: `milk.8` may name a node that is a knife.
+
+use crate::vocabulary::{clip, same_word};
+use crate::{Label, NodeId, SceneGraph};
+
+/// A label whose class is not that of its node.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{written}` names a thing that is {found}; write the class and the number of one thing")]
+pub struct Misnomer {
+    /// The label as it was written.
+    pub written: Label,
+    /// The node of its number.
+    pub found: Label,
+}
+
+impl SceneGraph {
+    /// Checks that a node is what a text calls it: its class, a kind of which it is one,
+    /// or another name of these, in any spelling. Other numbers than those of nodes are
+    /// not looked into: whoever goes on with them finds that out.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let table = scene.add(Draft::new("kitchen_table"))?;
+    /// let graph = scene.build();
+    /// assert!(graph.check_name("KitchenTable", table).is_ok() && graph.check_name("table", table).is_ok());
+    /// let error = graph.check_name("milk", table).unwrap_err();
+    /// assert!(error.to_string().starts_with("`milk.1` names a thing that is kitchen_table.1"));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Misnomer`] with both names.
+    pub fn check_name(&self, class: &str, id: NodeId) -> Result<(), Misnomer> {
+        let Some(node) = self.node(id) else { return Ok(()) };
+        let spec = node.spec();
+        let written = std::iter::once(&*spec.spelling).chain(spec.name.as_deref());
+        if written.into_iter().any(|own| same_word(own, class)) || self.classes().is_a(&spec.class, class) {
+            return Ok(());
+        }
+        Err(Misnomer { written: Label { class: clip(class).into(), id }, found: node.label() })
+    }
+
+    /// Checks that a node is what a label calls it, as [`Self::check_name`] does.
+    ///
+    /// # Errors
+    /// [`Misnomer`] with both names.
+    pub fn check_label(&self, label: &Label) -> Result<(), Misnomer> {
+        self.check_name(&label.class, label.id)
+    }
+}
