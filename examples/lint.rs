@@ -2,12 +2,14 @@
 //!
 //! `cargo run --release --example lint -- FILE...` takes activities in BDDL
 //! (`.bddl`), lists of tasks (`.txt`) and our task files (`.json`); a folder stands
-//! for all such files in it. `--remarks` shows what is no fault as well, `--scene`
-//! tells which things there are. It ends with 1 if something is wrong.
+//! for all activities in it. `--remarks` shows what is no fault as well, `--scene`
+//! tells which things there are. What cannot be read is told, and the rest looked at.
+//! It ends with 1 if something is wrong, with 2 if something could not be read.
 
 mod support;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -15,15 +17,15 @@ use clap::Parser;
 use support::{Complaint, say};
 use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, SceneGraph};
-use vc_tasks::Task;
 use vc_tasks::format::bddl::Activity;
 use vc_tasks::format::json;
 use vc_tasks::lint::{self, Finding, Kind};
+use vc_tasks::{Task, TaskError};
 
 /// Looks for what is wrong or odd with tasks.
 #[derive(Parser)]
 struct Options {
-    /// Files of tasks, or folders of them.
+    /// Files of tasks, or folders of activities.
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// Also show what is no fault.
@@ -38,57 +40,91 @@ fn main() -> Result<ExitCode, Complaint> {
     let options = Options::parse();
     let read = |file: &PathBuf| read_scene(&support::read(file)?, &ClassTable::builtin()).map_err(Complaint::new);
     let scene = options.scene.as_ref().map(read).transpose()?;
+    let mut tally = Tally::default();
     let mut files = Vec::new();
-    options.files.iter().try_for_each(|path| collect(path, &mut files))?;
-    let mut hits: BTreeMap<Kind, usize> = BTreeMap::new();
+    options.files.iter().for_each(|path| collect(path, &mut files, &mut tally));
     for file in &files {
-        let mut found = findings(file, scene.as_ref())?;
+        let mut found = findings(file, scene.as_ref(), &mut tally);
         found.retain(|f| options.remarks || !f.kind.is_remark());
         found.iter().for_each(|finding| say!("{}: {finding}", file.display()));
-        let mut kinds: Vec<Kind> = found.into_iter().map(|f| f.kind).collect();
-        kinds.sort_unstable();
-        kinds.dedup();
-        kinds.into_iter().for_each(|kind| *hits.entry(kind).or_default() += 1);
+        let kinds: BTreeSet<Kind> = found.into_iter().map(|f| f.kind).collect();
+        kinds.into_iter().for_each(|kind| *tally.hits.entry(kind).or_default() += 1);
     }
     say!("\n{} files", files.len());
-    hits.iter().for_each(|(kind, number)| say!("{number:6} with {kind}"));
-    let wrong = hits.keys().any(|kind| !kind.is_remark());
-    Ok(if wrong { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+    tally.hits.iter().for_each(|(kind, number)| say!("{number:6} with {kind}"));
+    if tally.unread > 0 {
+        say!("{:6} files or lines could not be read", tally.unread);
+    }
+    Ok(tally.code())
 }
 
-fn collect(path: &Path, files: &mut Vec<PathBuf>) -> Result<(), Complaint> {
+/// What was found in how many files, and how much could not be read.
+#[derive(Default)]
+struct Tally {
+    hits: BTreeMap<Kind, usize>,
+    unread: usize,
+}
+
+impl Tally {
+    /// Tells what could not be read, and goes on.
+    fn cannot_read(&mut self, why: impl Display) {
+        say!("{why}");
+        self.unread += 1;
+    }
+
+    fn code(&self) -> ExitCode {
+        match () {
+            () if self.unread > 0 => ExitCode::from(2),
+            () if self.hits.keys().any(|kind| !kind.is_remark()) => ExitCode::FAILURE,
+            () => ExitCode::SUCCESS,
+        }
+    }
+}
+
+fn collect(path: &Path, files: &mut Vec<PathBuf>, tally: &mut Tally) {
     if !path.is_dir() {
-        files.push(path.to_owned());
-        return Ok(());
+        return files.push(path.to_owned());
     }
-    let located = |e: std::io::Error| Complaint::new(format!("{}: {e}", path.display()));
-    let mut entries = Vec::new();
-    for entry in std::fs::read_dir(path).map_err(located)? {
-        entries.push(entry.map_err(located)?.path());
-    }
+    let entries = std::fs::read_dir(path).and_then(|entries| entries.map(|e| Ok(e?.path())).collect());
+    let mut entries: Vec<PathBuf> = match entries {
+        Ok(entries) => entries,
+        Err(why) => return tally.cannot_read(format!("{}: {why}", path.display())),
+    };
     entries.sort();
     // Domains are no tasks.
     let task = |p: &&PathBuf| {
         let name = p.file_name().unwrap_or_default().to_string_lossy();
         p.is_dir() || (name.ends_with(".bddl") && !name.starts_with("domain"))
     };
-    entries.iter().filter(task).try_for_each(|entry| collect(entry, files))
+    entries.iter().filter(task).for_each(|entry| collect(entry, files, tally));
 }
 
-fn findings(file: &Path, scene: Option<&SceneGraph>) -> Result<Vec<Finding>, Complaint> {
-    let text = support::read(file)?;
-    let located = |e: &dyn std::fmt::Display| Complaint::new(format!("{}: {e}", file.display()));
-    let tasks = match file.extension().and_then(|e| e.to_str()) {
-        Some("bddl") => {
-            let activity = Activity::read(&text).map_err(|e| Complaint::new(e.in_file(file)))?;
-            return Ok(lint::activity(&activity));
+fn findings(file: &Path, scene: Option<&SceneGraph>, tally: &mut Tally) -> Vec<Finding> {
+    let text = match support::read(file) {
+        Ok(text) => text,
+        Err(why) => {
+            tally.cannot_read(format_args!("{why:?}"));
+            return Vec::new();
         }
-        Some("json") => json::read(&text).map_err(|e| Complaint::new(e.in_file(file)))?,
-        _ => Task::read_list(&text).map_err(|e| located(&e))?,
     };
+    if file.extension().is_some_and(|e| e == "bddl") {
+        let activity = Activity::read(&text).map_err(|why| tally.cannot_read(why.in_file(file)));
+        return activity.map(|activity| lint::activity(&activity)).unwrap_or_default();
+    }
     let of = |task: &Task| {
         let titled = |f: Finding| Finding { part: format!("{} ({})", f.part, task.title), ..f };
         lint::goal(&task.goal, scene).into_iter().map(titled).collect::<Vec<_>>()
     };
-    Ok(tasks.iter().flat_map(of).collect())
+    tasks(file, &text, tally).iter().flat_map(of).collect()
+}
+
+/// The tasks of a list or of a file of ours.
+fn tasks(file: &Path, text: &str, tally: &mut Tally) -> Vec<Task> {
+    if file.extension().is_some_and(|e| e == "json") {
+        return json::read(text).map_err(|why| tally.cannot_read(why.in_file(file))).unwrap_or_default();
+    }
+    let told = |task: Result<Task, _>| {
+        task.map_err(|why: TaskError| tally.cannot_read(format!("{}: {why}", file.display()))).ok()
+    };
+    Task::read_lines(text).filter_map(told).collect()
 }

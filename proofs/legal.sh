@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What can be done is what nothing is held against: a hundred states of each of a hundred homes.
+# The actions that can be done are those that nothing is held against: a hundred states of each
+# of a hundred homes.
 # Homes that are done are noted in target/proofs/legal.txt; begun again, it goes on after them.
 set -euo pipefail
 cd "$(dirname "$0")/.."

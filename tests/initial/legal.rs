@@ -1,4 +1,4 @@
-//! What can be done is what nothing is held against, of every verb with every thing.
+//! An action can be done if nothing is held against it: every verb with every thing.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ const STRIDE: usize = 10;
 /// In one state of so many, every two things are tried; in the others a few, and all with what
 /// is in hand.
 const THOROUGH: usize = 10;
-/// What is tried with all things in the others.
+/// So many things are tried with all others in those.
 const FEW: usize = 3;
 
 /// A generated home with two people in it.

@@ -126,3 +126,26 @@ fn long_and_deep_goals_are_refused() {
     assert_eq!(parse(&deep(50)), parse("Open(x)"));
     assert_eq!(fail(&("!".repeat(70) + "Open(x)")).problem, GoalProblem::TooDeep);
 }
+
+/// `On` is said of a lamp, and of an apple and a table.
+#[test]
+fn two_things_without_a_comma_are_not_one_that_is_on() {
+    let error = "On(apple table)".parse::<vc_graph::Goal>().unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "goal, character 10: expected `,` between two things; a class of two words is joined, `kitchen_table`, \
+         found `table`"
+    );
+    assert!("Filled(glass milk)".parse::<vc_graph::Goal>().is_err());
+    for (text, read) in [
+        ("On(table lamp)", "SwitchedOn(table_lamp)"),
+        ("On(apple, kitchen table)", "On(apple, kitchen_table)"),
+        ("Open(kitchen cabinet)", "Open(kitchen_cabinet)"),
+        ("Near(blue table)", "Near(me, blue_table)"),
+        ("On(apple_table)", "SwitchedOn(apple_table)"),
+        ("Filled(water glass)", "Filled(water_glass)"),
+    ] {
+        let goal: vc_graph::Goal = text.parse().unwrap();
+        assert_eq!(goal, read.parse().unwrap(), "{text}");
+    }
+}

@@ -183,6 +183,11 @@ impl Belief {
         open.map(|(i, place)| (i, *place, self.rooms[i]))
     }
 
+    /// Whether the scene has neither a room nor anything on or in which things could be.
+    pub(crate) fn has_no_place(&self) -> bool {
+        self.places.is_empty()
+    }
+
     pub(crate) fn places_known(&self) -> usize {
         self.places.len()
     }

@@ -108,7 +108,8 @@ impl Run {
 
     /// Lets a policy pursue a task until it is done, gives up or runs out of steps,
     /// telling `watch` each step. The verdict is by the true scene, not by what the
-    /// policy believes. A scene without an agent is lost at once.
+    /// policy believes. A scene without an agent is lost at once, and a task that calls a
+    /// thing what it is not.
     pub fn episode(
         &self,
         policy: &mut dyn Policy,
@@ -116,11 +117,16 @@ impl Run {
         world: &mut dyn World,
         watch: &mut dyn FnMut(&Step),
     ) -> Episode {
-        let Some(agent) = self.agent.or_else(|| world.graph().agents().first().copied()) else {
-            let digest = world.graph().digest();
-            let reason = Some("the scene has no agent".into());
-            return Episode { outcome: Outcome::Lost, score: 0.0, steps: 0, reason, digest };
+        let lost = |reason: String| {
+            let (reason, digest) = (Some(reason), world.graph().digest());
+            Episode { outcome: Outcome::Lost, score: 0.0, steps: 0, reason, digest }
         };
+        let Some(agent) = self.agent.or_else(|| world.graph().agents().first().copied()) else {
+            return lost("the scene has no agent".into());
+        };
+        if let Some(misnomer) = task.goal.misnomers(world.graph()).first() {
+            return lost(misnomer.to_string());
+        }
         policy.begin(&Brief { scene: world.graph(), agent, task, seed: self.seed });
         let mut running = Running { agent, task, world, done: 0, keeps_observations: self.keeps_observations };
         let (outcome, reason) = loop {

@@ -117,6 +117,9 @@ impl Planner {
         goal: &Goal,
         events: &[Event],
     ) -> Result<Plan, Unreachable> {
+        if let Some(misnomer) = goal.misnomers(graph).into_iter().next() {
+            return Err(misnomer.into());
+        }
         let is_tidy = self.tidy().is_none_or(|touched| touched.amiss(graph).next().is_none());
         if is_tidy && goal.holds(&Situation { graph, agent, events }) {
             return Ok(Plan { proved: true, ..Plan::default() });

@@ -47,6 +47,9 @@ impl std::fmt::Display for Want {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unreachable {
+    /// A label of the goal is of another class than its node.
+    #[error(transparent)]
+    Misnomer(#[from] vc_graph::Misnomer),
     /// The scene lacks what a part of the goal is about.
     #[error("nothing in this scene can satisfy `{0}`")]
     NoInstance(String),
@@ -97,6 +100,9 @@ pub enum Unreachable {
     /// A language model gave no answer that could be used.
     #[error("no usable answer: {0}")]
     NoAnswer(String),
+    /// A missing thing can be nowhere: there are no rooms and nothing that holds or carries.
+    #[error("`{0}` is out of sight, and this scene has no room and no place where it could be")]
+    Nowhere(String),
     /// Every place has been searched.
     #[error("everything has been searched {0} times and something is still missing")]
     Searched(usize),

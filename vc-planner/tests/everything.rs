@@ -7,7 +7,9 @@ use std::collections::BTreeSet;
 use vc_graph::goal::{Predicate, Situation, Term};
 use vc_graph::rule::{Effect, Role};
 use vc_graph::{Draft, Goal, History, NodeId, SceneBuilder, SceneGraph, Simulator, State, Verb, Word};
-use vc_planner::plan;
+use vc_planner::{Newcomer, Policy, Run, plan};
+use vc_tasks::format::alfred::Template;
+use vc_tasks::{Outcome, Task};
 
 /// What no verb brings about: it is so from the beginning, or comes by itself.
 const NOBODYS: [State; 9] = [
@@ -98,5 +100,36 @@ fn every_state_can_be_planned() {
         let enters = |effect: &Effect<Role>| matches!(effect, Effect::Enter(_, s) | Effect::EnterWith(_, s) | Effect::EnterOwn(s) if s == state);
         let brought = Verb::ALL.iter().any(|verb| verb.rule().does.iter().any(enters));
         assert!(planned || !brought, "some verb makes things {}", state.as_str());
+    }
+}
+
+/// Tasks of ALFRED, with those of things that are to be hot or cold, whole vessels too: by who
+/// knows the home and by who sees it for the first time.
+#[test]
+fn alfreds_tasks_can_be_done() {
+    let scene = home();
+    let tasks = [
+        ("pick_heat_then_place_in_recep", "Apple", "CounterTop", ""),
+        ("pick_heat_then_place_in_recep", "Mug", "Desk", ""),
+        ("pick_heat_then_place_in_recep", "Pot", "Fridge", ""),
+        ("pick_cool_then_place_in_recep", "Apple", "Desk", ""),
+        ("pick_cool_then_place_in_recep", "Pot", "CounterTop", ""),
+        ("pick_cool_then_place_in_recep", "Mug", "Sink", ""),
+        ("pick_clean_then_place_in_recep", "Plate", "Desk", ""),
+        ("pick_and_place_with_movable_recep", "Apple", "Desk", "Plate"),
+    ];
+    for (kind, object, at, vessel) in tasks {
+        let text = format!(
+            r#"{{"task_type": "{kind}", "pddl_params": {{"object_target": "{object}", "parent_target": "{at}",
+                "mrecep_target": "{vessel}", "toggle_target": "", "object_sliced": false}}}}"#
+        );
+        let goal = Template::read(&text).unwrap().to_goal();
+        assert!(is_planned(&scene, &goal), "{kind}: {goal}");
+        let task = Task::new(kind, goal);
+        for mut policy in [Newcomer::best(), Newcomer::stranger()] {
+            let mut world = Simulator::new(scene.clone());
+            let episode = Run::seeded(1).episode(&mut policy, &task, &mut world, &mut |_| {});
+            assert_eq!(episode.outcome, Outcome::Won, "{}: {}: {episode:?}", policy.name(), task.goal);
+        }
     }
 }

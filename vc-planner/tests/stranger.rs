@@ -88,3 +88,23 @@ fn what_is_nowhere_is_given_up_when_all_has_been_seen() {
     let left: Vec<String> = world.graph().nodes().filter(shut).map(|n| n.label().to_string()).collect();
     assert!(left.is_empty(), "{left:?}");
 }
+
+/// Where a scene has neither rooms nor furniture, what is out of sight cannot be anywhere.
+#[test]
+fn what_can_be_nowhere_is_given_up_at_once() {
+    let mut scene = SceneBuilder::new("nothing");
+    let me = scene.add(Draft::new("character")).unwrap();
+    let apples = ["apple", "apple"].map(|class| scene.add(Draft::new(class)).unwrap());
+    let scene = scene.build();
+    for mut policy in [Newcomer::best(), Newcomer::stranger(), Newcomer::default()] {
+        for goal in ["Holds(apple)", "Near(me, apple)", "On(apple, apple)", "Clean(apple), 2"] {
+            let task = Task::new("nowhere", goal.parse().unwrap());
+            let mut world = Simulator::new(scene.clone());
+            let episode = Run::seeded(0).episode(&mut policy, &task, &mut world, &mut |_| {});
+            assert_eq!((episode.outcome, episode.steps), (Outcome::Lost, 0), "{} {goal}", policy.name());
+            assert!(episode.reason.unwrap().contains("apple"), "{} {goal}", policy.name());
+        }
+    }
+    let belief = Belief::of_newcomer(&scene, me, 0);
+    assert_eq!(apples.map(|id| belief.distribution(id).len()), [0, 0]);
+}

@@ -74,9 +74,14 @@ impl Task {
     /// # Errors
     /// [`TaskError`] with the line.
     pub fn read_list(text: &str) -> Result<Vec<Self>, TaskError> {
+        Self::read_lines(text).collect()
+    }
+
+    /// As [`Task::read_list`], going on after lines that are no task.
+    pub fn read_lines(text: &str) -> impl Iterator<Item = Result<Self, TaskError>> + '_ {
         let lines = unmarked(text).lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
         let tasks = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-        tasks.map(|(line, text)| Self::read_line(line, text)).collect()
+        tasks.map(|(line, text)| Self::read_line(line, text))
     }
 
     fn read_line(line: usize, text: &str) -> Result<Self, TaskError> {

@@ -131,3 +131,72 @@ fn a_class_that_is_misspelt_gets_the_nearest_of_the_scene() {
         assert!(obstacles.iter().any(|o| o.contains(told)), "{goal}: {obstacles:?}");
     }
 }
+
+fn of_activity(domain: &str, objects: &str, start: &str, goal: &str) -> Vec<(Kind, String)> {
+    let text =
+        format!("(define (problem p) (:domain {domain}) (:objects {objects}) (:init {start}) (:goal (and {goal})))");
+    let found = lint::activity(&Activity::read(&text).unwrap());
+    found.into_iter().map(|f| (f.kind, f.part)).collect()
+}
+
+/// As many things as the predicate takes, not on themselves nor in a circle, in a known domain.
+#[test]
+fn predicates_take_so_many_things_and_things_do_not_rest_in_circles() {
+    let in_home = |start, goal| of_activity("omnigibson", "p_1 p_2 p_3 - p", start, goal);
+    assert_eq!(in_home("(ontop p_1 p_2)", "(not (ontop ?p_1 ?p_2)) (stained ?p_2)"), []);
+    assert_eq!(
+        in_home("(dusty p_1 p_2)", "(stained ?p_1 ?p_2) (not (ontop ?p_1)) (inroom ?p_3)")[..4],
+        [
+            (Kind::WrongArity, "(dusty p_1 p_2): `dusty` takes 1, 2 given".to_owned()),
+            (Kind::WrongArity, "(stained ?p_1 ?p_2): `stained` takes 1, 2 given".to_owned()),
+            (Kind::WrongArity, "(ontop ?p_1): `ontop` takes 2, 1 given".to_owned()),
+            (Kind::WrongArity, "(inroom ?p_3): `inroom` takes 2, 1 given".to_owned()),
+        ]
+    );
+    assert_eq!(in_home("", "(nextto ?p_1 ?p_1)"), [(Kind::WithItself, "(nextto ?p_1 ?p_1)".to_owned())]);
+    let circle = |part: &str| (Kind::Circle, part.to_owned());
+    let start = "(ontop p_3 p_1) (ontop p_1 p_2) (inside p_2 p_1)";
+    assert_eq!(in_home(start, "(stained ?p_1)"), [circle("(ontop p_1 p_2)")]);
+    assert_eq!(in_home("", "(ontop ?p_1 ?p_2) (and (inside ?p_2 ?p_1))"), [circle("(ontop ?p_1 ?p_2)")]);
+    assert_eq!(in_home("", "(or (ontop ?p_1 ?p_2) (inside ?p_2 ?p_1))"), []);
+    let unknown = of_activity("mydomain", "p_1 - p", "", "(dusty ?p_1)");
+    assert_eq!(unknown, [(Kind::UnknownDomain, "mydomain; known are omnigibson and igibson".to_owned())]);
+}
+
+#[test]
+fn goals_of_our_own_are_not_of_circles_either() {
+    assert_eq!(kinds("On(plate.4, plate.4)"), [Kind::WithItself]);
+    assert_eq!(kinds("exists ?p: plate. On(?p, ?p)"), [Kind::WithItself]);
+    assert_eq!(kinds("On(plate, plate)"), []);
+    assert_eq!(kinds("On(cup.1, plate.2) & Inside(plate.2, box.3) & On(#3, #1)"), [Kind::Circle]);
+    assert_eq!(kinds("On(cup.1, plate.2) | On(plate.2, cup.1)"), []);
+    assert_eq!(kinds("Cold(tomato.3) & Dirty(plate.1) & Dry(towel.2)"), []);
+}
+
+#[test]
+fn a_scene_tells_what_it_lacks() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let table = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+    for class in ["water_glass", "water_glass", "knife"] {
+        scene.add_on(table, Draft::new(class)).unwrap();
+    }
+    scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let graph = scene.build();
+    let found = |goal: &str| {
+        let found = lint::goal(&goal.parse().unwrap(), Some(&graph));
+        found.into_iter().map(|f| f.to_string()).collect::<Vec<_>>()
+    };
+    for (goal, told) in [
+        ("On(unicorn, kitchen_table)", "the scene has 0"),
+        ("SwitchedOn(unicorn)", "the scene has 0"),
+        ("Open(water_glass)", "to be openable"),
+        ("On(#999, kitchen_table)", "there is no node #999"),
+        ("Inside(water_glass, knife)", "to be a container"),
+        ("Holds(water_glass), 3", "needs 3 of `water_glass`, the scene has 2"),
+        ("Holds(knife.3)", "a thing called what it is not: `knife.3` names a thing that is water_glass.3"),
+    ] {
+        assert!(found(goal).iter().any(|f| f.contains(told)), "{goal}: {:?}", found(goal));
+    }
+    assert_eq!(found("Holds(glass.3) & On(knife, table)"), Vec::<String>::new());
+}

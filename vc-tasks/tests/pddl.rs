@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use vc_graph::{Draft, Goal, NodeId, SceneBuilder, SceneGraph};
-use vc_tasks::format::pddl::{Atom, Change, Domain, Formula, Keep, Operator, Problem, planning};
+use vc_tasks::format::pddl::{Amount, Atom, Change, Domain, Formula, Keep, Number, Operator, Problem, planning};
 
 fn home() -> (SceneGraph, NodeId) {
     let mut scene = SceneBuilder::new("home");
@@ -107,4 +107,76 @@ fn what_a_problem_speaks_of_is_declared_once() {
             assert_eq!(planning.problem.to_string().parse::<Problem>().unwrap(), planning.problem, "{text}");
         }
     }
+}
+
+fn refused<T: std::str::FromStr>(text: &str) -> String
+where
+    T::Err: ToString,
+{
+    text.parse::<T>().err().map_or_else(|| panic!("read: {text}"), |error| error.to_string())
+}
+
+/// Nothing is read in silence, with the rest lost, that readers of others refuse.
+#[test]
+fn what_is_said_twice_or_too_much_is_refused() {
+    let problem = |rest: &str| format!("(define (problem x) (:domain k) (:objects a b - cup t - table) {rest})");
+    for (rest, why) in [
+        ("(:init) (:goal (on a t) (on b t))", "`)` after a condition; `and` joins several, found `(on ...)`"),
+        ("(:init) (:goal (on a t)) (:goal (on b t))", "a section `:goal` only once"),
+        ("(:init) (:init) (:goal (on a t))", "a section `:init` only once"),
+        ("(:init) (:goal (not (on a t) (on b t)))", "`)` after a condition"),
+        ("(:init (not (on a t) (on b t))) (:goal (on a t))", "`)` after a predicate of things"),
+        ("(:init (on a t) (not (on a t))) (:goal (on a t))", "not both said and denied"),
+        ("(:init) (:goal (on a t)) (:objects c)", "a section `:objects` only once"),
+        ("(:init (= (total-cost) few)) (:goal (on a t))", "a number, found `few`"),
+        ("(:init) (:goal (on a t)) (:metric minimize (+ (total-cost) 1))", "not a sum"),
+    ] {
+        let error = refused::<Problem>(&problem(rest));
+        assert!(error.contains(why), "{rest}: {error}");
+    }
+    assert!(refused::<Problem>("(define (problem x) (:domain k l) (:init) (:goal (p)))").contains("found `l`"));
+    assert!(refused::<Problem>("(define (problem x) (:domain k) (:objects a a) (:goal (p)))").contains("only once"));
+    for (rest, why) in [
+        ("(:predicates (p ?x)) (:predicates (q ?x))", "a section `:predicates` only once"),
+        ("(:types a) (:types b)", "a section `:types` only once"),
+        ("(:predicates (p ?x) (p ?x ?y))", "the predicate `p` only once"),
+        ("(:action a :effect (not (p) (q)))", "`)` after a predicate of things"),
+        ("(:action a :precondition (not (p) (q)))", "`)` after a condition"),
+        ("(:action a :effect (p) :effect (q))", "the key `:effect` only once"),
+        ("(:action a :effect (p)) (:action a :effect (q))", "the action `a` only once"),
+        ("(:action a :effect (decrease (total-cost) 1))", "`increase`: numbers are costs"),
+        ("(:derived (q ?x) (p ?x))", "`:functions` or `:action`"),
+        ("(:predicates (p ?x - (either)))", "a type"),
+        ("(:functions (dist ?a) - object)", "`- number`"),
+    ] {
+        let error = refused::<Domain>(&format!("(define (domain k) {rest})"));
+        assert!(error.contains(why), "{rest}: {error}");
+    }
+}
+
+#[test]
+fn either_costs_metric_and_what_is_denied_are_read() {
+    let text = "(define (domain k) (:requirements :typing :action-costs) (:types a b c - (either d e) d e - object)
+        (:predicates (on ?x - (either cup plate) ?t - table))
+        (:functions (total-cost) - number (dist ?a ?b - place) - number)
+        (:action go :parameters (?p ?q - place ?x - (either cup plate))
+            :effect (and (at ?p) (increase (total-cost) 1.5) (increase (total-cost) (dist ?p ?q)))))";
+    let domain: Domain = text.parse().unwrap();
+    assert_eq!(domain.types[0].kind.any, ["d", "e"]);
+    assert_eq!(domain.predicates[0].parameters[0].kind.to_string(), "(either cup plate)");
+    let names: Vec<&str> = domain.functions.iter().map(|f| f.name.as_str()).collect();
+    assert_eq!(names, ["total-cost", "dist"]);
+    let cost = |by| Change::Increase(Atom::new("total-cost", &[]), by);
+    assert_eq!(domain.operators[0].effect[1], cost(Amount::Number(Number::new("1.5").unwrap())));
+    assert_eq!(domain.operators[0].effect[2], cost(Amount::Of(Atom::new("dist", &["?p", "?q"]))));
+    assert_eq!(domain.to_string().parse::<Domain>().unwrap(), domain);
+
+    let text = "(define (problem x) (:domain k) (:objects a b - (either cup plate) c)
+        (:init (p a) (not (p b)) (= (total-cost) 0) (= (dist a b) 2.5)) (:goal (p b)) (:metric minimize (total-cost)))";
+    let problem: Problem = text.parse().unwrap();
+    assert_eq!((problem.initial.len(), &problem.denied[..]), (1, &[Atom::new("p", &["b"])][..]));
+    assert_eq!(problem.values[1].1.value(), 2.5);
+    let metric = problem.metric.clone().unwrap();
+    assert_eq!((metric.maximize, metric.to_string().as_str()), (false, "(:metric minimize (total-cost))"));
+    assert_eq!(problem.to_string().parse::<Problem>().unwrap(), problem);
 }

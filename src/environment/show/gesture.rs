@@ -117,9 +117,15 @@ impl Player {
                 (shoulder + way * POINTING, level)
             }
             Cut => (above(&box_of(x)?, 0.02 + chop), level),
-            Verb::Wipe | Verb::Wash | Verb::Rinse | Verb::Scrub | Verb::Play | Verb::Type | Verb::Cook => {
-                (box_of(x)?.nearest(&(from + across * swing)), level)
-            }
+            Verb::Wipe
+            | Verb::Wash
+            | Verb::Rinse
+            | Verb::Scrub
+            | Verb::Dry
+            | Verb::Soil
+            | Verb::Play
+            | Verb::Type
+            | Verb::Cook => (box_of(x)?.nearest(&(from + across * swing)), level),
             Verb::Watch | Verb::LookAt | Verb::Greet | Verb::TurnTo => return None,
             _ => (box_of(x)?.nearest(&from), level),
         };

@@ -83,6 +83,8 @@ pub use pairing::{Pairing, Pairs, Variable, largest_matching};
 pub use text::{GoalError, GoalProblem};
 pub use trace::Trace;
 
+use crate::{Misnomer, SceneGraph};
+
 /// A goal.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -192,6 +194,27 @@ impl Goal {
             _ => {}
         }
         terms
+    }
+
+    /// The labels in it whose class is not that of their node, each once: `fridge.6`, where 6 is a
+    /// glass.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, Goal, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let glass = scene.add(Draft::new("water_glass"))?;
+    /// let goal: Goal = format!("Holds(fridge.{}) | Holds(glass.{})", glass.0, glass.0).parse()?;
+    /// let wrong: Vec<String> = goal.misnomers(&scene.build()).iter().map(|m| m.written.to_string()).collect();
+    /// assert_eq!(wrong, ["fridge.1"]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn misnomers(&self, graph: &SceneGraph) -> Vec<Misnomer> {
+        let mut found: Vec<Misnomer> = Vec::new();
+        for term in self.terms() {
+            let Term::Node(Some(class), id) = term else { continue };
+            found.extend(graph.check_name(&class, id).err().filter(|misnomer| !found.contains(misnomer)));
+        }
+        found
     }
 
     /// Whether it speaks of more than one step: some part is temporal.

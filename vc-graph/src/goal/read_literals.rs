@@ -4,8 +4,8 @@ use super::names::{agent_is_meant, eai_predicate, native_predicate};
 use super::scan::{Token, is_plain};
 use super::text::{Dialect, GoalError, GoalProblem, Reader};
 use super::{Comparison, Goal, Literal, Predicate, Term};
-use crate::vocabulary::{Word, clip};
-use crate::{NodeId, Relation, Verb};
+use crate::vocabulary::{Word, clip, same_word};
+use crate::{ClassTable, NodeId, Relation, Verb};
 
 impl Reader {
     pub(super) fn same(&mut self) -> Result<Goal, GoalError> {
@@ -52,6 +52,7 @@ impl Reader {
         let name = self.name("a predicate such as `On(apple, table)`")?;
         self.demand("(", "`(` after the predicate")?;
         let mut terms = Vec::new();
+        let things = self.next;
         while !self.take(&[")"]) {
             if !terms.is_empty() {
                 self.demand(",", "`,` or `)`")?;
@@ -59,6 +60,9 @@ impl Reader {
             terms.push(self.term()?);
         }
         let fail = |problem| GoalError { at: start, problem };
+        if let [Term::Class(class)] = &terms[..] {
+            self.check_joined(&name, class, things)?;
+        }
         let predicate =
             self.predicate(&name, did, terms.len()).ok_or_else(|| fail(GoalProblem::Predicate(clip(&name))))?;
         let takes = predicate.arity();
@@ -75,6 +79,22 @@ impl Reader {
         } else {
             Err(fail(GoalProblem::Arity { predicate: clip(&name), takes, given }))
         }
+    }
+
+    /// Where a predicate is said of one thing and of two (`On`), words without a comma between
+    /// them are two things, unless a class is called so.
+    fn check_joined(&self, name: &str, class: &str, at: usize) -> Result<(), GoalError> {
+        let joined = matches!(self.tokens.get(at + 1), Some((_, Token::Name(_))));
+        let of_two = matches!(native_predicate(name, 2), Some(Predicate::Relation(_)));
+        let of_one = matches!(native_predicate(name, 1), Some(Predicate::State(_)));
+        let called = |c: &crate::Class| std::iter::once(&c.name).chain(&c.aliases).any(|n| same_word(n, class));
+        if !joined || !of_two || !of_one || ClassTable::builtin().get(class).is_some_and(called) {
+            return Ok(());
+        }
+        let (at, token) = &self.tokens[at + 1];
+        let found = if let Token::Name(word) = token { format!("`{}`", clip(word)) } else { String::new() };
+        let expected = "`,` between two things; a class of two words is joined, `kitchen_table`";
+        Err(GoalError { at: *at, problem: GoalProblem::Expected { expected, found } })
     }
 
     /// A term; `kitchen table` is written in two words as well.

@@ -62,7 +62,7 @@ type Verbs = Set<Verb>;
 /// A need, and the verbs that have it.
 type Shared = (Condition<Role>, Verbs);
 
-/// What the verbs need, each need once; needs of two things at once are left out.
+/// The needs of the verbs, each once; needs of two things at once are left out.
 #[derive(Default)]
 struct Needs {
     of_agent: Vec<Shared>,
@@ -125,8 +125,8 @@ fn open_to(things: &[Asked], verb: Verb) -> impl Iterator<Item = NodeId> + '_ {
 }
 
 impl Now<'_> {
-    /// The verbs of which all shared needs are met. What no verb depends on any more is not
-    /// asked.
+    /// The verbs whose shared needs are all met. A need is not asked after once no verb depends
+    /// on it.
     fn open(&self, needs: &[Shared], verbs: Verbs, action: &Action) -> Verbs {
         needs.iter().fold(verbs, |verbs, (need, having)| {
             let met = || need.ground(action).is_some_and(|need| need.holds(self.graph, self.agent));

@@ -45,6 +45,9 @@ impl Agent {
         if self.belief.widened() > patience && self.is_missing_something() {
             return Decision::GiveUp(Unreachable::Searched(self.belief.widened()));
         }
+        if let Some(id) = self.concerns.iter().find(|&&id| self.belief.has_no_place() && self.belief.is_missing(id)) {
+            return Decision::GiveUp(Unreachable::Nowhere(self.belief.graph().label(*id).to_string()));
+        }
         self.idle += 1;
         if self.idle > CIRCLES {
             return Decision::GiveUp(Unreachable::NoPlan(self.goal.to_string()));

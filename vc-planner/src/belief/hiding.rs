@@ -131,7 +131,8 @@ impl Belief {
     fn resample(&mut self, learned: &mut Learned) {
         for index in 0..self.missing.len() {
             let (id, place) = self.missing[index];
-            if self.seen[place] {
+            // Where there is no place at all there is nothing to disprove.
+            if self.seen.get(place).is_some_and(|seen| *seen) {
                 let place = self.sample(id);
                 self.missing[index].1 = place;
                 self.suppose(id, place);
@@ -143,7 +144,7 @@ impl Belief {
     /// A place that has not been looked at, by its chance; all again, when none is
     /// left.
     pub(super) fn sample(&mut self, id: NodeId) -> usize {
-        if self.seen.iter().all(|&seen| seen) {
+        if !self.has_no_place() && self.seen.iter().all(|&seen| seen) {
             self.widen();
         }
         // 53 bits make a number from 0 up to 1.

@@ -190,6 +190,10 @@ fn verb_of_state(state: State) -> Option<Verb> {
         State::Unfolded => Verb::Unfold,
         State::Filled => Verb::Fill,
         State::Clean => Verb::Wash,
+        State::Dirty => Verb::Soil,
+        State::Dry => Verb::Dry,
+        State::Hot => Verb::Heat,
+        State::Cold => Verb::Cool,
         _ => return None,
     })
 }

@@ -2,10 +2,11 @@
 
 use std::collections::{HashMap, HashSet};
 
-use vc_graph::goal::Pairing;
+use vc_graph::goal::{Pairing, Predicate};
 
+use super::circle::{first_in_circle, rests};
 use super::{Finding, Kind, satisfiability};
-use crate::format::bddl::{Activity, Atom, Facts, Part, Variable, meaning};
+use crate::format::bddl::{Activity, Atom, DOMAINS, Facts, Part, Variable, meaning};
 use crate::format::sexpr::Expr;
 
 /// Everything that is wrong or odd with an activity. Whether its goal can be met is
@@ -14,9 +15,15 @@ use crate::format::sexpr::Expr;
 /// Takes some tens of microseconds for most activities.
 pub fn activity(activity: &Activity) -> Vec<Finding> {
     let mut look = Look::of(activity);
+    look.domain(activity);
     look.objects(activity);
     look.start(activity);
     look.condition(activity.goal(), &mut Vec::new(), Some(true));
+    let (mut start, mut wanted) = (Vec::new(), Vec::new());
+    start.extend(activity.initial().filter(|f| f.holds).map(|f| (f.atom, f.at)));
+    conjuncts(activity.goal(), &mut wanted);
+    look.circles(&start);
+    look.circles(&wanted);
     look.strays(activity);
     look.found.extend(judged(activity));
     look.found
@@ -52,6 +59,38 @@ impl<'t> Look<'t> {
         self.found.push(Finding { kind, at: Some(at.position()), part: part.into() });
     }
 
+    fn domain(&mut self, activity: &'t Activity) {
+        let domain = activity.domain();
+        // Without a domain nothing is wrong that the rest does not tell.
+        if !domain.is_empty() && !DOMAINS.contains(&domain) {
+            let part = format!("{domain}; known are {}", DOMAINS.join(" and "));
+            self.found.push(Finding { kind: Kind::UnknownDomain, at: None, part });
+        }
+    }
+
+    /// One finding, if things are said to rest on each other in a circle.
+    fn circles(&mut self, said: &[(Atom<'t>, Expr<'t>)]) {
+        let resting = |(atom, at): &(Atom<'t>, Expr<'t>)| match meaning(atom.predicate) {
+            Some(Predicate::Relation(relation)) if rests(relation) => Some((*at, (atom.first, atom.second?))),
+            _ => None,
+        };
+        let (places, pairs): (Vec<Expr<'t>>, Vec<(&str, &str)>) = said.iter().filter_map(resting).unzip();
+        if let Some(index) = first_in_circle(&pairs) {
+            self.add(Kind::Circle, places[index], places[index].to_string());
+        }
+    }
+
+    /// A predicate of as many things as it takes, and of different ones.
+    fn things(&mut self, atom: Atom<'t>, at: Expr<'t>) {
+        let (Some(predicate), given) = (meaning(atom.predicate), atom.things().count()) else { return };
+        if predicate.arity() != given {
+            let (name, takes) = (atom.predicate, predicate.arity());
+            self.add(Kind::WrongArity, at, format!("{at}: `{name}` takes {takes}, {given} given"));
+        } else if atom.second == Some(atom.first) {
+            self.add(Kind::WithItself, at, at.to_string());
+        }
+    }
+
     fn objects(&mut self, activity: &'t Activity) {
         let mut seen = HashSet::new();
         for object in activity.objects() {
@@ -74,7 +113,8 @@ impl<'t> Look<'t> {
     }
 
     /// Objects and predicates that are not declared.
-    fn names(&mut self, atom: Atom<'t>, at: Expr<'_>, bound: &[Variable<'t>]) {
+    fn names(&mut self, atom: Atom<'t>, at: Expr<'t>, bound: &[Variable<'t>]) {
+        self.things(atom, at);
         if meaning(atom.predicate).is_none() {
             self.add(Kind::Undeclared, at, format!("predicate `{}`", atom.predicate));
         }
@@ -135,6 +175,15 @@ impl<'t> Look<'t> {
             let kind = if condition { Kind::SecondCondition } else { Kind::Stray };
             self.add(kind, stray, stray.to_string());
         }
+    }
+}
+
+/// The predicates that must all be true for a condition to be.
+fn conjuncts<'t>(at: Expr<'t>, found: &mut Vec<(Atom<'t>, Expr<'t>)>) {
+    match Part::of(at) {
+        Ok(Part::And(parts)) => parts.for_each(|part| conjuncts(part, found)),
+        Ok(Part::Atom(atom)) => found.push((atom, at)),
+        _ => {}
     }
 }
 

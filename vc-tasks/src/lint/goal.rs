@@ -1,12 +1,14 @@
 //! Goals in our own language.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 
 use vc_graph::goal::{Goal, Literal, Predicate, Situation, Term};
 use vc_graph::rule::table::RULES;
-use vc_graph::{Effect, History, NodeId, Relation, SceneGraph, State};
+use vc_graph::{Effect, History, NodeId, Refusal, Relation, SceneGraph, State};
 
+use super::circle::{first_in_circle, rests};
 use super::{Finding, Kind, LARGEST, satisfiability};
+use crate::Task;
 use crate::compile::{CompileError, Compiler, Program, Things};
 
 /// Everything that is wrong or odd with a goal. A scene tells which things there
@@ -15,6 +17,8 @@ use crate::compile::{CompileError, Compiler, Program, Things};
 pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     let mut found = Vec::new();
     look(goal, &mut Vec::new(), Some(true), &mut found);
+    found.extend(circle(goal));
+    found.extend(scene.into_iter().flat_map(|graph| lacking(goal, graph)));
     let program = compiled(goal, scene);
     found.extend(program.and_then(|p| satisfiability(&p, &goal.to_string())));
     if let Some((graph, agent)) = scene.and_then(|g| Some((g, *g.agents().first()?))) {
@@ -24,6 +28,54 @@ pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
         }
     }
     found
+}
+
+/// The things that the goal calls by a wrong name, and those that the scene lacks.
+fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
+    let finding = |kind, part| Finding { kind, at: None, part };
+    let misnomers = goal.misnomers(graph).into_iter().map(|m| finding(Kind::Misnomer, m.to_string()));
+    let nobody = |id: &NodeId| graph.node(*id).is_none();
+    let ids = goal.terms().into_iter().filter_map(|t| if let Term::Node(_, id) = t { Some(id) } else { None });
+    let missing: BTreeSet<NodeId> = ids.filter(nobody).collect();
+    let missing = missing.into_iter().map(|id| finding(Kind::Obstacle, Refusal::NoSuchThing(id).to_string()));
+    let task = Task::new("", goal.clone());
+    let obstacles = task.obstacles(graph).into_iter().map(|o| finding(Kind::Obstacle, o.to_string()));
+    misnomers.chain(missing).chain(obstacles).collect()
+}
+
+/// One finding, if things are to rest on each other in a circle.
+fn circle(goal: &Goal) -> Option<Finding> {
+    let mut literals = Vec::new();
+    conjuncts(goal, &mut literals);
+    let node = |term: &Term| if let Term::Node(_, id) = term { Some(*id) } else { None };
+    let resting = literals.into_iter().filter_map(|literal| match literal.predicate {
+        Predicate::Relation(relation) if rests(relation) => {
+            Some((literal, (node(&literal.terms[0])?, node(&literal.terms[1])?)))
+        }
+        _ => None,
+    });
+    let (said, pairs): (Vec<&Literal>, Vec<(NodeId, NodeId)>) = resting.unzip();
+    let part = Goal::Literal((*said.get(first_in_circle(&pairs)?)?).clone()).to_string();
+    Some(Finding { kind: Kind::Circle, at: None, part })
+}
+
+/// The literals that must all hold for a goal to.
+fn conjuncts<'g>(goal: &'g Goal, found: &mut Vec<&'g Literal>) {
+    match goal {
+        Goal::And(parts) => parts.iter().for_each(|part| conjuncts(part, found)),
+        Goal::Literal(literal) => found.push(literal),
+        _ => {}
+    }
+}
+
+/// Whether a relation is said of one thing and itself.
+fn with_itself(literal: &Literal) -> bool {
+    let one = |term: &Term| matches!(term, Term::Node(..) | Term::Variable(_) | Term::Me);
+    let same = |a: &Term, b: &Term| match (a, b) {
+        (Term::Node(_, a), Term::Node(_, b)) => a == b,
+        _ => a == b,
+    };
+    matches!(&literal.terms[..], [a, b] if one(a) && same(a, b))
 }
 
 /// The goal for the things of a scene; without one, if it is about given things.
@@ -80,6 +132,9 @@ fn look<'g>(goal: &'g Goal, bound: &mut Vec<Bound<'g>>, wanted: Option<bool>, fo
         Goal::ForPairs(p) => {
             let both = [&p.first, &p.second].map(|v| (v.name.as_str(), v.class.as_deref()));
             bind(goal, &both, &p.body, bound, found);
+        }
+        Goal::Literal(literal) | Goal::Count { literal, .. } if with_itself(literal) => {
+            found.push(Finding { kind: Kind::WithItself, at: None, part: goal.to_string() });
         }
         Goal::Literal(literal) | Goal::Count { literal, .. }
             if wanted == Some(true) && !brought_about(literal.predicate) =>

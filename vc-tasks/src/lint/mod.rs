@@ -15,6 +15,7 @@
 //! ```
 
 mod activity;
+mod circle;
 mod goal;
 mod satisfy;
 
@@ -45,6 +46,18 @@ pub enum Kind {
     ContradictoryFacts,
     /// An object, a class or a predicate is not declared.
     Undeclared,
+    /// A predicate of more or fewer things than it takes.
+    WrongArity,
+    /// A thing stands in a relation to itself.
+    WithItself,
+    /// Things rest on or in each other in a circle.
+    Circle,
+    /// A domain that is not known.
+    UnknownDomain,
+    /// A label is of another class than its node in the scene.
+    Misnomer,
+    /// The scene lacks what the goal needs.
+    Obstacle,
     /// A word or section that means nothing.
     Stray,
     /// The goal asks for what nothing that is done brings about.
@@ -77,6 +90,12 @@ impl Kind {
             Self::RepeatedFact => "a fact repeated",
             Self::ContradictoryFacts => "facts contradict each other",
             Self::Undeclared => "not declared",
+            Self::WrongArity => "a predicate of too many or too few things",
+            Self::WithItself => "a thing in relation to itself",
+            Self::Circle => "things rest on each other in a circle",
+            Self::UnknownDomain => "an unknown domain",
+            Self::Misnomer => "a thing called what it is not",
+            Self::Obstacle => "the scene lacks what it needs",
             Self::Stray => "a stray word",
             Self::NothingBringsAbout => "nothing brings it about",
             Self::UnusedInPair => "remark: a variable of a pair never used",

@@ -1,22 +1,35 @@
 //! What domains and problems are made of.
 
+/// A type, or several of which one is meant: `(either cup plate)`.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Type {
+    /// The types it can be.
+    pub any: Vec<String>,
+}
+
+impl From<&str> for Type {
+    fn from(name: &str) -> Self {
+        Self { any: vec![name.to_owned()] }
+    }
+}
+
 /// A name with its type.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Typed {
     /// The name; of a variable with its `?`.
     pub name: String,
     /// The type; `object` if none is given.
-    pub kind: String,
+    pub kind: Type,
 }
 
 impl Typed {
     /// A name of a type.
-    pub fn new(name: impl Into<String>, kind: impl Into<String>) -> Self {
+    pub fn new(name: impl Into<String>, kind: impl Into<Type>) -> Self {
         Self { name: name.into(), kind: kind.into() }
     }
 }
 
-/// A predicate and what it is about.
+/// A predicate or a function, and what it is about.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Signature {
     /// Its name.
@@ -39,6 +52,45 @@ impl Atom {
     pub fn new(predicate: impl Into<String>, arguments: &[&str]) -> Self {
         Self { predicate: predicate.into(), arguments: arguments.iter().map(|&a| a.to_owned()).collect() }
     }
+}
+
+/// A number as it is written: `1`, `2.5`.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Number(String);
+
+impl Number {
+    /// The number of a text; `None` for what is no finite number.
+    pub fn new(text: &str) -> Option<Self> {
+        text.parse::<f64>().ok().filter(|number| number.is_finite()).map(|_| Self(text.to_owned()))
+    }
+
+    /// As it is written.
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+
+    /// Its worth.
+    pub fn value(&self) -> f64 {
+        self.0.parse().unwrap_or_default()
+    }
+}
+
+/// How much: a number, or what a function of things is worth.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Amount {
+    /// So much.
+    Number(Number),
+    /// As much as this.
+    Of(Atom),
+}
+
+/// A measure of plans.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Metric {
+    /// Whether the most is best, not the least.
+    pub maximize: bool,
+    /// The amount that counts: `(total-cost)`.
+    pub of: Amount,
 }
 
 /// A condition.
@@ -71,6 +123,8 @@ pub enum Change {
     Add(Atom),
     /// It becomes false.
     Delete(Atom),
+    /// A function grows: what it costs.
+    Increase(Atom, Amount),
     /// These, for all values.
     ForAll(Vec<Typed>, Vec<Change>),
     /// These, if the condition holds.
@@ -103,6 +157,8 @@ pub struct Domain {
     pub constants: Vec<Typed>,
     /// What can be said.
     pub predicates: Vec<Signature>,
+    /// Functions of things: costs.
+    pub functions: Vec<Signature>,
     /// What can be done.
     pub operators: Vec<Operator>,
 }
@@ -118,6 +174,12 @@ pub struct Problem {
     pub objects: Vec<Typed>,
     /// What holds at the start.
     pub initial: Vec<Atom>,
+    /// Facts that are said not to hold at the start; nor do those that are not spoken of.
+    pub denied: Vec<Atom>,
+    /// The worth of functions at the start.
+    pub values: Vec<(Atom, Number)>,
     /// What shall hold.
     pub goal: Formula,
+    /// How plans are measured, if they are.
+    pub metric: Option<Metric>,
 }

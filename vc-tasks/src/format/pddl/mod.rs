@@ -1,7 +1,8 @@
 //! PDDL: domains, problems and plans.
 //!
 //! [`Domain`] and [`Problem`] are read and written as they are: types, constants,
-//! predicates, actions with conditions and effects of the ADL fragment. [`planning`]
+//! predicates, actions with conditions and effects of the ADL fragment and with costs. A
+//! section that comes twice or says too much is an error, as for readers of others. [`planning`]
 //! makes both of a scene, its transition rule and a goal, in the STRIPS fragment
 //! with types that Fast Downward, pyperplan and VAL all take; [`read_plan`] makes
 //! actions of what a planner answers.
@@ -24,13 +25,14 @@
 
 mod domain;
 mod goal;
+mod parts;
 mod plan;
 mod read;
 mod rules;
 mod scene;
 mod write;
 
-pub use domain::{Atom, Change, Domain, Formula, Operator, Problem, Signature, Typed};
+pub use domain::{Amount, Atom, Change, Domain, Formula, Metric, Number, Operator, Problem, Signature, Type, Typed};
 pub use plan::read_plan;
 pub use rules::{LeftOut, domain};
 pub use scene::{Keep, Planning, planning};

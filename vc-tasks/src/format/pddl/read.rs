@@ -1,8 +1,10 @@
 //! Reading domains and problems.
 
+use std::collections::BTreeSet;
 use std::str::FromStr;
 
-use super::{Atom, Change, Domain, FORMAT, Formula, Operator, Problem, Signature, Typed};
+use super::parts::{amount, atom, changes, formula, number, one, signature, two, typed, word};
+use super::{Atom, Domain, FORMAT, Formula, Metric, Number, Operator, Problem, Signature};
 use crate::format::ReadError;
 use crate::format::sexpr::{Expr, Tree};
 
@@ -22,23 +24,76 @@ fn sections<'t>(tree: &'t Tree, kind: &str) -> Result<(String, Vec<Expr<'t>>), R
     }
 }
 
+/// Names that have been met, and must not come again.
+#[derive(Default)]
+struct Once<'t>(BTreeSet<(&'static str, &'t str)>);
+
+impl<'t> Once<'t> {
+    /// Notes a name of some kind; an error if it was noted before.
+    fn note(&mut self, kind: &'static str, name: &'t str, at: Expr<'t>) -> Result<(), ReadError> {
+        if self.0.insert((kind, name)) { Ok(()) } else { Err(at.error(format!("{kind} `{name}` only once"))) }
+    }
+
+    /// Notes a section, of which all but actions come once.
+    fn section(&mut self, at: Expr<'t>) -> Result<Option<&'t str>, ReadError> {
+        match at.head() {
+            Some(":action") | None => Ok(at.head()),
+            Some(head) => self.note("a section", head, at).map(|()| Some(head)),
+        }
+    }
+
+    /// Notes all names of a list of typed ones.
+    fn names(&mut self, kind: &'static str, list: Expr<'t>) -> Result<(), ReadError> {
+        let mut after_dash = false;
+        for item in list.items().skip(1) {
+            let is_type = std::mem::replace(&mut after_dash, item.word() == Some("-"));
+            if let Some(name) = item.word().filter(|_| !is_type && !after_dash) {
+                self.note(kind, name, item)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn heads(&mut self, kind: &'static str, list: Expr<'t>) -> Result<(), ReadError> {
+        let signatures = list.items().skip(1).filter_map(|item| Some((item.head()?, item)));
+        signatures.into_iter().try_for_each(|(name, item)| self.note(kind, name, item))
+    }
+}
+
 impl FromStr for Domain {
     type Err = ReadError;
 
     fn from_str(text: &str) -> Result<Self, ReadError> {
         let tree = Tree::read(FORMAT, text)?;
         let (name, sections) = sections(&tree, "domain")?;
-        let mut domain = Self { name, ..Self::default() };
+        let (mut domain, mut once) = (Self { name, ..Self::default() }, Once::default());
         for section in sections {
             let rest = || section.items().skip(1);
-            match section.head() {
+            match once.section(section)? {
                 Some(":requirements") => domain.requirements = rest().map(word).collect::<Result<_, _>>()?,
-                Some(":types") => domain.types = typed(rest())?,
-                Some(":constants") => domain.constants = typed(rest())?,
-                Some(":predicates") => domain.predicates = rest().map(signature).collect::<Result<_, _>>()?,
-                Some(":action") => domain.operators.push(operator(section)?),
+                Some(":types") => {
+                    once.names("the type", section)?;
+                    domain.types = typed(rest())?;
+                }
+                Some(":constants") => {
+                    once.names("the constant", section)?;
+                    domain.constants = typed(rest())?;
+                }
+                Some(":predicates") => {
+                    once.heads("the predicate", section)?;
+                    domain.predicates = rest().map(signature).collect::<Result<_, _>>()?;
+                }
+                Some(":functions") => {
+                    once.heads("the function", section)?;
+                    domain.functions = functions(section)?;
+                }
+                Some(":action") => {
+                    let name = section.items().nth(1).and_then(Expr::word).unwrap_or_default();
+                    once.note("the action", name, section)?;
+                    domain.operators.push(operator(section)?);
+                }
                 _ => {
-                    let known = "`:requirements`, `:types`, `:constants`, `:predicates` or `:action`";
+                    let known = "`:requirements`, `:types`, `:constants`, `:predicates`, `:functions` or `:action`";
                     return Err(section.error(known));
                 }
             }
@@ -47,130 +102,97 @@ impl FromStr for Domain {
     }
 }
 
+/// Functions, each of numbers whether it says so or not.
+fn functions(section: Expr<'_>) -> Result<Vec<Signature>, ReadError> {
+    let (mut found, mut items) = (Vec::new(), section.items().skip(1));
+    while let Some(item) = items.next() {
+        if item.word() != Some("-") {
+            found.push(signature(item)?);
+            continue;
+        }
+        match items.next() {
+            Some(kind) if kind.word() == Some("number") => {}
+            other => return Err(other.unwrap_or(item).error("`- number`: of functions costs are read")),
+        }
+    }
+    Ok(found)
+}
+
 impl FromStr for Problem {
     type Err = ReadError;
 
     fn from_str(text: &str) -> Result<Self, ReadError> {
         let tree = Tree::read(FORMAT, text)?;
         let (name, sections) = sections(&tree, "problem")?;
-        let (mut domain, mut objects, mut initial, mut goal) = (None, Vec::new(), Vec::new(), None);
+        let (mut domain, mut objects, mut goal, mut metric) = (None, Vec::new(), None, None);
+        let (mut start, mut once) = (Start::default(), Once::default());
         for section in sections {
-            let rest = || section.items().skip(1);
-            match section.head() {
-                Some(":domain") => domain = Some(word(first(section, "the domain's name")?)?),
-                Some(":objects") => objects = typed(rest())?,
-                Some(":init") => initial = rest().map(atom).collect::<Result<_, _>>()?,
-                Some(":goal") => goal = Some(formula(first(section, "a condition")?)?),
+            match once.section(section)? {
+                Some(":domain") => domain = Some(word(one(section, "the domain's name")?)?),
+                Some(":objects") => {
+                    once.names("the object", section)?;
+                    objects = typed(section.items().skip(1))?;
+                }
+                Some(":init") => section.items().skip(1).try_for_each(|fact| start.read(fact))?,
+                Some(":goal") => goal = Some(formula(one(section, "a condition")?)?),
+                Some(":metric") => metric = Some(measure(section)?),
                 Some(":requirements") => {}
-                _ => return Err(section.error("`:domain`, `:objects`, `:init` or `:goal`")),
+                _ => return Err(section.error("`:domain`, `:objects`, `:init`, `:goal` or `:metric`")),
             }
         }
         let missing = |what: &str| tree.root().error_at_end(what);
         let domain = domain.ok_or_else(|| missing("a `(:domain ...)`"))?;
         let goal = goal.ok_or_else(|| missing("a `(:goal ...)`"))?;
-        Ok(Self { name, domain, objects, initial, goal })
+        let Start { initial, denied, values } = start;
+        Ok(Self { name, domain, objects, initial, denied, values, goal, metric })
     }
 }
 
-fn word(at: Expr<'_>) -> Result<String, ReadError> {
-    at.word().map(str::to_owned).ok_or_else(|| at.error("a name"))
+/// How things are at the start.
+#[derive(Default)]
+struct Start {
+    initial: Vec<Atom>,
+    denied: Vec<Atom>,
+    values: Vec<(Atom, Number)>,
 }
 
-/// The first thing after a list's head.
-fn first<'t>(list: Expr<'t>, expected: &str) -> Result<Expr<'t>, ReadError> {
-    list.items().nth(1).ok_or_else(|| list.error_at_end(expected))
-}
-
-/// `a b - kind c`.
-fn typed<'t>(mut items: impl Iterator<Item = Expr<'t>>) -> Result<Vec<Typed>, ReadError> {
-    let (mut found, mut untyped): (Vec<Typed>, usize) = (Vec::new(), 0);
-    while let Some(item) = items.next() {
-        if item.word() != Some("-") {
-            found.push(Typed::new(word(item)?, "object"));
-            continue;
+impl Start {
+    /// A fact, one that does not hold, or what a function is worth.
+    fn read(&mut self, fact: Expr<'_>) -> Result<(), ReadError> {
+        match fact.head() {
+            Some("not") => self.denied.push(atom(one(fact, "a predicate of things")?)?),
+            Some("=") => {
+                let (function, worth) = two(fact)?;
+                self.values.push((atom(function)?, number(worth)?));
+            }
+            _ => self.initial.push(atom(fact)?),
         }
-        let kind = items.next().ok_or_else(|| item.error("a type after the `-`, and before it a name"))?;
-        let kind = word(kind)?;
-        found[untyped..].iter_mut().for_each(|t| t.kind.clone_from(&kind));
-        untyped = found.len();
-    }
-    Ok(found)
-}
-
-fn signature(at: Expr<'_>) -> Result<Signature, ReadError> {
-    let name = at.head().ok_or_else(|| at.error("a predicate, `(name ?x ?y)`"))?;
-    Ok(Signature { name: name.to_owned(), parameters: typed(at.items().skip(1))? })
-}
-
-fn atom(at: Expr<'_>) -> Result<Atom, ReadError> {
-    let predicate = at.head().ok_or_else(|| at.error("a predicate of things, `(name a b)`"))?;
-    let arguments = at.items().skip(1).map(word).collect::<Result<_, _>>()?;
-    Ok(Atom { predicate: predicate.to_owned(), arguments })
-}
-
-/// The two things a list takes after its head.
-fn two(at: Expr<'_>) -> Result<(Expr<'_>, Expr<'_>), ReadError> {
-    let mut items = at.items().skip(1);
-    match (items.next(), items.next(), items.next()) {
-        (Some(a), Some(b), None) => Ok((a, b)),
-        (_, _, Some(extra)) => Err(extra.error("`)`")),
-        _ => Err(at.error_at_end("two parts")),
+        let both = self.initial.last().is_some_and(|a| self.denied.contains(a))
+            || self.denied.last().is_some_and(|a| self.initial.contains(a));
+        if both { Err(fact.error("a fact that is not both said and denied")) } else { Ok(()) }
     }
 }
 
-fn formula(at: Expr<'_>) -> Result<Formula, ReadError> {
-    let parts = || at.items().skip(1).map(formula).collect::<Result<Vec<Formula>, ReadError>>();
-    Ok(match at.head() {
-        Some("and") => Formula::And(parts()?),
-        Some("or") => Formula::Or(parts()?),
-        Some("not") => Formula::Not(Box::new(formula(first(at, "a condition")?)?)),
-        Some("imply") => {
-            let (a, b) = two(at)?;
-            Formula::Imply(Box::new(formula(a)?), Box::new(formula(b)?))
-        }
-        Some(head @ ("forall" | "exists")) => {
-            let (variables, body) = two(at)?;
-            let (variables, body) = (typed(variables.items())?, Box::new(formula(body)?));
-            if head == "forall" { Formula::ForAll(variables, body) } else { Formula::Exists(variables, body) }
-        }
-        Some("=") => {
-            let (a, b) = two(at)?;
-            Formula::Equal(word(a)?, word(b)?)
-        }
-        // `()` is the condition that always holds.
-        None if at.is_list() && at.items().next().is_none() => Formula::And(Vec::new()),
-        _ => Formula::Atom(atom(at)?),
-    })
-}
-
-fn changes(at: Expr<'_>) -> Result<Vec<Change>, ReadError> {
-    match at.head() {
-        Some("and") => {
-            let parts = at.items().skip(1).map(changes).collect::<Result<Vec<_>, _>>()?;
-            Ok(parts.into_iter().flatten().collect())
-        }
-        Some("not") => Ok(vec![Change::Delete(atom(first(at, "a predicate of things")?)?)]),
-        Some("forall") => {
-            let (variables, body) = two(at)?;
-            Ok(vec![Change::ForAll(typed(variables.items())?, changes(body)?)])
-        }
-        Some("when") => {
-            let (condition, body) = two(at)?;
-            Ok(vec![Change::When(formula(condition)?, changes(body)?)])
-        }
-        Some("increase" | "decrease" | "assign") => Err(at.error("an effect without numbers")),
-        None if at.is_list() && at.items().next().is_none() => Ok(Vec::new()),
-        _ => Ok(vec![Change::Add(atom(at)?)]),
-    }
+/// `(:metric minimize (total-cost))`.
+fn measure(section: Expr<'_>) -> Result<Metric, ReadError> {
+    let (direction, of) = two(section)?;
+    let maximize = match direction.word() {
+        Some("minimize") => false,
+        Some("maximize") => true,
+        _ => return Err(direction.error("`minimize` or `maximize`")),
+    };
+    Ok(Metric { maximize, of: amount(of)? })
 }
 
 fn operator(at: Expr<'_>) -> Result<Operator, ReadError> {
-    let name = word(first(at, "the action's name")?)?;
+    let name = at.items().nth(1).ok_or_else(|| at.error_at_end("the action's name"))?;
     let nothing = Formula::And(Vec::new());
-    let mut operator = Operator { name, parameters: Vec::new(), precondition: nothing, effect: Vec::new() };
-    let mut items = at.items().skip(2);
+    let (parameters, effect) = (Vec::new(), Vec::new());
+    let mut operator = Operator { name: word(name)?, parameters, precondition: nothing, effect };
+    let (mut once, mut items) = (Once::default(), at.items().skip(2));
     while let Some(key) = items.next() {
         let value = items.next().ok_or_else(|| at.error_at_end("what the key stands for"))?;
+        once.note("the key", key.word().unwrap_or_default(), key)?;
         match key.word() {
             Some(":parameters") => operator.parameters = typed(value.items())?,
             Some(":precondition") => operator.precondition = formula(value)?,

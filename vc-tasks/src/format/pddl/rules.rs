@@ -110,6 +110,7 @@ impl Rules {
                 Typed::new("left", "hand"),
             ],
             predicates: predicates.into_iter().map(signature).collect(),
+            functions: Vec::new(),
             operators: self.operators.clone(),
         }
     }
@@ -260,7 +261,7 @@ fn condition(needed: Condition<Role>, verb: Verb) -> Result<Vec<Way>, String> {
         }
         C::OnHeat(t) => return Ok(on_heat(variable(t))),
         C::InCold(t) => return Ok(in_cold(variable(t))),
-        // What is held rests on nothing.
+        // A thing in a hand rests on nothing.
         C::Steady(t) => facts(&[("rests", &[variable(t), "?r"])]),
         other => return Err(format!("the condition {other:?}")),
     }])
@@ -317,7 +318,7 @@ impl Way {
 
     fn effect(&mut self, effect: Effect<Role>) -> Result<(), String> {
         match effect {
-            // Of what is on or in it a plan is not told.
+            // A plan is not told of the things on or in it.
             Effect::Enter(t, state) | Effect::EnterWith(t, state) => self.enter(variable(t), state),
             Effect::EnterOwn(state) => self.add(is(state), &[HANDS]),
             Effect::LeaveOwn(state) => self.delete(is(state), &[HANDS]),

@@ -77,7 +77,7 @@ pub fn planning(graph: &SceneGraph, agent: NodeId, goal: &Goal, keep: Keep) -> R
 fn declare(domain: &mut Domain, constants: Vec<Typed>) {
     domain.constants.splice(0..0, constants);
     // Those of one type stand together.
-    domain.constants.sort_by_key(|constant| constant.kind != "thing");
+    domain.constants.sort_by_key(|constant| constant.kind != "thing".into());
 }
 
 /// The domain with predicates of the goal that no action speaks of.
@@ -208,7 +208,10 @@ impl Scene<'_> {
             domain: domain.name.clone(),
             objects: self.nodes.iter().map(|&id| Typed::new(self.name(id), "thing")).collect(),
             initial: facts.into_iter().collect(),
+            denied: Vec::new(),
+            values: Vec::new(),
             goal: Formula::And(wanted.into_iter().map(Formula::Atom).collect()),
+            metric: None,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::{Atom, Change, Domain, Formula, Operator, Problem, Typed};
+use super::{Amount, Atom, Change, Domain, Formula, Metric, Operator, Problem, Signature, Type, Typed};
 
 /// `?a ?b - node ?h - hand`; names of one type that stand together share it.
 struct List<'l>(&'l [Typed]);
@@ -17,6 +17,38 @@ impl Display for List<'_> {
             write!(f, "- {}", group[0].kind)?;
         }
         Ok(())
+    }
+}
+
+impl Display for Type {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self.any.as_slice() {
+            [one] => f.write_str(one),
+            any => joined(f, "either", any),
+        }
+    }
+}
+
+impl Display for Signature {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let gap = if self.parameters.is_empty() { "" } else { " " };
+        write!(f, "({}{gap}{})", self.name, List(&self.parameters))
+    }
+}
+
+impl Display for Amount {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => f.write_str(number.as_str()),
+            Self::Of(function) => write!(f, "{function}"),
+        }
+    }
+}
+
+impl Display for Metric {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let direction = if self.maximize { "maximize" } else { "minimize" };
+        write!(f, "(:metric {direction} {})", self.of)
     }
 }
 
@@ -52,6 +84,7 @@ impl Display for Change {
         match self {
             Self::Add(atom) => write!(f, "{atom}"),
             Self::Delete(atom) => write!(f, "(not {atom})"),
+            Self::Increase(function, by) => write!(f, "(increase {function} {by})"),
             Self::ForAll(variables, changes) => {
                 write!(f, "(forall ({}) ", List(variables))?;
                 joined(f, "and", changes)?;
@@ -89,9 +122,10 @@ impl Display for Domain {
             write!(f, "\n  (:constants {})", List(&self.constants))?;
         }
         writeln!(f, "\n  (:predicates")?;
-        for predicate in &self.predicates {
-            let gap = if predicate.parameters.is_empty() { "" } else { " " };
-            writeln!(f, "    ({}{gap}{})", predicate.name, List(&predicate.parameters))?;
+        self.predicates.iter().try_for_each(|predicate| writeln!(f, "    {predicate}"))?;
+        if !self.functions.is_empty() {
+            writeln!(f, "  )\n  (:functions")?;
+            self.functions.iter().try_for_each(|function| writeln!(f, "    {function} - number"))?;
         }
         writeln!(f, "  )\n")?;
         self.operators.iter().try_for_each(|operator| write!(f, "{operator}"))?;
@@ -107,6 +141,10 @@ impl Display for Problem {
         }
         writeln!(f, "  )\n  (:init")?;
         self.initial.iter().try_for_each(|atom| writeln!(f, "    {atom}"))?;
-        writeln!(f, "  )\n  (:goal {})\n)", self.goal)
+        self.denied.iter().try_for_each(|atom| writeln!(f, "    (not {atom})"))?;
+        self.values.iter().try_for_each(|(function, n)| writeln!(f, "    (= {function} {})", n.as_str()))?;
+        writeln!(f, "  )\n  (:goal {})", self.goal)?;
+        self.metric.iter().try_for_each(|metric| writeln!(f, "  {metric}"))?;
+        writeln!(f, ")")
     }
 }

@@ -1,0 +1,48 @@
+//! Things that rest on each other in a circle.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use vc_graph::Relation;
+
+/// Whether the first thing rests on or in the second where they stand so.
+pub(super) fn rests(relation: Relation) -> bool {
+    matches!(relation, Relation::On | Relation::Inside)
+}
+
+/// The first pair of a circle, of pairs of a thing and another that it rests on; `None` if there
+/// is no circle. A thing on itself is another matter.
+pub(super) fn first_in_circle<T: Ord + Copy>(pairs: &[(T, T)]) -> Option<usize> {
+    let grounded = grounded(pairs);
+    let floats = |i: &usize| pairs[*i].0 != pairs[*i].1 && !grounded.contains(&pairs[*i].1);
+    // From the last to the first, so that the first way on stays.
+    let next: BTreeMap<T, usize> = (0..pairs.len()).rev().filter(floats).map(|i| (pairs[i].0, i)).collect();
+    let mut met = BTreeSet::new();
+    let mut here = *next.values().min()?;
+    while met.insert(here) {
+        here = *next.get(&pairs[here].1)?;
+    }
+    let around = |&i: &usize| next.get(&pairs[i].1).copied().filter(|&i| i != here);
+    std::iter::successors(Some(here), around).min()
+}
+
+/// The things from which every way down ends at one that rests on nothing.
+fn grounded<T: Ord + Copy>(pairs: &[(T, T)]) -> BTreeSet<T> {
+    let (mut ways, mut above): (BTreeMap<T, usize>, BTreeMap<T, Vec<T>>) = Default::default();
+    for &(thing, at) in pairs.iter().filter(|(thing, at)| thing != at) {
+        *ways.entry(thing).or_default() += 1;
+        ways.entry(at).or_default();
+        above.entry(at).or_default().push(thing);
+    }
+    let mut open: Vec<T> = ways.iter().filter(|(_, ways)| **ways == 0).map(|(thing, _)| *thing).collect();
+    let mut grounded = BTreeSet::new();
+    while let Some(at) = open.pop() {
+        grounded.insert(at);
+        for thing in above.get(&at).into_iter().flatten() {
+            let left = ways.entry(*thing).and_modify(|ways| *ways -= 1).or_default();
+            if *left == 0 {
+                open.push(*thing);
+            }
+        }
+    }
+    grounded
+}
