@@ -13,8 +13,8 @@ use std::process::ExitCode;
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use support::{Complaint, say};
-use vc_graph::format::virtualhome::{Difference, EnvironmentGraph, RelationType};
 use vc_graph::format::program::{self, Program};
+use vc_graph::format::virtualhome::{Difference, EnvironmentGraph, RelationType};
 use vc_graph::format::{eai, read_scene};
 use vc_graph::{ClassTable, Event, NodeId, Refusal, SceneGraph, Simulator};
 

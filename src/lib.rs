@@ -70,10 +70,10 @@ mod batch;
 mod check;
 #[cfg(feature = "environment")]
 mod environment;
-mod file;
 #[cfg(feature = "environment")]
 #[cfg_attr(not(feature = "render"), allow(dead_code, unused_imports, reason = "poses are for cameras"))]
 mod figure;
+mod file;
 #[cfg(all(feature = "environment", feature = "render"))]
 mod record;
 #[cfg(all(feature = "environment", feature = "render"))]

@@ -169,7 +169,8 @@ fn files_are_read_packed_marked_and_of_any_name() {
         assert_eq!(virtualcity::read_text(file(name, bytes.as_bytes(), packed)).unwrap(), text, "{name}");
     }
     // Two packed files one after the other are one.
-    let twice = [std::fs::read(file("one.gz", b"[WAL", true)).unwrap(), std::fs::read(file("two.gz", b"K]", true)).unwrap()];
+    let twice =
+        [std::fs::read(file("one.gz", b"[WAL", true)).unwrap(), std::fs::read(file("two.gz", b"K]", true)).unwrap()];
     assert_eq!(virtualcity::read_text(file("both.gz", &twice.concat(), false)).unwrap(), "[WALK]");
 }
 
@@ -203,14 +204,17 @@ fn what_is_read_of_odd_files_is_read_again() {
     files.push(folder.join("cases/native_sorted.json.gz"));
     let mut taken = 0;
     for file in files {
-        let Ok(graph) = virtualcity::read_text(&file).map_err(drop).and_then(|t| read_scene(&t, &classes).map_err(drop))
+        let Ok(graph) =
+            virtualcity::read_text(&file).map_err(drop).and_then(|t| read_scene(&t, &classes).map_err(drop))
         else {
             continue;
         };
         taken += 1;
-        let again = native::read(&native::write(&graph), &classes).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+        let again =
+            native::read(&native::write(&graph), &classes).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
         assert!(again == graph, "{}", file.display());
-        let others = [virtualhome::read(&virtualhome::write(&graph), &classes), thesis::read(&thesis::write(&graph), &classes)];
+        let others =
+            [virtualhome::read(&virtualhome::write(&graph), &classes), thesis::read(&thesis::write(&graph), &classes)];
         for other in others {
             let other = other.unwrap_or_else(|e| panic!("{}: {e}", file.display()));
             assert_eq!(other.len(), graph.len(), "{}", file.display());

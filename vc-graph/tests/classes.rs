@@ -192,7 +192,11 @@ fn errors_name_line_and_column() {
         ("mug | dish | | prop | | | | | |", "kind of", "there is no class `dish`"),
         ("mug | mug | | prop | | | | | |", "kind of", "`mug` is a kind of itself"),
         ("mug | | | pottery | | | | | |", "category", "unknown category `pottery`; use one of: room structure"),
-        ("mug | | | prop | grabable | | | | |", "affordances", "unknown property `grabable` (did you mean `graspable`?); use one of: surface"),
+        (
+            "mug | | | prop | grabable | | | | |",
+            "affordances",
+            "unknown property `grabable` (did you mean `graspable`?); use one of: surface",
+        ),
         ("mug | | | prop | | 0.1 0.1 | | | |", "size", "a size is three ranges: depth, width and height in metres"),
         (
             "mug | | | prop | | 0.1 0.1 0.2-0.1 | | | |",

@@ -106,7 +106,10 @@ fn a_byte_order_mark_is_no_part_of_a_text() {
     assert_eq!(eai::read_record(&marked(RECORD)), eai::read_record(RECORD));
     assert_eq!(eai::read_tasks(&marked(TASKS)), eai::read_tasks(TASKS));
     assert_eq!(marked(GOAL).parse::<vc_graph::Goal>(), GOAL.parse());
-    assert_eq!(ClassTable::parse("mine", &marked(CLASSES)).unwrap().len(), ClassTable::parse("mine", CLASSES).unwrap().len());
+    assert_eq!(
+        ClassTable::parse("mine", &marked(CLASSES)).unwrap().len(),
+        ClassTable::parse("mine", CLASSES).unwrap().len()
+    );
 }
 
 /// The same document with the keys of its objects in alphabetical order.
@@ -138,7 +141,9 @@ fn graphs_before_and_after_are_scenes() {
     for text in [
         format!(r#"{{"init_graph": {VIRTUALHOME}, "final_graph": {empty}}}"#),
         format!(r#"{{"final_graph": {VIRTUALHOME}, "graph_state_list": []}}"#),
-        format!(r#"{{"id": "file1_1", "program": ["[STANDUP]"], "final_graph": {empty}, "init_graph": {VIRTUALHOME}}}"#),
+        format!(
+            r#"{{"id": "file1_1", "program": ["[STANDUP]"], "final_graph": {empty}, "init_graph": {VIRTUALHOME}}}"#
+        ),
     ] {
         assert_eq!(read_scene(&text, &classes).unwrap(), whole);
     }
@@ -157,12 +162,19 @@ fn what_is_odd_in_virtualhome_is_mended_or_refused() {
     let none = changed(turn, r#""rotation": [0, 0, 0, 0]"#);
     assert_eq!(none.node(NodeId(12)).unwrap().pose().unwrap().rotation.angle(), 0.0);
     let long = changed(turn, r#""rotation": [0, 1e6, 0, 1e6]"#);
-    assert!((long.node(NodeId(12)).unwrap().pose().unwrap().rotation.angle() - std::f32::consts::FRAC_PI_2).abs() < 1e-3);
+    assert!(
+        (long.node(NodeId(12)).unwrap().pose().unwrap().rotation.angle() - std::f32::consts::FRAC_PI_2).abs() < 1e-3
+    );
     let small = changed("[0.7, 1.8, 0.7]", "[-0.7, 1.8, -0.7]");
-    assert_eq!(small.node(NodeId(12)).unwrap().aabb(), virtualhome::read(VIRTUALHOME, &classes).unwrap().node(NodeId(12)).unwrap().aabb());
+    assert_eq!(
+        small.node(NodeId(12)).unwrap().aabb(),
+        virtualhome::read(VIRTUALHOME, &classes).unwrap().node(NodeId(12)).unwrap().aabb()
+    );
     let bare = changed(r#", "scale": [1, 1, 1]"#, "");
     assert_eq!(bare, virtualhome::read(VIRTUALHOME, &classes).unwrap());
-    for graph in [none, long, small, bare, changed("[1, 1, 1]", "[-2, 0, 1e9]"), changed("[1, 0, 2.5]", "[1, 9e6, 2.5]")] {
+    for graph in
+        [none, long, small, bare, changed("[1, 1, 1]", "[-2, 0, 1e9]"), changed("[1, 0, 2.5]", "[1, 9e6, 2.5]")]
+    {
         assert_eq!(native::read(&native::write(&graph), &classes).unwrap(), graph);
         virtualhome::read(&virtualhome::write(&graph), &classes).unwrap();
         thesis::read(&thesis::write(&graph), &classes).unwrap();

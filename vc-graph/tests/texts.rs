@@ -198,7 +198,11 @@ fn titles_may_be_verbs() {
         ("", &[], 0),
     ] {
         let program = program::read(text).unwrap_or_else(|e| panic!("{e}: {text}"));
-        assert_eq!((program.heading.as_slice(), program.steps.len()), (&heading.iter().map(|&l| l.to_owned()).collect::<Vec<_>>()[..], steps), "{text}");
+        assert_eq!(
+            (program.heading.as_slice(), program.steps.len()),
+            (&heading.iter().map(|&l| l.to_owned()).collect::<Vec<_>>()[..], steps),
+            "{text}"
+        );
     }
 }
 
@@ -219,7 +223,10 @@ fn programs_are_cast_with_who_and_what_there_is() {
     let agents = |text: &str| -> Vec<u32> { cast(text).unwrap().concat().iter().map(|e| e.agent.0).collect() };
     assert_eq!(agents("[WALK] <cup> (2)\n<char1> [WALK] <mug> (99)"), [3, 4]);
     for (text, told) in [
-        ("[WALK] <cup> (2)\n<char9> [WALK] <cup> (2)", "action 2: there is no `<char9>`, the scene has 2 characters, `<char0>` to `<char1>`"),
+        (
+            "[WALK] <cup> (2)\n<char9> [WALK] <cup> (2)",
+            "action 2: there is no `<char9>`, the scene has 2 characters, `<char0>` to `<char1>`",
+        ),
         ("[WALK] <kitchen> (1)\n[WALK] <milk> (2)", "action 2: `milk.2` names a thing that is cup.2"),
         ("grab milk.2", "action 1: `milk.2` names a thing that is cup.2"),
     ] {
@@ -234,7 +241,8 @@ fn acting_together_is_done_whole_or_not_at_all() {
     let cast = |text: &str| program::read(text).unwrap().cast(&couple()).unwrap().concat();
     world.step_together(&cast("<char0> [WALK] <cup> (2) | <char1> [WALK] <cup> (2)")).unwrap();
     let before = world.clone();
-    let (event, refusals) = world.step_together(&cast("<char0> [GRAB] <cup> (2) | <char1> [GRAB] <cup> (2)")).unwrap_err();
+    let (event, refusals) =
+        world.step_together(&cast("<char0> [GRAB] <cup> (2) | <char1> [GRAB] <cup> (2)")).unwrap_err();
     assert_eq!((event.agent, refusals[0].to_string()), (NodeId(4), "character.3 holds cup.2".to_owned()));
     assert!(world == before);
 }

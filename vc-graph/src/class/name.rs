@@ -7,12 +7,12 @@ const NOISE: &[&str] = &["sm", "bp", "pre", "mod", "fur", "pro", "dec", "ele", "
 
 /// Words that say more of a thing behind its name: `Table_Round_White`.
 const QUALIFIERS: &[&str] = &[
-    "small", "medium", "large", "big", "mini", "tall", "short", "long", "wide", "narrow", "high", "low", "left", "right",
-    "front", "back", "top", "bottom", "upper", "lower", "inner", "outer", "open", "closed", "old", "new", "modern",
-    "classic", "antique", "vintage", "round", "square", "oval", "single", "double", "black", "white", "grey", "gray",
-    "red", "green", "blue", "yellow", "brown", "pink", "purple", "beige", "dark", "bright", "wood", "wooden", "metal",
-    "plastic", "leather", "fabric", "marble", "steel", "gold", "silver", "copy", "clone", "variant", "version", "var",
-    "ver", "lod",
+    "small", "medium", "large", "big", "mini", "tall", "short", "long", "wide", "narrow", "high", "low", "left",
+    "right", "front", "back", "top", "bottom", "upper", "lower", "inner", "outer", "open", "closed", "old", "new",
+    "modern", "classic", "antique", "vintage", "round", "square", "oval", "single", "double", "black", "white", "grey",
+    "gray", "red", "green", "blue", "yellow", "brown", "pink", "purple", "beige", "dark", "bright", "wood", "wooden",
+    "metal", "plastic", "leather", "fabric", "marble", "steel", "gold", "silver", "copy", "clone", "variant",
+    "version", "var", "ver", "lod",
 ];
 
 /// Longest name that is taken apart, words; longer ones are only matched whole.

@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use serde::Deserialize;
 
-use super::virtualhome::{EnvironmentGraph, RelationType};
 use super::program::{self, Program};
+use super::virtualhome::{EnvironmentGraph, RelationType};
 use super::{FormatError, Problem, Source};
 use crate::goal::{Goal, Predicate, Term};
 use crate::vocabulary::clip;
