@@ -48,6 +48,9 @@ fn main() -> Result<(), Complaint> {
 /// How long a model may think about one answer.
 const PATIENCE: Duration = Duration::from_secs(300);
 
+/// Longest answer that is read, bytes.
+const LONGEST: u64 = 1 << 24;
+
 /// Asks a server; over HTTP 1.0, so that it answers in one piece and hangs up.
 fn ask(url: &str, model: &str, prompt: &Prompt) -> Result<String, String> {
     let address = url.strip_prefix("http://").ok_or("an endpoint begins with http://")?;
@@ -71,7 +74,7 @@ fn ask(url: &str, model: &str, prompt: &Prompt) -> Result<String, String> {
     );
     stream.write_all((head + &body).as_bytes()).map_err(fail)?;
     let mut answer = String::new();
-    stream.read_to_string(&mut answer).map_err(fail)?;
+    stream.take(LONGEST).read_to_string(&mut answer).map_err(fail)?;
     content(&answer)
 }
 

@@ -16,7 +16,7 @@ use std::time::Instant;
 
 use clap::Parser;
 use support::{Complaint, say};
-use vc_graph::{SceneGraph, Seed, Simulator};
+use vc_graph::{SceneGraph, Seed, Simulator, did_you_mean};
 use vc_tasks::initial::{Added, Generator, Purpose};
 use vc_tasks::library::{Activity, Benchmark};
 use vc_tasks::report::predicates;
@@ -60,12 +60,16 @@ struct Sum {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
+    let benchmark = Benchmark::v1();
+    let chosen: Vec<&Activity> = benchmark.activities.iter().filter(|a| a.id.starts_with(&options.task)).collect();
+    if chosen.is_empty() {
+        let near = did_you_mean(&options.task, benchmark.activities.iter().map(Activity::group));
+        return Err(Complaint::new(format!("no task begins with `{}`{near}", options.task)));
+    }
     let path = |name: &str| options.out.join(name);
     let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", options.out.display()));
     std::fs::create_dir_all(&options.out).map_err(fail)?;
     let mut list = String::new();
-    let benchmark = Benchmark::v1();
-    let chosen: Vec<&Activity> = benchmark.activities.iter().filter(|a| a.id.starts_with(&options.task)).collect();
     let mut sums: BTreeMap<&str, Sum> = BTreeMap::new();
     let mut tiles = Vec::new();
     let mut failed = Vec::new();

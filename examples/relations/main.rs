@@ -101,6 +101,7 @@ fn pair(graph: &SceneGraph, relations: &Relations, why: Option<&[String]>) -> Re
     if let Some([from, to]) = why {
         let find = |text: &String| {
             let label: vc_graph::Label = text.parse().map_err(Complaint::new)?;
+            graph.check_label(&label).map_err(Complaint::new)?;
             graph.node(label.id).map(vc_graph::Node::id).ok_or_else(|| Complaint::new(format!("no node is {text}")))
         };
         return Ok((find(from)?, find(to)?));

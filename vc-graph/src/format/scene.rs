@@ -17,7 +17,7 @@ pub fn read_scene(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, F
     let mut outline = Outline::default();
     let mut json = serde_json::Deserializer::from_str(unmarked(text));
     // Where it ends early, the outline has what came before.
-    let _ = Look(&mut outline, 0).deserialize(&mut json);
+    let _ = Look { outline: &mut outline, top: true }.deserialize(&mut json);
     outline.reader()(text, classes)
 }
 
@@ -47,8 +47,11 @@ impl Outline {
     }
 }
 
-/// A look at a value so many levels below the top.
-struct Look<'o>(&'o mut Outline, u32);
+/// A look at a value, at the top or below it.
+struct Look<'o> {
+    outline: &'o mut Outline,
+    top: bool,
+}
 
 impl<'de> DeserializeSeed<'de> for Look<'_> {
     type Value = ();
@@ -67,11 +70,13 @@ impl<'de> Visitor<'de> for Look<'_> {
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
         while let Some(key) = map.next_key::<String>()? {
-            if self.1 == 0 {
-                self.0.keys.push((key, false, Vec::new()));
-                map.next_value_seed(Look(&mut *self.0, 1))?;
+            if self.top {
+                self.outline.keys.push((key, false, Vec::new()));
+                map.next_value_seed(Look { outline: &mut *self.outline, top: false })?;
             } else {
-                self.0.keys.last_mut().into_iter().for_each(|(.., below)| below.push(key.clone()));
+                if let Some((.., below)) = self.outline.keys.last_mut() {
+                    below.push(key);
+                }
                 map.next_value::<IgnoredAny>()?;
             }
         }
@@ -79,12 +84,12 @@ impl<'de> Visitor<'de> for Look<'_> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<(), A::Error> {
-        match self.0.keys.last_mut() {
+        match self.outline.keys.last_mut() {
             Some((_, list, _)) => *list = true,
             // A list at the top is a key without a name.
-            None => self.0.keys.push((String::new(), true, Vec::new())),
+            None => self.outline.keys.push((String::new(), true, Vec::new())),
         }
-        seq.next_element_seed(Look(&mut *self.0, 2))?;
+        seq.next_element_seed(Look { outline: &mut *self.outline, top: false })?;
         while seq.next_element::<IgnoredAny>()?.is_some() {}
         Ok(())
     }

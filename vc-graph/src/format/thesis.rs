@@ -143,7 +143,7 @@ pub fn write(graph: &SceneGraph) -> String {
         let name = name_of(node);
         // A dot in a name would be taken for the one before a number.
         if name.contains('.') || by_name.get(&name).is_some_and(|&n| n > 1) {
-            format!("{name}.{}", node.id().0)
+            numbered(node)
         } else {
             name
         }
@@ -154,6 +154,10 @@ pub fn write(graph: &SceneGraph) -> String {
     });
     let name = serde_json::to_string(graph.name()).unwrap_or_default();
     format!("{{{name}: [\n{}\n]}}\n", objects.collect::<Vec<_>>().join(",\n"))
+}
+
+fn numbered(node: &Node) -> String {
+    format!("{}.{}", name_of(node), node.id().0)
 }
 
 fn name_of(node: &Node) -> String {
@@ -205,7 +209,9 @@ impl ObjectFile {
             let to = graph.node(link.node())?;
             let relation = if link.relation() == Relation::InRoom { Relation::Inside } else { link.relation() };
             let phrase = PHRASES.iter().find(|(_, r)| *r == relation)?.0;
-            Some(format!("{own} {phrase} {}", reference(to)))
+            // A bare name means another thing.
+            let to = if to.id() == node.id() { numbered(to) } else { reference(to) };
+            Some(format!("{own} {phrase} {to}"))
         });
         Self {
             containers: storage(&node.spec().slots),
