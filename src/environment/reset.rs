@@ -155,6 +155,7 @@ impl Environment {
     /// Reads the relations of a scene that differs from the start and writes them.
     fn observed(&self, graph: &mut SceneGraph, world: &World, anew: bool) -> Result<Relations, ResetError> {
         let mut relations = self.start.relations.clone();
+        let wanted = graph.clone();
         let (mut changed, _) = observe::write_poses(graph, world)?;
         let same = graph.len() == self.start.graph.len()
             && graph.nodes().map(vc_graph::Node::id).eq(self.start.graph.nodes().map(vc_graph::Node::id));
@@ -169,6 +170,8 @@ impl Environment {
             graph.nodes().map(vc_graph::Node::id).collect()
         };
         relations.write(graph, &met)?;
+        let kept: Vec<NodeId> = self.start.elsewhere.iter().map(|e| e.thing.id).collect();
+        boxes::keep(&wanted, graph, &kept)?;
         Ok(relations)
     }
 }
