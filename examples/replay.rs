@@ -63,7 +63,7 @@ fn main() -> Result<ExitCode, Complaint> {
     #[cfg(feature = "environment")]
     if options.bodies {
         let scene = options.scene.as_deref().ok_or_else(|| Complaint::new("--bodies needs --scene FILE"))?;
-        return bodies::replay(&options.files, scene);
+        return bodies::replay(&options.files, scene).map(|()| ExitCode::SUCCESS);
     }
     for file in &options.files {
         if let Err(complaint) = replay(file, scene.as_ref(), &options, &mut tally) {
