@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use vc_graph::format::eai::{Record, read_record};
-use vc_graph::{Action, ClassTable, Kind, NodeId, SceneGraph};
+use vc_graph::{ClassTable, Kind, NodeId, SceneGraph};
 use virtualcity::{ActionError, Environment, Impossible};
 
 use crate::support::{Complaint, read, say};
@@ -38,17 +38,18 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<(), Complaint> {
 
 /// Whether everything that a program names has the same class in a scene; the agent is whoever acts.
 fn fits(record: &Record, scene: &SceneGraph) -> Result<bool, Complaint> {
-    let own = record.initial.build(&record.id, &ClassTable::builtin()).map_err(|(_, problem)| Complaint::new(problem))?;
+    let own =
+        record.initial.build(&record.id, &ClassTable::builtin()).map_err(|(_, problem)| Complaint::new(problem))?;
     let class = |graph: &SceneGraph, id: NodeId| graph.node(id).map(|n| n.class().clone());
     let is_agent = |id: NodeId| own.node(id).is_some_and(|n| n.kind() == Kind::Agent);
-    let mut named = record.actions.iter().flat_map(Action::things);
-    Ok(named.all(|id| is_agent(id) || class(&own, id).is_some() && class(&own, id) == class(scene, id)))
+    let named: Vec<NodeId> = record.program.actions().flat_map(|action| action.things().collect::<Vec<_>>()).collect();
+    Ok(named.into_iter().all(|id| is_agent(id) || class(&own, id).is_some() && class(&own, id) == class(scene, id)))
 }
 
 fn run(home: &mut Environment, record: &Record) -> Result<(), (usize, ActionError)> {
     let me = home.agents()[0];
-    let mut numbered = record.actions.iter().enumerate();
-    numbered.try_for_each(|(index, action)| home.set_action(me, *action).map(drop).map_err(|error| (index, error)))
+    let mut numbered = record.program.actions().enumerate();
+    numbered.try_for_each(|(index, action)| home.set_action(me, action).map(drop).map_err(|error| (index, error)))
 }
 
 /// What kind of reason there was, without names.
