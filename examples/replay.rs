@@ -53,6 +53,11 @@ struct Tally {
 
 fn main() -> Result<ExitCode, Complaint> {
     let options = Options::parse();
+    #[cfg(feature = "environment")]
+    if options.bodies {
+        let scene = options.scene.as_deref().ok_or_else(|| Complaint::new("--bodies needs --scene FILE"))?;
+        return bodies::replay(&options.files, scene).map(|()| ExitCode::SUCCESS);
+    }
     let classes = ClassTable::builtin();
     let read = |path: &PathBuf| {
         let text = support::read(path)?;
@@ -60,11 +65,6 @@ fn main() -> Result<ExitCode, Complaint> {
     };
     let scene = options.scene.as_ref().map(read).transpose()?;
     let mut tally = Tally::default();
-    #[cfg(feature = "environment")]
-    if options.bodies {
-        let scene = options.scene.as_deref().ok_or_else(|| Complaint::new("--bodies needs --scene FILE"))?;
-        return bodies::replay(&options.files, scene).map(|()| ExitCode::SUCCESS);
-    }
     for file in &options.files {
         if let Err(complaint) = replay(file, scene.as_ref(), &options, &mut tally) {
             say!("{complaint:?}");
@@ -111,7 +111,7 @@ fn replay_records(file: &Path, text: &str, options: &Options, tally: &mut Tally)
     Ok(())
 }
 
-/// What is to be said of a record, line by line; or why it is none.
+/// The lines to be said of a record, or why it is none.
 fn replay_record(line: &str, all: bool, tally: &mut Tally) -> Result<Vec<String>, String> {
     let record = eai::read_record(line).map_err(|e| e.to_string())?;
     let build = |graph: &EnvironmentGraph| {
@@ -166,7 +166,7 @@ fn execute(scene: SceneGraph, program: &Program) -> Run {
     Run { scene: world.into_graph(), done, refused }
 }
 
-/// Who was refused what, and why; who, where there are several.
+/// A refused deed and the reasons, with its agent where there are several.
 fn told(graph: &SceneGraph, deed: &Event, refusals: &[Refusal]) -> String {
     let reasons: Vec<String> = refusals.iter().map(ToString::to_string).collect();
     let who = if graph.agents().len() > 1 { format!("{} ", graph.label(deed.agent)) } else { String::new() };

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use flate2::bufread::MultiGzDecoder;
 use vc_graph::format::{LARGEST, unmarked};
 
-/// What packed files begin with.
+/// The bytes that packed files begin with.
 const GZIP: [u8; 2] = [0x1f, 0x8b];
 
 /// Why a file was not read.

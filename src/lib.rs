@@ -87,8 +87,8 @@ pub use batch::Batch;
 pub use check::{Breach, Tally, check_environment, legal_action, random_action, run};
 #[cfg(feature = "environment")]
 pub use environment::{
-    ActionError, Assets, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError, ResetError, ResetReport, SceneOptions,
-    SaveError, Steering, Unplaced, Why,
+    ActionError, Assets, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError, ResetError,
+    ResetReport, SaveError, SceneOptions, Steering, Unplaced, Why,
 };
 pub use files::{FileError, FileProblem, read_bytes, read_text};
 pub use page::{Page, PageAction, PageFigure, PageFilm};

@@ -8,7 +8,8 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use virtualcity::graph::format::{native, read_scene, thesis};
 use virtualcity::graph::{
-    Action, ClassTable, Draft, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneGraph, Seed, State, Verb, Violation,
+    Action, ClassTable, Draft, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneGraph, Seed, State, Verb,
+    Violation,
 };
 use virtualcity::physics::Hand;
 use virtualcity::procgen::Apartment;

@@ -369,7 +369,8 @@ fn what_has_moved_is_lit_where_it_is() {
         act(&mut home, me, Verb::Open, &[fridge]);
         let inside = home.graph().relating(Relation::Inside, fridge);
         let graspable = |id: &NodeId| home.graph().node(*id).is_some_and(|n| n.affords(Property::Graspable));
-        let thing = inside.filter(graspable).find(|id| home.clone().set_action(me, Action::one(Verb::Grab, *id)).is_ok());
+        let thing =
+            inside.filter(graspable).find(|id| home.clone().set_action(me, Action::one(Verb::Grab, *id)).is_ok());
         let thing = thing.unwrap();
         act(&mut home, me, Verb::Grab, &[thing]);
         let table = home.graph().of_class("coffee_table")[0];
@@ -462,7 +463,8 @@ fn screens_that_are_off_are_dark() {
         let middle = |i: &usize| (12..36).contains(&(i % 48)) && (9..27).contains(&(i / 48));
         (0..48 * 36).filter(middle).map(|i| frame.rgb[i]).collect::<Vec<[u8; 3]>>()
     };
-    let spread = |colours: &[[u8; 3]]| colours.iter().flatten().map(|v| u32::from(*v)).sum::<u32>() / colours.len() as u32;
+    let spread =
+        |colours: &[[u8; 3]]| colours.iter().flatten().map(|v| u32::from(*v)).sum::<u32>() / colours.len() as u32;
     let off = colours(&home);
     let glowing = |home: &Environment| {
         let json = document(&home.gltf().unwrap());
@@ -495,9 +497,16 @@ fn outside_has_its_own_light() {
     let outdoors = |home: &Environment, turn: f32| {
         let boxes = home.graph().rooms().iter().filter_map(|room| home.graph().node(*room)?.aabb());
         let all = boxes.reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) }).unwrap();
-        let (middle, way) = (all.centre(), nalgebra::Rotation3::from_axis_angle(&Vector3::z_axis(), turn) * Vector3::x());
+        let (middle, way) =
+            (all.centre(), nalgebra::Rotation3::from_axis_angle(&Vector3::z_axis(), turn) * Vector3::x());
         let eye = middle + way * 14.0;
-        home.render(Viewpoint::Free(Camera::with_fov(96, 72, 0.9).looking(eye, middle)), Modality::Rgb | Modality::Instance, 96, 72).unwrap()
+        home.render(
+            Viewpoint::Free(Camera::with_fov(96, 72, 0.9).looking(eye, middle)),
+            Modality::Rgb | Modality::Instance,
+            96,
+            72,
+        )
+        .unwrap()
     };
     let walls = |frame: &Frame| {
         let wall = |i: &usize| home.graph().node(frame.instance[*i]).is_some_and(|n| &**n.class() == "wall");

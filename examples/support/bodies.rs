@@ -38,7 +38,8 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<(), Complaint> {
 
 /// Whether everything that a program names has the same class in a scene; the agent is whoever acts.
 fn fits(record: &Record, scene: &SceneGraph) -> Result<bool, Complaint> {
-    let own = record.initial.build(&record.id, &ClassTable::builtin()).map_err(|(_, problem)| Complaint::new(problem))?;
+    let own =
+        record.initial.build(&record.id, &ClassTable::builtin()).map_err(|(_, problem)| Complaint::new(problem))?;
     let class = |graph: &SceneGraph, id: NodeId| graph.node(id).map(|n| n.class().clone());
     let is_agent = |id: NodeId| own.node(id).is_some_and(|n| n.kind() == Kind::Agent);
     let named: Vec<NodeId> = record.program.actions().flat_map(|action| action.things().collect::<Vec<_>>()).collect();

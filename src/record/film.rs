@@ -159,7 +159,12 @@ impl Film {
         let share = 1.0 - (-seconds / GETS_USED).exponential();
         let used = self.used[which].filter(|(from, _)| *from == view);
         let adapts = used.map(|(_, from)| Adaptation { from, share });
-        let frame = home.picture(&PictureOptions { adapts, ..*home.pictures() }, None, (view, Modality::Rgb.into()), self.size)?;
+        let frame = home.picture(
+            &PictureOptions { adapts, ..*home.pictures() },
+            None,
+            (view, Modality::Rgb.into()),
+            self.size,
+        )?;
         self.used[which] = Some((view, frame.exposure));
         Ok(picture::rgb(&frame))
     }

@@ -25,11 +25,19 @@ pub(crate) fn arms(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Block>
     let arm = |axis: usize| {
         // Along the side across from what stands there.
         let mut arm = *block;
-        if upper[axis] { arm.high[axis] = arm.low[axis] + depth } else { arm.low[axis] = arm.high[axis] - depth }
+        if upper[axis] {
+            arm.high[axis] = arm.low[axis] + depth
+        } else {
+            arm.low[axis] = arm.high[axis] - depth
+        }
         arm
     };
     let (one, mut other) = (arm(0), arm(1));
-    if upper[0] { other.low.x = one.high.x } else { other.high.x = one.low.x }
+    if upper[0] {
+        other.low.x = one.high.x
+    } else {
+        other.high.x = one.low.x
+    }
     vec![one, other]
 }
 

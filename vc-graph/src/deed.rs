@@ -1,4 +1,4 @@
-//! What somebody does, as it is written: by whom, and what its things are called.
+//! Deeds as they are written: who does what, and how its things are called.
 
 use std::str::FromStr;
 
@@ -18,7 +18,7 @@ use crate::{Action, ActionError, BadLabel, Label, Misnomer, NodeId, SceneGraph, 
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Deed {
-    /// Who does it: the number in `<char1>`, 0 where nobody is named.
+    /// The number of whoever does it, as in `<char1>`; 0 where nobody is named.
     pub character: u32,
     /// What is done.
     pub action: Action,
@@ -27,7 +27,7 @@ pub struct Deed {
 }
 
 impl From<Action> for Deed {
-    /// What the first character does, to things without names.
+    /// A deed of the first character, with things that are not called by name.
     fn from(action: Action) -> Self {
         Self { character: 0, action, labels: Vec::new() }
     }

@@ -96,7 +96,7 @@ fn what_can_be_nowhere_is_given_up_at_once() {
     let me = scene.add(Draft::new("character")).unwrap();
     let apples = ["apple", "apple"].map(|class| scene.add(Draft::new(class)).unwrap());
     let scene = scene.build();
-    for mut policy in [Newcomer::best(), Newcomer::stranger(), Newcomer::default()] {
+    for mut policy in [Newcomer::best(), Newcomer::stranger(), Newcomer::faithful()] {
         for goal in ["Holds(apple)", "Near(me, apple)", "On(apple, apple)", "Clean(apple), 2"] {
             let task = Task::new("nowhere", goal.parse().unwrap());
             let mut world = Simulator::new(scene.clone());

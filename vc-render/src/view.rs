@@ -133,7 +133,16 @@ impl<'a> Shot<'a> {
     /// A picture of a moment.
     pub fn new(snapshot: &'a Snapshot, camera: &'a Camera, wanted: impl Into<Modalities>) -> Self {
         let view = View { snapshot, camera };
-        Self { view, before: None, after: None, lighting: None, wanted: wanted.into(), finer: 1, plain: false, adapts: None }
+        Self {
+            view,
+            before: None,
+            after: None,
+            lighting: None,
+            wanted: wanted.into(),
+            finer: 1,
+            plain: false,
+            adapts: None,
+        }
     }
 
     /// With the moment before.

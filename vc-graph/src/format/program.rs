@@ -9,7 +9,7 @@
 //! <char0> [GRAB] <cup> (12) | <char1> [WALK] <kitchen> (11)
 //! ```
 //!
-//! What several characters do at once stands in one line. A line that looks like an action
+//! The deeds of several characters at once stand in one line. A line that looks like an action
 //! and is none is an error, wherever it stands; a title that is also a verb, `Sleep`, is a
 //! title if a blank line follows.
 
@@ -64,13 +64,13 @@ impl Program {
         Self { heading: Vec::new(), steps: actions.into_iter().map(|action| vec![action.into()]).collect() }
     }
 
-    /// What is done, in the order in which it is written, whoever does it.
+    /// The actions in the order in which they are written, whoever does them.
     pub fn actions(&self) -> impl Iterator<Item = Action> + '_ {
         self.steps.iter().flatten().map(|deed| deed.action)
     }
 
-    /// Who of a scene does what, step by step: `<char0>` is its first agent, `<char1>` its
-    /// second.
+    /// The deeds with the agents of a scene that do them, step by step: `<char0>` is its first
+    /// agent, `<char1>` its second.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder, Simulator, format::program};
@@ -136,7 +136,7 @@ pub fn read(text: &str) -> Result<Program, FormatError> {
     Ok(program)
 }
 
-/// What is done in a line, by one character or by several: `<char0> [..] | <char1> [..]`.
+/// The deeds of a line, of one character or of several: `<char0> [..] | <char1> [..]`.
 pub(super) fn step(line: &str) -> Result<Vec<Deed>, Problem> {
     let deeds: Vec<Deed> = line.split('|').map(str::parse).collect::<Result<_, ActionError>>()?;
     let twice = |(i, deed): (usize, &Deed)| deeds[..i].iter().any(|d| d.character == deed.character);

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
 use super::{FormatError, eai, native, thesis, unmarked, virtualhome};
 use crate::{ClassTable, SceneGraph};
@@ -31,6 +31,16 @@ struct Outline {
 }
 
 impl Outline {
+    /// Whether what has been seen last tells the format, so that no more need be looked at.
+    fn told<E: Error>(&self) -> Result<(), E> {
+        let known = |key: &String| key == "class_name" || key == "transform";
+        let told = self
+            .keys
+            .last()
+            .is_some_and(|(name, list, below)| name == "virtualcity" && !list || below.iter().any(known));
+        if told { Err(E::custom("told")) } else { Ok(()) }
+    }
+
     fn reader(&self) -> Reader {
         let has = |key: &str| self.keys.iter().any(|(name, ..)| name == key);
         let no_list = |key: &str| self.keys.iter().any(|(name, list, _)| name == key && !list);
@@ -73,6 +83,7 @@ impl<'de> Visitor<'de> for Look<'_> {
             if self.top {
                 self.outline.keys.push((key, false, Vec::new()));
                 map.next_value_seed(Look { outline: &mut *self.outline, top: false })?;
+                self.outline.told::<A::Error>()?;
             } else {
                 if let Some((.., below)) = self.outline.keys.last_mut() {
                     below.push(key);
@@ -90,6 +101,7 @@ impl<'de> Visitor<'de> for Look<'_> {
             None => self.outline.keys.push((String::new(), true, Vec::new())),
         }
         seq.next_element_seed(Look { outline: &mut *self.outline, top: false })?;
+        self.outline.told::<A::Error>()?;
         while seq.next_element::<IgnoredAny>()?.is_some() {}
         Ok(())
     }

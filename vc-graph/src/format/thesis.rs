@@ -32,7 +32,9 @@ use super::{FormatError, Problem, Source};
 use crate::class::{Slot, SlotKind};
 use crate::node::Kind;
 use crate::vocabulary::clip;
-use crate::{Bounds, ClassTable, Draft, Edge, Frame, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Word};
+use crate::{
+    Bounds, ClassTable, Draft, Edge, Frame, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Word,
+};
 
 #[derive(Serialize, Deserialize)]
 struct ObjectFile {
@@ -142,11 +144,7 @@ pub fn write(graph: &SceneGraph) -> String {
     let reference = |node: &Node| {
         let name = name_of(node);
         // A dot in a name would be taken for the one before a number.
-        if name.contains('.') || by_name.get(&name).is_some_and(|&n| n > 1) {
-            numbered(node)
-        } else {
-            name
-        }
+        if name.contains('.') || by_name.get(&name).is_some_and(|&n| n > 1) { numbered(node) } else { name }
     };
     let objects = graph.nodes().map(|node| {
         let object = ObjectFile::of(graph, node, &reference);
