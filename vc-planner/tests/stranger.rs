@@ -97,7 +97,7 @@ fn what_can_be_nowhere_is_given_up_at_once() {
     let apples = ["apple", "apple"].map(|class| scene.add(Draft::new(class)).unwrap());
     let scene = scene.build();
     for mut policy in [Newcomer::best(), Newcomer::stranger(), Newcomer::faithful()] {
-        for goal in ["Holds(apple)", "Near(me, apple)", "On(apple, apple)", "Clean(apple), 2"] {
+        for goal in ["Holds(apple)", "Near(me, apple)", "On(apple, apple)", "Sliced(apple), 2"] {
             let task = Task::new("nowhere", goal.parse().unwrap());
             let mut world = Simulator::new(scene.clone());
             let episode = Run::seeded(0).episode(&mut policy, &task, &mut world, &mut |_| {});
