@@ -37,7 +37,7 @@ struct Made {
 impl Environment {
     /// An environment by name, with some agents at free spots from where the rooms can be
     /// reached: `apartment/42` generates a home from a seed, `scene:FILE` reads a scene of
-    /// any format whose things have poses.
+    /// any format whose things have poses, unpacked if its name ends in `.gz`.
     ///
     /// `Apartment::from_seed(seed).scene()` or `vc_graph::format::read_scene`, then
     /// [`Environment::of`].
@@ -58,7 +58,8 @@ impl Environment {
     }
 
     /// An environment of a scene of your own. Agents that the scene has are kept, others
-    /// are added until there are so many.
+    /// are added until there are so many. Things of which only a box is known get a shape of their
+    /// class in that box ([`vc_geometry::shapes`]), and stay where the scene has them.
     ///
     /// `World::build`, `World::step`, `World::doze`, `Floor::of`, `World::add_agent`, then relations are
     /// read (`Relations::new`) and written into the graph (`Relations::write`).
@@ -126,7 +127,7 @@ impl Environment {
         let relations = Relations::new(&graph, Rule::Repaired, observe::evidence(&world))?;
         let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
         relations.write(&mut graph, &all)?;
-        let elsewhere = boxes::keep(&scene, &mut graph, &bare)?;
+        let elsewhere = boxes::keep(&scene, &mut graph, &world, &bare)?;
         let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere };
         Ok(Self::at(Arc::new(start)))
     }

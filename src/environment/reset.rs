@@ -156,7 +156,7 @@ impl Environment {
         };
         relations.write(graph, &met)?;
         let kept: Vec<NodeId> = self.start.elsewhere.iter().map(|e| e.thing.id).collect();
-        boxes::keep(&wanted, graph, &kept)?;
+        boxes::keep(&wanted, graph, world, &kept)?;
         Ok(relations)
     }
 }
