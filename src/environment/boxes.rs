@@ -19,21 +19,19 @@ const STILL: f32 = 0.02;
 /// How far an agent is moved aside that stands in something, metres.
 const ASIDE: f32 = 2.5;
 
-/// A scene in which everything has a shape, and what had none.
-pub(super) struct Shaped {
-    pub(super) graph: SceneGraph,
-    pub(super) bare: Vec<NodeId>,
+/// Things of which a scene has only boxes.
+pub(super) fn bare(graph: &SceneGraph) -> Vec<NodeId> {
+    graph.nodes().filter(|n| vc_geometry::is_bare(n)).map(Node::id).collect()
 }
 
 /// Gives a shape to all of which only a box is known ([`vc_geometry::shapes`]), and a figure to
 /// people. `None` if nothing lacks one.
-pub(super) fn shaped(graph: &SceneGraph) -> Result<Option<Shaped>, ShapesError> {
+pub(super) fn shaped(graph: &SceneGraph) -> Result<Option<SceneGraph>, ShapesError> {
     let mut shapes = vc_geometry::shapes(graph);
     let nobody = |n: &&Node| is_bare_agent(n);
     if shapes.is_empty() && !graph.nodes().any(|n| nobody(&n)) {
         return Ok(None);
     }
-    let bare = graph.nodes().filter(|n| vc_geometry::is_bare(n)).map(Node::id).collect();
     let mut library = graph.assets().as_ref().clone();
     let material = library.add_material(vc_geometry::material())?;
     let mut builder = SceneBuilder::with_classes(graph.name(), graph.classes().clone());
@@ -51,7 +49,7 @@ pub(super) fn shaped(graph: &SceneGraph) -> Result<Option<Shaped>, ShapesError> 
     }
     builder.link_all(&graph.edges().collect::<Vec<_>>())?;
     builder.assets(Arc::new(library));
-    Ok(Some(Shaped { graph: builder.build(), bare }))
+    Ok(Some(builder.build()))
 }
 
 fn is_bare_agent(node: &Node) -> bool {

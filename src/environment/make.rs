@@ -81,11 +81,10 @@ impl Environment {
     /// # Errors
     /// [`MakeError`].
     pub fn of(graph: SceneGraph, agents: usize) -> Result<Self, MakeError> {
+        // Whoever gives them a shape: what had only a box stays where the scene has it.
+        let bare = boxes::bare(&graph);
         let graph = scene::shaped(&graph)?.unwrap_or(graph);
-        let (graph, bare) = match boxes::shaped(&graph)? {
-            Some(shaped) => (shaped.graph, shaped.bare),
-            None => (graph, Vec::new()),
-        };
+        let graph = boxes::shaped(&graph)?.unwrap_or(graph);
         let posed = |n: &&vc_graph::Node| n.kind() == Kind::Object && n.pose().is_some();
         if !graph.nodes().any(|n| posed(&n)) {
             return Err(MakeError::NoPoses { scene: graph.name().to_owned(), things: graph.len() });

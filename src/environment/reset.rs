@@ -111,8 +111,7 @@ impl Environment {
             return Err(ResetError::OtherAgents { expected, found });
         }
         let shaped = scene::shaped(graph)?;
-        let boxed = boxes::shaped(shaped.as_ref().unwrap_or(graph))?;
-        let shaped = boxed.map(|b| b.graph).or(shaped);
+        let shaped = boxes::shaped(shaped.as_ref().unwrap_or(graph))?.or(shaped);
         let new_shapes = shaped.is_some();
         let mut wanted = shaped.unwrap_or_else(|| graph.clone());
         let mut plan = Plan::of(&self.start.graph, &wanted);
