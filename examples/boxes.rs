@@ -74,7 +74,7 @@ fn goals(home: &Environment, won: &mut (usize, usize)) -> Result<(), Complaint> 
             continue;
         }
         let mut steps = Vec::new();
-        let mut note = |step: &Step| steps.push(step.described.clone());
+        let mut note = |step: &Step| steps.push(step.refused.clone().unwrap_or_else(|| step.described.clone()));
         let run = Run { agent: Some(me), ..Run::seeded(1) };
         let episode = run.episode(&mut Newcomer::best(), &task, &mut home.clone(), &mut note);
         won.1 += 1;

@@ -94,6 +94,8 @@ pub use sight::Viewpoint;
 #[cfg(feature = "procgen")]
 pub mod initial;
 
+#[cfg(feature = "environment")]
+pub use vc_geometry as geometry;
 pub use vc_graph as graph;
 #[cfg(feature = "physics")]
 pub use vc_physics as physics;

@@ -221,7 +221,8 @@ fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed: &[NodeId]
     let on = |id: NodeId, graph: &SceneGraph| graph.related(id, Relation::On).collect::<Vec<NodeId>>();
     let through = |&id: &NodeId| {
         let (wanted, found) = (on(id, ruled), on(id, observed));
-        let covered = |at: &NodeId| found.iter().any(|c| is_cover(*c) && observed.has(Edge::new(*c, Relation::On, *at)));
+        let covered =
+            |at: &NodeId| found.iter().any(|c| is_cover(*c) && observed.has(Edge::new(*c, Relation::On, *at)));
         let more: Vec<NodeId> = wanted.into_iter().filter(|at| !found.contains(at) && covered(at)).collect();
         let places = found.into_iter().chain(more.iter().copied()).map(|at| Place { relation: Relation::On, at });
         (!more.is_empty()).then(|| (id, places.collect::<Vec<Place>>()))

@@ -111,8 +111,7 @@ impl Environment {
             return Err(ResetError::OtherAgents { expected, found });
         }
         let shaped = scene::shaped(graph)?;
-        let boxed = boxes::shaped(shaped.as_ref().unwrap_or(graph), self.start.assets)?;
-        let shaped = boxed.map(|b| b.graph).or(shaped);
+        let shaped = boxes::shaped(shaped.as_ref().unwrap_or(graph), self.start.assets)?.or(shaped);
         let new_shapes = shaped.is_some();
         let mut wanted = shaped.unwrap_or_else(|| graph.clone());
         let mut plan = Plan::of(&self.start.graph, &wanted);
@@ -140,6 +139,7 @@ impl Environment {
     /// Reads the relations of a scene that differs from the start and writes them.
     fn observed(&self, graph: &mut SceneGraph, world: &World, anew: bool) -> Result<Relations, ResetError> {
         let mut relations = self.start.relations.clone();
+        let wanted = graph.clone();
         let (mut changed, _) = observe::write_poses(graph, world)?;
         let same = graph.len() == self.start.graph.len()
             && graph.nodes().map(vc_graph::Node::id).eq(self.start.graph.nodes().map(vc_graph::Node::id));
@@ -154,6 +154,8 @@ impl Environment {
             graph.nodes().map(vc_graph::Node::id).collect()
         };
         relations.write(graph, &met)?;
+        let kept: Vec<NodeId> = self.start.elsewhere.iter().map(|e| e.thing.id).collect();
+        boxes::keep(&wanted, graph, world, &kept)?;
         Ok(relations)
     }
 }

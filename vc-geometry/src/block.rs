@@ -43,7 +43,6 @@ impl Block {
         self.high - self.low
     }
 
-
     /// An upright box of the world in this frame.
     pub(crate) fn local(&self, aabb: &Aabb) -> (Vector3<f32>, Vector3<f32>) {
         let corner = |i: u32| {

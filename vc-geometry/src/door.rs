@@ -20,7 +20,11 @@ pub(crate) fn frame(block: &Block) -> Vec<Part> {
     let mut parts = Vec::new();
     for upper in [false, true] {
         let (mut from, mut to) = (low, high);
-        if upper { from[along] = high[along] - POST } else { to[along] = low[along] + POST }
+        if upper {
+            from[along] = high[along] - POST
+        } else {
+            to[along] = low[along] + POST
+        }
         parts.push(part("post", from, to));
     }
     parts.push(part("lintel", Vector3::new(low.x, low.y, high.z - POST), high));

@@ -25,7 +25,8 @@ struct Row {
     level: Option<f32>,
 }
 
-static TABLE: LazyLock<Vec<Row>> = LazyLock::new(|| include_str!("../data/forms.txt").lines().filter_map(row).collect());
+static TABLE: LazyLock<Vec<Row>> =
+    LazyLock::new(|| include_str!("../data/forms.txt").lines().filter_map(row).collect());
 
 fn row(line: &'static str) -> Option<Row> {
     let mut columns = line.split('|').map(str::trim);

@@ -90,8 +90,16 @@ fn legs(block: &Block, top: f32) -> Vec<Part> {
     let wide = LEG.min(block.size().x / 4.0).min(block.size().y / 4.0);
     let leg = |(right, back): (bool, bool)| {
         let (mut low, mut high) = (block.low, block.high);
-        if right { low.x = high.x - wide } else { high.x = low.x + wide }
-        if back { low.y = high.y - wide } else { high.y = low.y + wide }
+        if right {
+            low.x = high.x - wide
+        } else {
+            high.x = low.x + wide
+        }
+        if back {
+            low.y = high.y - wide
+        } else {
+            high.y = low.y + wide
+        }
         high.z = top;
         part("leg", low, high)
     };
@@ -142,7 +150,11 @@ fn basin(block: &Block, asset: &mut Asset) {
 fn wall_of(block: &Block, side: usize, thick: f32, from: f32, to: f32) -> Part {
     let (axis, upper) = (side / 2, side % 2 == 1);
     let (mut low, mut high) = (block.low, block.high);
-    if upper { low[axis] = high[axis] - thick } else { high[axis] = low[axis] + thick }
+    if upper {
+        low[axis] = high[axis] - thick
+    } else {
+        high[axis] = low[axis] + thick
+    }
     (low.z, high.z) = (from, to);
     part("wall", low, high)
 }

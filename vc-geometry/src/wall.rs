@@ -68,7 +68,11 @@ fn sides(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Piece> {
     };
     let side = |axis: usize, upper: bool| {
         let (mut low, mut high) = (block.low, block.high);
-        if upper { low[axis] = high[axis] - THICK } else { high[axis] = low[axis] + THICK }
+        if upper {
+            low[axis] = high[axis] - THICK
+        } else {
+            high[axis] = low[axis] + THICK
+        }
         ends(axis, if upper { block.high[axis] } else { block.low[axis] }).then_some((low, high))
     };
     [(0, false), (0, true), (1, false), (1, true)].into_iter().filter_map(|(axis, upper)| side(axis, upper)).collect()

@@ -32,7 +32,9 @@ use super::{FormatError, Problem, Source};
 use crate::class::{Slot, SlotKind};
 use crate::node::Kind;
 use crate::vocabulary::clip;
-use crate::{Bounds, ClassTable, Draft, Edge, Frame, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Word};
+use crate::{
+    Bounds, ClassTable, Draft, Edge, Frame, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Word,
+};
 
 #[derive(Serialize, Deserialize)]
 struct ObjectFile {

@@ -270,8 +270,7 @@ impl World {
         let grip = grip(body, hand, &pose, thing.form.extent);
         let load = self.load_of(base);
         let pinned = |load: NodeId| self.role(load) == Some(Role::Hung);
-        let at =
-            |load: NodeId| Some(Loaded { id: load, at: pose.inverse() * self.pose(load)?, pinned: pinned(load) });
+        let at = |load: NodeId| Some(Loaded { id: load, at: pose.inverse() * self.pose(load)?, pinned: pinned(load) });
         let (load, left): (Vec<NodeId>, Vec<NodeId>) = load.into_iter().partition(|id| comes(*id));
         let load: Vec<Loaded> = load.into_iter().filter_map(at).collect();
         for carried in load.iter().map(|l| l.id).chain([id]) {
