@@ -83,8 +83,8 @@ pub use batch::Batch;
 pub use check::{Breach, Tally, check_environment, legal_action, random_action, run};
 #[cfg(feature = "environment")]
 pub use environment::{
-    ActionError, Assets, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError, ResetError, ResetReport, SceneOptions,
-    SaveError, Steering, Unplaced, Why,
+    ActionError, Assets, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError, ResetError,
+    ResetReport, SaveError, SceneOptions, Steering, Unplaced, Why,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use record::{RecordError, RecordOptions, Recorder};

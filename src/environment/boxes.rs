@@ -7,8 +7,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 use vc_graph::{
     Aabb, Asset, Draft, EditError, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
 };
-use vc_procgen::dress::{self, DressError};
 use vc_physics::{Floor, PhysicsError, Role, World};
+use vc_procgen::dress::{self, DressError};
 
 use super::{Assets, Elsewhere};
 use crate::figure;

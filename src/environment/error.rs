@@ -3,8 +3,8 @@
 use vc_graph::asset::AssetError;
 use vc_graph::format::FormatError;
 use vc_graph::{EditError, Label, Refusal};
-use vc_procgen::dress::DressError;
 use vc_physics::{AgentError, PhysicsError, SnapshotError};
+use vc_procgen::dress::DressError;
 use vc_relations::InputError;
 
 use super::Disagreement;

@@ -4,9 +4,9 @@
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Asset, Seed};
 
+use super::Made;
 use super::compose::{block, joined, moved};
 use super::turn::Place;
-use super::Made;
 use crate::Style;
 use crate::material::*;
 use crate::object::{self, Generator, Object};
@@ -51,7 +51,10 @@ pub(super) fn made(place: &Place, style: &Style, seed: Seed) -> Made {
     };
     let row = ROWS.iter().find(|(class, most)| *class == &*place.class && size.y > *most * 1.3);
     match row {
-        Some((_, most)) => Made { asset: side_by_side(generator, size, (*most, &place.taken), style, seed), scale: Vector3::repeat(1.0) },
+        Some((_, most)) => Made {
+            asset: side_by_side(generator, size, (*most, &place.taken), style, seed),
+            scale: Vector3::repeat(1.0),
+        },
         None => fitted(generator, size, style, seed),
     }
 }
@@ -81,7 +84,13 @@ fn centred(object: Object) -> Asset {
 }
 
 /// Units in a row as wide as the box, none where something else is; a worktop bridges those.
-fn side_by_side(generator: &Generator, size: Vector3<f32>, (most, taken): (f32, &[(f32, f32)]), style: &Style, seed: Seed) -> Asset {
+fn side_by_side(
+    generator: &Generator,
+    size: Vector3<f32>,
+    (most, taken): (f32, &[(f32, f32)]),
+    style: &Style,
+    seed: Seed,
+) -> Asset {
     const LEAST: f32 = 0.2;
     let mut units = Vec::new();
     let (mut from, end) = (-size.y / 2.0, size.y / 2.0);

@@ -46,7 +46,8 @@ impl<'g> House<'g> {
             holders: BTreeMap::new(),
         };
         house.shapes = shapes;
-        house.standing = objects().filter(|n| stands(graph.classes(), n)).filter_map(|n| Some((n.id(), n.aabb()?))).collect();
+        house.standing =
+            objects().filter(|n| stands(graph.classes(), n)).filter_map(|n| Some((n.id(), n.aabb()?))).collect();
         let chain = |n: &Node| (n.id(), holders(graph, n.id()).map(Node::id).collect());
         house.holders = objects().map(chain).collect();
         house
@@ -74,9 +75,8 @@ impl<'g> House<'g> {
     /// or rests at it take of it.
     pub(super) fn is_free(&self, at: Point2<f32>, level: f32, who: NodeId) -> bool {
         let in_way = |b: &Aabb| covers(b, at) && b.min.z < level + WAY.1 && b.max.z > level + WAY.0;
-        let apart = |id: NodeId| {
-            id != who && !self.holders_of(who).contains(&id) && !self.holders_of(id).contains(&who)
-        };
+        let apart =
+            |id: NodeId| id != who && !self.holders_of(who).contains(&id) && !self.holders_of(id).contains(&who);
         self.floors.iter().any(|f| covers(f, at))
             && !self.walls.iter().any(|w| covers(w, at))
             && !self.standing.iter().any(|(id, b)| in_way(b) && apart(*id))

@@ -187,11 +187,7 @@ fn lacks_all(node: &Node) -> Option<&'static object::Generator> {
     object::generator(node.class()).filter(|_| bare)
 }
 
-fn rebuilt(
-    graph: &SceneGraph,
-    looks: Vec<Option<Look>>,
-    library: AssetLibrary,
-) -> Result<SceneGraph, DressError> {
+fn rebuilt(graph: &SceneGraph, looks: Vec<Option<Look>>, library: AssetLibrary) -> Result<SceneGraph, DressError> {
     let mut builder = SceneBuilder::with_classes(graph.name(), graph.classes().clone());
     for (node, look) in graph.nodes().zip(looks) {
         let mut draft = Draft::of(node);

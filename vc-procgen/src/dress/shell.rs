@@ -36,7 +36,8 @@ pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Op
         "ceiling" => ceiling(node),
         _ => {
             let opening = house.openings.iter().find(|o| o.door == node.id())?;
-            let frames_door = || house.openings.iter().any(|o| o.door != node.id() && o.is_doorway && meet(&o.clear, &opening.clear));
+            let frames_door =
+                || house.openings.iter().any(|o| o.door != node.id() && o.is_doorway && meet(&o.clear, &opening.clear));
             match &**node.class() {
                 "doorjamb" if frames_door() => threshold(node, opening, style.joinery),
                 _ => filled(house, opening, node, style, seed),
@@ -140,7 +141,12 @@ fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Se
 
 /// Which way a door or window looks, and whether its hinge is on the right: it opens to the side
 /// where there is more floor, and its open leaf stands where it is least in the way.
-fn hung(house: &House, (hole, across): (&Aabb, usize), id: NodeId, known: Option<UnitQuaternion<f32>>) -> (UnitQuaternion<f32>, bool) {
+fn hung(
+    house: &House,
+    (hole, across): (&Aabb, usize),
+    id: NodeId,
+    known: Option<UnitQuaternion<f32>>,
+) -> (UnitQuaternion<f32>, bool) {
     let centre = hole.centre().xy();
     let width = hole.max[1 - across] - hole.min[1 - across];
     let level = house.level(hole);
