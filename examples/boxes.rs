@@ -16,7 +16,7 @@ use vc_graph::goal::Situation;
 use vc_graph::{Action, NodeId, Place, Property, Relation, Verb};
 use vc_planner::{Newcomer, Run, Step};
 use vc_tasks::{Outcome, Task};
-use virtualcity::{ActionError, Environment};
+use virtualcity::{ActionError, Assets, Environment, SceneOptions};
 
 /// What agents can do in homes of which only boxes are known.
 #[derive(Parser)]
@@ -27,6 +27,9 @@ struct Options {
     /// Let the planner go about forty everyday goals.
     #[arg(long)]
     goals: bool,
+    /// Leave things the plain shapes that their boxes say, not those of their classes.
+    #[arg(long)]
+    plain: bool,
     /// Do not take and put back things.
     #[arg(long)]
     rooms_only: bool,
@@ -40,7 +43,9 @@ fn main() -> Result<(), Complaint> {
     let options = Options::parse();
     let mut won = (0, 0);
     for file in &options.files {
-        let home = Environment::make(&format!("scene:{}", file.display()), 1).map_err(Complaint::new)?;
+        let assets = if options.plain { Assets::None } else { Assets::Generated };
+        let home = Environment::make_with(&format!("scene:{}", file.display()), 1, &SceneOptions { assets });
+        let home = home.map_err(Complaint::new)?;
         say!("{}: {} nodes, left out {:?}", file.display(), home.graph().len(), home.left_out());
         say!("  {} things are elsewhere by geometry", home.elsewhere().len());
         rooms(&home);
@@ -74,7 +79,7 @@ fn goals(home: &Environment, won: &mut (usize, usize)) -> Result<(), Complaint> 
             continue;
         }
         let mut steps = Vec::new();
-        let mut note = |step: &Step| steps.push(step.described.clone());
+        let mut note = |step: &Step| steps.push(step.refused.clone().unwrap_or_else(|| step.described.clone()));
         let run = Run { agent: Some(me), ..Run::seeded(1) };
         let episode = run.episode(&mut Newcomer::best(), &task, &mut home.clone(), &mut note);
         won.1 += 1;

@@ -100,6 +100,8 @@ pub use sight::{PictureOptions, Viewpoint};
 #[cfg(feature = "procgen")]
 pub mod initial;
 
+#[cfg(feature = "environment")]
+pub use vc_geometry as geometry;
 pub use vc_graph as graph;
 #[cfg(feature = "physics")]
 pub use vc_physics as physics;

@@ -12,8 +12,9 @@ use virtualcity::graph::{
     Violation,
 };
 use virtualcity::physics::Hand;
+use virtualcity::planner::{Newcomer, Run};
 use virtualcity::procgen::Apartment;
-use virtualcity::tasks::World as _;
+use virtualcity::tasks::{Outcome, Task, World as _};
 use virtualcity::{ActionError, Batch, Environment, MakeError, Why, check_environment, run};
 
 fn home(seed: u64, agents: usize) -> Environment {
@@ -655,5 +656,20 @@ fn scenes_of_boxes_are_lived_in() {
         }
         let doors = scene.edges().filter(|e| e.relation == Relation::Between);
         doors.for_each(|edge| assert!(home.graph().has(edge), "{number}: {edge}"));
+    }
+}
+
+/// The planner, which does not know the home, does everyday things in a scene of boxes.
+#[test]
+fn the_planner_lives_in_boxes() {
+    let Some(data) = common::data() else { return };
+    let file = data.join("virtualhome/scene1.json.gz");
+    let home = Environment::make(&format!("scene:{}", file.display()), 1).unwrap();
+    let goals = Task::read_list(include_str!("../examples/data/box_goals.txt")).unwrap();
+    assert_eq!(goals.len(), 40);
+    for title in ["bread in the fridge", "a book on the bed", "listen to the radio"] {
+        let task = goals.iter().find(|t| t.title == title).unwrap();
+        let episode = Run::seeded(1).episode(&mut Newcomer::best(), task, &mut home.clone(), &mut |_| {});
+        assert_eq!(episode.outcome, Outcome::Won, "{title}: {:?}", episode.reason);
     }
 }

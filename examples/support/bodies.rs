@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use vc_graph::format::eai::{Record, read_record};
-use vc_graph::{ClassTable, Kind, NodeId, SceneGraph};
+use vc_graph::{ClassTable, NodeId, SceneGraph};
 use virtualcity::{ActionError, Environment, Impossible};
 
 use crate::support::{Complaint, read, say};
@@ -41,9 +41,9 @@ fn fits(record: &Record, scene: &SceneGraph) -> Result<bool, Complaint> {
     let own =
         record.initial.build(&record.id, &ClassTable::builtin()).map_err(|(_, problem)| Complaint::new(problem))?;
     let class = |graph: &SceneGraph, id: NodeId| graph.node(id).map(|n| n.class().clone());
-    let is_agent = |id: NodeId| own.node(id).is_some_and(|n| n.kind() == Kind::Agent);
+    let is_actor = |id: NodeId| own.agents().first() == Some(&id);
     let named: Vec<NodeId> = record.program.actions().flat_map(|action| action.things().collect::<Vec<_>>()).collect();
-    Ok(named.into_iter().all(|id| is_agent(id) || class(&own, id).is_some() && class(&own, id) == class(scene, id)))
+    Ok(named.into_iter().all(|id| is_actor(id) || class(&own, id).is_some() && class(&own, id) == class(scene, id)))
 }
 
 fn run(home: &mut Environment, record: &Record) -> Result<(), (usize, ActionError)> {

@@ -23,24 +23,22 @@ const STILL: f32 = 0.02;
 /// How far an agent is moved aside that stands in something, metres.
 const ASIDE: f32 = 2.5;
 
-/// A scene in which everything has a shape, and what had none.
-pub(super) struct Shaped {
-    pub(super) graph: SceneGraph,
-    pub(super) bare: Vec<NodeId>,
+/// Things of which a scene has only boxes.
+pub(super) fn bare(graph: &SceneGraph) -> Vec<NodeId> {
+    graph.nodes().filter(|n| vc_geometry::is_bare(n)).map(Node::id).collect()
 }
 
 /// Gives a shape to all of which only a box is known, and a figure to people. `None` if nothing
 /// lacks one.
-pub(super) fn shaped(graph: &SceneGraph, assets: Assets) -> Result<Option<Shaped>, DressError> {
+pub(super) fn shaped(graph: &SceneGraph, assets: Assets) -> Result<Option<SceneGraph>, DressError> {
     if !graph.nodes().any(|n| vc_geometry::is_bare(n) || is_bare_agent(n)) {
         return Ok(None);
     }
-    let bare = graph.nodes().filter(|n| vc_geometry::is_bare(n)).map(Node::id).collect();
-    let graph = match assets {
-        Assets::None => peopled(graph, vc_geometry::shapes(graph))?,
-        Assets::Generated => peopled(&dress::dressed(graph, dress::seed_of(graph))?, BTreeMap::new())?,
+    let shaped = match assets {
+        Assets::None => peopled(graph, vc_geometry::shapes(graph)),
+        Assets::Generated => peopled(&dress::dressed(graph, dress::seed_of(graph))?, BTreeMap::new()),
     };
-    Ok(Some(Shaped { graph, bare }))
+    shaped.map(Some)
 }
 
 /// The scene with shapes for some of it and a figure for people.
@@ -138,13 +136,23 @@ pub(super) fn step_aside(world: &mut World, graph: &SceneGraph, floor: &Floor) -
 /// Keeps the places that a scene has things at that are where it has them, though their boxes say
 /// otherwise: what sticks out of a drawer is still in it. Returns what it kept so, and what has come
 /// elsewhere.
-pub(super) fn keep(scene: &SceneGraph, graph: &mut SceneGraph, bare: &[NodeId]) -> Result<Vec<Elsewhere>, EditError> {
+pub(super) fn keep(
+    scene: &SceneGraph,
+    graph: &mut SceneGraph,
+    world: &World,
+    bare: &[NodeId],
+) -> Result<Vec<Elsewhere>, EditError> {
     let mut told = Vec::new();
     let rests = |p: &Place| matches!(p.relation, Relation::On | Relation::Inside);
     for &id in bare {
         let Some(wanted) = scene.place(id).filter(rests) else { continue };
         if graph.places(id).any(|p| p == wanted) {
-            inside_only(graph, id, wanted)?;
+            let held = world.role(id) == Some(Role::Hung);
+            let counts = |p: &Place| {
+                let inside = wanted.relation != Relation::Inside || p.relation == Relation::Inside;
+                inside && (!held || scene.places(id).any(|q| q == *p))
+            };
+            keep_those(graph, id, counts)?;
             continue;
         }
         let now = graph.place(id);
@@ -161,13 +169,14 @@ pub(super) fn keep(scene: &SceneGraph, graph: &mut SceneGraph, bare: &[NodeId]) 
     Ok(told)
 }
 
-/// What is in a container is not also on what that stands on.
-fn inside_only(graph: &mut SceneGraph, id: NodeId, wanted: Place) -> Result<(), EditError> {
+/// Of the places of a thing keeps those that count: what is in a container is not also on what that
+/// stands on, nor what is held on a plate also on the chair it reaches into.
+fn keep_those(graph: &mut SceneGraph, id: NodeId, counts: impl Fn(&Place) -> bool) -> Result<(), EditError> {
     let all: Vec<Place> = graph.places(id).collect();
-    let inside: Vec<Place> = all.iter().copied().filter(|p| p.relation == Relation::Inside).collect();
-    if wanted.relation == Relation::Inside && inside.len() < all.len() {
+    let kept: Vec<Place> = all.iter().copied().filter(counts).collect();
+    if kept.len() < all.len() {
         let mut edit = graph.edit();
-        edit.place_as_seen(id, &inside, None)?;
+        edit.place_as_seen(id, &kept, None)?;
         edit.commit();
     }
     Ok(())

@@ -39,8 +39,9 @@ struct Made {
 impl Environment {
     /// An environment by name, with some agents at free spots from where the rooms can be
     /// reached: `apartment/42` generates a home from a seed, `scene:FILE` reads a scene of
-    /// any format whose things have poses. What has a class and a box and no shape gets one
-    /// ([`vc_procgen::dress`]); [`make_with`](Self::make_with) leaves it to its box.
+    /// any format whose things have poses, unpacked if its name ends in `.gz`. What has a class and
+    /// a box and no shape gets that of its class ([`vc_procgen::dress`]);
+    /// [`make_with`](Self::make_with) leaves it a plain one.
     ///
     /// `Apartment::from_seed(seed).scene()` or `vc_graph::format::read_scene`, then
     /// [`Environment::of`].
@@ -69,7 +70,8 @@ impl Environment {
     }
 
     /// An environment of a scene of your own. Agents that the scene has are kept, others
-    /// are added until there are so many.
+    /// are added until there are so many. Things of which only a box is known get a shape of their
+    /// class in that box ([`vc_geometry::shapes`]), and stay where the scene has them.
     ///
     /// `World::build`, `World::step`, `World::doze`, `Floor::of`, `World::add_agent`, then relations are
     /// read (`Relations::new`) and written into the graph (`Relations::write`).
@@ -99,11 +101,10 @@ impl Environment {
     /// # Errors
     /// [`MakeError`].
     pub fn of_with(graph: SceneGraph, agents: usize, options: &SceneOptions) -> Result<Self, MakeError> {
+        // Whoever gives them a shape: what had only a box stays where the scene has it.
+        let bare = boxes::bare(&graph);
         let graph = scene::shaped(&graph)?.unwrap_or(graph);
-        let (graph, bare) = match boxes::shaped(&graph, options.assets)? {
-            Some(shaped) => (shaped.graph, shaped.bare),
-            None => (graph, Vec::new()),
-        };
+        let graph = boxes::shaped(&graph, options.assets)?.unwrap_or(graph);
         let posed = |n: &&vc_graph::Node| n.kind() == Kind::Object && n.pose().is_some();
         if !graph.nodes().any(|n| posed(&n)) {
             return Err(MakeError::NoPoses { scene: graph.name().to_owned(), things: graph.len() });
@@ -146,7 +147,7 @@ impl Environment {
         let relations = Relations::new(&graph, Rule::Repaired, observe::evidence(&world))?;
         let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
         relations.write(&mut graph, &all)?;
-        let elsewhere = boxes::keep(&scene, &mut graph, &bare)?;
+        let elsewhere = boxes::keep(&scene, &mut graph, &world, &bare)?;
         let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, assets };
         Ok(Self::at(Arc::new(start)))
     }

@@ -115,8 +115,7 @@ impl Environment {
             return Ok(ResetReport::default());
         }
         let shaped = scene::shaped(graph)?;
-        let boxed = boxes::shaped(shaped.as_ref().unwrap_or(graph), self.start.assets)?;
-        let shaped = boxed.map(|b| b.graph).or(shaped);
+        let shaped = boxes::shaped(shaped.as_ref().unwrap_or(graph), self.start.assets)?.or(shaped);
         let new_shapes = shaped.is_some();
         let mut wanted = shaped.unwrap_or_else(|| graph.clone());
         let mut plan = Plan::of(&self.start.graph, &wanted);
@@ -171,7 +170,7 @@ impl Environment {
         };
         relations.write(graph, &met)?;
         let kept: Vec<NodeId> = self.start.elsewhere.iter().map(|e| e.thing.id).collect();
-        boxes::keep(&wanted, graph, &kept)?;
+        boxes::keep(&wanted, graph, world, &kept)?;
         Ok(relations)
     }
 }

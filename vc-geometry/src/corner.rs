@@ -12,13 +12,18 @@ const ARM: f32 = 0.4;
 /// How high above a piece's bottom what stands beside it may begin, metres.
 const LOW: f32 = 0.25;
 
-/// The blocks that a piece of furniture fills: its box, or, where other furniture stands within the
-/// box and it is much deeper than its class is, two arms without the corner in which that stands.
+/// How far from the walls a seat in a corner of its room is at most, metres.
+const BESIDE_WALL: f32 = 0.4;
+
+/// The blocks that a piece of furniture fills: its box, or, where that is much deeper than its class
+/// and other furniture stands in it, two arms without the corner in which that stands. A seat that is
+/// so deep in a corner of its room goes around that.
 pub(crate) fn arms(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Block> {
     let depth = graph.classes().get(node.class()).and_then(|c| c.typical_size()).map(|s| s.x);
     let size = block.size();
     let Some(depth) = depth.filter(|d| size.x.min(size.y) > DEEPER * d) else { return vec![*block] };
-    let Some(within) = furniture_within(graph, node, block) else { return vec![*block] };
+    let missing = furniture_within(graph, node, block).or_else(|| across_corner(graph, node, block));
+    let Some(within) = missing.filter(|_| size.z > LOW) else { return vec![*block] };
     let depth = depth.min(ARM * size.x.min(size.y));
     let middle = ((block.low + block.high) / 2.0).xy();
     let upper = [within.x > middle.x, within.y > middle.y];
@@ -39,6 +44,18 @@ pub(crate) fn arms(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Block>
         other.high.x = one.low.x
     }
     vec![one, other]
+}
+
+/// The corner of a seat's box that is across from the corner of the room which it stands in.
+fn across_corner(graph: &SceneGraph, node: &Node, block: &Block) -> Option<Vector2<f32>> {
+    let room = graph.node(graph.room_of(node.id())?)?.aabb().filter(|_| node.affords(Property::Sittable))?;
+    let (low, high) = block.local(&room);
+    let side = |i: usize| match (block.low[i] - low[i] < BESIDE_WALL, high[i] - block.high[i] < BESIDE_WALL) {
+        (true, false) => Some(block.high[i]),
+        (false, true) => Some(block.low[i]),
+        _ => None,
+    };
+    Some(Vector2::new(side(0)?, side(1)?))
 }
 
 /// The middle of the other furniture that stands in a block, if any does.

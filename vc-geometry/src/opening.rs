@@ -77,3 +77,25 @@ pub(crate) fn size(aabb: &Aabb, axis: usize) -> f32 {
 pub(crate) fn overlap(a: &Aabb, b: &Aabb) -> bool {
     (0..3).all(|i| a.min[i] < b.max[i] && b.min[i] < a.max[i])
 }
+
+#[cfg(test)]
+mod tests {
+    use vc_graph::{Bounds, Draft, EditError, Pose, SceneBuilder};
+
+    use super::*;
+
+    /// A door whose box is around its open leaf leads the way in which the wall is thin, and is as
+    /// high as a person.
+    #[test]
+    fn doors_lead_through_walls() -> Result<(), EditError> {
+        let mut scene = SceneBuilder::new("two rooms");
+        let size = |x: f32, y: f32, z: f32| Bounds::standing([x, y, z].into());
+        scene.add(Draft::new("wall").bounds(size(0.1, 4.0, 2.5)).at(Pose::identity()))?;
+        let door = scene.add(Draft::new("door").bounds(size(0.9, 0.9, 1.0)).at(Pose::identity()))?;
+        scene.add(Draft::new("window").bounds(size(0.1, 1.0, 1.0)).at(Pose::translation(0.0, 1.5, 1.0)))?;
+        let found = openings(&scene.build());
+        assert_eq!((found.len(), found[0].door, found[0].across), (2, door, 0));
+        assert!(found[0].is_doorway && found[0].clear.max.z >= 2.0 && !found[1].is_doorway);
+        Ok(())
+    }
+}
