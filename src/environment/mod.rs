@@ -201,11 +201,7 @@ impl Environment {
     /// What pictures start from, so that it does not matter when the first was asked for.
     #[cfg(feature = "render")]
     pub(crate) fn origin(&self) -> (&SceneGraph, &World) {
-        if self.has_first_shapes() {
-            (&self.start.graph, &self.start.world)
-        } else {
-            (&self.graph, &self.world)
-        }
+        if self.has_first_shapes() { (&self.start.graph, &self.start.world) } else { (&self.graph, &self.world) }
     }
 
     #[cfg(feature = "render")]
