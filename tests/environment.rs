@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
+mod agreement;
 mod common;
 
 use flate2::Compression;
@@ -35,7 +36,7 @@ fn random_actions_do_no_harm() {
         let tally = run(&mut home, 80, Seed(seed));
         assert!(tally.breaches.is_empty(), "{:?}", tally.breaches);
         assert!(tally.done > 20, "{tally:?}");
-        assert!(tally.disagreements.len() * 20 <= tally.done, "{:?}", tally.disagreements);
+        assert_eq!(tally.disagreements, [""; 0]);
     }
 }
 
@@ -421,131 +422,6 @@ fn a_dishwasher_shuts_however_its_bowls_lie() {
         for verb in [Verb::Open, Verb::Close] {
             home.set_action(me, Action::one(verb, dishwasher)).unwrap();
             assert_eq!(inside(&home), full, "{verb:?}");
-        }
-    }
-}
-
-#[test]
-#[ignore]
-fn scratch_repro() {
-    let mut home = home(42, 1);
-    let me = home.agents()[0];
-    for text in
-        ["walk kitchen.1", "open dishwasher.136", "open kitchen_cabinet.131", "walk fridge.130", "open fridge.130"]
-    {
-        match home.set_action(me, text.parse().unwrap()) {
-            Ok(c) => println!("{text}: {} changes", c.changes().len()),
-            Err(e) => println!("{text}: {e}"),
-        }
-    }
-}
-
-#[test]
-#[ignore]
-fn scratch_f16() {
-    let mut home = home(42, 2);
-    let d = home.digest();
-    let start = home.start().clone();
-    println!("{} graph {} world {}", d, home.graph().digest(), home.world().digest());
-    home.reset(&start).unwrap();
-    println!("{} graph {} world {}", home.digest(), home.graph().digest(), home.world().digest());
-    home.reset(&start).unwrap();
-    println!("{} graph {} world {}", home.digest(), home.graph().digest(), home.world().digest());
-    for v in home.graph().validate() {
-        println!("{v}");
-    }
-}
-
-#[test]
-#[ignore]
-fn scratch_open() {
-    let number =
-        |name: &str, otherwise: u64| std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(otherwise);
-    let (from, homes) = (number("FROM", 1), number("HOMES", 10));
-    let mut all = std::collections::BTreeMap::<String, (u32, u32)>::new();
-    for seed in from..from + homes {
-        let fresh = home(seed, 1);
-        let me = fresh.agents()[0];
-        let things: Vec<NodeId> = fresh
-            .graph()
-            .nodes()
-            .filter(|n| n.affords(virtualcity::graph::Property::Openable) && n.is(State::Closed))
-            .map(|n| n.id())
-            .collect();
-        for id in things {
-            let mut home = fresh.clone();
-            let class = home.graph().node(id).unwrap().class().to_string();
-            let e = all.entry(class).or_default();
-            e.0 += 1;
-            if home.graph().hidden_in(id).is_some() {
-                continue;
-            }
-            let w = home.set_action(me, Action::one(Verb::Walk, id));
-            let o = home.set_action(me, Action::one(Verb::Open, id));
-            if let Err(x) = &w {
-                println!("{seed}: walk {} {x}", home.graph().label(id));
-            }
-            if let Err(x) = o {
-                e.1 += 1;
-                println!("{seed}: {x}");
-            }
-        }
-    }
-    for (c, (n, bad)) in all {
-        println!("{c}: {bad} of {n}");
-    }
-}
-
-fn edges(g: &SceneGraph) -> Vec<virtualcity::graph::Edge> {
-    let mut v: Vec<_> = g.edges().collect();
-    v.sort();
-    v
-}
-
-#[test]
-#[ignore]
-fn scratch_rebuild() {
-    use virtualcity::relations::{Evidence, Relations, Rule};
-    let number =
-        |name: &str, otherwise: u64| std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(otherwise);
-    let (from, homes, actions) = (number("FROM", 1), number("HOMES", 2), number("ACTIONS", 100));
-    for seed in from..from + homes {
-        let mut home = home(seed, 2);
-        let mut stream = Seed(seed).stream();
-        for k in 0..actions {
-            let agent = *stream.pick(home.agents()).unwrap();
-            let action = virtualcity::legal_action(home.graph(), agent, &mut stream);
-            let text = action.describe(home.graph()).to_string();
-            if home.set_action(agent, action).is_err() {
-                continue;
-            }
-            let mut e = Evidence::default();
-            for id in home.world().nodes() {
-                for (j, p) in (0..).zip(home.world().moving_parts(id)) {
-                    if p.position != 0.0 {
-                        e.positions.insert((id, j), p.position);
-                    }
-                }
-            }
-            let r = Relations::new(home.graph(), Rule::Repaired, e).unwrap();
-            let mut g = home.graph().clone();
-            let all: Vec<NodeId> = g.nodes().map(|n| n.id()).collect();
-            r.write(&mut g, &all).unwrap();
-            let (a, b) = (edges(home.graph()), edges(&g));
-            let mut n = 0;
-            for x in a.iter().filter(|x| !b.contains(x)) {
-                n += 1;
-                if n < 6 {
-                    println!("{k} {text}: only graph {} {} {}", g.label(x.from), x.relation, g.label(x.to));
-                }
-            }
-            let mut n = 0;
-            for x in b.iter().filter(|x| !a.contains(x)) {
-                n += 1;
-                if n < 6 {
-                    println!("{k} {text}: only rebuild {} {} {}", g.label(x.from), x.relation, g.label(x.to));
-                }
-            }
         }
     }
 }

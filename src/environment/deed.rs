@@ -62,7 +62,10 @@ impl Deed<'_> {
         let effects = rule::effects(action);
         self.hold_still();
         let done = self.come_near(action).and_then(|()| effects.iter().try_for_each(|e| self.note(e)));
-        done.map_err(|why| ActionError::Impossible { action: action.describe(self.before).to_string(), why })?;
+        done.map_err(|why| {
+            let (action, why) = (action.describe(self.before).to_string(), why.in_scene(self.before));
+            ActionError::Impossible { action, why }
+        })?;
         // What bodies do not do is shown by a gesture.
         let unseen = self.course.effects.iter().any(|(beat, _)| beat.is_none());
         if unseen || effects.is_empty() {
@@ -181,14 +184,18 @@ impl Deed<'_> {
             self.stand_clear(body, open)?;
         }
         let before = self.world.pose(id);
-        let pushes = self.care.pushes || !self.world.leap_open(id, open)?;
+        // One who stands makes way for what swings past.
+        let past = if self.stands() { std::slice::from_ref(&self.agent) } else { &[] };
+        let pushes = self.care.pushes || !self.world.leap_open_past(id, open, past)?;
         if pushes {
             self.push_open(id, open)?;
         }
         self.note_drive(id, open, pushes);
         let now = self.world.openness(id).unwrap_or(open);
         let arrived = if open > 0.5 { now >= WIDE } else { self.world.open_state(id) == Some(State::Closed) };
-        if arrived { self.keeps_balance(id, before) } else { Err(self.stuck(id, open, now)?) }
+        // It may have stopped where one stands.
+        let squeezed = now < 1.0 && self.stands() && !self.world.stands_free(self.agent, &self.feet())?;
+        if arrived && !squeezed { self.keeps_balance(id, before) } else { Err(self.stuck(id, open, now)?) }
     }
 
     /// Why a thing stays open so far.

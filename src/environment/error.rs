@@ -2,7 +2,7 @@
 
 use vc_graph::asset::AssetError;
 use vc_graph::format::FormatError;
-use vc_graph::{EditError, Label, Refusal};
+use vc_graph::{EditError, Label, NodeId, Refusal, SceneGraph};
 use vc_physics::{AgentError, PhysicsError, SnapshotError};
 use vc_procgen::dress::DressError;
 use vc_relations::InputError;
@@ -130,8 +130,21 @@ fn in_the_way(by: &[Label]) -> String {
     match by {
         [] => "it jams".to_owned(),
         [one] => format!("{one} is in the way"),
-        all => format!("{} are in the way", all.iter().map(Label::to_string).collect::<Vec<_>>().join(", ")),
+        all => format!("{} are in the way", in_a_row(all)),
     }
+}
+
+/// What takes up the room, in words.
+fn taken_up(by: &[Label]) -> String {
+    match by {
+        [] => String::new(),
+        [one] => format!(": {one} is there"),
+        all => format!(": {} are there", in_a_row(all)),
+    }
+}
+
+fn in_a_row(labels: &[Label]) -> String {
+    labels.iter().map(Label::to_string).collect::<Vec<_>>().join(", ")
 }
 
 /// What bodies cannot do although the transition rule, which knows no shapes, allows it.
@@ -142,7 +155,7 @@ pub enum Impossible {
     #[error("there is no spot on the floor, with a way to it, from which {0} can be reached")]
     NoStand(Label),
     /// No free spot.
-    #[error("there is no free spot for {thing} {where_} {at}")]
+    #[error("there is no free spot for {thing} {where_} {at}{}", taken_up(.by))]
     NoSpot {
         /// What was to be put.
         thing: Label,
@@ -150,6 +163,8 @@ pub enum Impossible {
         where_: &'static str,
         /// What.
         at: Label,
+        /// What is there already.
+        by: Vec<Label>,
     },
     /// A door, lid or drawer does not open or close.
     #[error("{thing} stays {open:.0}% open: {}", in_the_way(.by))]
@@ -172,13 +187,42 @@ pub enum Impossible {
     NotModelled(&'static str),
     /// The body refuses.
     #[error(transparent)]
-    Agent(#[from] AgentError),
+    Agent(#[from] AgentError<Label>),
     /// The world refuses.
     #[error(transparent)]
-    Physics(#[from] PhysicsError),
+    Physics(#[from] PhysicsError<Label>),
     /// What came out cannot be read.
     #[error("the outcome cannot be read: {0}")]
     Unreadable(String),
+}
+
+/// A node of which only the number is known yet.
+fn numbered(id: NodeId) -> Label {
+    Label { class: "node".into(), id }
+}
+
+impl From<AgentError> for Impossible {
+    fn from(error: AgentError) -> Self {
+        Self::Agent(error.named(&numbered))
+    }
+}
+
+impl From<PhysicsError> for Impossible {
+    fn from(error: PhysicsError) -> Self {
+        Self::Physics(error.named(&numbered))
+    }
+}
+
+impl Impossible {
+    /// The same with a scene's labels for what bodies know by number.
+    pub(super) fn in_scene(self, graph: &SceneGraph) -> Self {
+        let label = |known: Label| graph.label(known.id);
+        match self {
+            Self::Agent(error) => Self::Agent(error.named(&label)),
+            Self::Physics(error) => Self::Physics(error.named(&label)),
+            other => other,
+        }
+    }
 }
 
 /// Why bytes are no saved environment, or an environment could not be saved.

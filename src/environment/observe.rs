@@ -1,13 +1,10 @@
 //! From bodies back to the graph: poses, relations, and only of what has moved.
 
-use vc_graph::{ChangeSet, EditError, NodeId, Place, Pose, Relation, SceneGraph};
+use vc_graph::{ChangeSet, EditError, NodeId, Pose, Relation, SceneGraph};
 use vc_physics::World;
 use vc_relations::{Evidence, Relations};
 
 use super::Impossible;
-
-/// What moves less has not moved: metres, and the imaginary part of its turn.
-const STILL: (f32, f32) = (0.005, 0.01);
 
 /// How high what is worn is above the feet, metres.
 const WORN: f32 = 0.9;
@@ -46,9 +43,8 @@ pub(super) fn evidence(world: &World) -> Evidence {
 /// Looks again at what has moved or changed, and writes poses and relations into the
 /// graph. Returns all whose relations may be different, and what changed.
 ///
-/// `changed` are those that the rule puts elsewhere. What else has not moved to speak of keeps
-/// its place: a thing at the rim of a shelf does not come off it because the shelf trembled, nor
-/// a cabinet off its wall because its door touches the next one.
+/// `changed` are those that the rule puts elsewhere. The graph then says what a scene read anew
+/// would say, whatever it said before.
 pub(super) fn look_again(
     graph: &mut SceneGraph,
     world: &World,
@@ -56,36 +52,9 @@ pub(super) fn look_again(
     changed: &[NodeId],
 ) -> Result<(Vec<NodeId>, ChangeSet), Impossible> {
     let unreadable = |e: &dyn std::fmt::Display| Impossible::Unreadable(e.to_string());
-    let before = graph.clone();
     let (mut moved, poses) = write_poses(graph, world).map_err(|e| unreadable(&e))?;
     moved.extend_from_slice(changed);
     let met = relations.update_with(graph, &moved, evidence(world)).map_err(|e| unreadable(&e))?;
     let edges = relations.write(graph, &met).map_err(|e| unreadable(&e))?;
-    let stays = |id: &NodeId| !changed.contains(id) && is_still(&before, graph, *id);
-    let kept: Vec<NodeId> = met.iter().copied().filter(stays).collect();
-    let kept = keep_places(&before, graph, &kept).map_err(|e| unreadable(&e))?;
-    Ok((met, poses.then(edges).then(kept)))
-}
-
-fn is_still(before: &SceneGraph, now: &SceneGraph, id: NodeId) -> bool {
-    let pose = |graph: &SceneGraph| graph.node(id).and_then(|n| n.pose().copied());
-    let (Some(a), Some(b)) = (pose(before), pose(now)) else { return pose(before) == pose(now) };
-    let turn = 1.0 - a.rotation.coords.dot(&b.rotation.coords).abs();
-    (a.translation.vector - b.translation.vector).norm() < STILL.0 && turn < STILL.1 * STILL.1
-}
-
-/// Puts things back to the places the graph had before, where these differ.
-fn keep_places(before: &SceneGraph, graph: &mut SceneGraph, nodes: &[NodeId]) -> Result<ChangeSet, EditError> {
-    let places = |graph: &SceneGraph, id: NodeId| graph.places(id).collect::<Vec<Place>>();
-    let differs = |id: &&NodeId| places(before, **id) != places(graph, **id);
-    let strayed: Vec<NodeId> = nodes.iter().filter(differs).copied().collect();
-    let mut edit = graph.edit();
-    for id in strayed {
-        // If it now carries what carried it, it is not where it was.
-        match edit.place_as_seen(id, &places(before, id), before.room_of(id)) {
-            Ok(()) | Err(EditError::SupportCycle { .. }) => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Ok(edit.commit())
+    Ok((met, poses.then(edges)))
 }

@@ -47,7 +47,9 @@ impl Environment {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn steer(&mut self, agent: NodeId, steering: &Steering) -> Result<ChangeSet, ActionError> {
-        let impossible = |why: Impossible| ActionError::Impossible { action: "steer".into(), why };
+        let labels = self.graph.clone();
+        let impossible =
+            |why: Impossible| ActionError::Impossible { action: "steer".into(), why: why.in_scene(&labels) };
         if !steering.heading.is_finite() {
             let refused = vc_physics::PhysicsError::NotFinite("the heading", agent);
             return Err(impossible(refused.into()));

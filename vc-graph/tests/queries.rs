@@ -91,13 +91,12 @@ fn near(graph: &SceneGraph, agent: NodeId, id: NodeId) -> bool {
     if node.kind() == Kind::Room && !node.affords(Property::BodyPart) {
         return mine.contains(&id) || room_of(graph, agent) == Some(id);
     }
-    // A thing of another room is not near by what is near both, where all is known.
+    // A thing of another room is not near by what is near, where all is known.
     let known = [agent, id].iter().all(|n| graph.node(*n).unwrap().pose().is_some() && room_of(graph, *n).is_some());
     node.affords(Property::BodyPart)
         || mine.contains(&id)
-        || !mine.is_disjoint(&about(id)) && (same_room || !known)
+        || !(mine.is_disjoint(&about(id)) && mine.is_disjoint(&its)) && (same_room || !known)
         || its.contains(&agent)
-        || !mine.is_disjoint(&its)
         || chain(graph, agent).contains(&id)
         || same_room && distance(graph, agent, id).is_some_and(|d| d <= NEAR)
 }
@@ -230,4 +229,25 @@ fn positions_far_away_are_found() {
     let graph = scene.build();
     assert_eq!(graph.within(Point3::new(9.0e6, -9.0e6, 0.0), 1.0), [cup]);
     assert_eq!(graph.within(Point3::new(8.0e6, -9.0e6, 0.0), 1.0), []);
+}
+
+/// Of two pictures on a wall only that in one's own room is near; where no poses are known, the graph
+/// is believed.
+#[test]
+fn what_hangs_behind_the_wall_is_not_near() {
+    use vc_graph::{Draft, Edge, Pose, SceneBuilder};
+    for posed in [true, false] {
+        let mut scene = SceneBuilder::new("flat");
+        let rooms = ["bedroom", "kitchen"].map(|class| scene.add(Draft::new(class)).unwrap());
+        let mut put = |room: usize, class: &str, y: f32| {
+            let pose = posed.then(|| Pose::translation(0.0, y, 0.0));
+            scene.add_in(rooms[room], Draft { pose, ..Draft::new(class) }).unwrap()
+        };
+        let (me, wall) = (put(0, "character", -3.0), put(0, "wall", 0.0));
+        let pictures = [put(0, "picture", -0.1), put(1, "picture", 0.1)];
+        let on = |id| Edge::new(id, Relation::On, wall);
+        scene.link_all(&[Edge::new(me, Relation::Near, wall), on(pictures[0]), on(pictures[1])]).unwrap();
+        let graph = scene.build();
+        assert_eq!(pictures.map(|id| graph.near(me, id)), [true, !posed]);
+    }
 }

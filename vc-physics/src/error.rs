@@ -2,30 +2,30 @@
 
 use vc_graph::NodeId;
 
-/// Why a world refuses.
+/// Why a world refuses. It names nodes by their numbers; [`named`](Self::named) puts labels in their place.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum PhysicsError {
+pub enum PhysicsError<N = NodeId> {
     /// The settings have a figure that cannot be.
     #[error("settings: {0}")]
     BadSettings(&'static str),
     /// The node is not in the scene graph.
     #[error("there is no node {0} in the scene graph")]
-    NoSuchNode(NodeId),
+    NoSuchNode(N),
     /// The node has no body in this world.
     #[error("{0} has no body; give it a pose and an asset or a box, then insert it")]
-    NoBody(NodeId),
+    NoBody(N),
     /// The node has a body already.
     #[error("{0} has a body already; move it instead")]
-    Duplicate(NodeId),
+    Duplicate(N),
     /// A number is not finite, a place is more than 1,000 km away, or a rotation is none.
     #[error("{0} of {1} is not finite, or farther than 1,000 km")]
-    NotFinite(&'static str, NodeId),
+    NotFinite(&'static str, N),
     /// The node has no such moving part.
     #[error("{id} has {count} moving parts, asked for part {part}")]
     NoSuchPart {
         /// Which node.
-        id: NodeId,
+        id: N,
         /// Which part was asked for.
         part: usize,
         /// How many it has.
@@ -33,12 +33,12 @@ pub enum PhysicsError {
     },
     /// It is locked.
     #[error("{0} is locked; unlock it first")]
-    Locked(NodeId),
+    Locked(N),
     /// The node has no such surface.
     #[error("{id} has {count} surfaces, asked for surface {surface}")]
     NoSuchSurface {
         /// Which node.
-        id: NodeId,
+        id: N,
         /// Which surface was asked for.
         surface: usize,
         /// How many it has.
@@ -48,46 +48,46 @@ pub enum PhysicsError {
     #[error("{id} would be inside {other}; ask for a free spot")]
     Overlap {
         /// What was to be put.
-        id: NodeId,
+        id: N,
         /// What is there already.
-        other: NodeId,
+        other: N,
     },
     /// The body does not move by itself or by a push.
     #[error("{0} does not move: it is fixed, held, an agent or stopped")]
-    NotFree(NodeId),
+    NotFree(N),
     /// A vehicle cannot be like that.
     #[error("vehicle {0}: {1}")]
-    BadVehicle(NodeId, &'static str),
+    BadVehicle(N, &'static str),
     /// Water cannot be like that.
     #[error("water: {0}")]
     BadWater(&'static str),
 }
 
-/// Why an agent cannot do something with its body.
+/// Why an agent cannot do something with its body. It names nodes as [`PhysicsError`] does.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum AgentError {
+pub enum AgentError<N = NodeId> {
     /// The node is no agent of this world.
     #[error("{0} is not an agent of this world")]
-    NoSuchAgent(NodeId),
+    NoSuchAgent(N),
     /// The hand holds something.
     #[error("the hand of {agent} holds {held}; put it down first")]
     HandFull {
         /// Whose hand.
-        agent: NodeId,
+        agent: N,
         /// What it holds.
-        held: NodeId,
+        held: N,
     },
     /// The hand holds nothing.
     #[error("the hand of {0} holds nothing")]
-    HandEmpty(NodeId),
+    HandEmpty(N),
     /// Too far away.
     #[error("{id} is {distance:.2} m from the shoulder of {agent}, its reach is {reach:.2} m")]
     OutOfReach {
         /// Whose reach.
-        agent: NodeId,
+        agent: N,
         /// What is too far.
-        id: NodeId,
+        id: N,
         /// How far, metres.
         distance: f32,
         /// How far the agent reaches, metres.
@@ -97,7 +97,7 @@ pub enum AgentError {
     #[error("{id} has {mass:.1} kg, an agent carries {limit:.1} kg")]
     TooHeavy {
         /// What.
-        id: NodeId,
+        id: N,
         /// Its mass, kilograms.
         mass: f32,
         /// The limit, kilograms.
@@ -107,47 +107,103 @@ pub enum AgentError {
     #[error("{by} is on {seat}; one does not carry that off")]
     Occupied {
         /// What was to be taken.
-        seat: NodeId,
+        seat: N,
         /// Who is on it.
-        by: NodeId,
+        by: N,
     },
     /// Somebody holds it already.
     #[error("{0} is held already")]
-    Held(NodeId),
+    Held(N),
     /// The agent stands where it should not, or sits where it should stand.
     #[error("{agent} is {posture}")]
     Posture {
         /// Which agent.
-        agent: NodeId,
+        agent: N,
         /// What it does instead: standing, sitting, lying.
         posture: &'static str,
     },
     /// No free place beside the seat to get up to.
     #[error("nowhere to get up to beside {0}")]
-    NoExit(NodeId),
+    NoExit(N),
     /// The seat has no free place.
     #[error("every place on {0} is taken")]
-    SeatTaken(NodeId),
+    SeatTaken(N),
     /// Something stands on the free places of the seat.
     #[error("{by} is in the way on {seat}; put it elsewhere first")]
     SeatCovered {
         /// What one was to sit or lie on.
-        seat: NodeId,
+        seat: N,
         /// What is there, on the place nearest to the agent.
-        by: NodeId,
+        by: N,
     },
     /// Nothing one could sit or lie on.
     #[error("{0} has nothing to sit or lie on")]
-    NoSeat(NodeId),
+    NoSeat(N),
     /// No way leads there.
     #[error("no way leads {agent} there")]
     NoWay {
         /// Which agent.
-        agent: NodeId,
+        agent: N,
     },
     /// The world refuses.
     #[error(transparent)]
-    World(#[from] PhysicsError),
+    World(#[from] PhysicsError<N>),
+}
+
+impl<N> PhysicsError<N> {
+    /// The same with other names for nodes: with their labels in a scene.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let cup = scene.add(Draft::new("cup"))?;
+    /// let graph = scene.build();
+    /// let error = vc_physics::PhysicsError::NoBody(cup).named(&|id| graph.label(id));
+    /// assert!(error.to_string().starts_with("cup.0 has no body"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn named<M>(self, name: &impl Fn(N) -> M) -> PhysicsError<M> {
+        use PhysicsError as E;
+        match self {
+            E::BadSettings(why) => E::BadSettings(why),
+            E::NoSuchNode(id) => E::NoSuchNode(name(id)),
+            E::NoBody(id) => E::NoBody(name(id)),
+            E::Duplicate(id) => E::Duplicate(name(id)),
+            E::NotFinite(what, id) => E::NotFinite(what, name(id)),
+            E::NoSuchPart { id, part, count } => E::NoSuchPart { id: name(id), part, count },
+            E::Locked(id) => E::Locked(name(id)),
+            E::NoSuchSurface { id, surface, count } => E::NoSuchSurface { id: name(id), surface, count },
+            E::Overlap { id, other } => E::Overlap { id: name(id), other: name(other) },
+            E::NotFree(id) => E::NotFree(name(id)),
+            E::BadVehicle(id, why) => E::BadVehicle(name(id), why),
+            E::BadWater(why) => E::BadWater(why),
+        }
+    }
+}
+
+impl<N> AgentError<N> {
+    /// The same with other names for nodes; see [`PhysicsError::named`].
+    pub fn named<M>(self, name: &impl Fn(N) -> M) -> AgentError<M> {
+        use AgentError as E;
+        match self {
+            E::NoSuchAgent(id) => E::NoSuchAgent(name(id)),
+            E::HandFull { agent, held } => E::HandFull { agent: name(agent), held: name(held) },
+            E::HandEmpty(id) => E::HandEmpty(name(id)),
+            E::OutOfReach { agent, id, distance, reach } => {
+                E::OutOfReach { agent: name(agent), id: name(id), distance, reach }
+            }
+            E::TooHeavy { id, mass, limit } => E::TooHeavy { id: name(id), mass, limit },
+            E::Occupied { seat, by } => E::Occupied { seat: name(seat), by: name(by) },
+            E::Held(id) => E::Held(name(id)),
+            E::Posture { agent, posture } => E::Posture { agent: name(agent), posture },
+            E::NoExit(id) => E::NoExit(name(id)),
+            E::SeatTaken(id) => E::SeatTaken(name(id)),
+            E::SeatCovered { seat, by } => E::SeatCovered { seat: name(seat), by: name(by) },
+            E::NoSeat(id) => E::NoSeat(name(id)),
+            E::NoWay { agent } => E::NoWay { agent: name(agent) },
+            E::World(error) => E::World(error.named(name)),
+        }
+    }
 }
 
 /// Why bytes are no snapshot.

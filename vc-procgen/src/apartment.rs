@@ -86,7 +86,7 @@ impl Apartment {
         let may_go = |item: usize| !self.items[item].required && self.items[item].rest != Rest::Built;
         let of = |items: &[usize]| items.iter().copied().filter(|&i| may_go(i)).max();
         match violation {
-            Violation::Overlap(a, b) => of(&[a.item, b.item]),
+            Violation::Overlap(a, b) | Violation::Jammed(a, b) => of(&[a.item, b.item]),
             Violation::Outside(a, _)
             | Violation::Unsupported(a, _)
             | Violation::Unreachable(a)

@@ -146,6 +146,7 @@ impl Deed<'_> {
             thing: self.before.label(id),
             where_: if place.relation == Relation::Inside { "in" } else { "on" },
             at: self.before.label(place.at),
+            by: self.before.relating(place.relation, place.at).map(|by| self.before.label(by)).collect(),
         })
     }
 

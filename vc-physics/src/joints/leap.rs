@@ -31,26 +31,41 @@ impl World {
     /// # Errors
     /// As [`Self::drive`].
     pub fn leap_open(&mut self, id: NodeId, open: f32) -> Result<bool, PhysicsError> {
+        self.leap_open_past(id, open, &[])
+    }
+
+    /// As [`Self::leap_open`], past some nodes as if they were not there: who opens a door makes way
+    /// for it.
+    ///
+    /// # Errors
+    /// As [`Self::drive`].
+    pub fn leap_open_past(&mut self, id: NodeId, open: f32, past: &[NodeId]) -> Result<bool, PhysicsError> {
         let form = self.thing(id)?.form.clone();
         let slides = |part: &usize| form.links[part + 1].joint.is_some_and(|j| j.kind == JointKind::Slide);
         let parts = 0..self.thing(id)?.state.moving.len();
         parts.clone().try_for_each(|part| self.target(id, part, open).map(drop))?;
         let (drawers, doors): (Vec<usize>, Vec<usize>) = parts.partition(slides);
         if open == 0.0 {
-            return Ok(self.leap_each(id, drawers, open)? && self.leap_each(id, doors, open)?);
+            return Ok(self.leap_each(id, drawers, open, past)? && self.leap_each(id, doors, open, past)?);
         }
-        if !self.leap_each(id, doors, open)? {
+        if !self.leap_each(id, doors, open, past)? {
             return Ok(false);
         }
         // A drawer that stays shut does not matter where anything else is open.
-        Ok(self.leap_each(id, drawers, open)? || self.openness(id).is_some_and(|o| o >= HALF))
+        Ok(self.leap_each(id, drawers, open, past)? || self.openness(id).is_some_and(|o| o >= HALF))
     }
 
     /// Opens or closes some parts as far as they go, what is freest first; gives whether all of them
     /// did.
-    fn leap_each(&mut self, id: NodeId, mut parts: Vec<usize>, open: f32) -> Result<bool, PhysicsError> {
+    fn leap_each(
+        &mut self,
+        id: NodeId,
+        mut parts: Vec<usize>,
+        open: f32,
+        past: &[NodeId],
+    ) -> Result<bool, PhysicsError> {
         let least = if open > 0.0 { HALF } else { 1.0 };
-        while let Some((at, share)) = self.freest(id, &parts, open)?.filter(|(_, share)| *share >= least) {
+        while let Some((at, share)) = self.freest(id, &parts, open, past)?.filter(|(_, share)| *share >= least) {
             let part = parts.remove(at);
             let (from, target) = self.way(id, part, open)?;
             let limits = self.thing(id)?.state.moving[part].limits;
@@ -62,11 +77,17 @@ impl World {
 
     /// Of some parts the first that can go all the way, else the one that gets farthest: its position
     /// among them, and the share of its way.
-    fn freest(&self, id: NodeId, parts: &[usize], open: f32) -> Result<Option<(usize, f32)>, PhysicsError> {
+    fn freest(
+        &self,
+        id: NodeId,
+        parts: &[usize],
+        open: f32,
+        past: &[NodeId],
+    ) -> Result<Option<(usize, f32)>, PhysicsError> {
         let mut best: Option<(usize, f32)> = None;
         for (at, &part) in parts.iter().enumerate() {
             let (from, target) = self.way(id, part, open)?;
-            let share = self.free_share(id, part, from, target);
+            let share = self.free_share(self.turn(id, part, from, target, past));
             if best.is_none_or(|(_, most)| share > most) {
                 best = Some((at, share));
             }
@@ -79,7 +100,8 @@ impl World {
 
     /// Whether a part meets nothing on its way to where it is open by a fraction.
     pub(crate) fn is_free_way(&self, id: NodeId, part: usize, open: f32) -> bool {
-        self.way(id, part, open).is_ok_and(|(from, target)| self.free_share(id, part, from, target) == 1.0)
+        self.way(id, part, open)
+            .is_ok_and(|(from, target)| self.free_share(self.turn(id, part, from, target, &[])) == 1.0)
     }
 
     /// Where a part is, and where it is at a fraction of its way.
@@ -97,7 +119,7 @@ impl World {
         let mut met = Vec::new();
         for part in 0..self.thing(id)?.state.moving.len() {
             let (from, target) = self.way(id, part, open)?;
-            let Some(turn) = self.turn(id, part, from, target) else { continue };
+            let Some(turn) = self.turn(id, part, from, target, &[]) else { continue };
             let first = (1..=LOOKS).map(|look| self.met_on_turn(&turn, look)).find(|met| !met.is_empty());
             met.extend(first.unwrap_or_default());
         }
@@ -108,23 +130,20 @@ impl World {
 
     /// Up to which share of its way a part meets nothing that it collides with, and what it
     /// carries has room.
-    fn free_share(&self, id: NodeId, part: usize, from: f32, target: f32) -> f32 {
-        if self.thing(id).is_err() {
-            return 0.0;
-        }
-        let Some(turn) = self.turn(id, part, from, target) else { return 1.0 };
+    fn free_share(&self, turn: Option<Turn<'_>>) -> f32 {
+        let Some(turn) = turn else { return 1.0 };
         let free = (1..=LOOKS).take_while(|&look| self.met_by_part(&turn, look).next().is_none()).count();
         let has_room = |look: &usize| self.met_by_load(&turn, *look).next().is_none();
         (1..=free).rev().find(has_room).map_or(0.0, share)
     }
 
     /// A part on its way from one position to another; none if it is there, or has no joint.
-    fn turn(&self, id: NodeId, part: usize, from: f32, target: f32) -> Option<Turn<'_>> {
+    fn turn(&self, id: NodeId, part: usize, from: f32, target: f32, past: &[NodeId]) -> Option<Turn<'_>> {
         let thing = self.thing(id).ok()?;
         let (moving, link) = (&thing.state.moving[part], &thing.form.links[part + 1]);
         let (joint, base) = (link.joint.filter(|_| from != target)?, self.engine.pose(thing.state.base)?);
         let load = moving.body.map_or_else(Vec::new, |body| self.load_of(body));
-        Some(Turn { thing, part, joint, base, load, way: (from, target) })
+        Some(Turn { thing, part, joint, base, load, past: past.to_vec(), way: (from, target) })
     }
 
     /// All that a part and what it carries would meet at a position looked at, by number.
@@ -141,7 +160,7 @@ impl World {
         let own = moving.body.map_or_else(|| group::base(thing.state.role), |_| group::leaf());
         let other = |_: ColliderHandle, c: &Collider| {
             let node = group::marked(c.user_data).0;
-            group::is_solid(c) && node != thing.id && !turn.load.contains(&node)
+            group::is_solid(c) && turn.meets(node)
         };
         let met = solid.map(|(shape, local)| {
             let at = convert::pose(&turn.at(look)) * *local;
@@ -162,11 +181,10 @@ impl World {
     /// What that which a part carries would meet there.
     fn met_by_load(&self, turn: &Turn<'_>, look: usize) -> impl Iterator<Item = NodeId> {
         let motion = turn.at(look) * turn.at(0).inverse();
-        let is_other = |m: &NodeId| *m != turn.thing.id && !turn.load.contains(m);
         let met = |id: &NodeId| {
             let all = self.pose(*id).and_then(|pose| self.overlaps(*id, &(motion * pose)).ok());
             // What cannot be asked has no room.
-            all.map_or_else(|| vec![*id], |all| all.into_iter().filter(is_other).collect())
+            all.map_or_else(|| vec![*id], |all| all.into_iter().filter(|m| turn.meets(*m)).collect())
         };
         turn.load.iter().flat_map(met).collect::<Vec<NodeId>>().into_iter()
     }
@@ -180,10 +198,17 @@ struct Turn<'w> {
     base: Pose,
     /// What it carries.
     load: Vec<NodeId>,
+    /// What counts as not there.
+    past: Vec<NodeId>,
     way: (f32, f32),
 }
 
 impl Turn<'_> {
+    /// Whether a node counts that is in the way.
+    fn meets(&self, id: NodeId) -> bool {
+        id != self.thing.id && !self.load.contains(&id) && !self.past.contains(&id)
+    }
+
     /// Where the part is at a position looked at.
     fn at(&self, look: usize) -> Pose {
         let (from, target) = self.way;

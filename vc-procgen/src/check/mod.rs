@@ -1,6 +1,7 @@
 //! Whether an apartment is sound: every violation, with what it concerns.
 
 mod overlap;
+mod swing;
 
 use std::fmt;
 
@@ -28,6 +29,8 @@ pub enum Violation {
     Unreachable(Named),
     /// Something stands where a door's leaf swings or before a way.
     BlockedDoor(usize, Named),
+    /// A leaf, lid or drawer meets something that does not give way before it is half open.
+    Jammed(Named, Named),
     /// A room lacks what makes it one.
     Incomplete(usize, RoomKind, &'static str),
     /// One gets to a bedroom only through another bedroom or a bathroom, or through a
@@ -59,6 +62,7 @@ impl fmt::Display for Violation {
             Self::UnreachableRoom(room, kind) => write!(f, "nobody gets into the {} (room {room})", kind.title()),
             Self::Unreachable(a) => write!(f, "nobody reaches {a}"),
             Self::BlockedDoor(door, a) => write!(f, "{a} is in the way of opening {door}"),
+            Self::Jammed(a, b) => write!(f, "{a} does not open: {b} is in the way"),
             Self::Incomplete(room, kind, what) => write!(f, "the {} (room {room}) has no {what}", kind.title()),
             Self::Passage(room, kind) => {
                 write!(f, "the {} (room {room}) is reached only through a private room", kind.title())
@@ -81,6 +85,8 @@ impl Apartment {
         found.extend((0..items.len()).filter_map(|i| self.outside(i, &nets[items[i].room])));
         found.extend((0..items.len()).filter_map(|i| self.unsupported(i)));
         found.extend(self.blocked());
+        let jams = swing::jams(items);
+        found.extend(jams.into_iter().map(|(a, b)| Violation::Jammed(self.named(a), self.named(b))));
         let reach = Reach::of(&self.plan, items);
         for (index, room) in self.plan.rooms.iter().enumerate() {
             if !reach.enters(&self.plan, index) {

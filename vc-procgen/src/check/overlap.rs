@@ -1,6 +1,7 @@
 //! Which items share space: boxes of parts against boxes of parts.
 
 use nalgebra::{Isometry3, Point3, Vector3};
+use vc_graph::Pose;
 use vc_graph::asset::Part;
 
 use crate::furnish::{Item, Rest};
@@ -38,7 +39,7 @@ pub(super) fn collisions(items: &[Item]) -> Vec<(usize, usize)> {
 }
 
 /// Whether two items may meet: one carries the other, or both are of the building.
-fn related(items: &[Item], a: usize, b: usize) -> bool {
+pub(super) fn related(items: &[Item], a: usize, b: usize) -> bool {
     let built = items[a].rest == Rest::Built && items[b].rest == Rest::Built;
     built || carries(items, a, b) || carries(items, b, a)
 }
@@ -56,10 +57,15 @@ fn carries(items: &[Item], carrier: usize, mut item: usize) -> bool {
 
 /// Whether a part of one item shares space with a part of the other.
 fn solid(a: &Item, b: &Item) -> bool {
+    let own: Vec<Cuboid> = a.object.asset.parts.iter().map(|p| Cuboid::of(p, &a.pose)).collect();
+    share_space(&own, b)
+}
+
+/// Whether one of some boxes shares space with a part of an item.
+pub(super) fn share_space(boxes: &[Cuboid], item: &Item) -> bool {
     let others: Vec<(Cuboid, f32)> =
-        b.object.asset.parts.iter().map(|p| Cuboid::of(p, b)).map(|c| (c, c.half.norm())).collect();
-    a.object.asset.parts.iter().any(|part| {
-        let own = Cuboid::of(part, a);
+        item.object.asset.parts.iter().map(|p| Cuboid::of(p, &item.pose)).map(|c| (c, c.half.norm())).collect();
+    boxes.iter().any(|own| {
         let reach = own.half.norm();
         let near = |c: &Cuboid, r: f32| (c.pose.translation.vector - own.pose.translation.vector).norm() < reach + r;
         others.iter().any(|(other, r)| near(other, *r) && own.meets(other))
@@ -68,17 +74,25 @@ fn solid(a: &Item, b: &Item) -> bool {
 
 /// A box anywhere, slightly shrunk.
 #[derive(Clone, Copy)]
-struct Cuboid {
+pub(super) struct Cuboid {
     pose: Isometry3<f32>,
     half: Vector3<f32>,
 }
 
 impl Cuboid {
-    fn of(part: &Part, item: &Item) -> Self {
+    /// Around a part of an item at a pose.
+    pub(super) fn of(part: &Part, item: &Pose) -> Self {
         let (low, high) = part.shape.extent();
-        let pose = item.pose * part.pose * Isometry3::from(nalgebra::center(&low, &high).coords);
+        let pose = item * part.pose * Isometry3::from(nalgebra::center(&low, &high).coords);
         let half = ((high - low) / 2.0).map(|h| (h - TOUCH / 2.0).max(h * 0.5));
         Self { pose, half }
+    }
+
+    /// Smallest and largest corner.
+    pub(super) fn corners(&self) -> (Point3<f32>, Point3<f32>) {
+        let reach = self.pose.rotation.to_rotation_matrix().into_inner().abs() * self.half;
+        let middle = Point3::from(self.pose.translation.vector);
+        (middle - reach, middle + reach)
     }
 
     /// Separating axes (Gottschalk, Lin and Manocha 1996).

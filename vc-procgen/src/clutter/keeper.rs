@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Translation3;
 use vc_graph::asset::{Hold, Surface};
 use vc_graph::portable::Portable;
-use vc_graph::{Pose, Seed, State, Stream};
+use vc_graph::{ClassTable, Pose, Property, Seed, State, Stream};
 
 use super::habits::studio_corner;
 use crate::apartment::Apartment;
@@ -115,8 +115,10 @@ impl<'a> Keeper<'a> {
     pub(super) fn put_object(&mut self, object: &Draft, surface: usize) -> Option<usize> {
         let (centre, half, hold) = self.surface(surface).map(|s| (s.centre, s.half, s.hold))?;
         let aligned = hold == Hold::Inside;
+        let fronts = aligned && has_front(object.class());
         for _ in 0..TRIES {
-            let quarter = [0, 1, 2, 3][self.rng.below(4)];
+            let drawn = [0, 1, 2, 3][self.rng.below(4)];
+            let quarter = if fronts { 0 } else { drawn };
             let jitter = if aligned || self.rng.chance(0.5) { 0.0 } else { self.rng.between(-0.25, 0.25) };
             let yaw = quarter as f32 * std::f32::consts::FRAC_PI_2 + jitter;
             let (hx, hy) = extent(object, yaw);
@@ -233,4 +235,12 @@ fn extent(object: &Draft, yaw: f32) -> (f32, f32) {
     let (sin, cos) = (yaw.sine().abs(), yaw.cosine().abs());
     let half = object.size() / 2.0;
     (half.x * cos + half.y * sin, half.x * sin + half.y * cos)
+}
+
+/// Whether a thing opens to its front and is used from there: a player with its tray in a stand
+/// looks out of it.
+fn has_front(class: &str) -> bool {
+    let table = ClassTable::builtin();
+    let affords = |p| table.get(class).is_some_and(|c| c.affordances.contains(p));
+    affords(Property::Openable) && affords(Property::Switchable)
 }

@@ -191,6 +191,11 @@ impl Draft {
         Self { class: object.class, size: object.size(), source: Source::Made(object) }
     }
 
+    /// Its class.
+    pub(crate) fn class(&self) -> &'static str {
+        self.class
+    }
+
     /// Depth, width and height it has at most, metres.
     pub(crate) fn size(&self) -> Vector3<f32> {
         self.size

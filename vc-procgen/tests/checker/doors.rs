@@ -1,4 +1,4 @@
-//! Doors swing freely, and fronts of cupboards and drawers have room before them.
+//! Doors and lids swing freely, and fronts of cupboards and drawers have room before them.
 
 use nalgebra::Isometry3;
 use vc_graph::asset::JointKind;
@@ -23,6 +23,7 @@ pub(super) fn look(house: &mut House<'_>) {
     let stands = |t: &&Thing| !t.is_building() && t.carriers.iter().all(|c| is_floor(house, *c));
     for thing in house.things.iter().filter(stands) {
         found.extend(front(house, thing).into_iter().map(|(group, text)| (Rule::BlockedFront, group, text)));
+        found.extend(lid(house, thing).into_iter().map(|(group, text)| (Rule::BlockedFront, group, text)));
     }
     found.into_iter().for_each(|(rule, group, text)| house.note(rule, group, text));
 }
@@ -63,6 +64,22 @@ fn met(door: &Thing, leaf: &[&Piece], other: &Thing) -> Option<String> {
             ))
         })
     })
+}
+
+/// The building that a lid hits while it opens by half: the wall behind a bin.
+fn lid(house: &House<'_>, thing: &Thing) -> Vec<(String, String)> {
+    let is_lid = |p: &&Piece| p.joint.is_some_and(|j| j.kind == JointKind::Hinge && j.axis.y.abs() > 0.9);
+    let lids: Vec<&Piece> = thing.pieces.iter().filter(is_lid).collect();
+    let building = house.things.iter().filter(|t| t.is_building() && !thing.carriers.contains(&t.id));
+    let hits = |other: &Thing| {
+        let opened = lids.iter().flat_map(|p| [0.25, 0.5].map(|share| Some(p.moved(&motion(thing, p, share)?))));
+        opened.flatten().any(|lid| other.pieces.iter().any(|p| lid.penetration(p).is_some()))
+    };
+    let hit = building.filter(|other| hits(other));
+    hit.map(|other| {
+        (format!("{} / {}", thing.class, other.class), format!("{}'s lid hits {}", thing.label, other.label))
+    })
+    .collect()
 }
 
 /// The motion of a part in the world at a share of the way.

@@ -1,6 +1,6 @@
 //! What things are kept in, stand in or lie on: blocks, racks, trays, jars and boxes.
 
-use std::f32::consts::TAU;
+use std::f32::consts::{FRAC_PI_2, TAU};
 
 use vc_graph::portable::Portable;
 
@@ -418,7 +418,7 @@ pub(super) fn ice_box(b: &mut Build<'_>) {
     let h = z * 0.8;
     tub(b, "box", &[(0.0, hx * 0.9, hy * 0.88), (h, hx * 0.97, hy * 0.92)], 0.2, t, body);
     b.inside("inside", [0.0, 0.0, t], ((hx * 0.9 - t) * 0.93, (hy * 0.88 - t) * 0.95), (h - t - 0.002).max(0.0));
-    b.hinge([-hx, 0.0, h + 0.001], [0.0, -1.0, 0.0], 1.75, |b| {
+    b.hinge([-hx, 0.0, z], [0.0, -1.0, 0.0], FRAC_PI_2, |b| {
         let at = |z: f32, k: f32| level(z, (hx * k, hy * 0.95 * k), 0.2);
         loft(b, "lid", &[at(h + 0.001, 0.98), at(h + (z - h) * 0.2, 1.0), at(z * 0.97, 1.0), at(z, 0.95)], cap);
         b.top("top", [0.0, 0.0, z], (hx * 0.85, hy * 0.8));

@@ -87,7 +87,7 @@ pub(super) fn hamper(b: &mut Build<'_>) {
         }
     }
     let back = if round { -r } else { -x };
-    b.hinge([back, 0.0, h - lid], [0.0, -1.0, 0.0], 1.5, |b| {
+    b.hinge([back, 0.0, h], [0.0, -1.0, 0.0], 1.5, |b| {
         if round {
             disc(b, "lid", [0.0, 0.0, h], r, lid - 0.002, mat);
         } else {
@@ -96,7 +96,8 @@ pub(super) fn hamper(b: &mut Build<'_>) {
     });
 }
 
-/// A bin with a pedal, a swing lid, a dome or a flat lid.
+/// A bin with a pedal, a swing lid, a dome or a flat lid. As of all that stands before a wall, the
+/// lid turns about its upper edge: about the lower one it would swing behind the bin.
 pub(super) fn trash_can(b: &mut Build<'_>) {
     at_least(b, [0.12, 0.12, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -112,8 +113,8 @@ pub(super) fn trash_can(b: &mut Build<'_>) {
         b.at([cx, 0.0, 0.0], 0.0, |b| {
             b.lathe("base", [0.0; 3], &[(r, 0.0), (r, base * 0.8), (r * 0.98, base)], trim);
             vessel(b, base - 0.002, (r * 0.97, r * 0.97), top - base, 0.004, mat);
-            b.hinge([-r, 0.0, top], [0.0, -1.0, 0.0], 1.4, |b| {
-                let dome = h - top - 0.002;
+            let dome = h - top - 0.002;
+            b.hinge([-0.9 * r, 0.0, top + dome * 0.5], [0.0, -1.0, 0.0], 1.4, |b| {
                 b.lathe(
                     "lid",
                     [0.0, 0.0, top + 0.001],
@@ -126,7 +127,7 @@ pub(super) fn trash_can(b: &mut Build<'_>) {
         let (x0, x1) = (-x, x - reach);
         b.block("base", [x0 + 0.001, 0.001 - y, 0.0], [x1 - 0.001, y - 0.001, base], trim);
         bin(b, [x0 + 0.004, 0.004 - y, base - 0.002], [x1 - 0.004, y - 0.004, top], 0.005, "inside", mat);
-        b.hinge([x0, 0.0, top], [0.0, -1.0, 0.0], 1.4, |b| {
+        b.hinge([x0, 0.0, h], [0.0, -1.0, 0.0], 1.4, |b| {
             b.soft("lid", [x0, -y, top + 0.002], [x1, y, h], 0.014, trim);
         });
     }
@@ -184,7 +185,7 @@ pub(super) fn recycling_bin(b: &mut Build<'_>) {
             [x - 0.003, middle + wide * 0.2, h * 0.4 + wide * 0.4],
             colour,
         );
-        b.hinge([-x, 0.0, top], [0.0, -1.0, 0.0], 1.4, |b| {
+        b.hinge([-x, 0.0, h], [0.0, -1.0, 0.0], 1.4, |b| {
             b.soft("lid", [-x, y0, top + 0.002], [x, y1, h], 0.012, colour);
             b.block("grip", [x - 0.03, middle - 0.04, h - 0.003], [x - 0.01, middle + 0.04, h - 0.0005], body);
         });

@@ -1,0 +1,70 @@
+//! Leaves, lids and drawers that meet what does not give way.
+
+use nalgebra::Point3;
+use vc_graph::asset::Joint;
+use vc_graph::{ClassTable, Property};
+
+use super::overlap::{Cuboid, related, share_space};
+use crate::furnish::{Item, Rest};
+
+/// Shares of its way at which a part is looked at: so far it has to open at least.
+const LOOKS: [f32; 2] = [0.25, 0.5];
+
+/// Items that do not open, each with the first thing that a part of it meets before it is half
+/// open: the building, or furniture that nobody pushes aside.
+///
+/// Doors and windows are left out: they have zones of their own.
+pub(super) fn jams(items: &[Item]) -> Vec<(usize, usize)> {
+    let table = ClassTable::builtin();
+    let affords =
+        |item: &Item, property| table.get(item.object.class).is_some_and(|c| c.affordances.contains(property));
+    let opens = |item: &Item| !matches!(item.rest, Rest::Built) && affords(item, Property::Openable);
+    let stays = |item: &Item| {
+        let fixed = matches!(item.rest, Rest::Built | Rest::Floor | Rest::Wall | Rest::Ceiling);
+        fixed && !affords(item, Property::Movable) && !affords(item, Property::Graspable)
+    };
+    let mut firm: Option<Vec<usize>> = None;
+    let mut found = Vec::new();
+    for (index, item) in items.iter().enumerate().filter(|(_, item)| moves(item) && opens(item)) {
+        let firm = firm.get_or_insert_with(|| (0..items.len()).filter(|i| stays(&items[*i])).collect());
+        let opened = opened(item);
+        let around = hull(&opened);
+        let meets = |other: &usize| {
+            *other != index
+                && overlap(&around, &items[*other].corners())
+                && !related(items, index, *other)
+                && share_space(&opened, &items[*other])
+        };
+        found.extend(firm.iter().copied().find(meets).map(|other| (index, other)));
+    }
+    found
+}
+
+fn moves(item: &Item) -> bool {
+    item.object.asset.parts.iter().any(|p| p.joint.is_some())
+}
+
+/// The moving parts of an item, where they are on their way.
+fn opened(item: &Item) -> Vec<Cuboid> {
+    let moving = item.object.asset.parts.iter().filter_map(|part| Some((part, part.joint?)));
+    let at = |joint: &Joint, share: f32| item.pose * joint.motion(widest(joint) * share);
+    moving.flat_map(|(part, joint)| LOOKS.map(|share| Cuboid::of(part, &at(&joint, share)))).collect()
+}
+
+/// The limit of a joint that is farther from shut.
+fn widest(joint: &Joint) -> f32 {
+    let (low, high) = joint.limits;
+    if high.abs() >= low.abs() { high } else { low }
+}
+
+type Corners = (Point3<f32>, Point3<f32>);
+
+/// Smallest and largest corner of all boxes.
+fn hull(boxes: &[Cuboid]) -> Corners {
+    let none = (Point3::from([f32::INFINITY; 3]), Point3::from([f32::NEG_INFINITY; 3]));
+    boxes.iter().map(Cuboid::corners).fold(none, |all, one| (all.0.inf(&one.0), all.1.sup(&one.1)))
+}
+
+fn overlap(a: &Corners, b: &Corners) -> bool {
+    (0..3).all(|i| a.0[i] < b.1[i] && b.0[i] < a.1[i])
+}
