@@ -302,7 +302,7 @@ pub fn random_action(graph: &SceneGraph, agent: NodeId, stream: &mut Stream) -> 
 /// A random action that the rule allows; a dance where none is found.
 pub fn legal_action(graph: &SceneGraph, agent: NodeId, stream: &mut Stream) -> Action {
     let tries = (0..60).map(|_| any_action(graph, agent, stream));
-    let legal = |action: &Action| rule::refusals(graph, agent, action).is_empty();
+    let legal = |action: &Action| rule::allows(graph, agent, action);
     tries.into_iter().find(legal).unwrap_or(Action::zero(Verb::Dance))
 }
 

@@ -116,6 +116,14 @@ vocabulary! {
         Stretch = "stretch",
         /// Smile.
         Smile = "smile",
+        /// Heat what is on or in a heater that is on.
+        Heat = "heat",
+        /// Cool what is in a cooler that is on.
+        Cool = "cool",
+        /// Dry a thing with a cloth held.
+        Dry = "dry",
+        /// Make a thing dirty.
+        Soil = "soil",
     }
 }
 
@@ -237,17 +245,17 @@ pub enum ActionError {
 
 impl Action {
     /// An action on nothing: `stand`.
-    pub fn zero(verb: Verb) -> Self {
+    pub const fn zero(verb: Verb) -> Self {
         Self { verb, object: None, target: None }
     }
 
     /// An action on one thing: `grab #12`.
-    pub fn one(verb: Verb, object: NodeId) -> Self {
+    pub const fn one(verb: Verb, object: NodeId) -> Self {
         Self { verb, object: Some(object), target: None }
     }
 
     /// An action on two things: `place #12 #3`.
-    pub fn two(verb: Verb, object: NodeId, target: NodeId) -> Self {
+    pub const fn two(verb: Verb, object: NodeId, target: NodeId) -> Self {
         Self { verb, object: Some(object), target: Some(target) }
     }
 

@@ -251,7 +251,7 @@ impl SceneGraph {
 
     /// Walks up from a node, nearest first, until `stop` says so. Data may be cyclic
     /// and chains of any length.
-    fn climb(&self, id: NodeId, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
+    pub(crate) fn climb(&self, id: NodeId, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
         let mut met = Met::default();
         let (mut node, mut next) = (Some(id), 0);
         while let Some(from) = node {
@@ -290,7 +290,7 @@ impl SceneGraph {
         if node.kind() == Kind::Room {
             return self.room_of(agent) == Some(id);
         }
-        if body.out(Relation::Near).any(|n| node.has(Relation::Near, n)) && !self.is_next_door(body, node) {
+        if !self.is_next_door(body, node) && body.out(Relation::Near).any(|n| node.has(Relation::Near, n)) {
             return true;
         }
         let at_hand = |p: Place| p.at == agent || body.has(Relation::Near, p.at);

@@ -5,7 +5,7 @@ use std::fmt;
 
 use crate::geometry::is_finite;
 use crate::node::{Kind, Node};
-use crate::{Label, NodeId, Property, Relation, SceneGraph, StateSet};
+use crate::{ClassTable, Label, NodeId, Property, Relation, SceneGraph, StateSet};
 
 /// One thing that is wrong with a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -120,7 +120,7 @@ impl SceneGraph {
             if place.relation == Relation::On && node.kind() == Kind::Object && !carries(at) {
                 found.push(Violation::NotASurface(node.label(), at.label()));
             }
-            if place.relation == Relation::Inside && !encloses(at) && !soaks(at) {
+            if place.relation == Relation::Inside && !encloses(at, self.classes()) && !soaks(at) {
                 found.push(Violation::NotAContainer(node.label(), at.label()));
             }
         }
@@ -205,8 +205,10 @@ pub(crate) fn soaks(node: &Node) -> bool {
     node.affords(Property::Wiper) || node.affords(Property::BodyPart)
 }
 
-/// Whether things may be in a node.
-pub(crate) fn encloses(node: &Node) -> bool {
+/// Whether things may be in a node: the author or the class table says that it holds something.
+/// Of what the table does not know, that it opens must do: doors and books open too.
+pub(crate) fn encloses(node: &Node, classes: &ClassTable) -> bool {
     use Property::{Container, Drivable, Openable, Recipient};
-    [Container, Recipient, Openable, Drivable].into_iter().any(|p| node.affords(p))
+    let holds = [Container, Recipient, Drivable].into_iter().any(|p| node.affords(p));
+    holds || (node.affords(Openable) && classes.get(node.class()).is_none())
 }

@@ -76,6 +76,10 @@ const DONE: &[(&str, &str)] = &[
     ("walk chair, sit chair", "exercise"),
     ("", "stretch"),
     ("", "smile"),
+    ("walk cup, grab cup, walk stove, place cup stove, switch_on stove", "heat cup"),
+    ("walk cup, grab cup, walk fridge, open fridge, put_in cup fridge, close fridge, switch_on fridge", "cool cup"),
+    ("walk towel, open wardrobe, grab towel, walk plate", "dry plate"),
+    ("walk plate", "soil plate"),
 ];
 
 /// What has been done before, what cannot be done then, and why.
@@ -132,6 +136,11 @@ const REFUSED: &[(&str, &str, &str)] = &[
     ("", "leave", "one is not in any vehicle"),
     ("walk car, enter car", "drive car street", "car is not on"),
     ("walk chair, sit chair", "dance", "one must stand up first"),
+    ("walk cup, grab cup, walk stove, place cup stove", "heat cup", "cup is not on or in anything hot"),
+    ("walk apple", "cool apple", "apple is not in anything that cools and runs"),
+    ("walk plate", "dry plate", "nothing in hand is a wiper"),
+    ("", "soil plate", "not near: plate is too far away"),
+    ("walk knife, grab knife, walk book", "put_in knife book", "book is not a container"),
 ];
 
 /// Verbs that nothing forbids.

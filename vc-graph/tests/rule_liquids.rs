@@ -56,6 +56,30 @@ fn cooking_needs_heat_and_makes_hot() {
 }
 
 #[test]
+fn what_is_in_a_vessel_gets_hot_and_cold_with_it() {
+    let mut flat = Flat::after(&["walk potato", "grab potato", "walk stove", "put_in potato frying_pan"]);
+    flat.all(&["switch_on stove", "heat frying_pan"]);
+    assert!(flat.is("frying_pan", State::Hot) && flat.is("potato", State::Hot));
+    assert!(!flat.is("potato", State::Cooked) && !flat.is("stove", State::Hot));
+    flat.all(&["walk fridge", "open fridge", "walk frying_pan", "grab frying_pan", "walk fridge"]);
+    flat.all(&["put_in frying_pan fridge", "close fridge", "switch_on fridge", "cool frying_pan"]);
+    assert!(flat.is("potato", State::Cold) && !flat.is("potato", State::Hot) && flat.is("frying_pan", State::Cold));
+    assert!(!flat.is("milk", State::Cold), "it was not named");
+}
+
+#[test]
+fn a_cooler_cools_what_is_inside_it() {
+    let mut flat = Flat::new();
+    let (fridge, cup) = (flat.id("fridge"), flat.id("cup"));
+    flat.edit(|edit| {
+        edit.place(cup, vc_graph::Place { relation: Relation::On, at: fridge }).unwrap();
+        edit.enter_state(fridge, State::On).unwrap();
+    });
+    flat.all(&["walk fridge", "cool milk"]);
+    assert_eq!(plain(&flat.step("cool cup").unwrap_err()), "cup is not in anything that cools and runs");
+}
+
+#[test]
 fn cutting_needs_a_knife_and_a_hand() {
     let mut flat = Flat::after(&["walk kitchen_table", "grab knife", "grab cup"]);
     assert_eq!(plain(&flat.step("cut bread").unwrap_err()), "no free hand: both hold something");

@@ -7,7 +7,9 @@ use shared::flat::{Flat, plain};
 use vc_graph::{Place, Relation, State};
 
 fn why(flat: &mut Flat, action: &str) -> String {
-    plain(&flat.step(action).expect_err(action))
+    let (who, text) = action.strip_prefix("other ").map_or((flat.me, action), |rest| (flat.other, rest));
+    let wanted = flat.action(text);
+    plain(&flat.sim.step(who, &wanted).expect_err(action))
 }
 
 #[test]
@@ -72,7 +74,22 @@ fn nobody_carries_what_he_rests_on() {
 #[test]
 fn a_seat_in_hand_is_not_sat_on() {
     let mut flat = Flat::after(&["walk book", "grab book"]);
-    assert_eq!(why(&mut flat, "sit book"), "book is not sittable");
+    assert_eq!(why(&mut flat, "sit book"), "book is not sittable; character holds book");
+    flat.all(&["drop book", "other walk chair", "other grab chair", "walk other"]);
+    assert_eq!(why(&mut flat, "sit chair"), "character holds chair");
+    assert_eq!(why(&mut flat, "other sit chair"), "character holds chair");
+    flat.all(&["other drop chair", "sit chair"]);
+}
+
+#[test]
+fn nobody_carries_off_what_another_rests_on() {
+    let mut flat = Flat::after(&["walk chair", "sit chair", "other walk chair"]);
+    assert_eq!(why(&mut flat, "other grab chair"), "character is on chair");
+    flat.all(&["stand", "other grab chair"]);
+    let (me, tray) = (flat.me, flat.id("tray"));
+    flat.edit(|edit| edit.place(me, Place { relation: Relation::On, at: tray }).unwrap());
+    flat.all(&["other walk tray"]);
+    assert_eq!(why(&mut flat, "other grab tray"), "character is on tray");
 }
 
 #[test]

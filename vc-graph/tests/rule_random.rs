@@ -7,7 +7,7 @@ mod shared;
 use proptest::prelude::*;
 use shared::cases;
 use shared::flat::{Flat, plain};
-use vc_graph::rule::{preconditions, refusals, regress::achievers, step};
+use vc_graph::rule::{allows, legal_actions, preconditions, refusals, regress::achievers, step};
 use vc_graph::{Action, Condition, Kind, Node, NodeId, Relation, State, Verb, Word};
 
 /// A step to be: who, which verb, and with what.
@@ -46,6 +46,25 @@ fn legal_action(flat: &Flat, agent: NodeId, (verb, x, y): (usize, usize, usize))
             things(y).map(|at| Action::two(verb, first, at)).find(legal)
         }
     }
+}
+
+/// What can be done is what nothing is held against, of every verb with all things there are.
+fn all_legal(flat: &Flat, agent: NodeId) -> Result<(), TestCaseError> {
+    let graph = flat.graph();
+    let ids: Vec<NodeId> = graph.nodes().map(Node::id).collect();
+    let of = |verb: &Verb| -> Vec<Action> {
+        let two = |x: &NodeId| ids.iter().map(|y| Action::two(*verb, *x, *y)).collect::<Vec<_>>();
+        match verb.arity() {
+            0 => vec![Action::zero(*verb)],
+            1 => ids.iter().map(|id| Action::one(*verb, *id)).collect(),
+            _ => ids.iter().flat_map(two).collect(),
+        }
+    };
+    let mut every: Vec<Action> = Verb::ALL.iter().flat_map(of).collect();
+    prop_assert!(every.iter().all(|a| allows(graph, agent, a) == refusals(graph, agent, a).is_empty()));
+    every.retain(|action| refusals(graph, agent, action).is_empty());
+    prop_assert_eq!(legal_actions(graph, agent), every);
+    Ok(())
 }
 
 /// Acts; checks that a refusal leaves all as it was.
@@ -164,6 +183,7 @@ proptest! {
             }
         }
         promises(&flat, flat.me)?;
+        all_legal(&flat, flat.other)?;
     }
 }
 
@@ -181,6 +201,6 @@ fn the_first_achiever_needs_least() {
     assert_eq!(first(Condition::Facing(book)).as_deref(), Some("turn_to book"));
     assert_eq!(first(Condition::Upright), Some("stand".into()));
     assert_eq!(first(Condition::Related(cup, Relation::On, plate)).as_deref(), Some("place cup"));
-    assert_eq!(first(Condition::In(plate, State::Dirty)), None, "nothing makes a plate dirty");
+    assert_eq!(first(Condition::In(plate, State::Broken)), None, "nothing breaks a plate");
     assert_eq!(first(Condition::Affords(plate, vc_graph::Property::Eatable)), None);
 }

@@ -5,7 +5,7 @@
 mod shared;
 
 use shared::flat::{Flat, plain};
-use vc_graph::{Bounds, Draft, NodeId, Place, Relation, State};
+use vc_graph::{Action, Bounds, Condition, Draft, NodeId, Place, Property, Relation, SceneBuilder, State, Verb, rule};
 
 #[test]
 fn find_walks_when_it_must_with_hands_full() {
@@ -186,4 +186,23 @@ fn seats_are_taken_by_people_not_by_things() {
     let mut flat = Flat::after(&["walk book", "grab book", "walk chair", "place book chair"]);
     flat.all(&["sit chair"]);
     assert_eq!(flat.graph().validate(), []);
+}
+
+#[test]
+fn only_what_holds_things_takes_them() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let fork = scene.add_in(kitchen, Draft::new("fork")).unwrap();
+    let open = [Property::Openable].into_iter().collect();
+    let add = |scene: &mut SceneBuilder, class: &str| {
+        scene.add_in(kitchen, Draft { properties: Some(open), ..Draft::new(class) }.state(State::Open))
+    };
+    let takes = ["kitchen_cabinet", "backpack", "thingamajig"].map(|class| add(&mut scene, class).unwrap());
+    let refuses = ["door", "window", "book", "umbrella", "curtain"].map(|class| add(&mut scene, class).unwrap());
+    let graph = scene.build();
+    let encloses = |at| Condition::Encloses(at).holds(&graph, me);
+    assert!(takes.into_iter().all(encloses) && !refuses.into_iter().any(encloses));
+    let why = rule::refusals(&graph, me, &Action::two(Verb::PutIn, fork, refuses[0]));
+    assert_eq!(why[0].to_string(), format!("{} is not a container", graph.label(refuses[0])));
 }

@@ -106,29 +106,18 @@ const SYSTEM: &str = "You are a person in a home. You see only the room you are 
 containers. Answer with one action at a time, as JSON {\"action\": \"grab cup.12\"} or as plain text. Answer \
 `done` when the task is done.";
 
-/// What an agent can do now: verbs with one thing on all that is in its room, walks to
-/// the rooms, and putting down what it holds.
+/// What an agent can do now where it is: all that [`rule::legal_actions_with`] lists for what
+/// is in its room and not shut away, without running and finding, and walks to the other rooms.
 pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     let Some(room) = graph.room_of(agent) else { return Vec::new() };
     let here: Vec<NodeId> = graph.in_room(room).filter(|&id| id != agent && graph.hidden_in(id).is_none()).collect();
-    let one = Verb::ALL.iter().copied().filter(|v| v.arity() == 1 && *v != Verb::Run && *v != Verb::Find);
-    let singles = one.flat_map(|verb| here.iter().map(move |&id| Action::one(verb, id)));
-    let walks = graph.rooms().iter().filter(|&&r| r != room).map(|&r| Action::one(Verb::Walk, r));
-    let alone = Verb::ALL.iter().copied().filter(|v| v.arity() == 0).map(Action::zero);
-    let held: Vec<NodeId> = graph.held(agent).collect();
-    let puts = held.iter().flat_map(|&item| {
-        let onto = |&at: &NodeId| [Action::two(Verb::Place, item, at), Action::two(Verb::PutIn, item, at)];
-        let useful = |at: &&NodeId| {
-            graph.node(**at).is_some_and(|n| {
-                [Property::Surface, Property::Container, Property::Sittable, Property::Lieable]
-                    .into_iter()
-                    .any(|p| n.affords(p))
-            })
-        };
-        here.iter().filter(useful).flat_map(onto).collect::<Vec<_>>()
-    });
-    let all = walks.chain(singles).chain(puts).chain(alone);
-    all.filter(|a| rule::refusals(graph, agent, a).is_empty()).collect()
+    let other_rooms = graph.rooms().iter().copied().filter(|&r| r != room);
+    let walks = other_rooms.map(|r| Action::one(Verb::Walk, r)).filter(|a| rule::allows(graph, agent, a));
+    let mut all = rule::legal_actions_with(graph, agent, &here);
+    all.retain(|action| !matches!(action.verb, Verb::Run | Verb::Find));
+    // What takes nothing is least often meant.
+    all.sort_by_key(|action| action.object.is_none());
+    walks.chain(all).collect()
 }
 
 /// An observation as text: where one is and what is at hand, then a line for each thing,

@@ -10,13 +10,10 @@ use vc_graph::{Draft, Goal, History, NodeId, SceneBuilder, SceneGraph, Simulator
 use vc_planner::plan;
 
 /// What no verb brings about: it is so from the beginning, or comes by itself.
-const NOBODYS: [State; 12] = [
-    State::Dirty,
-    State::Cold,
+const NOBODYS: [State; 9] = [
     State::Raw,
     State::Broken,
     State::Wet,
-    State::Dry,
     // What is poured out of does not run dry.
     State::Empty,
     State::Frozen,
@@ -98,7 +95,7 @@ fn every_state_can_be_planned() {
         let mut goals = terms.map(|t| Goal::literal(Predicate::State(*state), vec![t]));
         let planned = goals.any(|goal| is_planned(&scene, &goal));
         assert_eq!(planned, !NOBODYS.contains(state), "{}", state.as_str());
-        let enters = |effect: &Effect<Role>| matches!(effect, Effect::Enter(_, s) | Effect::EnterOwn(s) if s == state);
+        let enters = |effect: &Effect<Role>| matches!(effect, Effect::Enter(_, s) | Effect::EnterWith(_, s) | Effect::EnterOwn(s) if s == state);
         let brought = Verb::ALL.iter().any(|verb| verb.rule().does.iter().any(enters));
         assert!(planned || !brought, "some verb makes things {}", state.as_str());
     }

@@ -22,7 +22,7 @@ pub enum Condition<T = NodeId> {
     Accessible(T),
     /// The thing can be picked up.
     Graspable(T),
-    /// No other agent holds or wears the thing, and the agent does not rest on it.
+    /// No other agent holds or wears the thing, and nobody rests on it.
     NotElsewhereHeld(T),
     /// The agent has a free hand.
     FreeHand,
@@ -60,6 +60,8 @@ pub enum Condition<T = NodeId> {
     BedFree(T),
     /// There is a free seat in the vehicle.
     SeatInside(T),
+    /// Nobody carries it about.
+    Steady(T),
     /// The agent is in a vehicle.
     Aboard,
     /// The agent is in this vehicle.
@@ -82,6 +84,8 @@ pub enum Condition<T = NodeId> {
     Cuttable(T),
     /// It is on or in a heater that is on, directly or in a pot.
     OnHeat(T),
+    /// It is inside a cooler that runs, directly or on or in something.
+    InCold(T),
     /// It moves when pushed or pulled.
     Mobile(T),
     /// It gives when squeezed.
@@ -128,6 +132,7 @@ impl Condition<Role> {
             C::SeatFree(t) => C::SeatFree(of(t)?),
             C::BedFree(t) => C::BedFree(of(t)?),
             C::SeatInside(t) => C::SeatInside(of(t)?),
+            C::Steady(t) => C::Steady(of(t)?),
             C::Aboard => C::Aboard,
             C::AboardOf(t) => C::AboardOf(of(t)?),
             C::Facing(t) => C::Facing(of(t)?),
@@ -139,6 +144,7 @@ impl Condition<Role> {
             C::Receives(t) => C::Receives(of(t)?),
             C::Cuttable(t) => C::Cuttable(of(t)?),
             C::OnHeat(t) => C::OnHeat(of(t)?),
+            C::InCold(t) => C::InCold(of(t)?),
             C::Mobile(t) => C::Mobile(of(t)?),
             C::Soft(t) => C::Soft(of(t)?),
             C::Typable(t) => C::Typable(of(t)?),

@@ -31,6 +31,8 @@ impl Role {
 pub enum Effect<T> {
     /// The thing enters a state.
     Enter(T, State),
+    /// The thing enters a state, with all that is on or in it.
+    EnterWith(T, State),
     /// The agent enters a state.
     EnterOwn(State),
     /// The agent leaves a state.
@@ -78,6 +80,7 @@ impl Effect<Role> {
         let of = |role: Role| role.of(action);
         Some(match self {
             E::Enter(t, s) => E::Enter(of(t)?, s),
+            E::EnterWith(t, s) => E::EnterWith(of(t)?, s),
             E::EnterOwn(s) => E::EnterOwn(s),
             E::LeaveOwn(s) => E::LeaveOwn(s),
             E::GoTo(t) => E::GoTo(of(t)?),
@@ -111,6 +114,7 @@ const HAND: Vector3<f32> = Vector3::new(0.3, 0.0, 1.0);
 pub(super) fn carry_out(edit: &mut Edit<'_>, agent: NodeId, effect: Effect<NodeId>) -> Result<(), EditError> {
     match effect {
         Effect::Enter(id, state) => edit.enter_state(id, state),
+        Effect::EnterWith(id, state) => enter_with(edit, id, state),
         Effect::EnterOwn(state) => edit.enter_state(agent, state),
         Effect::LeaveOwn(state) => edit.leave_state(agent, state),
         Effect::GoTo(id) => go_to(edit, agent, id),
@@ -147,6 +151,12 @@ pub(super) fn carry_out(edit: &mut Edit<'_>, agent: NodeId, effect: Effect<NodeI
         Effect::Alight => alight(edit, agent),
         Effect::DriveTo(vehicle, to) => drive(edit, vehicle, to),
     }
+}
+
+fn enter_with(edit: &mut Edit<'_>, id: NodeId, state: State) -> Result<(), EditError> {
+    let object = |id: &NodeId| edit.graph().node(*id).is_some_and(|n| n.kind() == Kind::Object);
+    let all: Vec<NodeId> = edit.graph().carried_with(id).into_iter().filter(object).collect();
+    all.into_iter().try_for_each(|id| edit.enter_state(id, state))
 }
 
 const NEARNESS: [Relation; 5] =

@@ -27,12 +27,16 @@
 mod check;
 pub mod condition;
 pub mod effect;
+mod fit;
+mod judge;
+mod legal;
 pub mod refusal;
 pub mod regress;
 pub mod table;
 
 pub use condition::Condition;
 pub use effect::{Effect, Role};
+pub use legal::{legal_actions, legal_actions_with};
 pub use refusal::Refusal;
 pub use table::Rule;
 
@@ -62,6 +66,25 @@ pub fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refus
     }
     let needs = action.verb.rule().needs.iter().filter_map(|c| c.ground(action));
     needs.filter_map(|c| c.check(graph, agent).err()).collect()
+}
+
+/// Whether an agent can do an action now: whether it has no [`refusals`]. Stops at the first
+/// need that is not met and words no reason, so that it costs a fraction of them.
+///
+/// ```
+/// use vc_graph::{Action, Draft, SceneBuilder, Verb, rule};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let graph = scene.build();
+/// assert!(rule::allows(&graph, me, &Action::one(Verb::Walk, fridge)));
+/// assert!(!rule::allows(&graph, me, &Action::one(Verb::Eat, fridge)));
+/// # Ok::<(), vc_graph::EditError>(())
+/// ```
+pub fn allows(graph: &SceneGraph, agent: NodeId, action: &Action) -> bool {
+    let mut needs = action.verb.rule().needs.iter().filter_map(|c| c.ground(action));
+    check::check_things(graph, agent, action).is_none() && needs.all(|need| need.holds(graph, agent))
 }
 
 /// Lets an agent do an action and returns what changed.

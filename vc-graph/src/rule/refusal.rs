@@ -66,7 +66,7 @@ pub enum Refusal {
     /// The agent holds nothing of the kind.
     #[error("nothing in hand is a {0}")]
     NoTool(Property),
-    /// Another agent holds the thing.
+    /// Somebody holds the thing, or what it is on.
     #[error("{by} holds {thing}")]
     HeldByOther {
         /// The thing.
@@ -80,6 +80,14 @@ pub enum Refusal {
         /// The thing.
         thing: Label,
         /// Who wears it.
+        by: Label,
+    },
+    /// The agent would carry what another rests on.
+    #[error("{by} is on {thing}")]
+    UnderOther {
+        /// The thing.
+        thing: Label,
+        /// Who is on it.
         by: Label,
     },
     /// The agent would carry what it rests on.
@@ -135,6 +143,9 @@ pub enum Refusal {
     /// Nothing heats the thing.
     #[error("{0} is not on or in anything hot that is switched on")]
     NoHeat(Label),
+    /// Nothing cools the thing.
+    #[error("{0} is not in anything that cools and runs")]
+    NoCold(Label),
     /// The relation does not hold.
     #[error("not: {0} {1} {2}")]
     NotRelated(Label, Relation, Label),

@@ -60,6 +60,8 @@ fn candidates(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action
             None => Vec::new(),
         },
         Condition::OnHeat(id) => heat(graph, agent, id),
+        Condition::InCold(id) => chill(graph, agent, id),
+        Condition::Steady(id) => put_downs(graph, agent).into_iter().filter(|a| a.object == Some(id)).collect(),
         Condition::Related(who, hand @ (Relation::HoldsRight | Relation::HoldsLeft), id) if who == agent => {
             into_hand(graph, agent, hand, id)
         }
@@ -111,8 +113,12 @@ fn binding(effect: Effect<Role>, want: &Condition, agent: NodeId) -> Option<Boun
     use Bound::{Nothing, One, Two};
     use Condition as C;
     match (effect, *want) {
-        (Effect::Enter(role, s), C::In(id, wanted)) if s == wanted => Some(One(role, id)),
-        (Effect::Enter(role, s), C::NotIn(id, unwanted)) if s.opposites().contains(unwanted) => Some(One(role, id)),
+        (Effect::Enter(role, s) | Effect::EnterWith(role, s), C::In(id, wanted)) if s == wanted => Some(One(role, id)),
+        (Effect::Enter(role, s) | Effect::EnterWith(role, s), C::NotIn(id, unwanted))
+            if s.opposites().contains(unwanted) =>
+        {
+            Some(One(role, id))
+        }
         (Effect::FillWithWater(role), C::In(id, State::Filled)) => Some(One(role, id)),
         (Effect::EnterOwn(s), C::In(id, wanted)) if id == agent && s == wanted => Some(Nothing),
         (Effect::GoTo(role), C::Near(id) | C::SameRoom(id)) => Some(One(role, id)),
@@ -200,6 +206,17 @@ fn heat(graph: &SceneGraph, agent: NodeId, id: NodeId) -> Vec<Action> {
     }
     let heaters = graph.nodes().map(crate::Node::id).filter(heats);
     heaters.flat_map(|at| [Action::two(Verb::Place, id, at), Action::two(Verb::PutIn, id, at)]).collect()
+}
+
+/// Ways to have something in the cold: switch on what it is in, or put it there.
+fn chill(graph: &SceneGraph, agent: NodeId, id: NodeId) -> Vec<Action> {
+    let cools = |n: &NodeId| graph.node(*n).is_some_and(|n| n.affords(Property::Cooler));
+    let inside = |p: Place| p.relation == Relation::Inside && cools(&p.at);
+    if let Some(cooler) = graph.climb(id, &mut { inside }) {
+        return achievers(graph, agent, &Condition::In(cooler, State::On));
+    }
+    let coolers = graph.nodes().map(crate::Node::id).filter(cools);
+    coolers.map(|at| Action::two(Verb::PutIn, id, at)).collect()
 }
 
 /// Ways to be in a room: walk there, or carry it there and put it down.

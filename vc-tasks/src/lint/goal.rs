@@ -164,7 +164,7 @@ pub fn brought_about(predicate: Predicate) -> bool {
 
 fn enters<T>(effect: &Effect<T>, state: State) -> bool {
     match effect {
-        Effect::Enter(_, entered) | Effect::EnterOwn(entered) => *entered == state,
+        Effect::Enter(_, entered) | Effect::EnterWith(_, entered) | Effect::EnterOwn(entered) => *entered == state,
         Effect::SitOn(_) | Effect::Board(_) => state == State::Sitting,
         Effect::LieOn(_) => state == State::Lying,
         Effect::PourInto(..) => [State::Filled, State::Empty].contains(&state),

@@ -259,22 +259,34 @@ fn condition(needed: Condition<Role>, verb: Verb) -> Result<Vec<Way>, String> {
             return Ok(vec![off, affords(Property::Cooler, t), affords(Property::Heater, t)]);
         }
         C::OnHeat(t) => return Ok(on_heat(variable(t))),
+        C::InCold(t) => return Ok(in_cold(variable(t))),
+        // What is held rests on nothing.
+        C::Steady(t) => facts(&[("rests", &[variable(t), "?r"])]),
         other => return Err(format!("the condition {other:?}")),
     }])
 }
 
 /// On or in a heater, or on or in something that is.
 fn on_heat(x: &str) -> Vec<Way> {
-    let heater = |needs: Vec<Atom>| {
-        let mut way = lasting("affords_heater", Condition::Affords(Role::X, Property::Heater), Role::X);
-        way.needs = needs;
-        way.needs.push(Atom::new("affords_heater", &["?k"]));
-        way.needs.push(Atom::new(is(State::On), &["?k"]));
-        way
+    at_work(Property::Heater, x, &["on", "in"], "on")
+}
+
+/// In a cooler, or on or in something that is.
+fn in_cold(x: &str) -> Vec<Way> {
+    at_work(Property::Cooler, x, &["in"], "in")
+}
+
+/// At something of a kind that is on, directly or carried by what is.
+fn at_work(kind: Property, x: &str, directly: &[&str], carried: &str) -> Vec<Way> {
+    let machine = |mut needs: Vec<Atom>| {
+        let affords = affords(kind, Role::X).lasting;
+        let name = format!("affords_{kind}");
+        needs.extend([Atom::new(name, &["?k"]), Atom::new(is(State::On), &["?k"])]);
+        Way { needs, lasting: affords, ..Way::default() }
     };
-    let direct = ["on", "in"].map(|how| heater(vec![Atom::new(how, &[x, "?k"])]));
-    let carried = ["on", "in"].map(|how| heater(vec![Atom::new(how, &[x, "?p"]), Atom::new("on", &["?p", "?k"])]));
-    direct.into_iter().chain(carried).collect()
+    let direct = directly.iter().map(|how| machine(vec![Atom::new(*how, &[x, "?k"])]));
+    let within = |how| machine(vec![Atom::new(how, &[x, "?p"]), Atom::new(carried, &["?p", "?k"])]);
+    direct.chain(["on", "in"].map(within)).collect()
 }
 
 impl Way {
@@ -305,7 +317,8 @@ impl Way {
 
     fn effect(&mut self, effect: Effect<Role>) -> Result<(), String> {
         match effect {
-            Effect::Enter(t, state) => self.enter(variable(t), state),
+            // Of what is on or in it a plan is not told.
+            Effect::Enter(t, state) | Effect::EnterWith(t, state) => self.enter(variable(t), state),
             Effect::EnterOwn(state) => self.add(is(state), &[HANDS]),
             Effect::LeaveOwn(state) => self.delete(is(state), &[HANDS]),
             Effect::GoTo(t) => {

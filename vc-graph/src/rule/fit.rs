@@ -1,0 +1,37 @@
+//! Whether things have room.
+
+use crate::class::SlotKind;
+use crate::node::Node;
+use crate::{Property, Relation, SceneGraph};
+
+/// Why a thing has no room on or in another, where the sizes of both are known.
+/// What has a lid must take the thing in some turn, with what is in it already;
+/// out of what is open at the top things may stick; surfaces may be overhung.
+pub(super) fn misfit(graph: &SceneGraph, thing: &Node, target: &Node) -> Option<&'static str> {
+    if thing.id() == target.id() || graph.rests_at(target.id(), thing.id()) {
+        return Some("rests on or in it");
+    }
+    let inside = || graph.relating(Relation::Inside, target.id()).filter(|&n| n != thing.id());
+    let slots = target.slots(SlotKind::Slot);
+    if slots > 0 && inside().count() >= slots as usize {
+        return Some("has no free slot");
+    }
+    let (size, space) = (thing.spec().bounds?, target.spec().bounds?);
+    if target.affords(Property::Surface) || !target.affords(Property::Openable) {
+        return None;
+    }
+    if sorted(size.size()).iter().zip(sorted(space.size())).any(|(s, room)| *s > room + SLACK) {
+        return Some("is too small");
+    }
+    let taken = inside().filter_map(|n| graph.node(n)?.spec().bounds).map(|b| b.volume()).sum::<f32>();
+    (taken + size.volume() > space.volume()).then_some("is full")
+}
+
+/// By how much a box may be larger than the space its shape still fits, metres.
+const SLACK: f32 = 0.02;
+
+fn sorted(size: nalgebra::Vector3<f32>) -> [f32; 3] {
+    let mut all = [size.x, size.y, size.z];
+    all.sort_unstable_by(f32::total_cmp);
+    all
+}
