@@ -5,11 +5,9 @@
 //! shows one class, with doors and drawers open; `--per-class 4` shows fewer of each;
 //! `--gltf` writes each object as a model as well.
 
-#[expect(dead_code, reason = "this example reads no files")]
 mod support;
 
 use std::collections::BTreeMap;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
@@ -70,14 +68,14 @@ fn main() -> Result<(), Complaint> {
     std::fs::create_dir_all(&options.out).map_err(fail)?;
     let groups = groups(&options)?;
     let list = options.out.join("objects.jsonl");
-    let mut file = std::io::BufWriter::new(std::fs::File::create(&list).map_err(fail)?);
+    let mut lines = String::new();
     let total: usize = groups.values().flatten().map(|g| shown(&options, g)).sum();
     let progress = ProgressBar::new(total as u64);
     let library = material::library();
     for (name, members) in &groups {
         let tiles = tiles(&options, members);
         for tile in &tiles {
-            writeln!(file, "{}", line(tile)).map_err(fail)?;
+            lines.push_str(&format!("{}\n", line(tile)));
             if options.gltf {
                 model(tile, &library, &options.out)?;
             }
@@ -88,7 +86,7 @@ fn main() -> Result<(), Complaint> {
             progress.inc(tiles.len() as u64);
         }
     }
-    file.flush().map_err(fail)?;
+    support::write(&list, lines)?;
     progress.finish_and_clear();
     say!("{total} objects of {} classes in {}", groups.values().map(Vec::len).sum::<usize>(), options.out.display());
     Ok(())
@@ -148,7 +146,7 @@ fn model(tile: &Tile, library: &AssetLibrary, folder: &Path) -> Result<(), Compl
     let Instance { object, index, .. } = &tile.instance;
     let glb = gltf::asset_of_class(object.class, &object.asset, library).map_err(Complaint::new)?;
     let path = folder.join(format!("{}_{:03}.glb", object.class, index + 1));
-    std::fs::write(&path, glb).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))
+    support::write(&path, glb)
 }
 
 fn sheet(options: &Options, title: &str, tiles: &[Tile], library: &AssetLibrary, path: &Path) -> Result<(), Complaint> {
@@ -175,7 +173,7 @@ fn sheet(options: &Options, title: &str, tiles: &[Tile], library: &AssetLibrary,
         image.paste(x, y, &sketch(&[(asset, Pose::identity())], library, &view, w, h));
     }
     let png = image.to_png().map_err(Complaint::new)?;
-    std::fs::write(path, png).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))
+    support::write(path, png)
 }
 
 /// Class and number, size in centimetres and triangles below a tile.

@@ -7,7 +7,6 @@
 
 #[path = "support/breakfast.rs"]
 mod breakfast;
-#[expect(dead_code, reason = "this example reads no files")]
 mod support;
 
 use std::io::{Read, Write};

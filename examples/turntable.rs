@@ -6,7 +6,6 @@
 //! `--model chair.glb` shows a model of your own instead, with its textures.
 
 #[path = "support/mod.rs"]
-#[expect(dead_code, reason = "this example reads no scenes")]
 mod support;
 
 use std::path::{Path, PathBuf};
@@ -87,8 +86,7 @@ fn main() -> Result<(), Complaint> {
     }
     let path = options.out.join(format!("{}.png", object.file));
     let bytes = picture::apng(&pictures, options.rate).map_err(Complaint::new)?;
-    std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
-    std::fs::write(&path, bytes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))?;
+    support::write(&path, bytes)?;
     say!("{} parts, {} pictures: {}", object.asset.parts.len(), pictures.len(), path.display());
     Ok(())
 }

@@ -57,6 +57,8 @@
 //! | [`check_environment`] | the contract they keep, as a test |
 //! | [`Viewpoint`] | where a camera is |
 //! | [`Recorder`] | an episode as a folder: trajectory, film, map, page, COCO and glTF |
+//! | [`Page`] | an episode in any world as an HTML page |
+//! | [`files`] | files that are written whole or not at all |
 //!
 //! # What is not here
 //!
@@ -72,6 +74,8 @@ mod environment;
 #[cfg(feature = "environment")]
 #[cfg_attr(not(feature = "render"), allow(dead_code, unused_imports, reason = "poses are for cameras"))]
 mod figure;
+pub mod files;
+mod page;
 #[cfg(all(feature = "environment", feature = "render"))]
 mod record;
 #[cfg(all(feature = "environment", feature = "render"))]
@@ -86,6 +90,7 @@ pub use environment::{
     ActionError, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError, ResetError, ResetReport,
     SaveError, Steering, Unplaced, Why,
 };
+pub use page::{Page, PageAction, PageFigure, PageFilm};
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use record::{RecordError, RecordOptions, Recorder};
 #[cfg(all(feature = "environment", feature = "render"))]

@@ -39,7 +39,8 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.is_dir() {
-            found.extend(files(&path).into_iter().map(|(name, bytes)| (Path::new("frames").join(name), bytes)));
+            let own = PathBuf::from(path.file_name().unwrap());
+            found.extend(files(&path).into_iter().map(|(name, bytes)| (own.join(name), bytes)));
         } else {
             found.insert(path.file_name().unwrap().into(), std::fs::read(&path).unwrap());
         }
@@ -50,6 +51,10 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 #[test]
 fn an_episode_is_written_down_and_read_again() {
     let at = folder("record");
+    // A longer record was here, and something of the user's.
+    for name in ["film/900.jpg", "frames/000900.png", "film/notes.txt"] {
+        virtualcity::files::write(&at.join(name), b"before").unwrap();
+    }
     let (episode, home) = record(&at);
     assert_eq!(episode.outcome, Outcome::Won);
     let all = files(&at);
@@ -72,6 +77,15 @@ fn an_episode_is_written_down_and_read_again() {
     }
     let page = std::str::from_utf8(&all[Path::new("index.html")]).unwrap();
     assert!(page.contains("fetch &lt;a novel&gt;") && page.contains("100% of the goal holds"), "{page}");
+    assert_eq!(all.get(Path::new("film/notes.txt")).map(Vec::as_slice), Some(&b"before"[..]));
+    let film: Vec<&Path> = all
+        .keys()
+        .filter(|name| name.starts_with("film") && name.extension().is_some_and(|e| e == "jpg"))
+        .map(PathBuf::as_path)
+        .collect();
+    assert!(film.len() > 5 && film.iter().all(|name| all[*name].starts_with(&[0xff, 0xd8])), "{film:?}");
+    assert!(film.iter().all(|name| page.contains(name.to_str().unwrap())), "the page plays all of it");
+    assert!(!all.keys().any(|name| name.extension().is_some_and(|e| e == "part")), "nothing half written is left");
     for shown in page.split("src=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
         assert!(all.contains_key(Path::new(shown)), "{shown}");
     }

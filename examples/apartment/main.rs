@@ -12,20 +12,21 @@
 //! without `--shard` writes manifest and statistics of the whole.
 
 #[path = "../support/mod.rs"]
-#[expect(dead_code, reason = "this example reads no scenes")]
 mod support;
 
 mod manifest;
 mod one;
 mod record;
+#[path = "../support/resume.rs"]
+mod resume;
 mod set;
 mod sheet;
 mod wishes;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Parser;
-use support::Complaint;
+use support::{Complaint, unwritten};
 use wishes::Wishes;
 
 /// Homes are some ten thousand small allocations each.
@@ -86,31 +87,4 @@ fn main() -> Result<(), Complaint> {
 
 fn processors() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
-}
-
-/// Writes a file whole or not at all: under another name first.
-fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
-    let mut part = path.as_os_str().to_owned();
-    part.push(".part");
-    let part = PathBuf::from(part);
-    let written = std::fs::write(&part, bytes).and_then(|()| std::fs::rename(&part, path));
-    written.map_err(|e| {
-        // What was begun takes space; if it cannot be removed either, so be it.
-        let _ = std::fs::remove_file(&part);
-        unwritten(path, &e)
-    })
-}
-
-/// What to do about a file that cannot be written.
-fn unwritten(path: &Path, error: &std::io::Error) -> Complaint {
-    use std::io::ErrorKind;
-    let advice = match error.kind() {
-        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
-            "make room or choose another --out; a set goes on where it stopped when started again"
-        }
-        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => "choose an --out that you may write to",
-        ErrorKind::AlreadyExists | ErrorKind::NotADirectory => "--out must be a folder, and this is a file",
-        _ => "choose another --out",
-    };
-    Complaint::new(format!("{}: {error}; {advice}", path.display()))
 }

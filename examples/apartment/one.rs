@@ -11,8 +11,7 @@ use virtualcity::procgen::check::Violation;
 use virtualcity::procgen::furnish::Rest;
 use virtualcity::procgen::{Apartment, Specification, gltf};
 
-use crate::support::{Complaint, say};
-use crate::write_file;
+use crate::support::{self, Complaint, say};
 
 /// Width of the plan's picture, pixels.
 const WIDTH: usize = 1400;
@@ -36,7 +35,7 @@ pub(crate) fn write(specification: &Specification, seed: u64, out: &Path) -> Res
         ("report.json", report.json()?.into_bytes()),
     ];
     for (ending, bytes) in &files {
-        write_file(&out.join(format!("apartment_{seed}.{ending}")), bytes)?;
+        support::write(&out.join(format!("apartment_{seed}.{ending}")), bytes)?;
     }
     say!("{}", report.text());
     say!("made in {:.1} ms; {} files in {}", 1e3 * spent.as_secs_f64(), files.len(), out.display());

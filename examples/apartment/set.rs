@@ -1,26 +1,29 @@
 //! A set of homes in files, made by several threads.
 //!
 //! Threads take batches of seeds; whoever makes the last batch of a file packs and
-//! writes the file. What is written depends on the seeds alone.
+//! writes the file. What is written depends on the seeds alone. Batches of a file that is not
+//! yet whole are kept in `NAME.unfinished`, so that a run that is broken off loses a batch for each
+//! thread at most.
 
 use std::io::Write;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use indicatif::{ProgressBar, ProgressStyle};
+use serde::{Deserialize, Serialize};
 use virtualcity::graph::Seed;
 use virtualcity::procgen::{Apartment, Fingerprint, Specification};
 
 use crate::manifest::{self, Failure, Figures, Mark, Sidecar};
 use crate::record::Record;
-use crate::support::{Complaint, say};
+use crate::resume::Resume;
+use crate::support::{self, Complaint, say};
 use crate::wishes::Recipe;
-use crate::write_file;
 
 /// Homes that a thread makes at a time.
 const BATCH: u64 = 20;
@@ -120,6 +123,14 @@ impl Set {
         Ok((0..files).filter(mine).map(volume).collect())
     }
 
+    /// The batches of a file that are there already, of a run that was broken off.
+    fn unfinished(&self, volume: &Volume) -> Result<Resume<Part>, Complaint> {
+        Resume::open(
+            &self.out.join(format!("{}.unfinished", volume.name())),
+            &(&self.recipe, volume.first, volume.seeds),
+        )
+    }
+
     /// Homes of some seeds: their lines, and what is to be known of them.
     fn part(&self, seeds: std::ops::Range<u64>) -> Result<Part, Complaint> {
         let mut part = Part::default();
@@ -137,11 +148,11 @@ impl Set {
         let mut figures = Figures::default();
         let mut packer = GzEncoder::new(Vec::new(), Compression::new(1));
         for part in parts {
-            packer.write_all(&part.lines).map_err(Complaint::new)?;
+            packer.write_all(part.lines.as_bytes()).map_err(Complaint::new)?;
             figures.merge(part.figures);
         }
         let packed = packer.finish().map_err(Complaint::new)?;
-        write_file(&self.out.join(volume.name()), &packed)?;
+        support::write(&self.out.join(volume.name()), &packed)?;
         let sidecar = Sidecar::new(self, volume, &packed, figures)?;
         sidecar.write(self)?;
         Ok(sidecar)
@@ -149,17 +160,17 @@ impl Set {
 }
 
 /// Some homes of a file.
-#[derive(Default)]
+#[derive(Default, Clone, Serialize, Deserialize)]
 struct Part {
-    lines: Vec<u8>,
+    lines: String,
     figures: Figures,
 }
 
 impl Part {
     fn add(&mut self, home: &Apartment) -> Result<(), Complaint> {
         let (whole, plan): (Fingerprint, Fingerprint) = (home.fingerprint(), home.plan.fingerprint());
-        serde_json::to_writer(&mut self.lines, &Record::new(home, whole, plan)).map_err(Complaint::new)?;
-        self.lines.push(b'\n');
+        let line = serde_json::to_string(&Record::new(home, whole, plan)).map_err(Complaint::new)?;
+        self.lines.push_str(&(line + "\n"));
         self.figures.statistics.add(home);
         self.figures.marks.push(Mark(home.seed.0, whole, plan));
         Ok(())
@@ -182,6 +193,7 @@ struct Workshop<'a> {
 #[derive(Default)]
 struct File {
     parts: Vec<Option<Part>>,
+    unfinished: Option<Arc<Resume<Part>>>,
     sidecar: Option<Sidecar>,
 }
 
@@ -223,16 +235,30 @@ impl<'a> Workshop<'a> {
 
     /// Makes a batch, and the file if it was the last.
     fn batch(&self, file: usize, volume: &Volume, batch: usize) -> Result<(), Complaint> {
-        let seeds = volume.batch(batch);
-        let count = seeds.end - seeds.start;
-        let part = self.set.part(seeds)?;
+        let (seeds, unfinished) = (volume.batch(batch), self.unfinished(file, volume)?);
+        let (count, key) = (seeds.end - seeds.start, seeds.start.to_string());
+        let part = match unfinished.there.get(&key) {
+            Some(there) => there.clone(),
+            None => unfinished.add(&key, &self.set.part(seeds)?)?,
+        };
         self.progress.inc(count);
         let parts = locked(&self.files[file]).put(batch, part, volume.batches());
         if let Some(parts) = parts {
             let sidecar = self.set.bind(volume, parts)?;
-            locked(&self.files[file]).sidecar = Some(sidecar);
+            unfinished.remove()?;
+            let mut done = locked(&self.files[file]);
+            (done.sidecar, done.unfinished) = (Some(sidecar), None);
         }
         Ok(())
+    }
+
+    /// The batches of a file that are there, opened by whoever comes first.
+    fn unfinished(&self, file: usize, volume: &Volume) -> Result<Arc<Resume<Part>>, Complaint> {
+        let mut file = locked(&self.files[file]);
+        match &file.unfinished {
+            Some(open) => Ok(open.clone()),
+            None => Ok(file.unfinished.insert(Arc::new(self.set.unfinished(volume)?)).clone()),
+        }
     }
 }
 
@@ -303,6 +329,21 @@ mod tests {
         assert_eq!(whole.keys().filter(|n| n.ends_with(".jsonl.gz")).count(), 3);
 
         run(&set(&three, 3, None)).unwrap();
+        assert_eq!(files(&three), whole);
+
+        // One of which only some batches were made, the last of them not to its end.
+        let broken = set(&three, 1, None);
+        let volume = broken.volumes().unwrap()[0];
+        let unfinished = broken.unfinished(&volume).unwrap();
+        unfinished.add(&volume.first.to_string(), &broken.part(volume.batch(0)).unwrap()).unwrap();
+        drop(unfinished);
+        let path = three.join("homes_000000000007.jsonl.gz.unfinished");
+        let mut cut = std::fs::read(&path).unwrap();
+        cut.extend_from_slice(b"[\"27\",{\"lines\":\"{");
+        std::fs::write(&path, cut).unwrap();
+        assert_eq!(broken.unfinished(&volume).unwrap().there.keys().collect::<Vec<_>>(), ["7"]);
+        std::fs::remove_file(three.join("homes_000000000007.meta.json")).unwrap();
+        run(&broken).unwrap();
         assert_eq!(files(&three), whole);
 
         // A file cut short, one without its sidecar and one that was never finished.

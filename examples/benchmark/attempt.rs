@@ -1,5 +1,6 @@
 //! All policies in one environment.
 
+use serde::{Deserialize, Serialize};
 use vc_graph::{Action, ChangeSet, History, NodeId, SceneGraph, Seed, Simulator};
 use vc_planner::{Habitual, Newcomer, Policy, Prior, Random, Resident, Run as Episodes};
 use vc_tasks::initial::Initial;
@@ -24,7 +25,7 @@ pub(crate) fn policies(symbolic: bool) -> Vec<Box<dyn Policy>> {
 }
 
 /// What came out of it.
-#[derive(Default)]
+#[derive(Clone, Default, Serialize, Deserialize)]
 pub(crate) struct Attempt {
     pub(crate) runs: Vec<Run>,
     /// Why what was not won was not, and what was refused on the way.

@@ -4,12 +4,14 @@
 //! bodies that move, and lets random, planner and oracle try it on all cores; it prints the
 //! thesis's Table 5.2 beside ours and writes tables and plots, with the reason of everything
 //! that failed. `--symbolic` leaves the bodies out, and lets more policies try. The results do
-//! not depend on the number of threads.
+//! not depend on the number of threads. What was done is kept in `unfinished.jsonl` until the tables
+//! are written: the same command goes on where it was broken off.
 
 mod attempt;
 #[path = "../support/chart.rs"]
 mod chart;
-#[expect(dead_code, reason = "this example reads no files")]
+#[path = "../support/resume.rs"]
+mod resume;
 #[path = "../support/mod.rs"]
 mod support;
 mod tables;
@@ -20,6 +22,7 @@ use attempt::{Attempt, attempt, policies};
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
+use resume::Resume;
 use support::{Complaint, say};
 use tables::{Ratios, Tables, WATCH_AND_HELP};
 use vc_tasks::library::{Activity, Benchmark};
@@ -29,7 +32,7 @@ use vc_tasks::report::{By, Report, Run};
 #[derive(Parser)]
 struct Options {
     /// How many apartments for each task.
-    #[arg(long, default_value_t = 3)]
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     seeds: u64,
     /// After how many actions an attempt is over; the thesis stops after 100.
     #[arg(long, default_value_t = 100)]
@@ -53,16 +56,25 @@ fn main() -> Result<(), Complaint> {
     rayon::ThreadPoolBuilder::new().num_threads(options.threads).build_global().map_err(Complaint::new)?;
     let activities: Vec<Activity> =
         Benchmark::v1().activities.into_iter().filter(|a| a.id.starts_with(&options.only)).collect();
+    if activities.is_empty() {
+        return Err(no_such_task(&options.only));
+    }
     let jobs: Vec<(&Activity, u64)> = activities.iter().flat_map(|a| (0..options.seeds).map(move |s| (a, s))).collect();
     let style =
         ProgressStyle::with_template("{bar:40} {pos}/{len} environments, {eta} left").map_err(Complaint::new)?;
     let bar = ProgressBar::new(jobs.len() as u64).with_style(style);
-    let done = |job: &(&Activity, u64)| {
-        let tried = attempt(job.0, job.1, options.steps, options.symbolic);
+    let recipe = (env!("CARGO_PKG_VERSION"), options.steps, options.symbolic);
+    let before: Resume<Result<Attempt, String>> = Resume::open(&options.out.join("unfinished.jsonl"), &recipe)?;
+    let done = |(activity, seed): &(&Activity, u64)| {
+        let key = format!("{} in home {seed}", activity.id);
+        let tried = match before.there.get(&key) {
+            Some(there) => Ok(there.clone()),
+            None => before.add(&key, &attempt(activity, *seed, options.steps, options.symbolic)),
+        };
         bar.inc(1);
         tried
     };
-    let tried: Vec<Result<Attempt, String>> = jobs.par_iter().map(done).collect();
+    let tried: Vec<Result<Attempt, String>> = jobs.par_iter().map(done).collect::<Result<_, _>>()?;
     bar.finish_and_clear();
     let (made, unmade): (Vec<_>, Vec<_>) = tried.into_iter().partition(Result::is_ok);
     let mut all = Attempt::default();
@@ -81,7 +93,15 @@ fn main() -> Result<(), Complaint> {
     let failed: Vec<&String> = all.failures.iter().filter(|line| !line.starts_with("random")).collect();
     say!("\n{} failures of others than random{}", failed.len(), if failed.is_empty() { "" } else { ":" });
     failed.iter().for_each(|line| say!("  {line}"));
-    write(&tables, &all.failures, &options.out)
+    write(&tables, &all.failures, &options.out)?;
+    before.remove()
+}
+
+fn no_such_task(only: &str) -> Complaint {
+    let all = Benchmark::v1().activities;
+    let groups: std::collections::BTreeSet<&str> = all.iter().map(Activity::group).collect();
+    let groups: Vec<&str> = groups.into_iter().collect();
+    Complaint::new(format!("no task's id begins with `{only}`; groups of tasks are {}", groups.join(", ")))
 }
 
 fn show(tables: &Tables, environments: usize, unmade: &[String]) {
@@ -129,7 +149,7 @@ fn write(tables: &Tables, failures: &[String], out: &Path) -> Result<(), Complai
     ];
     for (name, text) in files {
         let path = out.join(name);
-        std::fs::write(&path, text).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))?;
+        support::write(&path, text)?;
     }
     say!("\ntables and plots written to {}", out.display());
     Ok(())

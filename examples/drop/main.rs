@@ -6,7 +6,6 @@
 //! second; `start.png` and `end.png`, pictures of the scene.
 
 #[path = "../support/mod.rs"]
-#[expect(dead_code, reason = "this example reads no scenes")]
 mod support;
 
 mod draw;
@@ -123,14 +122,15 @@ fn report(world: &World, graph: &SceneGraph, cast: &Cast, settling: &Settling) -
 
 /// Writes rows of RGB as a PNG.
 fn draw(path: &Path, rows: &[u8]) -> Result<(), Complaint> {
-    let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", path.display()));
-    let file = std::fs::File::create(path).map_err(fail)?;
-    let mut encoder = png::Encoder::new(std::io::BufWriter::new(file), draw::SIZE.0, draw::SIZE.1);
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, draw::SIZE.0, draw::SIZE.1);
     encoder.set_color(png::ColorType::Rgb);
     let mut writer = encoder.write_header().map_err(Complaint::new)?;
-    writer.write_image_data(rows).map_err(Complaint::new)
+    writer.write_image_data(rows).map_err(Complaint::new)?;
+    writer.finish().map_err(Complaint::new)?;
+    support::write(path, bytes)
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Complaint> {
-    std::fs::write(path, text).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))
+    support::write(path, text)
 }

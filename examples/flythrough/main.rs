@@ -5,7 +5,6 @@
 //! `--labels` instances and depth below. `--exr` also writes depth and flow of every picture.
 
 #[path = "../support/mod.rs"]
-#[expect(dead_code, reason = "this example reads no files")]
 mod support;
 
 mod path;
@@ -99,5 +98,5 @@ fn exr(frame: &Frame) -> Result<Vec<u8>, Complaint> {
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
-    std::fs::write(path, bytes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))
+    support::write(path, bytes)
 }

@@ -9,7 +9,8 @@
 //! as well. With `--agents 2` two of them share the goal and tell each other what they see. In the
 //! end what was done is done again from the beginning, and has to lead to the same home.
 //! `--symbolic` does it without bodies: by default the bundled
-//! apartment, three apples to the kitchen table, and the fridge closed at the end.
+//! apartment, three apples to the kitchen table, and the fridge closed at the end; the folder then has
+//! `trajectory.jsonl` and a page with belief and log.
 //! `--list` shows what can be asked of the home or scene.
 
 mod physical;
@@ -41,7 +42,7 @@ pub(crate) struct Options {
     /// How many agents are in the home. Planners share the goal; of the others the first one acts.
     #[arg(long, default_value_t = 1)]
     agents: usize,
-    /// The folder to write to (the file, without its ending, of a symbolic run).
+    /// The folder to write to.
     #[arg(long, default_value = "out/household")]
     out: PathBuf,
     /// After how many actions to stop.
@@ -63,7 +64,7 @@ pub(crate) struct Options {
     #[arg(long)]
     dataset: bool,
     /// Pixels across of each picture; it is three quarters as high.
-    #[arg(long, default_value_t = 320, value_parser = clap::value_parser!(u32).range(64..=1280))]
+    #[arg(long, default_value_t = 480, value_parser = clap::value_parser!(u32).range(64..=1280))]
     width: u32,
 }
 

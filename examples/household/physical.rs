@@ -196,7 +196,7 @@ fn leads_there(mut first: Environment, end: &Environment) -> Result<bool, Compla
 }
 
 /// What is believed in the end of the things that the goal is about, as a picture.
-fn belief(graph: &SceneGraph, task: &Task, policy: &dyn Policy) -> Option<String> {
+pub(crate) fn belief(graph: &SceneGraph, task: &Task, policy: &dyn Policy) -> Option<String> {
     let mut things = objects_of_interest(graph, &task.goal);
     things.retain(|id| graph.node(*id).is_some_and(|n| n.affords(Property::Graspable)));
     things.truncate(BELIEVED);

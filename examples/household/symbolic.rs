@@ -7,10 +7,12 @@ use std::sync::Arc;
 use vc_graph::format::read_scene;
 use vc_graph::goal::Situation;
 use vc_graph::{Action, ClassTable, Goal, Kind, NodeId, SceneGraph, Simulator, Verb, Word};
-use vc_planner::{Episode, Header, Run, Step};
+use vc_planner::{Episode, Header, Run, Step, Trajectory};
 use vc_tasks::{Outcome, Task};
+use virtualcity::Page;
 
 use crate::Options;
+use crate::physical;
 use crate::support::{self, Complaint, say};
 
 /// The hand-made apartment that comes with the project.
@@ -55,20 +57,36 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     let mut policy = options.policy.policy();
     let mut world = Simulator::new(scene.clone());
     let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
-    let mut record = Record::create(&options.out.with_extension("jsonl"))?;
-    record.line(&Header::of(&run, policy.as_ref(), task, scene))?;
-    let mut failed = None;
+    let mut record = Record::create(&options.out.join("trajectory.jsonl"))?;
+    let header = Header::of(&run, policy.as_ref(), task, scene);
+    record.line(&header)?;
+    let (mut steps, mut failed) = (Vec::new(), None);
     let episode = run.episode(policy.as_mut(), task, &mut world, &mut |step| {
         show(step);
         failed = failed.take().or(record.line(step).err());
+        steps.push(step.clone());
     });
     if let Some(error) = failed {
         return Err(error);
     }
-    record.line(&episode.summary())?;
+    let summary = episode.summary();
+    record.line(&summary)?;
+    let belief = physical::belief(world.graph(), task, policy.as_ref());
+    write_page(&options.out, &Trajectory { header, steps, summary }, belief.as_deref())?;
     verdict(scene, me, task, &world, &episode)?;
-    say!("trajectory written to {}", options.out.with_extension("jsonl").display());
+    say!("look at {}", options.out.join("index.html").display());
     Ok(())
+}
+
+/// The page about the run, and the belief that it shows.
+fn write_page(folder: &Path, trajectory: &Trajectory, belief: Option<&str>) -> Result<(), Complaint> {
+    let mut page = Page::of(trajectory);
+    if let Some(belief) = belief {
+        support::write(&folder.join("belief.svg"), belief)?;
+        page = page.figure("belief.svg", "What it believed in the end", Page::BELIEF);
+    }
+    let page = page.file("trajectory.jsonl", "every step, with what was seen, believed and planned, as JSON Lines");
+    support::write(&folder.join("index.html"), page.html())
 }
 
 fn room(scene: &SceneGraph, id: NodeId) -> String {
@@ -209,9 +227,11 @@ mod tests {
         for who in ["planner", "oracle"] {
             let words = ["household", "--symbolic", "--policy", who, "--out", out.to_str().unwrap()];
             super::main(&Options::parse_from(words)).unwrap();
-            let text = std::fs::read_to_string(out.with_extension("jsonl")).unwrap();
+            let text = std::fs::read_to_string(out.join("trajectory.jsonl")).unwrap();
             let trajectory = Trajectory::read_json_lines(&text).unwrap();
             let scene = read_scene(APARTMENT, &ClassTable::builtin()).unwrap();
+            let page = std::fs::read_to_string(out.join("index.html")).unwrap();
+            assert!(trajectory.steps.iter().all(|step| page.contains(&step.described)));
             assert_eq!(trajectory.check(&scene), []);
             assert_eq!(trajectory.summary.outcome, Outcome::Won);
             assert_eq!(trajectory.header.goal, GOAL.parse().unwrap());

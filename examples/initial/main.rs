@@ -7,12 +7,10 @@
 //! more to each.
 
 mod sheet;
-#[expect(dead_code, reason = "this example reads no files")]
 #[path = "../support/mod.rs"]
 mod support;
 
 use std::collections::BTreeMap;
-use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -65,7 +63,7 @@ fn main() -> Result<(), Complaint> {
     let path = |name: &str| options.out.join(name);
     let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", options.out.display()));
     std::fs::create_dir_all(&options.out).map_err(fail)?;
-    let mut list = std::io::BufWriter::new(std::fs::File::create(path("environments.jsonl")).map_err(fail)?);
+    let mut list = String::new();
     let benchmark = Benchmark::v1();
     let chosen: Vec<&Activity> = benchmark.activities.iter().filter(|a| a.id.starts_with(&options.task)).collect();
     let mut sums: BTreeMap<&str, Sum> = BTreeMap::new();
@@ -77,7 +75,7 @@ fn main() -> Result<(), Complaint> {
         match at_home(activity, Seed(seed), &generator, |home| Ok(Simulator::new(home))) {
             Ok(made) => {
                 sums.entry(activity.group()).or_default().add(&made, start.elapsed().as_secs_f64());
-                writeln!(list, "{}", line(activity, seed, &made)).map_err(fail)?;
+                list.push_str(&format!("{}\n", line(activity, seed, &made)));
                 if tiles.len() < options.pictures {
                     tiles.extend(sheet::tiles(activity, &made));
                 }
@@ -85,7 +83,7 @@ fn main() -> Result<(), Complaint> {
             Err(error) => failed.push(format!("{} {seed}: {error}", activity.id)),
         }
     }
-    list.flush().map_err(fail)?;
+    support::write(&path("environments.jsonl"), list)?;
     table(&sums);
     tiles.truncate(options.pictures);
     sheet::write(&tiles, &path("added.png"))?;

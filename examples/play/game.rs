@@ -66,6 +66,11 @@ pub(crate) struct Game {
     words: String,
 }
 
+/// Width and height of the picture.
+pub(crate) fn size(width: u32) -> (u32, u32) {
+    (width, width * 3 / 4)
+}
+
 impl Game {
     pub(crate) fn new(home: Environment, width: u32) -> Self {
         let me = home.agents()[0];
@@ -75,17 +80,13 @@ impl Game {
             me,
             home,
             before: None,
-            size: (width, width * 3 / 4),
+            size: size(width),
             tilt: -0.15,
             shows: 0,
             target: None,
             pressed: false,
             words: "click to act, W A S D to go, 1 to 6 to see otherwise".to_owned(),
         }
-    }
-
-    pub(crate) fn size(&self) -> (u32, u32) {
-        self.size
     }
 
     /// Seconds of a tick.

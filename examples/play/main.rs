@@ -11,7 +11,6 @@
 //! them it runs in a test under Xvfb, `xvfb-run cargo run ...`.
 
 mod game;
-#[expect(dead_code, reason = "this example reads no files")]
 #[path = "../support/mod.rs"]
 mod support;
 mod text;
@@ -52,13 +51,16 @@ struct Options {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    let home = Environment::make(&format!("apartment/{}", options.seed), 1).map_err(Complaint::new)?;
-    let mut game = Game::new(home, options.width.clamp(64, 1920));
-    let (width, height) = game.size();
+    let (width, height) = game::size(options.width.clamp(64, 1920));
     let settings = WindowOptions { scale: Scale::X2, ..WindowOptions::default() };
     let mut window = Window::new("VirtualCity", width as usize, height as usize, settings)
         .map_err(|e| Complaint::new(format!("no window: {e} (without a display, use xvfb-run)")))?;
     window.set_target_fps(60);
+    let wait = |window: &mut Window, words: &str| present(window, &text::notice(width, height, words));
+    let name = format!("apartment/{}", options.seed);
+    wait(&mut window, &format!("making {name} ...")).map_err(Complaint::new)?;
+    let mut game = Game::new(Environment::make(&name, 1).map_err(Complaint::new)?, width);
+    wait(&mut window, "finding its light ...").map_err(Complaint::new)?;
     let (mut mouse, mut clock, mut pictures) = (window.get_mouse_pos(MouseMode::Pass), Clock::default(), 0);
     let mut last = game.picture()?;
     let wanted = options.frames.unwrap_or(u32::MAX);
@@ -76,7 +78,7 @@ fn main() -> Result<(), Complaint> {
     say!("{pictures} pictures, {:.1} a second; {}", clock.rate(pictures), game.words());
     if let Some(path) = &options.picture {
         let png = picture::png(&last).map_err(Complaint::new)?;
-        std::fs::write(path, png).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))?;
+        support::write(path, png)?;
         say!("the last one is {}", path.display());
     }
     Ok(())

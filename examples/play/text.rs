@@ -6,6 +6,14 @@ use virtualcity::render::picture::Picture;
 /// Height and width of a letter, pixels.
 const LETTER: usize = 8;
 
+/// A dark picture with a line in its middle, for while there is nothing else to show.
+pub(crate) fn notice(width: u32, height: u32, words: &str) -> Picture {
+    let (width, height) = (width as usize, height as usize);
+    let mut picture = Picture::new(width, height, [30, 34, 40]);
+    write(&mut picture, (width / 2, height / 2), words);
+    picture
+}
+
 /// Writes a line around a middle, white with a dark edge; what does not fit is left out.
 pub(crate) fn write(picture: &mut Picture, (middle, top): (usize, usize), words: &str) {
     let most = picture.width / LETTER;

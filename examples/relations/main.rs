@@ -55,9 +55,7 @@ fn main() -> Result<(), Complaint> {
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Complaint> {
-    let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", path.display()));
-    path.parent().map_or(Ok(()), std::fs::create_dir_all).map_err(fail)?;
-    std::fs::write(path, text).map_err(fail)
+    support::write(path, text)
 }
 
 /// What a reader wants first: where things rest; the rest with `--all`.

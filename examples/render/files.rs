@@ -69,7 +69,7 @@ fn lights(scene: &SceneGraph, lighting: &Lighting) -> Vec<StageLight> {
 
 fn write(name: &Path, ending: &str, bytes: &[u8]) -> Result<(), Complaint> {
     let path = PathBuf::from(format!("{}.{ending}", name.display()));
-    std::fs::write(&path, bytes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))?;
+    crate::support::write(&path, bytes)?;
     say!("wrote {}", path.display());
     Ok(())
 }

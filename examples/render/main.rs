@@ -128,7 +128,7 @@ fn main() -> Result<(), Complaint> {
 
 fn write(path: &std::path::Path, image: &picture::Picture) -> Result<(), Complaint> {
     let bytes = picture::png(image).map_err(Complaint::new)?;
-    std::fs::write(path, bytes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))?;
+    support::write(path, bytes)?;
     say!("wrote {}", path.display());
     Ok(())
 }

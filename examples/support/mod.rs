@@ -1,4 +1,6 @@
-//! What the examples share: reading files, printing, and saying what went wrong.
+//! What the examples share: reading and writing files, printing, and saying what went wrong.
+
+#![allow(dead_code, reason = "no example reads, writes and prints at once")]
 
 use std::fmt;
 use std::io::{Read, Write};
@@ -31,6 +33,25 @@ pub(crate) fn read(path: &Path) -> Result<String, Complaint> {
         std::io::BufReader::new(file).read_to_string(&mut text).map_err(fail)?;
     }
     Ok(text)
+}
+
+/// Writes a file whole or not at all, in a folder that is made if need be.
+pub(crate) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Complaint> {
+    virtualcity::files::write(path, bytes.as_ref()).map_err(|e| unwritten(path, &e))
+}
+
+/// What to do about a file that cannot be written.
+pub(crate) fn unwritten(path: &Path, error: &std::io::Error) -> Complaint {
+    use std::io::ErrorKind;
+    let advice = match error.kind() {
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            "make room or choose another --out; what resumes goes on where it stopped when started again"
+        }
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => "choose an --out that you may write to",
+        ErrorKind::AlreadyExists | ErrorKind::NotADirectory => "--out must be a folder, and this is a file",
+        _ => "choose another --out",
+    };
+    Complaint::new(format!("{}: {error}; {advice}", path.display()))
 }
 
 /// Prints a line; ends quietly when nobody reads any more, as `| head` does.

@@ -1,19 +1,24 @@
 //! Pictures of an episode: from the agent's eyes, and from a corner of the room it is in.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
+use rayon::prelude::*;
 use vc_graph::NodeId;
 use vc_render::picture::{self, Picture};
 use vc_render::{Frame, Modalities, Modality, RenderError};
 
 use super::dataset::Dataset;
-use super::{RecordError, feet};
-use crate::{Environment, Viewpoint};
+use super::{RecordError, feet, save};
+use crate::{Environment, PageFilm, Viewpoint};
 
 /// Ticks of the home between two pictures, at first.
 const EVERY: u32 = 10;
 /// Most pictures; when there are more, every other one is dropped and fewer are made.
 const MOST: usize = 180;
+
+/// Quality of the film's pictures as JPEG: no blocks are seen.
+const JPEG_QUALITY: u8 = 88;
 
 /// How many times finer pictures are made than they are shown: films are small, and grooves of furniture thin.
 const FINER: u32 = 2;
@@ -55,10 +60,6 @@ impl Film {
         }
     }
 
-    pub(super) fn pictures(&self) -> &[Picture] {
-        &self.pictures
-    }
-
     /// All modalities of the moment that tells most, from the eyes and from the corner.
     pub(super) fn modalities(&self) -> Option<&[Picture; 2]> {
         self.modalities.as_ref()
@@ -74,13 +75,38 @@ impl Film {
         self.starts.push(self.pictures.len());
     }
 
-    /// A picture of each action, eight at most: of when the hand is at what it is done to.
-    pub(super) fn strip(&self) -> Picture {
+    /// Of each action, eight at most, the picture of when the hand is at what it is done to: numbers of both.
+    fn moments(&self) -> Vec<(usize, usize)> {
         let starts: Vec<usize> = self.starts.iter().copied().chain([self.pictures.len()]).collect();
         let every = self.starts.len().div_ceil(8).max(1);
-        let moment = |pair: &[usize]| pair[0] + (pair[1] - pair[0]) * 4 / 5;
-        let shown = starts.windows(2).step_by(every).filter_map(|pair| self.pictures.get(moment(pair))).cloned();
-        Picture::sheet(&shown.collect::<Vec<_>>(), 2, 4)
+        let moment = |(action, pair): (usize, &[usize])| (action, pair[0] + (pair[1] - pair[0]) * 4 / 5);
+        starts.windows(2).enumerate().step_by(every).map(moment).filter(|(_, at)| *at < self.pictures.len()).collect()
+    }
+
+    /// A picture of each action, eight at most.
+    pub(super) fn strip(&self) -> Picture {
+        let shown: Vec<Picture> = self.moments().iter().map(|(_, at)| self.pictures[*at].clone()).collect();
+        Picture::sheet(&shown, 2, 4)
+    }
+
+    /// Writes the film in its formats; none if it has no picture.
+    pub(super) fn write(&self, folder: &Path) -> Result<Option<PageFilm>, RecordError> {
+        if self.pictures.is_empty() {
+            return Ok(None);
+        }
+        let small: Vec<Picture> = self.pictures.iter().map(|picture| picture.shrunk(2)).collect();
+        save(&folder.join("film.gif"), &picture::gif(&small, self.rate())?)?;
+        save(&folder.join("film.png"), &picture::apng(&small, self.rate())?)?;
+        let pictures: Vec<String> = (0..self.pictures.len()).map(|i| format!("film/{i:03}.jpg")).collect();
+        let written = pictures.par_iter().zip(&self.pictures);
+        written.try_for_each(|(name, one)| save(&folder.join(name), &picture::jpeg(one, JPEG_QUALITY)?))?;
+        Ok(Some(PageFilm {
+            pictures,
+            per_second: self.rate(),
+            starts: self.starts.clone(),
+            moments: self.moments(),
+            caption: "From the agent's eyes and from a corner of the room, at twice the speed.".into(),
+        }))
     }
 
     /// A tick has passed: now and then a picture is made, and a frame of a dataset.

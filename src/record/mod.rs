@@ -4,7 +4,6 @@
 mod dataset;
 mod film;
 mod map;
-mod page;
 mod trajectory;
 
 use std::path::{Path, PathBuf};
@@ -16,10 +15,12 @@ use vc_render::RenderError;
 use vc_render::picture::{self, Picture};
 use vc_tasks::{Task, World, WorldError};
 
-use crate::Environment;
+use crate::{Environment, Page, PageAction, PageFilm, files};
 use dataset::Dataset;
 use film::Film;
 use trajectory::Trajectory;
+
+const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and masks.";
 
 /// An environment that writes down what happens in it.
 ///
@@ -30,9 +31,10 @@ use trajectory::Trajectory;
 ///
 /// | file | what |
 /// |---|---|
-/// | `index.html` | a page that shows all of it |
+/// | `index.html` | a page that plays the film and shows all of it ([`Page`]) |
 /// | `trajectory.jsonl` | a line about the run, one for each action that was tried, one about its end |
-/// | `film.png` | an animated PNG at twice the speed: from the agent's eyes, and from a corner of the room |
+/// | `film/` | the film's pictures as JPEG, which the page plays and others' tools make a video of: from the agent's eyes and from a corner of the room |
+/// | `film.gif`, `film.png` | the film in half its size at twice the speed, as GIF and as animated PNG |
 /// | `map.png` | the home from above, and the way the agent went |
 /// | `strip.png` | a picture of each action, eight at most |
 /// | `eyes.png`, `corner.png` | the six modalities at the moment that tells most |
@@ -55,8 +57,8 @@ use trajectory::Trajectory;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Costs one pair of pictures for each sixth of a second of the home's time: 320 pixels across,
-/// some ten milliseconds. The same run writes the same files.
+/// Costs one pair of pictures for each sixth of a second of the home's time: 480 pixels across,
+/// some twenty milliseconds. The same run writes the same files. Each file is written whole or not at all.
 pub struct Recorder {
     home: Environment,
     agent: NodeId,
@@ -68,7 +70,7 @@ pub struct Recorder {
     way: Vec<Point2<f32>>,
     /// The home's time, seconds.
     time: f64,
-    actions: Vec<(String, f64)>,
+    actions: Vec<PageAction>,
     /// The first thing that went wrong with pictures and files.
     failed: Option<RecordError>,
 }
@@ -86,7 +88,7 @@ pub struct RecordOptions {
 
 impl Default for RecordOptions {
     fn default() -> Self {
-        Self { width: 320, dataset: false }
+        Self { width: 480, dataset: false }
     }
 }
 
@@ -138,6 +140,10 @@ impl Recorder {
         }
         let folder = folder.as_ref().to_path_buf();
         std::fs::create_dir_all(&folder).map_err(|error| RecordError::File { path: folder.clone(), error })?;
+        // Of a longer record that was here, pictures would be left among those of this one.
+        for (folder, ending) in [(folder.join("film"), "jpg"), (folder.join("frames"), "png")] {
+            files::remove_numbered(&folder, ending).map_err(|error| RecordError::File { path: folder, error })?;
+        }
         let trajectory = Trajectory::begin(&folder, &home, agent, task)?;
         let dataset = options.dataset.then(|| Dataset::begin(&folder)).transpose()?;
         let film = Film::new(&home, agent, options.width);
@@ -177,9 +183,7 @@ impl Recorder {
         self.picture("end.png", &end)?;
         self.picture("map.png", &map::of(&self.home, &self.way)?)?;
         self.picture("strip.png", &self.film.strip())?;
-        if !self.film.pictures().is_empty() {
-            self.bytes("film.png", &picture::apng(self.film.pictures(), self.film.rate())?)?;
-        }
+        let film = self.film.write(&self.folder)?;
         if let Some([eyes, corner]) = self.film.modalities() {
             self.picture("eyes.png", eyes)?;
             self.picture("corner.png", corner)?;
@@ -190,16 +194,37 @@ impl Recorder {
         if let Some(dataset) = &self.dataset {
             dataset.end(&self.home)?;
         }
-        let page = page::Page {
-            home: self.home.graph().name(),
-            task: &self.task,
-            episode,
-            actions: &self.actions,
-            has_modalities: self.film.modalities().is_some(),
-            has_belief: belief.is_some(),
-        };
+        let page = self.page(episode, film, belief.is_some());
         self.bytes("index.html", page.html().as_bytes())?;
         Ok(self.folder.join("index.html"))
+    }
+
+    /// The page about what is in the folder.
+    fn page(&self, episode: &Episode, film: Option<PageFilm>, has_belief: bool) -> Page {
+        let (title, scene, goal) = (&self.task.title, self.home.graph().name(), self.task.goal.to_string());
+        let mut page = Page::new(title, scene, &goal, episode.summary());
+        page.facts = vec![format!("{:.1} m", self.metres()), format!("{:.0} s in the home", self.time)];
+        page.actions.clone_from(&self.actions);
+        page = page.figure("map.png", "The way", "From blue to red.").figure("end.png", "The end", "");
+        if has_belief {
+            page = page.figure("belief.svg", "What it believed in the end", Page::BELIEF);
+        }
+        if self.film.modalities().is_some() {
+            page = page.figure("eyes.png", "Six modalities from the agent's eyes", SIX);
+            page = page.figure("corner.png", "Six modalities from a corner of the room", SIX);
+        }
+        page = page.file("trajectory.jsonl", "every action with time, place and digest, as JSON Lines");
+        if let Some(film) = &film {
+            let video =
+                format!("the film; `ffmpeg -framerate {} -i film/%03d.jpg film.mp4` makes a video", film.per_second);
+            page = page.file("film.gif", &video).file("film.png", "the same as animated PNG");
+        }
+        if self.dataset.is_some() {
+            page = page.file("annotations.json", "boxes and masks of `frames/` as COCO");
+            page = page.file("scene.glb", "the home in the end as glTF");
+        }
+        page.film = film;
+        page
     }
 
     fn picture(&self, name: &str, picture: &Picture) -> Result<(), RecordError> {
@@ -243,8 +268,15 @@ impl World for Recorder {
         let why = done.as_ref().err().map(ToString::to_string);
         let noted = self.trajectory.step(&self.home, agent, &words, self.time, why.as_deref());
         self.note(noted);
-        let shown = if why.is_some() { format!("{words} (could not)") } else { words };
-        self.actions.push((shown, self.time));
+        let label = |id| self.home.graph().label(id).to_string();
+        self.actions.push(PageAction {
+            agent: (self.home.agents().len() > 1).then(|| label(agent)),
+            action: words,
+            refused: why,
+            room: self.home.graph().room_of(agent).map(label),
+            seconds: Some(self.time),
+            found: Vec::new(),
+        });
         done.map_err(WorldError::from)
     }
 
@@ -263,5 +295,5 @@ fn feet(home: &Environment, agent: NodeId) -> Point2<f32> {
 }
 
 fn save(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
-    std::fs::write(path, bytes).map_err(|error| RecordError::File { path: path.to_path_buf(), error })
+    files::write(path, bytes).map_err(|error| RecordError::File { path: path.to_path_buf(), error })
 }

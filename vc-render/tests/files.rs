@@ -238,3 +238,27 @@ fn floats_of_openexr_are_read_back() {
     assert!(must.iter().all(|name| read.attributes.contains_key(*name)));
     assert_eq!(read.attributes["compression"].1, [0]);
 }
+
+/// A GIF has all pictures at their time, each in nearly its colours.
+#[test]
+fn gifs_are_read_back() {
+    use vc_render::picture::{self, Picture};
+    let mut two = Picture::new(40, 30, [30, 60, 200]);
+    two.paste(&Picture::new(12, 12, [240, 230, 20]), 8, 8);
+    let pictures = [Picture::new(40, 30, [200, 30, 60]), two];
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let file = picture::gif(&pictures, 20).unwrap();
+    let mut decoder = options.read_info(file.as_slice()).unwrap();
+    for picture in &pictures {
+        let frame = decoder.read_next_frame().unwrap().unwrap();
+        assert_eq!((frame.delay, frame.width, frame.height), (5, 40, 30));
+        let near = |(now, was): (&[u8], &[u8; 3])| (0..3).all(|c| now[c].abs_diff(was[c]) <= 4);
+        assert!(frame.buffer.chunks(4).zip(&picture.pixels).all(near));
+    }
+    assert!(decoder.read_next_frame().unwrap().is_none());
+    let other = Picture::new(4, 4, [0; 3]);
+    assert!(picture::gif(&[pictures[0].clone(), other], 20).is_err());
+    assert!(picture::gif(&[Picture::new(70_000, 1, [0; 3])], 20).is_err());
+    assert!(picture::jpeg(&Picture::new(70_000, 1, [0; 3]), 90).is_err());
+}

@@ -1,4 +1,4 @@
-//! Buffers as pictures that people can look at, and PNG files of them.
+//! Buffers as pictures that people can look at, and files of them: PNG, animated PNG, GIF, JPEG.
 //!
 //! All are linear in the pixels, mostly a few operations each; a picture takes three bytes a pixel. Where a frame lacks
 //! what is to be shown, it is black.
@@ -43,4 +43,4 @@ mod encode;
 
 pub use canvas::Picture;
 pub use colours::{Palette, classes, depth, flow, instances, masks, normals, parts, rgb, with_boxes};
-pub use encode::{apng, png};
+pub use encode::{apng, gif, jpeg, png};
