@@ -127,8 +127,7 @@ impl<'a> Source<'_, 'a, '_> {
     fn run(&self, view: usize, offset: usize, count: usize, size: usize) -> Result<Run<'a>, GltfError> {
         let view = self.document.buffer_views.get(view).ok_or(GltfError::missing("buffer view", view))?;
         let bytes = range(self.buffers.get(view.buffer)?, view.byte_offset, Some(view.byte_length));
-        let bytes =
-            bytes.and_then(|b| range(b, offset, None)).ok_or_else(|| self.bad("reaches beyond its buffer"))?;
+        let bytes = bytes.and_then(|b| range(b, offset, None)).ok_or_else(|| self.bad("reaches beyond its buffer"))?;
         let stride = view.byte_stride.unwrap_or(size);
         let needed = (count.saturating_sub(1)).checked_mul(stride).and_then(|n| n.checked_add(size));
         if stride < size || count == 0 || needed.is_none_or(|needed| needed > bytes.len()) {

@@ -44,7 +44,8 @@ impl Decoder {
         let own = [&image.name, image.uri.as_ref().filter(|u| !u.starts_with("data:")).unwrap_or(&image.name)];
         let name = own.into_iter().find(|n| !n.is_empty()).cloned().unwrap_or_else(|| format!("image_{index}"));
         let refuse = |reason: String| GltfError::BadImage { name: name.clone(), reason };
-        let bytes = bytes(document, buffers, image)?.ok_or_else(|| refuse("is not in the file: export as .glb".into()))?;
+        let bytes =
+            bytes(document, buffers, image)?.ok_or_else(|| refuse("is not in the file: export as .glb".into()))?;
         let (width, height, pixels) = self.pixels(&bytes).map_err(refuse)?;
         self.left -= pixels.len();
         Ok(Arc::new(Texture { name: name.into(), width: width as u32, height: height as u32, pixels }))
@@ -100,11 +101,7 @@ impl Decoder {
 }
 
 /// The bytes of a picture; none if they are in another file.
-fn bytes<'a>(
-    document: &Document,
-    buffers: &'a Buffers<'_>,
-    image: &Image,
-) -> Result<Option<Cow<'a, [u8]>>, GltfError> {
+fn bytes<'a>(document: &Document, buffers: &'a Buffers<'_>, image: &Image) -> Result<Option<Cow<'a, [u8]>>, GltfError> {
     match image.buffer_view {
         Some(view) => Ok(Some(slice(document, buffers, view)?.into())),
         None => Ok(image.uri.as_deref().and_then(inline).map(Cow::Owned)),
