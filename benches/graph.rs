@@ -16,7 +16,7 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use nalgebra::{Isometry3, Point3};
 use vc_graph::format::virtualhome::EnvironmentGraph;
 use vc_graph::format::{native, read_scene, virtualhome};
-use vc_graph::{Action, ClassTable, Draft, NodeId, SceneBuilder, SceneGraph, Scope, Verb, rule};
+use vc_graph::{Action, ClassTable, Draft, NodeId, SceneBuilder, SceneGraph, Scope, Verb, Word, rule};
 
 fn scene() -> SceneGraph {
     let bundled = include_str!("../examples/data/apartment.json").to_owned();

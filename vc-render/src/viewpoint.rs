@@ -127,7 +127,7 @@ fn targets(eye: Point3<f32>, middle: Point3<f32>) -> [[f32; 2]; 4] {
 /// Things of the room that are seen, more where a window is, and how much of it is far, less what stands in the way.
 fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let mine = |n: &NodeId| snapshot.body_of(*n).is_some_and(|body| body.room == room);
-    let class = |n: &NodeId| snapshot.body_of(*n).and_then(|body| snapshot.classes.get(usize::from(body.class)));
+    let class = |n: &NodeId| snapshot.body_of(*n).and_then(|body| snapshot.class(body.class));
     let mut seen: Vec<NodeId> = frame.instance.iter().copied().filter(mine).collect();
     let pixels = frame.depth.len() as f32;
     let foreign = (frame.instance.len() - seen.len()) as f32 / pixels;

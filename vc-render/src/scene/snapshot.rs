@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use vc_graph::asset::Joint;
-use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State};
+use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State, Word};
 
 use super::body::{Poured, Tied};
 use super::cover::{Around, hang};
@@ -50,7 +50,8 @@ use crate::surface::Coat;
 pub struct Snapshot {
     pub(crate) bodies: Vec<Body>,
     pub(crate) instances: Vec<Instance>,
-    pub(crate) classes: Arc<Vec<Arc<str>>>,
+    /// Names of classes, each with its category.
+    pub(crate) classes: Arc<Vec<(Arc<str>, Arc<str>)>>,
     pub(crate) rooms: Arc<Vec<NodeId>>,
     /// Boxes around rooms, where the graph knows them.
     pub(crate) bounds: Arc<Vec<Option<Aabb>>>,
@@ -136,7 +137,12 @@ impl Snapshot {
     /// The name of a class number, as [`Frame::class`](crate::Frame::class) has them; none of a number that is no
     /// class's.
     pub fn class(&self, number: u16) -> Option<&Arc<str>> {
-        self.classes.get(usize::from(number))
+        self.classes.get(usize::from(number)).map(|(name, _)| name)
+    }
+
+    /// The category of a class number, `furniture`: [`Node::spec`](vc_graph::Node::spec) has it.
+    pub fn category(&self, number: u16) -> Option<&Arc<str>> {
+        self.classes.get(usize::from(number)).map(|(_, category)| category)
     }
 
     /// Nodes that have a body, in order.
@@ -257,26 +263,29 @@ fn closed(joint: &Joint) -> f32 {
 /// Numbers of classes: those of the scene's class table, then classes it does not
 /// know in the order of their names.
 struct Classes {
-    names: Vec<Arc<str>>,
+    /// Each with its category.
+    names: Vec<(Arc<str>, Arc<str>)>,
     numbers: HashMap<Arc<str>, u16>,
 }
 
 impl Classes {
     fn of(graph: &SceneGraph) -> Result<Self, RenderError> {
-        let mut names: Vec<Arc<str>> = graph.classes().iter().map(|c| c.name.clone()).collect();
-        let mut numbers: HashMap<Arc<str>, u16> = names.iter().cloned().zip(0..).collect();
-        let mut others: Vec<Arc<str>> =
-            graph.nodes().map(|n| n.class().clone()).filter(|c| !numbers.contains_key(c)).collect();
+        let known = |c: &vc_graph::class::Class| (c.name.clone(), c.category.as_str().into());
+        let mut names: Vec<(Arc<str>, Arc<str>)> = graph.classes().iter().map(known).collect();
+        let mut numbers: HashMap<Arc<str>, u16> = names.iter().map(|(name, _)| name.clone()).zip(0..).collect();
+        let unknown = graph.nodes().filter(|n| !numbers.contains_key(n.class()));
+        let mut others: Vec<(Arc<str>, Arc<str>)> =
+            unknown.map(|n| (n.class().clone(), n.spec().category.clone())).collect();
         others.sort_unstable();
-        others.dedup();
+        others.dedup_by(|a, b| a.0 == b.0);
         let classes = names.len() + others.len();
         // The last number says that there is no class.
         if classes > usize::from(u16::MAX) {
             return Err(RenderError::TooManyClasses { classes });
         }
-        for name in others {
+        for (name, category) in others {
             numbers.insert(name.clone(), names.len() as u16);
-            names.push(name);
+            names.push((name, category));
         }
         Ok(Self { names, numbers })
     }
