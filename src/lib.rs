@@ -57,8 +57,11 @@
 //! | [`check_environment`] | the contract they keep, as a test |
 //! | [`Viewpoint`] | where a camera is |
 //! | [`Recorder`] | an episode as a folder: trajectory, film, map, page, COCO and glTF |
+//! | [`Dataset`] | pictures of many homes as one COCO data set |
 //! | [`Page`] | an episode in any world as an HTML page |
 //! | [`files`] | files that are read packed or not and up to a limit, and written whole or not at all |
+//!
+//! [`guide`] has recipes for the first day.
 //!
 //! # What is not here
 //!
@@ -87,22 +90,31 @@ pub use batch::Batch;
 pub use check::{Breach, Tally, check_environment, legal_action, random_action, run};
 #[cfg(feature = "environment")]
 pub use environment::{
-    ActionError, Assets, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError, ResetError,
-    ResetReport, SaveError, SceneOptions, Steering, Unplaced, Why,
+    ActionError, AlterError, Assets, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError,
+    ResetError, ResetReport, SaveError, SceneOptions, Spot, Steering, Unplaced, Why,
 };
 pub use files::{FileError, FileProblem, read_bytes, read_text};
 pub use page::{Page, PageAction, PageFigure, PageFilm};
 #[cfg(all(feature = "environment", feature = "render"))]
-pub use record::{RecordError, RecordOptions, Recorder};
+pub use record::{Dataset, RecordError, RecordOptions, Recorder};
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use sight::{PictureOptions, Viewpoint};
 
+#[cfg(all(feature = "environment", feature = "render"))]
+pub mod guide;
 #[cfg(feature = "procgen")]
 pub mod initial;
+
+/// The programs of the README.
+#[cfg(all(doctest, feature = "environment", feature = "render"))]
+#[doc = include_str!("../README.md")]
+mod readme {}
 
 #[cfg(feature = "environment")]
 pub use vc_geometry as geometry;
 pub use vc_graph as graph;
+/// Vectors, points and poses, as all of this uses them.
+pub use vc_graph::nalgebra;
 #[cfg(feature = "physics")]
 pub use vc_physics as physics;
 pub use vc_planner as planner;

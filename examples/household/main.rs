@@ -13,6 +13,7 @@
 //! `trajectory.jsonl` and a page with belief and log.
 //! `--list` shows what can be asked of the home or scene.
 
+mod choose;
 mod physical;
 #[path = "../support/mod.rs"]
 mod support;

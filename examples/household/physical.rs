@@ -3,19 +3,21 @@
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use vc_graph::goal::Situation;
-use vc_graph::{Action, ChangeSet, History, NodeId, Property, SceneGraph};
-use vc_planner::{Episode, Policy, Run, Step, Team, objects_of_interest};
+use vc_graph::{Action, ChangeSet, History, Label, NodeId, Property, SceneGraph};
+use vc_planner::{Policy, Run, Step, Summary, Team, objects_of_interest};
 use vc_tasks::{Outcome, Task, World, WorldError};
 use virtualcity::render::Daylight;
 use virtualcity::{Environment, RecordOptions, Recorder};
 
+use crate::choose::choose;
 use crate::support::{Complaint, say};
-use crate::symbolic::{self, summary};
+use crate::symbolic;
 use crate::{Options, Who};
 
 /// Most things of a picture of a belief.
 const BELIEVED: usize = 16;
+/// Most new things of an action that are named.
+const NAMED: usize = 3;
 
 /// Makes the home, lets the agent act, and writes the folder.
 pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
@@ -33,7 +35,7 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
         symbolic::list(home.graph(), me);
         return Ok(());
     }
-    let task = choose(options, &home)?;
+    let task = choose(options, &home, me)?;
     say!("home   {name}: {} rooms, {} nodes", home.graph().rooms().len(), home.graph().len());
     say!("agent  {} in {}", home.graph().label(me), room(&home, me));
     say!("task   {}: {}\n", task.title, task.goal);
@@ -49,50 +51,20 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     let (metres, seconds) = (recorder.metres(), recorder.seconds());
     let same = leads_there(first, recorder.environment())?;
     let belief = belief(recorder.environment().graph(), &task, policy.as_ref());
-    let page = recorder.finish(&episode, belief.as_deref()).map_err(Complaint::new)?;
+    let page = recorder.finish(episode.clone(), belief.as_deref()).map_err(Complaint::new)?;
     say!(
-        "\n{:?}: {} actions, {metres:.1} m, {seconds:.0} s in the home, {:.0}% of the goal holds; {:.1} s here",
+        "\n{:?}: {} actions, {metres:.1} m, {seconds:.0} s in the home, {:.0}% of the goal holds",
         episode.outcome,
         episode.steps,
-        100.0 * episode.score,
-        start.elapsed().as_secs_f32()
+        100.0 * episode.score
     );
     say!("done again from the beginning: the home is {}", if same { "the same" } else { "ANOTHER" });
-    say!("look at {}", page.display());
+    say!("look at {}, made in {:.1} s", page.display(), start.elapsed().as_secs_f32());
     match (episode.outcome, episode.reason) {
         (Outcome::Won, _) if same => Ok(()),
         (Outcome::Won, _) => Err(Complaint::new("the same actions do not lead to the same home")),
         (_, reason) => Err(Complaint::new(reason.unwrap_or_else(|| "the goal was not reached".into()))),
     }
-}
-
-/// The task asked for, or the first of the library that makes sense in the home and is not
-/// done already.
-fn choose(options: &Options, home: &Environment) -> Result<Task, Complaint> {
-    if let Some(goal) = &options.goal {
-        let task =
-            Task { title: "as told".into(), goal: goal.parse().map_err(Complaint::new)?, step_limit: options.steps };
-        let obstacles: Vec<String> = task.obstacles(home.graph()).iter().map(ToString::to_string).collect();
-        return match obstacles.is_empty() {
-            true => Ok(task),
-            false => Err(Complaint::new(format!("this goal makes no sense here:\n  {}", obstacles.join("\n  ")))),
-        };
-    }
-    let me = home.agents()[0];
-    let open = |t: &Task| {
-        let now = Situation::new(home.graph(), me, home.history());
-        t.obstacles(home.graph()).is_empty() && !t.goal.holds(&now)
-    };
-    let wanted = |t: &Task| options.task.as_ref().is_none_or(|title| t.title.starts_with(title.as_str()));
-    let all = vc_tasks::household();
-    // Of several the one with most to do, so that there is something to see.
-    let fitting = all.iter().filter(|t| wanted(t) && open(t));
-    let long = |t: &&Task| t.goal.to_string().len();
-    let task = fitting.max_by_key(long).ok_or_else(|| {
-        let titles: Vec<&str> = all.iter().filter(|t| open(t)).map(|t| t.title.as_str()).collect();
-        Complaint::new(format!("no such task makes sense in this home; these do: {}", titles.join(", ")))
-    })?;
-    Ok(Task { step_limit: options.steps, ..task.clone() })
 }
 
 fn room(home: &Environment, id: NodeId) -> String {
@@ -113,16 +85,18 @@ fn act(
     task: &Task,
     policy: &mut dyn Policy,
     recorder: &mut Recorder,
-) -> Result<Episode, Complaint> {
+) -> Result<Summary, Complaint> {
     let bar = bar(options)?;
     let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
+    let mut lines = Lines::of(recorder.graph());
     let episode = run.episode(policy, task, recorder, &mut |step| {
         bar.inc(1);
         bar.set_message(step.described.clone());
-        bar.suspend(|| say!("{}", line(step)));
+        bar.suspend(|| lines.next(step));
     });
     bar.finish_and_clear();
-    Ok(episode)
+    lines.end(recorder.environment(), me);
+    Ok(episode.summary())
 }
 
 /// The agents as a team, where there are several and they plan.
@@ -137,13 +111,11 @@ fn team(options: &Options, home: &Environment, task: &Task) -> Option<Team> {
 }
 
 /// Lets a team act until it stops, and says what each does.
-fn act_together(options: &Options, mut team: Team, task: &Task, recorder: &mut Recorder) -> Result<Episode, Complaint> {
+fn act_together(options: &Options, mut team: Team, task: &Task, recorder: &mut Recorder) -> Result<Summary, Complaint> {
     let bar = bar(options)?;
     let done = team.run(task, &mut Told { recorder: &mut *recorder, bar: &bar });
     bar.finish_and_clear();
-    let reason = (done.outcome != Outcome::Won).then(|| "none of the agents knows what else to do".to_owned());
-    let digest = recorder.graph().digest();
-    Ok(Episode { outcome: done.outcome, score: done.score, steps: done.actions, reason, digest })
+    Ok(Summary::from(&done))
 }
 
 /// A world that says what is done in it.
@@ -192,9 +164,48 @@ pub(crate) fn belief(graph: &SceneGraph, task: &Task, policy: &dyn Policy) -> Op
     policy.belief().filter(|_| !things.is_empty()).map(|b| b.to_svg(&things))
 }
 
-fn line(step: &Step) -> String {
-    let news = if step.found.is_empty() { String::new() } else { format!("; new: {}", summary(&step.found)) };
+/// Says of each action where it led and what was seen then for the first time, which is known when
+/// the next one begins.
+struct Lines {
+    graph: SceneGraph,
+    waiting: Option<Step>,
+}
+
+impl Lines {
+    fn of(graph: &SceneGraph) -> Self {
+        Self { graph: graph.clone(), waiting: None }
+    }
+
+    fn next(&mut self, step: &Step) {
+        let news = self.news(&step.found);
+        match self.waiting.replace(step.clone()) {
+            Some(done) => say!("{}", line(&done, step.room.as_deref(), &news)),
+            None => say!("  0  {:<42} in {}{news}", "look around", step.room.as_deref().unwrap_or("no room")),
+        }
+    }
+
+    fn end(self, home: &Environment, me: NodeId) {
+        if let Some(done) = self.waiting {
+            say!("{}", line(&done, Some(&room(home, me)), ""));
+        }
+    }
+
+    /// What is new, first what can be taken.
+    fn news(&self, found: &[String]) -> String {
+        let is_small = |label: &Label| self.graph.node(label.id).is_some_and(|n| n.affords(Property::Graspable));
+        let mut labels: Vec<Label> = found.iter().filter_map(|text| text.parse().ok()).collect();
+        labels.sort_by_key(|label| !is_small(label));
+        let mut named: Vec<String> = labels.iter().take(NAMED).map(ToString::to_string).collect();
+        match labels.len() {
+            0 => return String::new(),
+            all if all > NAMED => named.push(format!("{} more", all - NAMED)),
+            _ => {}
+        }
+        format!("; new: {}", named.join(", "))
+    }
+}
+
+fn line(step: &Step, room: Option<&str>, news: &str) -> String {
     let why = step.refused.as_ref().map(|why| format!("\n     {why}")).unwrap_or_default();
-    let room = step.room.as_deref().unwrap_or("no room");
-    format!("{:>3}  {:<34} in {room}{news}{why}", step.step, step.described)
+    format!("{:>3}  {:<42} in {}{news}{why}", step.step, step.described, room.unwrap_or("no room"))
 }

@@ -6,12 +6,13 @@ use std::sync::Arc;
 
 use vc_graph::format::read_scene;
 use vc_graph::goal::Situation;
-use vc_graph::{Action, ClassTable, Goal, Kind, NodeId, SceneGraph, Simulator, Verb, Word};
+use vc_graph::{Action, ClassTable, Kind, NodeId, SceneGraph, Simulator, Verb, Word};
 use vc_planner::{Episode, Header, Run, Step, Trajectory};
 use vc_tasks::{Outcome, Task};
 use virtualcity::Page;
 
 use crate::Options;
+use crate::choose::{choose, told};
 use crate::physical;
 use crate::support::{self, Complaint, say};
 
@@ -33,12 +34,11 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
         list(&scene, me);
         return Ok(());
     }
-    let goal: Goal = options.goal.as_deref().unwrap_or(GOAL).parse().map_err(Complaint::new)?;
-    let task = Task { title: "household".into(), goal, step_limit: options.steps };
-    let obstacles: Vec<String> = task.obstacles(&scene).iter().map(ToString::to_string).collect();
-    if !obstacles.is_empty() {
-        return Err(Complaint::new(format!("this goal makes no sense here:\n  {}", obstacles.join("\n  "))));
-    }
+    let world = Simulator::new(scene.clone());
+    let task = match (&options.goal, &options.task) {
+        (None, None) => told(options, GOAL, &world)?,
+        _ => choose(options, &world, me)?,
+    };
     run(options, &scene, me, &task)
 }
 
@@ -53,7 +53,7 @@ fn classes(own: Option<&Path>) -> Result<Arc<ClassTable>, Complaint> {
 fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result<(), Complaint> {
     say!("scene  {}: {} rooms, {} nodes", scene.name(), scene.rooms().len(), scene.len());
     say!("agent  {} in {}", scene.label(me), room(scene, me));
-    say!("goal   {}\n", task.goal);
+    say!("task   {}: {}\n", task.title, task.goal);
     let mut policy = options.policy.policy();
     let mut world = Simulator::new(scene.clone());
     let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
@@ -104,7 +104,7 @@ fn show(step: &Step) {
 }
 
 /// The first few of a list, and how many more there are.
-pub(crate) fn summary(items: &[String]) -> String {
+fn summary(items: &[String]) -> String {
     const SHOWN: usize = 8;
     match items.len() {
         0 => "nothing new".into(),

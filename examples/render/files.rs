@@ -27,8 +27,8 @@ pub(crate) fn all(
     let picture = name.with_extension("png");
     let picture = picture.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let mut coco = format::Coco::default();
-    coco.add(picture.clone(), frame).map_err(Complaint::new)?;
-    let coco = coco.document(snapshot).map_err(Complaint::new)?;
+    coco.add(picture.clone(), frame, snapshot).map_err(Complaint::new)?;
+    let coco = coco.document().map_err(Complaint::new)?;
     write(name, "coco.json", coco.as_bytes())?;
     let stage = Stage { cameras: vec![seen(camera)], lights: lights(scene, lighting) };
     write(name, "glb", &staged_scene(&lit(scene, lighting)?, &stage).map_err(Complaint::new)?)

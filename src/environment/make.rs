@@ -261,20 +261,20 @@ fn at(pose: &Pose) -> Point2<f32> {
 }
 
 /// The free floor nearest to the middle of a room, in the room.
-fn middle(graph: &SceneGraph, floor: &Floor, room: NodeId) -> Option<(NodeId, Point2<f32>)> {
+pub(super) fn middle(graph: &SceneGraph, floor: &Floor, room: NodeId) -> Option<(NodeId, Point2<f32>)> {
     let centre = graph.node(room)?.aabb()?.centre().xy();
     let spot = floor.nearest(centre, ASTRAY)?;
     is_in(graph, room, &spot).then_some((room, spot))
 }
 
 /// Whether a point of the floor is in a room's box.
-fn is_in(graph: &SceneGraph, room: NodeId, point: &Point2<f32>) -> bool {
+pub(super) fn is_in(graph: &SceneGraph, room: NodeId, point: &Point2<f32>) -> bool {
     let aabb = graph.node(room).and_then(vc_graph::Node::aabb);
     aabb.is_some_and(|b| (b.min.x..=b.max.x).contains(&point.x) && (b.min.y..=b.max.y).contains(&point.y))
 }
 
 /// Points on a square ring around a point, so many half-metres away.
-fn around(middle: &Point2<f32>, ring: i32) -> impl Iterator<Item = Point2<f32>> + use<> {
+pub(super) fn around(middle: &Point2<f32>, ring: i32) -> impl Iterator<Item = Point2<f32>> + use<> {
     let middle = *middle;
     let all = (-ring..=ring).flat_map(move |x| (-ring..=ring).map(move |y| (x, y)));
     let own = all.filter(move |(x, y)| x.abs().max(y.abs()) == ring);

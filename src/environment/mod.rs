@@ -2,6 +2,7 @@
 
 mod act;
 mod agree;
+mod alter;
 mod beat;
 mod boxes;
 mod deed;
@@ -15,6 +16,7 @@ mod save;
 mod scene;
 mod show;
 mod steer;
+mod survey;
 mod undo;
 
 use std::sync::Arc;
@@ -25,6 +27,7 @@ use vc_physics::{Floor, Posture, Shapes, World};
 use vc_relations::Relations;
 
 pub use agree::{Difference, Disagreement};
+pub use alter::{AlterError, Spot};
 pub use error::{ActionError, Impossible, MakeError, ResetError, SaveError};
 #[cfg(feature = "render")]
 pub(crate) use export::position;
@@ -48,6 +51,10 @@ const WAIST: f32 = 0.9;
 /// | [`observation`](Self::observation) | `SceneGraph::observe` |
 /// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::follow`, `Renderer::render` |
 /// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::stand`, `World::grab_with`, `World::free_spot_at`, `World::put`, `World::drive` ..., then `Relations::update_with` |
+///
+/// Before one acts: [`legal_actions`](Self::legal_actions), [`objects`](Self::objects),
+/// [`occupancy`](Self::occupancy). To arrange a home: [`spawn`](Self::spawn), [`put`](Self::put),
+/// [`teleport`](Self::teleport).
 ///
 /// `Clone` is the snapshot: what is constant is shared, and a clone goes on as the
 /// original does, bit for bit.

@@ -14,7 +14,7 @@ use super::{Environment, ResetError, act, boxes, observe, scene};
 const HOVER: f32 = 0.02;
 /// Where things without a pose are until they have a place, metres: so high, and so far from each
 /// other.
-const BELOW: f32 = -200.0;
+pub(super) const BELOW: f32 = -200.0;
 const APART: f32 = 5.0;
 
 /// What a reset did.
@@ -285,12 +285,12 @@ impl Plan {
 }
 
 /// Puts one thing, which has a pose of its own or not, where there is room for it.
-fn settle_place(
+pub(super) fn settle_place(
     world: &mut World,
     graph: &SceneGraph,
     (id, posed): (NodeId, bool),
     place: Option<Place>,
-) -> Result<Result<(), Why>, ResetError> {
+) -> Result<Result<(), Why>, PhysicsError> {
     let Some(pose) = world.pose(id) else { return Ok(Err(Why::NoShape)) };
     if posed && is_at_rest(world, id, &pose)? {
         return Ok(Ok(()));
@@ -311,7 +311,7 @@ fn settle_place(
 }
 
 /// Whether a thing overlaps nothing at a pose and something is right below it.
-fn is_at_rest(world: &World, id: NodeId, pose: &Pose) -> Result<bool, ResetError> {
+fn is_at_rest(world: &World, id: NodeId, pose: &Pose) -> Result<bool, PhysicsError> {
     let below = Pose::translation(0.0, 0.0, -HOVER) * pose;
     Ok(world.overlaps(id, pose)?.is_empty() && !world.overlaps(id, &below)?.is_empty())
 }

@@ -126,10 +126,7 @@ impl Film {
         }
         // However long the episode is, and however few pictures its film has.
         match dataset.filter(|_| self.ticks.is_multiple_of(EVERY)) {
-            Some(dataset) => {
-                let eyes = Viewpoint::Agent(self.me);
-                dataset.add(&home.render(eyes, Dataset::wanted(), self.size.0, self.size.1)?)
-            }
+            Some(dataset) => dataset.add(home, Viewpoint::Agent(self.me), self.size.0, self.size.1),
             None => Ok(()),
         }
     }

@@ -1,4 +1,4 @@
-//! The home from above, and the way the agent went.
+//! The home from above, and the ways the agents went.
 
 use nalgebra::{Point2, Point3};
 use vc_render::picture::{self, Picture};
@@ -8,24 +8,33 @@ use crate::{Environment, Viewpoint};
 
 /// Size of the map, pixels.
 const SIZE: (u32, u32) = (960, 720);
-/// Colours of the way from its beginning to its end.
-const WAY: [[f32; 3]; 2] = [[40.0, 110.0, 255.0], [255.0, 60.0, 30.0]];
+/// Colours of a way from its beginning to its end: the first agent's, the second's, and so on from the first again.
+const WAYS: [[[f32; 3]; 2]; 3] = [
+    [[40.0, 110.0, 255.0], [255.0, 60.0, 30.0]],
+    [[30.0, 170.0, 90.0], [250.0, 210.0, 40.0]],
+    [[120.0, 60.0, 200.0], [255.0, 130.0, 220.0]],
+];
 /// Half of the width of the way, pixels.
 const WIDE: f32 = 2.4;
 /// Distance of the points of which the way is drawn, metres.
 const FINE: f32 = 0.005;
 
-pub(super) fn of(home: &Environment, way: &[Point2<f32>]) -> Result<Picture, RenderError> {
+pub(super) fn of(home: &Environment, ways: &[Vec<Point2<f32>>]) -> Result<Picture, RenderError> {
     let frame = home.render(Viewpoint::Overhead, Modality::Rgb, SIZE.0, SIZE.1)?;
     let camera = home.camera(Viewpoint::Overhead, SIZE.0, SIZE.1)?;
     let mut picture = picture::rgb(&frame);
-    let (count, level) = (way.len().max(1) as f32, home.floor().plan().level);
-    for (i, pair) in way.windows(2).enumerate() {
-        let share = i as f32 / count;
-        let colour = [0, 1, 2].map(|c: usize| (WAY[0][c] * (1.0 - share) + WAY[1][c] * share) as u8);
-        line(&mut picture, &camera, (pair[0], pair[1]), level, colour);
+    let level = home.floor().plan().level;
+    for (way, colours) in ways.iter().zip(WAYS.iter().cycle()) {
+        let count = way.len().max(1) as f32;
+        for (i, pair) in way.windows(2).enumerate() {
+            line(&mut picture, &camera, (pair[0], pair[1]), level, between(colours, i as f32 / count));
+        }
     }
     Ok(picture)
+}
+
+fn between(colours: &[[f32; 3]; 2], share: f32) -> [u8; 3] {
+    [0, 1, 2].map(|c: usize| (colours[0][c] * (1.0 - share) + colours[1][c] * share) as u8)
 }
 
 fn line(picture: &mut Picture, camera: &Camera, (a, b): (Point2<f32>, Point2<f32>), level: f32, colour: [u8; 3]) {

@@ -10,13 +10,13 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Point2;
 use vc_graph::{Action, ChangeSet, History, NodeId, SceneGraph};
-use vc_planner::Episode;
+use vc_planner::Summary;
 use vc_render::picture::{self, Picture};
 use vc_render::{Daylight, RenderError};
 use vc_tasks::{Task, World, WorldError};
 
 use crate::{Environment, Page, PageAction, PageFilm, PictureOptions, files};
-use dataset::Dataset;
+pub use dataset::Dataset;
 use film::Film;
 use trajectory::Trajectory;
 
@@ -35,7 +35,7 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// | `trajectory.jsonl` | a line about the run, one for each action that was tried, one about its end |
 /// | `film/` | the film's pictures as JPEG, which the page plays and others' tools make a video of: from the agent's eyes and from a corner of the room |
 /// | `film.gif`, `film.png` | the film in half its size at twice the speed, as GIF and as animated PNG |
-/// | `map.png` | the home from above, and the way the agent went |
+/// | `map.png` | the home from above, and the ways the agents went |
 /// | `strip.png` | a picture of each action, eight at most |
 /// | `eyes.png`, `corner.png` | the six modalities at the moment that tells most |
 /// | `end.png` | the end |
@@ -63,13 +63,13 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// some twenty milliseconds. The same run writes the same files. Each file is written whole or not at all.
 pub struct Recorder {
     home: Environment,
-    agent: NodeId,
     task: Task,
     folder: PathBuf,
     film: Film,
     dataset: Option<Dataset>,
     trajectory: Trajectory,
-    way: Vec<Point2<f32>>,
+    /// Everybody's way, in the order of the agents.
+    ways: Vec<Vec<Point2<f32>>>,
     /// The home's time, seconds.
     time: f64,
     actions: Vec<PageAction>,
@@ -161,12 +161,12 @@ impl Recorder {
             files::remove_numbered(&folder, ending).map_err(|error| RecordError::File { path: folder, error })?;
         }
         let trajectory = Trajectory::begin(&folder, &home, agent, task)?;
-        let dataset = options.dataset.then(|| Dataset::begin(&folder)).transpose()?;
+        let dataset = options.dataset.then(|| Dataset::create(&folder)).transpose()?;
         let film = Film::new(&home, agent, options.width);
-        let way = vec![feet(&home, agent)];
+        let ways = home.agents().iter().map(|agent| vec![feet(&home, *agent)]).collect();
         let task = task.clone();
         let (actions, failed) = (Vec::new(), None);
-        Ok(Self { home, agent, task, folder, film, dataset, trajectory, way, time: 0.0, actions, failed })
+        Ok(Self { home, task, folder, film, dataset, trajectory, ways, time: 0.0, actions, failed })
     }
 
     /// The environment as it is.
@@ -174,9 +174,10 @@ impl Recorder {
         &self.home
     }
 
-    /// How far the agent has gone, metres.
+    /// How far the agents have gone, metres, all together.
     pub fn metres(&self) -> f32 {
-        self.way.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
+        let length = |way: &Vec<Point2<f32>>| -> f32 { way.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum() };
+        self.ways.iter().map(length).sum()
     }
 
     /// The home's time, seconds.
@@ -186,18 +187,20 @@ impl Recorder {
 
     /// Writes what is made at the end, `belief` (an SVG, as
     /// [`Belief::to_svg`](vc_planner::Belief::to_svg) draws it) among it, and gives where the page
-    /// is that shows all.
+    /// is that shows all. How it ended is an [`Episode`](vc_planner::Episode)'s summary or a
+    /// [`TeamEpisode`](vc_planner::TeamEpisode)'s.
     ///
     /// # Errors
     /// [`RecordError`], the first that there was.
-    pub fn finish(mut self, episode: &Episode, belief: Option<&str>) -> Result<PathBuf, RecordError> {
+    pub fn finish(mut self, end: impl Into<Summary>, belief: Option<&str>) -> Result<PathBuf, RecordError> {
+        let summary: Summary = end.into();
         if let Some(error) = self.failed.take() {
             return Err(error);
         }
-        self.trajectory.end(episode)?;
+        self.trajectory.end(&summary)?;
         let end = self.film.end(&self.home)?;
         self.picture("end.png", &end)?;
-        self.picture("map.png", &map::of(&self.home, &self.way)?)?;
+        self.picture("map.png", &map::of(&self.home, &self.ways)?)?;
         self.picture("strip.png", &self.film.strip())?;
         let film = self.film.write(&self.folder)?;
         if let Some([eyes, corner]) = self.film.modalities() {
@@ -207,21 +210,23 @@ impl Recorder {
         if let Some(belief) = belief {
             self.bytes("belief.svg", belief.as_bytes())?;
         }
-        if let Some(dataset) = &self.dataset {
-            dataset.end(&self.home)?;
+        let page = self.page(summary, film, belief.is_some());
+        if let Some(dataset) = self.dataset.take() {
+            dataset.finish()?;
+            self.bytes("scene.glb", &self.home.gltf()?)?;
         }
-        let page = self.page(episode, film, belief.is_some());
         self.bytes("index.html", page.html().as_bytes())?;
         Ok(self.folder.join("index.html"))
     }
 
     /// The page about what is in the folder.
-    fn page(&self, episode: &Episode, film: Option<PageFilm>, has_belief: bool) -> Page {
+    fn page(&self, summary: Summary, film: Option<PageFilm>, has_belief: bool) -> Page {
         let (title, scene, goal) = (&self.task.title, self.home.graph().name(), self.task.goal.to_string());
-        let mut page = Page::new(title, scene, &goal, episode.summary());
+        let mut page = Page::new(title, scene, &goal, summary);
+        let way = if self.ways.len() > 1 { "The first agent's from blue to red." } else { "From blue to red." };
         page.facts = vec![format!("{:.1} m", self.metres()), format!("{:.0} s in the home", self.time)];
         page.actions.clone_from(&self.actions);
-        page = page.figure("map.png", "The way", "From blue to red.").figure("end.png", "The end", "");
+        page = page.figure("map.png", "The way", way).figure("end.png", "The end", "");
         if has_belief {
             page = page.figure("belief.svg", "What it believed in the end", Page::BELIEF);
         }
@@ -273,14 +278,14 @@ impl World for Recorder {
         let (mut ticks, mut failed) = (0_u32, None);
         let done = self.home.set_action_in_time(agent, *action, |now| {
             ticks += 1;
-            self.way.push(feet(now, self.agent));
+            go_on(&mut self.ways, now);
             if failed.is_none() {
                 failed = self.film.tick(now, self.dataset.as_mut()).err();
             }
         });
         self.note(failed.map_or(Ok(()), Err));
         self.time += f64::from(ticks) * f64::from(self.home.world().settings().dt);
-        self.way.push(feet(&self.home, self.agent));
+        go_on(&mut self.ways, &self.home);
         let why = done.as_ref().err().map(ToString::to_string);
         let noted = self.trajectory.step(&self.home, agent, &words, self.time, why.as_deref());
         self.note(noted);
@@ -303,6 +308,11 @@ impl World for Recorder {
         self.note(noted);
         Ok(())
     }
+}
+
+/// Everybody has come to where they are.
+fn go_on(ways: &mut [Vec<Point2<f32>>], home: &Environment) {
+    ways.iter_mut().zip(home.agents()).for_each(|(way, agent)| way.push(feet(home, *agent)));
 }
 
 /// Where an agent's feet are.

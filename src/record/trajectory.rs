@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 use vc_graph::NodeId;
-use vc_planner::Episode;
+use vc_planner::Summary;
 use vc_tasks::Task;
 
 use super::RecordError;
@@ -56,8 +56,8 @@ impl Trajectory {
         self.line(&json!({ "reset": home.graph().name(), "digest": home.digest().to_string() }))
     }
 
-    pub(super) fn end(&mut self, episode: &Episode) -> Result<(), RecordError> {
-        self.line(&json!(episode.summary()))
+    pub(super) fn end(&mut self, summary: &Summary) -> Result<(), RecordError> {
+        self.line(&json!(summary))
     }
 
     /// Each line is on the disk before the next action.

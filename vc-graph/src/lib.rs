@@ -34,6 +34,8 @@ mod texture;
 mod validate;
 mod vocabulary;
 
+pub use nalgebra;
+
 pub use action::{Action, ActionError, Verb};
 pub use asset::{Asset, AssetId, AssetLibrary};
 pub use builder::SceneBuilder;

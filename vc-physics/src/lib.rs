@@ -27,7 +27,7 @@ pub use agent::{BodyPlan, Hand, PartsAside, Posture, Walk};
 pub use contact::Contact;
 pub use error::{AgentError, PhysicsError, SnapshotError};
 pub use joints::MovingPart;
-pub use nav::{Doors, Floor, FloorPlan, Route, Stand};
+pub use nav::{Doors, Floor, FloorPlan, Occupancy, Route, Stand};
 pub use place::{Order, Shelf};
 pub use reset::Reset;
 pub use role::Role;

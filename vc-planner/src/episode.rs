@@ -1,7 +1,6 @@
 //! Episodes: a policy in a world, from the first look to the verdict.
 
 use serde::{Deserialize, Serialize};
-use vc_graph::goal::Situation;
 use vc_graph::{Action, Digest, NodeId, Observation, Place, SceneGraph, Seed};
 use vc_tasks::{Outcome, Task, World};
 
@@ -77,8 +76,14 @@ pub struct Summary {
 impl Episode {
     /// What a record ends with.
     pub fn summary(&self) -> Summary {
-        let Self { outcome, score, steps, reason, .. } = self;
-        Summary { outcome: *outcome, score: *score, steps: *steps, reason: reason.clone() }
+        self.into()
+    }
+}
+
+impl From<&Episode> for Summary {
+    fn from(episode: &Episode) -> Self {
+        let Episode { outcome, score, steps, reason, .. } = episode;
+        Self { outcome: *outcome, score: *score, steps: *steps, reason: reason.clone() }
     }
 }
 
@@ -187,16 +192,15 @@ impl Running<'_> {
     }
 
     fn holds(&self) -> bool {
-        self.task.goal.holds(&Situation::new(self.world.graph(), self.agent, self.world.history()))
+        self.task.holds(self.world, self.agent)
     }
 
     /// The verdict: who stopped has won if the goal holds.
     fn end(&self, outcome: Outcome, reason: Option<String>) -> Episode {
-        let now = Situation::new(self.world.graph(), self.agent, self.world.history());
-        let holds = self.task.goal.holds(&now);
+        let holds = self.holds();
         let outcome = if holds { Outcome::Won } else { outcome };
         let reason = if holds { None } else { reason };
-        let score = self.task.goal.score(&now);
+        let score = self.task.score(self.world, self.agent);
         Episode { outcome, score, steps: self.done, reason, digest: self.world.graph().digest() }
     }
 }

@@ -1,6 +1,5 @@
 //! Somebody who helps another whose goal it has to infer: Watch-And-Help's challenge.
 
-use vc_graph::goal::Situation;
 use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Verb, rule};
 use vc_tasks::{Outcome, Task, World, WorldError};
 
@@ -199,9 +198,7 @@ pub fn run_together(
     for (agent, policy) in policies.iter_mut() {
         policy.begin(&Brief { scene: world.graph(), agent: *agent, task, seed });
     }
-    let holds = |world: &dyn World, first: Option<NodeId>| {
-        first.is_none_or(|id| task.goal.holds(&Situation::new(world.graph(), id, world.history())))
-    };
+    let holds = |world: &dyn World, first: Option<NodeId>| first.is_none_or(|id| task.holds(world, id));
     let first = policies.first().map(|(id, _)| *id);
     let (mut rounds, mut actions, mut idle) = (0, 0, 0);
     while rounds < task.step_limit && idle < IDLE && !holds(world, first) {
@@ -211,7 +208,7 @@ pub fn run_together(
     }
     let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
     let outcome = if holds(world, first) { Outcome::Won } else { lost };
-    let score = first.map_or(0.0, |id| task.goal.score(&Situation::new(world.graph(), id, world.history())));
+    let score = first.map_or(0.0, |id| task.score(world, id));
     TeamEpisode { outcome, rounds, actions, score }
 }
 

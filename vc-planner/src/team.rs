@@ -1,11 +1,10 @@
 //! Several agents with one goal, and one that helps another whose goal it infers.
 
-use vc_graph::goal::Situation;
 use vc_graph::{Event, Goal, NodeId, SceneGraph, Scope, Verb};
 use vc_tasks::{Outcome, Task, World};
 
 use crate::shared::shared;
-use crate::{Agent, Decision, Effort, Planner};
+use crate::{Agent, Decision, Effort, Planner, Summary};
 
 /// Agents that share a goal and tell each other what they see and what they will do.
 ///
@@ -31,6 +30,18 @@ pub struct TeamEpisode {
     pub actions: usize,
     /// How much of the goal holds at the end, 0 to 1.
     pub score: f64,
+}
+
+impl From<&TeamEpisode> for Summary {
+    fn from(episode: &TeamEpisode) -> Self {
+        let reason = match episode.outcome {
+            Outcome::Won => None,
+            Outcome::TimedOut => Some("step limit reached"),
+            _ => Some("none of the agents knows what else to do"),
+        };
+        let (outcome, score, steps) = (episode.outcome, episode.score, episode.actions);
+        Self { outcome, score, steps, reason: reason.map(Into::into) }
+    }
 }
 
 /// After so many rounds in which nobody does anything a team stops.
@@ -70,14 +81,13 @@ impl Team {
         }
         let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
         let outcome = if self.holds(task, world) { Outcome::Won } else { lost };
-        let score =
-            self.ids.first().map_or(0.0, |&id| task.goal.score(&Situation::new(world.graph(), id, world.history())));
+        let score = self.ids.first().map_or(0.0, |&id| task.score(world, id));
         TeamEpisode { outcome, rounds, actions, score }
     }
 
     /// Whether the goal holds for the one of whom it speaks, the first agent.
     fn holds(&self, task: &Task, world: &dyn World) -> bool {
-        self.ids.first().is_none_or(|&id| task.goal.holds(&Situation::new(world.graph(), id, world.history())))
+        self.ids.first().is_none_or(|&id| task.holds(world, id))
     }
 
     /// Everybody looks, tells, and acts once; returns how many did something.

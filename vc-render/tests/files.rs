@@ -72,8 +72,8 @@ fn run_lengths_are_read_back() {
 fn coco_documents_are_read_back() {
     let (snapshot, frame) = rendered(Modality::Instance | Modality::Boxes | Modality::Masks);
     let mut coco = Coco::default();
-    ["a.png", "b.png"].into_iter().for_each(|name| coco.add(name, &frame).unwrap());
-    let document: serde_json::Value = serde_json::from_str(&coco.document(&snapshot).unwrap()).unwrap();
+    ["a.png", "b.png"].into_iter().for_each(|name| coco.add(name, &frame, &snapshot).unwrap());
+    let document: serde_json::Value = serde_json::from_str(&coco.document().unwrap()).unwrap();
     let list = |name: &str| document[name].as_array().unwrap();
     assert_eq!(list("images").len(), 2);
     assert_eq!(list("images")[1]["file_name"], "b.png");
@@ -102,7 +102,7 @@ fn coco_documents_are_read_back() {
         assert_eq!(bbox, [x, y, width, height]);
     }
     let (_, bare) = rendered(Modality::Masks);
-    assert!(Coco::default().add("a.png", &bare).is_err());
+    assert!(Coco::default().add("a.png", &bare, &snapshot).is_err());
 }
 
 #[test]
@@ -110,23 +110,59 @@ fn frames_without_boxes_or_masks_are_refused_and_empty_pictures_are_not() {
     let mut coco = Coco::default();
     let both = Modality::Boxes | Modality::Masks;
     for wanted in [Modality::Depth.into(), Modality::Boxes.into(), Modality::Masks.into(), Modalities::NONE] {
-        let (_, frame) = rendered(wanted);
-        let refused = coco.add("a.png", &frame);
+        let (snapshot, frame) = rendered(wanted);
+        let refused = coco.add("a.png", &frame, &snapshot);
         assert!(matches!(refused, Err(RenderError::Missing { wanted: "COCO", .. })), "{wanted:?}: {refused:?}");
         assert_eq!(coco.pictures(), 0, "{wanted:?}");
     }
-    assert!(coco.add("a.png", &Frame::new()).is_err(), "a frame that was never rendered into");
     // A picture in which nothing is seen is one nevertheless.
     let mut renderer = Renderer::new();
     let snapshot = renderer.snapshot(&Stage::new().build()).unwrap();
+    assert!(coco.add("a.png", &Frame::new(), &snapshot).is_err(), "a frame that was never rendered into");
     let mut frame = Frame::new();
     renderer.render(&Shot::new(&snapshot, &Camera::with_fov(9, 7, 1.0), both), &mut frame).unwrap();
-    coco.add("b.png", &frame).unwrap();
+    coco.add("b.png", &frame, &snapshot).unwrap();
     assert_eq!(coco.pictures(), 1);
-    let document: serde_json::Value = serde_json::from_str(&coco.document(&snapshot).unwrap()).unwrap();
+    let document: serde_json::Value = serde_json::from_str(&coco.document().unwrap()).unwrap();
     assert_eq!(document["images"].as_array().map(Vec::len), Some(1));
     assert_eq!((&document["images"][0]["file_name"], &document["images"][0]["id"]), (&"b.png".into(), &1.into()));
     assert_eq!(document["annotations"].as_array().map(Vec::len), Some(0));
+}
+
+/// A cube of a class, some metres ahead.
+fn seen(class: &str) -> (Snapshot, Frame) {
+    let mut scene = vc_graph::SceneBuilder::new("one");
+    let cube = vc_graph::Bounds::standing([0.5; 3].into());
+    scene.add(vc_graph::Draft::new(class).at(vc_graph::Pose::translation(2.0, 0.0, 0.0)).bounds(cube)).unwrap();
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&scene.build()).unwrap();
+    let (mut frame, camera) = (Frame::new(), Camera::with_fov(24, 18, 1.0));
+    renderer.render(&Shot::new(&snapshot, &camera, Modality::Boxes | Modality::Masks), &mut frame).unwrap();
+    (snapshot, frame)
+}
+
+#[test]
+fn one_document_is_of_many_scenes() {
+    let mut coco = Coco::default();
+    // Of these the class table knows one; the others have the same number in their scenes.
+    for (name, class) in [("a", "florbel"), ("b", "grumkin"), ("c", "sofa"), ("d", "grumkin"), ("e", "florbel")] {
+        let (snapshot, frame) = seen(class);
+        coco.add(format!("{name}.png"), &frame, &snapshot).unwrap();
+    }
+    let document: serde_json::Value = serde_json::from_str(&coco.document().unwrap()).unwrap();
+    let ids = |list: &str, key: &str| -> Vec<i64> {
+        document[list].as_array().unwrap().iter().map(|one| one[key].as_i64().unwrap()).collect()
+    };
+    assert_eq!((ids("images", "id"), ids("annotations", "id")), (vec![1, 2, 3, 4, 5], vec![1, 2, 3, 4, 5]));
+    let category = |id: i64| document["categories"].as_array().unwrap().iter().find(|c| c["id"] == id).unwrap();
+    let names: Vec<&str> =
+        ids("annotations", "category_id").into_iter().map(|id| category(id)["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["florbel", "grumkin", "sofa", "grumkin", "florbel"]);
+    let mut numbers = ids("categories", "id");
+    numbers.dedup();
+    assert_eq!(numbers.len(), 3);
+    assert_eq!(category(ids("annotations", "category_id")[2])["supercategory"], "furniture");
+    assert!(document["info"]["version"].is_string() && document["licenses"].is_array());
 }
 
 /// What numpy's page on the format says: magic, version, length of the header, header, numbers.

@@ -1,9 +1,11 @@
 //! Tasks and how they end.
 
 use serde::{Deserialize, Serialize};
-use vc_graph::Goal;
 use vc_graph::format::unmarked;
-use vc_graph::goal::GoalError;
+use vc_graph::goal::{GoalError, Situation};
+use vc_graph::{Goal, NodeId};
+
+use crate::World;
 
 /// Something to be done in a scene.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -61,6 +63,17 @@ impl Task {
     /// A task with the usual step limit.
     pub fn new(title: impl Into<String>, goal: Goal) -> Self {
         Self { title: title.into(), goal, step_limit: STEP_LIMIT }
+    }
+
+    /// Whether its goal holds in a world as it is, for an agent: in the true scene, whatever anybody
+    /// believes.
+    pub fn holds(&self, world: &dyn World, agent: NodeId) -> bool {
+        self.goal.holds(&Situation::new(world.graph(), agent, world.history()))
+    }
+
+    /// How much of its goal holds, 0 to 1, for an agent: [`Goal::score`].
+    pub fn score(&self, world: &dyn World, agent: NodeId) -> f64 {
+        self.goal.score(&Situation::new(world.graph(), agent, world.history()))
     }
 
     /// Reads a list of tasks: one a line, `title: goal`; `#` starts a comment line.

@@ -7,6 +7,7 @@
 //! | [`virtualhome`] | VirtualHome's environment graphs |
 //! | [`program`] | VirtualHome's programs, `[WALK] <kitchen> (11)` |
 //! | [`eai`] | programs with graphs and goals of the Embodied Agent Interface |
+//! | [`objects`] | a plain list of objects, for JSON |
 //!
 //! No reader panics, recurses or allocates without bound: texts are limited to
 //! [`LARGEST`] bytes, nesting to 128 levels (by serde_json), and what is built is
@@ -14,6 +15,7 @@
 
 pub mod eai;
 pub mod native;
+pub mod objects;
 pub mod program;
 mod scene;
 pub(crate) mod serial;

@@ -3,6 +3,7 @@
 pub(crate) mod avoid;
 mod bands;
 mod cover;
+mod occupancy;
 pub(crate) mod outline;
 mod raster;
 mod search;
@@ -18,6 +19,7 @@ use cover::Cover;
 use outline::Outline;
 use raster::Raster;
 
+pub use occupancy::Occupancy;
 pub use stand::Stand;
 
 /// How doors between rooms count, and doors and drawers of furniture that stand open.

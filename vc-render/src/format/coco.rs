@@ -1,6 +1,7 @@
 //! Boxes and masks as COCO has them.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use serde::Serialize;
 
@@ -9,10 +10,12 @@ use crate::frame::Frame;
 use crate::modality::Modality;
 use crate::scene::Snapshot;
 
-/// Boxes and masks of pictures of one scene as a COCO document for `pycocotools`, picture by
+/// Boxes and masks of pictures, of one scene or of many, as a COCO document for `pycocotools`, picture by
 /// picture: of each only what the document says of it is kept.
 ///
-/// Category numbers are class numbers; COCO's `area` counts pixels that are seen. It keeps some hundred bytes for each
+/// Category numbers are class numbers where these are one class's in all scenes: classes that the class table lacks are
+/// numbered scene by scene, and get a number of their own where theirs is taken. `supercategory` is the class's
+/// category. COCO's `area` counts pixels that are seen. It keeps some hundred bytes for each
 /// object seen in a picture, and the text of its mask.
 ///
 /// ```
@@ -27,24 +30,25 @@ use crate::scene::Snapshot;
 /// let mut frame = Frame::new();
 /// renderer.render(&Shot::new(&snapshot, &camera, Modality::Boxes | Modality::Masks), &mut frame)?;
 /// let mut coco = Coco::default();
-/// coco.add("000000.png", &frame)?;
-/// assert!(coco.document(&snapshot)?.contains("000000.png"));
+/// coco.add("000000.png", &frame, &snapshot)?;
+/// assert!(coco.document()?.contains("000000.png"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Default)]
 pub struct Coco {
     images: Vec<Image>,
     annotations: Vec<Annotation>,
-    classes: BTreeSet<u16>,
+    /// Number and category of every class that was seen, by name.
+    classes: BTreeMap<Arc<str>, (u32, Arc<str>)>,
 }
 
 impl Coco {
-    /// Adds what is seen in a frame, which goes by the name of its picture's file. Linear in the pixels of all boxes,
-    /// as [`Mask::rle`](crate::Mask::rle) is.
+    /// Adds what is seen in a frame, which goes by the name of its picture's file; a snapshot of its scene tells what
+    /// its classes are called. Linear in the pixels of all boxes, as [`Mask::rle`](crate::Mask::rle) is.
     ///
     /// # Errors
     /// [`RenderError::Missing`] for a frame without boxes or masks; then nothing is added.
-    pub fn add(&mut self, file_name: impl Into<String>, frame: &Frame) -> Result<(), RenderError> {
+    pub fn add(&mut self, file_name: impl Into<String>, frame: &Frame, snapshot: &Snapshot) -> Result<(), RenderError> {
         if ![Modality::Boxes, Modality::Masks].iter().all(|modality| frame.holds.has(*modality)) {
             return Err(RenderError::Missing { wanted: "COCO", needs: "a frame with boxes and masks" });
         }
@@ -52,12 +56,11 @@ impl Coco {
         let (width, height) = (frame.width, frame.height);
         self.images.push(Image { id: image_id, file_name: file_name.into(), width, height });
         for (label, mask) in frame.boxes.iter().zip(frame.masks()) {
-            self.classes.insert(label.class);
-            let rle = mask.rle();
+            let (rle, category_id) = (mask.rle(), self.category(label.class, snapshot));
             self.annotations.push(Annotation {
                 id: self.annotations.len() + 1,
                 image_id,
-                category_id: label.class,
+                category_id,
                 node: label.node.0,
                 segmentation: Segmentation { size: rle.size, counts: rle.compressed() },
                 area: label.area,
@@ -68,28 +71,58 @@ impl Coco {
         Ok(())
     }
 
+    /// The number of a class's category, which is the class's own unless another class has it.
+    fn category(&mut self, class: u16, snapshot: &Snapshot) -> u32 {
+        let named = |found: Option<&Arc<str>>| found.cloned().unwrap_or_default();
+        let name = named(snapshot.class(class));
+        if let Some((id, _)) = self.classes.get(&name) {
+            return *id;
+        }
+        let (own, taken) = (u32::from(class), self.classes.values().map(|(id, _)| *id));
+        let most = taken.clone().max().unwrap_or_default();
+        let id = if taken.into_iter().any(|id| id == own) { most + 1 } else { own };
+        self.classes.insert(name, (id, named(snapshot.category(class))));
+        id
+    }
+
     /// How many pictures it has. Costs nothing.
     pub fn pictures(&self) -> usize {
         self.images.len()
     }
 
-    /// The document, JSON; a snapshot of the scene tells the names of classes. Linear in all that has been added.
+    /// The document, JSON. Linear in all that has been added.
     ///
     /// # Errors
     /// [`RenderError::Encoding`].
-    pub fn document(&self, snapshot: &Snapshot) -> Result<String, RenderError> {
-        let name = |class: u16| snapshot.class(class).map_or_else(String::new, |c| c.to_string());
-        let categories = self.classes.iter().map(|&id| Category { id, name: name(id) }).collect();
-        let document = Document { images: &self.images, annotations: &self.annotations, categories };
+    pub fn document(&self) -> Result<String, RenderError> {
+        let numbered = self.classes.iter();
+        let mut categories: Vec<Category<'_>> =
+            numbered.map(|(name, (id, category))| Category { id: *id, name, supercategory: category }).collect();
+        categories.sort_by_key(|category| category.id);
+        let document =
+            Document { info: INFO, licenses: [], images: &self.images, annotations: &self.annotations, categories };
         serde_json::to_string(&document).map_err(|e| RenderError::Encoding(e.to_string()))
     }
 }
 
+/// Nothing of when it was made: the same pictures give the same bytes.
+const INFO: Info =
+    Info { description: "homes of VirtualCity", version: env!("CARGO_PKG_VERSION"), contributor: "VirtualCity" };
+
+#[derive(Serialize)]
+struct Info {
+    description: &'static str,
+    version: &'static str,
+    contributor: &'static str,
+}
+
 #[derive(Serialize)]
 struct Document<'a> {
+    info: Info,
+    licenses: [(); 0],
     images: &'a [Image],
     annotations: &'a [Annotation],
-    categories: Vec<Category>,
+    categories: Vec<Category<'a>>,
 }
 
 #[derive(Debug, Serialize)]
@@ -104,7 +137,7 @@ struct Image {
 struct Annotation {
     id: usize,
     image_id: usize,
-    category_id: u16,
+    category_id: u32,
     /// The graph's node.
     node: u32,
     segmentation: Segmentation,
@@ -120,7 +153,8 @@ struct Segmentation {
 }
 
 #[derive(Serialize)]
-struct Category {
-    id: u16,
-    name: String,
+struct Category<'a> {
+    id: u32,
+    name: &'a str,
+    supercategory: &'a str,
 }

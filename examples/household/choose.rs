@@ -1,0 +1,51 @@
+//! Which task is done.
+
+use std::cmp::Reverse;
+
+use vc_graph::{Action, NodeId, Verb};
+use vc_planner::Planner;
+use vc_tasks::{Task, World};
+
+use crate::Options;
+use crate::support::Complaint;
+
+/// The goal or the task asked for; else of the library's tasks that make sense here and are not done already the one in
+/// which there is most to see.
+pub(crate) fn choose(options: &Options, world: &dyn World, me: NodeId) -> Result<Task, Complaint> {
+    if let Some(goal) = &options.goal {
+        return told(options, goal, world);
+    }
+    let open = |task: &Task| task.obstacles(world.graph()).is_empty() && !task.holds(world, me);
+    let all: Vec<Task> = vc_tasks::household().into_iter().filter(open).collect();
+    let wanted = |task: &&Task| options.task.as_ref().is_none_or(|title| task.title.starts_with(title.as_str()));
+    // Of equals the first.
+    let best = all.iter().filter(wanted).rev().max_by_key(|task| to_see(world, me, task));
+    let task = best.ok_or_else(|| {
+        let titles: Vec<&str> = all.iter().map(|task| task.title.as_str()).collect();
+        Complaint::new(format!("no such task makes sense here; these do: {}", titles.join(", ")))
+    })?;
+    Ok(Task { step_limit: options.steps, ..task.clone() })
+}
+
+/// A goal told, if it makes sense.
+pub(crate) fn told(options: &Options, goal: &str, world: &dyn World) -> Result<Task, Complaint> {
+    let goal = goal.parse().map_err(Complaint::new)?;
+    let task = Task { title: "as told".into(), goal, step_limit: options.steps };
+    let obstacles: Vec<String> = task.obstacles(world.graph()).iter().map(ToString::to_string).collect();
+    match obstacles.is_empty() {
+        true => Ok(task),
+        false => Err(Complaint::new(format!("this goal makes no sense here:\n  {}", obstacles.join("\n  ")))),
+    }
+}
+
+/// How many kinds of deeds somebody would be seen doing who knows where everything is: going, opening, taking, carrying
+/// and putting down; of as many, the fewest actions.
+fn to_see(world: &dyn World, me: NodeId, task: &Task) -> (usize, Reverse<usize>) {
+    let plan = Planner::default().plan(&mut world.graph().clone(), me, &task.goal, &[]);
+    let actions = plan.map(|plan| plan.actions).unwrap_or_default();
+    let does = |verbs: &&[Verb]| actions.iter().any(|action: &Action| verbs.contains(&action.verb));
+    let deeds: [&[Verb]; 4] = [&[Verb::Walk], &[Verb::Open], &[Verb::Grab], &[Verb::Place, Verb::PutIn]];
+    let taken = actions.iter().skip_while(|action| action.verb != Verb::Grab);
+    let carries = taken.skip(1).any(|action| action.verb == Verb::Walk);
+    (deeds.into_iter().filter(does).count() + usize::from(carries), Reverse(actions.len()))
+}

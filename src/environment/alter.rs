@@ -1,0 +1,274 @@
+//! What is no action: things that appear or are put elsewhere, agents that are elsewhere at once.
+
+use std::sync::Arc;
+
+use nalgebra::Point2;
+use vc_graph::{Draft, EditError, Effect, Label, NodeId, Place, Pose, Relation, SceneBuilder, Seed, rule};
+use vc_physics::{Posture, Role};
+use vc_tasks::initial::Stock;
+
+use super::undo::Undo;
+use super::{Elsewhere, Environment, Impossible, Unplaced, Why, act, deed, make, observe, reset};
+use crate::initial::Catalogue;
+
+/// Rings of half a metre around the middle of a room in which somebody is put.
+const RINGS: i32 = 12;
+/// How far the floor is looked for that is free instead, metres.
+const INSTEAD: f32 = 2.0;
+
+/// Why something was not put where it was to be; then nothing has changed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AlterError {
+    /// The class table knows no such class.
+    #[error("there is no class `{0}`: `graph().classes()` lists them")]
+    NoSuchClass(String),
+    /// Nothing is known of what such a thing looks like.
+    #[error("there is no generator for the class `{0}`: `procgen::object::generator` has those there are")]
+    NoGenerator(String),
+    /// The node is not there.
+    #[error("there is no node {0}")]
+    NoSuchNode(NodeId),
+    /// Things are put on or in others; nothing else can be asked for.
+    #[error("a thing is put on or inside something, not `{0}`")]
+    NotAPlace(Relation),
+    /// It is part of the home, or held or worn by somebody.
+    #[error("{0} cannot be put elsewhere: it is fixed, held or worn")]
+    NotLoose(Label),
+    /// There is no place for it.
+    #[error("{} has no place there: {}", .0.thing, .0.why)]
+    Unplaced(Unplaced),
+    /// It does not stay there.
+    #[error("{} does not stay {} {}", .0.thing, .0.wanted.relation, .0.wanted.at)]
+    Elsewhere(Elsewhere),
+    /// It is no agent of this environment.
+    #[error("{0} is no agent of this environment")]
+    NotAnAgent(Label),
+    /// Nobody can stand there.
+    #[error("nobody can stand at {:.2}, {:.2}{}", .at[0], .at[1], instead(.nearest))]
+    NoFloor {
+        /// Where somebody was to stand, metres.
+        at: [f32; 2],
+        /// Where the free floor nearest to it is, metres.
+        nearest: Option<[f32; 2]>,
+    },
+    /// There is no free floor in a room.
+    #[error("there is no free floor in {0}")]
+    FullRoom(Label),
+    /// Bodies cannot.
+    #[error(transparent)]
+    Bodies(#[from] Impossible),
+    /// The graph cannot.
+    #[error(transparent)]
+    Edit(#[from] EditError),
+}
+
+fn instead(nearest: &Option<[f32; 2]>) -> String {
+    nearest.map_or_else(String::new, |[x, y]| format!(": the free floor nearest to it is at {x:.2}, {y:.2}"))
+}
+
+/// Where an agent is put.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Spot {
+    /// At a point of the floor, metres.
+    At(Point2<f32>),
+    /// Somewhere in a room, near its middle.
+    Room(NodeId),
+}
+
+impl From<Point2<f32>> for Spot {
+    fn from(point: Point2<f32>) -> Self {
+        Self::At(point)
+    }
+}
+
+impl From<NodeId> for Spot {
+    fn from(room: NodeId) -> Self {
+        Self::Room(room)
+    }
+}
+
+impl Environment {
+    /// Adds a thing of a class at a place: on or in something, or on the floor of a room. It looks as the generator makes
+    /// it, the same in the same scene, and comes to rest. What was done is not forgotten, and other things stay as they
+    /// are: [`reset`](Self::reset) with an edited graph begins anew instead.
+    ///
+    /// `World::insert`, `World::free_spot_at`, `World::step`, `Relations::rebuild`. Costs some milliseconds.
+    ///
+    /// ```
+    /// use virtualcity::Environment;
+    /// use virtualcity::graph::{Place, Relation};
+    /// let mut home = Environment::make("apartment/42", 1)?;
+    /// let table = home.graph().of_class("coffee_table")[0];
+    /// let apple = home.spawn("apple", Place { relation: Relation::On, at: table })?;
+    /// assert_eq!(home.graph().label(apple).to_string(), format!("apple.{}", apple.0));
+    /// assert!(home.world().supports(apple).contains(&table));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`AlterError`]; then nothing has changed.
+    pub fn spawn(&mut self, class: &str, place: Place) -> Result<NodeId, AlterError> {
+        let known = self.graph.classes().get(class).ok_or_else(|| AlterError::NoSuchClass(class.to_owned()))?;
+        let place = self.checked(place)?;
+        let mut library = self.graph.assets().as_ref().clone();
+        let seed = Seed(self.graph.len() as u64).child("spawn");
+        let draft = Catalogue.thing(known, seed, &self.graph, &mut library);
+        let draft: Draft = draft.ok_or_else(|| AlterError::NoGenerator(known.name.to_string()))?;
+        let mut next = self.clone();
+        let mut builder = SceneBuilder::of(self.graph.clone());
+        builder.assets(Arc::new(library));
+        // Somewhere far below, until it has a spot.
+        let id = builder.add(draft.at(Pose::translation(0.0, 0.0, reset::BELOW)))?;
+        let mut edit = builder.edit();
+        edit.place(id, place)?;
+        edit.commit();
+        next.graph = builder.build();
+        next.world.insert(&next.graph, id, &next.start.shapes).map_err(Impossible::from)?;
+        next.set_down(id, place)?;
+        observe::write_poses(&mut next.graph, &next.world)?;
+        next.relations.rebuild(&next.graph).map_err(unreadable)?;
+        next.settle(&[id])?;
+        next.stays(id, place)?;
+        next.look_anew();
+        *self = next;
+        Ok(id)
+    }
+
+    /// Puts a loose thing at a place at once, and what is on or in it with it: on or in something, or on the floor of a
+    /// room. What was done is not forgotten, and other things stay as they are.
+    ///
+    /// `World::free_spot_at`, `World::place`, `World::step`, `Relations::update_with`. Costs a millisecond or two.
+    ///
+    /// # Errors
+    /// [`AlterError`]; then nothing has changed.
+    pub fn put(&mut self, thing: NodeId, place: Place) -> Result<(), AlterError> {
+        self.graph.node(thing).ok_or(AlterError::NoSuchNode(thing))?;
+        let place = self.checked(place)?;
+        let (Some(Role::Loose), Some(before)) = (self.world.role(thing), self.world.pose(thing)) else {
+            return Err(AlterError::NotLoose(self.graph.label(thing)));
+        };
+        let load = self.graph.carried_with(thing).into_iter().filter(|id| deed::comes_along(&self.graph, *id, thing));
+        let load: Vec<(NodeId, Pose)> = load.filter_map(|id| Some((id, self.world.pose(id)?))).collect();
+        let mut next = self.clone();
+        next.set_down(thing, place)?;
+        let motion = next.world.pose(thing).map_or_else(Pose::identity, |pose| pose * before.inverse());
+        for (id, pose) in &load {
+            next.world.place(*id, motion * pose).map_err(Impossible::from)?;
+        }
+        // What is in it goes to its room with it, before relations are read.
+        let mut edit = next.graph.edit();
+        edit.place(thing, place)?;
+        edit.commit();
+        let moved: Vec<NodeId> = load.into_iter().map(|(id, _)| id).chain([thing]).collect();
+        next.settle(&moved)?;
+        next.stays(thing, place)?;
+        *self = next;
+        Ok(())
+    }
+
+    /// Puts an agent elsewhere at once: at a point of the free floor, or near the middle of a room. It stands there,
+    /// looking as it did; what it holds and wears comes along. The history does not have it.
+    ///
+    /// `Floor::is_free`, `World::teleport`, `Relations::update_with`. Costs a millisecond or two.
+    ///
+    /// ```
+    /// use virtualcity::nalgebra::Point2;
+    /// use virtualcity::{AlterError, Environment};
+    /// let mut home = Environment::make("apartment/42", 1)?;
+    /// let me = home.agents()[0];
+    /// let kitchen = home.graph().of_class("kitchen")[0];
+    /// home.teleport(me, kitchen)?;
+    /// assert_eq!(home.graph().room_of(me), Some(kitchen));
+    /// let outside = home.teleport(me, Point2::new(-90.0, 0.0));
+    /// assert!(matches!(outside, Err(AlterError::NoFloor { nearest: None, .. })));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`AlterError`]; then nothing has changed.
+    pub fn teleport(&mut self, agent: NodeId, to: impl Into<Spot>) -> Result<(), AlterError> {
+        let Some(before) = self.world.pose(agent).filter(|_| self.agents().contains(&agent)) else {
+            return Err(AlterError::NotAnAgent(self.graph.label(agent)));
+        };
+        let mut next = self.clone();
+        next.floor.update(&next.world);
+        let point = next.standing(agent, to.into())?;
+        let feet = nalgebra::Translation3::new(point.x, point.y, next.floor.plan().level);
+        if next.world.posture(agent) != Some(Posture::Standing) {
+            rule::carry_out(&mut next.graph, agent, &Effect::StandUp)?;
+        }
+        next.world.teleport(agent, Pose::from_parts(feet, before.rotation)).map_err(Impossible::from)?;
+        if let Some(room) = next.room_at(point) {
+            let mut edit = next.graph.edit();
+            edit.move_to_room(agent, room)?;
+            edit.commit();
+        }
+        let held: Vec<NodeId> = next.graph.held(agent).collect();
+        next.settle(&[vec![agent], held].concat())?;
+        *self = next;
+        Ok(())
+    }
+
+    /// A place where something can be put: of a room its floor.
+    fn checked(&self, place: Place) -> Result<Place, AlterError> {
+        if !matches!(place.relation, Relation::On | Relation::Inside) {
+            return Err(AlterError::NotAPlace(place.relation));
+        }
+        self.graph.node(place.at).ok_or(AlterError::NoSuchNode(place.at))?;
+        let floors = || self.graph.of_class("floor");
+        let floor = self.graph.rooms().contains(&place.at).then(floors);
+        let floor = floor.and_then(|all| all.into_iter().find(|id| self.graph.room_of(*id) == Some(place.at)));
+        Ok(floor.map_or(place, |at| Place { relation: Relation::On, at }))
+    }
+
+    /// Puts a body at a free spot of a place.
+    fn set_down(&mut self, id: NodeId, place: Place) -> Result<(), AlterError> {
+        let placed = reset::settle_place(&mut self.world, &self.graph, (id, false), Some(place));
+        let refuse = |why: Why| AlterError::Unplaced(Unplaced { thing: self.graph.label(id), why });
+        placed.map_err(Impossible::from)?.map_err(refuse)
+    }
+
+    /// Lets all come to rest and observes it; nothing can be taken back to before that.
+    fn settle(&mut self, changed: &[NodeId]) -> Result<(), AlterError> {
+        act::calm(&mut self.world);
+        observe::look_again(&mut self.graph, &self.world, &mut self.relations, changed)?;
+        self.floor.update(&self.world);
+        self.undo = Undo::default();
+        Ok(())
+    }
+
+    fn stays(&self, id: NodeId, wanted: Place) -> Result<(), AlterError> {
+        let (thing, now) = (self.graph.label(id), self.graph.place(id));
+        let there = self.graph.places(id).any(|place| place == wanted);
+        there.then_some(()).ok_or(AlterError::Elsewhere(Elsewhere { thing, wanted, now }))
+    }
+
+    /// The point at which an agent is to stand.
+    fn standing(&self, agent: NodeId, spot: Spot) -> Result<Point2<f32>, AlterError> {
+        match spot {
+            Spot::At(at) if self.stands_at(agent, &at) => Ok(at),
+            Spot::At(at) => {
+                let nearest = self.floor.nearest(at, INSTEAD).map(Into::into);
+                Err(AlterError::NoFloor { at: at.into(), nearest })
+            }
+            Spot::Room(room) => {
+                let middle = make::middle(&self.graph, &self.floor, room).map(|(_, middle)| middle);
+                let rings = |middle: Point2<f32>| (0..RINGS).flat_map(move |ring| make::around(&middle, ring));
+                let free = |p: &Point2<f32>| self.room_at(*p) == Some(room) && self.stands_at(agent, p);
+                let found = middle.and_then(|middle| rings(middle).find(free));
+                found.ok_or_else(|| AlterError::FullRoom(self.graph.label(room)))
+            }
+        }
+    }
+
+    fn stands_at(&self, agent: NodeId, at: &Point2<f32>) -> bool {
+        let feet = Pose::translation(at.x, at.y, self.floor.plan().level);
+        self.floor.is_free(*at) && self.world.stands_free(agent, &feet).is_ok_and(|free| free)
+    }
+}
+
+fn unreadable(error: vc_relations::InputError) -> AlterError {
+    Impossible::Unreadable(error.to_string()).into()
+}

@@ -1,0 +1,65 @@
+//! What a program asks of a home before it acts: what can be done, what there is, where one can walk.
+
+use vc_graph::format::objects::{Object, objects};
+use vc_graph::{Action, NodeId, rule};
+use vc_physics::Occupancy;
+
+use super::{ActionError, Environment};
+
+impl Environment {
+    /// Every action an agent can do now by the transition rule: those of which `rule::refusals` gives no reason
+    /// against. Bodies may still refuse a few, for want of a free spot or of a way: [`can_do`](Self::can_do) asks them.
+    ///
+    /// ```
+    /// use virtualcity::Environment;
+    /// use virtualcity::graph::Verb;
+    /// let mut home = Environment::make("apartment/42", 1)?;
+    /// let me = home.agents()[0];
+    /// let legal = home.legal_actions(me);
+    /// assert!(legal.iter().any(|action| action.verb == Verb::Sit));
+    /// let sit = legal.into_iter().find(|action| action.verb == Verb::Sit).ok_or("no seat")?;
+    /// home.can_do(me, &sit)?;
+    /// home.set_action(me, sit)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn legal_actions(&self, agent: NodeId) -> Vec<Action> {
+        rule::legal_actions(&self.graph, agent)
+    }
+
+    /// Whether an action would be done, bodies included, tried on a copy. Costs a copy and the action: a millisecond
+    /// or a few.
+    ///
+    /// # Errors
+    /// What [`set_action`](Self::set_action) would say.
+    pub fn can_do(&self, agent: NodeId, action: &Action) -> Result<(), ActionError> {
+        self.clone().set_action(agent, *action).map(drop)
+    }
+
+    /// Everything in the home but its rooms as a plain list, for JSON: classes, rooms, poses, boxes, states and relations.
+    ///
+    /// ```no_run
+    /// let home = virtualcity::Environment::make("apartment/42", 1)?;
+    /// std::fs::write("objects.json", serde_json::to_string_pretty(&home.objects())?)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn objects(&self) -> Vec<Object> {
+        objects(&self.graph)
+    }
+
+    /// Where one can walk now, as a grid for planners of one's own: `Floor::occupancy`. Doors between rooms count as
+    /// open, and people are not in the way.
+    ///
+    /// ```no_run
+    /// let home = virtualcity::Environment::make("apartment/42", 1)?;
+    /// let grid = home.occupancy();
+    /// for row in (0..grid.rows).rev() {
+    ///     println!("{}", (0..grid.columns).map(|c| if grid.is_free(c, row) { '.' } else { '#' }).collect::<String>());
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn occupancy(&self) -> Occupancy {
+        let mut floor = self.floor.clone();
+        floor.update(&self.world);
+        floor.occupancy()
+    }
+}

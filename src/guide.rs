@@ -1,0 +1,343 @@
+//! Recipes for the first day: each is a whole program, and all of them run as tests.
+//!
+//! 1. [Many homes at once](#many-homes-at-once)
+//! 2. [A policy of your own](#a-policy-of-your-own)
+//! 3. [Rewards, action by action](#rewards-action-by-action)
+//! 4. [A data set of several homes](#a-data-set-of-several-homes)
+//! 5. [A scene of VirtualHome with bodies](#a-scene-of-virtualhome-with-bodies)
+//! 6. [A team](#a-team)
+//! 7. [A search that tries actions on copies](#a-search-that-tries-actions-on-copies)
+//! 8. [A thing where you want it, and an agent](#a-thing-where-you-want-it-and-an-agent)
+//! 9. [Ways over the floor by your own planner](#ways-over-the-floor-by-your-own-planner)
+//! 10. [A language model](#a-language-model)
+//! 11. [What a camera sees](#what-a-camera-sees)
+//!
+//! # Many homes at once
+//!
+//! A [`Batch`](crate::Batch) steps environments side by side on all cores; outcomes do not depend on how many there
+//! are.
+//!
+//! ```
+//! use virtualcity::Batch;
+//!
+//! let mut batch = Batch::make((0..3).map(|seed| format!("apartment/{seed}")), 1)?;
+//! for turn in 0..3 {
+//!     // One list of actions for each home, with one action for each agent that acts.
+//!     let mut actions = Vec::new();
+//!     for home in batch.environments() {
+//!         let me = home.agents()[0];
+//!         let legal = home.legal_actions(me);
+//!         println!("{} things in view, {} actions to choose from", home.room_observation(me).len(), legal.len());
+//!         actions.push(vec![(me, legal[turn])]);
+//!     }
+//!     let outcomes = batch.set_actions(&actions);
+//!     assert!(outcomes.iter().flatten().all(Result::is_ok), "{outcomes:?}");
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A policy of your own
+//!
+//! Whatever implements [`Policy`](crate::planner::Policy) can be run as ours are, symbolically or with bodies, and be
+//! recorded. This one goes to the nearest thing of a class and takes it.
+//!
+//! ```
+//! use virtualcity::Environment;
+//! use virtualcity::graph::{Action, NodeId, Observation, Verb};
+//! use virtualcity::planner::{Brief, Decision, Learned, Plan, Policy, run_episode};
+//! use virtualcity::tasks::{Outcome, Task};
+//!
+//! #[derive(Default)]
+//! struct Taker {
+//!     wanted: Option<NodeId>,
+//!     walked: bool,
+//! }
+//!
+//! impl Policy for Taker {
+//!     fn name(&self) -> &str {
+//!         "taker"
+//!     }
+//!
+//!     // Then an episode ends as soon as the goal holds.
+//!     fn knows_when_to_stop(&self) -> bool {
+//!         false
+//!     }
+//!
+//!     fn begin(&mut self, _: &Brief<'_>) {
+//!         *self = Self::default();
+//!     }
+//!
+//!     fn see(&mut self, seen: &Observation) -> Learned {
+//!         let novel = seen.nodes().find(|node| &**node.class() == "novel");
+//!         self.wanted = novel.map(|node| node.id());
+//!         Learned::default()
+//!     }
+//!
+//!     fn decide(&mut self) -> Decision {
+//!         let Some(novel) = self.wanted else { return Decision::Done };
+//!         let verb = if self.walked { Verb::Grab } else { Verb::Walk };
+//!         Decision::Act(Action::one(verb, novel), Plan::default())
+//!     }
+//!
+//!     fn did(&mut self, _: &Action) {
+//!         self.walked = true;
+//!     }
+//! }
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let task = Task::new("take a novel", "Holds(novel)".parse()?);
+//! let episode = run_episode(&mut Taker::default(), &task, &mut home);
+//! assert_eq!((episode.outcome, episode.steps), (Outcome::Won, 2));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Rewards, action by action
+//!
+//! A [`Trial`](crate::tasks::Trial) is the other way round: your loop asks for observations and rewards.
+//! [`legal_actions`](crate::Environment::legal_actions) has what there is to choose from.
+//!
+//! ```
+//! use virtualcity::Environment;
+//! use virtualcity::graph::{Seed, Verb};
+//! use virtualcity::tasks::{Task, Trial};
+//!
+//! let home = Environment::make("apartment/42", 1)?;
+//! let me = home.agents()[0];
+//! let task = Task { step_limit: 5, ..Task::new("sit down", "SittingOn(me, sofa)".parse()?) };
+//! let mut trial = Trial::new(home, task, me);
+//! let mut stream = Seed(1).stream();
+//! let mut seen = trial.reset()?;
+//! loop {
+//!     let legal = trial.world().legal_actions(me);
+//!     let Some(action) = stream.pick(&legal).copied() else { break };
+//!     let step = trial.step(&action);
+//!     println!("{}: {} ({} things in view)", action.describe(trial.world().graph()), step.reward, seen.len());
+//!     if step.terminated || step.truncated {
+//!         break;
+//!     }
+//!     seen = step.observation;
+//! }
+//! assert!(trial.steps() <= 5);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A data set of several homes
+//!
+//! One COCO document for all, with numbers that are each used once: `pycocotools` reads it.
+//!
+//! ```
+//! use virtualcity::{Dataset, Environment, Viewpoint};
+//!
+//! # let folder = std::env::temp_dir().join(format!("vc-guide-{}", std::process::id()));
+//! # let out = folder.join("rooms");
+//! let mut dataset = Dataset::create(&out)?;
+//! for seed in [1, 2] {
+//!     let home = Environment::make(&format!("apartment/{seed}"), 1)?;
+//!     for room in home.graph().rooms().iter().take(2) {
+//!         dataset.add(&home, Viewpoint::Room(*room), 64, 48)?;
+//!     }
+//! }
+//! assert_eq!(dataset.pictures(), 4);
+//! let annotations = dataset.finish()?;
+//! assert!(std::fs::read_to_string(annotations)?.contains("supercategory"));
+//! # std::fs::remove_dir_all(folder)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A scene of VirtualHome with bodies
+//!
+//! `scene:FILE` reads VirtualHome's environment graphs, packed or not, the thesis's JSON and ours. The files are not
+//! part of this project: this recipe looks for them where `VC_DATA` says, and does nothing where they are missing.
+//!
+//! ```
+//! use virtualcity::Environment;
+//! use virtualcity::graph::{Action, Verb};
+//!
+//! let file = std::path::PathBuf::from(std::env::var_os("VC_DATA").unwrap_or_default()).join("virtualhome/scene1.json.gz");
+//! if !file.is_file() {
+//!     println!("SKIPPED: there is no {}", file.display());
+//!     return Ok::<(), Box<dyn std::error::Error>>(());
+//! }
+//! let mut home = Environment::make(&format!("scene:{}", file.display()), 1)?;
+//! let me = home.agents()[0];
+//! println!("{} things; {} have no place", home.graph().len(), home.left_out().len());
+//! let fridge = home.graph().of_class("fridge")[0];
+//! match home.set_action(me, Action::one(Verb::Walk, fridge)) {
+//!     Ok(_) => println!("at the fridge"),
+//!     Err(why) => println!("{why}"),
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A team
+//!
+//! A [`Team`](crate::planner::Team) shares a goal and what its agents see. A [`Recorder`](crate::Recorder) around the
+//! environment writes a film and a page; its `finish` takes what a team or a single agent did.
+//!
+//! ```
+//! use virtualcity::planner::Team;
+//! use virtualcity::tasks::{Outcome, Task};
+//! use virtualcity::{Environment, RecordOptions, Recorder};
+//!
+//! # let folder = std::env::temp_dir().join(format!("vc-guide-team-{}", std::process::id()));
+//! # let out = folder.join("team");
+//! let home = Environment::make("apartment/42", 2)?;
+//! let agents = home.agents().to_vec();
+//! let task = Task::new("a book and a pillow", "Holds(novel) & On(pillow, sofa)".parse()?);
+//! let mut team = Team::residents(home.graph(), &agents, &task.goal);
+//! let options = RecordOptions { width: 64, ..RecordOptions::default() };
+//! let mut recorder = Recorder::create(&out, home, agents[0], &task, options)?;
+//! let episode = team.run(&task, &mut recorder);
+//! assert_eq!(episode.outcome, Outcome::Won);
+//! let page = recorder.finish(&episode, None)?;
+//! assert!(page.is_file());
+//! # std::fs::remove_dir_all(folder)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A search that tries actions on copies
+//!
+//! A clone is a snapshot that costs about a millisecond and goes on as the original does, bit for bit. So a tree
+//! search needs nothing else; here one of depth two, greedy by how much of the goal holds.
+//!
+//! ```
+//! use virtualcity::Environment;
+//! use virtualcity::graph::{Action, NodeId, Verb};
+//! use virtualcity::tasks::Task;
+//!
+//! /// The best score in so many actions, and the first of them.
+//! fn search(home: &Environment, me: NodeId, task: &Task, depth: usize) -> (f64, Option<Action>) {
+//!     let mut best = (task.score(home, me), None);
+//!     if depth == 0 || best.0 == 1.0 {
+//!         return best;
+//!     }
+//!     let verbs = [Verb::Open, Verb::Close, Verb::SwitchOn];
+//!     let fridge = home.graph().of_class("fridge")[0];
+//!     let television = home.graph().of_class("television")[0];
+//!     for action in verbs.into_iter().flat_map(|verb| [fridge, television].map(|id| Action::one(verb, id))) {
+//!         let mut copy = home.clone();
+//!         if copy.set_action(me, action).is_ok() {
+//!             let (score, _) = search(&copy, me, task, depth - 1);
+//!             if score > best.0 {
+//!                 best = (score, Some(action));
+//!             }
+//!         }
+//!     }
+//!     best
+//! }
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let me = home.agents()[0];
+//! let television = home.graph().of_class("television")[0];
+//! home.set_action(me, Action::one(Verb::Walk, television))?;
+//! let task = Task::new("television", "SwitchedOn(television)".parse()?);
+//! let before = home.digest();
+//! let (score, first) = search(&home, me, &task, 2);
+//! assert_eq!((score, first), (1.0, Some(Action::one(Verb::SwitchOn, television))));
+//! assert_eq!(home.digest(), before);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A thing where you want it, and an agent
+//!
+//! ```
+//! use virtualcity::graph::{Place, Relation};
+//! use virtualcity::nalgebra::Point2;
+//! use virtualcity::{AlterError, Environment};
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let (me, kitchen) = (home.agents()[0], home.graph().of_class("kitchen")[0]);
+//! let table = home.graph().of_class("coffee_table")[0];
+//! let fridge = home.graph().of_class("fridge")[0];
+//! // A new mug on the table, and then in the fridge, which stays shut.
+//! let mug = home.spawn("mug", Place { relation: Relation::On, at: table })?;
+//! home.put(mug, Place { relation: Relation::Inside, at: fridge })?;
+//! assert_eq!(home.graph().hidden_in(mug), Some(fridge));
+//! // The agent in another room, and at a point.
+//! home.teleport(me, kitchen)?;
+//! let here = home.world().pose(me).ok_or("no body")?.translation.vector.xy();
+//! home.teleport(me, Point2::from(here))?;
+//! // What cannot be is said, and nothing has changed.
+//! assert!(matches!(home.spawn("flooble", Place { relation: Relation::On, at: table }), Err(AlterError::NoSuchClass(_))));
+//! assert!(home.objects().iter().any(|object| object.id == mug && object.room == Some(kitchen)));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Ways over the floor by your own planner
+//!
+//! The walkable floor as a grid, for planners of your own; here it is searched breadth first. The body is then steered,
+//! or put where the way leads. (`home.floor().route(from, to)` is our own, at any angle.)
+//!
+//! ```
+//! use std::collections::{BTreeMap, VecDeque};
+//! use virtualcity::Environment;
+//! use virtualcity::nalgebra::Point2;
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let me = home.agents()[0];
+//! let grid = home.occupancy();
+//! let here = Point2::from(home.world().pose(me).ok_or("no body")?.translation.vector.xy());
+//! let start = grid.cell_of(here).ok_or("off the grid")?;
+//! let mut from = BTreeMap::from([(start, start)]);
+//! let mut open = VecDeque::from([start]);
+//! let mut last = start;
+//! while let Some((column, row)) = open.pop_front() {
+//!     last = (column, row);
+//!     let beside = [(column + 1, row), (column.wrapping_sub(1), row), (column, row + 1), (column, row.wrapping_sub(1))];
+//!     for next in beside {
+//!         if grid.is_free(next.0, next.1) && !from.contains_key(&next) {
+//!             from.insert(next, (column, row));
+//!             open.push_back(next);
+//!         }
+//!     }
+//! }
+//! // The farthest cell one gets to.
+//! let steps = std::iter::successors(Some(last), |cell| (*cell != start).then(|| from[cell])).count();
+//! assert!(steps as f32 * grid.cell > 4.0, "{steps} cells of {} m", grid.cell);
+//! home.teleport(me, grid.centre(last.0, last.1))?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A language model
+//!
+//! [`LanguageModel`](crate::planner::LanguageModel) is a policy that asks a closure, in which you ask your model: it is
+//! told the task, what is seen, what was done, and what can be done, as text and as a JSON schema of answers. The
+//! examples `language_model` and `language_endpoint` have recorded answers and a local server.
+//!
+//! ```
+//! use virtualcity::Environment;
+//! use virtualcity::planner::language::Prompt;
+//! use virtualcity::planner::{LanguageModel, run_episode};
+//! use virtualcity::tasks::{Outcome, Task};
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let task = Task { step_limit: 8, ..Task::new("have a seat", "SittingOn(me, sofa)".parse()?) };
+//! // In place of a model: the first of the actions that is about sitting on a sofa.
+//! let mut model = LanguageModel::new(|prompt: &Prompt| {
+//!     let answer = prompt.actions.iter().find(|action| action.starts_with("sit sofa"));
+//!     Ok::<String, String>(answer.cloned().unwrap_or_else(|| "done".into()))
+//! });
+//! let episode = run_episode(&mut model, &task, &mut home);
+//! assert_eq!(episode.outcome, Outcome::Won, "{:?}", episode.reason);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # What a camera sees
+//!
+//! Frames hold plain lists, one value for each pixel, row by row: numbers of nodes and classes, metres, colours.
+//!
+//! ```
+//! use virtualcity::render::{Modality, format, picture};
+//! use virtualcity::{Environment, Viewpoint};
+//!
+//! let home = Environment::make("apartment/42", 1)?;
+//! let me = home.agents()[0];
+//! let wanted = Modality::Rgb | Modality::Instance | Modality::Depth;
+//! let frame = home.render(Viewpoint::Agent(me), wanted, 64, 48)?;
+//! let seen: std::collections::BTreeSet<_> = frame.instance.iter().collect();
+//! println!("{} things are seen; the middle is {:.2} m away", seen.len(), frame.depth[24 * 64 + 32]);
+//! let png: Vec<u8> = picture::png(&picture::rgb(&frame))?;
+//! let npy: Vec<u8> = format::npy(&frame.depth, &[frame.height, frame.width])?;
+//! assert!(png.starts_with(b"\x89PNG") && npy.len() > 4 * 64 * 48);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```

@@ -1,0 +1,94 @@
+//! A scene as a plain list, for programs that know nothing of graphs.
+
+use serde::{Deserialize, Serialize};
+
+use crate::{Aabb, Edge, Node, NodeId, Pose, SceneGraph};
+
+/// Everything a scene says of a node, as plain data: metres, right-handed, Z up, X forward.
+///
+/// ```
+/// use vc_graph::format::objects::{Object, objects};
+/// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let size = Bounds::standing([0.6, 0.6, 1.8].into());
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge").bounds(size).at(Pose::translation(1.0, 2.0, 0.0)))?;
+/// let all = objects(&scene.build());
+/// let object = all.iter().find(|object| object.id == fridge).ok_or("there")?;
+/// assert_eq!((&*object.class, object.room), ("fridge", Some(kitchen)));
+/// assert_eq!((object.position, object.states[0].as_str()), (Some([1.0, 2.0, 0.0]), "closed"));
+/// // To JSON and back.
+/// let again: Vec<Object> = serde_json::from_str(&serde_json::to_string(&all)?)?;
+/// assert_eq!(again, all);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Object {
+    /// Its number.
+    pub id: NodeId,
+    /// Its class, `coffee_table`.
+    pub class: String,
+    /// The class's category, `furniture`.
+    pub category: String,
+    /// The room it is in.
+    pub room: Option<NodeId>,
+    /// Where its origin is, metres.
+    pub position: Option<[f32; 3]>,
+    /// How it is turned: a unit quaternion, x, y, z, w.
+    pub rotation: Option<[f32; 4]>,
+    /// The box around it along the world's axes.
+    #[serde(rename = "box")]
+    pub bounds: Option<Corners>,
+    /// Its states, `open`.
+    pub states: Vec<String>,
+    /// How it is related to others. What holds both ways stands at both.
+    pub relations: Vec<Related>,
+}
+
+/// Two corners of a box, metres.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Corners {
+    /// The lowest along each axis.
+    pub min: [f32; 3],
+    /// The highest.
+    pub max: [f32; 3],
+}
+
+/// A relation that starts at an object.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Related {
+    /// Its kind, `on`.
+    pub relation: String,
+    /// What it leads to.
+    pub to: NodeId,
+}
+
+/// All nodes of a scene but rooms, by number.
+pub fn objects(graph: &SceneGraph) -> Vec<Object> {
+    let mut all: Vec<Object> =
+        graph.nodes().filter(|n| n.kind() != crate::Kind::Room).map(|n| bare(graph, n)).collect();
+    for Edge { from, relation, to } in graph.edges() {
+        if let Ok(at) = all.binary_search_by_key(&from, |object| object.id) {
+            all[at].relations.push(Related { relation: relation.to_string(), to });
+        }
+    }
+    all
+}
+
+/// An object without its relations.
+fn bare(graph: &SceneGraph, node: &Node) -> Object {
+    let position = |pose: &Pose| pose.translation.vector.into();
+    let rotation = |pose: &Pose| pose.rotation.coords.into();
+    let corners = |b: Aabb| Corners { min: b.min.into(), max: b.max.into() };
+    Object {
+        id: node.id(),
+        class: node.class().to_string(),
+        category: node.spec().category.to_string(),
+        room: graph.room_of(node.id()),
+        position: node.pose().map(position),
+        rotation: node.pose().map(rotation),
+        bounds: node.aabb().map(corners),
+        states: node.states().iter().map(|state| state.to_string()).collect(),
+        relations: Vec::new(),
+    }
+}

@@ -1,0 +1,119 @@
+//! A task done action by action, by a program that asks for rewards.
+
+use vc_graph::{Action, NodeId, Observation, SceneGraph, Scope};
+
+use crate::{Task, World, WorldError};
+
+/// An agent in a world with a task, action by action, as reinforcement learning has it: who acts gets an
+/// observation and a reward each time. [`Policy`](https://docs.rs/vc-planner) and `run_episode` of `vc-planner` are the
+/// other way round: there the loop is ours.
+///
+/// The reward of an action is how much more of the goal holds after it, so rewards of an episode that was
+/// won sum to what did not hold at first: [`Task::score`]. Costs of actions and the like are the caller's to add.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator};
+/// use vc_tasks::{Task, Trial};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let task = Task::new("fetch the milk", "Holds(milk) & Closed(fridge)".parse()?);
+///
+/// let mut trial = Trial::new(Simulator::new(scene.build()), task, me);
+/// let mut total = 0.0;
+/// for line in ["grab milk.3", "walk fridge.2", "open fridge.2", "grab milk.3", "close fridge.2"] {
+///     let step = trial.step(&line.parse()?);
+///     assert_eq!(step.refused.is_some(), total == 0.0 && line == "grab milk.3", "{line}: {:?}", step.refused);
+///     assert_eq!(step.terminated, line == "close fridge.2");
+///     total += step.reward;
+/// }
+/// assert_eq!((total, trial.score()), (0.5, 1.0)); // the fridge was closed at first
+/// assert!(!trial.reset()?.sees(milk));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Trial<W> {
+    world: W,
+    start: SceneGraph,
+    task: Task,
+    agent: NodeId,
+    scope: Scope,
+    score: f64,
+    steps: usize,
+}
+
+/// What came of an action.
+#[derive(Debug, Clone)]
+pub struct Feedback {
+    /// What the agent sees now.
+    pub observation: Observation,
+    /// How much more of the goal holds than before the action, -1 to 1.
+    pub reward: f64,
+    /// Whether the goal holds: the trial is over.
+    pub terminated: bool,
+    /// Whether the task's limit of steps is reached and the goal does not hold: the trial is over.
+    pub truncated: bool,
+    /// Why the action was not done, if so; it counts as a step, and nothing else has changed.
+    pub refused: Option<WorldError>,
+}
+
+impl<W: World> Trial<W> {
+    /// Begins a task in a world as it is; the agent sees the room it is in.
+    pub fn new(world: W, task: Task, agent: NodeId) -> Self {
+        let (start, score) = (world.graph().clone(), task.score(&world, agent));
+        Self { world, start, task, agent, scope: Scope::Room, score, steps: 0 }
+    }
+
+    /// The same, with another view of the world.
+    #[must_use]
+    pub fn seeing(self, scope: Scope) -> Self {
+        Self { scope, ..self }
+    }
+
+    /// Lets the agent act. After the end it may go on; nothing else is said of it than that it is over.
+    pub fn step(&mut self, action: &Action) -> Feedback {
+        let refused = self.world.step(self.agent, action).err();
+        self.steps += 1;
+        let before = std::mem::replace(&mut self.score, self.task.score(&self.world, self.agent));
+        let terminated = self.task.holds(&self.world, self.agent);
+        let truncated = !terminated && self.steps >= self.task.step_limit;
+        Feedback { observation: self.observation(), reward: self.score - before, terminated, truncated, refused }
+    }
+
+    /// Puts the world back to where the trial began, and gives what the agent sees there.
+    ///
+    /// # Errors
+    /// As [`World::reset`]; then nothing has changed.
+    pub fn reset(&mut self) -> Result<Observation, WorldError> {
+        self.world.reset(&self.start)?;
+        (self.score, self.steps) = (self.task.score(&self.world, self.agent), 0);
+        Ok(self.observation())
+    }
+
+    /// What the agent sees now.
+    pub fn observation(&self) -> Observation {
+        self.world.graph().observe(self.agent, self.scope)
+    }
+
+    /// How much of the goal holds now, 0 to 1.
+    pub fn score(&self) -> f64 {
+        self.score
+    }
+
+    /// How many actions were done or tried.
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// The world as it is.
+    pub fn world(&self) -> &W {
+        &self.world
+    }
+
+    /// The task.
+    pub fn task(&self) -> &Task {
+        &self.task
+    }
+}
