@@ -56,3 +56,30 @@ fn what_only_a_search_can_tell_says_how_much_was_checked() {
     scene.add_on(table, Draft::new("apple")).unwrap();
     assert!(plan(&mut scene.build(), me, &goal.parse().unwrap(), &History::default()).is_ok());
 }
+
+/// A label says class and number, and both must be those of one thing: whoever tries is told.
+#[test]
+fn a_thing_that_is_called_what_it_is_not_is_refused() {
+    let (scene, me) = flat();
+    let [apple, book, table] = ["apple", "book", "kitchen_table"].map(|class| scene.of_class(class)[0].0);
+    for (goal, told) in [
+        (format!("Holds(fridge.{apple})"), format!("`fridge.{apple}` names a thing that is apple.{apple}")),
+        (format!("exists ?t: table. On(apple.{book}, ?t)"), format!("apple.{book}` names a thing that is book")),
+        (format!("!Holds(fridge.{apple})"), format!("is apple.{apple}")),
+    ] {
+        let parsed: vc_graph::Goal = goal.parse().unwrap();
+        let why = plan(&mut scene.clone(), me, &parsed, &History::default()).unwrap_err().to_string();
+        assert!(why.contains(&told), "{goal}: {why}");
+        let task = vc_tasks::Task::new("t", parsed);
+        let mut world = vc_graph::Simulator::new(scene.clone());
+        let episode = vc_planner::run_episode(&mut vc_planner::Newcomer::best(), &task, &mut world);
+        assert_eq!((episode.outcome, episode.steps), (vc_tasks::Outcome::Lost, 0));
+        assert_eq!(episode.reason.unwrap(), why);
+    }
+    // Kinds and other spellings are right.
+    for goal in
+        [format!("Holds(fruit.{apple})"), format!("On(Apple.{apple}, table.{table})"), format!("Holds(#{book})")]
+    {
+        assert!(plan(&mut scene.clone(), me, &goal.parse().unwrap(), &History::default()).is_ok(), "{goal}");
+    }
+}
