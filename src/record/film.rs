@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 
 use vc_graph::NodeId;
-use vc_graph::portable::Portable;
 use vc_render::picture::{self, Picture};
 use vc_render::{Adaptation, Frame, Modalities, Modality, RenderError};
 
@@ -16,8 +15,6 @@ const EVERY: u32 = 10;
 /// Most pictures; when there are more, every other one is dropped and fewer are made.
 const MOST: usize = 180;
 
-/// In how many seconds of the home an eye comes two thirds of the way to other light.
-const GETS_USED: f32 = 0.35;
 /// Pixels of 80 by 60 in which somebody is seen well.
 const SEEN: usize = 60;
 
@@ -131,10 +128,14 @@ impl Film {
     /// room at once.
     fn shot(&mut self, home: &Environment, views: [Viewpoint; 2], which: usize) -> Result<Picture, RenderError> {
         let (view, seconds) = (views[which], self.every as f32 * home.world().settings().dt);
-        let share = 1.0 - (-seconds / GETS_USED).exponential();
         let used = self.used[which].filter(|(from, _)| *from == view);
-        let adapts = used.map(|(_, from)| Adaptation { from, share });
-        let frame = home.picture(&PictureOptions { adapts, ..*home.pictures() }, None, (view, Modality::Rgb.into()), self.size)?;
+        let adapts = used.map(|(_, from)| Adaptation::after(from, seconds));
+        let frame = home.picture(
+            &PictureOptions { adapts, ..*home.pictures() },
+            None,
+            (view, Modality::Rgb.into()),
+            self.size,
+        )?;
         self.used[which] = Some((view, frame.exposure));
         Ok(picture::rgb(&frame))
     }

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::lamp::{Lamp, lamps, others};
 use super::Lighting;
+use super::lamp::{Lamp, lamps, others};
 use crate::RenderError;
 use crate::renderer::Renderer;
 use crate::scene::Snapshot;

@@ -4,8 +4,8 @@
 
 mod ambient;
 mod cloth;
-mod extent;
 mod even;
+mod extent;
 mod flux;
 mod follow;
 mod grid;

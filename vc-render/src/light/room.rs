@@ -83,7 +83,9 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec
         grid.go_on(before, if last > 0.0 { (added / last).clamp(0.0, MOST) } else { 0.0 });
     }
     // Where nothing is in no room, outside is under the open sky.
-    if let Some(outside) = grids.last_mut().filter(|_| lighting.tracer.snapshot.bodies.iter().all(|b| b.room != NO_ROOM)) {
+    if let Some(outside) =
+        grids.last_mut().filter(|_| lighting.tracer.snapshot.bodies.iter().all(|b| b.room != NO_ROOM))
+    {
         outside.fill(&open(&lighting.daylight, &directions));
     }
     grids.iter_mut().for_each(Grid::settle);
@@ -186,7 +188,11 @@ impl Lighting {
         };
         let own = if lamp { [0.0; 3] } else { glow() };
         // At edges maps of shadows let a little through.
-        let towards = || Ray { from: three(|i| met.at[i] + 1e-3 * met.flat[i]), along: self.daylight.towards_sun.into(), end: 1e4 };
+        let towards = || Ray {
+            from: three(|i| met.at[i] + 1e-3 * met.flat[i]),
+            along: self.daylight.towards_sun.into(),
+            end: 1e4,
+        };
         let lit = self.sunshine(met.at, met.normal).is_some_and(|lit| lit > 0.0);
         let sunny = lit && !self.tracer.blocked(&towards());
         let sun = if sunny { self.panes(renderer, met) } else { 0.0 };

@@ -32,6 +32,7 @@ impl Snapshot {
 /// Corners of all triangles in the world.
 fn corners(instance: &Instance) -> impl Iterator<Item = nalgebra::Point3<f32>> + '_ {
     let (mesh, world) = (&*instance.link.levels[0], instance.world.narrow());
-    let triangles = mesh.clusters.iter().flat_map(|cluster| cluster.triangles.clone().map(move |t| (cluster, t as usize)));
+    let triangles =
+        mesh.clusters.iter().flat_map(|cluster| cluster.triangles.clone().map(move |t| (cluster, t as usize)));
     triangles.flat_map(move |(cluster, triangle)| mesh.triangle(cluster, triangle).map(|at| point(&world, at).into()))
 }
