@@ -68,7 +68,8 @@ impl Environment {
     /// when a lamp that is on stands elsewhere and for another daylight: some tenths of a second, the last few are kept,
     /// and none of it changes because furniture or people moved. [`render_relit`](Self::render_relit) makes that anew
     /// as well, and `benches/README.md` has what each costs. From above each room is seen about as bright as to one
-    /// who is in it: `Lighting::evened`. Optical flow needs a second moment: see [`render_until`](Self::render_until).
+    /// who is in it: `Lighting::evened`. Elsewhere a room without a window whose lamps are off is as dark as it is.
+    /// Optical flow needs a second moment: see [`render_until`](Self::render_until).
     ///
     /// # Errors
     /// [`RenderError`]: a bad size, no such node, or flow, for which there is no second

@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use virtualcity::graph::{Action, NodeId, Verb};
 use virtualcity::planner::{Episode, Newcomer, run_episode};
+use virtualcity::render::Daylight;
 use virtualcity::tasks::{Outcome, Task, World};
-use virtualcity::{Environment, RecordError, RecordOptions, Recorder};
+use virtualcity::{Environment, PictureOptions, RecordError, RecordOptions, Recorder};
 
 const SMALL: RecordOptions = RecordOptions { width: 64, dataset: true, finer: 2, daylight: None };
 
@@ -127,6 +128,22 @@ fn the_same_run_writes_the_same_files() {
     record(&first);
     record(&second);
     assert!(files(&first) == files(&second));
+}
+
+/// Light and fineness of a record's pictures are those it is told, or the environment's.
+#[test]
+fn records_are_made_in_the_light_that_is_asked_for() {
+    let mut home = Environment::make("apartment/42", 1).unwrap();
+    let (me, evening) = (home.agents()[0], Daylight::at(19.0));
+    home.set_pictures(PictureOptions { daylight: evening, ..PictureOptions::default() });
+    let task = Task::new("nothing", "Holds(novel)".parse().unwrap());
+    let recorded = |options: RecordOptions| {
+        let recorder = Recorder::create(folder("record_light"), home.clone(), me, &task, options).unwrap();
+        *recorder.environment().pictures()
+    };
+    let told = recorded(RecordOptions { finer: 3, daylight: Some(Daylight::night()), ..SMALL });
+    assert_eq!((told.finer, told.daylight), (3, Daylight::night()));
+    assert_eq!((recorded(SMALL).finer, recorded(SMALL).daylight), (2, evening));
 }
 
 #[test]

@@ -16,7 +16,7 @@ use support::{Complaint, say};
 use virtualcity::graph::Seed;
 use virtualcity::procgen::Apartment;
 use virtualcity::render::picture::{self, Picture};
-use virtualcity::render::{Camera, Daylight, Frame, Modality, Renderer, Shot, format};
+use virtualcity::render::{Adaptation, Camera, Daylight, Frame, Modality, Renderer, Shot, format};
 
 /// A walk through a home.
 #[derive(Parser)]
@@ -68,7 +68,10 @@ fn main() -> Result<(), Complaint> {
         if options.labels || options.exr {
             wanted |= Modality::Instance | Modality::Depth;
         }
+        let adapts =
+            (!pictures.is_empty()).then(|| Adaptation::after(frame.exposure, 1.0 / f32::from(options.rate.max(1))));
         let shot = Shot::new(&snapshot, &pair[0], wanted).lit(&lighting).after(&snapshot, &pair[1]);
+        let shot = Shot { adapts, ..shot };
         renderer.render(&shot, &mut frame).map_err(Complaint::new)?;
         if options.exr {
             write(&options.out.join(format!("{:04}.exr", pictures.len())), &exr(&frame)?)?;

@@ -6,7 +6,7 @@
 //! modalities, the home from above with the way it went; `trajectory.jsonl` has every step.
 //! `--scene FILE` takes a scene file with poses, `--task TITLE` a task of the library,
 //! `--goal TEXT` any goal; `--dataset` writes frames with COCO annotations and the scene as glTF
-//! as well. With `--agents 2` two of them share the goal and tell each other what they see. In the
+//! as well; `--hour 19` is dusk and `--hour 23` night, `--finer 3` smooths edges more. With `--agents 2` two of them share the goal and tell each other what they see. In the
 //! end what was done is done again from the beginning, and has to lead to the same home.
 //! `--symbolic` does it without bodies: by default the bundled
 //! apartment, three apples to the kitchen table, and the fridge closed at the end; the folder then has

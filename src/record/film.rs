@@ -5,7 +5,6 @@ use std::path::Path;
 
 use rayon::prelude::*;
 use vc_graph::NodeId;
-use vc_graph::portable::Portable;
 use vc_render::picture::{self, Picture};
 use vc_render::{Adaptation, Frame, Modalities, Modality, RenderError};
 
@@ -20,8 +19,6 @@ const MOST: usize = 180;
 
 /// Quality of the film's pictures as JPEG: no blocks are seen.
 const JPEG_QUALITY: u8 = 88;
-/// In how many seconds of the home an eye comes two thirds of the way to other light.
-const GETS_USED: f32 = 0.35;
 /// Pixels of 80 by 60 in which somebody is seen well.
 const SEEN: usize = 60;
 
@@ -153,9 +150,8 @@ impl Film {
     /// room at once.
     fn shot(&mut self, home: &Environment, views: [Viewpoint; 2], which: usize) -> Result<Picture, RenderError> {
         let (view, seconds) = (views[which], self.every as f32 * home.world().settings().dt);
-        let share = 1.0 - (-seconds / GETS_USED).exponential();
         let used = self.used[which].filter(|(from, _)| *from == view);
-        let adapts = used.map(|(_, from)| Adaptation { from, share });
+        let adapts = used.map(|(_, from)| Adaptation::after(from, seconds));
         let frame = home.picture(
             &PictureOptions { adapts, ..*home.pictures() },
             None,

@@ -179,13 +179,17 @@ impl Camera {
         Vector3::new((across - self.centre.0) / self.focal.0, (down - self.centre.1) / self.focal.1, 1.0)
     }
 
-    /// Middles of pixels on a coarse grid over the picture.
+    /// Middles of pixels strewn evenly over the picture (Roberts's sequence), no two of which are in one row or column, so
+    /// that a straight edge does not pass many at once.
     pub(crate) fn strewn(&self) -> impl Iterator<Item = [f32; 2]> + use<> {
-        const GRID: [u32; 2] = [16, 12];
+        const PLACES: u32 = 192;
+        const STEP: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
         let size = [self.width, self.height];
-        let place =
-            move |axis: usize, k: u32| ((2 * k + 1) as f32 * size[axis] as f32 / (2 * GRID[axis]) as f32).floor() + 0.5;
-        (0..GRID[0] * GRID[1]).map(move |i| [place(0, i % GRID[0]), place(1, i / GRID[0])])
+        let place = move |axis: usize, i: u32| {
+            let share = (0.5 + f64::from(i) * STEP[axis]).fract();
+            (share * f64::from(size[axis])).floor() as f32 + 0.5
+        };
+        (0..PLACES).map(move |i| [place(0, i), place(1, i)])
     }
 
     /// Where the eye is.

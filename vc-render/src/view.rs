@@ -105,8 +105,8 @@ pub struct Shot<'a> {
 /// for camera in &cameras {
 ///     let shot = Shot { adapts, ..Shot::new(&snapshot, camera, Modality::Rgb).lit(&lighting) };
 ///     renderer.render(&shot, &mut frame)?;
-///     // A third of the way from picture to picture.
-///     adapts = Some(Adaptation { from: frame.exposure, share: 0.33 });
+///     // Twelve pictures a second.
+///     adapts = Some(Adaptation::after(frame.exposure, 1.0 / 12.0));
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -118,7 +118,22 @@ pub struct Adaptation {
     pub share: f32,
 }
 
+/// In how many seconds an eye comes two thirds of the way to other light: quicker than eyes, as lenses of cameras do.
+const GETS_USED: f32 = 0.35;
+
 impl Adaptation {
+    /// An eye that was used to an exposure so many seconds ago: of the picture before, for one of a film.
+    ///
+    /// ```
+    /// use vc_render::Adaptation;
+    /// let quick = Adaptation::after([60.0; 3], 1.0 / 12.0);
+    /// assert!((0.2..0.23).contains(&quick.share));
+    /// ```
+    pub fn after(from: [f32; 3], seconds: f32) -> Self {
+        use vc_graph::portable::Portable;
+        Self { from, share: 1.0 - (-seconds.max(0.0) / GETS_USED).exponential() }
+    }
+
     /// The exposure of a picture of what would by itself have this one.
     pub(crate) fn towards(&self, now: [f32; 3]) -> [f32; 3] {
         use vc_graph::portable::Portable;

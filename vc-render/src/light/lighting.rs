@@ -70,8 +70,8 @@ pub struct Lighting {
 const BALANCE: f32 = 0.6;
 /// How many times brighter than all together an eye takes rooms to be, at most.
 const BRIGHTER: f32 = 4.0;
-/// What is darker than this stays dark.
-const DARK: f32 = 5e-4;
+/// What is darker than this stays dark: rooms, and what is outside.
+const DARK: [f32; 2] = [1e-4, 5e-4];
 
 /// How bright a colour is to the eye (Rec. 709).
 #[inline(always)]
@@ -296,22 +296,23 @@ impl Lighting {
         use vc_graph::portable::Portable;
         // Outside is as bright as it is; a little of a sunny balcony does not make its room dark.
         let outdoors = self.room_for(eye) + 1 == self.rooms.len();
+        let dark = DARK[usize::from(outdoors)];
         let inside = |room: &usize| outdoors || room + 1 < self.rooms.len();
         let levels = seen.into_iter().map(|r| usize::from(r).min(self.rooms.len() - 1)).filter(inside);
         let mut levels: Vec<_> = levels.map(|room| self.level(room)).collect();
         if levels.is_empty() {
             levels.push(self.level(self.room_for(eye)));
         }
-        let (count, first) = (levels.len() as f32, levels[0].0.max(DARK));
+        let (count, first) = (levels.len() as f32, levels[0].0.max(dark));
         // Against the first, so that rooms alike are exactly that.
-        let off = levels.iter().map(|(level, _)| (level.max(DARK) / first).logarithm()).sum::<f32>() / count;
+        let off = levels.iter().map(|(level, _)| (level.max(dark) / first).logarithm()).sum::<f32>() / count;
         let most = BRIGHTER * first * off.exponential();
         let mean = levels.iter().map(|(level, _)| level.min(most)).sum::<f32>() / count;
         let colour = levels.iter().fold([0.0; 3], |sum, (_, c)| {
             let share = 1.0 / brightness(*c);
             three(|i| sum[i] + share * c[i])
         });
-        three(|c| 0.8 / mean.max(DARK) / (colour[c] / count).max(0.1).power(BALANCE))
+        three(|c| 0.8 / mean.max(dark) / (colour[c] / count).max(0.1).power(BALANCE))
     }
 
     /// Mean radiance of a room if it were grey, thrown back and straight from its lamps, and its colour.

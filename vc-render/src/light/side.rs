@@ -22,8 +22,7 @@ impl Lighting {
         }
         let (mesh, index) = (seen.mesh(&snapshot.instances), seen.index());
         let [a, b, c] = mesh.triangle(mesh.cluster_of(index), index);
-        let at = if body.stands == Stands::Between { a } else { three(|i| (a[i] + b[i] + c[i]) / 3.0) };
-        let at = affine::point(&instance.world.narrow(), at);
+        let at = affine::point(&instance.world.narrow(), three(|i| (a[i] + b[i] + c[i]) / 3.0));
         self.room_of(body, at, unit(affine::normal(&instance.inverse, mesh.normals[index][0])))
     }
 
@@ -37,9 +36,10 @@ impl Lighting {
                 let (out, middle) = (body.pose.rotation * Vector3::x(), body.pose.translation.vector);
                 let side = (Vector3::from(at) - middle).dot(&out).signum();
                 // What looks along the wall is of the room on its side.
-                let before = [normal, (out * side).into()].map(|along| three(|i| at[i] + AHEAD * along[i]));
-                let around = before.into_iter().find_map(|at| self.room_around(at));
-                around.map_or_else(|| self.open_or(body.room, at, normal), |room| room as u16)
+                let [before, aside] = [normal, (out * side).into()].map(|along| three(|i| at[i] + AHEAD * along[i]));
+                let room = |at: [f32; 3]| self.room_around(at).map(|room| room as u16);
+                let open = || self.is_open(at, normal).then_some(NO_ROOM);
+                room(before).or_else(open).or_else(|| room(aside)).unwrap_or(body.room)
             }
         }
     }
@@ -50,14 +50,14 @@ impl Lighting {
         if self.rooms.get(usize::from(own)).is_none_or(|(low, high)| holds(low, high, ahead)) {
             return own;
         }
-        self.room_around(ahead).map_or_else(|| self.open_or(own, at, normal), |room| room as u16)
+        let open = || if self.is_open(at, normal) { NO_ROOM } else { own };
+        self.room_around(ahead).map_or_else(open, |room| room as u16)
     }
 
-    /// No room for a face that looks out under the open sky, past the wall that it may be set in; else the one that is
-    /// given.
-    fn open_or(&self, room: u16, at: [f32; 3], normal: [f32; 3]) -> u16 {
+    /// Whether it is under the open sky before a face, past the wall that it may be set in.
+    fn is_open(&self, at: [f32; 3], normal: [f32; 3]) -> bool {
         let from = three(|i| at[i] + 2.0 * AHEAD * normal[i]);
-        if self.tracer.blocked(&Ray { from, along: [0.0, 0.0, 1.0], end: 1e4 }) { room } else { NO_ROOM }
+        !self.tracer.blocked(&Ray { from, along: [0.0, 0.0, 1.0], end: 1e4 })
     }
 
     /// The room that a place is in.
