@@ -118,14 +118,14 @@ impl Environment {
     /// What lies on an edge may fall when something beside it is moved, though nobody touches it.
     /// The rule knows nothing of that, all is taken back, and from then on every action would end so:
     /// it is held where it is. Drawers that go by themselves may leave behind what leans on something
-    /// in them, which is then in the way of the door: they are pushed. And what the graph has near may
-    /// be so no longer, at the edge of reach: one steps up to it.
+    /// in them, which is then in the way of the door: they are pushed. And who turns to what is near, at
+    /// the edge of reach, may be out of it then: one stays as one stands.
     fn heeding(&self, agent: NodeId, action: &Action, failed: Option<&ActionError>) -> Option<Care> {
         match failed? {
             ActionError::Disagreement(disagreement) => {
                 let astray: Vec<NodeId> = disagreement.differences.iter().map(|d| d.thing.id).collect();
                 if astray.iter().all(|id| *id == agent) {
-                    return Some(Care { goes: true, ..Care::default() });
+                    return Some(Care { stays: true, ..Care::default() });
                 }
                 let bystanders = astray.iter().all(|id| self.is_bystander(*id, agent, action));
                 bystanders.then(|| Care { steadied: astray, ..Care::default() })

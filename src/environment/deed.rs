@@ -99,7 +99,13 @@ impl Deed<'_> {
         match *effect {
             Effect::Enter(id, State::Open) => self.drive(id, 1.0),
             Effect::Enter(id, State::Closed) => self.drive(id, 0.0),
-            Effect::Approach(id) if !self.care.goes && self.before.near(self.agent, id) => self.face(id),
+            Effect::Approach(id) if self.before.near(self.agent, id) => {
+                if self.care.stays {
+                    Ok(())
+                } else {
+                    self.face(id)
+                }
+            }
             Effect::GoTo(id) | Effect::Approach(id) => self.go_to(id),
             Effect::Face(id) => self.face(id),
             Effect::Hold(id) => self.hold(id),

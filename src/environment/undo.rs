@@ -41,8 +41,9 @@ pub(super) struct Care {
     /// Whether doors and drawers are pushed all the way: put where they go, one left behind what it
     /// should have taken along.
     pub(super) pushes: bool,
-    /// Whether one steps up to what the graph has near already: it may be so no longer.
-    pub(super) goes: bool,
+    /// Whether one stays as one stands before what is near: at the edge of reach, to turn to it would
+    /// take it out of that.
+    pub(super) stays: bool,
 }
 
 impl Undo {

@@ -137,9 +137,8 @@ fn what_stands_in_fresh_homes_opens() {
 fn what_stands_in_many_fresh_homes_opens() {
     let number = |name: &str, usual: u64| std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(usual);
     let from = number("FROM", 1);
-    (from..from + number("HOMES", 100)).for_each(|seed| {
-        assert_all_opens(seed);
-    });
+    let opened: usize = (from..from + number("HOMES", 100)).map(assert_all_opens).sum();
+    assert!(opened > 0);
 }
 
 /// The start is the start: after a reset to it an environment is the one that was made.
