@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 mod common;
+#[path = "scenes/dressed.rs"]
+mod dressed;
 
 use std::collections::BTreeSet;
 use std::io::{Read, Write};

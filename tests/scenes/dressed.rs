@@ -1,0 +1,146 @@
+//! VirtualHome's scenes in the looks of their classes.
+
+use nalgebra::{Point2, Vector2, Vector3};
+use vc_graph::asset::{Hold, JointKind};
+use vc_graph::format::thesis;
+use vc_graph::{Aabb, Asset, ClassTable, Kind, Node, Property, SceneGraph};
+use vc_procgen::{Apartment, dress};
+
+use super::common;
+
+fn dressed(scene: &SceneGraph) -> SceneGraph {
+    dress::dressed(scene, dress::seed_of(scene)).unwrap()
+}
+
+fn scenes() -> impl Iterator<Item = (SceneGraph, SceneGraph)> {
+    common::SCENES.iter().filter_map(|&n| common::scene(n)).map(|scene| {
+        let looks = dressed(&scene);
+        (scene, looks)
+    })
+}
+
+fn asset<'g>(graph: &'g SceneGraph, node: &Node) -> &'g Asset {
+    graph.assets().get(node.spec().asset.unwrap()).unwrap()
+}
+
+#[test]
+fn what_opens_has_doors_or_drawers_and_shelves_come_with_it() {
+    for (_, looks) in scenes() {
+        for class in ["fridge", "closet", "microwave", "dishwasher", "washingmachine", "cabinet"] {
+            for id in looks.of_class(class) {
+                let made = asset(&looks, looks.node(id).unwrap());
+                assert!(made.parts.iter().any(|p| p.joint.is_some()), "{} does not open", looks.label(id));
+                assert!(made.surfaces.iter().any(|s| s.hold == Hold::Inside), "{} holds nothing", looks.label(id));
+            }
+        }
+        for id in looks.of_class("door") {
+            let leaf = |p: &vc_graph::asset::Part| p.joint.is_some_and(|j| j.kind == JointKind::Hinge);
+            assert!(asset(&looks, looks.node(id).unwrap()).parts.iter().any(leaf), "{}", looks.label(id));
+        }
+    }
+}
+
+#[test]
+fn the_same_scene_gets_the_same_looks() {
+    let Some(scene) = common::scene(2) else { return };
+    let (one, other) = (dressed(&scene), dressed(&scene));
+    assert_eq!(one, other);
+    assert_eq!(one.assets(), other.assets());
+}
+
+/// Furniture that has a front; seats may look at the table they are drawn up to.
+const FRONTS: [&str; 18] = [
+    "sofa",
+    "bed",
+    "desk",
+    "bookshelf",
+    "cabinet",
+    "closet",
+    "television",
+    "fridge",
+    "stove",
+    "dishwasher",
+    "toilet",
+    "washing_machine",
+    "tv_stand",
+    "kitchen_counter",
+    "nightstand",
+    "chair",
+    "bathroom_counter",
+    "kitchen_cabinet",
+];
+
+/// A box as the ground sees it.
+fn over(b: &Aabb, p: Point2<f32>) -> bool {
+    (b.min.x..=b.max.x).contains(&p.x) && (b.min.y..=b.max.y).contains(&p.y)
+}
+
+/// Free floor before a side of a box, as a share of points up to three quarters of a metre away.
+fn free(scene: &SceneGraph, node: &Node, way: Vector2<f32>) -> f32 {
+    let own = node.aabb().unwrap();
+    let (centre, half) = (own.centre().xy(), (own.max - own.min).xy() / 2.0);
+    let is_in_way = |n: &&Node| {
+        let tall = n.aabb().is_some_and(|b| b.max.z > 0.2 && b.min.z < 1.5 && (b.max - b.min).xy().min() < 2.4);
+        let apart = n.id() != node.id() && !scene.rests_at(node.id(), n.id()) && !scene.rests_at(n.id(), node.id());
+        n.kind() == Kind::Object && tall && apart && !n.affords(Property::Graspable) && &**n.class() != "chair"
+    };
+    let blocks: Vec<Aabb> = scene.nodes().filter(is_in_way).filter_map(Node::aabb).collect();
+    let floors: Vec<Aabb> = scene.of_class("floor").iter().filter_map(|f| scene.node(*f)?.aabb()).collect();
+    let reach = half.x * way.x.abs() + half.y * way.y.abs();
+    let along = Vector2::new(-way.y, way.x);
+    let wide = half.x * along.x.abs() + half.y * along.y.abs();
+    let spots = (1..=5).flat_map(|i| (-2..=2).map(move |j| (i as f32 * 0.15, j as f32 * 0.4)));
+    let spots: Vec<Point2<f32>> = spots.map(|(d, s)| centre + way * (reach + d) + along * (wide * s)).collect();
+    let is_free = |p: &&Point2<f32>| floors.iter().any(|f| over(f, **p)) && !blocks.iter().any(|b| over(b, **p));
+    spots.iter().filter(is_free).count() as f32 / spots.len() as f32
+}
+
+/// Boxes do not say how what is in them is turned: the floor does.
+#[test]
+fn furniture_faces_the_free_floor() {
+    let (mut all, mut wrong) = (0, Vec::new());
+    for (number, (scene, looks)) in common::SCENES.iter().zip(scenes()) {
+        for node in looks.nodes().filter(|n| FRONTS.contains(&&**n.class())) {
+            let bare = scene.node(node.id()).unwrap();
+            let front = (node.pose().unwrap().rotation * Vector3::x()).xy();
+            let (ahead, behind) = (free(&scene, bare, front), free(&scene, bare, -front));
+            all += 1;
+            let at_table = &**node.class() == "chair" && looks_at_table(&scene, bare, front);
+            if !at_table && (ahead + 0.05 < behind || ahead == 0.0) {
+                wrong.push(format!("scene {number}: {} {ahead:.2} ahead, {behind:.2} behind", node.label()));
+            }
+        }
+    }
+    assert!(wrong.len() * 20 <= all, "{} of {all} face no free floor: {wrong:#?}", wrong.len());
+}
+
+fn looks_at_table(scene: &SceneGraph, chair: &Node, front: Vector2<f32>) -> bool {
+    let at = chair.aabb().unwrap().centre();
+    let tables = ["desk", "kitchen_table", "coffee_table"].iter().flat_map(|class| scene.of_class(class));
+    let boxes = tables.filter_map(|id| scene.node(id)?.aabb());
+    boxes.filter(|b| b.distance(&at) < 1.3).any(|b| (b.nearest(&at) - at).xy().dot(&front) > 0.0 || b.contains(&at))
+}
+
+/// The thesis's JSON has classes and sizes alone: what is read back is of the same kinds and in
+/// the same materials, as the home's name has its seed.
+#[test]
+fn a_home_of_the_thesis_format_looks_as_it_did() {
+    let home = Apartment::from_seed(vc_graph::Seed(42)).unwrap().scene();
+    let text = thesis::write(&home);
+    let looks = dressed(&thesis::read(&text, &ClassTable::builtin()).unwrap());
+    let (mut all, mut shared) = (0, 0);
+    for before in home.nodes().filter(|n| n.kind() == Kind::Object && n.spec().asset.is_some()) {
+        let after = looks.node(before.id()).unwrap();
+        assert_eq!(before.class(), after.class());
+        let mats = |graph: &SceneGraph, node: &Node| -> std::collections::BTreeSet<String> {
+            asset(graph, node)
+                .parts
+                .iter()
+                .map(|p| graph.assets().material(p.material).unwrap().name.to_string())
+                .collect()
+        };
+        all += 1;
+        shared += usize::from(!mats(&home, before).is_disjoint(&mats(&looks, after)));
+    }
+    assert!(shared * 10 >= all * 8, "{shared} of {all} share a material with what they were");
+}
