@@ -185,6 +185,9 @@ pub enum Impossible {
         /// How far open it is, percent.
         open: f32,
     },
+    /// Something would end outside the home: over the edge of a balcony, through a gap.
+    #[error("{0} would fall out of the home: move it away from the edge first")]
+    FallsOut(Label),
     /// A loose thing does not keep its balance while its lid turns.
     #[error("{0} would fall over where it is: take it out first")]
     Topples(Label),
