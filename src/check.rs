@@ -255,7 +255,10 @@ fn unsound(environment: &Environment, action: &str) -> Vec<Breach> {
     let not_finite =
         graph.nodes().filter(|n| wild(n)).map(|n| lost(format!("the pose of {} is not finite", n.label())));
     let outside = world.outside().into_iter().map(|id| lost(format!("{} is outside the home", graph.label(id))));
-    let stopped = world.stopped().iter().map(|id| lost(format!("{} became non-finite", graph.label(*id))));
+    let stopped = world
+        .stopped()
+        .iter()
+        .map(|id| lost(format!("{} was stopped: it became non-finite, or fell below everything", graph.label(*id))));
     broken.chain(not_finite).chain(outside).chain(stopped).collect()
 }
 

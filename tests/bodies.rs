@@ -3,6 +3,9 @@
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
+#[path = "bodies/dropped.rs"]
+mod dropped;
+
 use nalgebra::{Point2, UnitQuaternion, Vector3};
 use virtualcity::graph::{Bounds, Draft, NodeId, Pose, Relation, SceneBuilder, SceneGraph, Seed};
 use virtualcity::physics::{Doors, Floor, FloorPlan, Settings, Shapes, World};

@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
 mod agreement;
+#[path = "environment/astray.rs"]
+mod astray;
 mod common;
 
 use flate2::Compression;
@@ -656,4 +658,39 @@ fn agents_are_elsewhere_at_once() {
     let table = home.graph().of_class("coffee_table")[0];
     act(&mut home, me, Verb::Walk, &[table]);
     act(&mut home, me, Verb::Place, &[novel, table]);
+}
+
+/// What actions cost, by five hundred, and what could make them dearer; `HOMES`, `ACTIONS` and `FROM`
+/// choose others.
+#[test]
+#[ignore = "takes a minute: proofs/drift"]
+#[allow(clippy::print_stdout, reason = "it is a report")]
+fn actions_cost_what_the_first_did() {
+    const PART: u64 = 500;
+    let number =
+        |name: &str, otherwise: u64| std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(otherwise);
+    let (from, homes, actions) = (number("FROM", 42), number("HOMES", 1), number("ACTIONS", 5_000));
+    for seed in from..from + homes {
+        let (mut home, mut stream) = (home(seed, 2), Seed(seed).stream());
+        for part in 0..actions / PART {
+            let (mut times, mut done, ticks) = (Vec::new(), 0, home.world().ticks());
+            for _ in 0..PART {
+                let agent = *stream.pick(home.agents()).unwrap();
+                let action = virtualcity::legal_action(home.graph(), agent, &mut stream);
+                let start = cpu_time::ThreadTime::now();
+                done += u64::from(home.set_action(agent, action).is_ok());
+                times.push(start.elapsed());
+            }
+            times.sort_unstable();
+            let mean = times.iter().sum::<std::time::Duration>().as_secs_f64() * 1e3 / PART as f64;
+            let median = times[times.len() / 2].as_secs_f64() * 1e3;
+            let (steps, contacts) = (home.world().ticks() - ticks, home.world().contacts().len());
+            let bytes = home.world().save().unwrap().len() / 1000;
+            println!(
+                "home {seed}, actions {} : {done} done, mean {mean:.2} ms, median {median:.2} ms, {steps} steps, \
+                 {contacts} contacts, {bytes} kB",
+                part * PART
+            );
+        }
+    }
 }

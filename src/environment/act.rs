@@ -7,6 +7,7 @@ use vc_physics::{Role, World};
 use vc_relations::threshold::FACING_COSINE;
 
 use super::agree::Outcome;
+use super::astray;
 use super::beat::Course;
 use super::deed::Deed;
 use super::undo::{Care, Step};
@@ -130,6 +131,10 @@ impl Environment {
                 let bystanders = astray.iter().all(|id| self.is_bystander(*id, agent, action));
                 bystanders.then(|| Care { steadied: astray, ..Care::default() })
             }
+            ActionError::Impossible { why: Impossible::FallsOut(thing), .. } => {
+                let bystander = self.is_bystander(thing.id, agent, action);
+                bystander.then(|| Care { steadied: vec![thing.id], ..Care::default() })
+            }
             ActionError::Impossible { why: Impossible::Stuck { .. }, .. } => {
                 Some(Care { pushes: true, ..Care::default() })
             }
@@ -165,7 +170,7 @@ impl Environment {
             }
             Err(_) => self.undo.take_back(&mut self.world, &mut self.floor, &self.start),
         }
-        if done.as_ref().is_err_and(|e| !matches!(e, ActionError::Impossible { .. })) {
+        if done.as_ref().is_err_and(was_looked_at) {
             self.look_at_all();
         }
         done.map(|changes| Done { changes, course })
@@ -189,10 +194,11 @@ impl Environment {
         let changed: Vec<NodeId> = changes.changes().iter().filter_map(holder).chain([agent]).collect();
         let looked = observe::look_again(&mut observed, &self.world, &mut self.relations, &changed);
         let action_text = action.describe(&self.graph).to_string();
-        let (met, seen) = looked.map_err(|why| {
-            self.look_at_all();
-            ActionError::Impossible { action: action_text.clone(), why }
-        })?;
+        let impossible = |why| ActionError::Impossible { action: action_text.clone(), why };
+        let (met, seen) = looked.map_err(impossible)?;
+        if let Some(id) = astray::fell_out(&self.world, &seen) {
+            return Err(impossible(Impossible::FallsOut(ruled.label(id))));
+        }
         let faced = keep_facing(&mut observed, &ruled, agent).then(lay_through(&mut observed, &ruled, &changed));
         let outcome = Outcome { before: &self.graph, ruled: &ruled, observed: &observed, world: &self.world };
         let differences = outcome.differences(agent, action, &changes, &met);
@@ -231,6 +237,16 @@ fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed: &[NodeId]
     // All are there, and carry one another already.
     laid.into_iter().for_each(|(id, places)| drop(edit.place_as_seen(id, &places, None)));
     edit.commit()
+}
+
+/// Whether an action failed after its outcome had been observed, so that relations are those of what
+/// was taken back.
+fn was_looked_at(error: &ActionError) -> bool {
+    use Impossible::{FallsOut, Unreadable};
+    match error {
+        ActionError::Impossible { why, .. } => matches!(why, FallsOut(_) | Unreadable(_)),
+        _ => true,
+    }
 }
 
 /// What is somewhere else by the rule.

@@ -176,6 +176,9 @@ pub enum Impossible {
         /// What it would meet on the rest of its way; none if it jams by itself.
         by: Vec<Label>,
     },
+    /// Something would end outside the home: over the edge of a balcony, through a gap.
+    #[error("{0} would fall out of the home: move it away from the edge first")]
+    FallsOut(Label),
     /// A loose thing does not keep its balance while its lid turns.
     #[error("{0} would fall over where it is: take it out first")]
     Topples(Label),

@@ -4,20 +4,16 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use vc_graph::{AssetId, Draft, History, Kind, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
-use vc_physics::{BodyPlan, Floor, FloorPlan, Order, Settings, Shapes, World};
+use vc_graph::{AssetId, Draft, History, Kind, NodeId, Pose, SceneBuilder, SceneGraph};
+use vc_physics::{BodyPlan, Floor, FloorPlan, Settings, Shapes, World};
 use vc_relations::{Relations, Rule};
 
+use super::astray::{self, LeftOut};
 use super::reset::undress;
 use super::undo::Undo;
 use super::{Assets, Environment, MakeError, SceneOptions, Start, act, boxes, observe, scene};
 use crate::figure;
 
-/// What is not in the environment though it is in the scene.
-type LeftOut = Vec<(NodeId, Arc<str>)>;
-
-/// How far down a thing is that has fallen, metres.
-const FALL: f32 = 0.1;
 /// Steps in which agents find the ground.
 const LANDING: u32 = 24;
 /// Free floor kept between agents, metres from middle to middle.
@@ -114,12 +110,12 @@ impl Environment {
         let mut world = World::build(builder.graph(), &shapes, Settings::default())?;
         boxes::hold(&mut world, builder.graph(), &bare)?;
         undress(&mut world, builder.graph())?;
-        act::calm(&mut world);
-        let left_out = put_back(&mut world, &mut builder)?;
+        let left_out = astray::calm(&mut world, &mut builder)?;
         let floor = Floor::of(&world, FloorPlan::default());
         if !bare.is_empty() {
             boxes::step_aside(&mut world, builder.graph(), &floor)?;
         }
+        astray::stand_on_floor(&mut world, &floor)?;
         let places = standing_places(builder.graph(), &world, &floor, agents)?;
         let mut library = builder.graph().assets().as_ref().clone();
         let people = (0..places.len()).map(|i| figure::add_to(&mut library, i));
@@ -169,36 +165,6 @@ impl Environment {
             start,
         }
     }
-}
-
-/// Puts what has fallen back to a free spot where the scene has it; what finds none and has
-/// fallen out of the home is taken out of the scene, and named.
-fn put_back(world: &mut World, builder: &mut SceneBuilder) -> Result<LeftOut, MakeError> {
-    let drop = |n: &vc_graph::Node| Some(n.position()?.z - world.pose(n.id())?.translation.z);
-    let things = builder.graph().nodes().filter(|n| n.kind() == Kind::Object);
-    let mut fallen: Vec<NodeId> = things.filter(|n| drop(n).is_some_and(|d| d > FALL)).map(|n| n.id()).collect();
-    fallen.extend(world.outside());
-    fallen.sort_unstable();
-    fallen.dedup();
-    for &id in &fallen {
-        let place = builder.graph().place(id);
-        let at = |p: Place| world.free_spot_at(id, p.at, p.relation == Relation::Inside, Order::Middle);
-        if let Some(spot) = place.map(at).transpose()?.flatten() {
-            world.place(id, spot)?;
-        }
-    }
-    if !fallen.is_empty() {
-        act::calm(world);
-    }
-    let mut left_out = LeftOut::new();
-    for id in world.outside() {
-        left_out.extend(builder.graph().node(id).map(|n| (id, n.class().clone())));
-        world.remove(id)?;
-        let mut edit = builder.edit();
-        edit.remove(id)?;
-        edit.commit();
-    }
-    Ok(left_out)
 }
 
 /// Rooms and feet for the agents that are still missing: in the middles of rooms that can

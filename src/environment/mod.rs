@@ -3,6 +3,7 @@
 mod act;
 mod agree;
 mod alter;
+mod astray;
 mod beat;
 mod boxes;
 mod deed;
@@ -142,8 +143,9 @@ impl Environment {
         &self.start.graph
     }
 
-    /// What [`make`](Self::make) took out of the scene, with its class: things that fell out
-    /// of the home and had no free spot where the scene has them. Hardly ever any.
+    /// What [`make`](Self::make) took out of the scene, with its class: things that were or fell
+    /// outside the home, or were in the place of another, and had no free spot where the scene has
+    /// them. Hardly ever any.
     pub fn left_out(&self) -> &[(NodeId, Arc<str>)] {
         &self.start.left_out
     }

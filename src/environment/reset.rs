@@ -55,6 +55,9 @@ pub enum Why {
     /// What it is to be at is not in the scene.
     #[error("{0} has no body")]
     NoSupport(Label),
+    /// It fell out of the home: nothing is below where it is to be.
+    #[error("it fell out of the home: nothing is below it")]
+    FellOut,
     /// No body can be made of it.
     #[error("it has no shape, and there is no generator for its class")]
     NoShape,
@@ -126,6 +129,7 @@ impl Environment {
         plan.lower(&mut world)?;
         seat(&mut world, &mut wanted, &mut plan.report)?;
         act::calm(&mut world);
+        plan.take_out(&mut world, &mut wanted)?;
         let relations = self.observed(&mut wanted, &world, new_shapes)?;
         let mut floor = self.start.floor.clone();
         floor.update(&world);
@@ -260,15 +264,31 @@ impl Plan {
         for (id, place) in std::mem::take(&mut self.open) {
             let posed = !self.unposed.contains(&id);
             if let Err(why) = settle_place(world, graph, (id, posed), place)? {
-                self.report.unplaced.push(Unplaced { thing: graph.label(id), why });
-                if world.pose(id).is_some() {
-                    world.remove(id)?;
-                }
-                let mut edit = graph.edit();
-                edit.remove(id)?;
-                edit.commit();
+                self.leave_out(world, graph, id, why)?;
             }
         }
+        Ok(())
+    }
+
+    /// Takes out what has fallen out of the home, and what falls as it carried that.
+    fn take_out(&mut self, world: &mut World, graph: &mut SceneGraph) -> Result<(), ResetError> {
+        let mut outside = world.outside();
+        while !outside.is_empty() {
+            outside.into_iter().try_for_each(|id| self.leave_out(world, graph, id, Why::FellOut))?;
+            act::calm(world);
+            outside = world.outside();
+        }
+        Ok(())
+    }
+
+    fn leave_out(&mut self, world: &mut World, graph: &mut SceneGraph, id: NodeId, why: Why) -> Result<(), ResetError> {
+        self.report.unplaced.push(Unplaced { thing: graph.label(id), why });
+        if world.pose(id).is_some() {
+            world.remove(id)?;
+        }
+        let mut edit = graph.edit();
+        edit.remove(id)?;
+        edit.commit();
         Ok(())
     }
 

@@ -259,6 +259,18 @@ impl Engine {
         self.early.take();
     }
 
+    /// Lets a body take part again that the engine has taken out for being non-finite.
+    pub(crate) fn enable(&mut self, body: RigidBodyHandle) {
+        let Some(rigid) = self.bodies.get_mut(body).filter(|b| !b.is_enabled()) else { return };
+        rigid.set_enabled(true);
+        let colliders = rigid.colliders().to_vec();
+        for collider in colliders {
+            if let Some(collider) = self.colliders.get_mut(collider) {
+                collider.set_enabled(true);
+            }
+        }
+    }
+
     /// Takes all colliders off a body.
     pub(crate) fn strip(&mut self, body: RigidBodyHandle) {
         self.early.take();

@@ -6,6 +6,7 @@
 //! clusters merge whenever normals agree, and so keep points that hover where others carry; here
 //! points are left as they are unless nothing is lost.
 
+use crate::foot;
 use rapier3d::geometry::{ContactData, ContactManifold, ContactManifoldData};
 use rapier3d::math::{Pose, Vector};
 use rapier3d::parry::query::details::NormalConstraints;
@@ -47,7 +48,9 @@ impl PersistentQueryDispatcher<ContactManifoldData, ContactData> for Footing {
         workspace: &mut Option<ContactManifoldsWorkspace>,
     ) -> Result<(), Unsupported> {
         if g1.as_compound().is_none() && g2.as_compound().is_none() {
-            return Err(Unsupported);
+            DefaultQueryDispatcher.contact_manifolds(pos12, g1, g2, prediction, manifolds, workspace)?;
+            foot::complete(manifolds, pos12, (g1, g2));
+            return Ok(());
         }
         // The workspace tells which manifold is of which parts: of merged ones it tells
         // nothing, and all are found anew. It is left where it is, as the engine knows by it

@@ -59,9 +59,6 @@ pub(crate) fn mark(id: NodeId, link: usize) -> u128 {
     u128::from(id.0) | (link as u128) << 32
 }
 
-/// Added to the mark of a body that can roll.
-pub(crate) const ROLLS: u128 = 1 << 64;
-
 /// The node and the part of a mark.
 pub(crate) fn marked(mark: u128) -> (NodeId, usize) {
     (NodeId(mark as u32), (mark >> 32) as u32 as usize)

@@ -23,7 +23,7 @@ pub enum Role {
     Hung,
     /// An agent's hand, or something that one holds, carries it.
     Carried,
-    /// It became non-finite, or flew off, and was stopped.
+    /// It became non-finite, flew off or fell below everything, and was stopped.
     Stopped,
 }
 

@@ -1,6 +1,5 @@
 //! Letting a scene come to rest, and what happened on the way.
 
-use nalgebra::Point3;
 use rapier3d::math::Vector;
 use vc_graph::{Aabb, NodeId, Place, Pose, Relation};
 
@@ -82,7 +81,12 @@ impl World {
             at_rest: self.engine.is_at_rest(),
             fell: moved.iter().filter(|m| m.drop > DROP).map(|m| m.id).collect(),
             moved: moved.into_iter().filter(|m| m.distance > STILL || m.angle > STRAIGHT).collect(),
-            left: self.loose().filter_map(|t| Some((t.id, self.lost_place(t)?))).collect(),
+            left: self
+                .things
+                .iter()
+                .filter(|t| matches!(t.state.role, Role::Loose | Role::Stopped))
+                .filter_map(|t| Some((t.id, self.lost_place(t)?)))
+                .collect(),
             outside: self.outside(),
             overlapping: self.overlapping(),
             stopped: self.stopped[known..].to_vec(),
@@ -120,17 +124,38 @@ impl World {
         (!kept).then_some(place)
     }
 
-    /// Loose things outside every room, or below the lowest floor; without rooms,
-    /// outside the box around everything that is fixed.
+    /// What is outside every room, below the lowest floor, or in the ground below a floor: loose
+    /// things, and those that were stopped; without rooms, what is outside the box around
+    /// everything that is fixed. Of what hangs that which is below all of it.
     pub fn outside(&self) -> Vec<NodeId> {
+        let (boxes, grounds) = (self.inside(), self.grounds());
+        self.things.iter().filter(|t| self.is_beyond(t, &boxes, &grounds)).map(|t| t.id).collect()
+    }
+
+    /// Whether a node is [outside](Self::outside).
+    pub fn is_outside(&self, id: NodeId) -> bool {
+        self.thing(id).is_ok_and(|thing| self.is_beyond(thing, &self.inside(), &self.grounds()))
+    }
+
+    fn is_beyond(&self, thing: &Thing, boxes: &[Aabb], grounds: &[Aabb]) -> bool {
+        let Some(centre) = self.centre_of_mass(thing.id) else { return false };
+        let inside = boxes.is_empty() || boxes.iter().any(|b| b.contains(&centre));
+        match thing.state.role {
+            Role::Loose | Role::Stopped => !inside || grounds.iter().any(|b| b.contains(&centre)),
+            Role::Hung => !boxes.is_empty() && boxes.iter().all(|b| centre.z < b.min.z),
+            Role::Fixed | Role::Carried => false,
+        }
+    }
+
+    /// The boxes in which things are.
+    fn inside(&self) -> Vec<Aabb> {
         let mut boxes: Vec<Aabb> = self.rooms.iter().map(|(_, aabb)| grown(aabb, DOORSTEP)).collect();
         if boxes.is_empty() {
             let fixed = self.things.iter().filter(|t| t.state.role == Role::Fixed).filter_map(|t| self.aabb(t.id));
             boxes.extend(fixed.reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) }));
             boxes.iter_mut().for_each(|b| b.max.z = f32::INFINITY);
         }
-        let inside = |p: Point3<f32>| boxes.is_empty() || boxes.iter().any(|b| b.contains(&p));
-        self.loose().filter(|t| self.centre_of_mass(t.id).is_some_and(|c| !inside(c))).map(|t| t.id).collect()
+        boxes
     }
 
     /// Pairs of things that are deeper in each other than what the engine leaves at

@@ -16,7 +16,7 @@ use crate::{Settings, SnapshotError};
 /// What a snapshot begins with.
 const MAGIC: &[u8; 8] = b"VCWORLD\n";
 /// Changes whenever what follows changes.
-const VERSION: u32 = 4;
+const VERSION: u32 = 5;
 /// Bytes before the content: magic, version, checksum.
 const HEAD: usize = 20;
 
@@ -84,7 +84,7 @@ impl World {
             };
             content.things.into_iter().map(form).collect::<Result<Vec<Thing>, SnapshotError>>()
         })?;
-        Ok(Self {
+        let mut world = Self {
             settings: content.settings,
             engine: content.engine,
             things,
@@ -94,10 +94,13 @@ impl World {
             fills: content.fills,
             driven: content.driven,
             rooms: crate::world::rooms(graph),
+            bottom: f32::NEG_INFINITY,
             ticks: content.ticks,
             stopped: content.stopped,
             skipped: content.skipped,
-        })
+        };
+        world.find_bottom();
+        Ok(world)
     }
 
     /// A 64-bit digest of what moves and how: poses, velocities and sleep of all

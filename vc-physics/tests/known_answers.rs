@@ -78,7 +78,7 @@ fn what_stands_on_legs_tips_over_their_edge() {
     }
 }
 
-/// A ball rolls until rolling resistance, 0.03 of its weight, has stopped it: of a full
+/// A ball rolls until rolling resistance, 0.02 of its weight, has stopped it: of a full
 /// sphere the resistance slows the roll by 5/7 of that.
 #[test]
 fn a_ball_rolls_to_a_stop() {
@@ -89,7 +89,7 @@ fn a_ball_rolls_to_a_stop() {
     world.set_velocity(ball, Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.0, 10.0, 0.0)).unwrap();
     assert!(world.settle(600).at_rest);
     let distance = world.pose(ball).unwrap().translation.x;
-    let expected = 1.0 / (2.0 * 0.03 * 9.81 * 5.0 / 7.0);
+    let expected = 1.0 / (2.0 * 0.02 * 9.81 * 5.0 / 7.0);
     assert!((distance / expected - 1.0).abs() < 0.1, "{distance} m, should be {expected} m");
 }
 

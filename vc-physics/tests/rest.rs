@@ -227,3 +227,51 @@ fn what_leans_sleeps_where_it_slept() {
     world.step();
     assert!(!world.is_asleep(leaning));
 }
+
+/// What was on a rack that is taken away falls, though it hung there.
+#[test]
+fn what_hung_from_it_falls() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let hook = surface("hook", Hold::Hook, [0.05, 0.2, 1.6], (0.0, 0.0), Some(1.2));
+    let board = part("board", block([0.01, 0.4, 0.05]), at(0.0, 0.0, 1.6), scene.wood);
+    let rack = scene.asset(Asset { name: "rack".into(), parts: vec![board], surfaces: vec![hook], ..Asset::default() });
+    let rack = scene.add("wall_hook_rack", rack, at(1.0, 1.0, 0.0));
+    let coat = scene.solid("coat", block([0.05, 0.2, 0.5]), scene.wood);
+    let coat = scene.add("coat", coat, at(1.08, 1.2, 1.1));
+    let mut edit = scene.builder.edit();
+    edit.place(coat, Place { relation: Relation::On, at: rack }).unwrap();
+    edit.commit();
+    let mut world = scene.world();
+    world.settle(100);
+    assert_eq!(world.role(coat), Some(Role::Hung));
+    world.remove(rack).unwrap();
+    assert_eq!((world.settle(400).fell, world.role(coat)), (vec![coat], Some(Role::Loose)));
+}
+
+/// A block whose bottom has eight corners comes to rest from any small tilt: it does not rock from
+/// one side to the other for ever.
+#[test]
+fn flat_blocks_do_not_rock() {
+    let corners = [(0.06, 0.03), (0.05, 0.04), (-0.05, 0.04), (-0.06, 0.03)];
+    let points = corners.iter().flat_map(|&(x, y)| [(x, y), (-x, -y)]);
+    let points = points.flat_map(|(x, y)| [0.0, 0.02].map(|z| Point3::new(x, y, z))).collect();
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let sponge = scene.solid("sponge", Shape::Hull { points }, scene.wood);
+    let tilts = (0..24).map(|i| {
+        turned(
+            0.2 * i as f32 - 2.4,
+            0.0,
+            0.01 + 0.002 * i as f32,
+            Vector3::new(1.0, 0.3 * i as f32, 0.2),
+            0.05 * i as f32,
+        )
+    });
+    let things: Vec<NodeId> =
+        tilts.collect::<Vec<_>>().into_iter().map(|pose| scene.add("sponge", sponge, pose)).collect();
+    let mut world = scene.world();
+    let report = world.settle(300);
+    let awake: Vec<_> = things.into_iter().filter(|id| !world.is_asleep(*id)).collect();
+    assert!(report.at_rest, "{awake:?} of 24 are awake");
+}

@@ -294,3 +294,66 @@ fn steps_of_other_lengths() {
         assert!(World::build(&graph, &Shapes::new(), bad).is_err());
     }
 }
+
+/// Below a floor all is solid, however thin it is: what falls fast or is thin does not get through,
+/// and the floor is no thicker for those who ask. Where another storey is below, the ground ends.
+#[test]
+fn floors_have_ground_below_them() {
+    for thick in [1e-5_f32, 0.01, 0.1] {
+        let mut scene = Scene::default();
+        let slab = vc_graph::Bounds::standing([6.0, 6.0, thick].into());
+        let floor = scene.builder.add(Draft::new("floor").at(at(0.0, 0.0, -thick)).bounds(slab)).unwrap();
+        let sheet = scene.solid("sheet", common::block([0.05, 0.07, 0.0005]), scene.wood);
+        let sheets: Vec<_> = (0..10_u8)
+            .map(|i| {
+                let (i, axis) = (f32::from(i), Vector3::new(1.0, f32::from(i), 0.3));
+                scene.add("paper", sheet, common::turned(0.4 * i - 2.0, 0.0, 5.0, axis, 0.7 * i))
+            })
+            .collect();
+        let mut world = scene.world();
+        assert!(world.aabb(floor).unwrap().min.z > -thick - 0.003);
+        let report = world.settle(900);
+        assert!(report.outside.is_empty() && report.stopped.is_empty(), "{thick} m: {report:?}");
+        for sheet in sheets {
+            let z = world.centre_of_mass(sheet).unwrap().z;
+            assert!(z > -0.005, "{thick} m: {z}");
+        }
+    }
+}
+
+/// What gets past the edge of all floors is stopped and named before it is far, and takes part again
+/// where it is put.
+#[test]
+fn what_falls_out_of_the_world_is_stopped() {
+    let mut scene = Scene::default();
+    scene.floor(2.0, 0.5);
+    let cube = scene.cube(0.05, at(3.0, 0.0, 0.5));
+    let agent = scene.agent(at(0.0, 1.9, 0.0));
+    let mut world = scene.world();
+    let report = world.settle(600);
+    assert_eq!((report.stopped.as_slice(), report.outside.as_slice()), (&[cube][..], &[cube][..]), "{report:?}");
+    assert!(world.pose(cube).unwrap().translation.z > -4.0 && world.is_outside(cube));
+    world.place(cube, at(1.0, 0.0, 0.3)).unwrap();
+    assert_eq!(world.role(cube), Some(vc_physics::Role::Loose));
+    world.settle(300);
+    assert!(world.stopped().is_empty() && !world.is_outside(cube));
+    assert!((world.pose(cube).unwrap().translation.z - 0.05).abs() < 0.006);
+    // Nobody walks over the edge.
+    world.go(agent, nalgebra::Vector2::new(0.0, 1.0)).unwrap();
+    world.run(240);
+    let feet = world.pose(agent).unwrap().translation.vector;
+    assert!(feet.z > -0.2 && feet.y < 2.4, "{feet}");
+}
+
+/// Things in the place of another are told, however many.
+#[test]
+fn what_is_in_one_place_is_told() {
+    let mut scene = Scene::default();
+    scene.floor(2.0, 0.5);
+    let heap: Vec<_> = (0..40_u8).map(|i| scene.cube(0.05, at(0.0001 * f32::from(i), 0.0, 0.06))).collect();
+    let beside = scene.cube(0.05, at(0.2, 0.0, 0.06));
+    let within = scene.cube(0.01, at(0.03, 0.0, 0.06));
+    let world = scene.world();
+    assert_eq!(world.crowded(), heap[1..]);
+    assert!(!world.crowded().contains(&beside) && !world.crowded().contains(&within));
+}

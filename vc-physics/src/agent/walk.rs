@@ -1,6 +1,6 @@
 //! Walking: the engine's character controller, along paths and past each other.
 
-use nalgebra::{Point2, Vector2, Vector3};
+use nalgebra::{Point2, Point3, Vector2, Vector3};
 use rapier3d::control::{CharacterAutostep, CharacterCollision, CharacterLength, KinematicCharacterController};
 use rapier3d::geometry::{Collider, ColliderHandle};
 use rapier3d::math::Vector;
@@ -215,7 +215,11 @@ impl World {
         let Some(agent) = self.agents.get(&id) else { return };
         let fall = if agent.grounded { 0.0 } else { agent.fall + self.settings.gravity * dt };
         let desired = Vector::new(wish.x * dt, wish.y * dt, -fall * dt);
-        let (moved, grounded, hits) = self.slide(agent, desired);
+        let (mut moved, mut grounded, hits) = self.slide(agent, desired);
+        // Nobody steps, or falls, to where nothing is below.
+        if !grounded && fall >= 0.0 && self.is_over_nothing(&(agent.feet * Point3::from(moved)), agent.body) {
+            (moved, grounded) = (Vector3::zeros(), true);
+        }
         hits.iter().for_each(|hit| self.push_aside(id, hit, wish));
         // Who goes up has left the ground, however near it is.
         let grounded = grounded && fall >= 0.0;

@@ -27,6 +27,8 @@ const PRESSED: f32 = 0.0015;
 const WEDGES: usize = 10;
 /// A hollow narrower than this radius is taken as full, metres: nothing is put in.
 const NARROW: f32 = 0.02;
+/// How wide the polygon between two discs is, as a part of what it should be.
+const INNER: f32 = 0.97;
 /// Height of the discs a cone stands on, metres.
 const FOOT: f32 = 0.006;
 /// How far a simplified outline may leave the true one, metres.
@@ -79,7 +81,7 @@ impl Piece {
     }
 }
 
-fn cuboid(half: Vector3<f32>) -> SharedShape {
+pub(super) fn cuboid(half: Vector3<f32>) -> SharedShape {
     let half = half.map(|h| h.max(LEAST));
     SharedShape::cuboid(half.x, half.y, half.z)
 }
@@ -183,7 +185,8 @@ fn ring(slab: &Slab) -> Vec<Piece> {
     // polygons of many corners.
     let height = slab.top - slab.bottom;
     let foot = (height / 3.0).min(FOOT);
-    let radius = |z: f32| outer.0 + (outer.1 - outer.0) * (z - slab.bottom) / height;
+    // It rolls on the discs: the polygon is within them.
+    let radius = |z: f32| INNER * (outer.0 + (outer.1 - outer.0) * (z - slab.bottom) / height);
     let (low, high) = (slab.bottom + foot / 2.0, slab.top - foot / 2.0);
     let middle = Slab { bottom: low, top: high, low: (0.0, radius(low)), high: (0.0, radius(high)) };
     let ends = [disc(outer.0, slab.bottom, slab.bottom + foot), disc(outer.1, slab.top - foot, slab.top)];

@@ -5,8 +5,11 @@ use rapier3d::geometry::TypedShape;
 use vc_graph::Pose;
 use vc_graph::asset::{Joint, JointKind, Shape, Surface};
 
-use super::piece::Piece;
+use super::piece::{Piece, cuboid};
 use crate::convert;
+
+/// Cosine of the tilt up to which a box stands upright.
+const UPRIGHT: f32 = 0.999_999;
 
 /// The one factor of a scale that is the same along all axes.
 pub(crate) fn uniform(scale: &Vector3<f32>) -> Option<f32> {
@@ -69,6 +72,21 @@ pub(crate) fn surface(surface: &Surface, by: &Vector3<f32>) -> Surface {
 pub(crate) fn stretched(piece: &Piece, by: &Vector3<f32>) -> Option<Piece> {
     let points: Vec<Point3<f32>> = corners(piece).iter().map(|p| p.coords.component_mul(by).into()).collect();
     Piece::hull(&points, &Vector3::z())
+}
+
+/// A piece that reaches farther down in the asset's frame.
+pub(crate) fn deepened(piece: &Piece, by: f32) -> Piece {
+    let up = piece.at.rotation.inverse_transform_vector(&Vector3::z());
+    if let TypedShape::Cuboid(s) = piece.shape.as_typed_shape()
+        && up.z.abs() > UPRIGHT
+    {
+        let half = convert::vector3(s.half_extents) + Vector3::z() * (by / 2.0);
+        return Piece { shape: cuboid(half), at: Pose::translation(0.0, 0.0, -by / 2.0) * piece.at };
+    }
+    let mut points = corners(piece);
+    let lower: Vec<Point3<f32>> = points.iter().map(|p| p - Vector3::z() * by).collect();
+    points.extend(lower);
+    Piece::hull(&points, &Vector3::z()).unwrap_or_else(|| piece.clone())
 }
 
 /// Corners of a piece in the asset's frame; of round pieces, of a polyhedron within.

@@ -12,9 +12,10 @@ use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph};
 use super::rest::Watch;
 use super::{Places, State, Thing, World};
 use crate::engine::Engine;
+use crate::ground::Storeys;
 use crate::role::{Roles, is_structure};
 use crate::shapes::{Link, Session, Shapes, scaled};
-use crate::{PhysicsError, Role, Settings, convert, group, joints};
+use crate::{PhysicsError, Role, Settings, convert, group, joints, rolling};
 
 impl World {
     /// A world with a body for every object that has a pose and an asset or a box,
@@ -47,14 +48,15 @@ impl World {
             return Err(PhysicsError::BadSettings(fault));
         }
         let mut world = Self::empty(graph, settings);
-        let roles = Roles::new(graph, settings);
+        let rules = Rules::new(graph, settings);
         shapes.session(graph.assets(), |session| {
             for node in graph.nodes().filter(|n| n.kind() == Kind::Object) {
-                if !world.embody_node(graph, node, &roles, session) {
+                if !world.embody_node(graph, node, &rules, session) {
                     world.skipped.push(node.id());
                 }
             }
         });
+        world.find_bottom();
         world.add_agents(graph);
         Ok(world)
     }
@@ -70,6 +72,7 @@ impl World {
             fills: BTreeMap::new(),
             driven: Vec::new(),
             rooms: rooms(graph),
+            bottom: f32::NEG_INFINITY,
             ticks: 0,
             stopped: Vec::new(),
             skipped: Vec::new(),
@@ -88,17 +91,20 @@ impl World {
         if self.index(id).is_ok() {
             return Err(PhysicsError::Duplicate(id));
         }
-        let roles = Roles::new(graph, self.settings);
-        let done = shapes.session(graph.assets(), |session| self.embody_node(graph, node, &roles, session));
+        let rules = Rules::new(graph, self.settings);
+        let done = shapes.session(graph.assets(), |session| self.embody_node(graph, node, &rules, session));
         if !done {
             return Err(PhysicsError::NoBody(id));
         }
         let bodies: Vec<_> = self.thing(id)?.bodies().collect();
         bodies.into_iter().for_each(|b| self.engine.refresh(b));
+        if self.thing(id)?.state.role == Role::Fixed {
+            self.find_bottom();
+        }
         Ok(())
     }
 
-    /// Takes a node's body out of the world; what rested on it falls.
+    /// Takes a node's body out of the world; what rested on it or hung from it falls.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -106,20 +112,25 @@ impl World {
         let index = self.index(id)?;
         self.let_go_of(id);
         let thing = self.things.remove(index);
+        self.stopped.retain(|other| *other != id);
         thing.bodies().for_each(|b| self.engine.remove(b));
         self.driven.retain(|(d, _)| *d != id);
         self.vehicles.remove(&id);
         self.drain(id);
-        Ok(())
+        let hung = |t: &&Thing| t.state.role == Role::Hung && t.state.rests.is_some_and(|place| place.at == id);
+        let hung: Vec<NodeId> = self.things.iter().filter(hung).map(|t| t.id).collect();
+        hung.into_iter().try_for_each(|id| self.set_role(id, Role::Loose))
     }
 
-    fn embody_node(&mut self, graph: &SceneGraph, node: &Node, roles: &Roles<'_>, session: &mut Session<'_>) -> bool {
+    fn embody_node(&mut self, graph: &SceneGraph, node: &Node, rules: &Rules<'_>, session: &mut Session<'_>) -> bool {
         let Some(&pose) = node.pose().filter(|p| convert::is_sound(p)) else { return false };
         let class = graph.classes().get(node.class());
         let Some(form) = session.form(graph, node).filter(|f| f.is_of_this_world()) else { return false };
         let mass_range = class.and_then(|c| c.mass).filter(|_| self.settings.class_masses);
         let mass_factor = form.mass_factor(mass_range, node.spec().scale.product());
-        let Some(role) = roles.of(node, class, &form, form.mass() * mass_factor) else { return false };
+        let Some(role) = rules.roles.of(node, class, &form, form.mass() * mass_factor) else { return false };
+        let fixed = role == Role::Fixed;
+        let ground = if fixed { rules.storeys.ground_below(node, graph.classes(), &form, &pose) } else { 0.0 };
         let state = State {
             role,
             base: RigidBodyHandle::invalid(),
@@ -135,6 +146,8 @@ impl World {
             structure: is_structure(node, class),
             door: class.is_some_and(|c| c.category == Category::Door),
             graspable: node.affords(Property::Graspable),
+            rolling: rolling::resistance(graph.classes(), node.class()),
+            ground,
         };
         let mut thing = Thing { id: node.id(), form, places: Places::of(node), state };
         thing.state.base = self.add_base(&thing, &pose);
@@ -150,10 +163,10 @@ impl World {
             _ => RigidBodyBuilder::fixed(),
         };
         let link = &thing.form.links[0];
-        let rolls = if link.rolls() { group::ROLLS } else { 0 };
-        let builder = builder.pose(convert::pose(pose)).user_data(group::mark(thing.id, 0) | rolls);
+        let builder = builder.pose(convert::pose(pose)).user_data(group::mark(thing.id, 0));
         let body = self.engine.add_body(builder);
-        if let Some((shape, at)) = &link.solid {
+        let deepened = if thing.state.ground > 0.0 { link.deepened(thing.state.ground) } else { None };
+        if let Some((shape, at)) = deepened.as_ref().or(link.solid.as_ref()) {
             let collider =
                 collider(link, shape, at, thing.state.mass_factor).collision_groups(group::base(thing.state.role));
             self.engine.add_collider(collider.user_data(group::mark(thing.id, 0)).build(), body);
@@ -165,6 +178,18 @@ impl World {
     /// box.
     pub fn skipped(&self) -> &[NodeId] {
         &self.skipped
+    }
+}
+
+/// What decides how the nodes of a scene take part.
+struct Rules<'a> {
+    roles: Roles<'a>,
+    storeys: Storeys,
+}
+
+impl<'a> Rules<'a> {
+    fn new(graph: &'a SceneGraph, settings: Settings) -> Self {
+        Self { roles: Roles::new(graph, settings), storeys: Storeys::of(graph) }
     }
 }
 

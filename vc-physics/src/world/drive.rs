@@ -58,8 +58,9 @@ impl World {
         }
     }
 
-    /// Moves a node at once, at rest; moving parts and the water in it come along. Look first whether
-    /// the spot is free, with [`overlaps`](Self::overlaps).
+    /// Moves a node at once, at rest; moving parts and the water in it come along, and what had been
+    /// stopped takes part again. Look first whether the spot is free, with
+    /// [`overlaps`](Self::overlaps).
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`]; [`PhysicsError::NotFinite`]; for what an agent
@@ -73,6 +74,7 @@ impl World {
             return Err(PhysicsError::NotFree(id));
         }
         let before = self.engine.pose(thing.state.base).unwrap_or(pose);
+        let stopped = thing.state.role == Role::Stopped;
         let motion = pose * before.inverse();
         let bodies: Vec<_> = thing.bodies().collect();
         if pose != before {
@@ -83,10 +85,21 @@ impl World {
             let to = if body == self.thing(id)?.state.base { pose } else { motion * own };
             self.engine.place(body, convert::pose(&to));
         }
+        if stopped {
+            self.set_going(id)?;
+        }
         match self.fills.get(&id) {
             Some(&level) => self.fill(id, level),
             None => Ok(()),
         }
+    }
+
+    /// Lets a thing take part again that was stopped.
+    fn set_going(&mut self, id: NodeId) -> Result<(), PhysicsError> {
+        self.stopped.retain(|other| *other != id);
+        let bodies: Vec<_> = self.thing(id)?.bodies().collect();
+        bodies.into_iter().for_each(|body| self.engine.enable(body));
+        self.set_role(id, Role::Loose)
     }
 
     /// Pushes a node with an impulse at a point, newton seconds and metres; something

@@ -76,7 +76,11 @@ impl World {
 
     /// The box around a node's shapes as they are now, moving parts with them.
     pub fn aabb(&self, id: NodeId) -> Option<Aabb> {
-        self.box_around(self.thing(id).ok()?.bodies())
+        let thing = self.thing(id).ok()?;
+        let mut around = self.box_around(thing.bodies())?;
+        // The ground below a floor is no part of it.
+        around.min.z += thing.state.ground;
+        Some(around)
     }
 
     /// The box around some bodies.
@@ -114,8 +118,9 @@ impl World {
         &self.settings
     }
 
-    /// Nodes that became non-finite or flew off, in the order in which they did: they stand still
-    /// where they last were, and nothing touches them.
+    /// Nodes that became non-finite, flew off or fell below everything, in the order in which they
+    /// did: they stand still where they last were, and nothing touches them until they are
+    /// [placed](Self::place) elsewhere.
     pub fn stopped(&self) -> &[NodeId] {
         &self.stopped
     }

@@ -46,6 +46,8 @@ pub struct World {
     pub(crate) driven: Vec<(NodeId, usize)>,
     /// Rooms and their boxes.
     pub(crate) rooms: Arc<[(NodeId, Aabb)]>,
+    /// How far down anything is that stays where it is, metres.
+    pub(crate) bottom: f32,
     pub(crate) ticks: u64,
     pub(crate) stopped: Vec<NodeId>,
     pub(crate) skipped: Vec<NodeId>,
@@ -101,6 +103,10 @@ pub(crate) struct State {
     pub(crate) door: bool,
     /// Whether people carry it.
     pub(crate) graspable: bool,
+    /// The force against its rolling as a part of its weight.
+    pub(crate) rolling: f32,
+    /// How far the ground below a floor reaches beyond what is seen of it, metres.
+    pub(crate) ground: f32,
 }
 
 /// A part that moves against its base.

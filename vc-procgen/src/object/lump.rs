@@ -44,12 +44,22 @@ const FLAT: [&str; 17] = [
     "whiteboard",
 ];
 
+/// How far what is on a ball may stick out of it, and the whole be from round, as a part of its radius.
+const ROUND: f32 = 0.08;
+
 /// Gives an asset of such a class one piece for all parts that move together, where that is less
 /// than they are.
 pub(super) fn lump(class: &str, asset: &mut Asset, size: Vector3<f32>) {
     let flat = FLAT.contains(&class);
     let small = size.max() <= SMALL && asset.surfaces.is_empty();
-    if !asset.collision.is_empty() || !(flat || small && is_only_carried(class)) {
+    if !asset.collision.is_empty() {
+        return;
+    }
+    if let Some(ball) = ball(&asset.parts) {
+        asset.collision = vec![ball];
+        return;
+    }
+    if !(flat || small && is_only_carried(class)) {
         return;
     }
     let mut joints: Vec<Option<Joint>> = Vec::new();
@@ -68,6 +78,24 @@ pub(super) fn lump(class: &str, asset: &mut Asset, size: Vector3<f32>) {
         None => own(joint).cloned().collect(),
     });
     asset.collision = felt.collect();
+}
+
+/// The one ball that parts are about: one of them, with seams, patches and stripes on it. Of a hull
+/// of so many corners it would roll no farther than from one face to the next.
+fn ball(parts: &[Part]) -> Option<Part> {
+    let all: Vec<&Part> = parts.iter().collect();
+    let (low, high) = extent(&all).filter(|_| all.len() > 1 && all.iter().all(|p| p.joint.is_none()))?;
+    let (middle, half) = (nalgebra::center(&low, &high), (high - low) / 2.0);
+    let slack = ROUND * half.max();
+    let is_core = |part: &&Part| {
+        let Shape::Sphere { radius } = part.shape else { return false };
+        let aside = (part.pose.translation.vector - middle.coords).norm();
+        aside <= slack && radius >= half.max() - slack && half.max() - half.min() <= slack
+    };
+    let core = parts.iter().find(is_core)?;
+    let radius = half.min();
+    let pose = Pose::translation(middle.x, middle.y, low.z + radius);
+    Some(Part { name: "lump".into(), shape: Shape::Sphere { radius }, pose, ..core.clone() })
 }
 
 /// Whether a class is of things that are carried, and carry nothing.

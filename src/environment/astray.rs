@@ -1,0 +1,133 @@
+//! Things that a scene has where nothing can be: below or beside its floors, or several in one
+//! place. They are put back where the scene says they are, or left out and named.
+
+use std::sync::Arc;
+
+use nalgebra::Point3;
+use vc_graph::{Change, ChangeSet, Kind, Node, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
+use vc_physics::{Floor, Order, Role, World};
+
+use super::{MakeError, act};
+
+/// What is not in the environment though it is in the scene.
+pub(super) type LeftOut = Vec<(NodeId, Arc<str>)>;
+
+/// How far down a thing is that has fallen, metres.
+const FALL: f32 = 0.1;
+/// Where things wait for their place, metres: so low, and so far from each other.
+const BELOW: f32 = -200.0;
+const APART: f32 = 5.0;
+/// How far an agent is moved that stands where no floor is, metres.
+const ASIDE: f32 = 10.0;
+
+/// Lets a world come to rest. What is astray before or after is put to a free spot where the scene has
+/// it; what finds none is taken out of the scene, and named.
+pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<LeftOut, MakeError> {
+    // To part what is in one place by steps would take long, and throw it far.
+    let mut astray = world.outside();
+    astray.extend(world.crowded());
+    let mut left_out = put_back(world, builder, astray)?;
+    act::calm(world);
+    let fallen = fallen(world, builder.graph());
+    if !fallen.is_empty() {
+        restore(world, builder.graph(), &fallen)?;
+        act::calm(world);
+    }
+    // What is taken out may have carried others.
+    loop {
+        let outside = world.outside();
+        if outside.is_empty() {
+            return Ok(left_out);
+        }
+        leave_out(world, builder, outside, &mut left_out)?;
+        act::calm(world);
+    }
+}
+
+/// Puts things where the scene says they are; takes out those for which there is no room.
+fn put_back(world: &mut World, builder: &mut SceneBuilder, mut astray: Vec<NodeId>) -> Result<LeftOut, MakeError> {
+    astray.sort_unstable();
+    astray.dedup();
+    let wanted: Vec<(NodeId, Pose)> = astray.iter().filter_map(|id| Some((*id, world.pose(*id)?))).collect();
+    for (index, (id, _)) in wanted.iter().enumerate() {
+        world.place(*id, Pose::translation(APART * index as f32, 0.0, BELOW))?;
+    }
+    let mut lost = Vec::new();
+    for (id, pose) in wanted {
+        let near = Order::Near(Point3::from(pose.translation.vector));
+        match spot(world, builder.graph(), id, near)? {
+            Some(spot) => world.place(id, spot)?,
+            None => lost.push(id),
+        }
+    }
+    let mut left_out = LeftOut::new();
+    leave_out(world, builder, lost, &mut left_out)?;
+    Ok(left_out)
+}
+
+/// A free spot for a thing where a scene says it is.
+fn spot(world: &World, graph: &SceneGraph, id: NodeId, order: Order) -> Result<Option<Pose>, MakeError> {
+    let there = |place: &Place| world.aabb(place.at).is_some();
+    let Some(place) = graph.place(id).filter(there) else { return Ok(None) };
+    Ok(world.free_spot_at(id, place.at, place.relation == Relation::Inside, order)?)
+}
+
+/// Things that lie deeper than the scene has them, or outside.
+fn fallen(world: &World, graph: &SceneGraph) -> Vec<NodeId> {
+    let drop = |n: &Node| Some(n.position()?.z - world.pose(n.id())?.translation.z);
+    let things = graph.nodes().filter(|n| n.kind() == Kind::Object);
+    let mut fallen: Vec<NodeId> = things.filter(|n| drop(n).is_some_and(|d| d > FALL)).map(Node::id).collect();
+    fallen.extend(world.outside());
+    fallen.sort_unstable();
+    fallen.dedup();
+    fallen
+}
+
+/// Puts to a free spot where the scene has it what finds one.
+fn restore(world: &mut World, graph: &SceneGraph, fallen: &[NodeId]) -> Result<(), MakeError> {
+    for &id in fallen {
+        if let Some(spot) = spot(world, graph, id, Order::Middle)? {
+            world.place(id, spot)?;
+        }
+    }
+    Ok(())
+}
+
+fn leave_out(
+    world: &mut World,
+    builder: &mut SceneBuilder,
+    lost: Vec<NodeId>,
+    left_out: &mut LeftOut,
+) -> Result<(), MakeError> {
+    for id in lost {
+        left_out.extend(builder.graph().node(id).map(|n| (id, n.class().clone())));
+        world.remove(id)?;
+        let mut edit = builder.edit();
+        edit.remove(id)?;
+        edit.commit();
+    }
+    Ok(())
+}
+
+/// A thing that has moved and is outside the home now.
+pub(super) fn fell_out(world: &World, changes: &ChangeSet) -> Option<NodeId> {
+    let moved = changes.changes().iter().filter_map(|change| match change {
+        Change::Pose { id, .. } => Some(*id),
+        _ => None,
+    });
+    let free = |id: &NodeId| matches!(world.role(*id), Some(Role::Loose | Role::Hung | Role::Stopped));
+    moved.filter(free).find(|id| world.is_outside(*id))
+}
+
+/// Puts agents that the scene has where no floor is onto the nearest one.
+pub(super) fn stand_on_floor(world: &mut World, floor: &Floor) -> Result<(), MakeError> {
+    for agent in world.agents().collect::<Vec<_>>() {
+        let Some(feet) = world.pose(agent).filter(|_| world.is_beside_floors(agent)) else { continue };
+        if let Some(spot) = floor.nearest(feet.translation.vector.xy().into(), ASIDE) {
+            let to = Pose::from_parts([spot.x, spot.y, floor.plan().level].into(), feet.rotation);
+            // It has a body.
+            let _ = world.teleport(agent, to);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,159 @@
+//! Nothing leaves the world in silence: what is or falls below or beside the floor, or is where
+//! others are, is put back where the scene has it, or left out and named.
+
+use virtualcity::graph::{Bounds, Draft, Kind, NodeId, Place, Pose, Relation, SceneBuilder};
+use virtualcity::physics::Role;
+use virtualcity::{Environment, MakeError};
+
+use super::home;
+
+/// A kitchen of five metres with a table, a floor if asked for, and mugs on the table, at places of
+/// their own.
+struct Kitchen {
+    scene: SceneBuilder,
+    room: NodeId,
+    table: NodeId,
+}
+
+fn kitchen(floor: bool) -> Kitchen {
+    let mut scene = SceneBuilder::new("kitchen");
+    let size = |size: [f32; 3]| Bounds::standing(size.into());
+    let room = scene.add(Draft::new("kitchen").bounds(size([5.0, 5.0, 2.5])).at(Pose::identity())).unwrap();
+    if floor {
+        let slab = Draft::new("floor").bounds(size([5.0, 5.0, 0.1])).at(Pose::translation(0.0, 0.0, -0.1));
+        scene.add_in(room, slab).unwrap();
+    }
+    let table = scene.add_in(room, Draft::new("kitchen_table").at(Pose::translation(1.5, 0.0, 0.0))).unwrap();
+    Kitchen { scene, room, table }
+}
+
+impl Kitchen {
+    fn mug(&mut self, at: [f32; 3], on: Option<NodeId>) -> NodeId {
+        let draft = Draft::new("mug").at(Pose::translation(at[0], at[1], at[2]));
+        let mug = self.scene.add_in(self.room, draft).unwrap();
+        if let Some(at) = on {
+            let mut edit = self.scene.edit();
+            edit.place(mug, Place { relation: Relation::On, at }).unwrap();
+            edit.commit();
+        }
+        mug
+    }
+
+    fn home(self) -> Environment {
+        Environment::of(self.scene.build(), 1).unwrap()
+    }
+}
+
+/// Where everything is that has a body is in the home, and nothing hangs below it.
+fn is_whole(home: &Environment) {
+    let world = home.world();
+    assert!(world.outside().is_empty() && world.stopped().is_empty());
+    for id in home.graph().nodes().filter(|n| n.kind() == Kind::Object).map(|n| n.id()) {
+        let low = world.aabb(id).map_or(0.0, |b| b.max.z);
+        assert!(low > -0.05, "{} is at {low} m", home.graph().label(id));
+    }
+}
+
+#[test]
+fn what_is_below_or_beside_the_floor_is_put_back() {
+    for at in [[1.5, 0.0, -0.5], [1.5, 0.0, -5.0], [2.7, 0.0, 0.2], [40.0, 0.0, 1.0], [1.5, 0.0, -0.15]] {
+        let mut kitchen = kitchen(true);
+        let (table, mug) = (kitchen.table, kitchen.mug(at, Some(kitchen.table)));
+        let home = kitchen.home();
+        assert!(home.left_out().is_empty(), "{at:?}");
+        assert!(home.world().supports(mug).contains(&table), "{at:?}");
+        assert!(home.graph().place(mug).is_some_and(|p| p.at == table));
+        is_whole(&home);
+    }
+}
+
+#[test]
+fn what_has_no_place_to_go_back_to_is_named() {
+    for at in [[1.5, 0.0, -0.5], [2.7, 0.0, 0.2], [40.0, 0.0, 1.0]] {
+        let mut kitchen = kitchen(true);
+        let mug = kitchen.mug(at, None);
+        let home = kitchen.home();
+        assert_eq!(home.left_out(), [(mug, "mug".into())], "{at:?}");
+        assert!(home.graph().node(mug).is_none());
+        is_whole(&home);
+    }
+}
+
+/// Without a floor nothing carries anything: no home is made, or what is left in it stands.
+#[test]
+fn a_home_without_floor_is_none() {
+    let mut kitchen = kitchen(false);
+    kitchen.mug([1.5, 0.0, 0.9], Some(kitchen.table));
+    match Environment::of(kitchen.scene.build(), 1) {
+        Ok(home) => is_whole(&home),
+        Err(error) => assert!(matches!(error, MakeError::NoRoom { .. }), "{error}"),
+    }
+}
+
+/// Many in one place are spread over what they are on, as fast as many elsewhere; those for which
+/// there is no room are named.
+#[test]
+fn many_in_one_place_are_spread() {
+    let mut kitchen = kitchen(true);
+    let (table, at) = (kitchen.table, [1.5, 0.0, 0.78]);
+    let mugs: Vec<NodeId> = (0..40).map(|_| kitchen.mug(at, Some(table))).collect();
+    let home = kitchen.home();
+    let there = mugs.iter().filter(|id| home.graph().node(**id).is_some());
+    assert!(there.clone().count() > 8, "{} left out", home.left_out().len());
+    assert_eq!(there.clone().count() + home.left_out().len(), mugs.len());
+    for id in there {
+        let p = home.world().pose(*id).unwrap().translation.vector;
+        assert!((p.x - 1.5).abs() < 1.5 && p.y.abs() < 1.5, "{p}");
+    }
+    is_whole(&home);
+}
+
+/// An agent that the scene has beside the floor, or over none, stands on it.
+#[test]
+fn agents_stand_on_floors() {
+    for at in [[4.0, 0.0, 0.0], [0.0, 3.5, 1.0], [0.0, 0.0, -3.0]] {
+        let mut kitchen = kitchen(true);
+        let agent = Draft::new("character").at(Pose::translation(at[0], at[1], at[2]));
+        let agent = kitchen.scene.add_in(kitchen.room, agent).unwrap();
+        let home = kitchen.home();
+        let feet = home.world().pose(agent).unwrap().translation.vector;
+        assert!(feet.z.abs() < 0.05 && feet.xy().amax() < 2.6, "{at:?}: {feet}");
+        is_whole(&home);
+    }
+}
+
+/// What hung in a wardrobe that a reset takes away does not stay in the air.
+#[test]
+fn what_loses_its_support_falls() {
+    let (mut clothes, mut seed) = (0, 1);
+    while clothes < 3 && seed < 12 {
+        let mut home = home(seed, 1);
+        let hangs = |id: &NodeId| home.world().role(*id) == Some(Role::Hung);
+        let wardrobe = home.graph().of_class("wardrobe").into_iter().find(|w| {
+            home.graph().nodes().any(|n| home.graph().place(n.id()).is_some_and(|p| p.at == *w) && hangs(&n.id()))
+        });
+        seed += 1;
+        let Some(wardrobe) = wardrobe else { continue };
+        let start = home.graph().clone();
+        let inside = |n: &virtualcity::graph::Node| start.place(n.id()).is_some_and(|p| p.at == wardrobe);
+        let hung: Vec<NodeId> = start
+            .nodes()
+            .filter(|n| inside(n))
+            .map(|n| n.id())
+            .filter(|id| home.world().role(*id) == Some(Role::Hung))
+            .collect();
+        let mut wanted = start.clone();
+        let mut edit = wanted.edit();
+        edit.remove(wardrobe).unwrap();
+        edit.commit();
+        home.reset(&wanted).unwrap();
+        for id in hung {
+            clothes += 1;
+            let before = start.node(id).and_then(|n| n.position()).unwrap();
+            let fell = home.graph().node(id).and_then(|n| n.position()).is_none_or(|now| before.z - now.z > 0.1);
+            assert!(fell, "{} floats", home.graph().label(id));
+        }
+        is_whole(&home);
+    }
+    assert!(clothes > 0, "no wardrobe with clothes in twelve homes");
+}

@@ -1,0 +1,123 @@
+//! The ground below floors, and what is beyond it.
+//!
+//! A floor of a scene may be as thin as paper: what falls fast goes through it within a step, and
+//! what is thin is pushed out at the wrong side. So below a floor all is solid, as deep as nothing
+//! else of the scene is there. What gets past its edge falls, and is stopped before it is far.
+
+use nalgebra::{Point3, Vector3};
+use rapier3d::dynamics::RigidBodyHandle;
+use vc_graph::{Aabb, ClassTable, Kind, Node, NodeId, Pose, SceneGraph};
+
+use crate::shapes::Form;
+use crate::world::{Thing, World};
+use crate::{Role, convert, group};
+
+/// How deep the ground is below a thin floor if nothing is there, metres: more than twice as far as
+/// anything falls in a step of a sixtieth of a second.
+const DEPTH: f32 = 1.0;
+/// How thick a floor is that needs no ground, metres: it stops what falls from a few metres, and the
+/// thinner a body is, the finer are the engine's distances to it.
+const THICK: f32 = 0.19;
+/// By how much boxes may overlap that are beside each other, metres.
+const BESIDE: f32 = 0.02;
+/// Cosine of the tilt from which on a floor is a ramp.
+const LEVEL: f32 = 0.999;
+/// How deep in the ground the middle of a thing may be, metres: mats are as thin as that.
+const SUNK: f32 = 0.02;
+/// How far below everything that stays what falls is stopped, metres.
+const ABYSS: f32 = 2.0;
+
+/// What may be below a floor: rooms, and other floors.
+pub(crate) struct Storeys(Vec<Aabb>);
+
+impl Storeys {
+    pub(crate) fn of(graph: &SceneGraph) -> Self {
+        let rooms = graph.rooms().iter().copied();
+        let floors = graph.of_class("floor").into_iter();
+        Self(rooms.chain(floors).filter_map(|id| graph.node(id)?.aabb()).collect())
+    }
+
+    /// How deep the ground reaches below a node, metres: not at all if it is no floor.
+    pub(crate) fn ground_below(&self, node: &Node, classes: &ClassTable, form: &Form, pose: &Pose) -> f32 {
+        if !is_floor(node, classes) || (pose.rotation * Vector3::z()).z < LEVEL {
+            return 0.0;
+        }
+        let own = around(form, pose);
+        if own.max.z - own.min.z >= THICK {
+            return 0.0;
+        }
+        let across =
+            |other: &Aabb| (0..2).all(|i| other.min[i] < own.max[i] - BESIDE && own.min[i] < other.max[i] - BESIDE);
+        let below = |other: &&Aabb| other.min.z < own.min.z - BESIDE && other.max.z <= own.max.z && across(other);
+        let free = |other: &Aabb| (own.min.z - other.max.z).max(0.0);
+        self.0.iter().filter(below).map(free).fold(DEPTH, f32::min)
+    }
+}
+
+fn is_floor(node: &Node, classes: &ClassTable) -> bool {
+    node.kind() == Kind::Object && (classes.is_a(node.class(), "floor") || &*node.spec().category == "Floors")
+}
+
+/// The box around a form at a pose.
+fn around(form: &Form, pose: &Pose) -> Aabb {
+    let (low, high) = form.extent;
+    let corner =
+        |i: usize| pose * Point3::from(std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] }));
+    let start = Aabb { min: corner(0), max: corner(0) };
+    (1..8).map(corner).fold(start, |b, p| Aabb { min: b.min.inf(&p), max: b.max.sup(&p) })
+}
+
+impl World {
+    /// Notes how far down anything is that stays where it is.
+    pub(crate) fn find_bottom(&mut self) {
+        let fixed = self.things.iter().filter(|t| t.state.role == Role::Fixed);
+        let low = fixed.filter_map(|t| Some(around(&t.form, &self.engine.pose(t.state.base)?).min.z));
+        self.bottom = low.reduce(f32::min).unwrap_or(f32::NEG_INFINITY);
+    }
+
+    /// The ground below each floor, as the box around it, up to where mats may sink in.
+    pub(crate) fn grounds(&self) -> Vec<Aabb> {
+        let floors = self.things.iter().filter(|t| t.state.ground > 0.0);
+        let ground = |floor: &Thing| {
+            let own = around(&floor.form, &self.engine.pose(floor.state.base)?);
+            let (deep, sunk) = (Vector3::z() * floor.state.ground, Vector3::z() * SUNK);
+            Some(Aabb { min: own.min - deep, max: own.max - sunk })
+        };
+        floors.filter_map(ground).collect()
+    }
+
+    /// Stops what has fallen below everything that stays where it is.
+    pub(crate) fn stop_what_fell(&mut self, awake: &[RigidBodyHandle]) {
+        let deep = self.bottom - ABYSS;
+        let fell = |body: &RigidBodyHandle| {
+            let body = self.engine.bodies.get(*body).filter(|b| b.is_dynamic() && b.position().translation.z < deep)?;
+            Some(group::marked(body.user_data).0)
+        };
+        let fallen: Vec<NodeId> = awake.iter().filter_map(fell).collect();
+        for id in fallen {
+            // It has a body: it fell.
+            let _ = self.set_role(id, Role::Stopped);
+            if !self.stopped.contains(&id) {
+                self.stopped.push(id);
+            }
+        }
+    }
+
+    /// Whether an agent stands where nothing is below, beside all floors.
+    pub fn is_beside_floors(&self, agent: NodeId) -> bool {
+        self.agents.get(&agent).is_some_and(|a| {
+            let standing = a.posture == crate::Posture::Standing;
+            standing && self.is_over_nothing(&(a.feet * Point3::new(0.0, 0.0, a.plan.height / 2.0)), a.body)
+        })
+    }
+
+    /// Whether there is nothing solid anywhere below a point.
+    pub(crate) fn is_over_nothing(&self, point: &Point3<f32>, but: RigidBodyHandle) -> bool {
+        use rapier3d::geometry::{Collider, ColliderHandle, Ray};
+        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(but);
+        let filter = rapier3d::pipeline::QueryFilter::default().exclude_sensors().predicate(&solid);
+        let far = (point.z - self.bottom).clamp(0.0, convert::LARGEST) + ABYSS;
+        let ray = Ray::new(convert::point(*point), convert::vector(-Vector3::z()));
+        self.engine.queries(filter).cast_ray(&ray, far, true).is_none()
+    }
+}
