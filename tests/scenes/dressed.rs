@@ -4,7 +4,7 @@ use nalgebra::{Point2, Vector2, Vector3};
 use vc_graph::asset::{Hold, JointKind};
 use vc_graph::format::thesis;
 use vc_graph::{Aabb, Asset, ClassTable, Kind, Node, Property, SceneGraph};
-use vc_procgen::{Apartment, dress};
+use vc_procgen::{Apartment, dress, object};
 
 use super::common;
 
@@ -21,6 +21,91 @@ fn scenes() -> impl Iterator<Item = (SceneGraph, SceneGraph)> {
 
 fn asset<'g>(graph: &'g SceneGraph, node: &Node) -> &'g Asset {
     graph.assets().get(node.spec().asset.unwrap()).unwrap()
+}
+
+/// Classes whose boxes grow to what is made: the building.
+fn builds(node: &Node) -> bool {
+    let class = ClassTable::builtin().get(node.class()).cloned();
+    use vc_graph::class::Category;
+    class.is_some_and(|c| matches!(c.category, Category::Structure | Category::Door | Category::Window))
+}
+
+/// Whether its box is around a corner, and around what stands there.
+fn goes_around(node: &Node) -> bool {
+    let size = node.aabb().map(|b| b.max - b.min).unwrap();
+    &**node.class() == "kitchen_counter" && size.x.min(size.y) > 1.5
+}
+
+#[test]
+fn the_scene_stays_and_shapes_fill_its_boxes() {
+    for (scene, looks) in scenes() {
+        assert_eq!(scene.edges().collect::<Vec<_>>(), looks.edges().collect::<Vec<_>>());
+        for (before, after) in scene.nodes().zip(looks.nodes()) {
+            let label = before.label();
+            assert_eq!(
+                (label.clone(), &before.spec().name, before.states()),
+                (after.label(), &after.spec().name, after.states())
+            );
+            assert_eq!(before.position(), after.position(), "{label} stays where it is");
+            if before.kind() != Kind::Object || builds(before) || goes_around(before) {
+                continue;
+            }
+            let (old, new) = (before.aabb().unwrap(), after.aabb().unwrap());
+            let grown = (new.max - new.min) - (old.max - old.min);
+            if grown.max() > 1e-3 {
+                assert!(
+                    (old.max - old.min).min() < 0.3,
+                    "{label}: a box that means something grew: {old:?} to {new:?}"
+                );
+                continue;
+            }
+            assert!(
+                (old.min - new.min).amax() < 1e-4 && (old.max - new.max).amax() < 1e-4,
+                "{label}: {old:?} became {new:?}"
+            );
+            let drawn = drawn(&looks, after);
+            let (least, off) = (0.005, (drawn.min - old.min).amax().max((drawn.max - old.max).amax()));
+            assert!(off < least, "{label}: its box is {old:?}, what is drawn {drawn:?}");
+        }
+    }
+}
+
+/// The box around what is drawn of a node.
+fn drawn(graph: &SceneGraph, node: &Node) -> Aabb {
+    let (low, high) = asset(graph, node).extent().unwrap();
+    let scale = node.spec().scale;
+    let corner = |i: u32| {
+        let pick = |bit: u32, a: f32, b: f32| if i >> bit & 1 == 0 { a } else { b };
+        let own = Vector3::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z));
+        node.pose().unwrap() * nalgebra::Point3::from(own.component_mul(&scale))
+    };
+    (0..8)
+        .map(corner)
+        .map(|p| Aabb { min: p, max: p })
+        .reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) })
+        .unwrap()
+}
+
+/// One box of one part is what a thing was drawn as without any knowledge of its class.
+#[test]
+fn nothing_that_has_a_generator_is_a_plain_box() {
+    let mut plain = std::collections::BTreeSet::new();
+    for (_, looks) in scenes() {
+        for node in looks.nodes().filter(|n| n.kind() == Kind::Object && !builds(n)) {
+            let made = asset(&looks, node);
+            if made.parts.len() == 1 && &*made.parts[0].name == "box" {
+                plain.insert(node.class().to_string());
+            }
+            assert!(
+                node.spec().scale.iter().all(|s| (0.25..4.0).contains(s)),
+                "{}: stretched by {}",
+                node.label(),
+                node.spec().scale
+            );
+        }
+    }
+    assert!(plain.iter().all(|class| object::generator(class).is_none()), "{plain:?}");
+    assert!(plain.len() < 3, "{plain:?}");
 }
 
 #[test]

@@ -51,10 +51,7 @@ pub(super) fn made(place: &Place, style: &Style, seed: Seed) -> Made {
     };
     let row = ROWS.iter().find(|(class, most)| *class == &*place.class && size.y > *most * 1.3);
     match row {
-        Some((_, most)) => Made {
-            asset: side_by_side(generator, size, (*most, &place.taken), style, seed),
-            scale: Vector3::repeat(1.0),
-        },
+        Some((_, most)) => stretched(side_by_side(generator, size, (*most, &place.taken), style, seed), size),
         None => fitted(generator, size, style, seed),
     }
 }
@@ -77,6 +74,13 @@ fn fitted(generator: &Generator, size: Vector3<f32>, style: &Style, seed: Seed) 
         Some((_, object)) => Made { scale: stretch(&object), asset: centred(object) },
         None => Made { asset: plain(generator.class, size), scale: Vector3::repeat(1.0) },
     }
+}
+
+/// What is made for a box and falls a little short of it.
+fn stretched(asset: Asset, size: Vector3<f32>) -> Made {
+    let (low, high) = asset.extent().unwrap_or_default();
+    let scale = size.component_div(&(high - low).map(|v| v.max(1e-4)));
+    Made { asset: moved(asset, -nalgebra::center(&low, &high).coords), scale }
 }
 
 fn centred(object: Object) -> Asset {

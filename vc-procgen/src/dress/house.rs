@@ -18,7 +18,7 @@ pub(super) struct House<'g> {
     pub(super) walls: Vec<Aabb>,
     /// Doors, their frames, windows.
     pub(super) openings: Vec<Opening>,
-    /// Walls and floors as geometry has them.
+    /// Walls, floors and what goes around corners, as geometry has them.
     pub(super) shapes: BTreeMap<NodeId, Asset>,
     /// What stands in the way of somebody who walks.
     standing: Vec<(NodeId, Aabb)>,
@@ -34,7 +34,8 @@ impl<'g> House<'g> {
         let objects = || graph.nodes().filter(|n| n.kind() == Kind::Object);
         let of_class = |class: &'static str| objects().filter(move |n| &**n.class() == class);
         let mut shapes = vc_geometry::shapes(graph);
-        shapes.retain(|id, _| graph.node(*id).is_some_and(|n| ["wall", "floor"].contains(&&**n.class())));
+        let built = |n: &Node| ["wall", "floor"].contains(&&**n.class()) || goes_around(n);
+        shapes.retain(|id, _| graph.node(*id).is_some_and(built));
         let pieces = |n: &Node| shapes.get(&n.id()).map_or_else(Vec::new, |asset| pieces(n, asset));
         let mut house = Self {
             graph,
@@ -97,6 +98,13 @@ fn stands(classes: &ClassTable, node: &Node) -> bool {
     let builds = matches!(category, Some(Category::Structure | Category::Door | Category::Window));
     let carried = node.affords(Property::Graspable);
     !builds && !carried && !is_seat(classes, node.class())
+}
+
+/// Whether a worktop's box is around a corner, and around what stands there.
+pub(super) fn goes_around(node: &Node) -> bool {
+    const DEEPEST: f32 = 1.5;
+    let size = node.aabb().map(|b| b.max - b.min);
+    &**node.class() == "kitchen_counter" && size.is_some_and(|s| s.x.min(s.y) > DEEPEST)
 }
 
 /// What is drawn up to a table.

@@ -5,7 +5,7 @@ use vc_geometry::Opening;
 use vc_graph::{Aabb, Asset, Bounds, Frame, Node, NodeId, Pose, Seed};
 
 use super::compose::{block, moved};
-use super::house::House;
+use super::house::{House, goes_around};
 use crate::Style;
 use crate::furnish::Facing;
 use crate::material::{self, Mat};
@@ -34,6 +34,7 @@ pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Op
         "floor" => painted(house, node, if WET.contains(&room) { style.tile } else { style.floor }),
         "wall" => painted(house, node, if room == WET[0] { style.tile } else { style.wall }),
         "ceiling" => ceiling(node),
+        _ if goes_around(node) => painted(house, node, style.worktop),
         _ => {
             let opening = house.openings.iter().find(|o| o.door == node.id())?;
             let frames_door =

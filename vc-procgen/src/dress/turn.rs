@@ -43,6 +43,7 @@ pub(super) fn placed(house: &House, id: NodeId, pose: &Pose, bounds: &Bounds) ->
     let rotation = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), turn) * lain.turn();
     let pose = Isometry3::from_parts(pose.translation, rotation);
     let half = lain.own(if front % 2 == 1 { Vector3::new(size.y, size.x, size.z) } else { size }) / 2.0;
+    let half = grown(&class, half);
     let offset = rotation.inverse() * bounds.offset;
     let bounds = Bounds { offset, half, frame: Frame::Object };
     let taken = taken(house, id, &box_, front);
@@ -79,6 +80,17 @@ impl Lain {
         };
         UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns)))
     }
+}
+
+/// Half a size in which no measure is so small that none of its class has it: that is taken for a
+/// mistake of the scene, and for the least usual one.
+fn grown(class: &str, half: Vector3<f32>) -> Vector3<f32> {
+    const MISTAKEN: f32 = 3.0;
+    let Some(ranges) = object::usual_ranges(class) else { return half };
+    Vector3::from_fn(|i, _| {
+        let least = ranges[i].low / 2.0;
+        if half[i] * MISTAKEN < least { least } else { half[i] }
+    })
 }
 
 /// How badly a size has the proportions of a class: the sum over its measures of how far they
