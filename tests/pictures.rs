@@ -554,9 +554,9 @@ fn things_are_drawn_within_their_boxes() {
     assert!(all.is_empty(), "{}", all.join("\n"));
 }
 
-/// The same for many homes: `proofs/drawn_bounds.sh`.
+/// The same for many homes: `proofs/drawn_bounds`.
 #[test]
-#[ignore = "takes minutes; proofs/drawn_bounds.sh runs it home by home"]
+#[ignore = "takes minutes; proofs/drawn_bounds runs it home by home"]
 fn things_are_drawn_within_their_boxes_in_many_homes() {
     let range = std::env::var("VC_HOMES").unwrap_or_else(|_| "0..200".into());
     let (from, to) = range.split_once("..").unwrap();

@@ -74,15 +74,15 @@ fn look_at_states(seed: u64, states: usize) {
     }
 }
 
-/// A hundredth of what `proofs/legal.sh` looks at.
+/// A hundredth of what `proofs/legal` looks at.
 #[test]
 fn a_hundred_states_of_twenty_homes() {
     (0..20).for_each(|seed| look_at_states(seed, 5));
 }
 
-/// A hundred states of the home `VC_HOME`: for `proofs/legal.sh`.
+/// A hundred states of the home `VC_HOME`: for `proofs/legal`.
 #[test]
-#[ignore = "takes a minute for each home; proofs/legal.sh runs it for a hundred"]
+#[ignore = "takes a minute for each home; proofs/legal runs it for a hundred"]
 fn a_hundred_states_of_a_home() {
     let seed = std::env::var("VC_HOME").ok().and_then(|seed| seed.parse().ok()).unwrap_or(0);
     look_at_states(seed, 100);
