@@ -143,7 +143,7 @@ fn holder_front(house: &House, id: NodeId) -> Option<u8> {
         let carries = !["floor", "wall", "ceiling", "rug"].contains(&&**node.class());
         Some((node, *node.pose()?, node.spec().bounds?)).filter(|_| carries)
     };
-    let (holder, pose, bounds) = house.holders_of(id).iter().filter_map(furniture).last()?;
+    let (holder, pose, bounds) = house.holders_of(id).iter().rev().find_map(furniture)?;
     if !super::is_unturned(&bounds) {
         let way = (pose.rotation * Vector3::x()).xy();
         return (0..4).max_by(|&a, &b| step(a).dot(&way).total_cmp(&step(b).dot(&way)));
@@ -208,7 +208,7 @@ impl Surroundings<'_, '_> {
         const ROWS: [f32; 4] = [0.12, 0.3, 0.5, 0.75];
         let (ahead, along) = (step(k), step(k + 1));
         let half = (self.around.max - self.around.min).xy() / 2.0;
-        let (deep, wide) = if k % 2 == 0 { (half.x, half.y) } else { (half.y, half.x) };
+        let (deep, wide) = if k.is_multiple_of(2) { (half.x, half.y) } else { (half.y, half.x) };
         let at = |row: f32, i: i32| -> Point2<f32> {
             self.around.centre().xy() + ahead * (deep + row) + along * (wide * 0.3 * i as f32)
         };
@@ -220,7 +220,7 @@ impl Surroundings<'_, '_> {
     /// How near a wall is to a side: one where it touches, zero from half a metre on.
     fn backing(&self, k: u8) -> f32 {
         const FAR: f32 = 0.5;
-        let (deep, wide) = if k % 2 == 0 { (0, 1) } else { (1, 0) };
+        let (deep, wide) = if k.is_multiple_of(2) { (0, 1) } else { (1, 0) };
         let plus = k % 4 < 2;
         let own = self.around;
         let beside = |w: &Aabb| {
@@ -246,8 +246,8 @@ impl Surroundings<'_, '_> {
 
 /// The stretches of a counter's width that appliances within its box take, from its middle.
 fn taken(house: &House, id: NodeId, around: &Aabb, front: u8) -> Vec<(f32, f32)> {
-    let wide = if front % 2 == 0 { 1 } else { 0 };
-    let way = step(front + 1)[if front % 2 == 0 { 1 } else { 0 }];
+    let wide = if front.is_multiple_of(2) { 1 } else { 0 };
+    let way = step(front + 1)[if front.is_multiple_of(2) { 1 } else { 0 }];
     let centre = around.centre()[wide];
     let inner = Aabb { min: around.min.map(|v| v + 0.02), max: around.max.map(|v| v - 0.02) };
     let meets = |b: &Aabb| (0..3).all(|i| b.min[i] < inner.max[i] && inner.min[i] < b.max[i]);
