@@ -29,7 +29,7 @@ const PLAYER: &str = include_str!("player.js");
 /// let trajectory = Trajectory::record(&Run::default(), &mut Newcomer::best(), &task, &mut world);
 ///
 /// let page = Page::of(&trajectory);
-/// assert!(page.html().contains("open fridge.1"));
+/// assert!(page.html().contains("open fridge.2"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

@@ -83,7 +83,7 @@ pub struct Recorder {
 /// use virtualcity::RecordOptions;
 /// use virtualcity::render::Daylight;
 /// let evening = RecordOptions { daylight: Some(Daylight::at(19.0)), finer: 3, ..RecordOptions::default() };
-/// assert_eq!(evening.width, 320);
+/// assert_eq!(evening.width, 480);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecordOptions {

@@ -8,7 +8,7 @@ use crate::block::{Block, part};
 use crate::opening::size;
 
 /// Thickness of a floor at least, metres, below its top.
-const THICK: f32 = 0.2;
+const THICK: f32 = 0.15;
 /// Widest gap between two floors that are one, metres: the walls between their rooms.
 const GAP: f32 = 0.5;
 /// How far floors that are one may be above each other, metres.

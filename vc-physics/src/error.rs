@@ -159,7 +159,7 @@ impl<N> PhysicsError<N> {
     /// let cup = scene.add(Draft::new("cup"))?;
     /// let graph = scene.build();
     /// let error = vc_physics::PhysicsError::NoBody(cup).named(&|id| graph.label(id));
-    /// assert!(error.to_string().starts_with("cup.0 has no body"));
+    /// assert!(error.to_string().starts_with("cup.1 has no body"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn named<M>(self, name: &impl Fn(N) -> M) -> PhysicsError<M> {

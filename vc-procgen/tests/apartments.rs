@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use checker::{Finding, Rule, examine, report};
 use proptest::prelude::*;
 use vc_graph::format::{native, thesis};
-use vc_graph::{ClassTable, Pose, SceneGraph, Seed};
+use vc_graph::{ClassTable, Node, SceneGraph, Seed};
 use vc_procgen::plan::RoomKind;
 use vc_procgen::{Apartment, Impossible, Specification};
 
@@ -185,15 +185,18 @@ fn the_thesis_format_keeps_classes_and_poses() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Nodes of another class or in another place.
+/// Nodes of another class, turned, or with their box elsewhere: the format's locations are those of its base.
 fn changed(scene: &SceneGraph, read: &SceneGraph) -> Vec<String> {
-    let off = |a: &Pose, b: &Pose| {
-        let shift = (a.translation.vector - b.translation.vector).norm();
-        shift.max(a.rotation.angle_to(&b.rotation))
+    let off = |a: &Node, b: &Node| {
+        let shift = match a.aabb().zip(b.aabb()) {
+            Some((a, b)) => (a.min - b.min).norm().max((a.max - b.max).norm()),
+            None => (a.position()? - b.position()?).norm(),
+        };
+        Some(shift.max(a.pose()?.rotation.angle_to(&b.pose()?.rotation)))
     };
-    let differs = |node: &vc_graph::Node| {
+    let differs = |node: &Node| {
         let other = read.node(node.id())?;
-        let by = off(node.pose()?, other.pose()?);
+        let by = off(node, other)?;
         let same = node.class() == other.class() && by < 2e-3;
         (!same).then(|| format!("{} became {}, off by {by}", node.label(), other.label()))
     };

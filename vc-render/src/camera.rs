@@ -13,6 +13,8 @@ pub const MAX_SIDE: u32 = 8192;
 /// How far ahead one looks along a way, metres, and at how many places.
 const AHEAD: f32 = 1.4;
 const LOOKS: usize = 8;
+/// How many pixels are looked at where not all of a picture is.
+pub(crate) const STREWN: usize = 192;
 
 /// A way with its corners cut off.
 struct Way {
@@ -182,14 +184,13 @@ impl Camera {
     /// Middles of pixels strewn evenly over the picture (Roberts's sequence), no two of which are in one row or column, so
     /// that a straight edge does not pass many at once.
     pub(crate) fn strewn(&self) -> impl Iterator<Item = [f32; 2]> + use<> {
-        const PLACES: u32 = 192;
         const STEP: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
         let size = [self.width, self.height];
         let place = move |axis: usize, i: u32| {
             let share = (0.5 + f64::from(i) * STEP[axis]).fract();
             (share * f64::from(size[axis])).floor() as f32 + 0.5
         };
-        (0..PLACES).map(move |i| [place(0, i), place(1, i)])
+        (0..STREWN as u32).map(move |i| [place(0, i), place(1, i)])
     }
 
     /// Where the eye is.

@@ -15,6 +15,8 @@ use crate::object::{self, Generator, Object};
 const TRIES: u64 = 4;
 /// Stretched by less than this nobody sees it.
 const UNSEEN: f32 = 1.04;
+/// Nothing is stretched by more: a hanger is thin though its box is as deep as a coat.
+const MOST: f32 = 3.5;
 /// Nothing is thinner, metres.
 const THIN: f32 = 0.004;
 
@@ -71,7 +73,7 @@ fn fitted(generator: &Generator, size: Vector3<f32>, style: &Style, seed: Seed) 
         }
     }
     match best {
-        Some((_, object)) => Made { scale: stretch(&object), asset: centred(object) },
+        Some((_, object)) => Made { scale: stretch(&object).map(|s| s.min(MOST)), asset: centred(object) },
         None => Made { asset: plain(generator.class, size), scale: Vector3::repeat(1.0) },
     }
 }

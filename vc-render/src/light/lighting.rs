@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use arrayvec::ArrayVec;
 use nalgebra::Point3;
 
 use super::ambient::Ambient;
@@ -11,6 +12,7 @@ use super::shadow::ShadowMap;
 use super::{Daylight, extent::rooms, room};
 use crate::RenderError;
 use crate::affine::{scaled, three};
+use crate::camera::STREWN;
 use crate::renderer::Renderer;
 use crate::scene::{Snapshot, Store};
 use crate::surface::{Role, Surface};
@@ -22,7 +24,7 @@ use crate::trace::Tracer;
 /// brings it up to date.
 ///
 /// ```
-/// # use nalgebra::Point3;
+/// # use nalgebra::{Point3, Vector3};
 /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
 /// use vc_render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
 /// # let mut scene = SceneBuilder::new("flat");
@@ -92,7 +94,7 @@ impl Renderer {
     /// what is made then says so when it is used.
     ///
     /// ```
-    /// # use nalgebra::Point3;
+    /// # use nalgebra::{Point3, Vector3};
     /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
     /// use vc_render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
     /// # let mut scene = SceneBuilder::new("flat");
@@ -299,7 +301,7 @@ impl Lighting {
         let dark = DARK[usize::from(outdoors)];
         let inside = |room: &usize| outdoors || room + 1 < self.rooms.len();
         let levels = seen.into_iter().map(|r| usize::from(r).min(self.rooms.len() - 1)).filter(inside);
-        let mut levels: Vec<_> = levels.map(|room| self.level(room)).collect();
+        let mut levels: ArrayVec<_, STREWN> = levels.map(|room| self.level(room)).take(STREWN).collect();
         if levels.is_empty() {
             levels.push(self.level(self.room_for(eye)));
         }

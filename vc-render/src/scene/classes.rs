@@ -37,6 +37,10 @@ impl Classes {
         let numbers: HashMap<Arc<str>, u16> = known.iter().map(|(name, _)| name.clone()).zip(0..).collect();
         let unknown = graph.nodes().filter(|n| !numbers.contains_key(n.class()));
         let unknown: BTreeSet<Named> = unknown.map(|n| (n.class().clone(), n.spec().category.clone())).collect();
+        let classes = known.len() + unknown.len();
+        if classes > usize::from(NO_LABEL) {
+            return Err(RenderError::TooManyClasses { classes });
+        }
         let mut classes = Self { known, others: BTreeMap::new(), numbers };
         unknown.into_iter().for_each(|named| classes.add(named));
         Ok(classes)
