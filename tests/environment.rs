@@ -528,7 +528,7 @@ fn scenes_of_boxes_are_lived_in() {
             n.kind() == Kind::Object && n.position().zip(now).is_none_or(|(was, is)| (was - is).norm() > 0.05)
         };
         let moved: Vec<_> = scene.nodes().filter(off).map(Node::label).collect();
-        assert!(moved.len() < 4, "{number}: {moved:?}");
+        assert!(moved.is_empty(), "{number}: {moved:?}");
         let me = home.agents()[0];
         for &room in home.graph().rooms() {
             act(&mut home.clone(), me, Verb::Walk, &[room]);

@@ -102,9 +102,9 @@ fn holding() -> (Environment, NodeId, NodeId, Camera) {
     let (home, book) = home.graph().of_class("novel").iter().copied().find_map(taken).unwrap();
     // From the side on which least is in the way.
     let feet = home.world().pose(me).unwrap();
-    let around = [(0.9, -1.1), (0.9, 1.1), (1.2, 0.3), (0.2, -1.3), (-0.4, -1.2)];
-    let cameras = around.map(|(x, y)| {
-        let (eye, target) = (feet * Point3::new(x, y, 1.5), feet * Point3::new(0.2, 0.0, 1.0));
+    let cameras = (0..16).map(|i| {
+        let (sin, cos) = (i as f32 * std::f32::consts::TAU / 16.0).sin_cos();
+        let (eye, target) = (feet * Point3::new(1.3 * cos, 1.3 * sin, 1.5), feet * Point3::new(0.2, 0.0, 1.0));
         Camera::with_fov(160, 160, 1.1).looking(eye, target)
     });
     let seen = |camera: &Camera| {
@@ -112,7 +112,7 @@ fn holding() -> (Environment, NodeId, NodeId, Camera) {
         let count = |id: NodeId| frame.instance.iter().filter(|seen| **seen == id).count();
         count(me).min(50 * count(book))
     };
-    let camera = cameras.into_iter().max_by_key(seen).unwrap();
+    let camera = cameras.max_by_key(seen).unwrap();
     (home, me, book, camera)
 }
 

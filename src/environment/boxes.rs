@@ -93,13 +93,29 @@ pub(super) fn hold(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Re
             held.push(id);
         }
     }
-    for id in held {
-        match graph.place(id).filter(|p| p.at != id && world.aabb(p.at).is_some()) {
-            Some(place) => world.pin_to(id, place.at)?,
-            None => world.pin(id)?,
-        }
+    held.into_iter().try_for_each(|id| pin(world, graph, id))
+}
+
+/// Puts back and holds what has moved though it was free to stay: a glass that stands on the edge of a
+/// mat falls over. Returns whether there was any.
+pub(super) fn hold_moved(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Result<bool, PhysicsError> {
+    let wanted = |id: &NodeId| Some((*id, *graph.node(*id)?.pose()?));
+    let loose = bare.iter().filter(|id| world.role(**id) == Some(Role::Loose)).filter_map(wanted);
+    let far = |a: &Pose, b: &Pose| (a.translation.vector - b.translation.vector).norm() > STILL;
+    let moved: Vec<(NodeId, Pose)> =
+        loose.filter(|(id, pose)| world.pose(*id).is_some_and(|now| far(&now, pose))).collect();
+    for (id, pose) in &moved {
+        world.place(*id, *pose)?;
+        pin(world, graph, *id)?;
     }
-    Ok(())
+    Ok(!moved.is_empty())
+}
+
+fn pin(world: &mut World, graph: &SceneGraph, id: NodeId) -> Result<(), PhysicsError> {
+    match graph.place(id).filter(|p| p.at != id && world.aabb(p.at).is_some()) {
+        Some(place) => world.pin_to(id, place.at),
+        None => world.pin(id),
+    }
 }
 
 /// Whether a thing is where the scene has it only if it is held there.

@@ -111,6 +111,9 @@ impl Environment {
         boxes::hold(&mut world, builder.graph(), &bare)?;
         undress(&mut world, builder.graph())?;
         let left_out = astray::calm(&mut world, &mut builder)?;
+        if boxes::hold_moved(&mut world, builder.graph(), &bare)? {
+            act::calm(&mut world);
+        }
         let floor = Floor::of(&world, FloorPlan::default());
         if !bare.is_empty() {
             boxes::step_aside(&mut world, builder.graph(), &floor)?;
