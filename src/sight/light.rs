@@ -17,13 +17,13 @@ const LIGHTS: usize = 8;
 /// How far a lamp has to be moved to count as moved, metres.
 const ASIDE: f32 = 0.05;
 
-/// What the light that rooms throw back depends on.
+/// Everything that the light that rooms throw back depends on.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Lit {
     daylight: Daylight,
     /// What is on.
     on: Vec<NodeId>,
-    /// Lamps that are on and stand elsewhere than where the home begins, and in which room.
+    /// Lamps that are on and stand elsewhere than at first: pose and room.
     moved: Vec<(NodeId, Pose, Option<NodeId>)>,
     /// What of the building stands open: doors and windows.
     open: Vec<NodeId>,
@@ -40,7 +40,7 @@ impl Environment {
         let known = self.lights().iter().find(|(known, _)| *known == lit).map(|(_, lighting)| lighting.clone());
         let mut lighting = known.map_or_else(|| base.made(&lit), Ok)?;
         base.renderer.follow(&mut lighting, now)?;
-        // It is not held meanwhile: who waits for threads may be given a picture to make.
+        // The lock is not held meanwhile: a thread that waits for others may be given a picture to make.
         let mut made = self.lights();
         made.retain(|(known, _)| *known != lit);
         made.insert(0, (lit, lighting.clone()));
