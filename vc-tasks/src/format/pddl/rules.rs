@@ -318,7 +318,7 @@ impl Way {
 
     fn effect(&mut self, effect: Effect<Role>) -> Result<(), String> {
         match effect {
-            // A plan is not told of the things on or in it.
+            // The domain leaves out that the things on or in it enter the state as well.
             Effect::Enter(t, state) | Effect::EnterWith(t, state) => self.enter(variable(t), state),
             Effect::EnterOwn(state) => self.add(is(state), &[HANDS]),
             Effect::LeaveOwn(state) => self.delete(is(state), &[HANDS]),
