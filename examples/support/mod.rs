@@ -1,4 +1,4 @@
-//! What the examples share: reading and writing files, printing, and saying what went wrong.
+//! Code that the examples share: reading and writing files, printing, and saying what went wrong.
 
 #![allow(dead_code, reason = "no example reads, writes and prints at once")]
 
@@ -32,7 +32,7 @@ pub(crate) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Complain
     virtualcity::files::write(path, bytes.as_ref()).map_err(|e| unwritten(path, &e))
 }
 
-/// What to do about a file that cannot be written.
+/// A complaint about a file that cannot be written, with advice.
 pub(crate) fn unwritten(path: &Path, error: &std::io::Error) -> Complaint {
     use std::io::ErrorKind;
     let advice = match error.kind() {

@@ -1,4 +1,4 @@
-//! A program that reads is written and reads back equal, but for what its things are called.
+//! A program that reads is written and reads back equal, but for the labels of its things.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
