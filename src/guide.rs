@@ -10,7 +10,7 @@
 //! 8. [A thing where you want it, and an agent](#a-thing-where-you-want-it-and-an-agent)
 //! 9. [Ways over the floor by your own planner](#ways-over-the-floor-by-your-own-planner)
 //! 10. [A language model](#a-language-model)
-//! 11. [What a camera sees](#what-a-camera-sees)
+//! 11. [Pictures as data](#pictures-as-data)
 //!
 //! # Many homes at once
 //!
@@ -323,9 +323,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # What a camera sees
+//! # Pictures as data
 //!
-//! Frames hold plain lists, one value for each pixel, row by row: numbers of nodes and classes, metres, colours.
+//! Frames hold plain lists, one value for each pixel, row by row: numbers of nodes and classes, depths in metres, colours.
 //!
 //! ```
 //! use virtualcity::render::{Modality, format, picture};

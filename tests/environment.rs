@@ -559,7 +559,7 @@ fn is_as_read(home: &Environment) {
     assert_eq!(home.relations().edges(), read.edges());
 }
 
-/// What is spawned is there as if it had always been: it stands, is related, is taken, saved and restored.
+/// A spawned thing is there as if it had always been: it stands, is related, is taken, saved and restored.
 #[test]
 fn things_appear_where_they_are_wanted() {
     let mut home = home(42, 1);
@@ -660,8 +660,8 @@ fn agents_are_elsewhere_at_once() {
     act(&mut home, me, Verb::Place, &[novel, table]);
 }
 
-/// What actions cost, by five hundred, and what could make them dearer; `HOMES`, `ACTIONS` and `FROM`
-/// choose others.
+/// Times of actions, by five hundred, and figures that could make actions slower; `HOMES`, `ACTIONS` and
+/// `FROM` choose how many.
 #[test]
 #[ignore = "takes a minute: proofs/drift"]
 #[allow(clippy::print_stdout, reason = "it is a report")]

@@ -534,7 +534,8 @@ fn outside_has_its_own_light() {
     assert!(sky < 80, "the night's sky is as bright as {sky}");
 }
 
-/// What is drawn out of its box by more than a centimetre in a home as it begins; elbows may be by three.
+/// The things that are drawn out of their boxes by more than a centimetre in a home as it begins; elbows may be by
+/// three.
 fn drawn_out(seed: u64) -> Vec<String> {
     let home = home(seed, 1);
     let snapshot = home.snapshot().unwrap();
@@ -556,7 +557,7 @@ fn things_are_drawn_within_their_boxes() {
 
 /// The same for many homes: `proofs/drawn_bounds`.
 #[test]
-#[ignore = "takes minutes; proofs/drawn_bounds runs it home by home"]
+#[ignore = "takes minutes; proofs/drawn_bounds runs it for ten homes at a time"]
 fn things_are_drawn_within_their_boxes_in_many_homes() {
     let range = std::env::var("VC_HOMES").unwrap_or_else(|_| "0..200".into());
     let (from, to) = range.split_once("..").unwrap();
@@ -565,7 +566,7 @@ fn things_are_drawn_within_their_boxes_in_many_homes() {
     assert!(all.is_empty(), "{}", all.join("\n"));
 }
 
-/// What has a lid and stands below a window is no curtain.
+/// Boxes, umbrellas and bags before a window are covers, but no curtains.
 #[test]
 fn lids_are_no_curtains() {
     let mut scene = SceneBuilder::new("study");

@@ -44,7 +44,7 @@ impl Kitchen {
     }
 }
 
-/// Where everything is that has a body is in the home, and nothing hangs below it.
+/// Checks that everything with a body is in the home, and that nothing hangs below it.
 fn is_whole(home: &Environment) {
     let world = home.world();
     assert!(world.outside().is_empty() && world.stopped().is_empty());
@@ -122,7 +122,7 @@ fn agents_stand_on_floors() {
     }
 }
 
-/// What hung in a wardrobe that a reset takes away does not stay in the air.
+/// Things that hung in a wardrobe that a reset takes away do not stay in the air.
 #[test]
 fn what_loses_its_support_falls() {
     let (mut clothes, mut seed) = (0, 1);

@@ -1,4 +1,4 @@
-//! An action can be done if nothing is held against it: every verb with every thing.
+//! The legal actions are exactly those without a refusal: every verb with every thing.
 
 use std::collections::BTreeSet;
 

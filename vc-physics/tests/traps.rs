@@ -321,7 +321,7 @@ fn floors_have_ground_below_them() {
     }
 }
 
-/// What gets past the edge of all floors is stopped and named before it is far, and takes part again
+/// A thing that gets past the edge of all floors is stopped and named before it is far, and takes part again
 /// where it is put.
 #[test]
 fn what_falls_out_of_the_world_is_stopped() {

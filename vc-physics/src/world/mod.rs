@@ -75,7 +75,7 @@ impl Places {
     }
 }
 
-/// What a snapshot keeps of a thing; its form and places are found again by the graph.
+/// The part of a thing that a snapshot keeps; form and places are found again by the graph.
 #[derive(Clone, Serialize, Deserialize)]
 pub(crate) struct State {
     pub(crate) role: Role,
