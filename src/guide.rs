@@ -172,7 +172,7 @@
 //! # A team
 //!
 //! A [`Team`](crate::planner::Team) shares a goal and what its agents see. A [`Recorder`](crate::Recorder) around the
-//! environment writes a film and a page; its `finish` takes what a team or a single agent did.
+//! environment writes a film and a page; its `finish` takes the episode of a team or of a single agent.
 //!
 //! ```
 //! use virtualcity::planner::Team;

@@ -59,7 +59,7 @@ struct Base {
 
 impl Environment {
     /// A picture of the environment as it is, made as its [`pictures`](Self::pictures) say: `Renderer::render` of its
-    /// [`snapshot`](Self::snapshot). Changes nothing, and does not depend on what was rendered before.
+    /// [`snapshot`](Self::snapshot). Changes nothing, and does not depend on earlier pictures.
     ///
     /// Things that have moved, were opened or are carried are lit where they are, by the room they are in, and throw
     /// their shadows from there: `Renderer::follow`, some milliseconds where that is in the sun or below a lamp, and

@@ -251,7 +251,7 @@ impl<'a> Workshop<'a> {
         Ok(())
     }
 
-    /// The batches of a file that are there, opened by whoever comes first.
+    /// The batches of a file that are there, opened by the thread that comes first.
     fn unfinished(&self, file: usize, volume: &Volume) -> Result<Arc<Resume<Part>>, Complaint> {
         let mut file = locked(&self.files[file]);
         match &file.unfinished {

@@ -7,7 +7,7 @@
 //! `--scene FILE` takes a scene file with poses, `--task TITLE` a task of the library,
 //! `--goal TEXT` any goal; `--dataset` writes frames with COCO annotations and the scene as glTF
 //! as well; `--hour 19` is dusk and `--hour 23` night, `--finer 3` smooths edges more. With
-//! `--agents 2` two of them share the goal and tell each other what they see. In the end all actions
+//! `--agents 2` two agents share the goal and tell each other what they see. In the end all actions
 //! are done again from the beginning, and have to lead to the same home.
 //! `--symbolic` does it without bodies: by default the bundled
 //! apartment, three apples to the kitchen table, and the fridge closed at the end; the folder then has

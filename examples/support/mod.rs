@@ -37,7 +37,7 @@ pub(crate) fn unwritten(path: &Path, error: &std::io::Error) -> Complaint {
     use std::io::ErrorKind;
     let advice = match error.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
-            "make room or choose another --out; what resumes goes on where it stopped when started again"
+            "make room or choose another --out; runs that can be resumed go on where they stopped when started again"
         }
         ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => "choose an --out that you may write to",
         ErrorKind::AlreadyExists | ErrorKind::NotADirectory => "--out must be a folder, and this is a file",

@@ -240,8 +240,8 @@ fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed: &[NodeId]
     edit.commit()
 }
 
-/// Whether an action failed after its outcome had been observed, so that relations are those of what
-/// was taken back.
+/// Whether an action failed after its outcome had been observed, so that relations still are those of the
+/// outcome that was taken back.
 fn was_looked_at(error: &ActionError) -> bool {
     use Impossible::{FallsOut, Unreadable};
     match error {

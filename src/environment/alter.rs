@@ -23,7 +23,7 @@ pub enum AlterError {
     /// The class table knows no such class.
     #[error("there is no class `{0}`: `graph().classes()` lists them")]
     NoSuchClass(String),
-    /// Nothing is known of what such a thing looks like.
+    /// There is no generator for things of the class.
     #[error("there is no generator for the class `{0}`: `procgen::object::generator` has those there are")]
     NoGenerator(String),
     /// The node is not there.
@@ -169,7 +169,7 @@ impl Environment {
     }
 
     /// Puts an agent elsewhere at once: at a point of the free floor, or near the middle of a room. It stands there,
-    /// looking as it did; what it holds and wears comes along. The history does not have it.
+    /// facing the same way; the things it holds and wears come along. The history does not contain this.
     ///
     /// `Floor::is_free`, `World::teleport`, `Relations::update_with`. Costs a millisecond or two.
     ///

@@ -217,7 +217,7 @@ impl From<PhysicsError> for Impossible {
 }
 
 impl Impossible {
-    /// The same with a scene's labels for what bodies know by number.
+    /// The same error with a scene's labels for the nodes that bodies know by number.
     pub(super) fn in_scene(self, graph: &SceneGraph) -> Self {
         let label = |known: Label| graph.label(known.id);
         match self {

@@ -43,8 +43,8 @@ pub(super) fn evidence(world: &World) -> Evidence {
 /// Looks again at what has moved or changed, and writes poses and relations into the
 /// graph. Returns all whose relations may be different, and what changed.
 ///
-/// `changed` are those that the rule puts elsewhere. The graph then says what a scene read anew
-/// would say, whatever it said before.
+/// `changed` are those that the rule puts elsewhere. The graph then says the same as a scene read anew,
+/// whatever it said before.
 pub(super) fn look_again(
     graph: &mut SceneGraph,
     world: &World,

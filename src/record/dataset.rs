@@ -1,4 +1,4 @@
-//! The dataset: pictures and what is in them, in the formats that others read.
+//! Data sets: pictures and their annotations, in formats that other tools read.
 
 use std::path::{Path, PathBuf};
 

@@ -220,7 +220,7 @@ impl Recorder {
         Ok(self.folder.join("index.html"))
     }
 
-    /// The page about what is in the folder.
+    /// The page about the files in the folder.
     fn page(&self, summary: Summary, film: Option<PageFilm>, has_belief: bool) -> Page {
         let (title, scene, goal) = (&self.task.title, self.home.graph().name(), self.task.goal.to_string());
         let mut page = Page::new(title, scene, &goal, summary);

@@ -32,8 +32,8 @@ pub(super) struct Lit {
 }
 
 impl Environment {
-    /// The light as it is: `Renderer::light` of how the home begins, then `Renderer::follow`. As that makes what
-    /// `light` would, the result depends on nothing that was rendered before.
+    /// The light as it is: `Renderer::light` of the home as it begins, then `Renderer::follow`. As `follow` makes the
+    /// same shadows as `light`, the result does not depend on earlier pictures.
     pub(super) fn lighting(&self, daylight: &Daylight, now: &Snapshot) -> Result<Lighting, RenderError> {
         let base = self.base()?;
         let lit = self.lit(base, daylight);

@@ -1,4 +1,4 @@
-//! Rule and bodies say the same, and the graph says what a scene read anew would say.
+//! Rule and bodies agree, and the graph says the same as a scene read anew.
 
 use virtualcity::graph::{
     Action, Bounds, Draft, Edge, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph, Seed,
@@ -85,8 +85,8 @@ fn what_opens_keeps_its_relations() {
     }
 }
 
-/// A fridge opens beside a dishwasher and a cupboard that stand open: who opens it stands where there
-/// is room at last, and makes way for its door.
+/// A fridge opens beside a dishwasher and cupboards that stand open: the agent finds the room that is left, and
+/// makes way for the door.
 #[test]
 fn doors_swing_past_who_opens_them() {
     let mut home = home(42, 1);

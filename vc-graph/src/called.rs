@@ -1,4 +1,4 @@
-//! Whether a node is what it is called: `milk.8` may name a node that is a knife.
+//! Checking labels: `milk.8` may name a node that is a knife.
 
 use crate::vocabulary::{clip, same_word};
 use crate::{Label, NodeId, SceneGraph, nearest};
@@ -52,7 +52,7 @@ impl SceneGraph {
         Err(Misnomer { written: Label { class: clip(class).into(), id }, found: node.label() })
     }
 
-    /// Checks that a node is what a label calls it, as [`Self::check_name`] does.
+    /// Checks that a node is of a label's class, as [`Self::check_name`] does.
     ///
     /// # Errors
     /// [`Misnomer`] with both names.

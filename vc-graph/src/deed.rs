@@ -34,7 +34,7 @@ impl From<Action> for Deed {
 }
 
 impl Deed {
-    /// Checks that the things are what they are called, see [`SceneGraph::check_name`].
+    /// Checks that the things are of the classes in their labels, see [`SceneGraph::check_name`].
     ///
     /// # Errors
     /// The first [`Misnomer`].

@@ -114,7 +114,7 @@ pub struct Shot<'a> {
 pub struct Adaptation {
     /// The exposure it is used to: [`Frame::exposure`](crate::Frame::exposure) of the picture before.
     pub from: [f32; 3],
-    /// How far it goes from there to that of what it sees now: 0 not at all, 1 all the way.
+    /// How far it goes from there to the exposure for the light it sees now: 0 not at all, 1 all the way.
     pub share: f32,
 }
 

@@ -82,7 +82,7 @@ impl<W: World> Trial<W> {
         Feedback { observation: self.observation(), reward: self.score - before, terminated, truncated, refused }
     }
 
-    /// Puts the world back to where the trial began, and gives what the agent sees there.
+    /// Puts the world back to where the trial began, and gives the agent's view there.
     ///
     /// # Errors
     /// As [`World::reset`]; then nothing has changed.

@@ -40,7 +40,7 @@ pub enum CastError {
         /// How many characters there are.
         agents: usize,
     },
-    /// A thing is not what it is called.
+    /// A thing is of another class than its label says.
     #[error("action {step}: {misnomer}")]
     Misnomer {
         /// Which step, counted from one.
@@ -87,7 +87,7 @@ impl Program {
     /// ```
     ///
     /// # Errors
-    /// [`CastError`]: a character that is not there, a thing that is not what it is called.
+    /// [`CastError`]: a character that is not there, a thing of another class than its label says.
     pub fn cast(&self, graph: &SceneGraph) -> Result<Vec<Vec<Event>>, CastError> {
         let agents = graph.agents();
         let event = |step: usize, deed: &Deed| {

@@ -110,7 +110,7 @@ fn note(shared: &mut Vec<Shared>, need: Condition<Role>, verb: Verb) {
     }
 }
 
-/// A scene and who is to act in it.
+/// A scene and the agent that is to act in it.
 struct Now<'a> {
     graph: &'a SceneGraph,
     agent: NodeId,

@@ -11,7 +11,7 @@ use super::kind;
 use crate::furnish::Facing;
 use crate::object;
 
-/// A thing's place: what it is taken for, its pose, and its box in its own axes.
+/// A thing's place: the class it is taken for, its pose, and its box in its own axes.
 pub(super) struct Place {
     /// The class whose generator makes it; the node's own if there is none.
     pub(super) class: Arc<str>,

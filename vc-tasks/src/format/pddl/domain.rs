@@ -59,7 +59,7 @@ impl Atom {
 pub struct Number(String);
 
 impl Number {
-    /// The number of a text; `None` for what is no finite number.
+    /// The number of a text; `None` if it is no finite number.
     pub fn new(text: &str) -> Option<Self> {
         text.parse::<f64>().ok().filter(|number| number.is_finite()).map(|_| Self(text.to_owned()))
     }

@@ -277,7 +277,7 @@ fn in_cold(x: &str) -> Vec<Way> {
     at_work(Property::Cooler, x, &["in"], "in")
 }
 
-/// At something of a kind that is on, directly or carried by what is.
+/// At a machine of a kind that is on: directly, or at something that is.
 fn at_work(kind: Property, x: &str, directly: &[&str], carried: &str) -> Vec<Way> {
     let machine = |mut needs: Vec<Atom>| {
         let affords = affords(kind, Role::X).lasting;
