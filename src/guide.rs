@@ -325,7 +325,8 @@
 //!
 //! # Pictures as data
 //!
-//! Frames hold plain lists, one value for each pixel, row by row: numbers of nodes and classes, depths in metres, colours.
+//! Frames hold plain lists, one value for each pixel, row by row: numbers of nodes and classes, depths in metres,
+//! colours.
 //!
 //! ```
 //! use virtualcity::render::{Modality, format, picture};
