@@ -1,8 +1,8 @@
 //! The five endpoints in generated homes: what the thesis's Table 5.1 measures.
 //!
 //! `cargo bench --bench environment`. Homes of 300 to 560 nodes, one thread. `-- table` prints only
-//! the figures beside the thesis's, `-- table 2` of two homes: CPU time of the thread, but for the start of a process and
-//! for batches, of which the time that passes counts.
+//! the figures beside the thesis's, `-- table 2` those of two homes: CPU time of the thread, but for the start of a
+//! process and for batches, where the time that passes counts.
 
 #![allow(
     missing_docs,
@@ -38,7 +38,7 @@ const ACTIONS: usize = 40;
 /// How often each home is made.
 const ROUNDS: usize = 3;
 
-/// Of the homes that are measured in turn the first, and how many there are unless told.
+/// The seed of the first home that is measured, and the number of homes unless an argument says another.
 const SEEDS: (u64, u64) = (40, 8);
 
 fn seeds() -> std::ops::Range<u64> {
@@ -335,8 +335,8 @@ fn fridges(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
     row("closing it", closes, "");
 }
 
-/// A picture from an agent's eyes again, and after it has walked to something: shadows follow. By day, and at night with all
-/// ceiling lamps on. On one thread.
+/// Times a picture from an agent's eyes that is made again, and one after the agent has walked to something, so that
+/// shadows follow. By day, and at night with all ceiling lamps on. On one thread.
 fn pictures(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     for (hour, lamps) in [(12.0, false), (23.0, true)] {

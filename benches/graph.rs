@@ -121,8 +121,8 @@ fn searching(c: &mut Criterion) {
     c.bench_function("clone a million", |b| b.iter(|| graph.clone()));
 }
 
-/// Every verb with the things given, with any two of them where it takes two: one after the other
-/// held against the rule, which words every reason.
+/// Every verb with each of some things, or with any two of them, checked one after the other by the rule,
+/// which words every reason.
 fn legal_one_by_one(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec<Action> {
     let pairs = |verb: Verb| things.iter().flat_map(move |&x| things.iter().map(move |&y| Action::two(verb, x, y)));
     let free = |action: &Action| rule::refusals(graph, agent, action).is_empty();
@@ -136,8 +136,8 @@ fn legal_one_by_one(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec
     Verb::ALL.iter().flat_map(of).collect()
 }
 
-/// As before `rule::legal_actions` was: what takes one thing with each, and what is in hand put
-/// on or into each, held against the rule in the same way. It knew of no pouring and filling.
+/// The former way: verbs with one thing with each thing, and things in hand put on or into each thing,
+/// checked in the same way. It left out the other verbs with two things, such as pouring.
 fn legal_as_it_was(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec<Action> {
     let free = |action: &Action| rule::refusals(graph, agent, action).is_empty();
     let one = Verb::ALL.iter().filter(|v| v.arity() == 1);
@@ -148,7 +148,7 @@ fn legal_as_it_was(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec<
     singles.chain(held.iter().flat_map(put)).chain(none).filter(free).collect()
 }
 
-/// Seconds that something takes, by as many rounds as fill half a second.
+/// Seconds that something takes, as a mean over as many rounds as fill half a second.
 fn seconds(mut done: impl FnMut() -> usize) -> f64 {
     let (start, mut rounds) = (Instant::now(), 0_u32);
     while rounds == 0 || start.elapsed().as_secs_f64() < 0.5 {
@@ -158,7 +158,7 @@ fn seconds(mut done: impl FnMut() -> usize) -> f64 {
     start.elapsed().as_secs_f64() / f64::from(rounds)
 }
 
-/// All that can be done now, by both ways in one run: in the agent's room, and in the whole home.
+/// Times all ways of listing the legal actions in one run: in the agent's room, and in the whole home.
 fn deciding(_: &mut Criterion) {
     let mut graph = scene();
     let (me, script) = (graph.agents()[0], script(&graph));

@@ -1,10 +1,9 @@
-//! What agents can do in homes of which only boxes are known.
+//! Tries how much agents can do in homes of which only boxes are known.
 //!
 //! `cargo run --release --example boxes -- FILE...` takes scenes (VirtualHome's, the thesis's; `.gz` is
 //! unpacked) and prints, for each, between which rooms one can walk and how many of the things that
 //! can be carried are taken and put back where the scene has them. `--out DIR` draws each from above.
 
-#[allow(dead_code, reason = "examples use what they need of it")]
 mod support;
 
 use std::collections::BTreeMap;
@@ -18,16 +17,16 @@ use vc_planner::{Newcomer, Run, Step};
 use vc_tasks::{Outcome, Task};
 use virtualcity::{ActionError, Assets, Environment, SceneOptions};
 
-/// What agents can do in homes of which only boxes are known.
+/// Tries how much agents can do in homes of which only boxes are known.
 #[derive(Parser)]
 struct Options {
     /// Scenes; .gz is unpacked.
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Let the planner go about forty everyday goals.
+    /// Let the planner pursue forty everyday goals.
     #[arg(long)]
     goals: bool,
-    /// Leave things the plain shapes that their boxes say, not those of their classes.
+    /// Give things plain shapes, not those of their classes.
     #[arg(long)]
     plain: bool,
     /// Do not take and put back things.
@@ -69,8 +68,8 @@ fn main() -> Result<(), Complaint> {
 /// Everyday goals for such homes.
 const GOALS: &str = include_str!("data/box_goals.txt");
 
-/// Lets the planner, which does not know the home, go about every goal that makes sense in it and is
-/// open.
+/// Lets the planner, which does not know the home, pursue every goal that makes sense in it and does not
+/// hold yet.
 fn goals(home: &Environment, won: &mut (usize, usize)) -> Result<(), Complaint> {
     let me = home.agents()[0];
     for task in Task::read_list(GOALS).map_err(Complaint::new)? {

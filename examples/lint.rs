@@ -3,7 +3,7 @@
 //! `cargo run --release --example lint -- FILE...` takes activities in BDDL
 //! (`.bddl`), lists of tasks (`.txt`) and our task files (`.json`); a folder stands
 //! for all activities in it. `--remarks` shows what is no fault as well, `--scene`
-//! tells which things there are. What cannot be read is told, and the rest looked at.
+//! tells which things there are. Files and lines that cannot be read are named, and the rest is checked.
 //! It ends with 1 if something is wrong, with 2 if something could not be read.
 
 mod support;
@@ -58,7 +58,7 @@ fn main() -> Result<ExitCode, Complaint> {
     Ok(tally.code())
 }
 
-/// What was found in how many files, and how much could not be read.
+/// The number of files for each kind of finding, and the number of files and lines that could not be read.
 #[derive(Default)]
 struct Tally {
     hits: BTreeMap<Kind, usize>,
@@ -66,7 +66,7 @@ struct Tally {
 }
 
 impl Tally {
-    /// Tells what could not be read, and goes on.
+    /// Prints why something could not be read, and counts it.
     fn cannot_read(&mut self, why: impl Display) {
         say!("{why}");
         self.unread += 1;

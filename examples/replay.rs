@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release --example replay -- FILE...` takes JSON Lines of programs
 //! with the graphs before and after (the Embodied Agent Interface's), or, with
-//! `--scene`, plain programs to be run in that scene, by one character or by several. What
-//! cannot be read is told, and the rest goes on; then it ends with 1.
+//! `--scene`, plain programs to be run in that scene, by one character or by several. Files and lines
+//! that cannot be read are named, and the rest goes on; then it ends with 1.
 
 #[cfg(feature = "environment")]
 #[path = "support/bodies.rs"]
@@ -30,8 +30,8 @@ struct Options {
     /// The scene in which .txt programs run: any scene file, or one with graphs before and after.
     #[arg(long)]
     scene: Option<PathBuf>,
-    /// Run the programs of .jsonl with bodies in --scene, each that fits it: every number it names has
-    /// the same class there.
+    /// Run the programs of .jsonl with bodies in --scene, if they fit it: every number that a program names
+    /// has the same class there.
     #[cfg(feature = "environment")]
     #[arg(long)]
     bodies: bool,
@@ -111,7 +111,7 @@ fn replay_records(file: &Path, text: &str, options: &Options, tally: &mut Tally)
     Ok(())
 }
 
-/// The lines to be said of a record, or why it is none.
+/// The lines to be printed about a record, or the reason why it is none.
 fn replay_record(line: &str, all: bool, tally: &mut Tally) -> Result<Vec<String>, String> {
     let record = eai::read_record(line).map_err(|e| e.to_string())?;
     let build = |graph: &EnvironmentGraph| {

@@ -14,20 +14,20 @@ const GZIP: [u8; 2] = [0x1f, 0x8b];
 #[derive(Debug, thiserror::Error)]
 #[error("{path}: {problem}")]
 pub struct FileError {
-    /// Which file.
+    /// The file's path.
     pub path: String,
-    /// What is wrong with it.
+    /// The reason.
     pub problem: FileProblem,
 }
 
-/// What is wrong with a file.
+/// The reason why a file was not read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileProblem {
     /// It cannot be opened, read or unpacked.
     #[error(transparent)]
     Io(#[from] std::io::Error),
-    /// It is too large, or what is packed in it.
+    /// It is larger than [`LARGEST`] bytes, packed or unpacked.
     #[error("there are more than {LARGEST} bytes in it, which is the most that is read")]
     TooLarge,
     /// It is no text.
@@ -36,7 +36,7 @@ pub enum FileProblem {
 }
 
 /// The text of a file, unpacked if it is packed by gzip, whatever its name, and without a byte
-/// order mark. Of pipes and devices too no more is taken than fits: [`LARGEST`] bytes.
+/// order mark. No more than [`LARGEST`] bytes are read, from pipes and devices either.
 ///
 /// ```no_run
 /// let text = virtualcity::read_text("scene1.json.gz")?;
@@ -70,7 +70,7 @@ fn unpacked(path: &Path) -> Result<Vec<u8>, FileProblem> {
     if file.fill_buf()?.starts_with(&GZIP) { limited(MultiGzDecoder::new(file)) } else { limited(file) }
 }
 
-/// All there is, unless it is too much: one byte more than fits is enough to know.
+/// All bytes, unless they are too many: one byte beyond the limit is enough to know.
 fn limited(from: impl Read) -> Result<Vec<u8>, FileProblem> {
     let mut bytes = Vec::new();
     from.take(LARGEST as u64 + 1).read_to_end(&mut bytes)?;
@@ -88,7 +88,8 @@ fn limited(from: impl Read) -> Result<Vec<u8>, FileProblem> {
 /// ```
 ///
 /// # Errors
-/// That of the system: the folder or the file cannot be written, or the disk is full. What was there is left as it was.
+/// The system's error: the folder or the file cannot be written, or the disk is full. A file that was there
+/// stays as it was.
 pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
         std::fs::create_dir_all(folder)?;
@@ -98,16 +99,16 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let part = PathBuf::from(part);
     let written = std::fs::write(&part, bytes).and_then(|()| std::fs::rename(&part, path));
     written.inspect_err(|_| {
-        // It takes space; if it cannot be removed either, so be it.
+        // The part takes up space; if it cannot be removed, the first error is the one to tell.
         let _ = std::fs::remove_file(&part);
     })
 }
 
-/// Removes the files of a folder that are named by a number and have this ending: `000.jpg`, `001.jpg`. A folder that is
-/// not there has none.
+/// Removes the files of a folder whose names are a number and an ending: `000.jpg`, `001.jpg` for `jpg`. A
+/// folder that does not exist is taken for empty.
 ///
 /// # Errors
-/// That of the system.
+/// The system's error if the folder cannot be listed, or a file cannot be removed.
 pub fn remove_numbered(folder: &Path, ending: &str) -> io::Result<()> {
     let entries = match std::fs::read_dir(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),

@@ -10,7 +10,7 @@
 //! 8. [A thing where you want it, and an agent](#a-thing-where-you-want-it-and-an-agent)
 //! 9. [Ways over the floor by your own planner](#ways-over-the-floor-by-your-own-planner)
 //! 10. [A language model](#a-language-model)
-//! 11. [What a camera sees](#what-a-camera-sees)
+//! 11. [Pictures as data](#pictures-as-data)
 //!
 //! # Many homes at once
 //!
@@ -38,8 +38,8 @@
 //!
 //! # A policy of your own
 //!
-//! Whatever implements [`Policy`](crate::planner::Policy) can be run as ours are, symbolically or with bodies, and be
-//! recorded. This one goes to the nearest thing of a class and takes it.
+//! A type that implements [`Policy`](crate::planner::Policy) can be run as ours are, symbolically or with bodies, and
+//! be recorded. This one goes to the first thing of a class that it sees and takes it.
 //!
 //! ```
 //! use virtualcity::Environment;
@@ -94,7 +94,7 @@
 //! # Rewards, action by action
 //!
 //! A [`Trial`](crate::tasks::Trial) is the other way round: your loop asks for observations and rewards.
-//! [`legal_actions`](crate::Environment::legal_actions) has what there is to choose from.
+//! [`legal_actions`](crate::Environment::legal_actions) lists the actions to choose from.
 //!
 //! ```
 //! use virtualcity::Environment;
@@ -172,7 +172,7 @@
 //! # A team
 //!
 //! A [`Team`](crate::planner::Team) shares a goal and what its agents see. A [`Recorder`](crate::Recorder) around the
-//! environment writes a film and a page; its `finish` takes what a team or a single agent did.
+//! environment writes a film and a page; its `finish` takes the episode of a team or of a single agent.
 //!
 //! ```
 //! use virtualcity::planner::Team;
@@ -197,8 +197,8 @@
 //!
 //! # A search that tries actions on copies
 //!
-//! A clone is a snapshot that costs about a millisecond and goes on as the original does, bit for bit. So a tree
-//! search needs nothing else; here one of depth two, greedy by how much of the goal holds.
+//! A clone is a snapshot that costs about a millisecond and goes on as the original does, bit for bit. A tree search
+//! needs nothing else; this one has depth two and is greedy by the share of the goal that holds.
 //!
 //! ```
 //! use virtualcity::Environment;
@@ -257,7 +257,7 @@
 //! home.teleport(me, kitchen)?;
 //! let here = home.world().pose(me).ok_or("no body")?.translation.vector.xy();
 //! home.teleport(me, Point2::from(here))?;
-//! // What cannot be is said, and nothing has changed.
+//! // An impossible wish is an error, and nothing has changed.
 //! assert!(matches!(home.spawn("flooble", Place { relation: Relation::On, at: table }), Err(AlterError::NoSuchClass(_))));
 //! assert!(home.objects().iter().any(|object| object.id == mug && object.room == Some(kitchen)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -266,7 +266,7 @@
 //! # Ways over the floor by your own planner
 //!
 //! The walkable floor as a grid, for planners of your own; here it is searched breadth first. The body is then steered,
-//! or put where the way leads. (`home.floor().route(from, to)` is our own, at any angle.)
+//! or put where the way leads. (`home.floor().route(from, to)` is our own planner, at any angle.)
 //!
 //! ```
 //! use std::collections::{BTreeMap, VecDeque};
@@ -300,9 +300,10 @@
 //!
 //! # A language model
 //!
-//! [`LanguageModel`](crate::planner::LanguageModel) is a policy that asks a closure, in which you ask your model: it is
-//! told the task, what is seen, what was done, and what can be done, as text and as a JSON schema of answers. The
-//! examples `language_model` and `language_endpoint` have recorded answers and a local server.
+//! [`LanguageModel`](crate::planner::LanguageModel) is a policy that asks a closure, in which you ask your model. The
+//! closure gets a prompt: the task, the things in view, the actions done so far and those that are possible, as text
+//! and as a JSON schema of answers. The examples `language_model` and `language_endpoint` show recorded answers and a
+//! local server.
 //!
 //! ```
 //! use virtualcity::Environment;
@@ -322,9 +323,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # What a camera sees
+//! # Pictures as data
 //!
-//! Frames hold plain lists, one value for each pixel, row by row: numbers of nodes and classes, metres, colours.
+//! Frames hold plain lists, one value for each pixel, row by row: numbers of nodes and classes, depths in metres,
+//! colours.
 //!
 //! ```
 //! use virtualcity::render::{Modality, format, picture};

@@ -59,7 +59,7 @@
 //! | [`Recorder`] | an episode as a folder: trajectory, film, map, page, COCO and glTF |
 //! | [`Dataset`] | pictures of many homes as one COCO data set |
 //! | [`Page`] | an episode in any world as an HTML page |
-//! | [`files`] | files that are read packed or not and up to a limit, and written whole or not at all |
+//! | [`files`] | reading files, packed or not, up to a limit, and writing them whole or not at all |
 //!
 //! [`guide`] has recipes for the first day.
 //!
@@ -113,7 +113,7 @@ mod readme {}
 #[cfg(feature = "environment")]
 pub use vc_geometry as geometry;
 pub use vc_graph as graph;
-/// Vectors, points and poses, as all of this uses them.
+/// Vectors, points and poses: the version of nalgebra that all crates here use.
 pub use vc_graph::nalgebra;
 #[cfg(feature = "physics")]
 pub use vc_physics as physics;

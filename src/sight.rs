@@ -22,7 +22,7 @@ use crate::figure::{Bone, clothes};
 
 /// Categories of what lets light in.
 const OPENINGS: [&str; 2] = ["door", "window"];
-/// How far rooms come to be as bright as each other where all are seen from above.
+/// By which share of the way rooms seen from above are made as bright as each other.
 const EVEN: f32 = 0.8;
 
 /// Uploaded meshes and the light, made when first asked for and shared by clones.
@@ -51,24 +51,26 @@ struct Base {
     jointed: Vec<NodeId>,
     /// Those of them that let light into rooms.
     openings: Vec<NodeId>,
-    /// Blinds, curtains and what else is drawn over windows.
+    /// Blinds, curtains and other things that are drawn over windows.
     covers: Vec<NodeId>,
-    /// What lights rooms.
+    /// The things that can light rooms.
     lamps: Vec<NodeId>,
 }
 
 impl Environment {
     /// A picture of the environment as it is, made as its [`pictures`](Self::pictures) say: `Renderer::render` of its
-    /// [`snapshot`](Self::snapshot). Changes nothing, and does not depend on what was rendered before.
+    /// [`snapshot`](Self::snapshot). Changes nothing, and does not depend on earlier pictures.
     ///
-    /// What has moved, was opened or is carried is lit where it is, by the room it is in, and throws its shadow from
-    /// there: `Renderer::follow`, some milliseconds where that is in the sun or below a lamp, and less than one
-    /// elsewhere. What rooms throw back is that of the home as it begins, made again by `Renderer::light` when something
-    /// was switched, when a door between rooms or a window comes to stand open or shut, when a blind or a curtain is drawn,
-    /// when a lamp that is on stands elsewhere and for another daylight: some tenths of a second, the last few are kept,
-    /// and none of it changes because furniture or people moved. [`render_relit`](Self::render_relit) makes that anew
-    /// as well, and `benches/README.md` has what each costs. From above each room is seen about as bright as to one
-    /// who is in it: `Lighting::evened`. Elsewhere a room without a window whose lamps are off is as dark as it is.
+    /// Things that have moved, were opened or are carried are lit where they are, by the room they are in, and throw
+    /// their shadows from there: `Renderer::follow`, some milliseconds where that is in the sun or below a lamp, and
+    /// less than one elsewhere. Light that rooms throw back is that of the home as it begins. `Renderer::light` makes
+    /// it again when something is switched, when a door between rooms or a window comes to stand open or shut, when a
+    /// blind or a curtain is drawn, when a lamp that is on is moved, and for another daylight. That takes some tenths
+    /// of a second; the last few results are kept. It does not change because furniture or people moved:
+    /// [`render_relit`](Self::render_relit) makes it anew for that, too. `benches/README.md` has the costs.
+    ///
+    /// From above each room is seen about as bright as it is to a person in it: `Lighting::evened`. From all other
+    /// viewpoints a room without a window whose lamps are off is dark.
     /// Optical flow needs a second moment: see [`render_until`](Self::render_until).
     ///
     /// # Errors
@@ -84,9 +86,9 @@ impl Environment {
         self.picture(&self.pictures, None, (view, wanted.into()), (width, height))
     }
 
-    /// As [`render`](Self::render), with light that is made for where everything is now: what rooms throw back follows
-    /// furniture and people too. Takes some tenths of a second for every picture with colours, and nothing is kept;
-    /// without colours it is `render`.
+    /// As [`render`](Self::render), with light that is made for where everything is now: light that rooms throw back
+    /// follows furniture and people too. Takes some tenths of a second for every picture with colours, and nothing is
+    /// kept; without colours it does the same as `render`.
     ///
     /// ```no_run
     /// use virtualcity::{Environment, Viewpoint, render::Modality};
@@ -207,7 +209,7 @@ impl Environment {
         Ok(snapshot)
     }
 
-    /// The room in which something is that has come to a place; what is over no floor is where the graph has it.
+    /// The room around a thing's new place; over no floor, the room that the graph has it in.
     fn room_of_place(&self, id: NodeId, at: &Pose) -> Option<NodeId> {
         self.room_at(at.translation.vector.xy().into()).or_else(|| self.graph().room_of(id))
     }

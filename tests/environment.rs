@@ -559,7 +559,7 @@ fn is_as_read(home: &Environment) {
     assert_eq!(home.relations().edges(), read.edges());
 }
 
-/// What is spawned is there as if it had always been: it stands, is related, is taken, saved and restored.
+/// A spawned thing is there as if it had always been: it stands, is related, is taken, saved and restored.
 #[test]
 fn things_appear_where_they_are_wanted() {
     let mut home = home(42, 1);
@@ -574,7 +574,7 @@ fn things_appear_where_they_are_wanted() {
     assert_eq!((home.graph().hidden_in(milk), home.graph().room_of(milk)), (Some(fridge), Some(kitchen)));
     assert_eq!(home.graph().room_of(chair), Some(kitchen));
     is_as_read(&home);
-    // Into a basket, and the basket elsewhere: what is in it comes along.
+    // The apple is put into a basket, and comes along when the basket is put elsewhere.
     let bedroom = first(&home, "bedroom");
     let basket = home.spawn("laundry_basket", on(kitchen)).unwrap();
     home.put(apple, Place { relation: Relation::Inside, at: basket }).unwrap();
@@ -628,7 +628,7 @@ fn what_cannot_appear_is_said_and_changes_nothing() {
     assert_eq!(home.digest(), before);
 }
 
-/// Whoever is put elsewhere stands there, with what it holds, and can go on.
+/// An agent that is put elsewhere stands there, still holds its things, and can go on.
 #[test]
 fn agents_are_elsewhere_at_once() {
     let mut home = home(42, 2);
@@ -660,8 +660,8 @@ fn agents_are_elsewhere_at_once() {
     act(&mut home, me, Verb::Place, &[novel, table]);
 }
 
-/// What actions cost, by five hundred, and what could make them dearer; `HOMES`, `ACTIONS` and `FROM`
-/// choose others.
+/// Times of actions, by five hundred, and figures that could make actions slower; `HOMES`, `ACTIONS` and
+/// `FROM` choose how many.
 #[test]
 #[ignore = "takes a minute: proofs/drift"]
 #[allow(clippy::print_stdout, reason = "it is a report")]

@@ -356,8 +356,8 @@ fn difference(a: &Frame, b: &Frame, which: impl Fn(usize) -> bool) -> (f32, f32)
     (all.iter().sum::<f32>() / count, all.iter().filter(|off| **off > 40.0).count() as f32 / count)
 }
 
-/// A person who opens, takes and carries through rooms, and what is opened, taken and put down, look as if the light
-/// had been made for it, and as in a home that begins like that.
+/// A person that opens, takes and carries things through rooms, and the things, look as if the light had been made for
+/// the moment, and as in a home that begins like that.
 #[test]
 fn what_has_moved_is_lit_where_it_is() {
     let wanted = Modality::Rgb | Modality::Instance;
@@ -417,7 +417,7 @@ fn plans_show_all_rooms() {
     }
 }
 
-/// A camera that goes through a door gets used to the other room with what it sees, and not at once.
+/// A camera that goes through a door gets used to the other room as it comes into view, and not at once.
 #[test]
 fn exposure_does_not_jump_in_doors() {
     let mut home = home(42, 1);
@@ -444,7 +444,7 @@ fn exposure_does_not_jump_in_doors() {
     let step = all.windows(2).map(|pair| (pair[1] / pair[0]).max(pair[0] / pair[1])).fold(1.0, f32::max);
     // The kitchen is thirty times darker.
     assert!(step < 1.5, "in two centimetres the exposure changes by {step}");
-    // An eye that comes from other light is used to that, or halfway, or to what it sees.
+    // An eye that comes from other light is used to that, or halfway, or to the light it sees.
     let (own, from) = (home.render(Viewpoint::Room(living), Modality::Rgb, 64, 48).unwrap().exposure, [8.0; 3]);
     for (at, share) in [0.0, 0.5, 1.0].into_iter().enumerate() {
         home.set_pictures(PictureOptions { adapts: Some(Adaptation { from, share }), ..PictureOptions::default() });
@@ -457,7 +457,7 @@ fn exposure_does_not_jump_in_doors() {
     }
 }
 
-/// Screens that are off are black, in pictures and as glTF; of what is exported no turn is longer than one.
+/// Screens that are off are black, in pictures and as glTF; exported rotations have unit length.
 #[test]
 fn screens_that_are_off_are_dark() {
     let mut home = home(42, 1);
@@ -534,7 +534,8 @@ fn outside_has_its_own_light() {
     assert!(sky < 80, "the night's sky is as bright as {sky}");
 }
 
-/// What is drawn out of its box by more than a centimetre in a home as it begins; elbows may be by three.
+/// The things that are drawn out of their boxes by more than a centimetre in a home as it begins; elbows may be by
+/// three.
 fn drawn_out(seed: u64) -> Vec<String> {
     let home = home(seed, 1);
     let snapshot = home.snapshot().unwrap();
@@ -556,7 +557,7 @@ fn things_are_drawn_within_their_boxes() {
 
 /// The same for many homes: `proofs/drawn_bounds`.
 #[test]
-#[ignore = "takes minutes; proofs/drawn_bounds runs it home by home"]
+#[ignore = "takes minutes; proofs/drawn_bounds runs it for ten homes at a time"]
 fn things_are_drawn_within_their_boxes_in_many_homes() {
     let range = std::env::var("VC_HOMES").unwrap_or_else(|_| "0..200".into());
     let (from, to) = range.split_once("..").unwrap();
@@ -565,7 +566,7 @@ fn things_are_drawn_within_their_boxes_in_many_homes() {
     assert!(all.is_empty(), "{}", all.join("\n"));
 }
 
-/// What has a lid and stands below a window is no curtain.
+/// Boxes, umbrellas and bags before a window are covers, but no curtains.
 #[test]
 fn lids_are_no_curtains() {
     let mut scene = SceneBuilder::new("study");

@@ -195,7 +195,7 @@ fn what_is_no_text_or_too_long_is_refused() {
     }
 }
 
-/// Odd files that people have: what is taken of them is written so that it is taken again.
+/// A scene that is read from an odd file is written so that it can be read again.
 #[test]
 fn what_is_read_of_odd_files_is_read_again() {
     let Some(folder) = common::data() else { return };

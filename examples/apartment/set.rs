@@ -1,9 +1,8 @@
 //! A set of homes in files, made by several threads.
 //!
 //! Threads take batches of seeds; whoever makes the last batch of a file packs and
-//! writes the file. What is written depends on the seeds alone. Batches of a file that is not
-//! yet whole are kept in `NAME.unfinished`, so that a run that is broken off loses a batch for each
-//! thread at most.
+//! writes the file. Its bytes depend on the seeds alone. Batches of a file that is not yet whole are
+//! kept in `NAME.unfinished`, so that a run that is broken off loses a batch for each thread at most.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -252,7 +251,7 @@ impl<'a> Workshop<'a> {
         Ok(())
     }
 
-    /// The batches of a file that are there, opened by whoever comes first.
+    /// The batches of a file that are there, opened by the thread that comes first.
     fn unfinished(&self, file: usize, volume: &Volume) -> Result<Arc<Resume<Part>>, Complaint> {
         let mut file = locked(&self.files[file]);
         match &file.unfinished {

@@ -4,7 +4,7 @@
 //! bodies that move, and lets random, planner and oracle try it on all cores; it prints the
 //! thesis's Table 5.2 beside ours and writes tables and plots, with the reason of everything
 //! that failed. `--symbolic` leaves the bodies out, and lets more policies try. The results do
-//! not depend on the number of threads. What was done is kept in `unfinished.jsonl` until the tables
+//! not depend on the number of threads. Finished attempts are kept in `unfinished.jsonl` until the tables
 //! are written: the same command goes on where it was broken off.
 
 mod attempt;

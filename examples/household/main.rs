@@ -6,8 +6,9 @@
 //! modalities, the home from above with the way it went; `trajectory.jsonl` has every step.
 //! `--scene FILE` takes a scene file with poses, `--task TITLE` a task of the library,
 //! `--goal TEXT` any goal; `--dataset` writes frames with COCO annotations and the scene as glTF
-//! as well; `--hour 19` is dusk and `--hour 23` night, `--finer 3` smooths edges more. With `--agents 2` two of them share the goal and tell each other what they see. In the
-//! end what was done is done again from the beginning, and has to lead to the same home.
+//! as well; `--hour 19` is dusk and `--hour 23` night, `--finer 3` smooths edges more. With
+//! `--agents 2` two agents share the goal and tell each other what they see. In the end all actions
+//! are done again from the beginning, and have to lead to the same home.
 //! `--symbolic` does it without bodies: by default the bundled
 //! apartment, three apples to the kitchen table, and the fridge closed at the end; the folder then has
 //! `trajectory.jsonl` and a page with belief and log.
@@ -70,7 +71,7 @@ pub(crate) struct Options {
     /// How many times finer pictures are made along each side before they are shrunk, which smooths edges.
     #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=4))]
     finer: u32,
-    /// The hour of the day by which the sun shines in: 12 is noon, 19 dusk, 23 night.
+    /// The hour of the day whose light comes in: 12 is noon, 19 dusk, 23 night.
     #[arg(long, value_parser = hour)]
     hour: Option<f32>,
 }

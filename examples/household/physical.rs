@@ -16,7 +16,7 @@ use crate::{Options, Who};
 
 /// Most things of a picture of a belief.
 const BELIEVED: usize = 16;
-/// Most new things of an action that are named.
+/// How many new things of an action are named at most.
 const NAMED: usize = 3;
 
 /// Makes the home, lets the agent act, and writes the folder.
@@ -164,8 +164,8 @@ pub(crate) fn belief(graph: &SceneGraph, task: &Task, policy: &dyn Policy) -> Op
     policy.belief().filter(|_| !things.is_empty()).map(|b| b.to_svg(&things))
 }
 
-/// Says of each action where it led and what was seen then for the first time, which is known when
-/// the next one begins.
+/// Prints for each action where it led and which things were seen then for the first time; both are known
+/// when the next action begins.
 struct Lines {
     graph: SceneGraph,
     waiting: Option<Step>,
@@ -190,7 +190,7 @@ impl Lines {
         }
     }
 
-    /// What is new, first what can be taken.
+    /// Names the new things, those that can be taken first.
     fn news(&self, found: &[String]) -> String {
         let is_small = |label: &Label| self.graph.node(label.id).is_some_and(|n| n.affords(Property::Graspable));
         let mut labels: Vec<Label> = found.iter().filter_map(|text| text.parse().ok()).collect();

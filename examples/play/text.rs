@@ -6,7 +6,7 @@ use virtualcity::render::picture::Picture;
 /// Height and width of a letter, pixels.
 const LETTER: usize = 8;
 
-/// A dark picture with a line in its middle, for while there is nothing else to show.
+/// A dark picture with a line in its middle, to be shown while nothing else is there.
 pub(crate) fn notice(width: u32, height: u32, words: &str) -> Picture {
     let (width, height) = (width as usize, height as usize);
     let mut picture = Picture::new(width, height, [30, 34, 40]);

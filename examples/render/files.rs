@@ -34,7 +34,7 @@ pub(crate) fn all(
     write(name, "glb", &staged_scene(&lit(scene, lighting)?, &stage).map_err(Complaint::new)?)
 }
 
-/// The scene with the lamps on that the light is of.
+/// The scene with those lamps on that are part of the light.
 fn lit(scene: &SceneGraph, lighting: &Lighting) -> Result<SceneGraph, Complaint> {
     let mut scene = scene.clone();
     let mut edit = scene.edit();

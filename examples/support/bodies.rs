@@ -9,8 +9,8 @@ use virtualcity::{ActionError, Environment, Impossible};
 
 use crate::support::{Complaint, read, say};
 
-/// Runs every program that fits a scene there, and counts how many are executable and why others are
-/// not.
+/// Runs every program that fits a scene in it, and counts how many are executable, and the reasons why
+/// others are not.
 pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<(), Complaint> {
     let home = Environment::make(&format!("scene:{}", scene.display()), 1).map_err(Complaint::new)?;
     let (mut all, mut fit, mut done, mut why) = (0, 0, 0, BTreeMap::<String, usize>::new());
@@ -36,7 +36,8 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<(), Complaint> {
     Ok(())
 }
 
-/// Whether everything that a program names has the same class in a scene; the agent is whoever acts.
+/// Whether everything that a program names has the same class in a scene; its own agent stands for the one
+/// that acts there.
 fn fits(record: &Record, scene: &SceneGraph) -> Result<bool, Complaint> {
     let own =
         record.initial.build(&record.id, &ClassTable::builtin()).map_err(|(_, problem)| Complaint::new(problem))?;
@@ -52,7 +53,7 @@ fn run(home: &mut Environment, record: &Record) -> Result<(), (usize, ActionErro
     numbered.try_for_each(|(index, action)| home.set_action(me, action).map(drop).map_err(|error| (index, error)))
 }
 
-/// What kind of reason there was, without names.
+/// The kind of a reason, without names.
 fn reason(error: &ActionError) -> String {
     match error {
         ActionError::Refused(_) => "refused by the rule".into(),

@@ -1,4 +1,4 @@
-//! What the examples share: reading and writing files, printing, and saying what went wrong.
+//! Code that the examples share: reading and writing files, printing, and saying what went wrong.
 
 #![allow(dead_code, reason = "no example reads, writes and prints at once")]
 
@@ -32,12 +32,12 @@ pub(crate) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Complain
     virtualcity::files::write(path, bytes.as_ref()).map_err(|e| unwritten(path, &e))
 }
 
-/// What to do about a file that cannot be written.
+/// A complaint about a file that cannot be written, with advice.
 pub(crate) fn unwritten(path: &Path, error: &std::io::Error) -> Complaint {
     use std::io::ErrorKind;
     let advice = match error.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
-            "make room or choose another --out; what resumes goes on where it stopped when started again"
+            "make room or choose another --out; runs that can be resumed go on where they stopped when started again"
         }
         ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => "choose an --out that you may write to",
         ErrorKind::AlreadyExists | ErrorKind::NotADirectory => "--out must be a folder, and this is a file",

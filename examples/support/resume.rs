@@ -57,7 +57,7 @@ impl<T: Serialize + DeserializeOwned> Resume<T> {
         Ok(Self { path: path.to_owned(), file: Mutex::new(file), there })
     }
 
-    /// Writes a result down, and gives it as it will be read: numbers may change in their last digit.
+    /// Writes a result down, and gives it as it will be read back: numbers may differ in their last digit.
     pub(crate) fn add(&self, key: &str, value: &T) -> Result<T, Complaint> {
         let text = serde_json::to_string(value).map_err(Complaint::new)?;
         let line = format!("[{},{text}]\n", serde_json::to_string(key).map_err(Complaint::new)?);

@@ -1,11 +1,11 @@
-//! A program that reads is written and reads back equal, but for what its things are called.
+//! A program that reads is written and reads back equal, but for the labels of its things.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
 use vc_graph::format::program::{self, Program};
 use vc_graph::{Action, ClassTable, SceneGraph};
 
-/// Title, and who does what.
+/// The title, and each action with its character.
 fn said(program: &Program) -> (&[String], Vec<Vec<(u32, Action)>>) {
     let steps = program.steps.iter().map(|step| step.iter().map(|deed| (deed.character, deed.action)).collect());
     (&program.heading, steps.collect())

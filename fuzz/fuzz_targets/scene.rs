@@ -1,5 +1,5 @@
-//! A scene in any format is told by its structure; what is read is written as our own and as
-//! VirtualHome's, and these read.
+//! Reads a scene in any format, recognised by its structure; a scene that is read is written in our format and in
+//! VirtualHome's, and both read back.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

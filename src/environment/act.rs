@@ -119,8 +119,8 @@ impl Environment {
     /// What lies on an edge may fall when something beside it is moved, though nobody touches it.
     /// The rule knows nothing of that, all is taken back, and from then on every action would end so:
     /// it is held where it is. Drawers that go by themselves may leave behind what leans on something
-    /// in them, which is then in the way of the door: they are pushed. And who turns to what is near, at
-    /// the edge of reach, may be out of it then: one stays as one stands.
+    /// in them, which is then in the way of the door: they are pushed. And an agent that turns to a thing
+    /// at the edge of its reach may no longer reach it then: it stays as it stands.
     fn heeding(&self, agent: NodeId, action: &Action, failed: Option<&ActionError>) -> Option<Care> {
         match failed? {
             ActionError::Disagreement(disagreement) => {
@@ -220,7 +220,8 @@ impl Environment {
     }
 }
 
-/// What is put on a table with a cloth on it is on the table too: the rule knows of no cloth.
+/// Adds the places that the rule expects below a cover: a plate on a tablecloth is on the table too, as
+/// the rule knows no cloth.
 fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed: &[NodeId]) -> ChangeSet {
     let is_cover = |id: NodeId| observed.node(id).is_some_and(|n| n.affords(Property::Cover));
     let on = |id: NodeId, graph: &SceneGraph| graph.related(id, Relation::On).collect::<Vec<NodeId>>();
@@ -234,13 +235,13 @@ fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed: &[NodeId]
     };
     let laid: Vec<(NodeId, Vec<Place>)> = changed.iter().filter_map(through).collect();
     let mut edit = observed.edit();
-    // All are there, and carry one another already.
+    // The nodes are there and carry one another already, so this cannot fail.
     laid.into_iter().for_each(|(id, places)| drop(edit.place_as_seen(id, &places, None)));
     edit.commit()
 }
 
-/// Whether an action failed after its outcome had been observed, so that relations are those of what
-/// was taken back.
+/// Whether an action failed after its outcome had been observed, so that relations still are those of the
+/// outcome that was taken back.
 fn was_looked_at(error: &ActionError) -> bool {
     use Impossible::{FallsOut, Unreadable};
     match error {

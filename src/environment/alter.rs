@@ -1,4 +1,4 @@
-//! What is no action: things that appear or are put elsewhere, agents that are elsewhere at once.
+//! Changes that are no actions: things appear or are put elsewhere, agents are elsewhere at once.
 
 use std::sync::Arc;
 
@@ -11,9 +11,9 @@ use super::undo::Undo;
 use super::{Elsewhere, Environment, Impossible, Unplaced, Why, act, deed, make, observe, reset};
 use crate::initial::Catalogue;
 
-/// Rings of half a metre around the middle of a room in which somebody is put.
+/// Number of rings, half a metre apart, around the middle of a room in which a free place is sought.
 const RINGS: i32 = 12;
-/// How far the floor is looked for that is free instead, metres.
+/// How far from a point that is not free the nearest free floor is sought, metres.
 const INSTEAD: f32 = 2.0;
 
 /// Why something was not put where it was to be; then nothing has changed.
@@ -23,7 +23,7 @@ pub enum AlterError {
     /// The class table knows no such class.
     #[error("there is no class `{0}`: `graph().classes()` lists them")]
     NoSuchClass(String),
-    /// Nothing is known of what such a thing looks like.
+    /// There is no generator for things of the class.
     #[error("there is no generator for the class `{0}`: `procgen::object::generator` has those there are")]
     NoGenerator(String),
     /// The node is not there.
@@ -32,16 +32,16 @@ pub enum AlterError {
     /// Things are put on or in others; nothing else can be asked for.
     #[error("a thing is put on or inside something, not `{0}`")]
     NotAPlace(Relation),
-    /// It is part of the home, or held or worn by somebody.
+    /// The thing is part of the home, or held or worn by somebody.
     #[error("{0} cannot be put elsewhere: it is fixed, held or worn")]
     NotLoose(Label),
-    /// There is no place for it.
+    /// There is no place for the thing.
     #[error("{} has no place there: {}", .0.thing, .0.why)]
     Unplaced(Unplaced),
-    /// It does not stay there.
+    /// The thing does not stay there.
     #[error("{} does not stay {} {}", .0.thing, .0.wanted.relation, .0.wanted.at)]
     Elsewhere(Elsewhere),
-    /// It is no agent of this environment.
+    /// The node is no agent of this environment.
     #[error("{0} is no agent of this environment")]
     NotAnAgent(Label),
     /// Nobody can stand there.
@@ -55,10 +55,10 @@ pub enum AlterError {
     /// There is no free floor in a room.
     #[error("there is no free floor in {0}")]
     FullRoom(Label),
-    /// Bodies cannot.
+    /// The bodies do not allow it.
     #[error(transparent)]
     Bodies(#[from] Impossible),
-    /// The graph cannot.
+    /// The graph does not allow it.
     #[error(transparent)]
     Edit(#[from] EditError),
 }
@@ -90,9 +90,9 @@ impl From<NodeId> for Spot {
 }
 
 impl Environment {
-    /// Adds a thing of a class at a place: on or in something, or on the floor of a room. It looks as the generator makes
-    /// it, the same in the same scene, and comes to rest. What was done is not forgotten, and other things stay as they
-    /// are: [`reset`](Self::reset) with an edited graph begins anew instead.
+    /// Adds a thing of a class at a place: on or in something, or on the floor of a room. It looks as the
+    /// generator makes it, the same in the same scene, and comes to rest. The history is kept, and other
+    /// things stay as they are: [`reset`](Self::reset) with an edited graph begins anew instead.
     ///
     /// `World::insert`, `World::free_spot_at`, `World::step`, `Relations::rebuild`. Costs some milliseconds.
     ///
@@ -136,8 +136,8 @@ impl Environment {
         Ok(id)
     }
 
-    /// Puts a loose thing at a place at once, and what is on or in it with it: on or in something, or on the floor of a
-    /// room. What was done is not forgotten, and other things stay as they are.
+    /// Puts a loose thing at a place at once, together with its load: on or in something, or on the floor of
+    /// a room. The history is kept, and other things stay as they are.
     ///
     /// `World::free_spot_at`, `World::place`, `World::step`, `Relations::update_with`. Costs a millisecond or two.
     ///
@@ -157,7 +157,7 @@ impl Environment {
         for (id, pose) in &load {
             next.world.place(*id, motion * pose).map_err(Impossible::from)?;
         }
-        // What is in it goes to its room with it, before relations are read.
+        // The contents change rooms with it before relations are read.
         let mut edit = next.graph.edit();
         edit.place(thing, place)?;
         edit.commit();
@@ -169,7 +169,7 @@ impl Environment {
     }
 
     /// Puts an agent elsewhere at once: at a point of the free floor, or near the middle of a room. It stands there,
-    /// looking as it did; what it holds and wears comes along. The history does not have it.
+    /// facing the same way; the things it holds and wears come along. The history does not contain this.
     ///
     /// `Floor::is_free`, `World::teleport`, `Relations::update_with`. Costs a millisecond or two.
     ///
@@ -211,7 +211,7 @@ impl Environment {
         Ok(())
     }
 
-    /// A place where something can be put: of a room its floor.
+    /// A place where something can be put; a room stands for its floor.
     fn checked(&self, place: Place) -> Result<Place, AlterError> {
         if !matches!(place.relation, Relation::On | Relation::Inside) {
             return Err(AlterError::NotAPlace(place.relation));

@@ -9,21 +9,21 @@ use vc_physics::{Floor, Order, Role, World};
 
 use super::{MakeError, act};
 
-/// What is not in the environment though it is in the scene.
+/// Things of the scene that are not in the environment, with their classes.
 pub(super) type LeftOut = Vec<(NodeId, Arc<str>)>;
 
-/// How far down a thing is that has fallen, metres.
+/// A thing that is lower than this below its place in the scene has fallen, metres.
 const FALL: f32 = 0.1;
-/// Where things wait for their place, metres: so low, and so far from each other.
+/// Where things wait for their place, metres: how low, and how far from each other.
 const BELOW: f32 = -200.0;
 const APART: f32 = 5.0;
-/// How far an agent is moved that stands where no floor is, metres.
+/// How far an agent that stands beside all floors is moved at most, metres.
 const ASIDE: f32 = 10.0;
 
-/// Lets a world come to rest. What is astray before or after is put to a free spot where the scene has
-/// it; what finds none is taken out of the scene, and named.
+/// Lets a world come to rest. Things that are astray before or after are put to a free spot at the place
+/// that the scene gives them; those for which there is none are taken out of the scene, and named.
 pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<LeftOut, MakeError> {
-    // To part what is in one place by steps would take long, and throw it far.
+    // Steps would take long to part things that are in one place, and would throw them far.
     let mut astray = world.outside();
     astray.extend(world.crowded());
     let mut left_out = put_back(world, builder, astray)?;
@@ -33,7 +33,7 @@ pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<Left
         restore(world, builder.graph(), &fallen)?;
         act::calm(world);
     }
-    // What is taken out may have carried others.
+    // The things that were taken out may have carried others.
     loop {
         let outside = world.outside();
         if outside.is_empty() {
@@ -83,7 +83,7 @@ fn fallen(world: &World, graph: &SceneGraph) -> Vec<NodeId> {
     fallen
 }
 
-/// Puts to a free spot where the scene has it what finds one.
+/// Puts each fallen thing to a free spot at its place in the scene, if there is one.
 fn restore(world: &mut World, graph: &SceneGraph, fallen: &[NodeId]) -> Result<(), MakeError> {
     for &id in fallen {
         if let Some(spot) = spot(world, graph, id, Order::Middle)? {
@@ -125,7 +125,7 @@ pub(super) fn stand_on_floor(world: &mut World, floor: &Floor) -> Result<(), Mak
         let Some(feet) = world.pose(agent).filter(|_| world.is_beside_floors(agent)) else { continue };
         if let Some(spot) = floor.nearest(feet.translation.vector.xy().into(), ASIDE) {
             let to = Pose::from_parts([spot.x, spot.y, floor.plan().level].into(), feet.rotation);
-            // It has a body.
+            // The agent has a body, so this cannot fail.
             let _ = world.teleport(agent, to);
         }
     }

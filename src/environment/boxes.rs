@@ -13,14 +13,14 @@ use vc_procgen::dress::{self, DressError};
 use super::{Assets, Elsewhere};
 use crate::figure;
 
-/// How far above what carries it a thing may be in the scene, metres, and how far it may fall.
+/// How far above its support a thing may hover in the scene, metres, and how far it may fall.
 const HOVER: f32 = 0.06;
 const REST: f32 = 0.002;
 /// How far from the box of its place a thing may be, metres.
 const BESIDE: f32 = 0.1;
-/// How far a thing may have come that is where the scene has it, metres.
+/// A thing that has moved less is still where the scene has it, metres.
 const STILL: f32 = 0.02;
-/// How far an agent is moved aside that stands in something, metres.
+/// How far an agent that stands in something is moved aside at most, metres.
 const ASIDE: f32 = 2.5;
 
 /// Things of which a scene has only boxes.
@@ -28,8 +28,7 @@ pub(super) fn bare(graph: &SceneGraph) -> Vec<NodeId> {
     graph.nodes().filter(|n| vc_geometry::is_bare(n)).map(Node::id).collect()
 }
 
-/// Gives a shape to all of which only a box is known, and a figure to people. `None` if nothing
-/// lacks one.
+/// Gives a shape to everything that has only a box, and a figure to people. `None` if nothing lacks one.
 pub(super) fn shaped(graph: &SceneGraph, assets: Assets) -> Result<Option<SceneGraph>, DressError> {
     if !graph.nodes().any(|n| vc_geometry::is_bare(n) || is_bare_agent(n)) {
         return Ok(None);
@@ -83,8 +82,8 @@ fn yaw(pose: &Pose) -> Vector3<f32> {
     Vector3::z() * angle
 }
 
-/// Holds where they are the things of which only boxes were known and that would not stay: boxes
-/// overlap, and hover a little. What is at another thing goes along with that.
+/// Pins the things that had only boxes and would not stay where they are, as boxes overlap and hover a
+/// little. A thing whose place is at another one goes along with that.
 pub(super) fn hold(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Result<(), PhysicsError> {
     let loose: Vec<NodeId> = bare.iter().copied().filter(|id| world.role(*id) == Some(Role::Loose)).collect();
     let mut held = Vec::new();
@@ -136,7 +135,7 @@ fn meets(a: &Aabb, b: &Aabb) -> bool {
     (0..3).all(|i| a.min[i] < b.max[i] + BESIDE && b.min[i] < a.max[i] + BESIDE)
 }
 
-/// Moves agents to free floor that the scene has standing in something.
+/// Moves agents that the scene has standing in something to free floor.
 pub(super) fn step_aside(world: &mut World, graph: &SceneGraph, floor: &Floor) -> Result<(), vc_physics::AgentError> {
     for &agent in graph.agents() {
         let Some(feet) = world.pose(agent) else { continue };
@@ -149,9 +148,9 @@ pub(super) fn step_aside(world: &mut World, graph: &SceneGraph, floor: &Floor) -
     Ok(())
 }
 
-/// Keeps the places that a scene has things at that are where it has them, though their boxes say
-/// otherwise: what sticks out of a drawer is still in it. Returns what it kept so, and what has come
-/// elsewhere.
+/// Keeps the places that the scene gives to things that have not moved, even where their boxes say
+/// otherwise: a thing that sticks out of a drawer is still in it. Returns all things for which geometry
+/// says another place than the scene.
 pub(super) fn keep(
     scene: &SceneGraph,
     graph: &mut SceneGraph,
@@ -185,8 +184,8 @@ pub(super) fn keep(
     Ok(told)
 }
 
-/// Of the places of a thing keeps those that count: what is in a container is not also on what that
-/// stands on, nor what is held on a plate also on the chair it reaches into.
+/// Keeps those places of a thing that count: a thing in a container is not also on the container's
+/// support, and a thing pinned on a plate is not also on the chair that it reaches into.
 fn keep_those(graph: &mut SceneGraph, id: NodeId, counts: impl Fn(&Place) -> bool) -> Result<(), EditError> {
     let all: Vec<Place> = graph.places(id).collect();
     let kept: Vec<Place> = all.iter().copied().filter(counts).collect();

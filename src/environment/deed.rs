@@ -190,7 +190,7 @@ impl Deed<'_> {
             self.stand_clear(body, open)?;
         }
         let before = self.world.pose(id);
-        // One who stands makes way for what swings past.
+        // An agent that stands makes way for what swings past.
         let past = if self.stands() { std::slice::from_ref(&self.agent) } else { &[] };
         let pushes = self.care.pushes || !self.world.leap_open_past(id, open, past)?;
         if pushes {
@@ -199,7 +199,7 @@ impl Deed<'_> {
         self.note_drive(id, open, pushes);
         let now = self.world.openness(id).unwrap_or(open);
         let arrived = if open > 0.5 { now >= WIDE } else { self.world.open_state(id) == Some(State::Closed) };
-        // It may have stopped where one stands.
+        // The part may have stopped where the agent stands.
         let squeezed = now < 1.0 && self.stands() && !self.world.stands_free(self.agent, &self.feet())?;
         if arrived && !squeezed { self.keeps_balance(id, before) } else { Err(self.stuck(id, open, now)?) }
     }

@@ -64,7 +64,7 @@ pub enum MakeError {
     /// The agents' figure does not fit the scene's shapes.
     #[error(transparent)]
     Asset(#[from] AssetError),
-    /// What has no shape cannot be given one.
+    /// Shapes cannot be made for things that lack one.
     #[error(transparent)]
     Dress(#[from] DressError),
     /// An agent of the scene cannot be put on free floor.
@@ -93,7 +93,7 @@ pub enum ResetError {
     /// The graph cannot be changed as need be.
     #[error(transparent)]
     Edit(#[from] EditError),
-    /// What has no shape cannot be given one.
+    /// Shapes cannot be made for things that lack one.
     #[error(transparent)]
     Dress(#[from] DressError),
 }
@@ -125,7 +125,7 @@ fn listed(refusals: &[Refusal]) -> String {
     refusals.iter().map(Refusal::to_string).collect::<Vec<_>>().join("; ")
 }
 
-/// What is in the way of something, in words.
+/// Names the things that are in the way.
 fn in_the_way(by: &[Label]) -> String {
     match by {
         [] => "it jams".to_owned(),
@@ -134,7 +134,7 @@ fn in_the_way(by: &[Label]) -> String {
     }
 }
 
-/// What takes up the room, in words.
+/// Names the things that take up the room.
 fn taken_up(by: &[Label]) -> String {
     match by {
         [] => String::new(),
@@ -163,7 +163,7 @@ pub enum Impossible {
         where_: &'static str,
         /// What.
         at: Label,
-        /// What is there already.
+        /// The things that are there already.
         by: Vec<Label>,
     },
     /// A door, lid or drawer does not open or close.
@@ -173,10 +173,10 @@ pub enum Impossible {
         thing: Label,
         /// How far open it is, percent.
         open: f32,
-        /// What it would meet on the rest of its way; none if it jams by itself.
+        /// The things it would meet on the rest of its way; none if it jams by itself.
         by: Vec<Label>,
     },
-    /// Something would end outside the home: over the edge of a balcony, through a gap.
+    /// Something would end up outside the home: over the edge of a balcony, through a gap.
     #[error("{0} would fall out of the home: move it away from the edge first")]
     FallsOut(Label),
     /// A loose thing does not keep its balance while its lid turns.
@@ -217,7 +217,7 @@ impl From<PhysicsError> for Impossible {
 }
 
 impl Impossible {
-    /// The same with a scene's labels for what bodies know by number.
+    /// The same error with a scene's labels for the nodes that bodies know by number.
     pub(super) fn in_scene(self, graph: &SceneGraph) -> Self {
         let label = |known: Label| graph.label(known.id);
         match self {

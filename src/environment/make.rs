@@ -21,13 +21,13 @@ const APART: f32 = 0.8;
 /// How far from the middle of its room an agent may stand, metres.
 const ASTRAY: f32 = 2.5;
 
-/// What a scene was made into.
+/// The parts of an environment that is being made.
 struct Made {
     world: World,
     floor: Floor,
     shapes: Shapes,
     left_out: LeftOut,
-    /// Things of which the scene had only boxes, and what was made of them.
+    /// Things of which the scene had only boxes, and which shapes they got.
     bare: Vec<NodeId>,
     assets: Assets,
 }
@@ -35,9 +35,9 @@ struct Made {
 impl Environment {
     /// An environment by name, with some agents at free spots from where the rooms can be
     /// reached: `apartment/42` generates a home from a seed, `scene:FILE` reads a scene of
-    /// any format whose things have poses, unpacked if its name ends in `.gz`. What has a class and
-    /// a box and no shape gets that of its class ([`vc_procgen::dress`]);
-    /// [`make_with`](Self::make_with) leaves it a plain one.
+    /// any format whose things have poses, packed by gzip or not. A thing that has a class and a box
+    /// but no shape gets its class's shape ([`vc_procgen::dress`]); with
+    /// [`make_with`](Self::make_with) it can get a plain one.
     ///
     /// `Apartment::from_seed(seed).scene()` or `vc_graph::format::read_scene`, then
     /// [`Environment::of`].
@@ -57,7 +57,7 @@ impl Environment {
         Self::make_with(name, agents, &SceneOptions::default())
     }
 
-    /// [`make`](Self::make) with choices: whether what has only a box gets a shape.
+    /// [`make`](Self::make) with options: which shapes things get that have only a box.
     ///
     /// # Errors
     /// [`MakeError`].
@@ -92,12 +92,12 @@ impl Environment {
         Self::of_with(graph, agents, &SceneOptions { assets: Assets::None })
     }
 
-    /// [`of`](Self::of) with choices: whether what has only a box gets its class's shape.
+    /// [`of`](Self::of) with options: which shapes things get that have only a box.
     ///
     /// # Errors
     /// [`MakeError`].
     pub fn of_with(graph: SceneGraph, agents: usize, options: &SceneOptions) -> Result<Self, MakeError> {
-        // Whoever gives them a shape: what had only a box stays where the scene has it.
+        // Things that had only a box stay where the scene has them, whichever shape they get.
         let bare = boxes::bare(&graph);
         let graph = scene::shaped(&graph)?.unwrap_or(graph);
         let graph = boxes::shaped(&graph, options.assets)?.unwrap_or(graph);

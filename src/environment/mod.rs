@@ -100,7 +100,7 @@ struct Start {
     shapes: Shapes,
     left_out: Vec<(NodeId, Arc<str>)>,
     elsewhere: Vec<Elsewhere>,
-    /// What is made of things of which a scene has only boxes.
+    /// Which shapes things get that have only boxes.
     assets: Assets,
 }
 
@@ -143,17 +143,17 @@ impl Environment {
         &self.start.graph
     }
 
-    /// What [`make`](Self::make) took out of the scene, with its class: things that were or fell
-    /// outside the home, or were in the place of another, and had no free spot where the scene has
-    /// them. Hardly ever any.
+    /// The things that [`make`](Self::make) took out of the scene, with their classes: they were or fell
+    /// outside the home, or were in the place of another, and there was no free spot where the scene has
+    /// them. There are hardly ever any.
     pub fn left_out(&self) -> &[(NodeId, Arc<str>)] {
         &self.start.left_out
     }
 
-    /// Things of a scene of boxes that geometry has elsewhere than the scene: it has coats in a
-    /// wardrobe that stick out of it, and a table in the box around a corner sofa. What is carried
-    /// and is still where the scene has it counts as there until it is moved; `now` is where it would
-    /// be by geometry.
+    /// Things of a scene of boxes that geometry places elsewhere than the scene does: coats that stick
+    /// out of the wardrobe they are in, a table in the box around a corner sofa. A thing that people
+    /// carry and that has not moved counts as where the scene has it until it is moved; `now` is its
+    /// place by geometry.
     pub fn elsewhere(&self) -> &[Elsewhere] {
         &self.start.elsewhere
     }

@@ -6,10 +6,10 @@ use vc_relations::{Evidence, Relations};
 
 use super::Impossible;
 
-/// How high what is worn is above the feet, metres.
+/// Height of worn things above the wearer's feet, metres.
 const WORN: f32 = 0.9;
 
-/// Writes where bodies are into the graph, and what they wear, and gives the nodes that were
+/// Writes the poses of bodies, and of what they wear, into the graph, and gives the nodes that were
 /// elsewhere.
 pub(super) fn write_poses(graph: &mut SceneGraph, world: &World) -> Result<(Vec<NodeId>, ChangeSet), EditError> {
     let elsewhere = |(id, pose): &(NodeId, Pose)| graph.node(*id).is_some_and(|n| n.pose() != Some(pose));
@@ -20,7 +20,7 @@ pub(super) fn write_poses(graph: &mut SceneGraph, world: &World) -> Result<(Vec<
     Ok((moved.into_iter().map(|(id, _)| id).collect(), edit.commit()))
 }
 
-/// What is worn has no body; it is where its wearer is.
+/// Worn things with their poses: they have no body, and are where their wearer is.
 fn worn(graph: &SceneGraph, world: &World) -> Vec<(NodeId, Pose)> {
     let at = |agent: NodeId| Some(world.pose(agent)? * Pose::translation(0.0, 0.0, WORN));
     let wearers = world.agents().filter_map(|agent| Some((agent, at(agent)?)));
@@ -43,8 +43,8 @@ pub(super) fn evidence(world: &World) -> Evidence {
 /// Looks again at what has moved or changed, and writes poses and relations into the
 /// graph. Returns all whose relations may be different, and what changed.
 ///
-/// `changed` are those that the rule puts elsewhere. The graph then says what a scene read anew
-/// would say, whatever it said before.
+/// `changed` are those that the rule puts elsewhere. The graph then says the same as a scene read anew,
+/// whatever it said before.
 pub(super) fn look_again(
     graph: &mut SceneGraph,
     world: &World,

@@ -270,7 +270,7 @@ impl Plan {
         Ok(())
     }
 
-    /// Takes out what has fallen out of the home, and what falls as it carried that.
+    /// Takes out the things that have fallen out of the home, and those that fall when these are gone.
     fn take_out(&mut self, world: &mut World, graph: &mut SceneGraph) -> Result<(), ResetError> {
         let mut outside = world.outside();
         while !outside.is_empty() {

@@ -15,16 +15,16 @@ use super::MakeError;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct SceneOptions {
-    /// The shapes of what has a box and none.
+    /// Which shapes things get that have a box and no shape.
     pub assets: Assets,
 }
 
-/// Which shapes things get that have a class and a box alone, as in VirtualHome's scenes.
+/// Which shapes things get that have only a class and a box, as in VirtualHome's scenes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Assets {
-    /// Plain ones, enough to walk and to put things on: [`vc_geometry`].
+    /// Plain shapes, enough to walk and to put things on: [`vc_geometry`].
     None,
-    /// Those their classes' generators make in their sizes: [`vc_procgen::dress`].
+    /// The shapes that the generators of their classes make in their sizes: [`vc_procgen::dress`].
     #[default]
     Generated,
 }

@@ -1,4 +1,5 @@
-//! What a program asks of a home before it acts: what can be done, what there is, where one can walk.
+//! Questions that a program asks about a home before it acts: which actions are possible, which things
+//! there are, where one can walk.
 
 use vc_graph::format::objects::{Object, objects};
 use vc_graph::{Action, NodeId, rule};
@@ -7,8 +8,8 @@ use vc_physics::Occupancy;
 use super::{ActionError, Environment};
 
 impl Environment {
-    /// Every action an agent can do now by the transition rule: those of which `rule::refusals` gives no reason
-    /// against. Bodies may still refuse a few, for want of a free spot or of a way: [`can_do`](Self::can_do) asks them.
+    /// Every action an agent can do now by the transition rule: those for which `rule::refusals` is empty.
+    /// Bodies may still refuse a few, for want of a free spot or of a way: [`can_do`](Self::can_do) asks them.
     ///
     /// ```
     /// use virtualcity::Environment;
@@ -26,16 +27,17 @@ impl Environment {
         rule::legal_actions(&self.graph, agent)
     }
 
-    /// Whether an action would be done, bodies included, tried on a copy. Costs a copy and the action: a millisecond
-    /// or a few.
+    /// Tries an action on a copy, bodies included, and says whether it would be done. Costs a copy and the
+    /// action: a millisecond or a few.
     ///
     /// # Errors
-    /// What [`set_action`](Self::set_action) would say.
+    /// The [`ActionError`] that [`set_action`](Self::set_action) would give.
     pub fn can_do(&self, agent: NodeId, action: &Action) -> Result<(), ActionError> {
         self.clone().set_action(agent, *action).map(drop)
     }
 
-    /// Everything in the home but its rooms as a plain list, for JSON: classes, rooms, poses, boxes, states and relations.
+    /// Everything in the home but its rooms as a plain list, for JSON: classes, rooms, poses (metres), boxes,
+    /// states and relations.
     ///
     /// ```no_run
     /// let home = virtualcity::Environment::make("apartment/42", 1)?;
@@ -46,8 +48,8 @@ impl Environment {
         objects(&self.graph)
     }
 
-    /// Where one can walk now, as a grid for planners of one's own: `Floor::occupancy`. Doors between rooms count as
-    /// open, and people are not in the way.
+    /// The floor on which one can walk now, as a grid for planners of one's own: `Floor::occupancy`. Doors
+    /// between rooms count as open, and people are not in the way.
     ///
     /// ```no_run
     /// let home = virtualcity::Environment::make("apartment/42", 1)?;

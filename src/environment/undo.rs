@@ -41,8 +41,8 @@ pub(super) struct Care {
     /// Whether doors and drawers are pushed all the way: put where they go, one left behind what it
     /// should have taken along.
     pub(super) pushes: bool,
-    /// Whether one stays as one stands before what is near: at the edge of reach, to turn to it would
-    /// take it out of that.
+    /// Whether the agent does not turn to a thing it is near: at the edge of its reach, turning would take
+    /// the thing out of reach.
     pub(super) stays: bool,
 }
 

@@ -222,7 +222,7 @@ impl Skeleton {
     }
 }
 
-/// A pose whose turn is of unit length: products of many are no more.
+/// The pose with its rotation brought back to unit length, which products of many rotations lose.
 fn sound(pose: Pose) -> Pose {
     Pose::from_parts(pose.translation, UnitQuaternion::new_normalize(pose.rotation.into_inner()))
 }

@@ -7,11 +7,11 @@ use vc_planner::{Step, Summary, Trajectory};
 const STYLE: &str = include_str!("page.css");
 const PLAYER: &str = include_str!("player.js");
 
-/// A page about an episode in any world, as plain data: what is known is filled in, what is not is not shown.
+/// A page about an episode in any world, as plain data: it shows the fields that are filled in.
 ///
-/// [`Recorder`](crate::Recorder) writes one with film, pictures and log; of a trajectory of any world, the symbolic
-/// simulator's or your own, [`Page::of`] makes one with the log. It is one HTML file without anything from elsewhere, so that
-/// it opens from a disk; the pictures it names lie beside it.
+/// [`Recorder`](crate::Recorder) writes one with film, pictures and log; [`Page::of`] makes one with the log
+/// from a trajectory in any world, the symbolic simulator or your own. It is one HTML file that loads nothing
+/// from the network, so that it opens from a disk; the pictures it names lie beside it.
 ///
 /// ```
 /// use virtualcity::Page;
@@ -42,7 +42,7 @@ pub struct Page {
     pub goal: String,
     /// How it ended.
     pub summary: Summary,
-    /// What else the first line says, such as "5.3 m walked".
+    /// Further facts for the first line, such as "5.3 m walked".
     pub facts: Vec<String>,
     /// Every action, in order.
     pub actions: Vec<PageAction>,
@@ -50,18 +50,18 @@ pub struct Page {
     pub film: Option<PageFilm>,
     /// Pictures, in order.
     pub figures: Vec<PageFigure>,
-    /// Files to be downloaded: name, and what is in it.
+    /// Files to be downloaded: name and content in words.
     pub files: Vec<(String, String)>,
 }
 
 /// An action, a row of the page's log.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PageAction {
-    /// Who did it, where there are several.
+    /// The agent that did it, where there are several.
     pub agent: Option<String>,
-    /// What was done: `open fridge.1`.
+    /// The action: `open fridge.1`.
     pub action: String,
-    /// Why it could not be, if so.
+    /// Why it could not be done, if so.
     pub refused: Option<String>,
     /// The room it was done in.
     pub room: Option<String>,
@@ -80,7 +80,7 @@ pub struct PageFilm {
     pub per_second: u16,
     /// The picture with which each action begins, in the order of [`Page::actions`].
     pub starts: Vec<usize>,
-    /// Of some actions the picture that shows them best: numbers of the action and the picture.
+    /// The pictures that show some actions best: number of the action, number of the picture, from zero.
     pub moments: Vec<(usize, usize)>,
     /// One sentence about what it shows.
     pub caption: String,
@@ -99,8 +99,8 @@ pub struct PageFigure {
 
 impl Page {
     /// The caption of a picture that [`Belief::to_svg`](vc_planner::Belief::to_svg) draws.
-    pub const BELIEF: &str = "Of the things that the goal is about: green, where it has seen them; blue, where they may be, \
-        the darker the likelier, with a dot where it supposed them.";
+    pub const BELIEF: &str = "The things that the goal is about: green, where it has seen them; blue, where they may \
+        be, the darker the likelier, with a dot where it supposed them.";
 
     /// A page about an episode of which only the end is known.
     pub fn new(title: &str, scene: &str, goal: &str, summary: Summary) -> Self {
@@ -124,7 +124,7 @@ impl Page {
         Self { actions, ..Self::new(&header.task, &header.scene, &header.goal.to_string(), summary.clone()) }
     }
 
-    /// With a picture below those it has.
+    /// Adds a picture below the others.
     #[must_use]
     pub fn figure(mut self, file: &str, heading: &str, caption: &str) -> Self {
         let [file, heading, caption] = [file, heading, caption].map(str::to_owned);
@@ -132,14 +132,14 @@ impl Page {
         self
     }
 
-    /// With a file to be downloaded.
+    /// Adds a file to be downloaded.
     #[must_use]
     pub fn file(mut self, name: &str, about: &str) -> Self {
         self.files.push((name.into(), about.into()));
         self
     }
 
-    /// The page.
+    /// The page as HTML.
     pub fn html(&self) -> String {
         let title = escaped(&self.title);
         format!(
@@ -169,7 +169,7 @@ impl Page {
         )
     }
 
-    /// The film with its caption and what moves it, and the strip below.
+    /// The film with its caption and controls, and the strip below.
     fn player(&self, film: &PageFilm) -> String {
         let Some(first) = film.pictures.first() else { return String::new() };
         let captions: Vec<String> = self.actions.iter().enumerate().map(|(i, a)| a.caption(i)).collect();

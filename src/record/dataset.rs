@@ -1,4 +1,4 @@
-//! The dataset: pictures and what is in them, in the formats that others read.
+//! Data sets: pictures and their annotations, in formats that other tools read.
 
 use std::path::{Path, PathBuf};
 
@@ -8,8 +8,8 @@ use vc_render::{Modalities, Modality, picture};
 use super::{RecordError, save};
 use crate::{Environment, Viewpoint};
 
-/// Pictures of one home or of many with boxes and masks of all that is seen in them, as a folder: PNG in `frames`, and one
-/// COCO document for `pycocotools`, `annotations.json`.
+/// Pictures of one home or of many with boxes and masks of everything seen in them, as a folder: PNG files in
+/// `frames`, and one COCO document for `pycocotools`, `annotations.json`.
 ///
 /// ```no_run
 /// use virtualcity::{Dataset, Environment, Viewpoint};
@@ -42,7 +42,7 @@ impl Dataset {
         Ok(Self { folder, seen: Coco::default() })
     }
 
-    /// Writes a picture of a home as it is, and keeps what is seen in it.
+    /// Writes a picture of a home as it is, `width` by `height` pixels, and keeps its annotations.
     ///
     /// # Errors
     /// [`RecordError`]; then the dataset is as before.
@@ -59,10 +59,10 @@ impl Dataset {
         self.seen.pictures()
     }
 
-    /// Writes the annotations, and gives where they are.
+    /// Writes the annotations, and gives the path of their file.
     ///
     /// # Errors
-    /// [`RecordError`].
+    /// [`RecordError`] if they cannot be encoded or written.
     pub fn finish(self) -> Result<PathBuf, RecordError> {
         let path = self.folder.join("annotations.json");
         save(&path, self.seen.document()?.as_bytes())?;

@@ -38,7 +38,7 @@ pub(super) struct Film {
     most_telling: usize,
     /// The moment of the last picture, for flow.
     before: Option<Environment>,
-    /// What the eyes and the corner's camera are used to, each with where it is.
+    /// The exposures that the eyes and the corner's camera are used to, each with its viewpoint.
     used: [Option<(Viewpoint, [f32; 3])>; 2],
 }
 
@@ -74,7 +74,8 @@ impl Film {
         self.starts.push(self.pictures.len());
     }
 
-    /// Of each action, eight at most, the picture of when the hand is at what it is done to: numbers of both.
+    /// The pictures of some actions, eight at most, at the moment when the hand is at the thing: number of the
+    /// action, number of the picture.
     fn moments(&self) -> Vec<(usize, usize)> {
         let starts: Vec<usize> = self.starts.iter().copied().chain([self.pictures.len()]).collect();
         let every = self.starts.len().div_ceil(8).max(1);
@@ -146,8 +147,8 @@ impl Film {
         [Viewpoint::Agent(self.me), corner]
     }
 
-    /// A picture from one of the views. An eye gets used to other light little by little, but for one that sees another
-    /// room at once.
+    /// A picture from one of the views. An eye gets used to other light little by little, unless its view has
+    /// jumped to another room.
     fn shot(&mut self, home: &Environment, views: [Viewpoint; 2], which: usize) -> Result<Picture, RenderError> {
         let (view, seconds) = (views[which], self.every as f32 * home.world().settings().dt);
         let used = self.used[which].filter(|(from, _)| *from == view);

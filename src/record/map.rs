@@ -8,7 +8,8 @@ use crate::{Environment, Viewpoint};
 
 /// Size of the map, pixels.
 const SIZE: (u32, u32) = (960, 720);
-/// Colours of a way from its beginning to its end: the first agent's, the second's, and so on from the first again.
+/// Colours of a way from its beginning to its end: the first agent's, the second's, the third's, and then the
+/// first agent's again.
 const WAYS: [[[f32; 3]; 2]; 3] = [
     [[40.0, 110.0, 255.0], [255.0, 60.0, 30.0]],
     [[30.0, 170.0, 90.0], [250.0, 210.0, 40.0]],

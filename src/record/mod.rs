@@ -20,6 +20,7 @@ pub use dataset::Dataset;
 use film::Film;
 use trajectory::Trajectory;
 
+/// The caption of a sheet of six modalities.
 const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and masks.";
 
 /// An environment that writes down what happens in it.
@@ -77,7 +78,7 @@ pub struct Recorder {
     failed: Option<RecordError>,
 }
 
-/// What is written down, how large and in which light.
+/// Options of a [`Recorder`]: which files it writes, how large its pictures are, and in which light.
 ///
 /// ```
 /// use virtualcity::RecordOptions;
@@ -93,10 +94,10 @@ pub struct RecordOptions {
     /// `frames`, boxes and masks of all that is seen in them as a COCO document for
     /// `pycocotools`, `annotations.json`, and the home as it is in the end as glTF, `scene.glb`.
     pub dataset: bool,
-    /// How many times finer colours are made along each side before they are shrunk: twice if not said, as films are
-    /// small and grooves of furniture thin. See [`PictureOptions::finer`].
+    /// How many times finer colours are made along each side before they are shrunk. The default is 2, as films
+    /// are small and grooves of furniture thin. See [`PictureOptions::finer`].
     pub finer: u32,
-    /// The light outside; that of the environment's [`pictures`](Environment::pictures) if not said.
+    /// The light outside; by default that of the environment's [`pictures`](Environment::pictures).
     pub daylight: Option<Daylight>,
 }
 
@@ -156,7 +157,7 @@ impl Recorder {
         home.set_pictures(PictureOptions { daylight, finer: options.finer, ..*home.pictures() });
         let folder = folder.as_ref().to_path_buf();
         std::fs::create_dir_all(&folder).map_err(|error| RecordError::File { path: folder.clone(), error })?;
-        // Of a longer record that was here, pictures would be left among those of this one.
+        // Pictures of a longer record in this folder would stay among those of this one.
         for (folder, ending) in [(folder.join("film"), "jpg"), (folder.join("frames"), "png")] {
             files::remove_numbered(&folder, ending).map_err(|error| RecordError::File { path: folder, error })?;
         }
@@ -187,8 +188,8 @@ impl Recorder {
 
     /// Writes what is made at the end, `belief` (an SVG, as
     /// [`Belief::to_svg`](vc_planner::Belief::to_svg) draws it) among it, and gives where the page
-    /// is that shows all. How it ended is an [`Episode`](vc_planner::Episode)'s summary or a
-    /// [`TeamEpisode`](vc_planner::TeamEpisode)'s.
+    /// is that shows all. `end` is an [`Episode`](vc_planner::Episode), a
+    /// [`TeamEpisode`](vc_planner::TeamEpisode) or the summary of one.
     ///
     /// # Errors
     /// [`RecordError`], the first that there was.
@@ -219,7 +220,7 @@ impl Recorder {
         Ok(self.folder.join("index.html"))
     }
 
-    /// The page about what is in the folder.
+    /// The page about the files in the folder.
     fn page(&self, summary: Summary, film: Option<PageFilm>, has_belief: bool) -> Page {
         let (title, scene, goal) = (&self.task.title, self.home.graph().name(), self.task.goal.to_string());
         let mut page = Page::new(title, scene, &goal, summary);
@@ -310,7 +311,7 @@ impl World for Recorder {
     }
 }
 
-/// Everybody has come to where they are.
+/// Adds to everybody's way where they are now.
 fn go_on(ways: &mut [Vec<Point2<f32>>], home: &Environment) {
     ways.iter_mut().zip(home.agents()).for_each(|(way, agent)| way.push(feet(home, *agent)));
 }

@@ -21,7 +21,7 @@ const CORNER: (f32, f32) = (2.05, 0.8);
 pub enum Viewpoint {
     /// An agent's eyes.
     Agent(NodeId),
-    /// Fixed in a room: of its corners the one from which most of it is seen as the home begins.
+    /// Fixed in a room, in the corner from which most of it is seen as the home begins.
     Room(NodeId),
     /// Above a room, its ceiling taken off.
     Above(NodeId),
@@ -76,12 +76,12 @@ impl Environment {
         Some(camera)
     }
 
-    /// Of the corners of a room the one from which most things in it are seen as the home begins.
+    /// A camera in the corner of a room from which most things in it are seen as the home begins.
     fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError> {
         let bounds = self.bounds_of(room)?;
         let (low, high, middle) = (bounds.min, bounds.max, bounds.centre());
         let target = Point3::new(middle.x, middle.y, low.z + CORNER.1);
-        // A thread that panicked left nothing half done here; it is not held while pictures are made.
+        // A thread that panicked left nothing half done here. The lock is not held while pictures are made.
         let known = || self.sight().corners.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(eye) = known().get(&room) {
             return Ok(camera.looking(*eye, target));

@@ -17,13 +17,13 @@ const LIGHTS: usize = 8;
 /// How far a lamp has to be moved to count as moved, metres.
 const ASIDE: f32 = 0.05;
 
-/// What the light that rooms throw back depends on.
+/// Everything that the light that rooms throw back depends on.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Lit {
     daylight: Daylight,
     /// What is on.
     on: Vec<NodeId>,
-    /// Lamps that are on and stand elsewhere than where the home begins, and in which room.
+    /// Lamps that are on and stand elsewhere than at first: pose and room.
     moved: Vec<(NodeId, Pose, Option<NodeId>)>,
     /// What of the building stands open: doors and windows.
     open: Vec<NodeId>,
@@ -32,15 +32,15 @@ pub(super) struct Lit {
 }
 
 impl Environment {
-    /// The light as it is: `Renderer::light` of how the home begins, then `Renderer::follow`. As that makes what
-    /// `light` would, the result depends on nothing that was rendered before.
+    /// The light as it is: `Renderer::light` of the home as it begins, then `Renderer::follow`. As `follow` makes the
+    /// same shadows as `light`, the result does not depend on earlier pictures.
     pub(super) fn lighting(&self, daylight: &Daylight, now: &Snapshot) -> Result<Lighting, RenderError> {
         let base = self.base()?;
         let lit = self.lit(base, daylight);
         let known = self.lights().iter().find(|(known, _)| *known == lit).map(|(_, lighting)| lighting.clone());
         let mut lighting = known.map_or_else(|| base.made(&lit), Ok)?;
         base.renderer.follow(&mut lighting, now)?;
-        // It is not held meanwhile: who waits for threads may be given a picture to make.
+        // The lock is not held meanwhile: a thread that waits for others may be given a picture to make.
         let mut made = self.lights();
         made.retain(|(known, _)| *known != lit);
         made.insert(0, (lit, lighting.clone()));

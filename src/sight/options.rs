@@ -4,7 +4,7 @@ use vc_render::{Adaptation, Daylight};
 
 use crate::Environment;
 
-/// How an environment's pictures are made: in which light, how fine, and by an eye used to what.
+/// How an environment's pictures are made: the light outside, smooth edges, and what the eye is used to.
 ///
 /// ```no_run
 /// use virtualcity::render::{Daylight, Modality};
@@ -18,12 +18,13 @@ use crate::Environment;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PictureOptions {
-    /// The light outside: [`Daylight::noon`] if not said, [`Daylight::at`] an hour, or any other.
+    /// The light outside: [`Daylight::noon`] by default, [`Daylight::at`] an hour, or any other.
     pub daylight: Daylight,
     /// How many times finer colours are made along each side before they are shrunk, which smooths edges
-    /// (anti-aliasing): once if not said. Colours cost that number's square times as much; labels stay as they are.
+    /// (anti-aliasing); 1 by default. Colours cost that number's square times as much; labels stay as they are.
     pub finer: u32,
-    /// What the eye is used to; if not said, it is used to what it sees. For films, in which light is not to jump.
+    /// The light that the eye is used to; by default the light that it sees. For films, in which light is not to
+    /// jump.
     pub adapts: Option<Adaptation>,
 }
 
@@ -39,8 +40,9 @@ impl Environment {
         &self.pictures
     }
 
-    /// Sets how [`render`](Self::render) makes pictures from now on, here and in clones made later. Neither what is the
-    /// case nor the [`digest`](Self::digest) depends on it. Costs nothing; light is made anew for another daylight.
+    /// Sets how [`render`](Self::render) makes pictures from now on, here and in clones made later. Neither the state
+    /// of the home nor the [`digest`](Self::digest) depends on it. Costs nothing; light is made anew for another
+    /// daylight.
     pub fn set_pictures(&mut self, options: PictureOptions) {
         self.pictures = options;
     }

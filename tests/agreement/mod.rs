@@ -1,4 +1,4 @@
-//! Rule and bodies say the same, and the graph says what a scene read anew would say.
+//! Rule and bodies agree, and the graph says the same as a scene read anew.
 
 use virtualcity::graph::{
     Action, Bounds, Draft, Edge, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph, Seed,
@@ -32,7 +32,7 @@ fn rebuilt(home: &Environment) -> SceneGraph {
     graph
 }
 
-/// What only one of two lists has, in words.
+/// The entries that only one of two lists has, in words.
 fn apart(graph: &SceneGraph, one: &[Edge], other: &[Edge]) -> Vec<String> {
     let only = one.iter().filter(|e| other.binary_search(e).is_err());
     only.map(|e| format!("{} {} {}", graph.label(e.from), e.relation, graph.label(e.to))).collect()
@@ -72,7 +72,7 @@ fn many_graphs_are_as_read_anew() {
     (from..from + number("HOMES", 10)).for_each(|seed| act_and_read_anew(seed, number("ACTIONS", 200) as usize));
 }
 
-/// What is opened goes on touching what it stands beside.
+/// A thing that is opened goes on touching the things beside it.
 #[test]
 fn what_opens_keeps_its_relations() {
     let mut home = home(42, 1);
@@ -85,8 +85,8 @@ fn what_opens_keeps_its_relations() {
     }
 }
 
-/// A fridge opens beside a dishwasher and a cupboard that stand open: who opens it stands where there
-/// is room at last, and makes way for its door.
+/// A fridge opens beside a dishwasher and cupboards that stand open: the agent finds the room that is left, and
+/// makes way for the door.
 #[test]
 fn doors_swing_past_who_opens_them() {
     let mut home = home(42, 1);
@@ -168,7 +168,7 @@ fn put_something_on(home: &mut Environment, me: NodeId) -> Option<NodeId> {
     })
 }
 
-/// What is worn is where its wearer is, for the relations too; and a restored copy goes on alike.
+/// Worn things are where their wearer is, for the relations too; and a restored copy goes on alike.
 #[test]
 fn clothes_go_with_who_wears_them() {
     let mut home = home(42, 1);
@@ -244,7 +244,7 @@ fn seats_stay_below_who_sits_on_them() {
     assert_eq!(world.sit(sitter, stool), Err(AgentError::Held(stool)));
 }
 
-/// What does not open says what it meets.
+/// The error about a door that does not open names the things in its way.
 #[test]
 fn what_is_in_the_way_has_a_name() {
     let (mut home, ids) = room(&[("trash_can", Pose::translation(0.0, 0.0, 0.0))], 1);
@@ -266,7 +266,7 @@ fn what_is_in_the_way_has_a_name() {
     assert!(stuck.to_string().ends_with(&format!("wall.{} is in the way", shelf.0)), "{stuck}");
 }
 
-/// To find anything, near or behind a wall, ends near it, by the rule and by the bodies.
+/// The action `find` ends near the thing, by the rule and by the bodies, also if it begins near it or behind a wall.
 #[test]
 fn whatever_is_found_is_near() {
     let fresh = home(42, 1);
@@ -287,7 +287,7 @@ fn whatever_is_found_is_near() {
     assert!(found > 90, "{found}");
 }
 
-/// Who sits draws a curtain within reach, and stays seated whatever comes of it.
+/// An agent that sits draws a curtain within reach, and stays seated even if it cannot.
 #[test]
 fn curtains_are_drawn_from_seats() {
     let mut tried = 0;

@@ -21,7 +21,7 @@ struct Fall {
     patience: u32,
 }
 
-/// What people carry rests five seconds after it is let go just above a floor, however it is turned.
+/// Things that people carry rest five seconds after they are let go just above a floor, however they are turned.
 const LET_GO: Fall = Fall { height: 0.01, thick: 0.1, patience: 5 };
 /// From the next storey but one onto a floor as thin as a board.
 const THROWN_DOWN: Fall = Fall { height: 5.0, thick: 0.01, patience: 10 };
@@ -71,7 +71,7 @@ fn what_is_carried_comes_to_rest() {
     let all: Vec<_> = some.map(|g| (g.class, faults(g, 4, &LET_GO))).collect();
     let (awake, below) = all.iter().fold((0, 0), |(awake, below), (_, f)| (awake + f.0, below + f.1));
     let faults: Vec<_> = all.iter().filter(|(_, f)| *f != (0, 0)).collect();
-    // Of what rolls on its side a little does not stop.
+    // A few of the things that roll on their sides do not stop.
     assert!(below == 0 && awake * 50 <= all.len() * 4, "class, awake, below: {faults:?}");
     assert!(!faults.iter().any(|(class, _)| rocked.contains(class)), "{faults:?}");
 }

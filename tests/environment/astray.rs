@@ -1,5 +1,5 @@
-//! Nothing leaves the world in silence: what is or falls below or beside the floor, or is where
-//! others are, is put back where the scene has it, or left out and named.
+//! Nothing leaves the world in silence: things that are or fall below or beside the floor, or are in the
+//! place of others, are put back where the scene has them, or left out and named.
 
 use virtualcity::graph::{Bounds, Draft, Kind, NodeId, Place, Pose, Relation, SceneBuilder};
 use virtualcity::physics::Role;
@@ -44,7 +44,7 @@ impl Kitchen {
     }
 }
 
-/// Where everything is that has a body is in the home, and nothing hangs below it.
+/// Checks that everything with a body is in the home, and that nothing hangs below it.
 fn is_whole(home: &Environment) {
     let world = home.world();
     assert!(world.outside().is_empty() && world.stopped().is_empty());
@@ -79,7 +79,7 @@ fn what_has_no_place_to_go_back_to_is_named() {
     }
 }
 
-/// Without a floor nothing carries anything: no home is made, or what is left in it stands.
+/// Without a floor nothing carries anything: no home is made, or the things left in it stand.
 #[test]
 fn a_home_without_floor_is_none() {
     let mut kitchen = kitchen(false);
@@ -90,8 +90,7 @@ fn a_home_without_floor_is_none() {
     }
 }
 
-/// Many in one place are spread over what they are on, as fast as many elsewhere; those for which
-/// there is no room are named.
+/// Many things in one place are spread over their support; those for which there is no room are named.
 #[test]
 fn many_in_one_place_are_spread() {
     let mut kitchen = kitchen(true);
@@ -122,7 +121,7 @@ fn agents_stand_on_floors() {
     }
 }
 
-/// What hung in a wardrobe that a reset takes away does not stay in the air.
+/// Things that hung in a wardrobe that a reset takes away do not stay in the air.
 #[test]
 fn what_loses_its_support_falls() {
     let (mut clothes, mut seed) = (0, 1);

@@ -1,4 +1,4 @@
-//! An action can be done if nothing is held against it: every verb with every thing.
+//! The legal actions are exactly those without a refusal: every verb with every thing.
 
 use std::collections::BTreeSet;
 
@@ -7,10 +7,10 @@ use virtualcity::procgen::Apartment;
 
 /// Actions between two states that are looked at.
 const STRIDE: usize = 10;
-/// In one state of so many, every two things are tried; in the others a few, and all with what
-/// is in hand.
+/// In one of so many states every two things are tried; in the others a few things, and those in hand, are
+/// tried with all.
 const THOROUGH: usize = 10;
-/// So many things are tried with all others in those.
+/// Number of things, besides those in hand, that are tried with all in the other states.
 const FEW: usize = 3;
 
 /// A generated home with two people in it.
@@ -35,8 +35,8 @@ fn some_action(legal: &[Action], stream: &mut Stream) -> Action {
     *stream.pick(&of).unwrap()
 }
 
-/// Holds what is said to be legal against every verb with all things, and with the given ones
-/// first where it takes two.
+/// Checks a list of legal actions against every verb with all things; of two things the first is one of
+/// those given.
 fn compare(graph: &SceneGraph, agent: NodeId, legal: &[Action], first: &[NodeId]) {
     let legal: BTreeSet<Action> = legal.iter().copied().collect();
     let ids: Vec<NodeId> = graph.nodes().map(Node::id).collect();
@@ -55,7 +55,7 @@ fn compare(graph: &SceneGraph, agent: NodeId, legal: &[Action], first: &[NodeId]
     legal.iter().for_each(|action| check(*action));
 }
 
-/// Looks at some states of a home, as random actions come by them.
+/// Checks some states of a home that random actions lead to.
 fn look_at_states(seed: u64, states: usize) {
     let mut world = Simulator::new(home(seed));
     let mut stream = Seed(seed).child("legal").stream();
@@ -74,7 +74,7 @@ fn look_at_states(seed: u64, states: usize) {
     }
 }
 
-/// A hundredth of what `proofs/legal` looks at.
+/// A hundredth of the states that `proofs/legal` checks.
 #[test]
 fn a_hundred_states_of_twenty_homes() {
     (0..20).for_each(|seed| look_at_states(seed, 5));

@@ -1,4 +1,4 @@
-//! VirtualHome's scenes in the looks of their classes.
+//! VirtualHome's scenes with the shapes of their classes.
 
 use nalgebra::{Point2, Vector2, Vector3};
 use vc_graph::asset::{Hold, JointKind};
@@ -23,14 +23,14 @@ fn asset<'g>(graph: &'g SceneGraph, node: &Node) -> &'g Asset {
     graph.assets().get(node.spec().asset.unwrap()).unwrap()
 }
 
-/// Classes whose boxes grow to what is made: the building.
+/// Whether a node is part of the building, whose boxes may grow to the shapes made for them.
 fn builds(node: &Node) -> bool {
     let class = ClassTable::builtin().get(node.class()).cloned();
     use vc_graph::class::Category;
     class.is_some_and(|c| matches!(c.category, Category::Structure | Category::Door | Category::Window))
 }
 
-/// Whether its box is around a corner, and around what stands there.
+/// Whether a counter's box is around a corner, and so around the things that stand there.
 fn goes_around(node: &Node) -> bool {
     let size = node.aabb().map(|b| b.max - b.min).unwrap();
     &**node.class() == "kitchen_counter" && size.x.min(size.y) > 1.5
@@ -70,7 +70,7 @@ fn the_scene_stays_and_shapes_fill_its_boxes() {
     }
 }
 
-/// The box around what is drawn of a node.
+/// The box around a node as it is drawn.
 fn drawn(graph: &SceneGraph, node: &Node) -> Aabb {
     let (low, high) = asset(graph, node).extent().unwrap();
     let scale = node.spec().scale;
@@ -86,7 +86,7 @@ fn drawn(graph: &SceneGraph, node: &Node) -> Aabb {
         .unwrap()
 }
 
-/// One box of one part is what a thing was drawn as without any knowledge of its class.
+/// A shape of one part that is a box would be one without any knowledge of the class.
 #[test]
 fn nothing_that_has_a_generator_is_a_plain_box() {
     let mut plain = std::collections::BTreeSet::new();
@@ -180,7 +180,7 @@ fn free(scene: &SceneGraph, node: &Node, way: Vector2<f32>) -> f32 {
     spots.iter().filter(is_free).count() as f32 / spots.len() as f32
 }
 
-/// Boxes do not say how what is in them is turned: the floor does.
+/// The free floor tells how a thing in a box is turned, as the box does not.
 #[test]
 fn furniture_faces_the_free_floor() {
     let (mut all, mut wrong) = (0, Vec::new());
@@ -206,8 +206,8 @@ fn looks_at_table(scene: &SceneGraph, chair: &Node, front: Vector2<f32>) -> bool
     boxes.filter(|b| b.distance(&at) < 1.3).any(|b| (b.nearest(&at) - at).xy().dot(&front) > 0.0 || b.contains(&at))
 }
 
-/// The thesis's JSON has classes and sizes alone: what is read back is of the same kinds and in
-/// the same materials, as the home's name has its seed.
+/// The thesis's JSON has only classes and sizes: the things that are read back have the same classes and
+/// mostly the same materials, as the home's name has its seed.
 #[test]
 fn a_home_of_the_thesis_format_looks_as_it_did() {
     let home = Apartment::from_seed(vc_graph::Seed(42)).unwrap().scene();

@@ -6,9 +6,9 @@ use vc_graph::{Aabb, Frame, Node, Pose};
 
 /// Least half length of a part, metres: boxes of floors and pictures have none.
 const LEAST: f32 = 0.001;
-/// Up to which sine of its tilt a node stands upright.
+/// Sine of the tilt up to which a node stands upright.
 const UPRIGHT: f32 = 0.02;
-/// Up to which sine of its turn against the world's axes a node is along them.
+/// Sine of the turn against the world's axes up to which a node is along them.
 const ALONG: f32 = 0.02;
 /// Least difference of the squares of cosine and sine at which a turned box can be found from the
 /// upright one around it.
@@ -62,7 +62,7 @@ impl Block {
         part(name, self.low, Vector3::new(self.high.x, self.high.y, top))
     }
 
-    /// A level surface so far in from its sides.
+    /// A level surface, inset from its sides.
     pub(crate) fn surface(&self, name: &str, hold: Hold, level: f32, inset: f32, clearance: Option<f32>) -> Surface {
         let (centre, half) = ((self.low + self.high) / 2.0, self.size() / 2.0);
         let inset = inset.min(half.x / 2.0).min(half.y / 2.0);
@@ -77,8 +77,8 @@ impl Block {
     }
 }
 
-/// Half the size of a box that is turned around the vertical, from the upright one around it; where
-/// that does not say, one that is within it.
+/// Half the size of a box that is turned around the vertical, from the upright box around it; where
+/// that does not determine it, half the size of a square box within.
 fn own_half(pose: &Pose, half: Vector3<f32>) -> Vector3<f32> {
     let front = pose.rotation * Vector3::x();
     let (cos, sin) = (front.x.abs(), front.y.abs());

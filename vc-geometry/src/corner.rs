@@ -1,23 +1,23 @@
-//! Furniture around a corner: its box is around the corner, and around what stands there.
+//! Furniture around a corner: its box is also around the other things that stand in the corner.
 
 use nalgebra::{Vector2, Vector3};
 use vc_graph::{Kind, Node, NodeId, Property, SceneGraph};
 
 use crate::block::Block;
 
-/// How much deeper than its class a box is that may be around a corner piece.
+/// How many times deeper than its class's typical size the box around a corner piece is at least.
 const DEEPER: f32 = 1.6;
 /// Depth of an arm at most, as a part of the box's side.
 const ARM: f32 = 0.4;
-/// How high above a piece's bottom what stands beside it may begin, metres.
+/// How far from the height of a piece's bottom other furniture on the floor may begin, metres.
 const LOW: f32 = 0.25;
 
 /// How far from the walls a seat in a corner of its room is at most, metres.
 const BESIDE_WALL: f32 = 0.4;
 
-/// The blocks that a piece of furniture fills: its box, or, where that is much deeper than its class
-/// and other furniture stands in it, two arms without the corner in which that stands. A seat that is
-/// so deep in a corner of its room goes around that.
+/// The blocks that a piece of furniture fills: its box, or two arms, if the box is much deeper than the
+/// class's typical size and other furniture stands in it; the arms leave out the corner of that
+/// furniture. A seat as deep as that, in a corner of its room, also gets two arms, along the walls.
 pub(crate) fn arms(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Block> {
     let depth = graph.classes().get(node.class()).and_then(|c| c.typical_size()).map(|s| s.x);
     let size = block.size();
@@ -28,7 +28,7 @@ pub(crate) fn arms(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Block>
     let middle = ((block.low + block.high) / 2.0).xy();
     let upper = [within.x > middle.x, within.y > middle.y];
     let arm = |axis: usize| {
-        // Along the side across from what stands there.
+        // Along the side across from the missing corner.
         let mut arm = *block;
         if upper[axis] {
             arm.high[axis] = arm.low[axis] + depth

@@ -9,9 +9,9 @@ use crate::opening::size;
 
 /// Thickness of a floor at least, metres, below its top.
 const THICK: f32 = 0.15;
-/// Widest gap between two floors that are one, metres: the walls between their rooms.
+/// Widest gap between two floors that are joined, metres: the walls between their rooms.
 const GAP: f32 = 0.5;
-/// How far floors that are one may be above each other, metres.
+/// Greatest difference of height of two floors that are joined, metres.
 const STEP: f32 = 0.05;
 /// How long two floors must run beside each other, metres.
 const BESIDE: f32 = 0.3;

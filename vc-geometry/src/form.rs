@@ -1,4 +1,4 @@
-//! Which form is made of a class: a table.
+//! The forms that boxes of a class get: a table.
 
 use std::sync::LazyLock;
 
@@ -6,7 +6,7 @@ use vc_graph::{Node, SceneGraph};
 
 use crate::is_a;
 
-/// What is made of a box.
+/// The form that a box gets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Form {
     Solid,

@@ -1,4 +1,4 @@
-//! Furniture and what is carried: boards, surfaces, hollows.
+//! Furniture and things that are carried: boards, surfaces, hollows.
 
 use nalgebra::Vector3;
 use vc_graph::asset::{Hold, Part};
@@ -17,20 +17,20 @@ const THIN: f32 = 0.002;
 /// Width of legs, metres, and thickness of the backs of seats.
 const LEG: f32 = 0.05;
 const BACK: f32 = 0.08;
-/// How far below the top of its box what stands on a thing may be, metres: taps, rims and pillows
-/// are part of the box.
+/// How far below the top of a thing's box its surface may be, metres: taps, rims and pillows are part
+/// of the box.
 const SUNK: f32 = 0.25;
 /// Height between shelves where nothing stands, metres.
 const SHELF: f32 = 0.4;
 /// A level this far above a board is on that board, metres.
 const LOW: f32 = 0.08;
-/// Room above what stands on the highest shelf, metres.
+/// Room above the things on the highest shelf, metres.
 const HEADROOM: f32 = 0.05;
-/// Up to which height people put things on, and at which height they like to, metres.
+/// The greatest height at which people put things on a surface, and the most convenient one, metres.
 const REACH: f32 = 1.6;
 const HANDY: f32 = 1.0;
 
-/// Builds what a node's class and what is on and in it ask for.
+/// Builds the form that a node's class and its load ask for.
 pub(crate) fn build(graph: &SceneGraph, node: &Node, block: &Block, asset: &mut Asset) {
     let loads = level::loads(graph, node, block);
     let (form, level) = form::of(graph, node).unwrap_or_else(|| (by_affordance(node, &loads), None));
@@ -47,7 +47,7 @@ pub(crate) fn build(graph: &SceneGraph, node: &Node, block: &Block, asset: &mut 
     }
 }
 
-/// The form of what the table does not have.
+/// The form of a node whose class the table does not have.
 fn by_affordance(node: &Node, loads: &[Load]) -> Form {
     let holds = |kind: SlotKind| node.spec().slots.iter().any(|s| s.kind == kind);
     let carried = node.affords(Property::Graspable);
@@ -62,7 +62,7 @@ fn by_affordance(node: &Node, loads: &[Load]) -> Form {
     }
 }
 
-/// Where one sits or lies: where things lie on it, else the class's height.
+/// The height at which one sits or lies: that at which things lie on it, else the class's, metres.
 fn seat_level(block: &Block, loads: &[Load], level: Option<f32>) -> f32 {
     let most = block.high.z.min(block.low.z + level.unwrap_or(f32::INFINITY));
     let lowest = loads.iter().map(|l| l.bottom).find(|b| *b > block.low.z + 0.5 * (most - block.low.z));
@@ -163,7 +163,7 @@ fn wall_of(block: &Block, side: usize, thick: f32, from: f32, to: f32) -> Part {
 fn case(block: &Block, loads: &[Load], top: f32, carries: bool, asset: &mut Asset) {
     let thick = thickness(block);
     let contents = || loads.iter().filter(|l| l.inside);
-    // As thin as what is in it asks for.
+    // Walls are as thin as the contents ask for.
     let side = contents().map(|l| l.margin).fold(thick, f32::min).max(THIN);
     let lowest = contents().map(|l| l.bottom - THIN).fold(block.low.z + thick, f32::min);
     let floor = lowest.max(block.low.z + THIN);
@@ -184,13 +184,13 @@ fn case(block: &Block, loads: &[Load], top: f32, carries: bool, asset: &mut Asse
             asset.parts.push(board(block, "shelf", *at, thick));
         }
     }
-    // One reaches for what is handy first.
+    // Surfaces at a handy height come first.
     let far = |z: f32| (base + z - HANDY).abs();
     asset.surfaces.sort_by(|a, b| far(a.centre.z).total_cmp(&far(b.centre.z)));
 }
 
 /// The levels of a case, the floor first: where things stand, and where there is room for a shelf.
-/// Where the top is out of reach, one shelf that holds nothing else is for what is put on it.
+/// If the top is out of reach, things that are put on the case go on one shelf that is empty.
 fn shelves(loads: &[Load], floor: f32, roof: f32, high: bool, base: f32) -> Vec<Level> {
     let on_floor = loads.iter().filter(|l| l.bottom < floor + LOW);
     let inside = loads.iter().all(|l| l.inside) || on_floor.clone().any(|l| l.inside) || on_floor.count() == 0;

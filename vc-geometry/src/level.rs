@@ -1,4 +1,4 @@
-//! At which heights things stand on and in a thing.
+//! The heights at which things stand on and in a thing.
 
 use vc_graph::{Node, NodeId, Relation, SceneGraph};
 
@@ -17,7 +17,7 @@ pub(crate) struct Load {
     pub(crate) margin: f32,
 }
 
-/// What the graph has on and in a node, from below.
+/// The things that the graph has on and in a node, from below.
 pub(crate) fn loads(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Load> {
     let of = |inside: bool| {
         let relation = if inside { Relation::Inside } else { Relation::On };
@@ -41,8 +41,8 @@ pub(crate) struct Level {
     pub(crate) inside: bool,
 }
 
-/// The heights between two others at which things stand, from below. What is inside stands at the
-/// least height of its level, what is on it in the midst.
+/// The heights between two others at which things stand, from below. A level of things inside is at the
+/// least height of these, a level of things on it in the middle between the least and the greatest.
 pub(crate) fn levels(loads: &[Load], low: f32, high: f32) -> Vec<Level> {
     let within: Vec<&Load> = loads.iter().filter(|l| l.bottom > low && l.bottom < high).collect();
     let mut found = Vec::new();
@@ -58,7 +58,7 @@ pub(crate) fn levels(loads: &[Load], low: f32, high: f32) -> Vec<Level> {
     found
 }
 
-/// The height at which most of what is on a thing stands near its top: the median.
+/// The median height of the things that stand on a thing above some height, metres.
 pub(crate) fn top(loads: &[Load], above: f32) -> Option<f32> {
     let bottoms: Vec<f32> = loads.iter().filter(|l| !l.inside && l.bottom > above).map(|l| l.bottom).collect();
     bottoms.get(bottoms.len() / 2).copied()

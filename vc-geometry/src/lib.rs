@@ -1,18 +1,18 @@
-//! Geometry that several crates need and that is decided once: what is made of things of which
-//! only a box is known.
+//! Geometry that several crates need and that is decided once: shapes for things of which only a box
+//! is known.
 //!
-//! Scenes of others (VirtualHome's, the thesis's) say of a thing its class and the box around it.
+//! Scenes from elsewhere (VirtualHome's, the thesis's) give a thing a class and the box around it.
 //! [`shapes`] makes an [`Asset`] of each such box: boards, surfaces, hollows, doorways. An asset is
 //! plain data of `vc-graph`, so relations, physics and pictures all go by the same one.
 //!
-//! | of | is made |
+//! | box of | shape |
 //! |---|---|
 //! | walls | the box, or where it is as deep as wide the sides along which the floor ends; doorways and windows are cut out |
 //! | floors | a slab below their top, as far as the next floor |
 //! | doors | a leaf on a hinge in the plane of the wall; of their frames two posts and a lintel |
 //! | furniture around a corner | two arms, without the corner in which other furniture stands |
 //! | tables, seats, beds | boards at the height at which things lie on them, or the class's |
-//! | what holds things | boards around a hollow, shelves where things stand in it; open at the front, or above |
+//! | containers | boards around a hollow, shelves where things stand in it; open at the front, or above |
 //! | anything else | its box, a surface on top where things can be put |
 //!
 //! ```
@@ -66,14 +66,14 @@ pub fn material() -> Material {
     }
 }
 
-/// Whether of a node only a box is known: an object with a pose and without an asset.
+/// Whether only a box is known of a node: it is an object with a box and a pose and without an asset.
 pub fn is_bare(node: &Node) -> bool {
     let spec = node.spec();
     node.kind() == Kind::Object && spec.asset.is_none() && spec.bounds.is_some() && node.pose().is_some()
 }
 
-/// A shape for every object that has a box and a pose and no asset, and stands upright: what leans
-/// stays a box. Costs some microseconds for each.
+/// A shape for every object that has a box and a pose and no asset, and stands upright: things that
+/// lean stay boxes. Sizes are metres. Costs some microseconds for each object.
 pub fn shapes(graph: &SceneGraph) -> BTreeMap<NodeId, Asset> {
     let openings = openings(graph);
     let bare = graph.nodes().filter(|n| is_bare(n));
@@ -104,7 +104,7 @@ fn category(graph: &SceneGraph, node: &Node) -> Option<Category> {
     graph.classes().get(node.class()).map(|class| class.category)
 }
 
-/// The class of a node and all that it is a kind of, itself first.
+/// Whether a node is of a class or of a kind of it.
 fn is_a(graph: &SceneGraph, node: &Node, class: &str) -> bool {
     let own: &Arc<str> = node.class();
     &**own == class || graph.classes().is_a(own, class)

@@ -1,4 +1,4 @@
-//! Openings in walls: what doors, their frames and windows say.
+//! Openings in walls, found from doors, their frames and windows.
 
 use vc_graph::class::Category;
 use vc_graph::{Aabb, Kind, Node, NodeId, Relation, SceneGraph};
@@ -7,28 +7,28 @@ use crate::category;
 
 /// Height of a doorway at least, metres: boxes of doors may end at their handles.
 const DOORWAY: f32 = 2.0;
-/// A box whose one side is at least this part of the other does not say which way it leads.
+/// A box whose shorter side is at least this part of the longer one does not tell which way it leads.
 const SQUARE: f32 = 0.5;
 
 /// An opening in the walls.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Opening {
-    /// The door, frame or window that says so.
+    /// The door, frame or window in it.
     pub door: NodeId,
-    /// What is clear, or filled by what says so, metres.
+    /// The space that is clear, or filled by that node, metres.
     pub clear: Aabb,
     /// The axis of the world along which one goes or looks through: 0 is X, 1 is Y.
     pub across: usize,
-    /// Rooms that the graph has it between.
+    /// The rooms that the graph has it between.
     pub rooms: Vec<NodeId>,
     /// Whether one can walk through.
     pub is_doorway: bool,
 }
 
-/// All openings of a scene, by number: of doors, door frames and windows.
+/// The openings of a scene's doors, door frames and windows, by number of the node.
 ///
-/// A door's box may be around a leaf that stands open and end at its handle: the opening is as high
-/// as a person, and leads the way in which the frame, or the wall, at the same place is thin.
+/// A door's box may be around a leaf that stands open, and may end at its handle. So a doorway is at
+/// least two metres high, and leads the way in which the frame, or the wall, at the same place is thin.
 pub fn openings(graph: &SceneGraph) -> Vec<Opening> {
     graph.nodes().filter(|n| n.kind() == Kind::Object).filter_map(|n| opening(graph, n)).collect()
 }
@@ -48,7 +48,7 @@ fn opening(graph: &SceneGraph, node: &Node) -> Option<Opening> {
     Some(Opening { door: node.id(), clear, across: across(graph, node, &clear), rooms, is_doorway })
 }
 
-/// The axis across an opening: across its own box, or that of a frame or a wall it is in.
+/// The axis across an opening: that along which its own box is thin, or the frame's or wall's it is in.
 fn across(graph: &SceneGraph, node: &Node, clear: &Aabb) -> usize {
     if let Some(axis) = thin(clear) {
         return axis;

@@ -9,11 +9,11 @@ use crate::opening::Opening;
 
 /// Thickness of the sides of a wall around a corner, metres.
 const THICK: f32 = 0.06;
-/// From which depth on the box of a wall is that of a wall around a corner, metres.
+/// Depth from which on the box of a wall is that of a wall around a corner, metres.
 const CORNER: f32 = 0.5;
 /// How far from a side one looks whether there is floor, metres.
 const BESIDE: f32 = 0.15;
-/// Pieces of wall that are smaller are none, metres.
+/// Pieces of wall that are narrower are left out, metres.
 const SLIVER: f32 = 0.005;
 
 /// A box by its corners.
@@ -31,8 +31,8 @@ pub(crate) fn parts(graph: &SceneGraph, node: &Node, block: &Block, openings: &[
     pieces.into_iter().map(|(low, high)| part("wall", low, high)).collect()
 }
 
-/// What an opening cuts: a door's frame need not be as thick as the wall it is in, nor the walls of
-/// the rooms on its sides at its very place.
+/// The hole that an opening cuts, somewhat deeper than the opening: a door's frame may be thinner than its
+/// wall, and the walls of the two rooms may stand somewhat beside it.
 fn through((mut low, mut high): Piece, opening: &Opening, block: &Block) -> Piece {
     let across = block.pose.rotation.inverse() * Vector3::ith(opening.across, 1.0);
     let axis = usize::from(across.y.abs() > across.x.abs());
@@ -78,7 +78,7 @@ fn sides(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Piece> {
     [(0, false), (0, true), (1, false), (1, true)].into_iter().filter_map(|(axis, upper)| side(axis, upper)).collect()
 }
 
-/// What is left of a box without another: beside it, above and below.
+/// The pieces of a box that are left without another: beside it, above and below.
 fn cut((low, high): Piece, (from, to): &Piece) -> Vec<Piece> {
     if (0..3).any(|i| from[i] >= high[i] || to[i] <= low[i]) {
         return vec![(low, high)];

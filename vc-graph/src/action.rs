@@ -238,7 +238,7 @@ pub enum ActionError {
     /// VirtualHome notation that is not well formed.
     #[error("`{0}` is not of the form `[VERB] <class> (number)`")]
     Notation(String),
-    /// Somebody is named where only what is done is asked for.
+    /// A character is named where only an action is asked for.
     #[error("an action does not say who acts, as `<char{0}>` does; a program's line may")]
     Character(u32),
     /// A verb that VirtualHome does not know.

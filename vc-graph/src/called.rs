@@ -1,4 +1,4 @@
-//! Whether a node is what it is called: `milk.8` may name a node that is a knife.
+//! Checking labels: `milk.8` may name a node that is a knife.
 
 use crate::vocabulary::{clip, same_word};
 use crate::{Label, NodeId, SceneGraph, nearest};
@@ -14,8 +14,8 @@ pub struct Misnomer {
 }
 
 impl SceneGraph {
-    /// The classes of the scene, by name or alias, that a misspelt one is nearest to; none for a
-    /// name that the class table knows. See [`nearest`].
+    /// The classes of the scene, by name or alias, nearest to a misspelt name; none for a name that the
+    /// class table knows. See [`nearest`].
     pub fn nearest_classes(&self, name: &str) -> Vec<&str> {
         let table = self.classes();
         if table.get(name).is_some() {
@@ -26,9 +26,8 @@ impl SceneGraph {
         nearest(name, self.by_class.keys().chain(aliases).map(|name| &**name))
     }
 
-    /// Checks that a node is what a text calls it: its class, a kind of which it is one,
-    /// or another name of these, in any spelling. Other numbers than those of nodes are
-    /// not looked into: whoever goes on with them finds that out.
+    /// Checks that a node is what a text calls it: its class, a class that it is a kind of, or another
+    /// name of these, in any spelling. A number that no node has passes: the use of it fails later.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
@@ -53,7 +52,7 @@ impl SceneGraph {
         Err(Misnomer { written: Label { class: clip(class).into(), id }, found: node.label() })
     }
 
-    /// Checks that a node is what a label calls it, as [`Self::check_name`] does.
+    /// Checks that a node is of a label's class, as [`Self::check_name`] does.
     ///
     /// # Errors
     /// [`Misnomer`] with both names.

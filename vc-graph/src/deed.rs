@@ -1,4 +1,4 @@
-//! Deeds as they are written: who does what, and how its things are called.
+//! Deeds as they are written: an action, the character that does it, and the names of its things.
 
 use std::str::FromStr;
 
@@ -6,7 +6,7 @@ use crate::format::unmarked;
 use crate::vocabulary::{Word, clip};
 use crate::{Action, ActionError, BadLabel, Label, Misnomer, NodeId, SceneGraph, Verb};
 
-/// An action as a text has it: who does it, and what its things are called there.
+/// An action as a text has it: with the character that does it, and the names that its things have there.
 ///
 /// ```
 /// use vc_graph::{Action, Deed, NodeId, Verb};
@@ -18,23 +18,23 @@ use crate::{Action, ActionError, BadLabel, Label, Misnomer, NodeId, SceneGraph, 
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Deed {
-    /// The number of whoever does it, as in `<char1>`; 0 where nobody is named.
+    /// The number of the character that does it, as in `<char1>`; 0 where none is named.
     pub character: u32,
-    /// What is done.
+    /// The action.
     pub action: Action,
-    /// Its things as they are called; `#12` calls nothing by a name.
+    /// The labels of its things as they are written; `#12` has none.
     pub labels: Vec<Label>,
 }
 
 impl From<Action> for Deed {
-    /// A deed of the first character, with things that are not called by name.
+    /// A deed of the first character, without labels.
     fn from(action: Action) -> Self {
         Self { character: 0, action, labels: Vec::new() }
     }
 }
 
 impl Deed {
-    /// Checks that the things are what they are called, see [`SceneGraph::check_name`].
+    /// Checks that the things are of the classes in their labels, see [`SceneGraph::check_name`].
     ///
     /// # Errors
     /// The first [`Misnomer`].
@@ -54,7 +54,7 @@ impl FromStr for Deed {
     }
 }
 
-/// `<char1> [GRAB] ...`: whose number is in front, and the rest.
+/// The number in front of `<char1> [GRAB] ...`, and the rest.
 fn character(text: &str) -> Result<(u32, &str), ActionError> {
     if !text.starts_with('<') {
         return Ok((0, text));

@@ -17,7 +17,7 @@ use crate::{Edge, Edit, Label, NodeId, Property, Relation};
 /// How near is near: within reach of an agent's step and arm, metres.
 /// VirtualHome's CLOSE uses the same figure.
 pub const NEAR: f32 = 1.5;
-/// Classes of what is drawn over windows.
+/// Classes of things that are drawn over windows.
 const WINDOW_COVERS: [&str; 3] = ["curtain", "blinds", "roller_shutter"];
 
 /// Rooms, agents and objects with their states, poses and relations.
@@ -165,8 +165,8 @@ impl SceneGraph {
         self.grid.within(centre, radius)
     }
 
-    /// Whether a thing is drawn over a window or a door when it is closed: curtains, blinds, shutters and what else is of
-    /// these classes; not what covers otherwise, as lids, bags and umbrellas do. False for what is not there.
+    /// Whether a thing is drawn over a window or a door when it is closed: a curtain, blinds, a shutter or a kind of
+    /// these. Other covers, such as lids, bags and umbrellas, are not. False if there is no such node.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
@@ -300,8 +300,8 @@ impl SceneGraph {
     /// at hand with something near: it rests on or in that, or is near the same thing
     /// (VirtualHome's rule).
     ///
-    /// What is at hand in that way is not behind a wall: where poses and rooms are known, a
-    /// picture on the other side of the wall one stands at is not near.
+    /// A thing in the next room is not at hand in that way: where poses and rooms are known, a picture on
+    /// the other side of the wall one stands at is not near.
     pub fn near(&self, agent: NodeId, id: NodeId) -> bool {
         let (Some(body), Some(node)) = (self.node(agent), self.node(id)) else { return false };
         if node.affords(crate::Property::BodyPart) || body.has(Relation::Near, id) {

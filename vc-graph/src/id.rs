@@ -68,7 +68,7 @@ impl FromStr for Label {
     }
 }
 
-/// Whether a class may be called so; what is told by its signs alone has no letters.
+/// Whether a class may have this name: one of class characters, or one of signs alone.
 fn is_class(name: &str) -> bool {
     let signs = !name.chars().any(|c| c.is_alphanumeric() || c.is_whitespace() || c.is_control());
     !name.is_empty() && (signs || name.chars().all(is_class_char))

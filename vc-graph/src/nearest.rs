@@ -1,16 +1,16 @@
-//! Did you mean ...? The known words that a misspelt one is nearest to.
+//! Suggestions for misspelt words: the nearest known ones.
 
 use crate::vocabulary::folded;
 
 /// Most words that are suggested.
 const MOST: usize = 3;
 
-/// Longest word that is compared, characters: what is longer is no misspelt word.
+/// Longest word that is compared, characters: a longer one is no misspelt word.
 const LONGEST: usize = 40;
 
-/// The known words nearest to a misspelt one, best first, three at most: those that fewest
-/// slips lead to. A slip is a letter too many, too few, wrong, or swapped with the next; one is
-/// allowed, or one for every three letters. Case and separators do not count.
+/// The known words nearest to a misspelt one, three at most: those that differ from it by the fewest slips.
+/// A slip is a letter too many, too few, wrong, or swapped with the next; one is allowed, or one for every
+/// three letters. Case and separators do not count.
 ///
 /// ```
 /// let verbs = ["grab", "walk", "wake_up", "switch_on"];
@@ -36,8 +36,8 @@ pub fn nearest<'w>(word: &str, known: impl IntoIterator<Item = &'w str>) -> Vec<
     near.into_iter().filter(|(slips, _)| *slips <= best).take(MOST).map(|(_, word)| word).collect()
 }
 
-/// The nearest words in brackets, ` (did you mean grab?)`, to stand behind the misspelt one; or
-/// nothing.
+/// The nearest words in brackets, to stand behind the misspelt one: ``(did you mean `grab`?)`` with a space
+/// before it. Empty if no word is near.
 pub fn did_you_mean<'w>(word: &str, known: impl IntoIterator<Item = &'w str>) -> String {
     let near: Vec<String> = nearest(word, known).iter().map(|w| format!("`{w}`")).collect();
     if near.is_empty() { String::new() } else { format!(" (did you mean {}?)", near.join(" or ")) }

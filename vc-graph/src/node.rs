@@ -257,7 +257,7 @@ impl Draft {
         Self { class: class.into(), ..Self::default() }
     }
 
-    /// What a node would be made from: everything but its number and relations.
+    /// The draft that a node would be made from: everything but its number and relations.
     pub fn of(node: &Node) -> Self {
         let spec = node.spec();
         Self {

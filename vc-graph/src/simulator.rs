@@ -97,7 +97,7 @@ impl Simulator {
     /// Lets several agents act at once: each meets what those before it have done.
     ///
     /// # Errors
-    /// What was refused first, and every [`Refusal`]; then nothing has changed.
+    /// The first deed that was refused, with every [`Refusal`]; then nothing has changed.
     pub fn step_together(&mut self, deeds: &[Event]) -> Result<(), (Event, Vec<Refusal>)> {
         let before = (deeds.len() > 1).then(|| self.clone());
         let refused = deeds.iter().find_map(|deed| Some((*deed, self.step(deed.agent, &deed.action).err()?)));

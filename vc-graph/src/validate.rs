@@ -117,7 +117,7 @@ impl SceneGraph {
             if self.room_of(place.at) != room {
                 found.push(Violation::RoomApart(node.label(), at.label()));
             }
-            // What hangs is on the wall, or on the ceiling.
+            // Things that hang are on a wall or a ceiling.
             let is_borne = carries(at) || at.is_building();
             if place.relation == Relation::On && node.kind() == Kind::Object && !is_borne {
                 found.push(Violation::NotASurface(node.label(), at.label()));
@@ -207,8 +207,9 @@ pub(crate) fn soaks(node: &Node) -> bool {
     node.affords(Property::Wiper) || node.affords(Property::BodyPart)
 }
 
-/// Whether things may be in a node: the author or the class table says that it holds something.
-/// Of what the table does not know, that it opens must do: doors and books open too.
+/// Whether things may be in a node: the author or the class table says that it holds something. A node of
+/// a class that the table does not know holds something if it opens; known classes that open may be doors
+/// or books.
 pub(crate) fn encloses(node: &Node, classes: &ClassTable) -> bool {
     use Property::{Container, Drivable, Openable, Recipient};
     let holds = [Container, Recipient, Drivable].into_iter().any(|p| node.affords(p));

@@ -53,8 +53,8 @@ pub(crate) fn clip(text: &str) -> String {
     }
 }
 
-/// Letters and digits of a spelling, lower case: what matching compares. A name that has
-/// neither, such as a picture, has nothing but its signs to tell it by.
+/// Letters and digits of a spelling, lower case: what matching compares. A name that has neither, such as an
+/// emoji, is compared by its signs.
 pub(crate) fn folded(text: &str) -> impl Iterator<Item = char> + '_ {
     let signs = !text.chars().any(char::is_alphanumeric);
     text.chars().filter(move |c| c.is_alphanumeric() || signs && !c.is_whitespace()).flat_map(char::to_lowercase)

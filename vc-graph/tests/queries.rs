@@ -231,8 +231,8 @@ fn positions_far_away_are_found() {
     assert_eq!(graph.within(Point3::new(8.0e6, -9.0e6, 0.0), 1.0), []);
 }
 
-/// Of two pictures on a wall only that in one's own room is near; where no poses are known, the graph
-/// is believed.
+/// Only that of two pictures on a wall is near that is in one's own room; where no poses are known, the
+/// graph is believed.
 #[test]
 fn what_hangs_behind_the_wall_is_not_near() {
     use vc_graph::{Draft, Edge, Pose, SceneBuilder};

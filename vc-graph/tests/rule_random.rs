@@ -48,7 +48,7 @@ fn legal_action(flat: &Flat, agent: NodeId, (verb, x, y): (usize, usize, usize))
     }
 }
 
-/// An action can be done if nothing is held against it: every verb with all things there are.
+/// The legal actions are exactly those without a refusal: every verb with all things there are.
 fn all_legal(flat: &Flat, agent: NodeId) -> Result<(), TestCaseError> {
     let graph = flat.graph();
     let ids: Vec<NodeId> = graph.nodes().map(Node::id).collect();

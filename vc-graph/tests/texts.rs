@@ -147,7 +147,7 @@ fn labels_are_held_against_their_nodes() {
     }
 }
 
-/// Steps of a program: who does what.
+/// The steps of a program: characters and actions.
 fn steps_of(text: &str) -> Vec<Vec<(u32, String)>> {
     let program = program::read(text).unwrap_or_else(|e| panic!("{e}: {text}"));
     program.steps.iter().map(|s| s.iter().map(|d| (d.character, d.action.to_string())).collect()).collect()

@@ -217,7 +217,7 @@ impl World {
         self.things.iter().filter(|t| t.state.rides == Some(part)).map(|t| t.id).collect()
     }
 
-    /// The things that were pinned to what a body is the base of.
+    /// The things that are pinned to the node whose base a body is.
     fn pinned_on_base(&self, body: RigidBodyHandle) -> Vec<NodeId> {
         let part = self.engine.bodies.get(body).map(|b| group::marked(b.user_data));
         part.filter(|(_, link)| *link == 0).map_or_else(Vec::new, |part| self.pinned_on(part))

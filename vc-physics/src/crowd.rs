@@ -1,4 +1,4 @@
-//! Things that are where others are already.
+//! Things in the place of others.
 
 use std::collections::BTreeMap;
 
@@ -9,8 +9,8 @@ use vc_graph::NodeId;
 use crate::world::{Thing, World};
 use crate::{Role, convert};
 
-/// How near to each other the middles of two things are at most that are in one place, as a part of
-/// half of the least side of the smaller one, and metres.
+/// Greatest distance between the middles of two things in one place: as a part of half the smaller
+/// one's least side, and in metres.
 const NEAR: f32 = 0.25;
 const FARTHEST: f32 = 0.02;
 
@@ -23,8 +23,8 @@ struct Body<'a> {
 
 impl World {
     /// Loose things that are in the place of another: their middles are about the same, and their
-    /// bodies overlap. The first of those in a place is not among them. No step can tell them apart
-    /// without throwing them about: put them elsewhere first.
+    /// bodies overlap. The first thing in a place is not among them. A step would throw them about to
+    /// part them: put them elsewhere first.
     ///
     /// Costs a fraction of a microsecond for each thing, however many are in one place.
     pub fn crowded(&self) -> Vec<NodeId> {

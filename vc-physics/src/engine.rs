@@ -259,7 +259,7 @@ impl Engine {
         self.early.take();
     }
 
-    /// Lets a body take part again that the engine has taken out for being non-finite.
+    /// Lets a body that the engine has disabled for being non-finite take part again.
     pub(crate) fn enable(&mut self, body: RigidBodyHandle) {
         let Some(rigid) = self.bodies.get_mut(body).filter(|b| !b.is_enabled()) else { return };
         rigid.set_enabled(true);

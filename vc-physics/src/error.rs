@@ -2,7 +2,8 @@
 
 use vc_graph::NodeId;
 
-/// Why a world refuses. It names nodes by their numbers; [`named`](Self::named) puts labels in their place.
+/// The reason why a world refuses. It names nodes by their numbers; [`named`](Self::named) puts labels in their
+/// place.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PhysicsError<N = NodeId> {
@@ -106,9 +107,9 @@ pub enum AgentError<N = NodeId> {
     /// Somebody sits or lies on it.
     #[error("{by} is on {seat}; one does not carry that off")]
     Occupied {
-        /// What was to be taken.
+        /// The thing that was to be taken.
         seat: N,
-        /// Who is on it.
+        /// The agent on it.
         by: N,
     },
     /// Somebody holds it already.

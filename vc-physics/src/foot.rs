@@ -1,11 +1,12 @@
-//! What is a hull stands on all corners of its foot.
+//! Contact points for hulls, so that they stand on all corners of their bottom.
 //!
-//! The engine takes of a hull the one face that looks most at the other body. A bottom with more
-//! than four corners is bevelled (`shapes/hull`), so what leans by a degree has its contact points
-//! on a bevel, at one side. On the other it dives in within a step, is lifted out, dives in on the
-//! first: it rocks for ever. So where the points are all on one side of the hull's middle, the
-//! corners beyond that are about as low are points too, in a manifold of their own: in the same one
-//! they would crowd out those that touch, as the engine solves four of each.
+//! For contacts the engine takes the one face of a hull that looks most at the other body. A bottom
+//! with more than four corners is bevelled (`shapes/hull`), so a hull that leans by a degree has its
+//! contact points on a bevel, at one side. Within a step its other side sinks in and is lifted out,
+//! then the first side sinks in: it rocks for ever. So where the points are all on one side of the
+//! hull's middle, the corners on the other side that are about as low become points too. They are in
+//! a manifold of their own: in the same one they would crowd out those that touch, as the engine
+//! solves four points of each.
 
 use rapier3d::geometry::{ContactData, ContactManifold, ContactManifoldData};
 use rapier3d::math::{Pose, Vector};
@@ -14,17 +15,17 @@ use rapier3d::parry::shape::{ConvexPolyhedron, PackedFeatureId, PolygonalFeature
 
 type Point = TrackedContact<ContactData>;
 
-/// Points that the engine solves of a manifold.
+/// Number of points that the engine solves of a manifold.
 const SOLVED: usize = 4;
-/// Up to which distance two points are the same, metres.
+/// Greatest distance of two points that are the same, metres.
 const SAME: f32 = 0.0001;
-/// Slope up to which what leans may still come to stand within a step.
+/// Slope up to which a leaning hull may still come to stand within a step.
 const LEANS: f32 = 0.15;
 /// Cosine of the angle between a face and the contact's normal up to which the face carries.
 const FACES: f32 = 0.999;
 
-/// Gives two convex shapes, whose points are in the first of some manifolds, the corners of their
-/// feet that the engine leaves out, as a second. It stays once it is there, as the engine keeps count.
+/// Adds a second manifold for two convex shapes whose points are in the first one: the corners that the
+/// engine leaves out. The second manifold stays once it is there, as the engine keeps count.
 pub(crate) fn complete(manifolds: &mut Vec<ContactManifold>, pos12: &Pose, shapes: (&dyn Shape, &dyn Shape)) {
     let Some(first) = manifolds.first() else { return };
     let (n1, n2) = (first.local_n1, first.local_n2);
@@ -50,8 +51,8 @@ fn left_out(manifold: &ContactManifold, pos12: &Pose, (first, second): (&dyn Sha
     found.into_iter().map(flipped).collect()
 }
 
-/// The corners of a hull that are over a face of a ground, about as low as its points are, if these
-/// do not surround its middle: as points of which the first body is the ground.
+/// The corners of a hull that are over a face of a ground and about as low as the hull's contact points,
+/// if these points do not surround its middle. The first body of the points returned is the ground.
 fn corners(
     hull: &ConvexPolyhedron,
     pose: &Pose,
@@ -92,7 +93,7 @@ fn surrounds(points: &[Vector], middle: Vector, up: Vector) -> bool {
     points.len() > 2 && ways().all(|way| sided(way, 1.0) && sided(way, -1.0))
 }
 
-/// The face of a shape that looks in a direction.
+/// The face of a shape that looks in a direction, if there is one.
 fn face(shape: &dyn Shape, up: Vector) -> Option<PolygonalFeature> {
     let (features, border) = shape.as_polygonal_feature_map()?;
     let mut face = PolygonalFeature::default();

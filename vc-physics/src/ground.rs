@@ -1,8 +1,8 @@
-//! The ground below floors, and what is beyond it.
+//! The ground below floors, and where a fall past their edge ends.
 //!
-//! A floor of a scene may be as thin as paper: what falls fast goes through it within a step, and
-//! what is thin is pushed out at the wrong side. So below a floor all is solid, as deep as nothing
-//! else of the scene is there. What gets past its edge falls, and is stopped before it is far.
+//! A floor of a scene may be as thin as paper: things that fall fast go through it within a step, and
+//! thin things are pushed out at the wrong side. So everything below a floor is solid, down to the next
+//! thing of the scene. Things that get past its edge fall, and are stopped before they are far.
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::RigidBodyHandle;
@@ -15,19 +15,19 @@ use crate::{Role, convert, group};
 /// How deep the ground is below a thin floor if nothing is there, metres: more than twice as far as
 /// anything falls in a step of a sixtieth of a second.
 const DEPTH: f32 = 1.0;
-/// How thick a floor is that needs no ground, metres: it stops what falls from a few metres, and the
-/// thinner a body is, the finer are the engine's distances to it.
+/// Least thickness of a floor that needs no ground, metres: it stops things that fall from a few metres,
+/// and the thinner a body is, the finer are the engine's distances to it.
 const THICK: f32 = 0.19;
-/// By how much boxes may overlap that are beside each other, metres.
+/// By how much boxes that are beside each other may overlap, metres.
 const BESIDE: f32 = 0.02;
-/// Cosine of the tilt from which on a floor is a ramp.
+/// Cosine of the tilt beyond which a floor is a ramp.
 const LEVEL: f32 = 0.999;
 /// How deep in the ground the middle of a thing may be, metres: mats are as thin as that.
 const SUNK: f32 = 0.02;
-/// How far below everything that stays what falls is stopped, metres.
+/// How far below all fixed things a falling thing is stopped, metres.
 const ABYSS: f32 = 2.0;
 
-/// What may be below a floor: rooms, and other floors.
+/// The boxes that may be below a floor: rooms, and other floors.
 pub(crate) struct Storeys(Vec<Aabb>);
 
 impl Storeys {
@@ -68,7 +68,7 @@ fn around(form: &Form, pose: &Pose) -> Aabb {
 }
 
 impl World {
-    /// Notes how far down anything is that stays where it is.
+    /// Notes the height of the lowest fixed thing's bottom.
     pub(crate) fn find_bottom(&mut self) {
         let fixed = self.things.iter().filter(|t| t.state.role == Role::Fixed);
         let low = fixed.filter_map(|t| Some(around(&t.form, &self.engine.pose(t.state.base)?).min.z));
@@ -86,7 +86,7 @@ impl World {
         floors.filter_map(ground).collect()
     }
 
-    /// Stops what has fallen below everything that stays where it is.
+    /// Stops things that have fallen below all fixed things.
     pub(crate) fn stop_what_fell(&mut self, awake: &[RigidBodyHandle]) {
         let deep = self.bottom - ABYSS;
         let fell = |body: &RigidBodyHandle| {
@@ -95,7 +95,7 @@ impl World {
         };
         let fallen: Vec<NodeId> = awake.iter().filter_map(fell).collect();
         for id in fallen {
-            // It has a body: it fell.
+            // It has a body, as it fell, so this cannot fail.
             let _ = self.set_role(id, Role::Stopped);
             if !self.stopped.contains(&id) {
                 self.stopped.push(id);

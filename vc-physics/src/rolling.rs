@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use vc_graph::ClassTable;
 
-/// What is neither named nor a kind of what is.
+/// The row for classes that are neither named nor a kind of one that is.
 const OTHERWISE: &str = "otherwise";
 
 /// Classes, and the force against their rolling as a part of their weight.

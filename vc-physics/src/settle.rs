@@ -124,9 +124,9 @@ impl World {
         (!kept).then_some(place)
     }
 
-    /// What is outside every room, below the lowest floor, or in the ground below a floor: loose
-    /// things, and those that were stopped; without rooms, what is outside the box around
-    /// everything that is fixed. Of what hangs that which is below all of it.
+    /// Loose things, and those that were stopped, that are outside every room, below the lowest floor, or
+    /// in the ground below a floor; without rooms, those outside the box around everything that is
+    /// fixed. Things that hang are among them only if they are below all rooms.
     pub fn outside(&self) -> Vec<NodeId> {
         let (boxes, grounds) = (self.inside(), self.grounds());
         self.things.iter().filter(|t| self.is_beyond(t, &boxes, &grounds)).map(|t| t.id).collect()

@@ -228,7 +228,7 @@ fn what_leans_sleeps_where_it_slept() {
     assert!(!world.is_asleep(leaning));
 }
 
-/// What was on a rack that is taken away falls, though it hung there.
+/// A thing falls if the rack that it hung on is taken away.
 #[test]
 fn what_hung_from_it_falls() {
     let mut scene = Scene::default();

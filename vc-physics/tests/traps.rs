@@ -295,8 +295,8 @@ fn steps_of_other_lengths() {
     }
 }
 
-/// Below a floor all is solid, however thin it is: what falls fast or is thin does not get through,
-/// and the floor is no thicker for those who ask. Where another storey is below, the ground ends.
+/// Everything below a floor is solid, however thin the floor is: things that fall fast or are thin do not get
+/// through. The floor's box is no thicker for that.
 #[test]
 fn floors_have_ground_below_them() {
     for thick in [1e-5_f32, 0.01, 0.1] {
@@ -321,7 +321,7 @@ fn floors_have_ground_below_them() {
     }
 }
 
-/// What gets past the edge of all floors is stopped and named before it is far, and takes part again
+/// A thing that gets past the edge of all floors is stopped and named before it is far, and takes part again
 /// where it is put.
 #[test]
 fn what_falls_out_of_the_world_is_stopped() {

@@ -113,8 +113,8 @@ impl Run {
 
     /// Lets a policy pursue a task until it is done, gives up or runs out of steps,
     /// telling `watch` each step. The verdict is by the true scene, not by what the
-    /// policy believes. A scene without an agent is lost at once, and a task that calls a
-    /// thing what it is not.
+    /// policy believes. An episode is lost at once in a scene without an agent, and for a task whose
+    /// goal has a label of another class than its node.
     pub fn episode(
         &self,
         policy: &mut dyn Policy,

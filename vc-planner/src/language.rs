@@ -106,8 +106,8 @@ const SYSTEM: &str = "You are a person in a home. You see only the room you are 
 containers. Answer with one action at a time, as JSON {\"action\": \"grab cup.12\"} or as plain text. Answer \
 `done` when the task is done.";
 
-/// What an agent can do now where it is: all that [`rule::legal_actions_with`] lists for what
-/// is in its room and not shut away, without running and finding, and walks to the other rooms.
+/// The actions that an agent can do now where it is: those that [`rule::legal_actions_with`] lists for the
+/// things in its room that are not shut away, without running and finding, and walks to the other rooms.
 pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     let Some(room) = graph.room_of(agent) else { return Vec::new() };
     let here: Vec<NodeId> = graph.in_room(room).filter(|&id| id != agent && graph.hidden_in(id).is_none()).collect();
@@ -115,7 +115,7 @@ pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     let walks = other_rooms.map(|r| Action::one(Verb::Walk, r)).filter(|a| rule::allows(graph, agent, a));
     let mut all = rule::legal_actions_with(graph, agent, &here);
     all.retain(|action| !matches!(action.verb, Verb::Run | Verb::Find));
-    // What takes nothing is least often meant.
+    // Actions on nothing are least often meant.
     all.sort_by_key(|action| action.object.is_none());
     walks.chain(all).collect()
 }

@@ -66,8 +66,8 @@ impl Team {
     }
 
     /// Lets the team pursue its goal until it holds, nobody knows what to do, or the
-    /// task's limit of steps is reached, in rounds. A task that calls a thing what it is not is
-    /// lost at once.
+    /// task's limit of steps is reached, in rounds. A task whose goal has a label of another class than
+    /// its node is lost at once.
     pub fn run(&mut self, task: &Task, world: &mut dyn World) -> TeamEpisode {
         if !task.goal.misnomers(world.graph()).is_empty() {
             return TeamEpisode { outcome: Outcome::Lost, rounds: 0, actions: 0, score: 0.0 };

@@ -103,8 +103,8 @@ fn every_state_can_be_planned() {
     }
 }
 
-/// Tasks of ALFRED, with those of things that are to be hot or cold, whole vessels too: by who
-/// knows the home and by who sees it for the first time.
+/// Tasks of ALFRED, also those about hot or cold things and whole vessels, are done by agents that know the
+/// home and by agents that see it for the first time.
 #[test]
 fn alfreds_tasks_can_be_done() {
     let scene = home();

@@ -57,7 +57,7 @@ fn what_only_a_search_can_tell_says_how_much_was_checked() {
     assert!(plan(&mut scene.build(), me, &goal.parse().unwrap(), &History::default()).is_ok());
 }
 
-/// A label says class and number, and both must be those of one thing: whoever tries is told.
+/// A label has class and number, and both must be those of one thing: planners and episodes say so.
 #[test]
 fn a_thing_that_is_called_what_it_is_not_is_refused() {
     let (scene, me) = flat();

@@ -89,7 +89,7 @@ fn what_is_nowhere_is_given_up_when_all_has_been_seen() {
     assert!(left.is_empty(), "{left:?}");
 }
 
-/// Where a scene has neither rooms nor furniture, what is out of sight cannot be anywhere.
+/// In a scene with neither rooms nor furniture a thing that is out of sight cannot be anywhere.
 #[test]
 fn what_can_be_nowhere_is_given_up_at_once() {
     let mut scene = SceneBuilder::new("nothing");

@@ -18,7 +18,8 @@
 //! ```
 //!
 //! [`object::generator`] finds the generator of a class, [`catalogue`] lists instances
-//! of all of them, [`dress`] makes scenes of boxes look like homes, and [`gltf`] writes any asset or scene and reads models of others.
+//! of all of them, [`dress`] makes scenes of boxes look like homes, and [`gltf`] writes any asset or scene and
+//! reads models from elsewhere.
 
 #![warn(clippy::disallowed_methods)]
 

@@ -320,11 +320,11 @@ pub fn library() -> AssetLibrary {
     LIBRARY.clone()
 }
 
-/// Adds the [table](library)'s materials to a library, unless it begins with them, and returns
-/// where they begin: a material's position is that plus its own.
+/// Adds the [table](library)'s materials to a library, unless it begins with them, and returns the
+/// position of the first one: a material's position in the library is that plus its position in the table.
 ///
 /// # Errors
-/// None that is known: the table's materials are sound.
+/// [`AssetError`] if the library refuses a material; it takes all of the table.
 pub fn join(library: &mut AssetLibrary) -> Result<u32, AssetError> {
     let own = self::library();
     let all = |of: &AssetLibrary| (0..).map_while(|i| of.material(i)).cloned().collect::<Vec<Material>>();

@@ -1,4 +1,4 @@
-//! glTF with pictures: what is written reads back, and what cannot be read is left out and named.
+//! glTF with pictures: written pictures read back, and those that cannot be read are left out and named.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 

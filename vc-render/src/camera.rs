@@ -181,8 +181,8 @@ impl Camera {
         Vector3::new((across - self.centre.0) / self.focal.0, (down - self.centre.1) / self.focal.1, 1.0)
     }
 
-    /// Middles of pixels strewn evenly over the picture (Roberts's sequence), no two of which are in one row or column, so
-    /// that a straight edge does not pass many at once.
+    /// Middles of pixels strewn evenly over the picture (Roberts's sequence), so that a straight edge does not pass
+    /// many at once, as it would on a grid of rows and columns.
     pub(crate) fn strewn(&self) -> impl Iterator<Item = [f32; 2]> + use<> {
         const STEP: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
         let size = [self.width, self.height];

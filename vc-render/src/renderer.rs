@@ -302,7 +302,7 @@ impl Renderer {
     }
 }
 
-/// Rooms of what is seen at places strewn over a picture, through glass.
+/// The rooms seen at places strewn over a picture, through glass.
 fn seen_rooms<'a>(
     lighting: &'a Lighting,
     View { snapshot, camera }: View<'a>,

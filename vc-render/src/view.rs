@@ -82,7 +82,7 @@ pub struct Shot<'a> {
     pub finer: u32,
     /// Colours without shadows.
     pub plain: bool,
-    /// What the eye is used to, if it does not see for the first time.
+    /// The light that the eye is used to, if it comes from another picture.
     pub adapts: Option<Adaptation>,
 }
 
@@ -114,15 +114,15 @@ pub struct Shot<'a> {
 pub struct Adaptation {
     /// The exposure it is used to: [`Frame::exposure`](crate::Frame::exposure) of the picture before.
     pub from: [f32; 3],
-    /// How far it goes from there to that of what it sees now: 0 not at all, 1 all the way.
+    /// How far it goes from there to the exposure for the light it sees now: 0 not at all, 1 all the way.
     pub share: f32,
 }
 
-/// In how many seconds an eye comes two thirds of the way to other light: quicker than eyes, as lenses of cameras do.
+/// Seconds in which an eye comes two thirds of the way to other light: quicker than human eyes, as cameras are.
 const GETS_USED: f32 = 0.35;
 
 impl Adaptation {
-    /// An eye that was used to an exposure so many seconds ago: of the picture before, for one of a film.
+    /// An eye that was used to an exposure some seconds ago; for a film, that of the picture before.
     ///
     /// ```
     /// use vc_render::Adaptation;
@@ -134,7 +134,7 @@ impl Adaptation {
         Self { from, share: 1.0 - (-seconds.max(0.0) / GETS_USED).exponential() }
     }
 
-    /// The exposure of a picture of what would by itself have this one.
+    /// The exposure of a picture for this eye, from the exposure that the picture would have by itself.
     pub(crate) fn towards(&self, now: [f32; 3]) -> [f32; 3] {
         use vc_graph::portable::Portable;
         let share = self.share.clamp(0.0, 1.0);
@@ -194,7 +194,7 @@ impl<'a> Shot<'a> {
         Self { plain: true, ..self }
     }
 
-    /// With an eye that comes from other light.
+    /// The same shot by an eye that comes from other light.
     #[must_use]
     pub fn adapting(self, adapts: Adaptation) -> Self {
         Self { adapts: Some(adapts), ..self }

@@ -309,7 +309,7 @@ fn lamps_are_told_by_their_class() {
     assert_eq!(snapshot.lamps().collect::<Vec<_>>(), [made[0], made[2]]);
 }
 
-/// Class numbers of what stands before the camera, by class.
+/// Class numbers of the things before the camera, by class.
 fn numbers(classes: &[&str]) -> Vec<(String, u16)> {
     let mut scene = SceneBuilder::new("shelf");
     for (class, y) in classes.iter().zip([-0.6_f32, 0.0, 0.6]) {

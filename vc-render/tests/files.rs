@@ -144,7 +144,7 @@ fn seen(class: &str) -> (Snapshot, Frame) {
 #[test]
 fn one_document_is_of_many_scenes() {
     let mut coco = Coco::default();
-    // Of these the class table knows one; the others have the same number in their scenes.
+    // The class table knows one of these; the others have the same number in their scenes.
     for (name, class) in [("a", "florbel"), ("b", "grumkin"), ("c", "sofa"), ("d", "grumkin"), ("e", "florbel")] {
         let (snapshot, frame) = seen(class);
         coco.add(format!("{name}.png"), &frame, &snapshot).unwrap();

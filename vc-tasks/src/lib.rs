@@ -4,7 +4,8 @@
 //! A [`Task`] is a goal with a title and a limit of steps. [`Task::obstacles`] says
 //! why a goal cannot make sense in a scene before anybody tries, an [`Outcome`]
 //! says how an attempt ended, and [`household`] is a list of everyday tasks. A
-//! [`World`] is where they are done, symbolic or with bodies; a [`Trial`] gives observations and rewards for it. The [`library`] has the
+//! [`World`] is where they are done, symbolic or with bodies; a [`Trial`] does a task
+//! action by action, with observations and rewards. The [`library`] has the
 //! thesis's hundred tasks and the benchmark of 145, and [`initial`] makes a scene
 //! ready for one of them.
 //!

@@ -21,7 +21,7 @@ pub enum Obstacle {
         needs: usize,
         /// How many there are.
         has: usize,
-        /// Classes of the scene that may have been meant, where the class is of no scene.
+        /// Classes of the scene that may have been meant, if the class table does not know the class.
         nearest: Vec<String>,
     },
     /// There are things of the class, but too few that afford what is asked.

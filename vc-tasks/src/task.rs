@@ -65,8 +65,7 @@ impl Task {
         Self { title: title.into(), goal, step_limit: STEP_LIMIT }
     }
 
-    /// Whether its goal holds in a world as it is, for an agent: in the true scene, whatever anybody
-    /// believes.
+    /// Whether its goal holds for an agent in a world as it is: in the true scene, not in anybody's belief.
     pub fn holds(&self, world: &dyn World, agent: NodeId) -> bool {
         self.goal.holds(&Situation::new(world.graph(), agent, world.history()))
     }
@@ -90,7 +89,10 @@ impl Task {
         Self::read_lines(text).collect()
     }
 
-    /// As [`Task::read_list`], going on after lines that are no task.
+    /// As [`Task::read_list`], but goes on after lines that are no task.
+    ///
+    /// # Errors
+    /// Each line that is no task gives a [`TaskError`].
     pub fn read_lines(text: &str) -> impl Iterator<Item = Result<Self, TaskError>> + '_ {
         let lines = unmarked(text).lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
         let tasks = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));

@@ -4,12 +4,12 @@ use vc_graph::{Action, NodeId, Observation, SceneGraph, Scope};
 
 use crate::{Task, World, WorldError};
 
-/// An agent in a world with a task, action by action, as reinforcement learning has it: who acts gets an
-/// observation and a reward each time. [`Policy`](https://docs.rs/vc-planner) and `run_episode` of `vc-planner` are the
-/// other way round: there the loop is ours.
+/// An agent in a world with a task, action by action, as in reinforcement learning: each action gives an
+/// observation and a reward. Here the loop is the caller's; with `Policy` and `run_episode` of `vc-planner` the
+/// loop is theirs.
 ///
-/// The reward of an action is how much more of the goal holds after it, so rewards of an episode that was
-/// won sum to what did not hold at first: [`Task::score`]. Costs of actions and the like are the caller's to add.
+/// The reward of an action is the change of [`Task::score`], so the rewards of an episode that was won sum to the
+/// part of the goal that did not hold at first. Costs of actions and the like are the caller's to add.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
@@ -44,10 +44,10 @@ pub struct Trial<W> {
     steps: usize,
 }
 
-/// What came of an action.
+/// The result of an action.
 #[derive(Debug, Clone)]
 pub struct Feedback {
-    /// What the agent sees now.
+    /// The agent's view after the action.
     pub observation: Observation,
     /// How much more of the goal holds than before the action, -1 to 1.
     pub reward: f64,
@@ -66,13 +66,13 @@ impl<W: World> Trial<W> {
         Self { world, start, task, agent, scope: Scope::Room, score, steps: 0 }
     }
 
-    /// The same, with another view of the world.
+    /// The same trial with another scope of what the agent sees.
     #[must_use]
     pub fn seeing(self, scope: Scope) -> Self {
         Self { scope, ..self }
     }
 
-    /// Lets the agent act. After the end it may go on; nothing else is said of it than that it is over.
+    /// Lets the agent act. It may act after the end, too: the feedback is about the world as it is then.
     pub fn step(&mut self, action: &Action) -> Feedback {
         let refused = self.world.step(self.agent, action).err();
         self.steps += 1;
@@ -82,7 +82,7 @@ impl<W: World> Trial<W> {
         Feedback { observation: self.observation(), reward: self.score - before, terminated, truncated, refused }
     }
 
-    /// Puts the world back to where the trial began, and gives what the agent sees there.
+    /// Puts the world back to where the trial began, and gives the agent's view there.
     ///
     /// # Errors
     /// As [`World::reset`]; then nothing has changed.
@@ -92,7 +92,7 @@ impl<W: World> Trial<W> {
         Ok(self.observation())
     }
 
-    /// What the agent sees now.
+    /// The agent's view of the world as it is.
     pub fn observation(&self) -> Observation {
         self.world.graph().observe(self.agent, self.scope)
     }

@@ -235,8 +235,8 @@ impl ClassTable {
 
     /// The class of a name, in any usual spelling: case, `_`, `-` and spaces do
     /// not matter, nor do engine prefixes and numbers (`SM_Coffee_Table_03`); of a
-    /// longer name its end counts (`SM_Glass_Milk` is milk, a fridge magnet no fridge), but for
-    /// words such as colours behind it.
+    /// longer name its end counts (`SM_Glass_Milk` is milk, a fridge magnet no fridge); words such as
+    /// colours at its end are passed over.
     pub fn get(&self, name: &str) -> Option<&Class> {
         let plain = name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit());
         let whole = plain.then(|| self.by_name.get(name)).flatten();

@@ -5,7 +5,7 @@ use crate::vocabulary::key;
 /// Words that engines and artists put around a name.
 const NOISE: &[&str] = &["sm", "bp", "pre", "mod", "fur", "pro", "dec", "ele", "app", "lam", "prefab", "mesh", "ingir"];
 
-/// Words that say more of a thing behind its name: `Table_Round_White`.
+/// Words that may follow a thing's name and describe it: `Table_Round_White`.
 const QUALIFIERS: &[&str] = &[
     "small", "medium", "large", "big", "mini", "tall", "short", "long", "wide", "narrow", "high", "low", "left",
     "right", "front", "back", "top", "bottom", "upper", "lower", "inner", "outer", "open", "closed", "old", "new",

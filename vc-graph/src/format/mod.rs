@@ -33,8 +33,7 @@ pub use scene::read_scene;
 /// Largest text a reader takes, bytes.
 pub const LARGEST: usize = 256 << 20;
 
-/// A text without the byte order mark that some editors write in front: no reader of ours takes
-/// it for a part of what is said.
+/// A text without the byte order mark that some editors write in front. Every reader here leaves it out.
 ///
 /// ```
 /// assert_eq!(vc_graph::format::unmarked("\u{feff}[WALK] <kitchen> (11)"), "[WALK] <kitchen> (11)");

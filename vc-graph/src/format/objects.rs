@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Aabb, Edge, Node, NodeId, Pose, SceneGraph};
 
-/// Everything a scene says of a node, as plain data: metres, right-handed, Z up, X forward.
+/// A node as plain data: class, room, pose, box, states and relations. Lengths are metres, axes right-handed,
+/// Z up, X forward.
 ///
 /// ```
 /// use vc_graph::format::objects::{Object, objects};
@@ -41,7 +42,7 @@ pub struct Object {
     pub bounds: Option<Corners>,
     /// Its states, `open`.
     pub states: Vec<String>,
-    /// How it is related to others. What holds both ways stands at both.
+    /// How it is related to others. A symmetric relation stands at both objects.
     pub relations: Vec<Related>,
 }
 
@@ -59,7 +60,7 @@ pub struct Corners {
 pub struct Related {
     /// Its kind, `on`.
     pub relation: String,
-    /// What it leads to.
+    /// The node it leads to.
     pub to: NodeId,
 }
 

@@ -22,7 +22,7 @@ use crate::{Action, ActionError, Deed, Label, Misnomer, SceneGraph, Verb, Word};
 pub struct Program {
     /// Title and description, as far as there are any.
     pub heading: Vec<String>,
-    /// What to do, step by step: in each step one deed, or one of each of several characters.
+    /// The deeds, step by step: in each step one deed, or one of each of several characters.
     pub steps: Vec<Vec<Deed>>,
 }
 
@@ -30,22 +30,22 @@ pub struct Program {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CastError {
-    /// Somebody is to act who is not there.
+    /// A character is to act that is not there.
     #[error("action {step}: there is no `<char{character}>`, the scene has {}", characters(*.agents))]
     NoSuchCharacter {
         /// Which step, counted from one.
         step: usize,
-        /// Who.
+        /// The character's number.
         character: u32,
         /// How many characters there are.
         agents: usize,
     },
-    /// A thing is not what it is called.
+    /// A thing is of another class than its label says.
     #[error("action {step}: {misnomer}")]
     Misnomer {
         /// Which step, counted from one.
         step: usize,
-        /// What is called wrongly.
+        /// The thing's name in the program and in the scene.
         misnomer: Misnomer,
     },
 }
@@ -64,7 +64,7 @@ impl Program {
         Self { heading: Vec::new(), steps: actions.into_iter().map(|action| vec![action.into()]).collect() }
     }
 
-    /// The actions in the order in which they are written, whoever does them.
+    /// The actions of all characters in the order in which they are written.
     pub fn actions(&self) -> impl Iterator<Item = Action> + '_ {
         self.steps.iter().flatten().map(|deed| deed.action)
     }
@@ -87,7 +87,7 @@ impl Program {
     /// ```
     ///
     /// # Errors
-    /// [`CastError`]: a character that is not there, a thing that is not what it is called.
+    /// [`CastError`]: a character that is not there, a thing of another class than its label says.
     pub fn cast(&self, graph: &SceneGraph) -> Result<Vec<Vec<Event>>, CastError> {
         let agents = graph.agents();
         let event = |step: usize, deed: &Deed| {
@@ -187,8 +187,8 @@ fn is_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// Writes a program in VirtualHome's notation, with a scene's class names. Who acts is
-/// written where not everything is done by the first character.
+/// Writes a program in VirtualHome's notation, with a scene's class names. Characters are written unless
+/// the first one does everything.
 ///
 /// # Errors
 /// [`ActionError::NotInVirtualHome`] for a verb it does not have.

@@ -1,4 +1,4 @@
-//! A scene in whichever format it is written, told by its structure.
+//! Reading a scene in any of its formats, which is recognised by the structure of the JSON.
 
 use std::fmt;
 use std::sync::Arc;
@@ -16,22 +16,22 @@ use crate::{ClassTable, SceneGraph};
 pub fn read_scene(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
     let mut outline = Outline::default();
     let mut json = serde_json::Deserializer::from_str(unmarked(text));
-    // Where it ends early, the outline has what came before.
+    // Where the look ends early, the outline has the keys before that.
     let _ = Look { outline: &mut outline, top: true }.deserialize(&mut json);
     outline.reader()(text, classes)
 }
 
 type Reader = fn(&str, &Arc<ClassTable>) -> Result<SceneGraph, FormatError>;
 
-/// What formats differ in: the keys at the top of a text, and of each whether a list is there
-/// and which keys the first object below it has.
+/// The structure in which formats differ: the keys at the top of a text, and for each whether its value is
+/// a list and which keys the first object below it has.
 #[derive(Default)]
 struct Outline {
     keys: Vec<(String, bool, Vec<String>)>,
 }
 
 impl Outline {
-    /// Whether what has been seen last tells the format, so that no more need be looked at.
+    /// An error that ends the look as soon as the last key tells the format.
     fn told<E: Error>(&self) -> Result<(), E> {
         let known = |key: &String| key == "class_name" || key == "transform";
         let told = self

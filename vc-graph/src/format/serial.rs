@@ -23,7 +23,7 @@ impl From<&Pose> for PoseFile {
 pub(super) const FARTHEST: f32 = 1e7;
 /// Largest scale that any format has.
 pub(super) const LARGEST_SCALE: f32 = 1e9;
-/// Largest size and offset of a box, metres: of what is scaled so.
+/// Largest size and offset of a box, metres: things may be scaled by [`LARGEST_SCALE`].
 const LARGEST_BOX: f32 = 1e12;
 
 /// Whether numbers are finite and no larger than a limit, either sign.
@@ -31,18 +31,18 @@ pub(super) fn within(numbers: &[f32], limit: f32) -> bool {
     numbers.iter().all(|v| v.abs() <= limit)
 }
 
-/// Whether the numbers of a box are ones that every format has.
+/// Whether the numbers of a box are within the limits of every format.
 pub(super) fn is_box(numbers: &[f32]) -> bool {
     within(numbers, LARGEST_BOX)
 }
 
-/// Whether a rotation is one. What is, is kept to the bit: to normalise it would change what
-/// was written.
+/// Whether a quaternion is of unit length. If so it is kept to the bit: to normalise it would change the
+/// file's numbers.
 fn is_unit(rotation: &Quaternion<f32>) -> bool {
     (rotation.norm() - 1.0).abs() < 1e-3
 }
 
-/// A rotation of whatever length it was written with; one of no length turns nothing.
+/// The rotation of a quaternion of any length; one of no length turns nothing.
 pub(super) fn mended(rotation: Quaternion<f32>) -> UnitQuaternion<f32> {
     if is_unit(&rotation) {
         return UnitQuaternion::new_unchecked(rotation);

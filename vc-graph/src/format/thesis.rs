@@ -49,8 +49,8 @@ struct ObjectFile {
     transform: [String; 3],
 }
 
-/// Up to which part a size is the one that a scale gives, and how far from a node's origin the base
-/// of its box is none, metres.
+/// Relative difference up to which a size is the one that a scale gives, and distance in metres up to which
+/// the base of a box is at its node's origin.
 const SAME: f32 = 1e-4;
 
 /// The file's keys and what is under them; a map would drop a key that occurs twice.
@@ -133,9 +133,9 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
     Ok(scene.build())
 }
 
-/// Writes a scene. Of boxes it has the sizes, as scales of the classes' typical ones. What the format
-/// has no word for is not written: what a vessel is filled with, properties, assets, and boxes of
-/// classes that the table does not know.
+/// Writes a scene. Sizes of boxes are written as scales of their classes' typical sizes. The format has no
+/// words for the contents of vessels, properties, assets, and boxes of classes that the table does not
+/// know: these are not written.
 pub fn write(graph: &SceneGraph) -> String {
     let mut by_name: HashMap<String, usize> = HashMap::new();
     for node in graph.nodes() {
@@ -207,7 +207,7 @@ impl ObjectFile {
             let to = graph.node(link.node())?;
             let relation = if link.relation() == Relation::InRoom { Relation::Inside } else { link.relation() };
             let phrase = PHRASES.iter().find(|(_, r)| *r == relation)?.0;
-            // A bare name means another thing.
+            // A name without a number would mean another thing.
             let to = if to.id() == node.id() { numbered(to) } else { reference(to) };
             Some(format!("{own} {phrase} {to}"))
         });
@@ -222,16 +222,16 @@ impl ObjectFile {
     }
 }
 
-/// Where the middle of the base of a node's box is.
+/// The pose at the middle of the base of a node's box.
 fn base(node: &Node) -> Pose {
     let pose = node.pose().copied().unwrap_or_else(Pose::identity);
     let Some(own) = own_box(node) else { return pose };
     let down = own.offset - Vector3::z() * own.half.z;
-    // What stands on its origin stays there to the last bit.
+    // A pose at the base of the box stays as it is, to the last bit.
     if down.norm() < SAME { pose } else { pose * Translation3::from(down) }
 }
 
-/// The scale by which its class's typical size is a node's own.
+/// The scale that makes a node's size of its class's typical size.
 fn scale(graph: &SceneGraph, node: &Node) -> Vector3<f32> {
     let written = node.spec().scale;
     let typical = graph.classes().get(node.class()).and_then(crate::Class::typical_size);

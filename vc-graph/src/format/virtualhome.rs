@@ -9,8 +9,8 @@
 //! | `ON` a character | [`Relation::WornBy`] |
 //! | `CLOSE`, written both ways | [`Relation::Near`], symmetric |
 //!
-//! A rotation of another length than one is made one, a size below zero is taken for its
-//! opposite. Reading and writing again keeps every node, state, property and edge that the
+//! A quaternion that is not of unit length is normalised, and the sign of a size is ignored.
+//! Reading and writing again keeps every node, state, property and edge that the
 //! format has. What it has no word for is not written: our further states and
 //! properties, contents, where a held thing was taken from, touching, directions.
 

@@ -81,8 +81,8 @@ impl Reader {
         }
     }
 
-    /// Where a predicate is said of one thing and of two (`On`), words without a comma between
-    /// them are two things, unless a class is called so.
+    /// Refuses two words without a comma after a predicate that takes one thing or two (`On`), unless they
+    /// are the name of a class: they would be read as one thing.
     fn check_joined(&self, name: &str, class: &str, at: usize) -> Result<(), GoalError> {
         let joined = matches!(self.tokens.get(at + 1), Some((_, Token::Name(_))));
         let of_two = matches!(native_predicate(name, 2), Some(Predicate::Relation(_)));

@@ -25,7 +25,8 @@ pub(super) fn check_things(graph: &SceneGraph, agent: NodeId, action: &Action) -
     itself.map(|id| Refusal::WithItself(graph.label(id)))
 }
 
-/// A reason that is told, or one that nobody asks for: to word it costs more than to find out.
+/// The reason why a need is not met, or a mark in its place where nobody asks for the reason: wording it
+/// costs more than finding it.
 pub(super) trait Why: Sized {
     fn because(refusal: impl FnOnce() -> Refusal) -> Self;
 }
@@ -36,7 +37,7 @@ impl Why for Refusal {
     }
 }
 
-/// That something is not so, and not why.
+/// A need is not met, and nobody asks why.
 pub(super) struct Untold;
 
 impl Why for Untold {

@@ -1,12 +1,12 @@
-//! Whether things have room.
+//! Room for things on and in others.
 
 use crate::class::SlotKind;
 use crate::node::Node;
 use crate::{Property, Relation, SceneGraph};
 
 /// Why a thing has no room on or in another, where the sizes of both are known.
-/// What has a lid must take the thing in some turn, with what is in it already;
-/// out of what is open at the top things may stick; surfaces may be overhung.
+/// A container with a lid must take the thing in some turn, together with its contents; things may
+/// stick out of a container that is open at the top, and hang over the edge of a surface.
 pub(super) fn misfit(graph: &SceneGraph, thing: &Node, target: &Node) -> Option<&'static str> {
     if thing.id() == target.id() || graph.rests_at(target.id(), thing.id()) {
         return Some("rests on or in it");

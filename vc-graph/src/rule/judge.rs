@@ -1,4 +1,4 @@
-//! A scene as an agent's needs are held against it.
+//! Judging an agent's needs in a scene.
 
 use std::marker::PhantomData;
 
@@ -31,7 +31,7 @@ const SOFT: &[&str] = &[
     "lotion_bottle",
 ];
 
-/// A graph seen by an agent, and whether it is asked why something is not so.
+/// A graph in which an agent's needs are judged; `W` says whether reasons are asked for.
 pub(super) struct Judge<'a, W> {
     pub(super) graph: &'a SceneGraph,
     pub(super) agent: NodeId,
@@ -258,7 +258,7 @@ impl<'a, W: Why> Judge<'a, W> {
         self.require(taken < places as usize, || Refusal::Occupied { seat: self.graph.label(id), places })
     }
 
-    /// Nobody carries it, in a hand or on what is in a hand.
+    /// Nobody carries the thing, in a hand or on something in a hand.
     fn steady(&self, id: NodeId) -> Result<(), W> {
         let is_agent = |p: Place| self.graph.node(p.at).is_some_and(|n| n.kind() == Kind::Agent);
         let carrier = self.graph.climb(id, &mut { is_agent });

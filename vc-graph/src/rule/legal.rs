@@ -1,4 +1,4 @@
-//! Everything an agent can do now.
+//! All actions that an agent can do now.
 
 use std::cmp::Reverse;
 use std::sync::LazyLock;
@@ -14,8 +14,8 @@ use crate::{Action, Node, NodeId, SceneGraph, Verb};
 /// [`refusals`](super::refusals), of every verb with every thing there is. They come in the
 /// order of the verbs, then of the numbers of the things.
 ///
-/// Asks each thing for each need once, whichever verbs share it, and only as long as a verb
-/// depends on it: some tens of microseconds for a home.
+/// Each need is checked once for each thing, for all verbs that share it, and only while a verb still depends
+/// on it: some tens of microseconds for a home.
 ///
 /// ```
 /// use vc_graph::{Action, Draft, SceneBuilder, Verb, rule};
@@ -110,7 +110,7 @@ fn note(shared: &mut Vec<Shared>, need: Condition<Role>, verb: Verb) {
     }
 }
 
-/// A scene and who is to act in it.
+/// A scene and the agent that is to act in it.
 struct Now<'a> {
     graph: &'a SceneGraph,
     agent: NodeId,

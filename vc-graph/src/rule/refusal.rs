@@ -66,7 +66,7 @@ pub enum Refusal {
     /// The agent holds nothing of the kind.
     #[error("nothing in hand is a {0}")]
     NoTool(Property),
-    /// Somebody holds the thing, or what it is on.
+    /// Somebody holds the thing, or something that it is on.
     #[error("{by} holds {thing}")]
     HeldByOther {
         /// The thing.
@@ -87,7 +87,7 @@ pub enum Refusal {
     UnderOther {
         /// The thing.
         thing: Label,
-        /// Who is on it.
+        /// The agent on it.
         by: Label,
     },
     /// The agent would carry what it rests on.

@@ -17,8 +17,8 @@ use crate::{AgentError, PhysicsError, Role, convert, group};
 const STEP: f32 = 1.5;
 /// Places counted on one thing at most.
 const MOST: u32 = 64;
-/// Up to which difference of height surfaces are one seat, metres, and from which share of the
-/// largest's area: cushions are side by side, arms are no seats.
+/// Greatest difference of height of surfaces that are one seat, metres, and least share of the largest
+/// one's area that each has: cushions are side by side, arms are no seats.
 const STEPPED: f32 = 0.06;
 const ALIKE: f32 = 0.4;
 /// Heights of surfaces one sits on, metres above the floor.
@@ -34,15 +34,15 @@ const EXIT_STEP: f32 = 0.05;
 const EXIT_TURNS: usize = 12;
 
 impl World {
-    /// Places to sit on a node, in the world's frame: the middle of each seat, X
-    /// towards its front. They are as many as the node's slots say, one at least, shared out
-    /// among the asset's level surfaces at the height of seats, or side by side on its box.
+    /// Places to sit on a node, in the world's frame, metres: the middle of each seat, X towards its front.
+    /// There are as many as the node's slots say, one at least, shared out among the asset's level surfaces
+    /// at the height of seats, or side by side on its box.
     pub fn seats(&self, id: NodeId) -> Vec<Pose> {
         self.thing(id).map(|t| self.places_on(t, false)).unwrap_or_default()
     }
 
-    /// Places to lie on a node, as many as its slots say, one at least: the middle of each, X
-    /// along the body towards the feet.
+    /// Places to lie on a node, in the world's frame, metres: the middle of each, X along the body towards
+    /// the feet. There are as many as the node's slots say, one at least.
     pub fn beds(&self, id: NodeId) -> Vec<Pose> {
         self.thing(id).map(|t| self.places_on(t, true)).unwrap_or_default()
     }
@@ -247,7 +247,7 @@ struct Level {
 }
 
 impl Level {
-    /// Room to each side, metres, of one of so many.
+    /// Room to each side of one of so many places, metres.
     fn room(&self, count: u32) -> f32 {
         (if self.across { self.half.0 } else { self.half.1 }) / count as f32
     }
@@ -272,8 +272,8 @@ fn share_out(levels: &[Level], count: u32) -> Vec<u32> {
     shares
 }
 
-/// What one sits or lies on: the largest level surface at the height of seats and those that
-/// continue it, or the top of the box.
+/// The levels on which people sit or lie: the largest level surface at the height of seats and, for sitting,
+/// those that continue it; or the top of the box.
 fn levels(thing: &Thing, lying: bool) -> Vec<Level> {
     let area = |s: &&Surface| s.half.0 * s.half.1;
     let level = thing.form.surfaces.iter().filter(|s| s.hold == Hold::On && SEATS.contains(&s.centre.z));

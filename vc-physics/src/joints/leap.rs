@@ -34,8 +34,8 @@ impl World {
         self.leap_open_past(id, open, &[])
     }
 
-    /// As [`Self::leap_open`], past some nodes as if they were not there: who opens a door makes way
-    /// for it.
+    /// As [`Self::leap_open`], past some nodes as if they were not there: an agent that opens a door makes
+    /// way for it.
     ///
     /// # Errors
     /// As [`Self::drive`].
@@ -110,8 +110,8 @@ impl World {
         Ok((self.part_position(self.thing(id)?, part).unwrap_or(target), target))
     }
 
-    /// What keeps the parts of a node from getting to a fraction of their way, by number: what they,
-    /// and what they carry, would meet first. Empty where the way is free.
+    /// The nodes that keep the parts of a node from opening to a fraction, 0 to 1, by number: those that the
+    /// parts, and the things they carry, would meet first. Empty where the way is free.
     ///
     /// # Errors
     /// As [`Self::drive`].
@@ -146,12 +146,12 @@ impl World {
         Some(Turn { thing, part, joint, base, load, past: past.to_vec(), way: (from, target) })
     }
 
-    /// All that a part and what it carries would meet at a position looked at, by number.
+    /// The nodes that a part and its load would meet at a position looked at.
     fn met_on_turn(&self, turn: &Turn<'_>, look: usize) -> Vec<NodeId> {
         self.met_by_part(turn, look).chain(self.met_by_load(turn, look)).collect()
     }
 
-    /// What a part would meet there.
+    /// The nodes that a part would meet at a position looked at.
     fn met_by_part(&self, turn: &Turn<'_>, look: usize) -> impl Iterator<Item = NodeId> {
         let thing = turn.thing;
         let solid = thing.form.links[turn.part + 1].solid.as_ref();
@@ -178,12 +178,12 @@ impl World {
         met.into_iter().flatten()
     }
 
-    /// What that which a part carries would meet there.
+    /// The nodes that a part's load would meet at a position looked at.
     fn met_by_load(&self, turn: &Turn<'_>, look: usize) -> impl Iterator<Item = NodeId> {
         let motion = turn.at(look) * turn.at(0).inverse();
         let met = |id: &NodeId| {
             let all = self.pose(*id).and_then(|pose| self.overlaps(*id, &(motion * pose)).ok());
-            // What cannot be asked has no room.
+            // A thing that cannot be asked has no room: it is in its own way.
             all.map_or_else(|| vec![*id], |all| all.into_iter().filter(|m| turn.meets(*m)).collect())
         };
         turn.load.iter().flat_map(met).collect::<Vec<NodeId>>().into_iter()
@@ -196,15 +196,15 @@ struct Turn<'w> {
     part: usize,
     joint: Joint,
     base: Pose,
-    /// What it carries.
+    /// The things it carries.
     load: Vec<NodeId>,
-    /// What counts as not there.
+    /// Nodes that count as not there.
     past: Vec<NodeId>,
     way: (f32, f32),
 }
 
 impl Turn<'_> {
-    /// Whether a node counts that is in the way.
+    /// Whether a node in the way counts.
     fn meets(&self, id: NodeId) -> bool {
         id != self.thing.id && !self.load.contains(&id) && !self.past.contains(&id)
     }

@@ -7,9 +7,9 @@ use super::Floor;
 
 /// Which cells of the floor one can stand on, for planners of one's own: rows of square cells along the world's axes.
 ///
-/// Columns go along X, rows along Y, both upwards from `origin`; cells are listed row by row. A cell is free if somebody
-/// whose middle is at its centre keeps clear of everything, as [`FloorPlan`](crate::FloorPlan) says: things are grown by
-/// the walker's radius already, and people are not among them.
+/// Columns go along X, rows along Y, both upwards from `origin`; cells are listed row by row. A cell is free if
+/// a person whose middle is at its centre keeps clear of everything, as [`FloorPlan`](crate::FloorPlan) says: things
+/// are grown by the walker's radius already, and people are not among them.
 ///
 /// ```
 /// use nalgebra::Point2;
@@ -40,7 +40,7 @@ pub struct Occupancy {
 }
 
 impl Occupancy {
-    /// Whether a cell is free; what is outside is not.
+    /// Whether a cell is free; a cell outside the grid is not.
     pub fn is_free(&self, column: usize, row: usize) -> bool {
         column < self.columns && row < self.rows && self.free.get(row * self.columns + column).is_some_and(|free| *free)
     }
@@ -61,7 +61,7 @@ impl Occupancy {
 }
 
 impl Floor {
-    /// Its cells as plain data, free or not. Linear in their number.
+    /// The floor's cells as plain data, free or not. Linear in their number.
     pub fn occupancy(&self) -> Occupancy {
         let cell = self.plan.cell;
         let none = Occupancy { origin: [0.0; 2], cell, columns: 0, rows: 0, free: Vec::new() };

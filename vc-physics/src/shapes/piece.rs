@@ -27,7 +27,7 @@ const PRESSED: f32 = 0.0015;
 const WEDGES: usize = 10;
 /// A hollow narrower than this radius is taken as full, metres: nothing is put in.
 const NARROW: f32 = 0.02;
-/// How wide the polygon between two discs is, as a part of what it should be.
+/// Radius of the polygon between two discs, as a part of the discs' radius there.
 const INNER: f32 = 0.97;
 /// Height of the discs a cone stands on, metres.
 const FOOT: f32 = 0.006;
@@ -185,7 +185,7 @@ fn ring(slab: &Slab) -> Vec<Piece> {
     // polygons of many corners.
     let height = slab.top - slab.bottom;
     let foot = (height / 3.0).min(FOOT);
-    // It rolls on the discs: the polygon is within them.
+    // The piece rolls on the discs: the polygon is within them.
     let radius = |z: f32| INNER * (outer.0 + (outer.1 - outer.0) * (z - slab.bottom) / height);
     let (low, high) = (slab.bottom + foot / 2.0, slab.top - foot / 2.0);
     let middle = Slab { bottom: low, top: high, low: (0.0, radius(low)), high: (0.0, radius(high)) };

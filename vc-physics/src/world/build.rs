@@ -104,7 +104,7 @@ impl World {
         Ok(())
     }
 
-    /// Takes a node's body out of the world; what rested on it or hung from it falls.
+    /// Takes a node's body out of the world; things that rested on it or hung from it fall.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -181,7 +181,7 @@ impl World {
     }
 }
 
-/// What decides how the nodes of a scene take part.
+/// The rules by which the nodes of a scene take part.
 struct Rules<'a> {
     roles: Roles<'a>,
     storeys: Storeys,

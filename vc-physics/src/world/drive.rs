@@ -58,7 +58,7 @@ impl World {
         }
     }
 
-    /// Moves a node at once, at rest; moving parts and the water in it come along, and what had been
+    /// Moves a node at once, at rest; moving parts and the water in it come along, and a thing that was
     /// stopped takes part again. Look first whether the spot is free, with
     /// [`overlaps`](Self::overlaps).
     ///
@@ -94,7 +94,7 @@ impl World {
         }
     }
 
-    /// Lets a thing take part again that was stopped.
+    /// Lets a thing that was stopped take part again.
     fn set_going(&mut self, id: NodeId) -> Result<(), PhysicsError> {
         self.stopped.retain(|other| *other != id);
         let bodies: Vec<_> = self.thing(id)?.bodies().collect();
@@ -167,11 +167,11 @@ impl World {
         }
     }
 
-    /// As [`Self::pin`], as a part of another thing: it goes along when that is taken. For what is in
-    /// a box and reaches into its walls.
+    /// As [`Self::pin`], as a part of another thing: it goes along when that is taken. For things in a box
+    /// that reach into its walls.
     ///
     /// # Errors
-    /// As [`Self::pin`], also for what it is to be a part of.
+    /// As [`Self::pin`]; [`PhysicsError::NoBody`] also for the other thing.
     pub fn pin_to(&mut self, id: NodeId, at: NodeId) -> Result<(), PhysicsError> {
         self.thing(at)?;
         self.pin(id)?;

@@ -78,7 +78,7 @@ impl World {
     pub fn aabb(&self, id: NodeId) -> Option<Aabb> {
         let thing = self.thing(id).ok()?;
         let mut around = self.box_around(thing.bodies())?;
-        // The ground below a floor is no part of it.
+        // The ground below a floor is no part of the floor.
         around.min.z += thing.state.ground;
         Some(around)
     }

@@ -46,7 +46,7 @@ pub struct World {
     pub(crate) driven: Vec<(NodeId, usize)>,
     /// Rooms and their boxes.
     pub(crate) rooms: Arc<[(NodeId, Aabb)]>,
-    /// How far down anything is that stays where it is, metres.
+    /// Height of the lowest fixed thing's bottom, metres.
     pub(crate) bottom: f32,
     pub(crate) ticks: u64,
     pub(crate) stopped: Vec<NodeId>,
@@ -75,7 +75,7 @@ impl Places {
     }
 }
 
-/// What a snapshot keeps of a thing; its form and places are found again by the graph.
+/// The part of a thing that a snapshot keeps; form and places are found again by the graph.
 #[derive(Clone, Serialize, Deserialize)]
 pub(crate) struct State {
     pub(crate) role: Role,
@@ -105,7 +105,7 @@ pub(crate) struct State {
     pub(crate) graspable: bool,
     /// The force against its rolling as a part of its weight.
     pub(crate) rolling: f32,
-    /// How far the ground below a floor reaches beyond what is seen of it, metres.
+    /// How far the ground reaches below the floor's own shape, metres.
     pub(crate) ground: f32,
 }
 

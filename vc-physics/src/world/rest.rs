@@ -1,4 +1,4 @@
-//! How things come to rest: what rolls or rocks is slowed down, what only trembles may sleep.
+//! How things come to rest: rolling and rocking are slowed down, trembling things may sleep.
 //!
 //! The engine has no rolling resistance, and it lets bodies sleep by how far they move
 //! in a single step. Things on small feet can tremble for long, to and fro by less than
@@ -12,10 +12,11 @@ use vc_graph::portable::Portable;
 use super::World;
 use crate::group;
 
-/// How far before its middle what rolls is carried, however hard it is, metres: 0.2 to 0.5 mm for
-/// steel and wood on wood in handbooks of mechanics.
+/// Least lever of rolling resistance, however hard a thing is, metres: 0.2 to 0.5 mm for steel and wood
+/// on wood in handbooks of mechanics.
 const FLATTENED: f32 = 0.0005;
-/// How far beyond an edge the middle of a thing may be at most that does not tip for that, metres.
+/// Greatest lever for things that are not round, metres: with a longer one a thing could stay up with its
+/// middle beyond the edge that it stands on.
 const TIPS: f32 = 0.001;
 /// Below which spin nothing is slowed down, radians a second.
 const SLOW: f32 = 0.05;
@@ -93,10 +94,11 @@ impl World {
         }
     }
 
-    /// Slows down what turns on something: rolling takes force, and rocking dies away.
+    /// Slows down things that turn on something: rolling takes force, and rocking dies away.
     ///
     /// The torque against it is the weight times a lever: a part of the radius, and half a millimetre
-    /// at least, as nothing is quite hard; of what is not round so little that it tips all the same.
+    /// at least, as nothing is quite hard; for things that are not round, so little that they tip all
+    /// the same.
     pub(crate) fn resist_rolling(&mut self) {
         let (dt, gravity) = (self.engine.dt(), self.settings.gravity.abs());
         let rolling: Vec<RigidBodyHandle> = self.engine.awake_bodies().filter(|&b| self.rolls(b)).collect();

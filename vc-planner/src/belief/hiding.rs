@@ -131,7 +131,7 @@ impl Belief {
     fn resample(&mut self, learned: &mut Learned) {
         for index in 0..self.missing.len() {
             let (id, place) = self.missing[index];
-            // Where there is no place at all there is nothing to disprove.
+            // If there is no place at all, there is nothing to disprove.
             if self.seen.get(place).is_some_and(|seen| *seen) {
                 let place = self.sample(id);
                 self.missing[index].1 = place;

@@ -29,7 +29,7 @@ pub enum Violation {
     Unreachable(Named),
     /// Something stands where a door's leaf swings or before a way.
     BlockedDoor(usize, Named),
-    /// A leaf, lid or drawer meets something that does not give way before it is half open.
+    /// A leaf, lid or drawer of the first item meets the second, which does not give way, before it is half open.
     Jammed(Named, Named),
     /// A room lacks what makes it one.
     Incomplete(usize, RoomKind, &'static str),

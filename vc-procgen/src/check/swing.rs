@@ -1,4 +1,4 @@
-//! Leaves, lids and drawers that meet what does not give way.
+//! Leaves, lids and drawers that meet things that do not give way.
 
 use nalgebra::Point3;
 use vc_graph::asset::Joint;
@@ -7,7 +7,7 @@ use vc_graph::{ClassTable, Property};
 use super::overlap::{Cuboid, related, share_space};
 use crate::furnish::{Item, Rest};
 
-/// Shares of its way at which a part is looked at: so far it has to open at least.
+/// Shares of a part's way at which it is checked; it has to open as far as the last one.
 const LOOKS: [f32; 2] = [0.25, 0.5];
 
 /// Items that do not open, each with the first thing that a part of it meets before it is half
@@ -44,7 +44,7 @@ fn moves(item: &Item) -> bool {
     item.object.asset.parts.iter().any(|p| p.joint.is_some())
 }
 
-/// The moving parts of an item, where they are on their way.
+/// The moving parts of an item at each share of their way.
 fn opened(item: &Item) -> Vec<Cuboid> {
     let moving = item.object.asset.parts.iter().filter_map(|part| Some((part, part.joint?)));
     let at = |joint: &Joint, share: f32| item.pose * joint.motion(widest(joint) * share);

@@ -237,8 +237,8 @@ fn extent(object: &Draft, yaw: f32) -> (f32, f32) {
     (half.x * cos + half.y * sin, half.x * sin + half.y * cos)
 }
 
-/// Whether a thing opens to its front and is used from there: a player with its tray in a stand
-/// looks out of it.
+/// Whether a thing opens to its front and is used from there: a disc player in a stand faces out of it,
+/// as its tray opens there.
 fn has_front(class: &str) -> bool {
     let table = ClassTable::builtin();
     let affords = |p| table.get(class).is_some_and(|c| c.affordances.contains(p));

@@ -6,7 +6,7 @@ use vc_graph::asset::{Joint, Part, Shape};
 
 use crate::material::Mat;
 
-/// The asset with its origin elsewhere.
+/// The asset moved against its origin by a vector, metres.
 pub(super) fn moved(mut asset: Asset, by: Vector3<f32>) -> Asset {
     if by == Vector3::zeros() {
         return asset;
@@ -23,7 +23,8 @@ pub(super) fn moved(mut asset: Asset, by: Vector3<f32>) -> Asset {
     asset
 }
 
-/// Slides are moved as well: where they start tells the drawers of one unit from the next one's.
+/// Moves a joint's anchor. Slides are moved as well: their anchors tell the drawers of one unit from the
+/// next one's.
 fn anchored(joint: &mut Option<Joint>, by: Vector3<f32>) {
     if let Some(joint) = joint {
         joint.anchor += by;
@@ -38,7 +39,7 @@ pub(super) fn joined(name: &str, units: Vec<Asset>) -> Asset {
         let named = |name: &str| format!("{name}_{}", index + 1).into();
         unit.parts.iter_mut().chain(&mut unit.collision).for_each(|part| part.name = named(&part.name));
         unit.surfaces.iter_mut().for_each(|surface| surface.name = named(&surface.name));
-        // What one of them is felt as by itself, all have to say.
+        // If one unit has collision parts of its own, the whole needs them for all units.
         if felt {
             whole.collision.extend(if unit.collision.is_empty() { unit.parts.clone() } else { unit.collision });
         }

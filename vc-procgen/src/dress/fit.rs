@@ -13,11 +13,11 @@ use crate::object::{self, Generator, Object};
 
 /// Instances that are tried for one that fills its box without being stretched.
 const TRIES: u64 = 4;
-/// Stretched by less than this nobody sees it.
+/// A factor by which a thing can be stretched without anybody seeing it.
 const UNSEEN: f32 = 1.04;
-/// Nothing is stretched by more: a hanger is thin though its box is as deep as a coat.
+/// Greatest factor by which a thing is stretched: a hanger is thin though its box is as deep as a coat.
 const MOST: f32 = 3.5;
-/// Nothing is thinner, metres.
+/// Least thickness of a thing, metres.
 const THIN: f32 = 0.004;
 
 /// Classes of which several stand side by side in a wide box, and how wide one is at most, metres.
@@ -29,7 +29,7 @@ const ROWS: [(&str, f32); 5] = [
     ("wall_hook_rack", 1.0),
 ];
 
-/// What a thing without generator is made of, by a word of its class.
+/// The material of a thing without generator, by a word of its class.
 const MATTER: [(&str, Mat); 12] = [
     ("wood", OAK),
     ("metal", STEEL),
@@ -78,7 +78,7 @@ fn fitted(generator: &Generator, size: Vector3<f32>, style: &Style, seed: Seed) 
     }
 }
 
-/// What is made for a box and falls a little short of it.
+/// An asset that falls a little short of its box, with the scale by which it fills it.
 fn stretched(asset: Asset, size: Vector3<f32>) -> Made {
     let (low, high) = asset.extent().unwrap_or_default();
     let scale = size.component_div(&(high - low).map(|v| v.max(1e-4)));
@@ -89,7 +89,8 @@ fn centred(object: Object) -> Asset {
     moved(object.asset, -object.bounds.offset)
 }
 
-/// Units in a row as wide as the box, none where something else is; a worktop bridges those.
+/// Units in a row as wide as the box. Stretches that other things take have no unit, and are bridged by a
+/// worktop.
 fn side_by_side(
     generator: &Generator,
     size: Vector3<f32>,
@@ -128,7 +129,7 @@ fn bridge(size: Vector3<f32>, (low, high): (f32, f32), style: &Style) -> Asset {
     Asset { name: "worktop".into(), parts: vec![block("worktop", from, to, style.worktop)], ..Asset::default() }
 }
 
-/// A box of what the class suggests.
+/// A box of the material that the class suggests.
 fn plain(class: &str, size: Vector3<f32>) -> Asset {
     let mat = MATTER.iter().find(|(word, _)| class.contains(word)).map_or(BEIGE_FABRIC, |(_, mat)| *mat);
     let half = Point3::from(size / 2.0);

@@ -1,4 +1,4 @@
-//! What stands where in a scene of boxes: floors, walls, openings, furniture.
+//! The plan of a scene of boxes: floors, walls, openings, furniture.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -18,11 +18,11 @@ pub(super) struct House<'g> {
     pub(super) walls: Vec<Aabb>,
     /// Doors, their frames, windows.
     pub(super) openings: Vec<Opening>,
-    /// Walls, floors and what goes around corners, as geometry has them.
+    /// The shapes that `vc-geometry` gives to walls, floors and counters around corners.
     pub(super) shapes: BTreeMap<NodeId, Asset>,
-    /// What stands in the way of somebody who walks.
+    /// Things that stand in the way of a person who walks.
     standing: Vec<(NodeId, Aabb)>,
-    /// For each thing what it rests on or in.
+    /// The things that each thing rests on or in.
     holders: BTreeMap<NodeId, Vec<NodeId>>,
 }
 
@@ -59,7 +59,7 @@ impl<'g> House<'g> {
         self.graph.node(id).is_some_and(|n| &**n.class() == "doorjamb")
     }
 
-    /// What a thing rests on or in, the nearest first.
+    /// The things that a thing rests on or in, the nearest first.
     pub(super) fn holders_of(&self, id: NodeId) -> &[NodeId] {
         self.holders.get(&id).map_or(&[], Vec::as_slice)
     }
@@ -72,8 +72,8 @@ impl<'g> House<'g> {
         under.or_else(|| self.floors.iter().map(|f| f.max.z).reduce(f32::min)).unwrap_or(around.min.z)
     }
 
-    /// Whether there is floor at a point that one can stand on, whatever `who` and what holds it
-    /// or rests at it take of it.
+    /// Whether there is floor at a point on which one can stand. The node `who`, its holders and its load do
+    /// not count as in the way.
     pub(super) fn is_free(&self, at: Point2<f32>, level: f32, who: NodeId) -> bool {
         let in_way = |b: &Aabb| covers(b, at) && b.min.z < level + WAY.1 && b.max.z > level + WAY.0;
         let apart =
@@ -83,7 +83,7 @@ impl<'g> House<'g> {
             && !self.standing.iter().any(|(id, b)| in_way(b) && apart(*id))
     }
 
-    /// Boxes of things of a kind, with what they are.
+    /// Boxes of things of a kind, with their classes.
     pub(super) fn of_kind<'a>(&'a self, kind: &'a str) -> impl Iterator<Item = (NodeId, &'a Arc<str>, Aabb)> + 'a {
         let classes = self.graph.classes();
         let of_kind = move |n: &&Node| n.kind() == Kind::Object && classes.is_a(n.class(), kind);
@@ -91,7 +91,8 @@ impl<'g> House<'g> {
     }
 }
 
-/// Whether a thing is neither building nor carried nor moved aside nor lain on the floor.
+/// Whether a thing stands in the way: it is neither part of the building, nor carried, nor a seat that is
+/// moved aside.
 fn stands(classes: &ClassTable, node: &Node) -> bool {
     use vc_graph::class::Category;
     let category = classes.get(node.class()).map(|c| c.category);
@@ -100,14 +101,14 @@ fn stands(classes: &ClassTable, node: &Node) -> bool {
     !builds && !carried && !is_seat(classes, node.class())
 }
 
-/// Whether a worktop's box is around a corner, and around what stands there.
+/// Whether a worktop's box is around a corner, and so around the things that stand there.
 pub(super) fn goes_around(node: &Node) -> bool {
     const DEEPEST: f32 = 1.5;
     let size = node.aabb().map(|b| b.max - b.min);
     &**node.class() == "kitchen_counter" && size.is_some_and(|s| s.x.min(s.y) > DEEPEST)
 }
 
-/// What is drawn up to a table.
+/// Whether a class is one of the seats that are drawn up to a table.
 pub(super) fn is_seat(classes: &ClassTable, class: &str) -> bool {
     ["chair", "stool", "bench"].iter().any(|kind| classes.is_a(class, kind))
 }

@@ -1,4 +1,4 @@
-//! Which generator makes a thing: by its class, and by what its name, size and place add.
+//! Which generator makes a thing: by its class, and by hints of its name, size and place.
 
 use std::sync::Arc;
 
@@ -8,9 +8,9 @@ use vc_graph::{Aabb, ClassTable, NodeId};
 use super::house::House;
 use crate::object;
 
-/// What is known of a thing when its look is chosen.
+/// The facts about a thing by which its look is chosen.
 struct Facts {
-    /// In lower case, words run together.
+    /// The name in lower case, words run together.
     name: String,
     /// The longer and the shorter measure of its footprint, and its height, metres.
     long: f32,
@@ -26,7 +26,7 @@ impl Facts {
     }
 }
 
-/// What a thing of a class is taken for when something more is known of it; the first that holds.
+/// A class, a condition, and the class that such a thing is taken for; the first rule that holds counts.
 type Rule = (&'static str, fn(&Facts) -> bool, &'static str);
 
 const RULES: [Rule; 16] = [

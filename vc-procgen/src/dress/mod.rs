@@ -1,17 +1,17 @@
-//! Looks for homes of boxes: scenes whose things have a class and a box and no shape.
+//! Appearance for homes of boxes: scenes whose things have a class and a box and no shape.
 //!
 //! [`dressed`] gives every such thing the object that the class's [generator](crate::object)
 //! makes in that size, turned by quarter turns so that it faces the free floor; walls are cut
-//! where doors and windows are, floors and walls get their room's material. What no generator
+//! where doors and windows are, floors and walls get their room's material. A thing that no generator
 //! makes gets a plain box of the material that its class suggests.
 //!
-//! | what the scene has | what becomes of it |
+//! | in the scene | in the result |
 //! |---|---|
 //! | numbers, classes, names, states, relations, positions | stay |
 //! | boxes aligned with the world | stay; the node turns by quarter turns within them |
-//! | boxes of turned nodes | stay; what is made fills them, its front along the node's X |
-//! | boxes thinner than anything is | grow to what their class has at least: floors downwards, ceilings upwards |
-//! | boxes of doors and windows | become those of what is made: leaf, frame and handles in the opening of the wall |
+//! | boxes of turned nodes | stay; the object fills them, its front along the node's X |
+//! | boxes thinner than any thing of the class | grow to the class's least size: floors downwards, ceilings upwards |
+//! | boxes of doors and windows | become those of the object: leaf, frame and handles in the opening of the wall |
 //!
 //! ```
 //! use vc_graph::{Bounds, Draft, Pose, SceneBuilder, Seed};
@@ -49,7 +49,7 @@ use crate::Style;
 use crate::object;
 use house::House;
 
-/// Why a scene got no looks.
+/// The reason why a scene got no shapes.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DressError {
@@ -61,7 +61,7 @@ pub enum DressError {
     Edit(#[from] EditError),
 }
 
-/// The seed that a scene's looks are chosen by: the number at the end of its name
+/// The seed by which a scene's shapes are chosen: the number at the end of its name
 /// (`apartment_42`), else one made of the name and of how many nodes there are.
 pub fn seed_of(graph: &SceneGraph) -> Seed {
     let name = graph.name();
@@ -69,13 +69,14 @@ pub fn seed_of(graph: &SceneGraph) -> Seed {
     name[digits..].parse().map_or_else(|_| Seed(graph.len() as u64).child(name), Seed)
 }
 
-/// The scene with a shape for everything that has a box and a class and none yet, or neither
-/// box nor shape and a generator of its class. The same scene and seed give the same bytes.
+/// The scene with a shape for every thing that has a box and a class and no shape, and for every thing that
+/// has neither box nor shape if there is a generator of its class. The same scene and seed give the same
+/// bytes.
 ///
 /// Costs some tens of microseconds for each thing.
 ///
 /// # Errors
-/// [`DressError`].
+/// [`DressError`] if a shape cannot be added to the scene.
 pub fn dressed(graph: &SceneGraph, seed: Seed) -> Result<SceneGraph, DressError> {
     let house = House::of(graph);
     let mut wardrobe = Wardrobe::new(graph, seed)?;
@@ -87,7 +88,7 @@ pub fn dressed(graph: &SceneGraph, seed: Seed) -> Result<SceneGraph, DressError>
 /// there is a generator: an instance of the usual size. `None` if nothing lacks one.
 ///
 /// # Errors
-/// [`DressError`].
+/// [`DressError`] if a shape cannot be added to the scene.
 pub fn shaped(graph: &SceneGraph, seed: Seed) -> Result<Option<SceneGraph>, DressError> {
     if !graph.nodes().any(|n| lacks_all(n).is_some()) {
         return Ok(None);
@@ -97,7 +98,7 @@ pub fn shaped(graph: &SceneGraph, seed: Seed) -> Result<Option<SceneGraph>, Dres
     rebuilt(graph, looks, wardrobe.library).map(Some)
 }
 
-/// How a node becomes another: what it is drawn as, and where that is.
+/// The new appearance of a node: its asset, and where that is.
 struct Look {
     asset: AssetId,
     pose: Option<Pose>,
@@ -109,11 +110,11 @@ struct Look {
 #[derive(Clone)]
 struct Made {
     asset: Asset,
-    /// What it is to be stretched by along its axes.
+    /// The factors by which it is to be stretched along its axes.
     scale: Vector3<f32>,
 }
 
-/// What has been made for a scene so far.
+/// The shapes made for a scene so far.
 struct Wardrobe {
     library: AssetLibrary,
     /// Where our materials begin in the library.
@@ -155,7 +156,7 @@ impl Wardrobe {
         Ok(Some(Look { asset, pose: Some(place.pose), bounds, scale }))
     }
 
-    /// What has neither shape nor box, in its class's usual size.
+    /// A shape of the class's usual size, if the node has neither shape nor box.
     fn usual(&mut self, node: &Node) -> Result<Option<Look>, AssetError> {
         let Some(generator) = lacks_all(node) else { return Ok(None) };
         let made = generator.object(&self.style, self.seed.nth(u64::from(node.id().0)));
@@ -174,14 +175,14 @@ impl Wardrobe {
     }
 }
 
-/// Tenths of millimetres of a box.
+/// Offset and half size of a box in tenths of a millimetre.
 fn rounded(bounds: &Bounds) -> [i32; 6] {
     let number = |v: f32| (v * 1e4).round() as i32;
     let (o, h) = (bounds.offset, bounds.half);
     [o.x, o.y, o.z, h.x, h.y, h.z].map(number)
 }
 
-/// The generator for what has neither shape nor box.
+/// The generator for a node, if that has neither shape nor box.
 fn lacks_all(node: &Node) -> Option<&'static object::Generator> {
     let bare = node.kind() == Kind::Object && node.spec().asset.is_none() && node.spec().bounds.is_none();
     object::generator(node.class()).filter(|_| bare)
@@ -207,7 +208,7 @@ fn is_unturned(bounds: &Bounds) -> bool {
     bounds.frame == Frame::World
 }
 
-/// What a node rests on or in, directly or through others, the nearest first.
+/// The nodes that a node rests on or in, directly or through others, the nearest first.
 fn holders(graph: &SceneGraph, id: NodeId) -> impl Iterator<Item = &Node> {
     graph.support_chain(id).into_iter().filter(move |&at| at != id).filter_map(|at| graph.node(at))
 }

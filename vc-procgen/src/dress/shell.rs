@@ -11,7 +11,7 @@ use crate::furnish::Facing;
 use crate::material::{self, Mat};
 use crate::object::{self, Object};
 
-/// What a ceiling is made thick if it has no thickness, metres.
+/// Thickness of a ceiling whose box has none, metres.
 const SLAB: f32 = 0.1;
 /// How far from an opening's box the walls may be that it is in, metres.
 const NEAR: f32 = 0.12;
@@ -27,7 +27,7 @@ pub(super) struct Built {
     pub(super) bounds: Bounds,
 }
 
-/// What the building has for a node; `None` if the node is no part of it.
+/// The part of the building that a node is; `None` if it is no part of it.
 pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
     let room = house.graph.room_of(node.id()).and_then(|r| house.graph.node(r)).map_or("", |r| r.class());
     match &**node.class() {

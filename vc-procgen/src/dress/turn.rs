@@ -11,21 +11,21 @@ use super::kind;
 use crate::furnish::Facing;
 use crate::object;
 
-/// A thing's place: what it is taken for, its pose, and its box in its own axes.
+/// A thing's place: the class it is taken for, its pose, and its box in its own axes.
 pub(super) struct Place {
     /// The class whose generator makes it; the node's own if there is none.
     pub(super) class: Arc<str>,
     pub(super) pose: Pose,
     pub(super) bounds: Bounds,
-    /// Stretches along the width, from its middle, that others take from it.
+    /// Stretches of its width that other things take, from its middle, metres.
     pub(super) taken: Vec<(f32, f32)>,
 }
 
-/// How much worse the proportions may be for the surroundings to choose: a fifth of one measure.
+/// If the misfits of two turns differ by more than this, the proportions decide, else the surroundings.
 const DOUBT: f32 = 0.35;
-/// How much better lying must fit for something to lie that could stand.
+/// A thing that could stand lies if the misfit is smaller by more than this.
 const LIES: f32 = 1.0;
-/// What is this far over the floor and rests on nothing hangs on the wall, metres.
+/// A thing that begins higher than this over the floor hangs on the wall, metres.
 const HUNG: f32 = 0.3;
 
 /// Where and how a thing is.
@@ -82,8 +82,8 @@ impl Lain {
     }
 }
 
-/// Half a size in which no measure is so small that none of its class has it: that is taken for a
-/// mistake of the scene, and for the least usual one.
+/// Half a size without mistakes of the scene: a measure far below the class's usual range is replaced by
+/// the least of that range.
 fn grown(class: &str, half: Vector3<f32>) -> Vector3<f32> {
     const MISTAKEN: f32 = 3.0;
     let Some(ranges) = object::usual_ranges(class) else { return half };
@@ -93,15 +93,15 @@ fn grown(class: &str, half: Vector3<f32>) -> Vector3<f32> {
     })
 }
 
-/// How badly a size has the proportions of a class: the sum over its measures of how far they
-/// are, as logarithms, from what is usual, all of them made larger or smaller alike.
+/// How far the proportions of a size are from those of a class: the sum over its measures of their distance,
+/// as logarithms, from the usual range, after all are scaled alike.
 fn misfit(class: &str, size: Vector3<f32>) -> f32 {
     use vc_graph::portable::Portable;
     let Some(ranges) = object::usual_ranges(class) else { return 0.0 };
     let off = Vector3::from_fn(|i, _| {
         let size = size[i].max(1e-3);
         let fair = size.clamp(ranges[i].low, ranges[i].high.max(ranges[i].low));
-        // What is beyond the range counts, what is within a little.
+        // The part beyond the range counts in full, the part within it a little.
         (size / fair).logarithm() + 0.2 * (fair / ranges[i].middle()).logarithm()
     });
     off.map(|v| (v - off.mean()).abs()).sum()
@@ -168,7 +168,7 @@ fn to_table(house: &House, seat: &Aabb) -> Option<Vector2<f32>> {
     way.try_normalize(1e-3)
 }
 
-/// What is around a thing.
+/// The surroundings of a thing.
 struct Surroundings<'h, 'g> {
     house: &'h House<'g>,
     id: NodeId,
@@ -177,7 +177,7 @@ struct Surroundings<'h, 'g> {
 }
 
 impl Surroundings<'_, '_> {
-    /// The way a thing of a class looks that nothing else says how it stands.
+    /// The front of a thing of a class if nothing but its surroundings tells how it stands.
     fn front(&self, class: &str, lain: &Lain) -> u8 {
         let hung = self.around.min.z > self.level + HUNG;
         self.best(class, lain, |k| self.score(k, hung))

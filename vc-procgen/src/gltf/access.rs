@@ -18,7 +18,7 @@ pub(super) struct Elements<'a> {
     pub(super) count: usize,
     component: u32,
     normalized: bool,
-    /// None where all are zero but those that are replaced.
+    /// The elements of the buffer view; without one all elements are zero but those that are replaced.
     dense: Option<Run<'a>>,
     replaced: Replaced<'a>,
 }
@@ -85,11 +85,11 @@ impl<'a> Elements<'a> {
     }
 }
 
-/// Elements that are others than the buffer view of their accessor has.
+/// The elements of a sparse accessor that replace those of its buffer view.
 #[derive(Default)]
 struct Replaced<'a> {
     values: Option<Run<'a>>,
-    /// Which they are, and where each is among the values.
+    /// By number of the element, the position among the values.
     places: BTreeMap<usize, usize>,
 }
 

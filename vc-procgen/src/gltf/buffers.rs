@@ -1,15 +1,15 @@
-//! The bytes of a file: those of its container, and those that stand in its text.
+//! The bytes of a file's buffers: those of its container, and data URIs in its text.
 
 use std::borrow::Cow;
 
 use super::GltfError;
 use super::document::Document;
 
-/// The document's buffers; none where one is in another file.
+/// The document's buffers; `None` for one in another file.
 pub(super) struct Buffers<'a>(Vec<Option<Cow<'a, [u8]>>>);
 
 impl<'a> Buffers<'a> {
-    /// The first buffer is the container's bytes unless it says where else it is.
+    /// The first buffer is the container's bytes unless it has a URI.
     pub(super) fn of(document: &Document, container: &'a [u8]) -> Self {
         let own = Some(Cow::Borrowed(container)).filter(|bytes| !bytes.is_empty());
         let each = document.buffers.iter().zip(std::iter::once(own).chain(std::iter::repeat(None)));
@@ -23,7 +23,7 @@ impl<'a> Buffers<'a> {
     }
 }
 
-/// What an address holds itself: `data:[type];base64,...`.
+/// The bytes in a data URI: `data:[type];base64,...`.
 pub(super) fn inline(uri: &str) -> Option<Vec<u8>> {
     let (head, body) = uri.strip_prefix("data:")?.split_once(',')?;
     base64(body.as_bytes()).filter(|_| head.ends_with(";base64"))

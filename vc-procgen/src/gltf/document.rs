@@ -1,7 +1,7 @@
 //! The part of glTF's JSON that is read and written. Specification:
 //! <https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html>.
 //!
-//! What is written and not read is skipped when a file is read, whatever stands there.
+//! Fields that are written and not read are skipped in files that are read, whatever their values are.
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -18,7 +18,7 @@ fn absent<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 
-/// What only adorns a model is none where it is not as the specification says.
+/// A field that only adorns a model; the default where its value is not as the specification says.
 fn lenient<'de, D: Deserializer<'de>, T: DeserializeOwned + Default>(from: D) -> Result<T, D::Error> {
     Ok(T::deserialize(Value::deserialize(from)?).unwrap_or_default())
 }
@@ -188,7 +188,7 @@ object! { Accessor {
 }}
 
 object! {
-/// Elements of an accessor that are others than its buffer view has, or not zero where it has none.
+/// Elements of an accessor that replace those of its buffer view, or zeros where it has none.
 Sparse { count: usize, indices: SparsePart, values: SparsePart, }}
 
 object! { SparsePart { buffer_view: Option<usize>, byte_offset: usize, component_type: u32, }}

@@ -68,8 +68,8 @@ fn written_asset(asset: &Asset, library: &AssetLibrary, class: Option<String>) -
 }
 
 /// A scene as a binary glTF file: each node that has an asset and a pose is a glTF
-/// node, named by its label. Nodes that share an asset share its meshes, but for those that are on and glow and those
-/// that are off. Joints are at zero, whatever the nodes' states.
+/// node, named by its label. Nodes that share an asset share its meshes; those of an asset that glows do so if they
+/// are all on or all off. Joints are at zero, whatever the nodes' states.
 ///
 /// # Errors
 /// [`GltfError::NoSuchAsset`], [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].
@@ -103,7 +103,7 @@ pub fn posed_scene(
     for node in graph.nodes() {
         let Some(id) = node.spec().asset else { continue };
         let asset = library.get(id).ok_or(GltfError::NoSuchAsset(id))?;
-        // What glows has other materials where it is on than where it is off.
+        // An asset that glows has other materials when it is on than when it is off.
         let key = (id, node.is(State::On) && writer.glows(asset));
         if let std::collections::btree_map::Entry::Vacant(vacant) = shared.entry(key) {
             writer.lit = key.1;
@@ -148,7 +148,7 @@ fn placed(
     }))
 }
 
-/// A pose's turn as glTF has it: of unit length, and no part of it above one.
+/// A pose's rotation as glTF requires it: of unit length, and no component above one.
 pub(super) fn turned(pose: &Pose) -> [f32; 4] {
     pose.rotation.into_inner().normalize().coords.into()
 }

@@ -79,7 +79,7 @@ pub struct Imported {
     pub class: Option<Arc<str>>,
     /// Whether each of its parts encloses a volume.
     pub closed: bool,
-    /// Why pictures are missing: what has one of these is plain.
+    /// The reasons why pictures are missing; parts that would have one of these are plain.
     pub missing_pictures: Vec<GltfError>,
 }
 
@@ -232,7 +232,7 @@ struct Paints<'a> {
     numbers: BTreeMap<Option<usize>, u32>,
     all: Vec<Material>,
     decoder: Decoder,
-    /// By image; none where it cannot be read.
+    /// By image; `None` where it cannot be read.
     pictures: BTreeMap<usize, Option<u32>>,
     textures: Vec<Arc<Texture>>,
     missing: Vec<GltfError>,
@@ -245,7 +245,7 @@ impl<'a> Paints<'a> {
         Self { document, buffers, options, numbers, all, decoder, pictures, textures, missing }
     }
 
-    /// The number of a material's picture; none, with the reason noted once, where it cannot be read.
+    /// The number of a material's picture; `None`, with the reason noted once, where it cannot be read.
     fn picture(&mut self, material: &document::Material) -> Option<u32> {
         let image = self.image(material.texture()?.index?);
         let known = image.as_ref().ok().and_then(|image| self.pictures.get(image));

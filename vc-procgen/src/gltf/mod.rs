@@ -58,8 +58,8 @@
 //!
 //! Pictures but those of base colours, and of what glows where there is none (PNG and JPEG; their alpha is passed over,
 //! and all of them repeat), skins, morph targets, animations, cameras and lights. Points and lines are passed over.
-//! A model whose picture cannot be read is plain there, and [`Imported::missing_pictures`] says why. Compressed vertices
-//! and vertices in files beside the file are refused with an error that says how to export instead.
+//! Where a picture cannot be read the model is plain, and [`Imported::missing_pictures`] says why. Compressed
+//! vertices and vertices in files beside the file are refused with an error that says how to export instead.
 
 mod access;
 mod buffers;

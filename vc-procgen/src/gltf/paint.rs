@@ -6,7 +6,7 @@ use super::document as json;
 use super::note::{MaterialNote, Physics, noted, written};
 use super::{GltfError, Options};
 
-/// Its numbers are read wherever they stand.
+/// Quantised vertices; they are read whether or not a file names the extension.
 const QUANTISED: &str = "KHR_mesh_quantization";
 const STRENGTH: &str = "KHR_materials_emissive_strength";
 const TRANSMISSION: &str = "KHR_materials_transmission";
@@ -50,11 +50,11 @@ pub(super) fn extensions(materials: &[json::Material]) -> Vec<String> {
     all.into_iter().filter(|(_, used)| *used).map(|(name, _)| name.to_owned()).collect()
 }
 
-/// Extensions that change how a model looks and not its shape begin so.
+/// How the names of extensions begin that change a model's appearance and not its shape.
 const LOOKS: [&str; 6] =
     ["KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_", "EXT_lights_"];
 
-/// Whether a model that requires an extension has its shape without it.
+/// Whether a model that requires an extension can be read: its shape does not depend on it, or it is read.
 pub(super) fn understands(extension: &str) -> bool {
     extension == QUANTISED || LOOKS.iter().any(|start| extension.starts_with(start))
 }

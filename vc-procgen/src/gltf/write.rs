@@ -33,7 +33,7 @@ pub(super) struct Writer<'a> {
     pub(super) document: Document,
     /// Positions and normals, texture coordinates, indices of four bytes, indices of two.
     bytes: [Vec<u8>; 4],
-    /// Whether what is written glows, if its materials do.
+    /// Whether the asset being written is on, so that glowing materials glow.
     pub(super) lit: bool,
     /// By position in the library, whether with its texture, and whether it glows.
     materials: BTreeMap<(u32, bool, bool), usize>,

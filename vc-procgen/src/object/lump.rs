@@ -44,7 +44,7 @@ const FLAT: [&str; 17] = [
     "whiteboard",
 ];
 
-/// How far what is on a ball may stick out of it, and the whole be from round, as a part of its radius.
+/// How far parts on a ball may stick out of it, and the whole may be from round, as a part of its radius.
 const ROUND: f32 = 0.08;
 
 /// Gives an asset of such a class one piece for all parts that move together, where that is less
@@ -80,8 +80,8 @@ pub(super) fn lump(class: &str, asset: &mut Asset, size: Vector3<f32>) {
     asset.collision = felt.collect();
 }
 
-/// The one ball that parts are about: one of them, with seams, patches and stripes on it. Of a hull
-/// of so many corners it would roll no farther than from one face to the next.
+/// The one ball that the parts make: one of them is a ball, the others are seams, patches and stripes on it. A
+/// hull in its place would roll no farther than from one face to the next.
 fn ball(parts: &[Part]) -> Option<Part> {
     let all: Vec<&Part> = parts.iter().collect();
     let (low, high) = extent(&all).filter(|_| all.len() > 1 && all.iter().all(|p| p.joint.is_none()))?;

@@ -11,12 +11,11 @@ use crate::modality::Modality;
 use crate::scene::Snapshot;
 
 /// Boxes and masks of pictures, of one scene or of many, as a COCO document for `pycocotools`, picture by
-/// picture: of each only what the document says of it is kept.
+/// picture: it keeps the text of the document and not the pictures.
 ///
-/// Category numbers are class numbers where these are one class's in all scenes: classes that the class table lacks are
-/// numbered scene by scene, and get a number of their own where theirs is taken. `supercategory` is the class's
-/// category. COCO's `area` counts pixels that are seen. It keeps some hundred bytes for each
-/// object seen in a picture, and the text of its mask.
+/// Category numbers are class numbers. If the number of a class that the class table lacks is taken by another
+/// class, it gets a number of its own. `supercategory` is the class's category. COCO's `area` counts pixels that
+/// are seen. It keeps some hundred bytes for each object seen in a picture, and the text of its mask.
 ///
 /// ```
 /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
@@ -43,8 +42,8 @@ pub struct Coco {
 }
 
 impl Coco {
-    /// Adds what is seen in a frame, which goes by the name of its picture's file; a snapshot of its scene tells what
-    /// its classes are called. Linear in the pixels of all boxes, as [`Mask::rle`](crate::Mask::rle) is.
+    /// Adds the objects seen in a frame under the name of its picture's file; a snapshot of its scene has the names
+    /// of the classes. Linear in the pixels of all boxes, as [`Mask::rle`](crate::Mask::rle) is.
     ///
     /// # Errors
     /// [`RenderError::Missing`] for a frame without boxes or masks; then nothing is added.
@@ -105,7 +104,7 @@ impl Coco {
     }
 }
 
-/// Nothing of when it was made: the same pictures give the same bytes.
+/// The document's `info`, without a date: the same pictures give the same bytes.
 const INFO: Info =
     Info { description: "homes of VirtualCity", version: env!("CARGO_PKG_VERSION"), contributor: "VirtualCity" };
 

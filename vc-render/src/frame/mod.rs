@@ -66,7 +66,7 @@ pub struct Frame {
     pub holds: Modalities,
     /// Colours in sRGB.
     pub rgb: Vec<[u8; 3]>,
-    /// What light was multiplied with to become these colours, linear RGB; zero without colours.
+    /// The factors by which light was multiplied to become these colours, linear RGB; zero without colours.
     pub exposure: [f32; 3],
     /// Depth along the optical axis, metres; infinite where nothing is seen.
     pub depth: Vec<f32>,

@@ -1,4 +1,4 @@
-//! Light for plans, on which rooms that are bright and rooms that are dark are seen at once.
+//! Light for plans, on which bright rooms and dark rooms are seen at once.
 
 use std::sync::Arc;
 
@@ -7,15 +7,15 @@ use super::lamp::Lamp;
 use crate::affine::scaled;
 use crate::scene::{Body, NO_ROOM};
 
-/// Levels below this are as good as dark.
+/// Levels of light below this count as dark.
 const DARK: f32 = 1e-4;
 
 impl Lighting {
-    /// The same light with rooms, and what is outside, nearer to each other in brightness: by none of the way for 0,
-    /// all alike for 1. For plans and maps, where an eye would get used to each room by itself. Shadows and patches
-    /// of sun stay within each room what they are; a room that is all but dark is lit evenly, by half as much light as
-    /// others have. Costs a copy of the light that rooms throw back, about a
-    /// millisecond; for fast pictures, as mirrors and reference pictures show light as it is.
+    /// The same light with the brightness of rooms, and of the outside, brought nearer to each other: `share` is 0 for
+    /// no change and 1 for all alike. For plans and maps, where an eye would get used to each room by itself. Shadows
+    /// and patches of sun stay as they are within each room; a room that is all but dark is lit evenly, with half as
+    /// much light as others have. Costs a copy of the light that rooms throw back, about a millisecond. Only fast
+    /// pictures use it: mirrors and reference pictures show light as it is.
     ///
     /// ```
     /// # use nalgebra::{Point3, Vector3};
@@ -62,11 +62,11 @@ impl Lighting {
         }
     }
 
-    /// The level of rooms on the whole, and by room, with outside last, what its light is multiplied with.
+    /// The mean level of the rooms, and the factor for the light of each room, the outside last.
     fn evening(&self, share: f32) -> (f32, Vec<f32>) {
         use vc_graph::portable::Portable;
         let levels: Vec<f32> = (0..self.rooms.len()).map(|room| self.level(room).0.max(DARK)).collect();
-        // Without outside, unless there is nothing else.
+        // The outside does not count, unless there is nothing else.
         let inside = &levels[..levels.len().saturating_sub(1).max(levels.len().min(1))];
         let middle = inside.iter().map(|level| level.logarithm()).sum::<f32>() / inside.len().max(1) as f32;
         let gain = |level: &f32| (share * (middle - level.logarithm())).exponential();

@@ -1,4 +1,4 @@
-//! Shadows that follow what moves, while the light that rooms throw back stays.
+//! Shadows that follow moving things, while the light that rooms throw back stays.
 
 use std::sync::Arc;
 
@@ -11,13 +11,13 @@ use crate::renderer::Renderer;
 use crate::scene::Snapshot;
 
 impl Renderer {
-    /// Lets shadows, mirrors and reference pictures follow to another moment of the same scene: what has moved throws
-    /// its shadow from where it is and no more from where it was, and lamps that were carried shine from where they
-    /// are. What rooms throw back stays as it was; [`relight`](Self::relight) makes that anew, too.
+    /// Lets shadows, mirrors and reference pictures follow to another moment of the same scene: things that have moved
+    /// throw their shadows from where they are now, and lamps that were carried shine from where they are. Light that
+    /// rooms throw back stays as it was; [`relight`](Self::relight) makes that anew, too.
     ///
-    /// Shadows are then to the bit as [`light`](Self::light) would make them. Only rows of shadow maps in which
-    /// something moved may be the nearest are drawn again: some milliseconds where a person walks in the sun or below
-    /// a lamp, and less than one where nothing has moved in the light (`benches/README.md`).
+    /// Shadows are then to the bit as [`light`](Self::light) would make them. Only those rows of shadow maps are drawn
+    /// again in which a thing that moved may be the nearest: some milliseconds where a person walks in the sun or
+    /// below a lamp, and less than one where nothing has moved in the light (`benches/README.md`).
     ///
     /// ```
     /// # use nalgebra::{Point3, Vector3};
@@ -62,7 +62,7 @@ impl Renderer {
         Ok(())
     }
 
-    /// Lamps by which something has moved, and those that have moved themselves.
+    /// Makes the shadows of lamps follow, and makes lamps that have moved anew.
     fn follow_lamps(&self, lighting: &mut Lighting, moments: [&Snapshot; 2], moved: &[u32]) {
         let bodies: Vec<u32> = moved.iter().map(|i| moments[1].instances[*i as usize].body).collect();
         let stays = |lamp: &&Lamp| !bodies.contains(&lamp.body);

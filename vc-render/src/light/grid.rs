@@ -48,7 +48,7 @@ impl Grid {
         all
     }
 
-    /// The same with all light multiplied, and some radiance from all sides more.
+    /// The same grid with all light multiplied by a factor, and with some radiance from all sides added.
     pub(super) fn dimmed(&self, by: f32, more: f32) -> Self {
         let dimmed = |point: &Ambient| {
             let mut light = Ambient::even(more);

@@ -46,7 +46,7 @@ struct Glow {
     shade: f32,
 }
 
-/// Instances of all but a body.
+/// The instances of all bodies but one.
 pub(super) fn others(snapshot: &Snapshot, body: u32) -> impl Iterator<Item = u32> + Clone + '_ {
     (0..snapshot.instances.len() as u32).filter(move |i| snapshot.instances[*i as usize].body != body)
 }

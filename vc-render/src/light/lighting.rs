@@ -70,9 +70,9 @@ pub struct Lighting {
 
 /// How far a picture's white is that of the light in its room: lamps stay warm, and do not make all yellow.
 const BALANCE: f32 = 0.6;
-/// How many times brighter than all together an eye takes rooms to be, at most.
+/// How many times brighter than the mean of all rooms in view a room counts at most.
 const BRIGHTER: f32 = 4.0;
-/// What is darker than this stays dark: rooms, and what is outside.
+/// Levels of light below which an eye does not adapt: in rooms, and outside.
 const DARK: [f32; 2] = [1e-4, 5e-4];
 
 /// How bright a colour is to the eye (Rec. 709).
@@ -291,9 +291,9 @@ impl Lighting {
         }
     }
 
-    /// What brings the light that an eye sees to a picture's middle grey, and partly to white, by colour. It is that of
-    /// the rooms in which something is seen, as much of each as is seen of it, so that it changes as the view does and
-    /// not where a door is passed; and of the eye's own where nothing is.
+    /// The factors that bring the light that an eye sees to a picture's middle grey, and its colour partly to white.
+    /// They are for the light of the rooms in view, weighted by how much is seen of each, so that they change with the
+    /// view and do not jump in a doorway; where nothing is seen, for the light of the eye's own room.
     pub(crate) fn exposure(&self, eye: [f32; 3], seen: impl IntoIterator<Item = u16>) -> [f32; 3] {
         use vc_graph::portable::Portable;
         // Outside is as bright as it is; a little of a sunny balcony does not make its room dark.
@@ -306,7 +306,7 @@ impl Lighting {
             levels.push(self.level(self.room_for(eye)));
         }
         let (count, first) = (levels.len() as f32, levels[0].0.max(dark));
-        // Against the first, so that rooms alike are exactly that.
+        // Relative to the first level, so that the mean of equal levels is exactly that level.
         let off = levels.iter().map(|(level, _)| (level.max(dark) / first).logarithm()).sum::<f32>() / count;
         let most = BRIGHTER * first * off.exponential();
         let mean = levels.iter().map(|(level, _)| level.min(most)).sum::<f32>() / count;

@@ -82,7 +82,7 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec
     for ((grid, before), [last, added]) in grids.iter_mut().zip(&before).zip(sums) {
         grid.go_on(before, if last > 0.0 { (added / last).clamp(0.0, MOST) } else { 0.0 });
     }
-    // Where nothing is in no room, outside is under the open sky.
+    // If every body is in a room, the outside is under the open sky.
     if let Some(outside) =
         grids.last_mut().filter(|_| lighting.tracer.snapshot.bodies.iter().all(|b| b.room != NO_ROOM))
     {
@@ -100,8 +100,8 @@ fn open(daylight: &Daylight, directions: &[[f32; 3]]) -> Ambient {
     light
 }
 
-/// The mean share of the sun's light that panes leave, in each room: none where it does not shine, so that none comes
-/// through the edges of shadows, but outside, where one need not look.
+/// The mean share of the sun's light that panes leave, in each room: zero in rooms where the sun does not shine, so
+/// that no light comes through the edges of shadows. Outside it is one if it was not measured.
 fn sunlight<'a>(seen: impl Iterator<Item = &'a Seen>, rooms: usize) -> Vec<f32> {
     let mut sums = vec![(0.0_f64, 0_u32); rooms];
     for seen in seen.filter(|seen| seen.sun > 0.0) {
@@ -187,7 +187,7 @@ impl Lighting {
             three(|i| glow[i] * shine[i])
         };
         let own = if lamp { [0.0; 3] } else { glow() };
-        // At edges maps of shadows let a little through.
+        // At edges shadow maps let a little light through.
         let towards = || Ray {
             from: three(|i| met.at[i] + 1e-3 * met.flat[i]),
             along: self.daylight.towards_sun.into(),

@@ -82,10 +82,10 @@ impl ShadowMap {
         made
     }
 
-    /// Draws some rows anew, with all that hangs on them; the others are right.
+    /// Draws some rows anew, with everything that depends on them; the others are right already.
     fn draw(&mut self, renderer: &Renderer, snapshot: &Snapshot, which: impl Iterator<Item = u32>, rows: &Range<i32>) {
         let side = self.side as i32;
-        // Whose clearance may have changed, and what that hangs on.
+        // The rows whose clearance may have changed, and the rows from which that follows.
         let changed = grown(rows, REACH + 1, side);
         let drawn = grown(&changed, REACH + 1, side);
         let frustum = Frustum::new(&self.camera, &drawn);
@@ -116,7 +116,7 @@ impl ShadowMap {
         self.blocks[at(changed.start)..at(changed.end)].copy_from_slice(&found[first..first + count]);
     }
 
-    /// The map of another moment, at which some instances are elsewhere; none if it is the same.
+    /// The map of another moment, at which some instances are elsewhere; `None` if the map is the same.
     pub(super) fn followed(
         &self,
         renderer: &Renderer,
@@ -133,7 +133,7 @@ impl ShadowMap {
         Some(map)
     }
 
-    /// The rows in which an instance may be the nearest; none where all there is is nearer.
+    /// The rows in which an instance may be the nearest; `None` if everything else there is nearer.
     fn rows_of(&self, frustum: &Frustum, instance: &Instance) -> Option<Range<i32>> {
         if frustum.misses(&instance.ball) {
             return None;
@@ -164,12 +164,13 @@ impl ShadowMap {
     }
 }
 
-/// Some rows and so many around them, of all there are.
+/// Some rows with `by` more on each side, within all there are.
 fn grown(rows: &Range<i32>, by: i32, all: i32) -> Range<i32> {
     (rows.start - by).max(0)..(rows.end + by).min(all)
 }
 
-/// Depths row by row, with their clearance in the lowest bits: that is right where it does not reach beyond the rows.
+/// Depths row by row, with their clearance in the lowest bits; a clearance is right if it does not reach beyond the
+/// rows.
 fn depths(target: &Target, (side, rows): (i32, &Range<i32>), slack: f32) -> Vec<f32> {
     let width = side as usize;
     let mut clear = vec![0; width * rows.len()];

@@ -1,4 +1,4 @@
-//! Which room's light falls on what is seen.
+//! The room whose light falls on a surface.
 
 use nalgebra::Vector3;
 
@@ -9,7 +9,7 @@ use crate::raster::Visible;
 use crate::scene::{Body, NO_ROOM, Snapshot, Stands};
 use crate::trace::Ray;
 
-/// How far before a door or a wall it is in the room which that looks into, metres.
+/// Distance from a door's or wall's surface at which a point is in the room before it, metres.
 const AHEAD: f32 = 0.3;
 
 impl Lighting {
@@ -26,8 +26,8 @@ impl Lighting {
         self.room_of(body, at, unit(affine::normal(&instance.inverse, mesh.normals[index][0])))
     }
 
-    /// The room whose light falls on a face of a body: that which it looks into, where the body stands between two or
-    /// bounds its room.
+    /// The room whose light falls on a face of a body: the body's own, or, if the body stands between two rooms or
+    /// bounds its room, the one that the face looks into.
     pub(crate) fn room_of(&self, body: &Body, at: [f32; 3], normal: [f32; 3]) -> u16 {
         match body.stands {
             Stands::Within => body.room,
@@ -35,7 +35,7 @@ impl Lighting {
             Stands::Between => {
                 let (out, middle) = (body.pose.rotation * Vector3::x(), body.pose.translation.vector);
                 let side = (Vector3::from(at) - middle).dot(&out).signum();
-                // What looks along the wall is of the room on its side.
+                // A face that looks along the wall belongs to the room on its side of the body.
                 let [before, aside] = [normal, (out * side).into()].map(|along| three(|i| at[i] + AHEAD * along[i]));
                 let room = |at: [f32; 3]| self.room_around(at).map(|room| room as u16);
                 let open = || self.is_open(at, normal).then_some(NO_ROOM);
@@ -44,7 +44,7 @@ impl Lighting {
         }
     }
 
-    /// The room before a face of a room's wall: another, or none, where it looks out of the room into the open.
+    /// The room before a face of a room's wall: its own, another, or none if it looks out into the open.
     fn room_before(&self, own: u16, at: [f32; 3], normal: [f32; 3]) -> u16 {
         let ahead = three(|i| at[i] + AHEAD * normal[i]);
         if self.rooms.get(usize::from(own)).is_none_or(|(low, high)| holds(low, high, ahead)) {

@@ -30,7 +30,7 @@ pub struct Daylight {
 
 /// Elevation and azimuth of the sun at noon, radians.
 const NOON: (f32, f32) = (0.85, 0.7);
-/// Elevation of a sun that has not quite set, radians.
+/// Least elevation of the sun while it lights a home, radians.
 const LOW: f32 = 0.12;
 /// When dusk begins and ends, hours from midday.
 const DUSK: (f32, f32) = (5.5, 7.5);
@@ -63,9 +63,9 @@ impl Daylight {
         Self::clear(NOON.0, NOON.1)
     }
 
-    /// A clear day's light at an hour of the day, 0 to 24: that of [`noon`](Self::noon) at 12, of the sun in the east
-    /// at 6 and in the west at 18, which is half as high at 8 and at 16; of dusk then, which takes an hour, and of
-    /// [`night`](Self::night). Other hours are of the day before or after.
+    /// A clear day's light at an hour of the day, 0 to 24: [`noon`](Self::noon) at 12, the sun half as high at 8 in the
+    /// east and at 16 in the west, dusk from 17.5 to 19.5, [`night`](Self::night), and dawn from 4.5 to 6.5. Hours
+    /// beyond 0 to 24 are those of the day before or after.
     ///
     /// ```
     /// use vc_render::Daylight;
@@ -76,7 +76,7 @@ impl Daylight {
     /// ```
     pub fn at(hour: f32) -> Self {
         use std::f32::consts::PI;
-        // From midday, hours.
+        // Hours from midday, -12 to 12.
         let off = (hour - 12.0) - 24.0 * ((hour - 12.0) / 24.0).round();
         let rise = NOON.0 * (off * PI / 12.0).cosine();
         let day = Self::clear(rise.max(LOW), NOON.1 - off * PI / 12.0);
@@ -104,7 +104,7 @@ impl Daylight {
 
     /// Darkness, but for a little light of the sky.
     pub fn night() -> Self {
-        // A town's, some tenths of a candela per square metre: far darker than walls by lamplight.
+        // A town's night sky, some tenths of a candela per square metre: far darker than walls by lamplight.
         let dark = Vector3::new(1.0e-5, 1.5e-5, 3.0e-5);
         Self { sun: Vector3::zeros(), zenith: dark, horizon: dark * 1.8, ground: dark * 0.4, ..Self::noon() }
     }

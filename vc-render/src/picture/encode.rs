@@ -40,9 +40,9 @@ pub fn apng(pictures: &[Picture], per_second: u16) -> Result<Vec<u8>, RenderErro
     encoded(pictures, Some(per_second))
 }
 
-/// Pictures of one size as GIF, which repeats for ever, so many of them `per_second`: the hundredths of a second that a
-/// GIF counts in are rounded. Each picture has 256 colours of its own. Costs some 0.2 microseconds a pixel, on the
-/// threads there are; the bytes do not depend on how many.
+/// Pictures of one size as GIF, which repeats for ever, `per_second` of them in a second: a GIF counts hundredths of a
+/// second, to which the time of a picture is rounded. Each picture has 256 colours of its own. Costs some 0.2
+/// microseconds a pixel on all threads; the bytes do not depend on their number.
 ///
 /// # Errors
 /// [`RenderError::Encoding`] for no pictures, empty ones, pictures of different size, or of more than 65,535 pixels
@@ -95,7 +95,7 @@ pub fn jpeg(picture: &Picture, quality: u8) -> Result<Vec<u8>, RenderError> {
 /// How coarsely colours of a GIF are chosen, 1 to 30: at 10 they are as good to the eye as at 1.
 const GIF_SPEED: i32 = 10;
 
-/// Width and height of a picture that is not empty, in the numbers of formats with short ones.
+/// Width and height of a picture that is not empty, for formats that have sixteen bits for each.
 fn short_sides(picture: &Picture) -> Result<(u16, u16), RenderError> {
     let short = |side: usize| u16::try_from(side).ok().filter(|side| *side > 0);
     let sides = short(picture.width).zip(short(picture.height));
@@ -105,7 +105,7 @@ fn short_sides(picture: &Picture) -> Result<(u16, u16), RenderError> {
     })
 }
 
-/// The first of pictures that are all of its size.
+/// The first picture, if all have its size.
 fn of_one_size(pictures: &[Picture]) -> Result<&Picture, RenderError> {
     let first = pictures.first().ok_or_else(|| RenderError::Encoding("no pictures".into()))?;
     match pictures.iter().any(|p| (p.width, p.height) != (first.width, first.height)) {

@@ -29,8 +29,8 @@ impl Snapshot {
         Ok(())
     }
 
-    /// Says in which room a body is from now on, if in any: that room's light falls on it. What was moved, by
-    /// [`place`](Self::place), is else lit as in the room in which it was. Costs a step for each room.
+    /// Says in which room a body is from now on, if in any: that room's light falls on it. Without this a body that
+    /// was moved by [`place`](Self::place) is lit as in its former room. Linear in the number of rooms.
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};

@@ -10,13 +10,12 @@ use vc_graph::{SceneGraph, Seed, Word};
 use crate::RenderError;
 use crate::frame::NO_LABEL;
 
-/// From here on numbers are those of classes that no table knows.
+/// The first number for classes that the class table does not know.
 const UNKNOWN: u16 = 1 << 15;
 
-/// Numbers of classes: those of the scene's class table by their place in it, the same
-/// in every scene. A class that the table does not know has a number that follows from its name
-/// alone, so that it too is the same everywhere; of two whose names give the same number, the
-/// later name has none.
+/// Numbers of classes. A class of the scene's class table has its place there, which is the same in every
+/// scene. A class that the table does not know has a number that follows from its name alone, so that it
+/// too is the same everywhere; if two names give the same number, the later name has none.
 #[derive(Debug)]
 pub(crate) struct Classes {
     known: Vec<Named>,
@@ -48,14 +47,14 @@ impl Classes {
 
     fn add(&mut self, named: Named) {
         let number = by_name(&named.0);
-        // Of a class in two categories the first counts.
+        // If a class is in two categories, the first counts.
         if let Entry::Vacant(free) = self.others.entry(number) {
             self.numbers.insert(named.0.clone(), number);
             free.insert(named);
         }
     }
 
-    /// The number of a class of the scene; [`NO_LABEL`] of one that has none.
+    /// The number of a class of the scene; [`NO_LABEL`] for a class without one.
     pub(crate) fn number(&self, class: &Arc<str>) -> u16 {
         self.numbers.get(class).copied().unwrap_or(NO_LABEL)
     }

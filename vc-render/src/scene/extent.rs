@@ -1,4 +1,4 @@
-//! How far what is drawn reaches.
+//! The extent of a node as it is drawn.
 
 use vc_graph::{Aabb, NodeId};
 
@@ -6,8 +6,9 @@ use super::{Instance, Snapshot};
 use crate::affine::point;
 
 impl Snapshot {
-    /// The box along the world's axes around what is drawn of a node: doors and limbs where they are, curtains as they are
-    /// drawn; none of what has no body or is not to be seen. Costs a few operations for each corner of its triangles.
+    /// The box along the world's axes around a node as it is drawn, metres: with doors and limbs where they are, and
+    /// curtains open or closed. `None` if it has no body or is hidden. Costs a few operations for each corner of its
+    /// triangles.
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};

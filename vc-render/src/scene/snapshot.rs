@@ -174,7 +174,7 @@ impl Snapshot {
     }
 }
 
-/// The category of a node's class; of one that is in no table, what the scene says.
+/// The category of a node's class; if the table lacks the class, the category that the scene says.
 fn category(graph: &SceneGraph, node: &Node) -> Option<Category> {
     let known = graph.classes().get(node.class()).map(|class| class.category);
     known.or_else(|| Category::parse(&node.spec().category).ok())

@@ -61,7 +61,7 @@ impl<'t> Look<'t> {
 
     fn domain(&mut self, activity: &'t Activity) {
         let domain = activity.domain();
-        // Without a domain nothing is wrong that the rest does not tell.
+        // A missing domain makes no difference to the rest.
         if !domain.is_empty() && !DOMAINS.contains(&domain) {
             let part = format!("{domain}; known are {}", DOMAINS.join(" and "));
             self.found.push(Finding { kind: Kind::UnknownDomain, at: None, part });
@@ -80,7 +80,7 @@ impl<'t> Look<'t> {
         }
     }
 
-    /// A predicate of as many things as it takes, and of different ones.
+    /// Finds predicates with a wrong number of things, and with one thing twice.
     fn things(&mut self, atom: Atom<'t>, at: Expr<'t>) {
         let (Some(predicate), given) = (meaning(atom.predicate), atom.things().count()) else { return };
         if predicate.arity() != given {

@@ -4,17 +4,17 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use vc_graph::Relation;
 
-/// Whether the first thing rests on or in the second where they stand so.
+/// Whether a relation says that the first thing rests on or in the second.
 pub(super) fn rests(relation: Relation) -> bool {
     matches!(relation, Relation::On | Relation::Inside)
 }
 
-/// The first pair of a circle, of pairs of a thing and another that it rests on; `None` if there
-/// is no circle. A thing on itself is another matter.
+/// The position of the first pair that is in a circle, of pairs of a thing and another that it rests on; `None`
+/// if there is no circle. A thing on itself does not count.
 pub(super) fn first_in_circle<T: Ord + Copy>(pairs: &[(T, T)]) -> Option<usize> {
     let grounded = grounded(pairs);
     let floats = |i: &usize| pairs[*i].0 != pairs[*i].1 && !grounded.contains(&pairs[*i].1);
-    // From the last to the first, so that the first way on stays.
+    // In reverse, so that of several pairs of a thing the first one stays in the map.
     let next: BTreeMap<T, usize> = (0..pairs.len()).rev().filter(floats).map(|i| (pairs[i].0, i)).collect();
     let mut met = BTreeSet::new();
     let mut here = *next.values().min()?;

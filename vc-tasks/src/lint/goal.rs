@@ -30,7 +30,7 @@ pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     found
 }
 
-/// The things that the goal calls by a wrong name, and those that the scene lacks.
+/// Findings about labels of another class than their node, and about things that the scene lacks.
 fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     let finding = |kind, part| Finding { kind, at: None, part };
     let misnomers = goal.misnomers(graph).into_iter().map(|m| finding(Kind::Misnomer, m.to_string()));

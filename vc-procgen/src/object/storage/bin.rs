@@ -96,8 +96,8 @@ pub(super) fn hamper(b: &mut Build<'_>) {
     });
 }
 
-/// A bin with a pedal, a swing lid, a dome or a flat lid. As of all that stands before a wall, the
-/// lid turns about its upper edge: about the lower one it would swing behind the bin.
+/// A bin with a pedal, a swing lid, a dome or a flat lid. As on all furniture before a wall, the lid
+/// turns about its upper edge: about the lower one it would swing behind the bin.
 pub(super) fn trash_can(b: &mut Build<'_>) {
     at_least(b, [0.12, 0.12, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

@@ -48,7 +48,7 @@ pub(in crate::object) fn chest(b: &mut Build<'_>, chest: &Chest) {
     }
     let edge = 0.008;
     bin(b, [edge - x, edge - y, lift], [x - edge, y - edge, h - lid - 0.001], BOARD, "inside", chest.body);
-    // About its upper edge, or it would swing behind the chest.
+    // The lid turns about its upper edge, or it would swing behind the chest.
     b.hinge([-x, 0.0, h], [0.0, -1.0, 0.0], 1.35, |b| {
         if chest.padded {
             b.soft("lid", [-x, -y, h - lid], [x, y, h], 0.02, chest.lid);

@@ -1,6 +1,6 @@
 //! What domains and problems are made of.
 
-/// A type, or several of which one is meant: `(either cup plate)`.
+/// A type, or a choice of types: `(either cup plate)`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Type {
     /// The types it can be.
@@ -29,7 +29,7 @@ impl Typed {
     }
 }
 
-/// A predicate or a function, and what it is about.
+/// A predicate or a function, with its parameters.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Signature {
     /// Its name.
@@ -59,35 +59,35 @@ impl Atom {
 pub struct Number(String);
 
 impl Number {
-    /// The number of a text; `None` for what is no finite number.
+    /// The number of a text; `None` if it is no finite number.
     pub fn new(text: &str) -> Option<Self> {
         text.parse::<f64>().ok().filter(|number| number.is_finite()).map(|_| Self(text.to_owned()))
     }
 
-    /// As it is written.
+    /// The number as it is written.
     pub fn as_str(&self) -> &str {
         &self.0
     }
 
-    /// Its worth.
+    /// The number's value.
     pub fn value(&self) -> f64 {
         self.0.parse().unwrap_or_default()
     }
 }
 
-/// How much: a number, or what a function of things is worth.
+/// An amount: a number, or the value of a function of things.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Amount {
-    /// So much.
+    /// A number.
     Number(Number),
-    /// As much as this.
+    /// The value of a function.
     Of(Atom),
 }
 
 /// A measure of plans.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Metric {
-    /// Whether the most is best, not the least.
+    /// Whether the greatest amount is best, not the least.
     pub maximize: bool,
     /// The amount that counts: `(total-cost)`.
     pub of: Amount,
@@ -123,7 +123,7 @@ pub enum Change {
     Add(Atom),
     /// It becomes false.
     Delete(Atom),
-    /// A function grows: what it costs.
+    /// A function's value grows by an amount: a cost.
     Increase(Atom, Amount),
     /// These, for all values.
     ForAll(Vec<Typed>, Vec<Change>),
@@ -174,9 +174,9 @@ pub struct Problem {
     pub objects: Vec<Typed>,
     /// What holds at the start.
     pub initial: Vec<Atom>,
-    /// Facts that are said not to hold at the start; nor do those that are not spoken of.
+    /// Facts that are written as not holding at the start; facts that are not written do not hold either.
     pub denied: Vec<Atom>,
-    /// The worth of functions at the start.
+    /// The values of functions at the start.
     pub values: Vec<(Atom, Number)>,
     /// What shall hold.
     pub goal: Formula,

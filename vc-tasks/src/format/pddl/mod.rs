@@ -1,8 +1,8 @@
 //! PDDL: domains, problems and plans.
 //!
 //! [`Domain`] and [`Problem`] are read and written as they are: types, constants,
-//! predicates, actions with conditions and effects of the ADL fragment and with costs. A
-//! section that comes twice or says too much is an error, as for readers of others. [`planning`]
+//! predicates, actions with conditions and effects of the ADL fragment and with costs. A section
+//! that comes twice or has too many parts is an error, as it is for other readers. [`planning`]
 //! makes both of a scene, its transition rule and a goal, in the STRIPS fragment
 //! with types that Fast Downward, pyperplan and VAL all take; [`read_plan`] makes
 //! actions of what a planner answers.

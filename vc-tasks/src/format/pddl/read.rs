@@ -24,7 +24,7 @@ fn sections<'t>(tree: &'t Tree, kind: &str) -> Result<(String, Vec<Expr<'t>>), R
     }
 }
 
-/// Names that have been met, and must not come again.
+/// Names that have been met, each of which may come once.
 #[derive(Default)]
 struct Once<'t>(BTreeSet<(&'static str, &'t str)>);
 
@@ -34,7 +34,7 @@ impl<'t> Once<'t> {
         if self.0.insert((kind, name)) { Ok(()) } else { Err(at.error(format!("{kind} `{name}` only once"))) }
     }
 
-    /// Notes a section, of which all but actions come once.
+    /// Notes a section; all but actions may come once.
     fn section(&mut self, at: Expr<'t>) -> Result<Option<&'t str>, ReadError> {
         match at.head() {
             Some(":action") | None => Ok(at.head()),
@@ -148,7 +148,7 @@ impl FromStr for Problem {
     }
 }
 
-/// How things are at the start.
+/// The facts and values at the start.
 #[derive(Default)]
 struct Start {
     initial: Vec<Atom>,
@@ -157,7 +157,7 @@ struct Start {
 }
 
 impl Start {
-    /// A fact, one that does not hold, or what a function is worth.
+    /// Reads a fact, a fact that does not hold, or the value of a function.
     fn read(&mut self, fact: Expr<'_>) -> Result<(), ReadError> {
         match fact.head() {
             Some("not") => self.denied.push(atom(one(fact, "a predicate of things")?)?),

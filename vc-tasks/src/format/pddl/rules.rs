@@ -277,7 +277,7 @@ fn in_cold(x: &str) -> Vec<Way> {
     at_work(Property::Cooler, x, &["in"], "in")
 }
 
-/// At something of a kind that is on, directly or carried by what is.
+/// At a machine of a kind that is on: directly, or at something that is.
 fn at_work(kind: Property, x: &str, directly: &[&str], carried: &str) -> Vec<Way> {
     let machine = |mut needs: Vec<Atom>| {
         let affords = affords(kind, Role::X).lasting;
@@ -318,7 +318,7 @@ impl Way {
 
     fn effect(&mut self, effect: Effect<Role>) -> Result<(), String> {
         match effect {
-            // A plan is not told of the things on or in it.
+            // The domain leaves out that the things on or in it enter the state as well.
             Effect::Enter(t, state) | Effect::EnterWith(t, state) => self.enter(variable(t), state),
             Effect::EnterOwn(state) => self.add(is(state), &[HANDS]),
             Effect::LeaveOwn(state) => self.delete(is(state), &[HANDS]),
