@@ -125,7 +125,8 @@ impl Environment {
         edit.place(id, place)?;
         edit.commit();
         next.graph = builder.build();
-        next.world.insert(&next.graph, id, &next.start.shapes).map_err(Impossible::from)?;
+        let inserted = next.world.insert(&next.graph, id, &next.start.shapes);
+        inserted.map_err(|e| next.impossible(e))?;
         next.set_down(id, place)?;
         observe::write_poses(&mut next.graph, &next.world)?;
         next.relations.rebuild(&next.graph).map_err(unreadable)?;
@@ -155,7 +156,7 @@ impl Environment {
         next.set_down(thing, place)?;
         let motion = next.world.pose(thing).map_or_else(Pose::identity, |pose| pose * before.inverse());
         for (id, pose) in &load {
-            next.world.place(*id, motion * pose).map_err(Impossible::from)?;
+            next.world.place(*id, motion * pose).map_err(|e| self.impossible(e))?;
         }
         // The contents change rooms with it before relations are read.
         let mut edit = next.graph.edit();
@@ -199,7 +200,7 @@ impl Environment {
         if next.world.posture(agent) != Some(Posture::Standing) {
             rule::carry_out(&mut next.graph, agent, &Effect::StandUp)?;
         }
-        next.world.teleport(agent, Pose::from_parts(feet, before.rotation)).map_err(Impossible::from)?;
+        next.world.teleport(agent, Pose::from_parts(feet, before.rotation)).map_err(|e| self.impossible(e))?;
         if let Some(room) = next.room_at(point) {
             let mut edit = next.graph.edit();
             edit.move_to_room(agent, room)?;
@@ -227,7 +228,12 @@ impl Environment {
     fn set_down(&mut self, id: NodeId, place: Place) -> Result<(), AlterError> {
         let placed = reset::settle_place(&mut self.world, &self.graph, (id, false), Some(place));
         let refuse = |why: Why| AlterError::Unplaced(Unplaced { thing: self.graph.label(id), why });
-        placed.map_err(Impossible::from)?.map_err(refuse)
+        placed.map_err(|e| self.impossible(e))?.map_err(refuse)
+    }
+
+    /// Why bodies cannot do it, with the labels of the scene.
+    fn impossible(&self, why: impl Into<Impossible>) -> AlterError {
+        AlterError::Bodies(why.into().in_scene(&self.graph))
     }
 
     /// Lets all come to rest and observes it; nothing can be taken back to before that.

@@ -137,7 +137,8 @@ pub enum RecordError {
 }
 
 impl Recorder {
-    /// Begins to write down what happens in an environment into a folder, which is made. The
+    /// Begins to write down what happens in an environment into a folder, which is made; what a record that was there
+    /// wrote is removed. The
     /// camera follows one of its agents.
     ///
     /// # Errors
@@ -157,10 +158,7 @@ impl Recorder {
         home.set_pictures(PictureOptions { daylight, finer: options.finer, ..*home.pictures() });
         let folder = folder.as_ref().to_path_buf();
         std::fs::create_dir_all(&folder).map_err(|error| RecordError::File { path: folder.clone(), error })?;
-        // Pictures of a longer record in this folder would stay among those of this one.
-        for (folder, ending) in [(folder.join("film"), "jpg"), (folder.join("frames"), "png")] {
-            files::remove_numbered(&folder, ending).map_err(|error| RecordError::File { path: folder, error })?;
-        }
+        clear(&folder).map_err(|error| RecordError::File { path: folder.clone(), error })?;
         let trajectory = Trajectory::begin(&folder, &home, agent, task)?;
         let dataset = options.dataset.then(|| Dataset::create(&folder)).transpose()?;
         let film = Film::new(&home, agent, options.width);
@@ -319,6 +317,19 @@ fn go_on(ways: &mut [Vec<Point2<f32>>], home: &Environment) {
 /// Where an agent's feet are.
 fn feet(home: &Environment, agent: NodeId) -> Point2<f32> {
     home.world().pose(agent).map_or_else(Point2::origin, |p| p.translation.vector.xy().into())
+}
+
+/// Removes what another record wrote that this one may not write: its pictures would stay among those of this one.
+fn clear(folder: &Path) -> std::io::Result<()> {
+    files::remove_numbered(&folder.join("film"), "jpg")?;
+    files::remove_numbered(&folder.join("frames"), "png")?;
+    for name in ["annotations.json", "scene.glb", "belief.svg", "eyes.png", "corner.png", "film.gif", "film.png"] {
+        match std::fs::remove_file(folder.join(name)) {
+            Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(error),
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 fn save(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {

