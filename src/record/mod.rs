@@ -137,9 +137,8 @@ pub enum RecordError {
 }
 
 impl Recorder {
-    /// Begins to write down what happens in an environment into a folder, which is made; what a record that was there
-    /// wrote is removed. The
-    /// camera follows one of its agents.
+    /// Begins to write down what happens in an environment into a folder, which is made; the files of a record that was
+    /// there are removed. The camera follows one of its agents.
     ///
     /// # Errors
     /// [`RecordError::NoSuchAgent`]; [`RecordError::File`] if the folder or a file in it cannot be
