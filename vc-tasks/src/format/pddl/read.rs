@@ -143,7 +143,7 @@ impl FromStr for Problem {
         let missing = |what: &str| tree.root().error_at_end(what);
         let domain = domain.ok_or_else(|| missing("a `(:domain ...)`"))?;
         let goal = goal.ok_or_else(|| missing("a `(:goal ...)`"))?;
-        let Start { initial, denied, values } = start;
+        let Start { initial, denied, values, .. } = start;
         Ok(Self { name, domain, objects, initial, denied, values, goal, metric })
     }
 }
