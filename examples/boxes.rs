@@ -130,10 +130,10 @@ fn places(home: &Environment) {
     }
 }
 
-fn put_back(home: &mut Environment, id: NodeId, place: Place) -> Result<(), (&'static str, ActionError)> {
+fn put_back(home: &mut Environment, id: NodeId, place: Place) -> Result<(), (&'static str, Box<ActionError>)> {
     let me = home.agents()[0];
     let mut act = |name: &'static str, action: Action| {
-        home.set_action(me, action).map(|_| home.graph().hidden_in(id)).map_err(|e| (name, e))
+        home.set_action(me, action).map(|_| home.graph().hidden_in(id)).map_err(|e| (name, Box::new(e)))
     };
     let mut hidden = act("walk", Action::one(Verb::Walk, id))?;
     while let Some(container) = hidden {
