@@ -143,8 +143,12 @@ fn taken_up(by: &[Label]) -> String {
     }
 }
 
+/// The first few of some things, and how many more there are.
 fn in_a_row(labels: &[Label]) -> String {
-    labels.iter().map(Label::to_string).collect::<Vec<_>>().join(", ")
+    const NAMED: usize = 5;
+    let named: Vec<String> = labels.iter().take(NAMED).map(Label::to_string).collect();
+    let more = labels.len().saturating_sub(NAMED);
+    if more == 0 { named.join(", ") } else { format!("{} and {more} more", named.join(", ")) }
 }
 
 /// What bodies cannot do although the transition rule, which knows no shapes, allows it.
