@@ -1,7 +1,7 @@
 //! An agent with a body pursues a household goal in a generated home, seeing only the room
 //! it stands in.
 //!
-//! `cargo run --release --example household -- --seed 42 --out out/household` writes a folder:
+//! `cargo run --release --example household -- --seed 9 --out out/household` writes a folder:
 //! `index.html` shows the film (from its eyes and from a corner of the room), the six
 //! modalities, the home from above with the way it went; `trajectory.jsonl` has every step.
 //! `--scene FILE` takes a scene file with poses, `--task TITLE` a task of the library,
@@ -30,7 +30,7 @@ use vc_planner::{Newcomer, Policy, Random, Resident};
 #[derive(Parser)]
 pub(crate) struct Options {
     /// The home's seed; what the agent guesses by.
-    #[arg(long, default_value_t = 42)]
+    #[arg(long, default_value_t = 9)]
     seed: u64,
     /// A scene: the thesis's JSON, VirtualHome's environment graph or our own.
     #[arg(long)]
