@@ -170,9 +170,12 @@ impl<'w> Supports<'w> {
         out[start..].iter_mut().for_each(|c| c.support.share = share);
     }
 
+    /// Of several supports those with none between; a hand carries nothing that rests elsewhere too.
     fn uncovered(&self, tied: &[Candidate]) -> Vec<Candidate> {
         let is_covered = |c: &&Candidate| tied.iter().any(|other| self.covers(other, c));
-        tied.iter().filter(|c| !is_covered(c)).copied().collect()
+        let is_held = |c: &&Candidate| self.held(c.support.by).next().is_some();
+        let stands = tied.iter().any(|c| !is_held(&c));
+        tied.iter().filter(|c| !is_covered(c) && !(stands && is_held(c))).copied().collect()
     }
 
     /// Whether one support lies between and is rested on: the cup is on the saucer, however
