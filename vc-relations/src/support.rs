@@ -175,7 +175,7 @@ impl<'w> Supports<'w> {
         let is_covered = |c: &&Candidate| tied.iter().any(|other| self.covers(other, c));
         let is_held = |c: &&Candidate| self.held(c.support.by).next().is_some();
         let stands = tied.iter().any(|c| !is_held(&c));
-        tied.iter().filter(|c| !is_covered(c) && !(stands && is_held(c))).copied().collect()
+        tied.iter().filter(|c| !is_covered(c) && (!stands || !is_held(c))).copied().collect()
     }
 
     /// Whether one support lies between and is rested on: the cup is on the saucer, however
