@@ -239,7 +239,7 @@ impl Environment {
     /// Lets all come to rest and observes it; nothing can be taken back to before that.
     fn settle(&mut self, changed: &[NodeId]) -> Result<(), AlterError> {
         act::calm(&mut self.world);
-        observe::look_again(&mut self.graph, &self.world, &mut self.relations, changed)?;
+        observe::look_again(&mut self.graph, &self.world, &mut self.relations, (changed, &self.start.boxes))?;
         self.floor.update(&self.world);
         self.undo = Undo::default();
         Ok(())

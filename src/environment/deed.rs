@@ -274,8 +274,8 @@ impl Deed<'_> {
         let nearest = places.iter().map(|p| (p.translation.vector.xy() - from).norm()).fold(f32::INFINITY, f32::min);
         if nearest > 1.4 {
             self.floor.update(self.world);
-            let target = places.first().map(|p| Point3::from(p.translation.vector));
-            let stand = target.and_then(|t| self.nearest_stand(self.before.room_of(id), t, 1.4, |_| true));
+            let room = self.before.room_of(id);
+            let stand = goals(&places, lying).find_map(|to| self.nearest_stand(room, to, 1.4, |_| true));
             self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?)?;
         }
         if lying {
@@ -314,6 +314,14 @@ impl Deed<'_> {
             let _ = self.world.fill(id, level);
         }
     }
+}
+
+/// The points beside which one sits or lies down on some places, the best first: their middles, for lying
+/// also where feet and head will be.
+fn goals(places: &[Pose], lying: bool) -> impl Iterator<Item = Point3<f32>> {
+    const END: f32 = 0.8;
+    let along: &[f32] = if lying { &[0.0, END, -END] } else { &[0.0] };
+    along.iter().flat_map(|x| places.iter().map(move |place| place * Point3::new(*x, 0.0, 0.0)))
 }
 
 /// The turn around the vertical whose X points along a way.

@@ -147,7 +147,7 @@ impl Environment {
         let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
         relations.write(&mut graph, &all)?;
         let elsewhere = boxes::keep(&scene, &mut graph, &world, &bare)?;
-        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, assets };
+        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, boxes: bare, assets };
         Ok(Self::at(Arc::new(start)))
     }
 

@@ -6,9 +6,10 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::RigidBodyHandle;
 use rapier3d::geometry::{ColliderHandle, Contact as EngineContact, ContactManifold, ContactPair};
 use rapier3d::math::Pose as EnginePose;
+use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, Pose};
 
-use crate::world::World;
+use crate::world::{Thing, World};
 use crate::{Role, convert, group};
 
 /// Two bodies that touch, or are about to.
@@ -178,13 +179,17 @@ impl World {
     /// The node, and which of its links, on which a loose thing rests, directly or through others,
     /// if that moves on a joint: a drawer, a rack, an open door.
     pub(crate) fn rides(&self, id: NodeId) -> Option<(NodeId, usize)> {
+        let turns = |thing: &Thing, link: usize| thing.form.links[link].joint.is_some_and(|j| j.kind == JointKind::Hinge);
         let (mut seen, mut open) = (vec![id], vec![self.thing(id).ok()?.state.base]);
         while let Some(body) = open.pop() {
-            for (below, link) in self.carriers(body) {
-                if link > 0 {
+            let carriers = self.carriers(body);
+            // What stands on a box's top stays there if a door below its edge opens.
+            let stands = carriers.iter().any(|&(below, link)| link == 0 && self.role(below) == Some(Role::Fixed));
+            for (below, link) in carriers {
+                let Ok(thing) = self.thing(below) else { continue };
+                if link > 0 && !(stands && turns(thing, link)) {
                     return Some((below, link));
                 }
-                let Ok(thing) = self.thing(below) else { continue };
                 if thing.state.rides.is_some() {
                     return thing.state.rides;
                 }

@@ -29,17 +29,31 @@ const MOST: usize = 24;
 /// Heights above the bottom of a container at which things are let down on what is in it,
 /// metres.
 const HEAPED: [f32; 8] = [0.04, 0.08, 0.12, 0.16, 0.2, 0.25, 0.3, 0.4];
-/// How things are put into containers, the better ways first: as they stand, or on their side.
-const INTO: [Way; 2] =
-    [Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.0 }, Way { tips: &Tip::ALL, heights: &[0.0], over: 0.0 }];
-/// How they are put on what is in there.
-const HEAP: [Way; 2] =
-    [Way { tips: &[Tip::Upright], heights: &HEAPED, over: 0.0 }, Way { tips: &Tip::ALL, heights: &HEAPED, over: 0.0 }];
-/// How things are put on others: within the edges, or a little over them, as a pan on a burner.
-const ONTO: [Way; 2] = [
-    Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.0 },
-    Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.4 },
+/// Heights above a surface at which things are laid across what rises beside it, the lowest first, metres.
+const ACROSS: [f32; 8] = [0.04, 0.08, 0.12, 0.16, 0.2, 0.24, 0.28, 0.32];
+/// How much of its half width may be over the edges of what is put down with its middle over them.
+const POISED: f32 = 0.9;
+/// How things are put into containers, the better ways first: as they stand, on their side, leaning, over
+/// the edge of a turntable.
+const INTO: [Way; 4] = [
+    WITHIN,
+    Way { tips: &Tip::ALL, ..WITHIN },
+    Way { tips: &Tip::ALL, slender: 0.0, ..WITHIN },
+    Way { over: 0.4, ..WITHIN },
 ];
+/// How they are put on what is in there.
+const HEAP: [Way; 2] = [Way { heights: &HEAPED, ..WITHIN }, Way { tips: &Tip::ALL, heights: &HEAPED, ..WITHIN }];
+/// How things are put on others: within the edges, a little over them, as a pan on a burner, or as far as
+/// their middle stays over them: a cushion on a chair. At last across what rises beside the surface, as the
+/// arms of a chair.
+const ONTO: [Way; 4] = [
+    WITHIN,
+    Way { over: 0.4, ..WITHIN },
+    Way { over: POISED, ..WITHIN },
+    Way { over: POISED, heights: &ACROSS, across: true, ..WITHIN },
+];
+/// As they stand, within the edges.
+const WITHIN: Way = Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.0, slender: SLENDER, across: false };
 
 /// Least width of what is laid on its side, as a part of its height then.
 const SLENDER: f32 = 0.25;
@@ -54,6 +68,10 @@ struct Way {
     heights: &'static [f32],
     /// How much of its half width may be over the edges.
     over: f32,
+    /// Least width of what is laid on its side, as a part of its height then.
+    slender: f32,
+    /// Whether it is carried by what rises beside the surface.
+    across: bool,
 }
 
 /// How a thing is put down.
@@ -71,13 +89,13 @@ impl Tip {
     const ALL: [Self; 3] = [Self::Upright, Self::OnX, Self::OnY];
 
     /// Whether what has some sides stays so: a plate does not stand on its rim.
-    fn stands(self, sides: Vector3<f32>) -> bool {
+    fn stands(self, sides: Vector3<f32>, slender: f32) -> bool {
         let (height, along, across) = match self {
             Self::Upright => (sides.z, sides.x, sides.y),
             Self::OnX => (sides.x, sides.y, sides.z),
             Self::OnY => (sides.y, sides.x, sides.z),
         };
-        along.min(across) >= SLENDER * height
+        along.min(across) >= slender * height
     }
 
     /// The turns by which it comes to lie so, a quarter apart.
@@ -328,20 +346,29 @@ impl World {
         order: Order,
         free: impl Fn(&Pose) -> bool + Copy,
     ) -> Option<Pose> {
-        let Way { tips, heights, over } = way;
+        let Way { tips, heights, over, slender, across } = way;
         // What reaches over the edges is balanced, and what is put on a burner is put on its middle.
         let order = if *over > 0.0 || is_burner(shelf) { Order::Middle } else { order };
         let (low, high) = thing.form.extent;
         let laden = self.is_laden(thing);
-        let tips = tips.iter().filter(|tip| **tip == Tip::Upright || !laden && tip.stands(high - low));
+        let tips = tips.iter().filter(|tip| **tip == Tip::Upright || !laden && tip.stands(high - low, *slender));
         let turns: Vec<UnitQuaternion<f32>> = tips.flat_map(|tip| tip.turns()).collect();
         // What is heaped higher than the rim is not in it.
         let rim = self.aabb(shelf.id).map_or(f32::INFINITY, |b| b.max.z - shelf.pose.translation.z);
         let within = |height: &&f32| **height == 0.0 || **height < rim;
         heights.iter().filter(within).find_map(|&height| {
             let lifted = |turn| spots((low, high), shelf, turn, (height, *over), order);
-            turns.iter().find_map(|turn| lifted(turn).into_iter().find(free))
+            let carried = |spot: &Pose| !across || self.is_just_over(thing, spot, shelf.id);
+            turns.iter().find_map(|turn| lifted(turn).into_iter().find(|spot| free(spot) && carried(spot)))
         })
+    }
+
+    /// Whether a thing at a spot is no more than one step of [`ACROSS`] above another, and above nothing else.
+    fn is_just_over(&self, thing: &Thing, spot: &Pose, at: NodeId) -> bool {
+        let lower = Pose::translation(0.0, 0.0, -ACROSS[0]) * spot;
+        let mut met = Vec::new();
+        self.for_overlaps(thing, &lower, &mut |id| met.push(id));
+        !met.is_empty() && met.iter().all(|id| *id == at)
     }
 
     /// Whether a thing is on one of another's surfaces, not on what is there, or inside: the middle
@@ -364,9 +391,15 @@ impl World {
             let at = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
             pose * Point3::new(at(0), at(1), at(2))
         };
+        // What is wider than a turntable reaches over its edges.
+        let reaches = |shelf: &Shelf| {
+            let over = |half: f32, room: f32| (half - room).clamp(0.0, INTO[3].over * half);
+            let half = (aabb.max - aabb.min) / 2.0;
+            over(half.x.min(half.y), shelf.half.0.min(shelf.half.1)).max(over(half.x.max(half.y), shelf.half.0.max(shelf.half.1)))
+        };
         let holds = |shelf: &Shelf| match shelf.hold {
             Hold::Inside => {
-                let corners = (0..8).filter(|i| within(shelf, corner(*i), 0.0)).count();
+                let corners = (0..8).filter(|i| within(shelf, corner(*i), reaches(shelf))).count();
                 inside && within(shelf, middle, margin) && corners >= 4
             }
             Hold::On => {

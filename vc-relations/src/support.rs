@@ -153,13 +153,14 @@ impl<'w> Supports<'w> {
     }
 
     fn traced(&self, index: usize, out: &mut Vec<Candidate>) {
-        let pairs = &self.world.pairs[index];
-        let best = pairs.iter().map(|p| p.rest.abs()).fold(f32::INFINITY, f32::min);
+        let (pairs, stands) = (&self.world.pairs[index], self.stands(index));
+        let pairs = || pairs.iter().filter(|p| !stands || !self.is_held(p.other as usize));
+        let best = pairs().map(|p| p.rest.abs()).fold(f32::INFINITY, f32::min);
         if best.is_infinite() {
             return self.hung(index, out);
         }
         let start = out.len();
-        let tied = pairs.iter().filter(|p| p.rest.abs() <= best + SUPPORT_TIE);
+        let tied = pairs().filter(|p| p.rest.abs() <= best + SUPPORT_TIE);
         out.extend(tied.map(|p| self.found(index, p, Ground::Trace, p.rest)));
         if out.len() > start + 1 {
             let uncovered = self.uncovered(&out[start..]);
@@ -170,12 +171,19 @@ impl<'w> Supports<'w> {
         out[start..].iter_mut().for_each(|c| c.support.share = share);
     }
 
-    /// Of several supports those with none between; a hand carries nothing that rests elsewhere too.
+    /// Of several supports those with none between.
     fn uncovered(&self, tied: &[Candidate]) -> Vec<Candidate> {
         let is_covered = |c: &&Candidate| tied.iter().any(|other| self.covers(other, c));
-        let is_held = |c: &&Candidate| self.held(c.support.by).next().is_some();
-        let stands = tied.iter().any(|c| !is_held(&c));
-        tied.iter().filter(|c| !is_covered(c) && (!stands || !is_held(c))).copied().collect()
+        tied.iter().filter(|c| !is_covered(c)).copied().collect()
+    }
+
+    /// Whether something carries a body that no hand holds: a hand carries nothing that rests elsewhere too.
+    fn stands(&self, index: usize) -> bool {
+        self.world.pairs[index].iter().any(|p| p.rest.is_finite() && !self.is_held(p.other as usize))
+    }
+
+    fn is_held(&self, index: usize) -> bool {
+        self.held(self.world.ids[index]).next().is_some()
     }
 
     /// Whether one support lies between and is rested on: the cup is on the saucer, however

@@ -7,13 +7,14 @@ use rapier3d::parry;
 use rapier3d::parry::shape::Capsule;
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::asset::{Hold, Surface};
+use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose};
 
 use super::{Agent, Posture};
 use crate::world::{Thing, World};
 use crate::{AgentError, PhysicsError, Role, convert, group};
 
-/// From how far one can sit down, metres to the place: a step.
+/// From how far one can sit or lie down, metres to where the body will be: a step.
 const STEP: f32 = 1.5;
 /// Places counted on one thing at most.
 const MOST: u32 = 64;
@@ -28,7 +29,7 @@ const LIGHT: f32 = 2.0;
 /// Up to which height above the seat, metres: that of a folded duvet.
 const FLAT: f32 = 0.25;
 /// Distances from the place at which one may get up, metres, in steps.
-const EXITS: (f32, f32) = (0.45, 1.25);
+const EXITS: (f32, f32) = (0.45, 1.75);
 const EXIT_STEP: f32 = 0.05;
 /// In how many directions they are looked for to each side.
 const EXIT_TURNS: usize = 12;
@@ -86,8 +87,13 @@ impl World {
         if self.thing(on)?.state.role == Role::Carried {
             return Err(AgentError::Held(on));
         }
-        let feet = self.standing(agent)?.feet;
-        let far = |p: &Pose| (p.translation.vector - feet.translation.vector).xy().norm();
+        let body = self.standing(agent)?;
+        let feet = body.feet;
+        let half = if matches!(posture(on, 0), Posture::Lying { .. }) { body.plan.height / 2.0 } else { 0.0 };
+        let far = |p: &Pose| {
+            let own = p.inverse_transform_point(&feet.translation.vector.into()).coords;
+            (own.x.abs() - half).max(0.0).hypotenuse(own.y)
+        };
         let taken = |i: u32| self.agents.values().any(|a| a.posture.seat() == Some((on, i)));
         let mut order: Vec<(f32, u32)> = places.iter().enumerate().map(|(i, p)| (far(p), i as u32)).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
