@@ -143,8 +143,14 @@ fn put_back(home: &mut Environment, id: NodeId, place: Place) -> Result<(), (&'s
     act("walk", Action::one(Verb::Walk, id))?;
     act("grab", Action::one(Verb::Grab, id))?;
     act("walk back", Action::one(Verb::Walk, place.at))?;
+    if home.graph().node(place.at).is_some_and(vc_graph::Node::hides_contents) {
+        home.set_action(me, Action::one(Verb::Open, place.at)).map_err(|e| ("open", Box::new(e)))?;
+    }
+    let mut act = |name: &'static str, action: Action| {
+        home.set_action(me, action).map(drop).map_err(|e| (name, Box::new(e)))
+    };
     let verb = if place.relation == Relation::Inside { Verb::PutIn } else { Verb::Place };
-    act("put", Action::two(verb, id, place.at)).map(drop)
+    act("put", Action::two(verb, id, place.at))
 }
 
 fn sorted(error: &ActionError) -> (&'static str, String) {

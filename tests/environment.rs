@@ -527,8 +527,13 @@ fn scenes_of_boxes_are_lived_in() {
             let now = home.graph().node(n.id()).and_then(Node::position);
             n.kind() == Kind::Object && n.position().zip(now).is_none_or(|(was, is)| (was - is).norm() > 0.05)
         };
-        let moved: Vec<_> = scene.nodes().filter(off).map(Node::label).collect();
-        assert!(moved.is_empty(), "{number}: {moved:?}");
+        // Only what the boards of its container, which the scene does not know, would cut is set down on one.
+        let set_down = |n: &Node| {
+            let far = home.graph().node(n.id()).and_then(Node::position).zip(n.position());
+            far.is_some_and(|(now, was)| (now - was).norm() < 0.36) && n.affords(Property::Graspable)
+        };
+        let (moved, strayed): (Vec<_>, Vec<_>) = scene.nodes().filter(off).partition(|n| set_down(n));
+        assert!(strayed.is_empty() && moved.len() * 8 < scene.len(), "{number}: {strayed:?}, {} moved", moved.len());
         let me = home.agents()[0];
         for &room in home.graph().rooms() {
             act(&mut home.clone(), me, Verb::Walk, &[room]);
@@ -546,10 +551,17 @@ fn the_planner_lives_in_boxes() {
     let home = Environment::make(&format!("scene:{}", file.display()), 1).unwrap();
     let goals = Task::read_list(include_str!("../examples/data/box_goals.txt")).unwrap();
     assert_eq!(goals.len(), 40);
-    for title in ["bread in the fridge", "a book on the bed", "listen to the radio"] {
+    let wins = |home: &Environment, title: &str| {
         let task = goals.iter().find(|t| t.title == title).unwrap();
         let episode = Run::seeded(1).episode(&mut Newcomer::best(), task, &mut home.clone(), &mut |_| {});
         assert_eq!(episode.outcome, Outcome::Won, "{title}: {:?}", episode.reason);
+    };
+    ["bread in the fridge", "a book on the bed", "listen to the radio"].iter().for_each(|title| wins(&home, title));
+    // A slice is wider than a turntable; of a bed in a corner only the foot is free; a board lies on a microwave.
+    let hard = [(5, "warm a slice of bread"), (5, "lie down"), (6, "warm a mug"), (3, "fry something")];
+    for (number, title) in hard {
+        let file = data.join(format!("virtualhome/scene{number}.json.gz"));
+        wins(&Environment::make(&format!("scene:{}", file.display()), 1).unwrap(), title);
     }
 }
 

@@ -290,6 +290,40 @@ impl World {
         self.spot_by(&HEAP, id, at, Hold::Inside, order)
     }
 
+    /// The pose nearest to where a thing is, turned as it is, at which it stands free on one of another's
+    /// surfaces: those inside if `inside`, otherwise those on top. `None` if there is none within so many
+    /// metres.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    pub fn nearest_spot_at(
+        &self,
+        id: NodeId,
+        at: NodeId,
+        inside: bool,
+        within: f32,
+    ) -> Result<Option<Pose>, PhysicsError> {
+        let (thing, below) = (self.thing(id)?, self.thing(at)?);
+        let Some(pose) = self.pose(id) else { return Ok(None) };
+        let (low, high) = thing.form.extent;
+        let near = Order::Near(pose * nalgebra::center(&low, &high));
+        let hold = if inside { Hold::Inside } else { Hold::On };
+        let far = |spot: &Pose| (spot.translation.vector - pose.translation.vector).norm();
+        let free = |spot: &Pose| {
+            let mut clear = far(spot) <= within;
+            if clear {
+                self.for_overlaps(thing, spot, &mut |_| clear = false);
+            }
+            clear
+        };
+        let shelves = (0..below.form.surfaces.len()).filter_map(|s| self.shelf_of(below, s));
+        let on = |shelf: Shelf| {
+            let turn = shelf.pose.rotation.inverse() * pose.rotation;
+            spots((low, high), &shelf, &turn, (0.0, 0.0), near).into_iter().find(free)
+        };
+        Ok(shelves.filter(|s| s.hold == hold).filter_map(on).min_by(|a, b| far(a).total_cmp(&far(b))))
+    }
+
     fn spot_by(
         &self,
         ways: &[Way],

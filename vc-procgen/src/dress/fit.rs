@@ -6,13 +6,16 @@ use vc_graph::{Asset, Seed};
 
 use super::Made;
 use super::compose::{block, joined, moved};
+use super::load::{self, Load};
 use super::turn::Place;
 use crate::Style;
 use crate::material::*;
 use crate::object::{self, Generator, Object};
 
-/// Instances that are tried for one that fills its box without being stretched.
+/// Instances that are tried for one that fills its box without being stretched, and for one that carries
+/// what the scene has on it too.
 const TRIES: u64 = 4;
+const LADEN: u64 = 12;
 /// A factor by which a thing can be stretched without anybody seeing it.
 const UNSEEN: f32 = 1.04;
 /// Greatest factor by which a thing is stretched: a hanger is thin though its box is as deep as a coat.
@@ -46,7 +49,7 @@ const MATTER: [(&str, Mat); 12] = [
 ];
 
 /// The thing for its box, its origin in the middle of it.
-pub(super) fn made(place: &Place, style: &Style, seed: Seed) -> Made {
+pub(super) fn made(place: &Place, loads: &[Load], style: &Style, seed: Seed) -> Made {
     let size = place.bounds.size().map(|v| v.max(THIN));
     let Some(generator) = object::generator(&place.class) else {
         return Made { asset: plain(&place.class, size), scale: Vector3::repeat(1.0) };
@@ -54,17 +57,18 @@ pub(super) fn made(place: &Place, style: &Style, seed: Seed) -> Made {
     let row = ROWS.iter().find(|(class, most)| *class == &*place.class && size.y > *most * 1.3);
     match row {
         Some((_, most)) => stretched(side_by_side(generator, size, (*most, &place.taken), style, seed), size),
-        None => fitted(generator, size, style, seed),
+        None => fitted(generator, size, loads, style, seed),
     }
 }
 
-fn fitted(generator: &Generator, size: Vector3<f32>, style: &Style, seed: Seed) -> Made {
+fn fitted(generator: &Generator, size: Vector3<f32>, loads: &[Load], style: &Style, seed: Seed) -> Made {
     let stretch = |o: &Object| size.component_div(&o.size().map(|v| v.max(1e-4)));
     let worst = |o: &Object| stretch(o).iter().map(|s| s.max(1.0 / s)).fold(1.0, f32::max);
+    let laden = |o: &Object| load::off(&o.asset, &o.bounds.offset, &stretch(o), loads);
     let mut best: Option<(f32, Object)> = None;
-    for n in 0..TRIES {
+    for n in 0..if loads.is_empty() { TRIES } else { LADEN } {
         let object = generator.sized(size, style, seed.nth(n));
-        let off = worst(&object);
+        let off = worst(&object) + laden(&object);
         if best.as_ref().is_none_or(|(b, _)| off < *b) {
             best = Some((off, object));
         }
@@ -73,7 +77,11 @@ fn fitted(generator: &Generator, size: Vector3<f32>, style: &Style, seed: Seed) 
         }
     }
     match best {
-        Some((_, object)) => Made { scale: stretch(&object).map(|s| s.min(MOST)), asset: centred(object) },
+        Some((_, mut object)) => {
+            let scale = stretch(&object).map(|s| s.min(MOST));
+            load::lay_on_boards(&mut object.asset, &object.bounds.offset, &scale, loads);
+            Made { scale, asset: centred(object) }
+        }
         None => Made { asset: plain(generator.class, size), scale: Vector3::repeat(1.0) },
     }
 }
@@ -108,7 +116,7 @@ fn side_by_side(
             let count = (wide / most).ceil().max(1.0);
             for i in 0..count as usize {
                 let unit = Vector3::new(size.x, wide / count, size.z);
-                let made = fitted(generator, unit, style, seed);
+                let made = fitted(generator, unit, &[], style, seed);
                 // Units are near enough to their size to be set side by side as they are.
                 let middle = from + wide / count * (i as f32 + 0.5);
                 units.push(moved(made.asset, Vector3::new(0.0, middle, 0.0)));

@@ -80,6 +80,7 @@ fn related(classes: &ClassTable, class: &str, id: NodeId) -> Option<Arc<str>> {
     if !kinds.is_empty() {
         return Some(kinds[id.0 as usize % kinds.len()].into());
     }
-    let above = classes.kinds_of(own).filter(|c| object::generator(&c.name).is_some());
-    above.map(|c| c.name.clone()).next()
+    let above = object::generators().filter_map(|g| classes.get(g.class)).filter(|c| classes.is_a(&own.name, &c.name));
+    // The nearest one has the fewest kinds.
+    above.min_by_key(|c| classes.kinds_of(c).count()).map(|c| c.name.clone())
 }

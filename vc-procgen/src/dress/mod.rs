@@ -32,13 +32,14 @@ mod compose;
 mod fit;
 mod house;
 mod kind;
+mod load;
 mod shell;
 mod turn;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::Vector3;
+use nalgebra::{Translation3, Vector3};
 use vc_graph::asset::AssetError;
 use vc_graph::{
     Asset, AssetId, AssetLibrary, Bounds, Draft, EditError, Frame, Kind, Node, NodeId, Pose, SceneBuilder, SceneGraph,
@@ -80,7 +81,9 @@ pub fn seed_of(graph: &SceneGraph) -> Seed {
 pub fn dressed(graph: &SceneGraph, seed: Seed) -> Result<SceneGraph, DressError> {
     let house = House::of(graph);
     let mut wardrobe = Wardrobe::new(graph, seed)?;
-    let looks = graph.nodes().map(|node| wardrobe.look(&house, node)).collect::<Result<Vec<_>, _>>()?;
+    let needs = graph.nodes().map(|node| wardrobe.need(&house, node)).collect::<Vec<_>>();
+    needs.iter().for_each(|need| wardrobe.load(need));
+    let looks = graph.nodes().zip(needs).map(|(node, need)| wardrobe.look(node, need)).collect::<Result<Vec<_>, _>>()?;
     rebuilt(graph, looks, wardrobe.library)
 }
 
@@ -121,39 +124,75 @@ struct Wardrobe {
     offset: u32,
     style: Style,
     seed: Seed,
-    /// Things of the same class, name and size are the same thing.
-    made: BTreeMap<(String, [i32; 6]), (AssetId, Vector3<f32>)>,
+    made: BTreeMap<Key, (AssetId, Vector3<f32>)>,
+    /// The things that are carried by all that look the same.
+    loads: BTreeMap<Key, Vec<load::Load>>,
+}
+
+/// Class, name and size: things that share these are the same thing.
+type Key = (String, [i32; 6]);
+
+/// The kind of shape that a node needs.
+enum Need {
+    Nothing,
+    /// One of its class's usual size, if there is a generator.
+    Usual,
+    Built(shell::Built),
+    Thing(turn::Place, Key, Vec<load::Load>),
 }
 
 impl Wardrobe {
     fn new(graph: &SceneGraph, seed: Seed) -> Result<Self, AssetError> {
         let mut library = graph.assets().as_ref().clone();
         let offset = crate::material::join(&mut library)?;
-        Ok(Self { library, offset, style: Style::from_seed(seed), seed, made: BTreeMap::new() })
+        Ok(Self { library, offset, style: Style::from_seed(seed), seed, made: BTreeMap::new(), loads: BTreeMap::new() })
     }
 
-    fn look(&mut self, house: &House, node: &Node) -> Result<Option<Look>, AssetError> {
-        let (Some(bounds), Some(pose)) = (node.spec().bounds, node.pose()) else { return self.usual(node) };
+    /// The kind of shape that a node needs.
+    fn need(&self, house: &House, node: &Node) -> Need {
+        let (Some(bounds), Some(pose)) = (node.spec().bounds, node.pose()) else { return Need::Usual };
         if node.kind() != Kind::Object || node.spec().asset.is_some() {
-            return Ok(None);
+            return Need::Nothing;
         }
-        if let Some(made) = shell::built(house, node, &self.style, self.seed) {
-            return self.keep(made.asset, made.pose, made.bounds).map(Some);
+        if let Some(built) = shell::built(house, node, &self.style, self.seed) {
+            return Need::Built(built);
         }
         let place = turn::placed(house, node.id(), pose, &bounds);
+        let loads = load::of(house, node.id(), &(place.pose * Translation3::from(place.bounds.offset)));
+        let key = (format!("{} {}", place.class, node.spec().name.as_deref().unwrap_or("")), rounded(&place.bounds));
+        Need::Thing(place, key, loads)
+    }
+
+    /// Notes what things carry: those that look the same carry it all.
+    fn load(&mut self, need: &Need) {
+        if let Need::Thing(_, key, loads) = need {
+            self.loads.entry(key.clone()).or_default().extend(loads);
+        }
+    }
+
+    fn look(&mut self, node: &Node, need: Need) -> Result<Option<Look>, AssetError> {
+        match need {
+            Need::Nothing => Ok(None),
+            Need::Usual => self.usual(node),
+            Need::Built(made) => self.keep(made.asset, made.pose, made.bounds).map(Some),
+            Need::Thing(place, key, _) => self.thing(place, key).map(Some),
+        }
+    }
+
+    fn thing(&mut self, place: turn::Place, key: Key) -> Result<Look, AssetError> {
         let bounds = place.bounds;
-        let key = (format!("{} {}", place.class, node.spec().name.as_deref().unwrap_or("")), rounded(&bounds));
         let (asset, scale) = match self.made.get(&key) {
             Some(known) => *known,
             None => {
-                let made = fit::made(&place, &self.style, self.seed.child(&key.0));
+                let loads = self.loads.get(&key).map_or(&[][..], Vec::as_slice);
+                let made = fit::made(&place, loads, &self.style, self.seed.child(&key.0));
                 let shift = bounds.offset.component_div(&made.scale);
                 let asset = self.add(compose::moved(made.asset, shift))?;
                 self.made.insert(key, (asset, made.scale));
                 (asset, made.scale)
             }
         };
-        Ok(Some(Look { asset, pose: Some(place.pose), bounds, scale }))
+        Ok(Look { asset, pose: Some(place.pose), bounds, scale })
     }
 
     /// A shape of the class's usual size, if the node has neither shape nor box.

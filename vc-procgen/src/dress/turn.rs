@@ -28,6 +28,10 @@ const LIES: f32 = 1.0;
 /// A thing that begins higher than this over the floor hangs on the wall, metres.
 const HUNG: f32 = 0.3;
 
+/// Kinds of things that look at each other, and how much that counts beside the free floor and the walls.
+const COMPANIONS: [(&str, &str); 3] = [("sofa", "television"), ("television", "sofa"), ("tv_stand", "sofa")];
+const COMPANY: f32 = 0.5;
+
 /// Where and how a thing is.
 pub(super) fn placed(house: &House, id: NodeId, pose: &Pose, bounds: &Bounds) -> Place {
     let known = !super::is_unturned(bounds);
@@ -180,7 +184,20 @@ impl Surroundings<'_, '_> {
     /// The front of a thing of a class if nothing but its surroundings tells how it stands.
     fn front(&self, class: &str, lain: &Lain) -> u8 {
         let hung = self.around.min.z > self.level + HUNG;
-        self.best(class, lain, |k| self.score(k, hung))
+        let company = self.company(class);
+        self.best(class, lain, |k| self.score(k, hung) + company.map_or(0.0, |way| COMPANY * step(k).dot(&way)))
+    }
+
+    /// The way from a screen to the nearest sofa in its room, and from a sofa to the nearest screen.
+    fn company(&self, class: &str) -> Option<Vector2<f32>> {
+        let graph = self.house.graph;
+        let is_a = |kind: &str| graph.classes().is_a(class, kind);
+        let (_, wanted) = COMPANIONS.iter().find(|(of, _)| is_a(of))?;
+        let room = graph.room_of(self.id);
+        let way = |b: Aabb| (b.centre() - self.around.centre()).xy();
+        let others = self.house.of_kind(wanted).filter(|(id, ..)| graph.room_of(*id) == room);
+        let nearest = others.map(|(_, _, b)| way(b)).min_by(|a, b| a.norm().total_cmp(&b.norm()));
+        nearest?.try_normalize(0.3)
     }
 
     /// The best way to look, if the proportions of the box leave a choice.

@@ -1,0 +1,104 @@
+//! What a thing carries in its scene, and how well the surfaces made for it carry that.
+
+use nalgebra::{Isometry3, Point3, Vector3};
+use vc_graph::asset::{Hold, Surface};
+use vc_graph::{Aabb, Asset, NodeId, Relation};
+
+use super::house::House;
+
+/// How far a surface may be into a thing that it carries, and below it, metres.
+const SUNK: f32 = 0.02;
+const HOVERS: f32 = 0.15;
+/// The greatest height at which people put things on a surface, and the handiest one, metres.
+const REACH: f32 = 1.6;
+const HANDY: f32 = 1.0;
+
+/// The box of a thing that another carries, in the frame around the middle of that one's box.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Load {
+    low: Vector3<f32>,
+    high: Vector3<f32>,
+    inside: bool,
+}
+
+/// The things that rest on or in one, whose box has its middle and axes at a pose.
+pub(super) fn of(house: &House, id: NodeId, middle: &Isometry3<f32>) -> Vec<Load> {
+    let related = |relation| house.graph.relating(relation, id).map(move |load| (load, relation == Relation::Inside));
+    let all = related(Relation::On).chain(related(Relation::Inside));
+    all.filter_map(|(load, inside)| Some(Load::of(&house.graph.node(load)?.aabb()?, middle, inside))).collect()
+}
+
+impl Load {
+    fn of(around: &Aabb, middle: &Isometry3<f32>, inside: bool) -> Self {
+        let corner = |i: usize| {
+            let pick = |axis: usize| if i >> axis & 1 == 0 { around.min[axis] } else { around.max[axis] };
+            middle.inverse_transform_point(&Point3::new(pick(0), pick(1), pick(2))).coords
+        };
+        let (low, high) = (1..8).map(corner).fold((corner(0), corner(0)), |(l, h), c| (l.inf(&c), h.sup(&c)));
+        Self { low, high, inside }
+    }
+
+    /// How badly surfaces carry it: zero where it stands on one, one where nothing is below it or a
+    /// board goes through it.
+    fn off(&self, levels: &[Level]) -> f32 {
+        let over = || levels.iter().filter(|l| l.is_below(self));
+        let cut = |l: &Level| l.at > self.low.z + SUNK && l.at < self.high.z - SUNK;
+        let gap = over().map(|l| self.low.z - l.at).filter(|gap| *gap >= -SUNK).fold(HOVERS, f32::min);
+        if over().any(cut) { 1.0 } else { gap.max(0.0) / HOVERS }
+    }
+}
+
+/// A surface in the frame around the middle of its thing, stretched as that is.
+struct Level {
+    middle: Vector3<f32>,
+    half: (f32, f32),
+    at: f32,
+}
+
+impl Level {
+    fn of(surface: &Surface, origin: &Vector3<f32>, stretch: &Vector3<f32>) -> Self {
+        let middle = (surface.centre.coords - origin).component_mul(stretch);
+        Self { middle, half: (surface.half.0 * stretch.x, surface.half.1 * stretch.y), at: middle.z }
+    }
+
+    /// Whether the middle of a load is over it.
+    fn is_below(&self, load: &Load) -> bool {
+        let off = (load.low + load.high) / 2.0 - self.middle;
+        off.x.abs() <= self.half.0 && off.y.abs() <= self.half.1
+    }
+}
+
+/// How badly an asset carries loads, from zero to one, if its box has its middle at a point and is stretched.
+pub(super) fn off(asset: &Asset, origin: &Vector3<f32>, stretch: &Vector3<f32>, loads: &[Load]) -> f32 {
+    let levels: Vec<Level> = asset.surfaces.iter().map(|s| Level::of(s, origin, stretch)).collect();
+    let sum: f32 = loads.iter().map(|load| load.off(&levels)).sum();
+    if loads.is_empty() { 0.0 } else { sum / loads.len() as f32 }
+}
+
+/// On the boards of open shelves that the scene has things on, things are put, and so on a handy one if the
+/// top is out of reach; in others they are put.
+pub(super) fn lay_on_boards(asset: &mut Asset, origin: &Vector3<f32>, stretch: &Vector3<f32>, loads: &[Load]) {
+    if asset.parts.iter().any(|part| part.joint.is_some()) || loads.iter().all(|load| load.inside) {
+        return;
+    }
+    let levels: Vec<Level> = asset.surfaces.iter().map(|s| Level::of(s, origin, stretch)).collect();
+    let votes = |level: &Level| {
+        let here = |l: &&Load| level.is_below(l) && (-SUNK..HOVERS).contains(&(l.low.z - level.at));
+        loads.iter().filter(here).map(|l| if l.inside { -1 } else { 1 }).sum::<i32>()
+    };
+    let votes: Vec<i32> = levels.iter().map(votes).collect();
+    for (surface, votes) in asset.surfaces.iter_mut().zip(&votes) {
+        if surface.hold == Hold::Inside && *votes > 0 {
+            surface.hold = Hold::On;
+        }
+    }
+    let bottom = asset.extent().map_or(0.0, |(low, _)| (low.z - origin.z) * stretch.z);
+    let in_reach = |s: &Surface, level: &Level| s.hold == Hold::On && level.at - bottom < REACH;
+    if !asset.surfaces.iter().zip(&levels).any(|(s, level)| in_reach(s, level)) {
+        let far = |i: &usize| (levels[*i].at - bottom - HANDY).abs();
+        let empty = (0..levels.len()).filter(|i| votes[*i] == 0 && asset.surfaces[*i].hold == Hold::Inside);
+        if let Some(handy) = empty.min_by(|a, b| far(a).total_cmp(&far(b))) {
+            asset.surfaces[handy].hold = Hold::On;
+        }
+    }
+}
