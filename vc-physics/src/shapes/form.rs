@@ -79,10 +79,10 @@ impl Link {
         self.pieces.iter().any(|p| matches!(p.shape.shape_type(), Ball | Capsule | Cone | Cylinder))
     }
 
-    /// Its shape, reaching farther down by so many metres, and where that is in the asset's frame.
+    /// Its shape, all of it reaching farther down by so many metres, and where that is in the asset's frame.
     pub(crate) fn deepened(&self, by: f32) -> Option<(SharedShape, EnginePose)> {
-        let deeper: Vec<Piece> = self.pieces.iter().map(|piece| scale::deepened(piece, by)).collect();
-        compound(&deeper)
+        let deeper: Option<Vec<Piece>> = self.pieces.iter().map(|piece| scale::deepened(piece, by)).collect();
+        compound(&deeper?)
     }
 
     /// Number of convex pieces.

@@ -116,7 +116,7 @@ impl World {
     /// carried as it was.
     fn is_where_it_slept(&self, thing: &Thing, rigid: &RigidBody, size: f32) -> bool {
         let still = rigid.linvel().length() + rigid.angvel().length() * size <= STILL;
-        still && thing.state.slept.is_some_and(|spot| spot.distance(&Spot::of(rigid.position()), size) <= SAME)
+        still && thing.state.slept.is_some_and(|spot| spot.distance(&Spot::of(rigid.position()), thing.form.extent) <= SAME)
     }
 
     /// Whether a body cannot tip: see above.
