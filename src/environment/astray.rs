@@ -116,7 +116,8 @@ pub(super) fn fell_out(world: &World, changes: &ChangeSet) -> Option<NodeId> {
         _ => None,
     });
     let free = |id: &NodeId| matches!(world.role(*id), Some(Role::Loose | Role::Hung | Role::Stopped));
-    moved.filter(free).find(|id| world.is_outside(*id))
+    let free: Vec<NodeId> = moved.filter(free).collect();
+    world.outside_among(&free).first().copied()
 }
 
 /// Puts agents that the scene has where no floor is onto the nearest one.
