@@ -115,7 +115,9 @@ fn many_in_one_place_cost() {
     for number in [5, 10, 20, 40, 100, 200] {
         let mut kitchen = kitchen(true);
         let table = kitchen.table;
-        (0..number).for_each(|_| drop(kitchen.mug([1.5, 0.0, 0.78], Some(table))));
+        for _ in 0..number {
+            kitchen.mug([1.5, 0.0, 0.78], Some(table));
+        }
         let start = cpu_time::ThreadTime::now();
         let home = kitchen.home();
         let (seconds, left) = (start.elapsed().as_secs_f64(), home.left_out().len());
