@@ -177,16 +177,17 @@ impl<'w> Supports<'w> {
         moves || !self.is_in_hand(pair.other as usize)
     }
 
-    /// Whether somebody holds or wears a body, or what it rests on.
+    /// Whether a body is somebody's, or somebody holds or wears it or what it rests on.
     fn is_in_hand(&self, index: usize) -> bool {
         let (mut below, mut next) = (vec![index], 0);
         while let Some(&at) = below.get(next) {
             next += 1;
             let Some(body) = self.world.bodies[at].as_deref().filter(|b| b.traits.moves) else { continue };
-            if self.held(body.id).next().is_some() {
+            if body.traits.agent || self.held(body.id).next().is_some() {
                 return true;
             }
-            let further = self.candidates(at).iter().map(|c| c.index).filter(|i| !below.contains(i)).collect::<Vec<_>>();
+            let further =
+                self.candidates(at).iter().map(|c| c.index).filter(|i| !below.contains(i)).collect::<Vec<_>>();
             below.extend(further);
         }
         false

@@ -359,7 +359,8 @@ fn a_hand_carries_nothing_built_in() {
         "me = person 1.7 @ 1.4 0 0",
         "me holds_right carton",
     ]);
-    let [switch, wall, carton, pillow, cup, me] = ["switch", "wall", "carton", "pillow", "cup", "me"].map(|n| scene.id(n));
+    let [switch, wall, carton, pillow, cup, me] =
+        ["switch", "wall", "carton", "pillow", "cup", "me"].map(|n| scene.id(n));
     let on = |evidence: Evidence, graph: &SceneGraph, id: NodeId| -> Vec<NodeId> {
         let relations = Relations::new(graph, Rule::Repaired, evidence).unwrap();
         relations.supports(id).into_iter().map(|s| s.by).collect()
