@@ -722,6 +722,19 @@ fn actions_cost_what_the_first_did() {
         }
         let compared = (costs.len() / 2).min(1000);
         let ratio = like_with_like(&costs[..compared], &costs[costs.len() - compared..]);
+        let (start, mut stream) = (home.start().clone(), Seed(seed).stream());
+        home.reset(&start).unwrap();
+        let again: f64 = (0..compared)
+            .map(|_| {
+                let agent = *stream.pick(home.agents()).unwrap();
+                let action = virtualcity::legal_action(home.graph(), agent, &mut stream);
+                let start = cpu_time::ThreadTime::now();
+                drop(home.set_action(agent, action));
+                start.elapsed().as_secs_f64()
+            })
+            .sum();
+        let same = again / costs[..compared].iter().map(|(_, cost)| cost).sum::<f64>();
+        println!("home {seed}, the first {compared} once more after a reset, as a part: {same:.2}");
         println!("home {seed}, ratio of the last {compared} to the first, like with like: {ratio:.2}");
     }
 }
@@ -748,7 +761,9 @@ fn like_with_like(first: &[(Sort, f64)], last: &[(Sort, f64)]) -> f64 {
 
 #[test]
 fn like_is_compared_with_like() {
-    let costs = |of: &[(&str, f64)]| of.iter().map(|(verb, cost)| ((verb.to_string(), true), *cost)).collect::<Vec<_>>();
-    let (first, last) = (costs(&[("walk", 1.0), ("walk", 3.0), ("open", 9.0)]), costs(&[("walk", 3.0), ("grab", 50.0)]));
+    let costs =
+        |of: &[(&str, f64)]| of.iter().map(|(verb, cost)| ((verb.to_string(), true), *cost)).collect::<Vec<_>>();
+    let (first, last) =
+        (costs(&[("walk", 1.0), ("walk", 3.0), ("open", 9.0)]), costs(&[("walk", 3.0), ("grab", 50.0)]));
     assert_eq!(like_with_like(&first, &last), 1.5);
 }

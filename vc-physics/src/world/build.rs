@@ -162,12 +162,7 @@ impl World {
     }
 
     /// Adds the body of a thing's base, with a shape in place of its own if there is one.
-    fn add_base(
-        &mut self,
-        thing: &Thing,
-        instead: Option<(SharedShape, EnginePose)>,
-        pose: &Pose,
-    ) -> RigidBodyHandle {
+    fn add_base(&mut self, thing: &Thing, instead: Option<(SharedShape, EnginePose)>, pose: &Pose) -> RigidBodyHandle {
         let builder = match thing.state.role {
             Role::Loose => RigidBodyBuilder::dynamic(),
             _ => RigidBodyBuilder::fixed(),

@@ -9,6 +9,7 @@ use nalgebra::Point3;
 use rapier3d::dynamics::{RigidBody, RigidBodyActivation, RigidBodyHandle};
 use rapier3d::math::{Pose as EnginePose, Vector};
 use serde::{Deserialize, Serialize};
+use vc_graph::NodeId;
 
 use super::{Thing, World};
 use crate::group;
@@ -45,7 +46,8 @@ impl Spot {
     /// How far the corners of a thing are from where they are at another spot, at most, metres. What only
     /// rolls about its axis goes no farther than its rim.
     pub(super) fn distance(&self, other: &Self, (low, high): Extent) -> f32 {
-        let corner = |i: usize| Vector::from_array(std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] }));
+        let corner =
+            |i: usize| Vector::from_array(std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] }));
         let far = |p: Vector| (self.0 * p).distance(other.0 * p);
         (0..8).map(|i| far(corner(i))).fold(0.0, f32::max)
     }
@@ -88,16 +90,18 @@ impl World {
             let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic()) else { continue };
             let (pose, (id, link)) = (*body.position(), group::marked(body.user_data));
             let body_limit = body.activation().normalized_linear_threshold;
-            let slow = self.thing(id).is_ok_and(|thing| self.would_have_stopped(thing, body));
+            let slow = self.thing(id).is_ok_and(|thing| self.would_have_stopped(thing));
             let Some(thing) = self.thing_mut(id).ok().filter(|_| link == 0) else { continue };
             thing.state.watch.look(&pose, thing.form.extent, slow);
             let calm = thing.state.watch.is_calm();
             let limit = if calm { TREMBLES } else { RigidBodyActivation::default_normalized_linear_threshold() };
-            let stops = calm && slow && self.rolls(handle);
-            let Some(body) = self.engine.bodies.get_mut(handle).filter(|_| stops || body_limit != limit) else { continue };
-            body.activation_mut().normalized_linear_threshold = limit;
-            if stops {
-                stop(body);
+            if body_limit != limit
+                && let Some(body) = self.engine.bodies.get_mut(handle)
+            {
+                body.activation_mut().normalized_linear_threshold = limit;
+            }
+            if calm && slow && self.rolls(handle) {
+                self.halt(id);
             }
         }
     }
@@ -123,11 +127,26 @@ impl World {
         }
     }
 
-    /// Whether a thing has no more energy than rolling resistance takes from it on a way that is too short
-    /// to count: whatever has so little for long is kept going by the engine alone.
-    fn would_have_stopped(&self, thing: &Thing, body: &RigidBody) -> bool {
-        let against = lever(thing) / radius(thing) * body.mass() * self.settings.gravity.abs();
-        body.kinetic_energy() <= against * ABOUT
+    /// Whether a thing has no more energy, its parts with it, than rolling resistance takes from it on a way
+    /// that is too short to count: whatever has so little for long is kept going by the engine alone.
+    fn would_have_stopped(&self, thing: &Thing) -> bool {
+        let bodies = || thing.bodies().filter_map(|b| self.engine.bodies.get(b));
+        let weight = bodies().map(RigidBody::mass).sum::<f32>() * self.settings.gravity.abs();
+        // What is not round is no easier to roll than what is.
+        let part = thing.state.rolling.max(lever(thing) / radius(thing));
+        bodies().map(RigidBody::kinetic_energy).sum::<f32>() <= part * weight * ABOUT
+    }
+
+    /// Stops a thing that creeps on, and tells the engine that it has been still for long enough.
+    fn halt(&mut self, id: NodeId) {
+        let bodies: Vec<RigidBodyHandle> = self.thing(id).map_or_else(|_| Vec::new(), |t| t.bodies().collect());
+        for handle in bodies {
+            let Some(body) = self.engine.bodies.get_mut(handle).filter(|b| b.is_dynamic()) else { continue };
+            body.set_linvel(Vector::ZERO, false);
+            body.set_angvel(Vector::ZERO, false);
+            let activation = body.activation_mut();
+            activation.time_since_can_sleep = activation.time_until_sleep;
+        }
     }
 
     /// Whether a body is free to turn, does so, and touches something.
@@ -139,18 +158,10 @@ impl World {
     }
 }
 
-/// Stops a body that creeps on, and tells the engine that it has been still for long enough.
-fn stop(body: &mut RigidBody) {
-    body.set_linvel(Vector::ZERO, false);
-    body.set_angvel(Vector::ZERO, false);
-    let activation = body.activation_mut();
-    activation.time_since_can_sleep = activation.time_until_sleep;
-}
-
 /// The lever of rolling resistance of a thing, metres.
 fn lever(thing: &Thing) -> f32 {
     let soft = thing.state.rolling * radius(thing);
-    if thing.form.links[0].rolls() { soft.max(FLATTENED) } else { (soft + FLATTENED).min(TIPS) }
+    if thing.form.links[0].round { soft.max(FLATTENED) } else { (soft + FLATTENED).min(TIPS) }
 }
 
 /// The radius of a thing that rolls on its side: half of its least measure, metres.
