@@ -14,7 +14,7 @@ use virtualcity::graph::{
     Action, ClassTable, Draft, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneGraph, Seed, State, Verb,
     Violation,
 };
-use virtualcity::physics::{Hand, Posture};
+use virtualcity::physics::{Hand, Posture, Role};
 use virtualcity::planner::{Newcomer, Run};
 use virtualcity::procgen::Apartment;
 use virtualcity::relations::{Relations, Rule};
@@ -165,7 +165,7 @@ fn refusals_change_nothing() {
 fn kept_thing(home: &Environment) -> Option<(NodeId, NodeId)> {
     let graph = home.graph();
     let moves = |id: NodeId| !home.world().moving_parts(id).is_empty();
-    let small = |id: &NodeId| home.world().role(*id) == Some(virtualcity::physics::Role::Loose);
+    let small = |id: &NodeId| home.world().role(*id) == Some(Role::Loose);
     let inside = |at: NodeId| graph.relating(Relation::Inside, at).find(small).map(|id| (id, at));
     graph.nodes().filter(|n| n.hides_contents() && moves(n.id())).find_map(|n| inside(n.id()))
 }
@@ -258,7 +258,7 @@ fn resets_report() {
     let start = home.start().clone();
     let (table, sofa) = (start.of_class("coffee_table")[0], start.of_class("sofa")[0]);
     let lamp = start.of_class("ceiling_lamp")[0];
-    let loose = |id: &NodeId| home.world().role(*id) == Some(virtualcity::physics::Role::Loose);
+    let loose = |id: &NodeId| home.world().role(*id) == Some(Role::Loose);
     let on_table: Vec<NodeId> = start.relating(Relation::On, table).filter(loose).collect();
     let [gone, moved] = on_table[..2] else { panic!("{on_table:?} on the table") };
     let mut graph = start.clone();
@@ -513,6 +513,31 @@ fn contents_of_boxes_go_along() {
     assert_eq!(home.graph().digest(), start.digest());
 }
 
+/// What is held where it is, as it reaches into the walls of its box, is put elsewhere all the same; what is
+/// held in a box goes along when that is.
+#[test]
+fn what_is_held_in_boxes_is_put_elsewhere() {
+    let mut home = boxes(include_str!("data/boxes_mug.json"));
+    let [me, carton, mug, table, kitchen] = [
+        home.agents()[0],
+        one(&home, "cardboard_box"),
+        one(&home, "mug"),
+        one(&home, "kitchen_table"),
+        one(&home, "kitchen"),
+    ];
+    assert_eq!(home.world().role(mug), Some(Role::Hung));
+    home.put(carton, Place { relation: Relation::On, at: kitchen }).unwrap();
+    assert!(home.graph().places(mug).eq([Place { relation: Relation::Inside, at: carton }]));
+    act(&mut home, me, Verb::Walk, &[carton]);
+    act(&mut home, me, Verb::Grab, &[carton]);
+    assert_eq!(home.graph().hidden_in(mug), Some(carton));
+    act(&mut home, me, Verb::Drop, &[carton]);
+    home.put(mug, Place { relation: Relation::On, at: table }).unwrap();
+    assert_eq!(home.world().role(mug), Some(Role::Loose));
+    assert!(home.world().supports(mug).contains(&table));
+    is_as_read(&home);
+}
+
 /// VirtualHome's scenes: one walks to every room that they have, doors lead where the scenes say, and
 /// things are taken and put back.
 #[test]
@@ -672,14 +697,17 @@ fn actions_cost_what_the_first_did() {
     let (from, homes, actions) = (number("FROM", 42), number("HOMES", 1), number("ACTIONS", 5_000));
     for seed in from..from + homes {
         let (mut home, mut stream) = (home(seed, 2), Seed(seed).stream());
+        let mut costs = Vec::new();
         for part in 0..actions / PART {
             let (mut times, mut done, ticks) = (Vec::new(), 0, home.world().ticks());
             for _ in 0..PART {
                 let agent = *stream.pick(home.agents()).unwrap();
                 let action = virtualcity::legal_action(home.graph(), agent, &mut stream);
                 let start = cpu_time::ThreadTime::now();
-                done += u64::from(home.set_action(agent, action).is_ok());
+                let succeeded = home.set_action(agent, action).is_ok();
                 times.push(start.elapsed());
+                done += u64::from(succeeded);
+                costs.push(((action.verb.to_string(), succeeded), start.elapsed().as_secs_f64()));
             }
             times.sort_unstable();
             let mean = times.iter().sum::<std::time::Duration>().as_secs_f64() * 1e3 / PART as f64;
@@ -692,5 +720,50 @@ fn actions_cost_what_the_first_did() {
                 part * PART
             );
         }
+        let compared = (costs.len() / 2).min(1000);
+        let ratio = like_with_like(&costs[..compared], &costs[costs.len() - compared..]);
+        let (start, mut stream) = (home.start().clone(), Seed(seed).stream());
+        home.reset(&start).unwrap();
+        let again: f64 = (0..compared)
+            .map(|_| {
+                let agent = *stream.pick(home.agents()).unwrap();
+                let action = virtualcity::legal_action(home.graph(), agent, &mut stream);
+                let start = cpu_time::ThreadTime::now();
+                drop(home.set_action(agent, action));
+                start.elapsed().as_secs_f64()
+            })
+            .sum();
+        let same = again / costs[..compared].iter().map(|(_, cost)| cost).sum::<f64>();
+        println!("home {seed}, the first {compared} once more after a reset, as a part: {same:.2}");
+        println!("home {seed}, ratio of the last {compared} to the first, like with like: {ratio:.2}");
     }
+}
+
+/// What an action is, and whether it succeeded.
+type Sort = (String, bool);
+
+/// What some actions cost as a part of what others cost: of each sort as many as both have, at their means.
+fn like_with_like(first: &[(Sort, f64)], last: &[(Sort, f64)]) -> f64 {
+    let by_sort = |costs: &[(Sort, f64)]| {
+        let mut all: std::collections::BTreeMap<Sort, Vec<f64>> = std::collections::BTreeMap::new();
+        costs.iter().for_each(|(sort, cost)| all.entry(sort.clone()).or_default().push(*cost));
+        all
+    };
+    let mean = |costs: &[f64]| costs.iter().sum::<f64>() / costs.len() as f64;
+    let (first, last) = (by_sort(first), by_sort(last));
+    let both = first.iter().filter_map(|(sort, before)| Some((before, last.get(sort)?)));
+    let (before, after) = both.fold((0.0, 0.0), |(a, b), (before, after)| {
+        let count = before.len().min(after.len()) as f64;
+        (a + count * mean(before), b + count * mean(after))
+    });
+    after / before
+}
+
+#[test]
+fn like_is_compared_with_like() {
+    let costs =
+        |of: &[(&str, f64)]| of.iter().map(|(verb, cost)| ((verb.to_string(), true), *cost)).collect::<Vec<_>>();
+    let (first, last) =
+        (costs(&[("walk", 1.0), ("walk", 3.0), ("open", 9.0)]), costs(&[("walk", 3.0), ("grab", 50.0)]));
+    assert_eq!(like_with_like(&first, &last), 1.5);
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Point2;
 use vc_graph::{Draft, EditError, Effect, Label, NodeId, Place, Pose, Relation, SceneBuilder, Seed, rule};
-use vc_physics::{Posture, Role};
+use vc_physics::{PhysicsError, Posture, Role};
 use vc_tasks::initial::Stock;
 
 use super::undo::Undo;
@@ -137,8 +137,8 @@ impl Environment {
         Ok(id)
     }
 
-    /// Puts a loose thing at a place at once, together with its load: on or in something, or on the floor of
-    /// a room. The history is kept, and other things stay as they are.
+    /// Puts a thing at a place at once, together with its load: on or in something, or on the floor of a room.
+    /// What hung, or was held where it was, is taken down. The history is kept, and other things stay as they are.
     ///
     /// `World::free_spot_at`, `World::place`, `World::step`, `Relations::update_with`. Costs a millisecond or two.
     ///
@@ -147,16 +147,19 @@ impl Environment {
     pub fn put(&mut self, thing: NodeId, place: Place) -> Result<(), AlterError> {
         self.graph.node(thing).ok_or(AlterError::NoSuchNode(thing))?;
         let place = self.checked(place)?;
-        let (Some(Role::Loose), Some(before)) = (self.world.role(thing), self.world.pose(thing)) else {
+        let moves = |role| matches!(role, Role::Loose | Role::Hung);
+        let Some(before) = self.world.pose(thing).filter(|_| self.world.role(thing).is_some_and(moves)) else {
             return Err(AlterError::NotLoose(self.graph.label(thing)));
         };
         let load = self.graph.carried_with(thing).into_iter().filter(|id| deed::comes_along(&self.graph, *id, thing));
         let load: Vec<(NodeId, Pose)> = load.filter_map(|id| Some((id, self.world.pose(id)?))).collect();
         let mut next = self.clone();
         next.set_down(thing, place)?;
+        // What hung is taken down.
+        next.world.wake(thing).map_err(|e| self.impossible(e))?;
         let motion = next.world.pose(thing).map_or_else(Pose::identity, |pose| pose * before.inverse());
         for (id, pose) in &load {
-            next.world.place(*id, motion * pose).map_err(|e| self.impossible(e))?;
+            next.bring_along((*id, motion * pose), thing).map_err(|e| self.impossible(e))?;
         }
         // The contents change rooms with it before relations are read.
         let mut edit = next.graph.edit();
@@ -229,6 +232,13 @@ impl Environment {
         let placed = reset::settle_place(&mut self.world, &self.graph, (id, false), Some(place));
         let refuse = |why: Why| AlterError::Unplaced(Unplaced { thing: self.graph.label(id), why });
         placed.map_err(|e| self.impossible(e))?.map_err(refuse)
+    }
+
+    /// Puts a thing elsewhere together with the one that carries it, and held to that if it was held.
+    fn bring_along(&mut self, (id, pose): (NodeId, Pose), carrier: NodeId) -> Result<(), PhysicsError> {
+        self.world.place(id, pose)?;
+        let held = self.world.role(id) == Some(Role::Hung);
+        if held { self.world.pin_to(id, carrier) } else { Ok(()) }
     }
 
     /// Why bodies cannot do it, with the labels of the scene.

@@ -147,32 +147,48 @@ impl World {
             return Err(PhysicsError::NotFinite("the pose", id));
         }
         let mut found: Vec<NodeId> = Vec::new();
-        self.for_overlaps(thing, pose, &mut |node| found.push(node));
+        self.for_overlaps(thing, pose, &mut |node| {
+            found.push(node);
+            true
+        });
         found.sort_unstable();
         found.dedup();
         Ok(found)
     }
 
-    fn for_overlaps(&self, thing: &Thing, pose: &Pose, found: &mut dyn FnMut(NodeId)) {
-        let own = thing.id;
-        for link in &thing.form.links {
-            let Some((shape, at)) = &link.solid else { continue };
-            self.each_overlap(shape, &(convert::pose(pose) * *at), own, found);
-        }
+    /// Calls for what a thing would overlap at a pose, as long as more is wanted; whether all has been found.
+    fn for_overlaps(&self, thing: &Thing, pose: &Pose, found: &mut dyn FnMut(NodeId) -> bool) -> bool {
+        let solid = thing.form.links.iter().filter_map(|link| link.solid.as_ref());
+        let mut bodies = solid.map(|(shape, at)| (shape, convert::pose(pose) * *at));
+        bodies.all(|(shape, at)| self.each_overlap(shape, &at, thing.id, found))
     }
 
-    /// Calls for every solid thing but one that a shape would overlap.
-    fn each_overlap(&self, shape: &SharedShape, at: &EnginePose, but: NodeId, found: &mut dyn FnMut(NodeId)) {
+    /// Calls for every solid thing but one that a shape would overlap, as long as more is wanted; whether all
+    /// has been found.
+    fn each_overlap(
+        &self,
+        shape: &SharedShape,
+        at: &EnginePose,
+        but: NodeId,
+        found: &mut dyn FnMut(NodeId) -> bool,
+    ) -> bool {
         let other = |_: ColliderHandle, c: &Collider| group::is_solid(c) && group::marked(c.user_data).0 != but;
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&other));
         for (_, collider) in queries.intersect_shape(*at, &**shape) {
             let between = at.inv_mul(collider.position());
             let depth =
                 rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
-            if depth.ok().flatten().is_none_or(|c| c.dist < -SKIN) {
-                found(group::marked(collider.user_data).0);
+            let overlaps = depth.ok().flatten().is_none_or(|c| c.dist < -SKIN);
+            if overlaps && !found(group::marked(collider.user_data).0) {
+                return false;
             }
         }
+        true
+    }
+
+    /// Whether a thing would overlap nothing at a pose.
+    fn is_clear(&self, thing: &Thing, pose: &Pose) -> bool {
+        self.for_overlaps(thing, pose, &mut |_| false)
     }
 
     /// Whether a box of half lengths at a pose overlaps nothing.
@@ -180,10 +196,8 @@ impl World {
         if !is_size(&half) || !convert::is_sound(pose) {
             return false;
         }
-        let mut free = true;
         let shape = SharedShape::cuboid(half.x, half.y, half.z);
-        self.each_overlap(&shape, &convert::pose(pose), NodeId(u32::MAX), &mut |_| free = false);
-        free
+        self.each_overlap(&shape, &convert::pose(pose), NodeId(u32::MAX), &mut |_| false)
     }
 
     /// A pose at which a node stands free on a surface: within its edges, below what
@@ -207,11 +221,7 @@ impl World {
         let thing = self.thing(id)?;
         let shelf = self.shelf(on, surface)?;
         let turn = turn(yaw, id)?;
-        let free = |spot: &Pose| {
-            let mut clear = true;
-            self.for_overlaps(thing, spot, &mut |_| clear = false);
-            clear
-        };
+        let free = |spot: &Pose| self.is_clear(thing, spot);
         Ok(spots(thing.form.extent, &shelf, &turn, (0.0, 0.0), order).into_iter().find(free))
     }
 
@@ -304,16 +314,9 @@ impl World {
         let around = SharedShape::cuboid(half.x + AROUND, half.y + AROUND, half.z);
         let middle = convert::pose(&Pose::from_parts(nalgebra::center(&low, &high).into(), UnitQuaternion::identity()));
         let clear_around = |spot: &Pose, of: &dyn Fn(NodeId) -> bool| {
-            let mut clear = true;
-            let mut met = |id| clear &= !of(id);
-            self.each_overlap(&around, &(convert::pose(spot) * middle), thing.id, &mut met);
-            clear
+            self.each_overlap(&around, &(convert::pose(spot) * middle), thing.id, &mut |id| !of(id))
         };
-        let clear = |spot: &Pose| {
-            let mut clear = true;
-            self.for_overlaps(thing, spot, &mut |_| clear = false);
-            clear
-        };
+        let clear = |spot: &Pose| self.is_clear(thing, spot);
         let loose = |id| shelf.hold == Hold::On && id != shelf.id && self.role(id) == Some(Role::Loose);
         let apart = self.first_spot(thing, shelf, way, order, |spot| clear_around(spot, &|_| true));
         apart.or_else(|| self.first_spot(thing, shelf, way, order, |spot| clear(spot) && clear_around(spot, &loose)))
