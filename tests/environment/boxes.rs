@@ -5,9 +5,9 @@ use virtualcity::graph::format::{read_scene, thesis};
 use virtualcity::graph::{ClassTable, Kind, Node, NodeId, Place, Property, Relation, SceneGraph, Seed, Verb};
 use virtualcity::planner::{Newcomer, Run};
 use virtualcity::procgen::Apartment;
-use virtualcity::tasks::{Outcome, Task, World as _};
+use virtualcity::tasks::{Outcome, Task};
 
-use super::{act, common, home};
+use super::{act, common};
 
 /// The thesis's JSON carries no shapes: a home that is written in it comes back with the same boxes
 /// in the same places, and stands.
@@ -49,7 +49,7 @@ fn one(home: &Environment, class: &str) -> NodeId {
 /// Tables of boxes carry, fridges of boxes hold.
 #[test]
 fn things_are_put_on_and_into_boxes() {
-    let mut home = boxes(include_str!("data/boxes_table.json"));
+    let mut home = boxes(include_str!("../data/boxes_table.json"));
     let [me, table, apple, fridge, milk] =
         [home.agents()[0], one(&home, "kitchen_table"), one(&home, "apple"), one(&home, "fridge"), one(&home, "milk")];
     assert!(home.elsewhere().is_empty(), "{:?}", home.elsewhere());
@@ -70,7 +70,7 @@ fn things_are_put_on_and_into_boxes() {
 /// A mug in a closed box is in the box only, and goes along when that is carried.
 #[test]
 fn contents_of_boxes_go_along() {
-    let mut home = boxes(include_str!("data/boxes_mug.json"));
+    let mut home = boxes(include_str!("../data/boxes_mug.json"));
     let [me, carton, mug, fridge] =
         [home.agents()[0], one(&home, "cardboard_box"), one(&home, "mug"), one(&home, "fridge")];
     assert!(home.graph().places(mug).eq([Place { relation: Relation::Inside, at: carton }]));
@@ -124,7 +124,7 @@ fn the_planner_lives_in_boxes() {
     let Some(data) = common::data() else { return };
     let file = data.join("virtualhome/scene1.json.gz");
     let home = Environment::make(&format!("scene:{}", file.display()), 1).unwrap();
-    let goals = Task::read_list(include_str!("../examples/data/box_goals.txt")).unwrap();
+    let goals = Task::read_list(include_str!("../../examples/data/box_goals.txt")).unwrap();
     assert_eq!(goals.len(), 40);
     for title in ["bread in the fridge", "a book on the bed", "listen to the radio"] {
         let task = goals.iter().find(|t| t.title == title).unwrap();

@@ -4,7 +4,6 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use virtualcity::graph::format::native;
 use virtualcity::graph::{Draft, NodeId, Place, Pose, Relation, Seed, State, Verb, Violation};
-use virtualcity::physics::Posture;
 use virtualcity::procgen::Apartment;
 use virtualcity::{Environment, MakeError, Why, check_environment};
 

@@ -1,7 +1,7 @@
 //! Agents in pictures, with what they hold and wear.
 
 use nalgebra::Point3;
-use virtualcity::graph::{Action, NodeId, Property, Verb};
+use virtualcity::graph::{Action, NodeId, Verb};
 use virtualcity::render::{Camera, Frame, Modalities, Modality};
 use virtualcity::{Environment, Viewpoint};
 
