@@ -56,7 +56,8 @@ fn main() -> Result<ExitCode, Complaint> {
     #[cfg(feature = "environment")]
     if options.bodies {
         let scene = options.scene.as_deref().ok_or_else(|| Complaint::new("--bodies needs --scene FILE"))?;
-        return bodies::replay(&options.files, scene).map(|()| ExitCode::SUCCESS);
+        let all_read = bodies::replay(&options.files, scene)?;
+        return Ok(if all_read { ExitCode::SUCCESS } else { ExitCode::FAILURE });
     }
     let classes = ClassTable::builtin();
     let read = |path: &PathBuf| {

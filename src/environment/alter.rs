@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use vc_graph::{Draft, EditError, Effect, Label, NodeId, Place, Pose, Relation, SceneBuilder, Seed, rule};
+use vc_graph::{
+    Draft, EditError, Effect, Label, NodeId, Place, Pose, Relation, SceneBuilder, Seed, did_you_mean, rule,
+};
 use vc_physics::{PhysicsError, Posture, Role};
 use vc_tasks::initial::Stock;
 
@@ -21,8 +23,16 @@ const INSTEAD: f32 = 2.0;
 #[non_exhaustive]
 pub enum AlterError {
     /// The class table knows no such class.
-    #[error("there is no class `{0}`: `graph().classes()` lists them")]
-    NoSuchClass(String),
+    #[error(
+        "there is no class `{class}`{}: `graph().classes()` lists them",
+        did_you_mean(.class, .nearest.iter().map(String::as_str))
+    )]
+    NoSuchClass {
+        /// The name of none.
+        class: String,
+        /// The names of classes that are nearest to it.
+        nearest: Vec<String>,
+    },
     /// There is no generator for things of the class.
     #[error("there is no generator for the class `{0}`: `procgen::object::generator` has those there are")]
     NoGenerator(String),
@@ -110,7 +120,7 @@ impl Environment {
     /// # Errors
     /// [`AlterError`]; then nothing has changed.
     pub fn spawn(&mut self, class: &str, place: Place) -> Result<NodeId, AlterError> {
-        let known = self.graph.classes().get(class).ok_or_else(|| AlterError::NoSuchClass(class.to_owned()))?;
+        let known = self.graph.classes().get(class).ok_or_else(|| self.no_such_class(class))?;
         let place = self.checked(place)?;
         let mut library = self.graph.assets().as_ref().clone();
         let seed = Seed(self.graph.len() as u64).child("spawn");
@@ -213,6 +223,11 @@ impl Environment {
         next.settle(&[vec![agent], held].concat())?;
         *self = next;
         Ok(())
+    }
+
+    fn no_such_class(&self, class: &str) -> AlterError {
+        let nearest = self.graph.classes().nearest(class).into_iter().map(str::to_owned).collect();
+        AlterError::NoSuchClass { class: class.to_owned(), nearest }
     }
 
     /// A place where something can be put; a room stands for its floor.

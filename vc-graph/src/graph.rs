@@ -310,12 +310,12 @@ impl SceneGraph {
         if node.kind() == Kind::Room {
             return self.room_of(agent) == Some(id);
         }
-        let here = !self.is_next_door(body, node);
-        if here && body.out(Relation::Near).any(|n| node.has(Relation::Near, n)) {
+        if self.within_reach(body, node) {
             return true;
         }
+        let here = !self.is_next_door(body, node);
         let at_hand = |p: Place| p.at == agent || (here && body.has(Relation::Near, p.at));
-        self.climb(id, &mut { at_hand }).is_some() || self.rests_at(agent, id) || self.within_reach(body, node)
+        self.climb(id, &mut { at_hand }).is_some() || self.rests_at(agent, id) || (here && body.is_near_what(node))
     }
 
     /// Whether a thing is in another room, as far as poses and rooms are known: what both are

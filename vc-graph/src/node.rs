@@ -1,5 +1,6 @@
 //! Nodes: what is constant about a thing, and what changes.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use nalgebra::{Point3, Vector3};
@@ -179,6 +180,22 @@ impl Node {
     pub(crate) fn inc(&self, relation: Relation) -> impl Iterator<Item = NodeId> + '_ {
         let links = if relation.is_symmetric() { &self.out } else { &self.inc };
         of_relation(links, relation)
+    }
+}
+
+impl Node {
+    /// Whether both are near the same thing.
+    pub(crate) fn is_near_what(&self, other: &Self) -> bool {
+        let (mut mine, mut others) = (self.out(Relation::Near), other.out(Relation::Near));
+        let (mut one, mut two) = (mine.next(), others.next());
+        while let (Some(a), Some(b)) = (one, two) {
+            match a.cmp(&b) {
+                Ordering::Less => one = mine.next(),
+                Ordering::Greater => two = others.next(),
+                Ordering::Equal => return true,
+            }
+        }
+        false
     }
 }
 

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use std::collections::BTreeMap;
+use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -16,7 +17,9 @@ fn folder() -> Option<PathBuf> {
     let folder = std::env::var_os("VC_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from).join("eai");
     let there = folder.join("goals_dev.json").exists();
     if !there {
-        eprintln!("SKIPPED: no shared data at {}; set VC_DATA to where it is", folder.display());
+        // Past the harness, which keeps what passing tests print.
+        let told = format!("SKIPPED: no shared data at {}; set VC_DATA to where it is\n", folder.display());
+        std::io::stderr().write_all(told.as_bytes()).unwrap();
     }
     there.then_some(folder)
 }
