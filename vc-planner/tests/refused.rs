@@ -2,7 +2,15 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-use vc_graph::{Action, ChangeSet, Draft, History, NodeId, SceneBuilder, SceneGraph, Simulator, State, Verb};
+#[path = "support/homes.rs"]
+mod homes;
+
+use std::collections::BTreeMap;
+
+use homes::{GOALS, home};
+use vc_graph::{
+    Action, ChangeSet, Draft, History, NodeId, Refusal, SceneBuilder, SceneGraph, Seed, Simulator, State, Stream, Verb,
+};
 use vc_planner::{Newcomer, Policy, Resident, Run};
 use vc_tasks::{Outcome, Task, World, WorldError};
 
@@ -113,5 +121,93 @@ fn what_there_is_no_way_to_is_left_alone() {
             assert!(World::graph(&world).place(mugs[1]).is_some_and(|p| p.at == table));
             assert!(world.failures <= 4, "{}: {} times what cannot be done", policy.name(), world.failures);
         }
+    }
+}
+
+/// A world that refuses at random, now by the rule's word and now by its own.
+struct Moody {
+    world: Simulator,
+    stream: Stream,
+    /// In how many of a hundred cases.
+    percent: usize,
+    /// What was refused since something was last done.
+    vain: Vec<Action>,
+    refused: BTreeMap<Action, usize>,
+}
+
+impl World for Moody {
+    fn graph(&self) -> &SceneGraph {
+        World::graph(&self.world)
+    }
+
+    fn history(&self) -> &History {
+        World::history(&self.world)
+    }
+
+    fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
+        let refuses = self.stream.below(100) < self.percent;
+        let done = if refuses {
+            let by_rule = self.stream.below(2) == 0;
+            Err(if by_rule {
+                WorldError::Refused(vec![Refusal::NoFreeHand])
+            } else {
+                WorldError::Failed("slipped".into())
+            })
+        } else {
+            World::step(&mut self.world, agent, action)
+        };
+        match &done {
+            Ok(_) => {
+                self.vain.clear();
+                self.refused.remove(action);
+            }
+            Err(why) => {
+                assert!(!self.vain.contains(action), "{action} again, though nothing has changed: {why}");
+                self.vain.push(*action);
+                let times = self.refused.entry(*action).or_default();
+                *times += 1;
+                assert!(*times <= 3, "{action} was refused {times} times: {why}");
+            }
+        }
+        done
+    }
+
+    fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError> {
+        World::reset(&mut self.world, graph)
+    }
+}
+
+/// An agent learns from every refusal: it does not try the same again while nothing has changed, goes about it
+/// otherwise, and ends with a verdict.
+#[test]
+fn what_was_refused_is_not_tried_again_while_nothing_changes() {
+    for (percent, least) in [(10, 90), (30, 60), (100, 0)] {
+        let (mut won, mut all) = (0, 0);
+        for seed in 0..6 {
+            let scene = home(seed);
+            for goal in GOALS {
+                let policies: [Box<dyn Policy>; 4] = [
+                    Box::new(Resident::default()),
+                    Box::new(Newcomer::best()),
+                    Box::new(Newcomer::stranger()),
+                    Box::new(Newcomer::faithful()),
+                ];
+                for mut policy in policies {
+                    let stream = Seed(seed).child(goal).stream();
+                    let (vain, refused) = (Vec::new(), BTreeMap::new());
+                    let mut world = Moody { world: Simulator::new(scene.clone()), stream, percent, vain, refused };
+                    let task = Task::new("moody", goal.parse().unwrap());
+                    let episode = Run::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+                    let told = format!("{} {seed} {goal} {percent}%: {episode:?}", policy.name());
+                    assert!(episode.outcome != Outcome::TimedOut, "{told}");
+                    // A stranger takes what it has not heard of not to be there.
+                    let told_why = episode.reason.is_some() || policy.name() == "stranger";
+                    assert!(episode.outcome == Outcome::Won || told_why, "{told}");
+                    all += 1;
+                    won += usize::from(episode.outcome == Outcome::Won);
+                }
+            }
+        }
+        assert!(won * 100 >= all * least, "{percent}%: {won} of {all}");
     }
 }
