@@ -8,7 +8,7 @@ use vc_graph::{Draft, NodeId, Place, Relation, SceneBuilder, SceneGraph, Scope, 
 
 use super::{Belief, places};
 use crate::Prior;
-use crate::prior::{self, SHARES};
+use crate::prior::{self, CAUTION, HYPOTHESES, Kinds};
 
 const ITEMS: [&str; 4] = ["apple", "mug", "mug", "book"];
 
@@ -38,18 +38,20 @@ fn home(seed: u64) -> Home {
     Home { scene: scene.build(), me, items, fixed }
 }
 
-/// A home there could be: how likely it is, and the number of the place of each item.
-type Possible = (f64, Vec<usize>);
+/// A home there could be: the number of the hypothesis, how likely it is by that, and the number
+/// of the place of each item.
+type Possible = (usize, f64, Vec<usize>);
 
 fn possible(home: &Home, places: &[Place], prior: &Prior) -> Vec<Possible> {
     let even = 1.0 / places.len() as f64;
+    let kinds = Kinds::of(&home.scene, places);
     let mut all = Vec::new();
-    for (share, chance) in SHARES {
-        let mut homes: Vec<Possible> = vec![(chance, Vec::new())];
+    for (number, (parts, _)) in HYPOTHESES.into_iter().enumerate() {
+        let mut homes: Vec<Possible> = vec![(number, 1.0, Vec::new())];
         for &item in &home.items {
-            let likely = prior.places(&home.scene, item, places);
-            let likely = |p: usize| likely.as_ref().map_or(even, |l| prior::chance(share, l[p], even));
-            let with = |(c, at): &Possible, p: usize| (c * likely(p), [at.as_slice(), &[p]].concat());
+            let likely = prior.weights(&home.scene, item, &kinds).map(|w| w.likely(&kinds));
+            let likely = |p: usize| likely.as_ref().map_or(even, |l| prior::chance(parts, l[p], even));
+            let with = |(n, c, at): &Possible, p: usize| (*n, c * likely(p), [at.as_slice(), &[p]].concat());
             homes = homes.iter().flat_map(|h| (0..places.len()).map(|p| with(h, p)).collect::<Vec<_>>()).collect();
         }
         all.extend(homes);
@@ -71,7 +73,7 @@ fn marginals_are_those_of_a_brute_force_filter() {
             belief.observe(&seen);
             strike_out(&mut homes, &home, &places, world.graph());
             // Once all is seen the belief may widen.
-            if homes.len() <= SHARES.len() {
+            if homes.len() <= HYPOTHESES.len() {
                 break;
             }
             compare(&belief, &homes, &home, &places, seed);
@@ -104,14 +106,18 @@ fn strike_out(homes: &mut Vec<Possible>, home: &Home, places: &[Place], real: &S
             home.items.iter().zip(at).all(|(&item, &supposed)| (supposed == number) == really(item, place))
         })
     };
-    homes.retain(|(_, at)| agrees(at));
+    homes.retain(|(_, _, at)| agrees(at));
 }
 
 fn compare(belief: &Belief, homes: &[Possible], home: &Home, places: &[Place], seed: u64) {
-    let all: f64 = homes.iter().map(|(chance, _)| chance).sum();
+    // What is seen tells for a hypothesis with caution, and within it in full.
+    let by: Vec<f64> = (0..HYPOTHESES.len()).map(|n| homes.iter().filter(|h| h.0 == n).map(|h| h.1).sum()).collect();
+    let weight = |n: usize| HYPOTHESES[n].1 * by[n].powf(CAUTION) / by[n];
+    let all: f64 = homes.iter().map(|(n, chance, _)| weight(*n) * chance).sum();
     for (index, &item) in home.items.iter().enumerate() {
         for (number, &place) in places.iter().enumerate() {
-            let here: f64 = homes.iter().filter(|(_, at)| at[index] == number).map(|(chance, _)| chance).sum();
+            let here: f64 =
+                homes.iter().filter(|h| h.2[index] == number).map(|(n, chance, _)| weight(*n) * chance).sum();
             let (filtered, believed) = (here / all, belief.probability(item, place));
             assert!(
                 (filtered - believed).abs() < 1e-9,

@@ -3,7 +3,7 @@
 use rand_chacha::rand_core::Rng;
 use vc_graph::{Kind, Node, NodeId, Observation, Place, Property, Relation};
 
-use super::places::in_view;
+use super::places::{in_view, left};
 use super::{Belief, Learned};
 use crate::prior::Supposed;
 
@@ -15,13 +15,16 @@ impl Belief {
             known.missing += 1;
             return;
         }
-        let places = self.prior.places(&self.graph, id, &self.places);
-        self.supposed.insert(class, Supposed { places, left: [1.0; 2], missing: 1 });
+        let weights = self.prior.weights(&self.graph, id, &self.kinds);
+        let places = weights.as_ref().map(|w| w.likely(&self.kinds));
+        let left = places.as_deref().map_or([1.0; 2], |places| left(places, &self.seen));
+        self.supposed.insert(class, Supposed { example: id, weights, places, left, missing: 1 });
     }
 
     /// Notes what is found and which places are in view, and guesses anew what that
     /// disproves.
     pub(super) fn look(&mut self, seen: &Observation, learned: &mut Learned) {
+        self.spread();
         let mut lost = self.lost(seen);
         if self.missing.is_empty() && lost.is_empty() && !self.stranger {
             return;

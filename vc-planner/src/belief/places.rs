@@ -3,6 +3,7 @@
 use vc_graph::{Kind, Node, NodeId, Observation, Place, Property, Relation, SceneGraph};
 
 use super::Belief;
+use crate::prior::Kinds;
 
 impl Belief {
     /// A container that can be carried is a place from when it has been seen; for who was not
@@ -24,15 +25,33 @@ impl Belief {
         self.places.push(place);
         self.seen.push(false);
         self.rooms.push(room);
-        let share = self.even();
+        self.kinds.add(&self.graph, &place);
+    }
+
+    /// Where things can be in a scene, none of it seen.
+    pub(super) fn look_for_places(&mut self, graph: &SceneGraph) {
+        self.places = all(graph);
+        self.seen = vec![false; self.places.len()];
+        self.rooms = self.places.iter().map(|p| graph.room_of(p.at)).collect();
+        self.kinds = Kinds::of(graph, &self.places);
+    }
+
+    /// Spreads what is supposed over places that have become known.
+    pub(super) fn spread(&mut self) {
         for class in self.supposed.values_mut() {
-            if let Some(places) = &mut class.places {
-                let less = |likely: &[f64; 2]| likely.map(|w| w * (1.0 - share));
-                *places = places.iter().map(less).chain([[share; 2]]).collect();
-                class.left = class.left.map(|left| left * (1.0 - share) + share);
-            }
+            let Some(weights) = class.weights.as_mut().filter(|_| class.places.as_ref().is_some_and(|p| p.len() < self.places.len())) else { continue };
+            weights.meet(&self.graph, class.example, &self.kinds);
+            let places = weights.likely(&self.kinds);
+            class.left = left(&places, &self.seen);
+            class.places = Some(places);
         }
     }
+}
+
+/// How much of what is likely is at places not seen.
+pub(super) fn left(places: &[[f64; 2]], seen: &[bool]) -> [f64; 2] {
+    let unseen = places.iter().zip(seen).filter(|(_, seen)| !**seen);
+    unseen.fold([0.0; 2], |[a, b], ([x, y], _)| [a + x, b + y])
 }
 
 /// Every fixed surface and container, floors included; of a room without a floor
