@@ -12,13 +12,14 @@ impl Belief {
     pub(super) fn weigh(&mut self, id: NodeId) {
         let Some(class) = self.graph.node(id).map(|n| n.class().clone()) else { return };
         if let Some(known) = self.supposed.get_mut(&class) {
-            known.missing += 1;
+            (known.missing, known.stale) = (known.missing + 1, true);
+            self.spread();
             return;
         }
         let weights = self.prior.weights(&self.graph, id, &self.kinds);
         let places = weights.as_ref().map(|w| w.likely(&self.kinds));
         let left = places.as_deref().map_or([1.0; 2], |places| left(places, &self.seen));
-        self.supposed.insert(class, Supposed { example: id, weights, places, left, missing: 1 });
+        self.supposed.insert(class, Supposed { example: id, weights, places, stale: false, left, missing: 1 });
     }
 
     /// Notes what is found and which places are in view, and guesses anew what that
@@ -31,6 +32,7 @@ impl Belief {
         }
         let found: Vec<NodeId> = self.missing.iter().map(|(id, _)| *id).filter(|id| seen.sees(*id)).collect();
         found.iter().for_each(|&id| self.find(seen, id));
+        self.spread();
         // Both are in the order of numbers.
         self.missing.retain(|(id, _)| found.binary_search(id).is_err());
         if self.look_at_places(seen) || !found.is_empty() {
@@ -85,6 +87,7 @@ impl Belief {
         // Where it is found again after it was moved says nothing.
         if let (Some(places), Some(at)) = (&class.places, at.filter(|&at| !self.seen[at])) {
             self.tidiness.found(places[at], even);
+            class.find(self.kinds.of_place(at));
         }
     }
 

@@ -36,14 +36,19 @@ impl Belief {
         self.kinds = Kinds::of(graph, &self.places);
     }
 
-    /// Spreads what is supposed over places that have become known.
+    /// Spreads what is supposed anew where places have become known, or things of the class.
     pub(super) fn spread(&mut self) {
-        for class in self.supposed.values_mut() {
-            let Some(weights) = class.weights.as_mut().filter(|_| class.places.as_ref().is_some_and(|p| p.len() < self.places.len())) else { continue };
+        let number = self.places.len();
+        for class in self.supposed.values_mut().filter(|class| class.missing > 0) {
+            let Some(weights) = &mut class.weights else { continue };
+            let grown = class.places.as_ref().is_none_or(|p| p.len() < number);
+            if !grown && !class.stale {
+                continue;
+            }
             weights.meet(&self.graph, class.example, &self.kinds);
             let places = weights.likely(&self.kinds);
             class.left = left(&places, &self.seen);
-            class.places = Some(places);
+            (class.places, class.stale) = (Some(places), false);
         }
     }
 }

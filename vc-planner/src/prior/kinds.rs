@@ -54,6 +54,11 @@ impl Kinds {
         &self.all
     }
 
+    /// The number of the kind of a place.
+    pub(crate) fn of_place(&self, place: usize) -> usize {
+        self.of[place] as usize
+    }
+
     /// The number of the kind of each place.
     pub(crate) fn each(&self) -> impl Iterator<Item = usize> + '_ {
         self.of.iter().map(|&kind| kind as usize)
@@ -77,6 +82,11 @@ impl PlaceKind {
 
     fn is_like(&self, other: &Self) -> bool {
         (self.relation, &self.at, &self.room, self.carried) == (other.relation, &other.at, &other.room, other.carried)
+    }
+
+    /// Whether both are on or in the same sort of thing, in whatever room.
+    pub(crate) fn offers_like(&self, other: &Self) -> bool {
+        (self.relation, &self.at, self.carried) == (other.relation, &other.at, other.carried)
     }
 
     /// Whether a habit speaks of the room.

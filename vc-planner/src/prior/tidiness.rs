@@ -31,6 +31,8 @@ pub(crate) struct Supposed {
     pub(crate) weights: Option<Weights>,
     /// How likely each place is by that.
     pub(crate) places: Option<Likely>,
+    /// Since that was reckoned one of the class was found.
+    pub(crate) stale: bool,
     /// How much of it is left in places not seen.
     pub(crate) left: [f64; 2],
     /// How many of the class are missing.
@@ -38,9 +40,17 @@ pub(crate) struct Supposed {
 }
 
 impl Supposed {
+    /// One of the class was found at a kind of place.
+    pub(crate) fn find(&mut self, kind: usize) {
+        if let Some(weights) = &mut self.weights {
+            weights.find(kind);
+            self.stale = true;
+        }
+    }
+
     /// Expects nothing at a place any more.
     pub(crate) fn leave_out(&mut self, place: usize) {
-        let [habit, stray] = self.places.as_ref().map_or([0.0; 2], |places| places[place]);
+        let [habit, stray] = self.places.as_ref().and_then(|places| places.get(place)).copied().unwrap_or_default();
         self.left = [self.left[HABIT] - habit, self.left[STRAY] - stray];
     }
 }
