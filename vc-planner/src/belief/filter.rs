@@ -81,10 +81,10 @@ impl Judge {
             (self.by, self.found[item]) = (told, true);
         }
         for &(item, place) in new {
-            let same = (0..ITEMS.len()).filter(|&other| ITEMS[other] == ITEMS[item]);
-            for weights in same.filter_map(|other| self.weights[other].as_mut().map(|w| (other, w))) {
-                weights.1.find(self.kinds.of_place(place));
-                self.likely[weights.0] = Some(weights.1.likely(&self.kinds));
+            for other in (0..ITEMS.len()).filter(|&other| ITEMS[other] == ITEMS[item]) {
+                let Some(weights) = &mut self.weights[other] else { continue };
+                weights.find(self.kinds.of_place(place));
+                self.likely[other] = Some(weights.likely(&self.kinds));
             }
         }
     }

@@ -11,21 +11,22 @@ impl Belief {
     pub(super) fn learn_places(&mut self, node: &Node, room: Option<NodeId>) {
         let opens = [Property::Graspable, Property::Container, Property::Openable];
         if (self.stranger || !self.missing.is_empty()) && opens.into_iter().all(|p| node.affords(p)) {
-            self.learn_place(Place { relation: Relation::Inside, at: node.id() }, None);
+            self.learn_place(Place { relation: Relation::Inside, at: node.id() }, room, false);
         }
         if self.stranger {
-            fixed(node).for_each(|place| self.learn_place(place, room));
+            fixed(node).for_each(|place| self.learn_place(place, room, true));
         }
     }
 
-    fn learn_place(&mut self, place: Place, room: Option<NodeId>) {
+    /// A place in a room; what does not stay there may be in another later.
+    fn learn_place(&mut self, place: Place, room: Option<NodeId>, stays: bool) {
         if self.places.contains(&place) {
             return;
         }
         self.places.push(place);
         self.seen.push(false);
-        self.rooms.push(room);
-        self.kinds.add(&self.graph, &place);
+        self.rooms.push(room.filter(|_| stays));
+        self.kinds.add(&self.graph, &place, room);
     }
 
     /// Where things can be in a scene, none of it seen.

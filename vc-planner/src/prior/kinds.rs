@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use vc_graph::{Kind, Place, Property, Relation, SceneGraph};
+use vc_graph::{Kind, NodeId, Place, Property, Relation, SceneGraph};
 
 use super::Row;
 
@@ -34,13 +34,13 @@ pub(crate) struct PlaceKind {
 impl Kinds {
     pub(crate) fn of(graph: &SceneGraph, places: &[Place]) -> Self {
         let mut kinds = Self::default();
-        places.iter().for_each(|place| kinds.add(graph, place));
+        places.iter().for_each(|place| kinds.add(graph, place, graph.room_of(place.at)));
         kinds
     }
 
-    /// One more place.
-    pub(crate) fn add(&mut self, graph: &SceneGraph, place: &Place) {
-        let new = PlaceKind::of(graph, place);
+    /// One more place, in a room.
+    pub(crate) fn add(&mut self, graph: &SceneGraph, place: &Place, room: Option<NodeId>) {
+        let new = PlaceKind::of(graph, place, room);
         let known = self.all.iter().position(|kind| kind.is_like(&new));
         let number = known.unwrap_or(self.all.len());
         if known.is_none() {
@@ -66,13 +66,13 @@ impl Kinds {
 }
 
 impl PlaceKind {
-    fn of(graph: &SceneGraph, place: &Place) -> Self {
+    fn of(graph: &SceneGraph, place: &Place, room: Option<NodeId>) -> Self {
         let node = graph.node(place.at);
         let class = |id| graph.node(id).map_or_else(|| "".into(), |n| n.class().clone());
         Self {
             relation: place.relation,
             at: class(place.at),
-            room: graph.room_of(place.at).map_or_else(|| "".into(), class),
+            room: room.map_or_else(|| "".into(), class),
             carried: node.is_some_and(|n| n.affords(Property::Graspable)),
             floor: node.is_some_and(|n| n.kind() == Kind::Room || &**n.class() == "floor"),
             size: super::stray::size(graph, place.at),
