@@ -18,6 +18,8 @@ use vc_tasks::{Outcome, Task, World, WorldError};
 struct Clumsy {
     world: Simulator,
     cannot: Vec<Action>,
+    /// What it says: that it could not, or that the rule forbids it.
+    forbids: bool,
     failures: usize,
 }
 
@@ -33,7 +35,10 @@ impl World for Clumsy {
     fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
         if self.cannot.contains(action) {
             self.failures += 1;
-            return Err(WorldError::Failed("no room".into()));
+            return Err(match self.forbids {
+                true => WorldError::Refused(vec![vc_graph::Refusal::NoFreeHand]),
+                false => WorldError::Failed("no room".into()),
+            });
         }
         World::step(&mut self.world, agent, action)
     }
@@ -58,7 +63,8 @@ fn another_thing_is_taken_and_another_place_found() {
     let cannot = vec![Action::one(Verb::Grab, mugs[0]), place(mugs[1], near)];
     let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
     for mut policy in policies {
-        let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), failures: 0 };
+        let mut world =
+            Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), forbids: false, failures: 0 };
         let task = Task::new("lay", "On(mug, kitchen_table)".parse().unwrap());
         let episode = Run::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
         assert_eq!(episode.outcome, Outcome::Won, "{}: {episode:?}", policy.name());
@@ -67,7 +73,7 @@ fn another_thing_is_taken_and_another_place_found() {
     }
     // What nothing else can stand in for is given up.
     let cannot = vec![Action::one(Verb::Open, fridge)];
-    let mut world = Clumsy { world: Simulator::new(scene), cannot, failures: 0 };
+    let mut world = Clumsy { world: Simulator::new(scene), cannot, forbids: false, failures: 0 };
     let task = Task::new("air", "Open(fridge)".parse().unwrap());
     let episode = Run::seeded(1).episode(&mut Resident::default(), &task, &mut world, &mut |_| {});
     assert!(episode.outcome != Outcome::Won && episode.steps <= 8, "{episode:?}");
@@ -90,7 +96,7 @@ fn what_is_full_is_left_alone() {
             let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
             for mut policy in policies {
                 let cannot = vec![Action::two(Verb::PutIn, milk, fridges[0])];
-                let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot, failures: 0 };
+                let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot, forbids: false, failures: 0 };
                 let episode = Run::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
                 assert_eq!(episode.outcome == Outcome::Won, wins, "{} {seed}: {episode:?}", policy.name());
                 assert!(world.failures <= 2, "{}: {} times what cannot be done", policy.name(), world.failures);
@@ -115,7 +121,8 @@ fn what_there_is_no_way_to_is_left_alone() {
     for seed in 0..20 {
         let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
         for mut policy in policies {
-            let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), failures: 0 };
+            let mut world =
+                Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), forbids: false, failures: 0 };
             let episode = Run::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
             assert_eq!(episode.outcome, Outcome::Won, "{} {seed}: {episode:?}", policy.name());
             assert!(World::graph(&world).place(mugs[1]).is_some_and(|p| p.at == table));
@@ -209,5 +216,31 @@ fn what_was_refused_is_not_tried_again_while_nothing_changes() {
             }
         }
         assert!(won * 100 >= all * least, "{percent}%: {won} of {all}");
+    }
+}
+
+/// A refusal is learned from, whatever the reason: the same is not asked for again and again, and
+/// where there is another place it is taken.
+#[test]
+fn what_is_forbidden_is_not_tried_for_ever() {
+    for (tables, wins) in [(1, false), (2, true)] {
+        let mut scene = SceneBuilder::new("flat");
+        let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+        scene.add_in(kitchen, Draft::new("character")).unwrap();
+        let counter = scene.add_in(kitchen, Draft::new("kitchen_counter")).unwrap();
+        let mug = scene.add_on(counter, Draft::new("mug")).unwrap();
+        let tables = (0..tables).map(|_| scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap());
+        let tables: Vec<NodeId> = tables.collect();
+        let scene = scene.build();
+        let task = Task::new("lay", "On(mug, kitchen_table)".parse().unwrap());
+        let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
+        for mut policy in policies {
+            let cannot = vec![Action::two(Verb::Place, mug, tables[0])];
+            let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot, forbids: true, failures: 0 };
+            let episode = Run::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+            assert_eq!(episode.outcome == Outcome::Won, wins, "{}: {episode:?}", policy.name());
+            assert!(episode.outcome != Outcome::Aborted, "{}: {episode:?}", policy.name());
+            assert!(world.failures <= 3, "{}: {} times what is forbidden", policy.name(), world.failures);
+        }
     }
 }
