@@ -105,19 +105,15 @@ const REFUSALS: usize = 8;
 struct Planning {
     agent: Option<Agent>,
     refusals: usize,
-    /// What was refused last, and all that ever was.
+    /// What was refused last.
     failed: Option<Action>,
-    refused: Vec<Action>,
 }
 
-/// So often an action may be refused, with others done in between, before one learns from it.
-const AGAIN: usize = 2;
-
 impl Planning {
-    const NEW: Self = Self { agent: None, refusals: 0, failed: None, refused: Vec::new() };
+    const NEW: Self = Self { agent: None, refusals: 0, failed: None };
 
     fn begin(&mut self, agent: Agent) {
-        *self = Self { agent: Some(agent), ..Self::NEW };
+        *self = Self { agent: Some(agent), refusals: 0, failed: None };
     }
 
     fn see(&mut self, seen: &Observation) -> Learned {
@@ -138,22 +134,19 @@ impl Planning {
         }
     }
 
-    /// What the world cannot do, the agent walks up to; what is refused again, whatever the
-    /// reason, the agent does not expect any more.
+    /// What the world cannot do, the agent walks up to; what it cannot do a second time, the
+    /// agent does not expect of it any more.
     fn refused(&mut self, action: &Action, why: &WorldError) -> Reaction {
         self.refusals += 1;
-        let often = self.refused.iter().filter(|a| *a == action).count() >= AGAIN;
-        let again = often || self.failed == Some(*action);
-        self.failed = Some(*action);
-        self.refused.push(*action);
         if let Some(agent) = &mut self.agent {
             agent.refused(action);
-            if again && agent.bar(action) {
-                self.refusals = 0;
-            } else if !again && matches!(why, WorldError::Failed(_)) {
-                agent.go_back_to(action);
+            match why {
+                WorldError::Failed(_) if self.failed != Some(*action) => agent.go_back_to(action),
+                WorldError::Failed(_) if agent.bar(action) => self.refusals = 0,
+                _ => {}
             }
         }
+        self.failed = Some(*action);
         if self.refusals < REFUSALS { Reaction::GoOn } else { Reaction::Stop }
     }
 }

@@ -142,7 +142,7 @@ fn each_hand_holds_what_the_goal_says() {
                 let mut world = Simulator::new(scene.clone());
                 let episode = Run::seeded(2).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
                 assert_eq!(episode.outcome, Outcome::Won, "{hands:?} {text} {}: {episode:?}", policy.name());
-                assert!(episode.steps <= best + 3, "{hands:?} {text}: {} for {best}", episode.steps);
+                assert!(episode.steps <= best + 3, "{hands:?} {text} {}: {episode:?} for {best}", policy.name());
             }
         }
     }
