@@ -146,9 +146,8 @@ fn put_back(home: &mut Environment, id: NodeId, place: Place) -> Result<(), (&'s
     if home.graph().node(place.at).is_some_and(vc_graph::Node::hides_contents) {
         home.set_action(me, Action::one(Verb::Open, place.at)).map_err(|e| ("open", Box::new(e)))?;
     }
-    let mut act = |name: &'static str, action: Action| {
-        home.set_action(me, action).map(drop).map_err(|e| (name, Box::new(e)))
-    };
+    let mut act =
+        |name: &'static str, action: Action| home.set_action(me, action).map(drop).map_err(|e| (name, Box::new(e)));
     let verb = if place.relation == Relation::Inside { Verb::PutIn } else { Verb::Place };
     act("put", Action::two(verb, id, place.at))
 }

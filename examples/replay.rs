@@ -3,7 +3,8 @@
 //! `cargo run --release --example replay -- FILE...` takes JSON Lines of programs
 //! with the graphs before and after (the Embodied Agent Interface's), or, with
 //! `--scene`, plain programs to be run in that scene, by one character or by several. Files and lines
-//! that cannot be read are named, and the rest goes on; then it ends with 1.
+//! that cannot be read are named, and the rest goes on; then it ends with 1. With `--semantics virtualhome`
+//! programs are run by VirtualHome's own transition rule, accidents included, and every edge is compared.
 
 #[cfg(feature = "environment")]
 #[path = "support/bodies.rs"]
@@ -19,7 +20,7 @@ use support::{Complaint, say};
 use vc_graph::format::program::{self, Program};
 use vc_graph::format::virtualhome::{Difference, EnvironmentGraph, RelationType};
 use vc_graph::format::{eai, read_scene};
-use vc_graph::{ClassTable, Event, NodeId, Refusal, SceneGraph, Simulator};
+use vc_graph::{ClassTable, Event, NodeId, Refusal, SceneGraph, Semantics, Simulator};
 
 /// Executes VirtualHome programs and compares what comes out with what should.
 #[derive(Parser)]
@@ -38,6 +39,16 @@ struct Options {
     /// Also show differences in CLOSE and FACING.
     #[arg(long)]
     all: bool,
+    /// Whose transition rule programs go by: virtualcity or virtualhome.
+    #[arg(long, default_value = "virtualcity")]
+    semantics: Semantics,
+}
+
+impl Options {
+    /// By VirtualHome's own rule all is to be the same.
+    fn compares_all(&self) -> bool {
+        self.all || self.semantics == Semantics::VirtualHome
+    }
 }
 
 #[derive(Default)]
@@ -55,8 +66,12 @@ fn main() -> Result<ExitCode, Complaint> {
     let options = Options::parse();
     #[cfg(feature = "environment")]
     if options.bodies {
+        if options.semantics != Semantics::VirtualCity {
+            return Err(Complaint::new("bodies go by our own rule: leave out --semantics, or --bodies"));
+        }
         let scene = options.scene.as_deref().ok_or_else(|| Complaint::new("--bodies needs --scene FILE"))?;
-        return bodies::replay(&options.files, scene).map(|()| ExitCode::SUCCESS);
+        let all_read = bodies::replay(&options.files, scene)?;
+        return Ok(if all_read { ExitCode::SUCCESS } else { ExitCode::FAILURE });
     }
     let classes = ClassTable::builtin();
     let read = |path: &PathBuf| {
@@ -87,7 +102,7 @@ fn replay(file: &Path, scene: Option<&SceneGraph>, options: &Options, tally: &mu
     }
     let program = program::read(&text).map_err(|e| located(&e))?;
     let scene = scene.ok_or_else(|| located(&"a plain program needs --scene FILE"))?;
-    let run = execute(scene.clone(), &program);
+    let run = execute(scene.clone(), &program, options.semantics);
     tally.programs += 1;
     tally.executable += usize::from(run.refused.is_none());
     say!("{}: {}", file.display(), run.verdict());
@@ -99,7 +114,7 @@ fn replay_records(file: &Path, text: &str, options: &Options, tally: &mut Tally)
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} programs").map_err(Complaint::new)?;
     let bar = ProgressBar::new(lines.len() as u64).with_style(style);
     for (number, line) in lines.iter().enumerate() {
-        let replayed = replay_record(line, options.all, tally);
+        let replayed = replay_record(line, options, tally);
         let shown = replayed.unwrap_or_else(|problem| {
             tally.unread += 1;
             vec![format!("{}, line {}: {problem}", file.display(), number + 1)]
@@ -112,15 +127,15 @@ fn replay_records(file: &Path, text: &str, options: &Options, tally: &mut Tally)
 }
 
 /// The lines to be printed about a record, or the reason why it is none.
-fn replay_record(line: &str, all: bool, tally: &mut Tally) -> Result<Vec<String>, String> {
+fn replay_record(line: &str, options: &Options, tally: &mut Tally) -> Result<Vec<String>, String> {
     let record = eai::read_record(line).map_err(|e| e.to_string())?;
     let build = |graph: &EnvironmentGraph| {
         let built = graph.build(&record.id, &ClassTable::builtin());
         built.map_err(|(field, problem)| format!("{field}: {problem}"))
     };
-    let run = execute(build(&record.initial)?, &record.program);
+    let run = execute(build(&record.initial)?, &record.program, options.semantics);
     let difference = EnvironmentGraph::of(&run.scene).difference(&EnvironmentGraph::of(&build(&record.last)?));
-    let differing = describe(&difference, &run.scene, all);
+    let differing = describe(&difference, &run.scene, options.compares_all());
     let executable = run.refused.is_none();
     tally.programs += 1;
     tally.executable += usize::from(executable);
@@ -147,8 +162,8 @@ impl Run {
     }
 }
 
-fn execute(scene: SceneGraph, program: &Program) -> Run {
-    let mut world = Simulator::new(scene);
+fn execute(scene: SceneGraph, program: &Program, semantics: Semantics) -> Run {
+    let mut world = Simulator::with(scene, semantics);
     let (mut done, mut refused) = (0, None);
     match program.cast(world.graph()) {
         _ if world.graph().agents().is_empty() => refused = Some("the scene has no character".into()),

@@ -104,12 +104,23 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     })
 }
 
-/// Removes the files of a folder whose names are a number and an ending: `000.jpg`, `001.jpg` for `jpg`. A
-/// folder that does not exist is taken for empty.
+/// Removes a file; one that is not there is no error.
+///
+/// # Errors
+/// The system's error if it cannot be removed.
+pub fn remove(path: &Path) -> io::Result<()> {
+    std::fs::remove_file(path).or_else(|error| match error.kind() {
+        io::ErrorKind::NotFound => Ok(()),
+        _ => Err(error),
+    })
+}
+
+/// Removes the files of a folder whose names are a number, `first` or more, and an ending: `000.jpg`, `001.jpg` for
+/// `jpg`. A folder that does not exist is taken for empty.
 ///
 /// # Errors
 /// The system's error if the folder cannot be listed, or a file cannot be removed.
-pub fn remove_numbered(folder: &Path, ending: &str) -> io::Result<()> {
+pub fn remove_numbered(folder: &Path, ending: &str, first: u64) -> io::Result<()> {
     let entries = match std::fs::read_dir(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
         entries => entries?,
@@ -117,8 +128,8 @@ pub fn remove_numbered(folder: &Path, ending: &str) -> io::Result<()> {
     for entry in entries {
         let path = entry?.path();
         let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-        let is_number = !stem.is_empty() && stem.bytes().all(|b| b.is_ascii_digit());
-        if is_number && path.extension().is_some_and(|e| e == ending) {
+        let number = Some(stem).filter(|stem| stem.bytes().all(|b| b.is_ascii_digit())).and_then(|s| s.parse().ok());
+        if number.is_some_and(|number: u64| number >= first) && path.extension().is_some_and(|e| e == ending) {
             std::fs::remove_file(&path)?;
         }
     }

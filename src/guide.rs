@@ -258,7 +258,7 @@
 //! let here = home.world().pose(me).ok_or("no body")?.translation.vector.xy();
 //! home.teleport(me, Point2::from(here))?;
 //! // An impossible wish is an error, and nothing has changed.
-//! assert!(matches!(home.spawn("flooble", Place { relation: Relation::On, at: table }), Err(AlterError::NoSuchClass(_))));
+//! assert!(matches!(home.spawn("flooble", Place { relation: Relation::On, at: table }), Err(AlterError::NoSuchClass { .. })));
 //! assert!(home.objects().iter().any(|object| object.id == mug && object.room == Some(kitchen)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

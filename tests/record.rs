@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
+#[path = "record/resume.rs"]
+mod resume;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use vc_graph::{Action, ChangeSet, History, NodeId, SceneGraph, Seed, Simulator};
-use vc_planner::{Habitual, Newcomer, Policy, Prior, Random, Resident, Run as Episodes};
+use vc_planner::{Newcomer, Policy, Prior, Random, Resident, Run as Episodes};
 use vc_tasks::initial::Initial;
 use vc_tasks::library::Activity;
 use vc_tasks::report::{Run, predicates};
@@ -15,7 +15,6 @@ use virtualcity::initial::{AtHome, at_home, at_home_that, feasible, generator};
 pub(crate) fn policies(symbolic: bool) -> Vec<Box<dyn Policy>> {
     let mut all: Vec<Box<dyn Policy>> = vec![Box::new(Random::default())];
     if symbolic {
-        all.push(Box::new(Habitual::default()));
         all.push(Box::new(Newcomer::faithful()));
         all.push(Box::new(Newcomer::best().supposing(Prior::Uniform).named("planner, uniform")));
     }

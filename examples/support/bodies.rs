@@ -10,30 +10,71 @@ use virtualcity::{ActionError, Environment, Impossible};
 use crate::support::{Complaint, read, say};
 
 /// Runs every program that fits a scene in it, and counts how many are executable, and the reasons why
-/// others are not.
-pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<(), Complaint> {
-    let home = Environment::make(&format!("scene:{}", scene.display()), 1).map_err(Complaint::new)?;
-    let (mut all, mut fit, mut done, mut why) = (0, 0, 0, BTreeMap::<String, usize>::new());
+/// others are not. Files and lines that are no programs are named; whether there were none of them.
+pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<bool, Complaint> {
+    let mut tally = Tally { scene, homes: BTreeMap::new(), all: 0, fit: 0, done: 0, unread: 0, why: BTreeMap::new() };
     for file in files {
-        for line in read(file)?.lines().filter(|l| !l.trim().is_empty()) {
-            let record = read_record(line).map_err(Complaint::new)?;
-            all += 1;
-            if !fits(&record, home.graph())? {
-                continue;
-            }
-            fit += 1;
-            match run(&mut home.clone(), &record) {
-                Ok(()) => done += 1,
-                Err((index, error)) => {
-                    say!("{} {}: action {}: {error}", record.id, record.title, index + 1);
-                    *why.entry(reason(&error)).or_default() += 1;
-                }
+        let text = read(file).unwrap_or_else(|complaint| {
+            tally.unread(format!("{complaint:?}"));
+            String::new()
+        });
+        for (number, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+            match read_record(line) {
+                Ok(record) => tally.add(&record)?,
+                Err(error) => tally.unread(format!("{}, line {}: {error}", file.display(), number + 1)),
             }
         }
     }
-    say!("\n{}: {fit} of {all} programs fit, {done} run with bodies", scene.display());
-    why.iter().for_each(|(reason, count)| say!("  {count} {reason}"));
-    Ok(())
+    say!("\n{}: {} of {} programs fit, {} run with bodies", scene.display(), tally.fit, tally.all, tally.done);
+    tally.why.iter().for_each(|(reason, count)| say!("  {count} {reason}"));
+    Ok(tally.unread == 0)
+}
+
+struct Tally<'a> {
+    scene: &'a Path,
+    /// The scene as it begins, by the number of characters.
+    homes: BTreeMap<usize, Environment>,
+    all: usize,
+    fit: usize,
+    done: usize,
+    /// Files and lines that are no programs.
+    unread: usize,
+    why: BTreeMap<String, usize>,
+}
+
+impl Tally<'_> {
+    fn unread(&mut self, why: impl std::fmt::Display) {
+        say!("{why}");
+        self.unread += 1;
+    }
+
+    fn add(&mut self, record: &Record) -> Result<(), Complaint> {
+        let characters = record.program.steps.iter().flatten().map(|deed| deed.character as usize + 1).max();
+        let mut home = self.home(characters.unwrap_or(1))?;
+        self.all += 1;
+        if !fits(record, home.graph())? {
+            return Ok(());
+        }
+        self.fit += 1;
+        match run(&mut home, record) {
+            Ok(()) => self.done += 1,
+            Err((index, error)) => {
+                say!("{} {}: action {}: {error}", record.id, record.title, index + 1);
+                *self.why.entry(reason(&error)).or_default() += 1;
+            }
+        }
+        Ok(())
+    }
+
+    /// The scene with so many characters.
+    fn home(&mut self, characters: usize) -> Result<Environment, Complaint> {
+        if let Some(home) = self.homes.get(&characters) {
+            return Ok(home.clone());
+        }
+        let home = Environment::make(&format!("scene:{}", self.scene.display()), characters).map_err(Complaint::new)?;
+        self.homes.insert(characters, home.clone());
+        Ok(home)
+    }
 }
 
 /// Whether everything that a program names has the same class in a scene; its own agent stands for the one
@@ -47,10 +88,14 @@ fn fits(record: &Record, scene: &SceneGraph) -> Result<bool, Complaint> {
     Ok(named.into_iter().all(|id| is_actor(id) || class(&own, id).is_some() && class(&own, id) == class(scene, id)))
 }
 
+/// Lets each character do what is its part, one after the other.
 fn run(home: &mut Environment, record: &Record) -> Result<(), (usize, ActionError)> {
-    let me = home.agents()[0];
-    let mut numbered = record.program.actions().enumerate();
-    numbered.try_for_each(|(index, action)| home.set_action(me, action).map(drop).map_err(|error| (index, error)))
+    let agents = home.agents().to_vec();
+    let mut numbered = record.program.steps.iter().flatten().enumerate();
+    numbered.try_for_each(|(index, deed)| {
+        let agent = agents[deed.character as usize];
+        home.set_action(agent, deed.action).map(drop).map_err(|error| (index, error))
+    })
 }
 
 /// The kind of a reason, without names.

@@ -63,11 +63,19 @@ impl Outcome<'_> {
         let let_go = |id: NodeId| effects.contains(&Effect::LetGo(id)) || self.lost_origin(&effects, id);
         let kept = nodes.iter().filter(|id| !let_go(**id));
         let mut found: Vec<Difference> = kept.filter_map(|&id| self.place(id)).collect();
-        found.extend(nodes.iter().filter_map(|&id| self.room(id)));
+        // What is let go lies where it falls, and that may be beyond a threshold.
+        let fell = |id: NodeId| self.fell_with(&effects, id);
+        found.extend(nodes.iter().filter(|id| !fell(**id)).filter_map(|&id| self.room(id)));
         found.extend(nodes.iter().filter_map(|&id| self.open(id)));
         found.extend(effects.iter().filter_map(|effect| self.nearness(agent, effect)));
         found.extend(effects.iter().filter_map(|effect| self.facing(agent, effect)));
         found
+    }
+
+    /// Whether a thing is let go, or lies on or in one that is.
+    fn fell_with(&self, effects: &[Effect<NodeId>], id: NodeId) -> bool {
+        let carries = |at: NodeId| at == id || self.before.rests_at(id, at);
+        effects.iter().any(|effect| matches!(effect, Effect::LetGo(at) if carries(*at)))
     }
 
     /// Put back where it was taken from, which is nowhere in particular.

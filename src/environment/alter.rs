@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use vc_graph::{Draft, EditError, Effect, Label, NodeId, Place, Pose, Relation, SceneBuilder, Seed, rule};
-use vc_physics::{Posture, Role};
+use vc_graph::{
+    Draft, EditError, Effect, Label, NodeId, Place, Pose, Relation, SceneBuilder, Seed, did_you_mean, rule,
+};
+use vc_physics::{PhysicsError, Posture, Role};
 use vc_tasks::initial::Stock;
 
 use super::undo::Undo;
@@ -21,8 +23,16 @@ const INSTEAD: f32 = 2.0;
 #[non_exhaustive]
 pub enum AlterError {
     /// The class table knows no such class.
-    #[error("there is no class `{0}`: `graph().classes()` lists them")]
-    NoSuchClass(String),
+    #[error(
+        "there is no class `{class}`{}: `graph().classes()` lists them",
+        did_you_mean(.class, .nearest.iter().map(String::as_str))
+    )]
+    NoSuchClass {
+        /// The name of none.
+        class: String,
+        /// The names of classes that are nearest to it.
+        nearest: Vec<String>,
+    },
     /// There is no generator for things of the class.
     #[error("there is no generator for the class `{0}`: `procgen::object::generator` has those there are")]
     NoGenerator(String),
@@ -110,7 +120,7 @@ impl Environment {
     /// # Errors
     /// [`AlterError`]; then nothing has changed.
     pub fn spawn(&mut self, class: &str, place: Place) -> Result<NodeId, AlterError> {
-        let known = self.graph.classes().get(class).ok_or_else(|| AlterError::NoSuchClass(class.to_owned()))?;
+        let known = self.graph.classes().get(class).ok_or_else(|| self.no_such_class(class))?;
         let place = self.checked(place)?;
         let mut library = self.graph.assets().as_ref().clone();
         let seed = Seed(self.graph.len() as u64).child("spawn");
@@ -137,8 +147,8 @@ impl Environment {
         Ok(id)
     }
 
-    /// Puts a loose thing at a place at once, together with its load: on or in something, or on the floor of
-    /// a room. The history is kept, and other things stay as they are.
+    /// Puts a thing at a place at once, together with its load: on or in something, or on the floor of a room.
+    /// What hung, or was held where it was, is taken down. The history is kept, and other things stay as they are.
     ///
     /// `World::free_spot_at`, `World::place`, `World::step`, `Relations::update_with`. Costs a millisecond or two.
     ///
@@ -147,16 +157,19 @@ impl Environment {
     pub fn put(&mut self, thing: NodeId, place: Place) -> Result<(), AlterError> {
         self.graph.node(thing).ok_or(AlterError::NoSuchNode(thing))?;
         let place = self.checked(place)?;
-        let (Some(Role::Loose), Some(before)) = (self.world.role(thing), self.world.pose(thing)) else {
+        let moves = |role| matches!(role, Role::Loose | Role::Hung);
+        let Some(before) = self.world.pose(thing).filter(|_| self.world.role(thing).is_some_and(moves)) else {
             return Err(AlterError::NotLoose(self.graph.label(thing)));
         };
         let load = self.graph.carried_with(thing).into_iter().filter(|id| deed::comes_along(&self.graph, *id, thing));
         let load: Vec<(NodeId, Pose)> = load.filter_map(|id| Some((id, self.world.pose(id)?))).collect();
         let mut next = self.clone();
         next.set_down(thing, place)?;
+        // What hung is taken down.
+        next.world.wake(thing).map_err(|e| self.impossible(e))?;
         let motion = next.world.pose(thing).map_or_else(Pose::identity, |pose| pose * before.inverse());
         for (id, pose) in &load {
-            next.world.place(*id, motion * pose).map_err(|e| self.impossible(e))?;
+            next.bring_along((*id, motion * pose), thing).map_err(|e| self.impossible(e))?;
         }
         // The contents change rooms with it before relations are read.
         let mut edit = next.graph.edit();
@@ -212,6 +225,11 @@ impl Environment {
         Ok(())
     }
 
+    fn no_such_class(&self, class: &str) -> AlterError {
+        let nearest = self.graph.classes().nearest(class).into_iter().map(str::to_owned).collect();
+        AlterError::NoSuchClass { class: class.to_owned(), nearest }
+    }
+
     /// A place where something can be put; a room stands for its floor.
     fn checked(&self, place: Place) -> Result<Place, AlterError> {
         if !matches!(place.relation, Relation::On | Relation::Inside) {
@@ -231,6 +249,13 @@ impl Environment {
         placed.map_err(|e| self.impossible(e))?.map_err(refuse)
     }
 
+    /// Puts a thing elsewhere together with the one that carries it, and held to that if it was held.
+    fn bring_along(&mut self, (id, pose): (NodeId, Pose), carrier: NodeId) -> Result<(), PhysicsError> {
+        self.world.place(id, pose)?;
+        let held = self.world.role(id) == Some(Role::Hung);
+        if held { self.world.pin_to(id, carrier) } else { Ok(()) }
+    }
+
     /// Why bodies cannot do it, with the labels of the scene.
     fn impossible(&self, why: impl Into<Impossible>) -> AlterError {
         AlterError::Bodies(why.into().in_scene(&self.graph))
@@ -239,7 +264,7 @@ impl Environment {
     /// Lets all come to rest and observes it; nothing can be taken back to before that.
     fn settle(&mut self, changed: &[NodeId]) -> Result<(), AlterError> {
         act::calm(&mut self.world);
-        observe::look_again(&mut self.graph, &self.world, &mut self.relations, (changed, &self.start.boxes))?;
+        observe::look_again(&mut self.graph, &self.world, &mut self.relations, changed)?;
         self.floor.update(&self.world);
         self.undo = Undo::default();
         Ok(())

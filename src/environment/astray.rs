@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 use vc_graph::{Change, ChangeSet, Kind, Node, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
 use vc_physics::{Floor, Order, Role, World};
 
@@ -44,6 +44,18 @@ pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<Left
     }
 }
 
+/// Places, each with the size of a thing for which there was no room. A search that fails takes long.
+#[derive(Default)]
+struct Full(Vec<(Place, Vector3<f32>)>);
+
+impl Full {
+    /// Whether something no larger had no room at a place.
+    fn is_for(&self, place: Option<Place>, size: Option<Vector3<f32>>) -> bool {
+        let Some((place, size)) = place.zip(size) else { return false };
+        self.0.iter().any(|(at, tried)| *at == place && (0..3).all(|k| tried[k] <= size[k]))
+    }
+}
+
 /// Puts things where the scene says they are; takes out those for which there is no room.
 fn put_back(world: &mut World, builder: &mut SceneBuilder, mut astray: Vec<NodeId>) -> Result<LeftOut, MakeError> {
     astray.sort_unstable();
@@ -52,12 +64,17 @@ fn put_back(world: &mut World, builder: &mut SceneBuilder, mut astray: Vec<NodeI
     for (index, (id, _)) in wanted.iter().enumerate() {
         world.place(*id, Pose::translation(APART * index as f32, 0.0, BELOW))?;
     }
-    let mut lost = Vec::new();
+    let (mut lost, mut full) = (Vec::new(), Full::default());
     for (id, pose) in wanted {
         let near = Order::Near(Point3::from(pose.translation.vector));
-        match spot(world, builder.graph(), id, near)? {
+        let (place, size) = (builder.graph().place(id), world.aabb(id).map(|b| b.max - b.min));
+        let found = if full.is_for(place, size) { None } else { spot(world, builder.graph(), id, near)? };
+        match found {
             Some(spot) => world.place(id, spot)?,
-            None => lost.push(id),
+            None => {
+                full.0.extend(place.zip(size));
+                lost.push(id);
+            }
         }
     }
     let mut left_out = LeftOut::new();
@@ -116,7 +133,8 @@ pub(super) fn fell_out(world: &World, changes: &ChangeSet) -> Option<NodeId> {
         _ => None,
     });
     let free = |id: &NodeId| matches!(world.role(*id), Some(Role::Loose | Role::Hung | Role::Stopped));
-    moved.filter(free).find(|id| world.is_outside(*id))
+    let free: Vec<NodeId> = moved.filter(free).collect();
+    world.outside_among(&free).first().copied()
 }
 
 /// Puts agents that the scene has where no floor is onto the nearest one.

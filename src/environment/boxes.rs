@@ -10,14 +10,12 @@ use vc_graph::{
 use vc_physics::{Floor, PhysicsError, Role, World};
 use vc_procgen::dress::{self, DressError};
 
-use super::{Assets, Elsewhere, MakeError};
+use super::{Assets, Elsewhere};
 use crate::figure;
 
 /// How far above its support a thing may hover in the scene, metres, and how far it may fall.
 const HOVER: f32 = 0.06;
 const REST: f32 = 0.002;
-/// How far a thing is set down from where the scene has it, metres.
-const SET_DOWN: f32 = 0.35;
 /// How far from the box of its place a thing may be, metres.
 const BESIDE: f32 = 0.1;
 /// A thing that has moved less is still where the scene has it, metres.
@@ -82,38 +80,6 @@ fn yaw(pose: &Pose) -> Vector3<f32> {
     let front = pose.rotation * Vector3::x();
     let angle = vc_graph::portable::Portable::angle_to(front.y, front.x);
     Vector3::z() * angle
-}
-
-/// Sets things down on the nearest board that has room for them, if one of the boards of what they are in or
-/// on goes through them where the scene has them, or none is below. Nobody knew the boards of a box.
-pub(super) fn set_down(world: &mut World, graph: &mut SceneGraph, bare: &[NodeId]) -> Result<(), MakeError> {
-    let mut moved = Vec::new();
-    for &id in bare {
-        let Some(place) = graph.place(id).filter(|p| is_set_down(world, graph, id, p)) else { continue };
-        let Some(pose) = world.pose(id) else { continue };
-        let lowered = Pose::translation(0.0, 0.0, -HOVER) * pose;
-        let cut = world.overlaps(id, &pose)?.contains(&place.at);
-        if !cut && !world.overlaps(id, &lowered)?.is_empty() {
-            continue;
-        }
-        if let Some(spot) = world.nearest_spot_at(id, place.at, place.relation == Relation::Inside, SET_DOWN)? {
-            world.place(id, spot)?;
-            moved.push((id, spot));
-        }
-    }
-    let mut edit = graph.edit();
-    moved.into_iter().try_for_each(|(id, spot)| edit.set_pose(id, Some(spot)))?;
-    edit.commit();
-    Ok(())
-}
-
-/// Whether a thing is one that stands or lies by itself in or on another: it does not hang, and carries
-/// nothing.
-fn is_set_down(world: &World, graph: &SceneGraph, id: NodeId, place: &Place) -> bool {
-    let hangs = |n: &Node| n.affords(Property::Wearable) || n.affords(Property::Hangable);
-    let alone = graph.resting_at(id).next().is_none();
-    let stands = graph.node(id).is_some_and(|n| !hangs(n)) && world.role(id) == Some(Role::Loose);
-    matches!(place.relation, Relation::On | Relation::Inside) && alone && stands
 }
 
 /// Pins the things that had only boxes and would not stay where they are, as boxes overlap and hover a

@@ -105,10 +105,9 @@ impl Environment {
         if !graph.nodes().any(|n| posed(&n)) {
             return Err(MakeError::NoPoses { scene: graph.name().to_owned(), things: graph.len() });
         }
-        let (mut graph, shapes) = (graph, Shapes::new());
-        let mut world = World::build(&graph, &shapes, Settings::default())?;
-        boxes::set_down(&mut world, &mut graph, &bare)?;
         let mut builder = SceneBuilder::of(graph);
+        let shapes = Shapes::new();
+        let mut world = World::build(builder.graph(), &shapes, Settings::default())?;
         boxes::hold(&mut world, builder.graph(), &bare)?;
         undress(&mut world, builder.graph())?;
         let left_out = astray::calm(&mut world, &mut builder)?;
@@ -148,7 +147,7 @@ impl Environment {
         let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
         relations.write(&mut graph, &all)?;
         let elsewhere = boxes::keep(&scene, &mut graph, &world, &bare)?;
-        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, boxes: bare, assets };
+        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, assets };
         Ok(Self::at(Arc::new(start)))
     }
 

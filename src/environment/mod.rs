@@ -100,8 +100,6 @@ struct Start {
     shapes: Shapes,
     left_out: Vec<(NodeId, Arc<str>)>,
     elsewhere: Vec<Elsewhere>,
-    /// Things of which the scene had only boxes, by number.
-    boxes: Vec<NodeId>,
     /// Which shapes things get that have only boxes.
     assets: Assets,
 }

@@ -1,7 +1,7 @@
 //! From bodies back to the graph: poses, relations, and only of what has moved.
 
-use vc_graph::{ChangeSet, EditError, NodeId, Place, Pose, Relation, SceneGraph};
-use vc_physics::{Role, World};
+use vc_graph::{ChangeSet, EditError, NodeId, Pose, Relation, SceneGraph};
+use vc_physics::World;
 use vc_relations::{Evidence, Relations};
 
 use super::Impossible;
@@ -44,48 +44,17 @@ pub(super) fn evidence(world: &World) -> Evidence {
 /// graph. Returns all whose relations may be different, and what changed.
 ///
 /// `changed` are those that the rule puts elsewhere. The graph then says the same as a scene read anew,
-/// whatever it said before; but of things of which a scene had only `boxes`, those that are pinned and
-/// that nobody touched stay where it has them.
+/// whatever it said before.
 pub(super) fn look_again(
     graph: &mut SceneGraph,
     world: &World,
     relations: &mut Relations,
-    (changed, boxes): (&[NodeId], &[NodeId]),
+    changed: &[NodeId],
 ) -> Result<(Vec<NodeId>, ChangeSet), Impossible> {
     let unreadable = |e: &dyn std::fmt::Display| Impossible::Unreadable(e.to_string());
     let (mut moved, poses) = write_poses(graph, world).map_err(|e| unreadable(&e))?;
     moved.extend_from_slice(changed);
     let met = relations.update_with(graph, &moved, evidence(world)).map_err(|e| unreadable(&e))?;
-    let still = untouched(graph, world, &met, (changed, boxes));
     let edges = relations.write(graph, &met).map_err(|e| unreadable(&e))?;
-    let kept = keep(graph, still).map_err(|e| unreadable(&e))?;
-    Ok((met, poses.then(edges).then(kept)))
-}
-
-/// Pinned things of a scene of boxes that are not concerned by what `changed`, with their places.
-fn untouched(
-    graph: &SceneGraph,
-    world: &World,
-    met: &[NodeId],
-    (changed, boxes): (&[NodeId], &[NodeId]),
-) -> Vec<(NodeId, Vec<Place>)> {
-    let is_touched = |id: NodeId| changed.contains(&id) || graph.support_chain(id).iter().any(|at| changed.contains(at));
-    let is_still = |id: &NodeId| world.role(*id) == Some(Role::Hung) && !is_touched(*id);
-    let of_boxes = met.iter().copied().filter(|id| boxes.binary_search(id).is_ok());
-    of_boxes.filter(is_still).map(|id| (id, graph.places(id).collect())).collect()
-}
-
-/// Gives things the places that they had, where they have others.
-fn keep(graph: &mut SceneGraph, still: Vec<(NodeId, Vec<Place>)>) -> Result<ChangeSet, EditError> {
-    let lost = |(id, places): &(NodeId, Vec<Place>)| !places.is_empty() && !graph.places(*id).eq(places.iter().copied());
-    let lost: Vec<(NodeId, Vec<Place>)> = still.into_iter().filter(lost).collect();
-    let mut edit = graph.edit();
-    for (id, places) in lost {
-        match edit.place_as_seen(id, &places, None) {
-            // What carried it rests on it by now.
-            Ok(()) | Err(EditError::SupportCycle { .. }) => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Ok(edit.commit())
+    Ok((met, poses.then(edges)))
 }

@@ -3,6 +3,7 @@
 
 mod dataset;
 mod film;
+mod journal;
 mod map;
 mod trajectory;
 
@@ -61,7 +62,10 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// In the film an eye that comes through a door into other light gets used to it within half a second.
 ///
 /// Costs one pair of pictures for each sixth of a second of the home's time: 480 pixels across,
-/// some twenty milliseconds. The same run writes the same files. Each file is written whole or not at all.
+/// some twenty milliseconds. The same run writes the same files. Each file is written whole or not at all; the
+/// trajectory is `trajectory.jsonl.part` until the record is finished. A run with a dataset that was broken off is
+/// started again with the same arguments: actions are done again, but the dataset's pictures that are there are not
+/// made again ([`Dataset`]).
 pub struct Recorder {
     home: Environment,
     task: Task,
@@ -156,8 +160,8 @@ impl Recorder {
         let daylight = options.daylight.unwrap_or(home.pictures().daylight);
         home.set_pictures(PictureOptions { daylight, finer: options.finer, ..*home.pictures() });
         let folder = folder.as_ref().to_path_buf();
-        std::fs::create_dir_all(&folder).map_err(|error| RecordError::File { path: folder.clone(), error })?;
-        clear(&folder).map_err(|error| RecordError::File { path: folder.clone(), error })?;
+        std::fs::create_dir_all(&folder).map_err(at(&folder))?;
+        clear(&folder, options.dataset)?;
         let trajectory = Trajectory::begin(&folder, &home, agent, task)?;
         let dataset = options.dataset.then(|| Dataset::create(&folder)).transpose()?;
         let film = Film::new(&home, agent, options.width);
@@ -318,19 +322,34 @@ fn feet(home: &Environment, agent: NodeId) -> Point2<f32> {
     home.world().pose(agent).map_or_else(Point2::origin, |p| p.translation.vector.xy().into())
 }
 
-/// Removes what another record wrote that this one may not write: its pictures would stay among those of this one.
-fn clear(folder: &Path) -> std::io::Result<()> {
-    files::remove_numbered(&folder.join("film"), "jpg")?;
-    files::remove_numbered(&folder.join("frames"), "png")?;
-    for name in ["annotations.json", "scene.glb", "belief.svg", "eyes.png", "corner.png", "film.gif", "film.png"] {
-        match std::fs::remove_file(folder.join(name)) {
-            Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(error),
-            _ => {}
-        }
-    }
-    Ok(())
+/// The files of a record, besides those of its film and its dataset.
+const FILES: [&str; 11] = [
+    "index.html",
+    "trajectory.jsonl",
+    "film.gif",
+    "film.png",
+    "map.png",
+    "strip.png",
+    "eyes.png",
+    "corner.png",
+    "end.png",
+    "belief.svg",
+    "scene.glb",
+];
+
+/// Removes what another record wrote: its files would stay among those of this one. A dataset that is not finished
+/// stays if this record has one, as it may go on with that.
+fn clear(folder: &Path, has_dataset: bool) -> Result<(), RecordError> {
+    files::remove_numbered(&folder.join("film"), "jpg", 0).map_err(at(folder))?;
+    FILES.iter().try_for_each(|name| files::remove(&folder.join(name)).map_err(at(folder)))?;
+    if has_dataset { Ok(()) } else { Dataset::clear(folder) }
+}
+
+/// The error of a file, or of a folder whose files they are.
+fn at(path: &Path) -> impl Fn(std::io::Error) -> RecordError {
+    move |error| RecordError::File { path: path.to_path_buf(), error }
 }
 
 fn save(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
-    files::write(path, bytes).map_err(|error| RecordError::File { path: path.to_path_buf(), error })
+    files::write(path, bytes).map_err(at(path))
 }

@@ -9,20 +9,21 @@ use vc_graph::NodeId;
 use vc_planner::Summary;
 use vc_tasks::Task;
 
-use super::RecordError;
+use super::{RecordError, at};
 use crate::Environment;
 
 /// A line about the run, one for each action, and the result.
 pub(super) struct Trajectory {
     file: BufWriter<File>,
-    path: PathBuf,
+    /// Where it is until it is whole, and then.
+    paths: [PathBuf; 2],
 }
 
 impl Trajectory {
     pub(super) fn begin(folder: &Path, home: &Environment, agent: NodeId, task: &Task) -> Result<Self, RecordError> {
-        let path = folder.join("trajectory.jsonl");
-        let file = File::create(&path).map_err(|error| RecordError::File { path: path.clone(), error })?;
-        let mut all = Self { file: BufWriter::new(file), path };
+        let paths = ["trajectory.jsonl.part", "trajectory.jsonl"].map(|name| folder.join(name));
+        let file = File::create(&paths[0]).map_err(at(&paths[0]))?;
+        let mut all = Self { file: BufWriter::new(file), paths };
         all.line(&json!({
             "scene": home.graph().name(), "digest": home.digest().to_string(),
             "agent": home.graph().label(agent).to_string(), "task": task.title, "goal": task.goal,
@@ -57,12 +58,14 @@ impl Trajectory {
     }
 
     pub(super) fn end(&mut self, summary: &Summary) -> Result<(), RecordError> {
-        self.line(&json!(summary))
+        self.line(&json!(summary))?;
+        let [part, whole] = &self.paths;
+        std::fs::rename(part, whole).map_err(at(whole))
     }
 
     /// Each line is on the disk before the next action.
     fn line(&mut self, value: &Value) -> Result<(), RecordError> {
         let written = writeln!(self.file, "{value}").and_then(|()| self.file.flush());
-        written.map_err(|error| RecordError::File { path: self.path.clone(), error })
+        written.map_err(at(&self.paths[0]))
     }
 }

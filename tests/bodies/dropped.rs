@@ -67,13 +67,15 @@ fn faults(of: &'static Generator, seeds: u64, fall: &Fall) -> (usize, usize) {
 #[test]
 fn what_is_carried_comes_to_rest() {
     let rocked = ["pizza", "sponge", "shrimp", "remote_control", "tortilla", "hamburger", "steak", "cake"];
-    let some = carried().into_iter().step_by(30).chain(rocked.into_iter().filter_map(generator));
+    let rolled = ["billiard_cue", "barbell", "nail", "crayon", "soap_dish", "drinking_straw", "leaf_blower"];
+    let sank_or_rocked = ["sausage", "rice_cooker", "laundry_basket"];
+    let some = carried()
+        .into_iter()
+        .step_by(30)
+        .chain(rocked.into_iter().chain(rolled).chain(sank_or_rocked).filter_map(generator));
     let all: Vec<_> = some.map(|g| (g.class, faults(g, 4, &LET_GO))).collect();
-    let (awake, below) = all.iter().fold((0, 0), |(awake, below), (_, f)| (awake + f.0, below + f.1));
     let faults: Vec<_> = all.iter().filter(|(_, f)| *f != (0, 0)).collect();
-    // A few of the things that roll on their sides do not stop.
-    assert!(below == 0 && awake * 50 <= all.len() * 4, "class, awake, below: {faults:?}");
-    assert!(!faults.iter().any(|(class, _)| rocked.contains(class)), "{faults:?}");
+    assert!(faults.is_empty(), "class, awake, below: {faults:?}");
 }
 
 #[test]

@@ -107,6 +107,24 @@ fn many_in_one_place_are_spread() {
     is_whole(&home);
 }
 
+/// What it costs to make homes with more and more things in one place.
+#[test]
+#[ignore = "measures"]
+#[allow(clippy::print_stdout, reason = "it is a report")]
+fn many_in_one_place_cost() {
+    for number in [5, 10, 20, 40, 100, 200] {
+        let mut kitchen = kitchen(true);
+        let table = kitchen.table;
+        for _ in 0..number {
+            kitchen.mug([1.5, 0.0, 0.78], Some(table));
+        }
+        let start = cpu_time::ThreadTime::now();
+        let home = kitchen.home();
+        let (seconds, left) = (start.elapsed().as_secs_f64(), home.left_out().len());
+        println!("{number} mugs in one place: {seconds:.2} s, {} on the table, {left} left out", number - left);
+    }
+}
+
 /// An agent that the scene has beside the floor, or over none, stands on it.
 #[test]
 fn agents_stand_on_floors() {

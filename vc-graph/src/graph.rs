@@ -225,10 +225,17 @@ impl SceneGraph {
 
     /// The nearest thing a node rests on, in or with: of several containers the
     /// innermost. `None` for what stands in the room itself.
+    ///
+    /// Where relations contradict each other, as in real scenes a pot is on a table and in a closed dishwasher
+    /// beside it, the thing is inside: what it is on counts if that is inside the same things.
     pub fn place(&self, id: NodeId) -> Option<Place> {
         let depth = |p: &Place| self.related(p.at, Relation::Inside).count();
+        let within = |p: &Place| {
+            p.relation == Relation::Inside
+                || self.related(id, Relation::Inside).all(|c| c == p.at || self.rests_at(p.at, c))
+        };
         let mut best: Option<(usize, Place)> = None;
-        for place in self.places(id) {
+        for place in self.places(id).filter(within) {
             let rank = depth(&place) + if place.relation == Relation::Inside { 0 } else { 1000 };
             if best.is_none_or(|(r, _)| rank > r) {
                 best = Some((rank, place));
@@ -284,9 +291,11 @@ impl SceneGraph {
         None
     }
 
-    /// The closed container that hides a node, if one does: nearest first.
+    /// The closed container that hides a node, if one does: nearest first. What is said to be inside itself, directly
+    /// or through others, does not hide itself.
     pub fn hidden_in(&self, id: NodeId) -> Option<NodeId> {
-        let closed = |p: Place| p.relation == Relation::Inside && self.node(p.at).is_some_and(Node::hides_contents);
+        let shut = |p: Place| p.relation == Relation::Inside && self.node(p.at).is_some_and(Node::hides_contents);
+        let closed = |p: Place| shut(p) && p.at != id && !self.rests_at(p.at, id);
         self.climb(id, &mut { closed })
     }
 
@@ -310,12 +319,12 @@ impl SceneGraph {
         if node.kind() == Kind::Room {
             return self.room_of(agent) == Some(id);
         }
-        let here = !self.is_next_door(body, node);
-        if here && body.out(Relation::Near).any(|n| node.has(Relation::Near, n)) {
+        if self.within_reach(body, node) {
             return true;
         }
+        let here = !self.is_next_door(body, node);
         let at_hand = |p: Place| p.at == agent || (here && body.has(Relation::Near, p.at));
-        self.climb(id, &mut { at_hand }).is_some() || self.rests_at(agent, id) || self.within_reach(body, node)
+        self.climb(id, &mut { at_hand }).is_some() || self.rests_at(agent, id) || (here && body.is_near_what(node))
     }
 
     /// Whether a thing is in another room, as far as poses and rooms are known: what both are

@@ -55,7 +55,7 @@ pub use node::{Draft, Kind, Node, Spec};
 pub use observe::{Observation, Scope};
 pub use property::{Property, PropertySet};
 pub use relation::{Edge, Relation};
-pub use rule::{Condition, Effect, Refusal, Rule};
+pub use rule::{Condition, Effect, Refusal, Rule, Semantics};
 pub use seed::{Seed, Stream};
 pub use simulator::{Event, History, Simulator};
 pub use state::{State, StateSet};

@@ -1,5 +1,6 @@
 //! Nodes: what is constant about a thing, and what changes.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use nalgebra::{Point3, Vector3};
@@ -182,6 +183,22 @@ impl Node {
     }
 }
 
+impl Node {
+    /// Whether both are near the same thing.
+    pub(crate) fn is_near_what(&self, other: &Self) -> bool {
+        let (mut mine, mut others) = (self.out(Relation::Near), other.out(Relation::Near));
+        let (mut one, mut two) = (mine.next(), others.next());
+        while let (Some(a), Some(b)) = (one, two) {
+            match a.cmp(&b) {
+                Ordering::Less => one = mine.next(),
+                Ordering::Greater => two = others.next(),
+                Ordering::Equal => return true,
+            }
+        }
+        false
+    }
+}
+
 /// The relations that say what a thing rests on come first, so that they are a
 /// prefix of every sorted list of links.
 fn resting(links: &[Link]) -> impl Iterator<Item = &Link> {
@@ -329,7 +346,7 @@ impl Draft {
             },
             name: self.name,
             properties: self.properties.unwrap_or(known),
-            affordances: affordances(self.properties, known, states),
+            affordances: affordances(self.properties, class, states),
             bounds: self.bounds,
             scale: self.scale.unwrap_or_else(|| Vector3::repeat(1.0)),
             slots: self.slots.map_or_else(|| class.map_or_else(|| [].into(), |c| c.slots.clone()), Into::into),
@@ -350,12 +367,14 @@ fn kind_of(class: Option<&Class>, category: &str) -> Kind {
 
 /// What a node affords. Where the author lists properties, only the author says
 /// what opens, switches and plugs in; the class table adds the rest, which authors
-/// often leave out. VirtualHome's windows open although it does not say so: there
-/// a written state and the class table decide together.
-fn affordances(written: Option<PropertySet>, known: PropertySet, states: StateSet) -> PropertySet {
+/// often leave out. VirtualHome's windows and desks open although it does not say so: what is
+/// written to be open or closed opens, unless it is a mere part of the building such as a door frame.
+fn affordances(written: Option<PropertySet>, class: Option<&Class>, states: StateSet) -> PropertySet {
     use Property::{Openable, Plug, Switchable};
+    let known = class.map_or(PropertySet::EMPTY, |c| c.affordances);
     let Some(written) = written else { return known };
     let all = written.union(known.minus(PropertySet::of(&[Openable, Plug, Switchable])));
     let opens = states.contains(State::Open) || states.contains(State::Closed);
-    if opens && known.contains(Openable) { all.with(Openable) } else { all }
+    let fixed = class.is_some_and(|c| c.category == crate::class::Category::Structure) && !known.contains(Openable);
+    if opens && !fixed { all.with(Openable) } else { all }
 }

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::{Action, ChangeSet, NodeId, Refusal, SceneGraph, Verb, rule};
+use crate::rule::Memory;
+use crate::{Action, ChangeSet, NodeId, Refusal, SceneGraph, Semantics, Verb, rule};
 
 /// Something an agent has done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -66,12 +67,44 @@ impl History {
 pub struct Simulator {
     graph: SceneGraph,
     history: History,
+    semantics: Semantics,
+    /// What VirtualHome's simulator remembers; of no use to ours.
+    memory: Memory,
 }
 
 impl Simulator {
     /// A simulator of a scene in which nothing has been done.
     pub fn new(graph: SceneGraph) -> Self {
-        Self { graph, history: History::default() }
+        Self::with(graph, Semantics::VirtualCity)
+    }
+
+    /// As [`Simulator::new`], by the transition rule of another simulator; a table of the differences is in
+    /// [`virtual_home`](crate::rule::virtual_home).
+    ///
+    /// ```
+    /// use vc_graph::{Draft, Relation, SceneBuilder, Semantics, Simulator};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let plate = scene.add_in(kitchen, Draft::new("plate"))?;
+    /// let apple = scene.add_on(plate, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let scene = scene.build();
+    /// for (semantics, goes_along) in [(Semantics::VirtualCity, true), (Semantics::VirtualHome, false)] {
+    ///     let mut world = Simulator::with(scene.clone(), semantics);
+    ///     for action in ["walk plate.2", "grab plate.2"] {
+    ///         world.step(me, &action.parse()?).map_err(|refusals| refusals[0].clone())?;
+    ///     }
+    ///     assert_eq!(world.graph().related(apple, Relation::On).any(|at| at == plate), goes_along);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with(graph: SceneGraph, semantics: Semantics) -> Self {
+        Self { graph, history: History::default(), semantics, memory: Memory::default() }
+    }
+
+    /// Whose transition rule it goes by.
+    pub fn semantics(&self) -> Semantics {
+        self.semantics
     }
 
     /// The scene as it is.
@@ -89,9 +122,20 @@ impl Simulator {
     /// # Errors
     /// Every [`Refusal`]; then nothing has changed.
     pub fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, Vec<Refusal>> {
-        let changes = rule::step(&mut self.graph, agent, action)?;
+        let changes = match self.semantics {
+            Semantics::VirtualCity => rule::step(&mut self.graph, agent, action)?,
+            Semantics::VirtualHome => self.memory.step(&mut self.graph, agent, action)?,
+        };
         self.history.push(Event { agent, action: *action });
         Ok(changes)
+    }
+
+    /// Every reason why an agent cannot do an action now; empty if it can.
+    pub fn refusals(&self, agent: NodeId, action: &Action) -> Vec<Refusal> {
+        match self.semantics {
+            Semantics::VirtualCity => rule::refusals(&self.graph, agent, action),
+            Semantics::VirtualHome => self.memory.refusals(&self.graph, agent, action),
+        }
     }
 
     /// Lets several agents act at once: each meets what those before it have done.

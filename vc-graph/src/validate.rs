@@ -196,10 +196,15 @@ impl Path {
 }
 
 /// Whether things may rest on a node: surfaces, and seats and beds, on which
-/// people put things too.
+/// people put things too, and books.
 pub(crate) fn carries(node: &Node) -> bool {
     use Property::{Container, Heater, Lieable, Recipient, Sittable, Surface};
-    [Surface, Sittable, Lieable, Container, Recipient, Heater].into_iter().any(|p| node.affords(p))
+    [Surface, Sittable, Lieable, Container, Recipient, Heater].into_iter().any(|p| node.affords(p)) || is_leaves(node)
+}
+
+/// Whether a node is a book, a magazine, a sheet: what is flat and no larger lies on it well.
+pub(crate) fn is_leaves(node: &Node) -> bool {
+    [Property::Readable, Property::Paper, Property::Graspable].into_iter().all(|p| node.affords(p))
 }
 
 /// Whether a node takes up what is poured on it: a sponge, hands.

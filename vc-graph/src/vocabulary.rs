@@ -137,7 +137,12 @@ impl<W: Word> Set<W> {
 
     /// The words, in declaration order.
     pub fn iter(self) -> impl Iterator<Item = W> {
-        W::ALL.iter().copied().filter(move |&w| self.contains(w))
+        let mut left = self.bits;
+        std::iter::from_fn(move || {
+            let word = W::ALL.get(left.trailing_zeros() as usize)?;
+            left &= left - 1;
+            Some(*word)
+        })
     }
 
     /// The raw mask: bit `i` is [`Word::ALL`]`[i]`.

@@ -8,7 +8,7 @@ use shared::cases;
 use shared::flat::Flat;
 use shared::goals::goal;
 use vc_graph::goal::{Situation, Trace};
-use vc_graph::{Event, Goal};
+use vc_graph::{Draft, Event, Goal, SceneBuilder, Simulator};
 
 /// What happens when `me` does things one by one.
 fn trace(actions: &[&str]) -> Trace {
@@ -186,4 +186,49 @@ proptest! {
         prop_assert_eq!(goal.holds(&now), goal.holds_on(&trace), "{}", goal);
         prop_assert_eq!(goal.score(&now), goal.score_on(&trace), "{}", goal);
     }
+}
+
+/// The verdicts of the Embodied Agent Interface's evaluator beside ours, on a fridge that is opened and closed.
+#[test]
+fn formulas_are_judged_as_published_beside_our_way() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    scene.add_in(kitchen, Draft::new("fridge")).unwrap();
+    let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let mut world = Simulator::new(scene.build());
+    let mut trace = Trace::new(world.graph().clone(), me);
+    for line in ["walk fridge.2", "open fridge.2", "close fridge.2"] {
+        let action = line.parse().unwrap();
+        world.step(me, &action).unwrap();
+        trace.push(world.graph().clone(), [Event { agent: me, action }]);
+    }
+    let cases = [
+        // What was so once is enough for theirs.
+        ("OPEN(fridge.2)", false, Some(true)),
+        ("exists x0. (OPEN(x0))", false, Some(true)),
+        ("forn 1. x0. (OPEN(x0))", false, Some(true)),
+        ("CLOSED(fridge.2) then OPEN(fridge.2)", false, Some(true)),
+        ("OPEN(fridge.2) then CLOSED(fridge.2)", true, Some(true)),
+        ("OPEN(fridge.2) then OPEN(fridge.2)", false, Some(false)),
+        // What is done is done in the state from which it leads.
+        ("CLOSED(fridge.2) and CLOSE(fridge.2)", true, Some(false)),
+        ("OPEN(fridge.2) and CLOSE(fridge.2)", false, Some(true)),
+        ("CLOSE(fridge.2) then CLOSED(fridge.2)", true, Some(true)),
+        // Brackets around a sequence use up all there is.
+        ("OPEN(fridge.2) then CLOSED(fridge.2) then CLOSED(fridge.2)", true, Some(false)),
+        ("(WALK(fridge.2) then OPEN(fridge.2)) then CLOSED(fridge.2)", true, Some(false)),
+        ("not (OPEN(fridge.2) then CLOSED(fridge.2))", false, Some(false)),
+        ("not (OPEN(fridge.2) then OPEN(fridge.2))", true, Some(true)),
+        // Of a graph's edges theirs knows those that are written.
+        ("NEXT_TO(character.3, kitchen.1)", true, Some(false)),
+        ("OPEN(cup.2)", false, Some(false)),
+        ("OPEN(fridge.2) and (OPEN(fridge.2) then CLOSED(fridge.2))", false, None),
+    ];
+    for (text, ours, theirs) in cases {
+        let formula = Goal::from_eai(text).unwrap();
+        assert_eq!(formula.holds_on(&trace), ours, "ours: {text}");
+        assert_eq!(formula.eai_verdict(&trace).ok(), theirs, "theirs: {text}");
+    }
+    let native: Goal = "always Closed(fridge)".parse().unwrap();
+    assert!(native.eai_verdict(&trace).unwrap_err().to_string().contains("its formulas have and, or, not"));
 }

@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used)]
 
 mod shared;
+#[path = "rule_repairs/virtual_home.rs"]
+mod virtual_home;
 
 use shared::flat::{Flat, plain};
 use vc_graph::{Action, Bounds, Condition, Draft, NodeId, Place, Property, Relation, SceneBuilder, State, Verb, rule};

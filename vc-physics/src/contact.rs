@@ -179,7 +179,8 @@ impl World {
     /// The node, and which of its links, on which a loose thing rests, directly or through others,
     /// if that moves on a joint: a drawer, a rack, an open door.
     pub(crate) fn rides(&self, id: NodeId) -> Option<(NodeId, usize)> {
-        let turns = |thing: &Thing, link: usize| thing.form.links[link].joint.is_some_and(|j| j.kind == JointKind::Hinge);
+        let turns =
+            |thing: &Thing, link: usize| thing.form.links[link].joint.is_some_and(|j| j.kind == JointKind::Hinge);
         let (mut seen, mut open) = (vec![id], vec![self.thing(id).ok()?.state.base]);
         while let Some(body) = open.pop() {
             let carriers = self.carriers(body);

@@ -8,6 +8,7 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::RigidBodyHandle;
 use vc_graph::{Aabb, ClassTable, Kind, Node, NodeId, Pose, SceneGraph};
 
+use crate::agent::Agent;
 use crate::shapes::Form;
 use crate::world::{Thing, World};
 use crate::{Role, convert, group};
@@ -101,6 +102,13 @@ impl World {
                 self.stopped.push(id);
             }
         }
+    }
+
+    /// Whether an agent has fallen as far as a fall goes: below all fixed things or, without any, below
+    /// where it stood.
+    pub(crate) fn is_in_abyss(&self, agent: &Agent) -> bool {
+        let bottom = if self.bottom.is_finite() { self.bottom } else { agent.floor };
+        agent.feet.translation.z < bottom - ABYSS
     }
 
     /// Whether an agent stands where nothing is below, beside all floors.

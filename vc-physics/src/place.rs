@@ -165,32 +165,48 @@ impl World {
             return Err(PhysicsError::NotFinite("the pose", id));
         }
         let mut found: Vec<NodeId> = Vec::new();
-        self.for_overlaps(thing, pose, &mut |node| found.push(node));
+        self.for_overlaps(thing, pose, &mut |node| {
+            found.push(node);
+            true
+        });
         found.sort_unstable();
         found.dedup();
         Ok(found)
     }
 
-    fn for_overlaps(&self, thing: &Thing, pose: &Pose, found: &mut dyn FnMut(NodeId)) {
-        let own = thing.id;
-        for link in &thing.form.links {
-            let Some((shape, at)) = &link.solid else { continue };
-            self.each_overlap(shape, &(convert::pose(pose) * *at), own, found);
-        }
+    /// Calls for what a thing would overlap at a pose, as long as more is wanted; whether all has been found.
+    fn for_overlaps(&self, thing: &Thing, pose: &Pose, found: &mut dyn FnMut(NodeId) -> bool) -> bool {
+        let solid = thing.form.links.iter().filter_map(|link| link.solid.as_ref());
+        let mut bodies = solid.map(|(shape, at)| (shape, convert::pose(pose) * *at));
+        bodies.all(|(shape, at)| self.each_overlap(shape, &at, thing.id, found))
     }
 
-    /// Calls for every solid thing but one that a shape would overlap.
-    fn each_overlap(&self, shape: &SharedShape, at: &EnginePose, but: NodeId, found: &mut dyn FnMut(NodeId)) {
+    /// Calls for every solid thing but one that a shape would overlap, as long as more is wanted; whether all
+    /// has been found.
+    fn each_overlap(
+        &self,
+        shape: &SharedShape,
+        at: &EnginePose,
+        but: NodeId,
+        found: &mut dyn FnMut(NodeId) -> bool,
+    ) -> bool {
         let other = |_: ColliderHandle, c: &Collider| group::is_solid(c) && group::marked(c.user_data).0 != but;
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&other));
         for (_, collider) in queries.intersect_shape(*at, &**shape) {
             let between = at.inv_mul(collider.position());
             let depth =
                 rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
-            if depth.ok().flatten().is_none_or(|c| c.dist < -SKIN) {
-                found(group::marked(collider.user_data).0);
+            let overlaps = depth.ok().flatten().is_none_or(|c| c.dist < -SKIN);
+            if overlaps && !found(group::marked(collider.user_data).0) {
+                return false;
             }
         }
+        true
+    }
+
+    /// Whether a thing would overlap nothing at a pose.
+    fn is_clear(&self, thing: &Thing, pose: &Pose) -> bool {
+        self.for_overlaps(thing, pose, &mut |_| false)
     }
 
     /// Whether a box of half lengths at a pose overlaps nothing.
@@ -198,10 +214,8 @@ impl World {
         if !is_size(&half) || !convert::is_sound(pose) {
             return false;
         }
-        let mut free = true;
         let shape = SharedShape::cuboid(half.x, half.y, half.z);
-        self.each_overlap(&shape, &convert::pose(pose), NodeId(u32::MAX), &mut |_| free = false);
-        free
+        self.each_overlap(&shape, &convert::pose(pose), NodeId(u32::MAX), &mut |_| false)
     }
 
     /// A pose at which a node stands free on a surface: within its edges, below what
@@ -225,11 +239,7 @@ impl World {
         let thing = self.thing(id)?;
         let shelf = self.shelf(on, surface)?;
         let turn = turn(yaw, id)?;
-        let free = |spot: &Pose| {
-            let mut clear = true;
-            self.for_overlaps(thing, spot, &mut |_| clear = false);
-            clear
-        };
+        let free = |spot: &Pose| self.is_clear(thing, spot);
         Ok(spots(thing.form.extent, &shelf, &turn, (0.0, 0.0), order).into_iter().find(free))
     }
 
@@ -290,40 +300,6 @@ impl World {
         self.spot_by(&HEAP, id, at, Hold::Inside, order)
     }
 
-    /// The pose nearest to where a thing is, turned as it is, at which it stands free on one of another's
-    /// surfaces: those inside if `inside`, otherwise those on top. `None` if there is none within so many
-    /// metres.
-    ///
-    /// # Errors
-    /// [`PhysicsError::NoBody`].
-    pub fn nearest_spot_at(
-        &self,
-        id: NodeId,
-        at: NodeId,
-        inside: bool,
-        within: f32,
-    ) -> Result<Option<Pose>, PhysicsError> {
-        let (thing, below) = (self.thing(id)?, self.thing(at)?);
-        let Some(pose) = self.pose(id) else { return Ok(None) };
-        let (low, high) = thing.form.extent;
-        let near = Order::Near(pose * nalgebra::center(&low, &high));
-        let hold = if inside { Hold::Inside } else { Hold::On };
-        let far = |spot: &Pose| (spot.translation.vector - pose.translation.vector).norm();
-        let free = |spot: &Pose| {
-            let mut clear = far(spot) <= within;
-            if clear {
-                self.for_overlaps(thing, spot, &mut |_| clear = false);
-            }
-            clear
-        };
-        let shelves = (0..below.form.surfaces.len()).filter_map(|s| self.shelf_of(below, s));
-        let on = |shelf: Shelf| {
-            let turn = shelf.pose.rotation.inverse() * pose.rotation;
-            spots((low, high), &shelf, &turn, (0.0, 0.0), near).into_iter().find(free)
-        };
-        Ok(shelves.filter(|s| s.hold == hold).filter_map(on).min_by(|a, b| far(a).total_cmp(&far(b))))
-    }
-
     fn spot_by(
         &self,
         ways: &[Way],
@@ -356,16 +332,9 @@ impl World {
         let around = SharedShape::cuboid(half.x + AROUND, half.y + AROUND, half.z);
         let middle = convert::pose(&Pose::from_parts(nalgebra::center(&low, &high).into(), UnitQuaternion::identity()));
         let clear_around = |spot: &Pose, of: &dyn Fn(NodeId) -> bool| {
-            let mut clear = true;
-            let mut met = |id| clear &= !of(id);
-            self.each_overlap(&around, &(convert::pose(spot) * middle), thing.id, &mut met);
-            clear
+            self.each_overlap(&around, &(convert::pose(spot) * middle), thing.id, &mut |id| !of(id))
         };
-        let clear = |spot: &Pose| {
-            let mut clear = true;
-            self.for_overlaps(thing, spot, &mut |_| clear = false);
-            clear
-        };
+        let clear = |spot: &Pose| self.is_clear(thing, spot);
         let loose = |id| shelf.hold == Hold::On && id != shelf.id && self.role(id) == Some(Role::Loose);
         let apart = self.first_spot(thing, shelf, way, order, |spot| clear_around(spot, &|_| true));
         apart.or_else(|| self.first_spot(thing, shelf, way, order, |spot| clear(spot) && clear_around(spot, &loose)))
@@ -400,9 +369,12 @@ impl World {
     /// Whether a thing at a spot is no more than one step of [`ACROSS`] above another, and above nothing else.
     fn is_just_over(&self, thing: &Thing, spot: &Pose, at: NodeId) -> bool {
         let lower = Pose::translation(0.0, 0.0, -ACROSS[0]) * spot;
-        let mut met = Vec::new();
-        self.for_overlaps(thing, &lower, &mut |id| met.push(id));
-        !met.is_empty() && met.iter().all(|id| *id == at)
+        let mut met = false;
+        let only = self.for_overlaps(thing, &lower, &mut |id| {
+            met |= id == at;
+            id == at
+        });
+        met && only
     }
 
     /// Whether a thing is on one of another's surfaces, not on what is there, or inside: the middle
@@ -429,7 +401,8 @@ impl World {
         let reaches = |shelf: &Shelf| {
             let over = |half: f32, room: f32| (half - room).clamp(0.0, INTO[3].over * half);
             let half = (aabb.max - aabb.min) / 2.0;
-            over(half.x.min(half.y), shelf.half.0.min(shelf.half.1)).max(over(half.x.max(half.y), shelf.half.0.max(shelf.half.1)))
+            over(half.x.min(half.y), shelf.half.0.min(shelf.half.1))
+                .max(over(half.x.max(half.y), shelf.half.0.max(shelf.half.1)))
         };
         let holds = |shelf: &Shelf| match shelf.hold {
             Hold::Inside => {

@@ -128,13 +128,26 @@ impl World {
     /// in the ground below a floor; without rooms, those outside the box around everything that is
     /// fixed. Things that hang are among them only if they are below all rooms.
     pub fn outside(&self) -> Vec<NodeId> {
-        let (boxes, grounds) = (self.inside(), self.grounds());
-        self.things.iter().filter(|t| self.is_beyond(t, &boxes, &grounds)).map(|t| t.id).collect()
+        self.beyond(self.things.iter())
+    }
+
+    /// Those of some nodes that are [outside](Self::outside).
+    pub fn outside_among(&self, nodes: &[NodeId]) -> Vec<NodeId> {
+        self.beyond(nodes.iter().filter_map(|id| self.thing(*id).ok()))
     }
 
     /// Whether a node is [outside](Self::outside).
     pub fn is_outside(&self, id: NodeId) -> bool {
-        self.thing(id).is_ok_and(|thing| self.is_beyond(thing, &self.inside(), &self.grounds()))
+        !self.outside_among(&[id]).is_empty()
+    }
+
+    fn beyond<'a>(&self, things: impl Iterator<Item = &'a Thing>) -> Vec<NodeId> {
+        let mut things = things.peekable();
+        if things.peek().is_none() {
+            return Vec::new();
+        }
+        let (boxes, grounds) = (self.inside(), self.grounds());
+        things.filter(|t| self.is_beyond(t, &boxes, &grounds)).map(|t| t.id).collect()
     }
 
     fn is_beyond(&self, thing: &Thing, boxes: &[Aabb], grounds: &[Aabb]) -> bool {

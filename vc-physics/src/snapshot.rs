@@ -16,7 +16,7 @@ use crate::{Settings, SnapshotError};
 /// What a snapshot begins with.
 const MAGIC: &[u8; 8] = b"VCWORLD\n";
 /// Changes whenever what follows changes.
-const VERSION: u32 = 5;
+const VERSION: u32 = 6;
 /// Bytes before the content: magic, version, checksum.
 const HEAD: usize = 20;
 

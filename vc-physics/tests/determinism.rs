@@ -6,7 +6,7 @@ mod common;
 
 use common::{Scene, at, plain, turned};
 use nalgebra::{Point2, Point3, Vector3};
-use vc_graph::{Aabb, NodeId, SceneGraph, Seed};
+use vc_graph::{Aabb, Bounds, Draft, NodeId, SceneGraph, Seed};
 use vc_physics::{Controls, Hand, Posture, Role, Settings, Shapes, SnapshotError, VehiclePlan, World};
 
 /// Who and what is moved in the scene.
@@ -111,6 +111,43 @@ fn clone_restore_and_rebuild_are_the_same_world() {
     }
 }
 
+/// Whatever was taken out, put elsewhere and put back before, a restored world goes on as the saved one does:
+/// falls end where they ended too.
+#[test]
+fn a_restored_world_is_the_saved_one_after_any_edits() {
+    for seed in 0..12 {
+        let mut rng = Seed(seed).stream();
+        let mut scene = Scene::default();
+        let mut nodes: Vec<NodeId> = (0_u8..4)
+            .map(|i| {
+                let slab = Draft::new("floor").bounds(Bounds::standing([2.0, 2.0, 0.1].into()));
+                scene.builder.add(slab.at(at(3.0 * f32::from(i), 0.0, -3.0 * f32::from(i)))).unwrap()
+            })
+            .collect();
+        nodes.extend((0..12).map(|_| scene.cube(0.05, at(rng.between(-2.0, 11.0), 0.0, rng.between(0.5, 2.0)))));
+        let graph = scene.graph();
+        let mut world = World::build(&graph, &Shapes::new(), plain()).unwrap();
+        for _ in 0..10 {
+            world.run(rng.count(1, 30) as u32);
+            let id = nodes[rng.below(nodes.len())];
+            if world.pose(id).is_none() {
+                world.insert(&graph, id, &Shapes::new()).unwrap();
+            } else if rng.chance(0.5) {
+                world.remove(id).unwrap();
+            } else {
+                world.place(id, at(rng.between(-2.0, 11.0), 0.0, rng.between(-12.0, 2.0))).unwrap();
+            }
+        }
+        let mut restored = World::restore(&world.save().unwrap(), &graph, &Shapes::new()).unwrap();
+        for _ in 0..40 {
+            world.run(6);
+            restored.run(6);
+            assert_eq!((restored.digest(), restored.stopped()), (world.digest(), world.stopped()), "seed {seed}");
+        }
+        assert_eq!(restored.save().unwrap(), world.save().unwrap(), "seed {seed}");
+    }
+}
+
 /// The same world on one thread, and among others on several, ends the same.
 #[test]
 fn any_number_of_threads() {
@@ -153,7 +190,7 @@ fn damaged_snapshots_are_refused() {
     }
     let mut newer = bytes.clone();
     newer[8] = 99;
-    assert_eq!(restore(&newer), Some(SnapshotError::Version { found: 99, expected: 5 }));
+    assert_eq!(restore(&newer), Some(SnapshotError::Version { found: 99, expected: 6 }));
     let other = Scene::default().graph();
     assert!(matches!(World::restore(&bytes, &other, &shapes), Err(SnapshotError::OtherScene(_))));
 }

@@ -345,6 +345,33 @@ fn what_falls_out_of_the_world_is_stopped() {
     assert!(feet.z > -0.2 && feet.y < 2.4, "{feet}");
 }
 
+/// An agent over nothing falls as things do, is stopped and named, and stands again where it is put.
+#[test]
+fn an_agent_over_nothing_falls() {
+    for floor in [true, false] {
+        let mut scene = Scene::default();
+        if floor {
+            scene.floor(2.0, 0.5);
+        }
+        let agent = scene.agent(at(5.0, 0.0, 0.0));
+        let mut world = scene.world();
+        world.run(20);
+        assert!(world.stopped().is_empty());
+        world.run(200);
+        let feet = |world: &World| world.pose(agent).unwrap().translation.vector;
+        let end = feet(&world);
+        assert!((-4.0..-1.9).contains(&end.z) && world.stopped() == [agent], "{end}");
+        world.follow(agent, &[nalgebra::Point2::new(0.0, 0.0)], false).unwrap();
+        world.run(240);
+        assert_eq!((feet(&world), world.walk(agent)), (end, Ok(vc_physics::Walk::Stuck)));
+        if floor {
+            world.teleport(agent, at(1.0, 0.0, 0.05)).unwrap();
+            world.run(60);
+            assert!(world.stopped().is_empty() && feet(&world).z.abs() < 0.02, "{}", feet(&world));
+        }
+    }
+}
+
 /// Things in the place of another are told, however many.
 #[test]
 fn what_is_in_one_place_is_told() {

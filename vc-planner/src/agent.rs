@@ -4,6 +4,7 @@ mod act;
 mod company;
 mod decide;
 mod explore;
+mod refused;
 
 use std::collections::VecDeque;
 
@@ -17,6 +18,7 @@ use crate::search::Effort;
 use crate::trip::Promise;
 use crate::want::{Unreachable, Want};
 use crate::{Belief, Learned, Plan, Prior};
+use refused::Refused;
 
 /// What an agent decides.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,6 +89,7 @@ pub struct Agent {
     idle: usize,
     /// What it has done since then.
     tried: Vec<Action>,
+    refused: Refused,
     /// What others have promised to bring where, and what it promises itself.
     counted_on: Vec<Promise>,
     promises: Vec<Promise>,
@@ -138,6 +141,7 @@ impl Agent {
             unproved: None,
             idle: 0,
             tried: Vec::new(),
+            refused: Refused::default(),
             counted_on: Vec::new(),
             promises: Vec::new(),
         }
@@ -192,6 +196,7 @@ impl Agent {
 
     /// Takes in what it sees.
     pub fn see(&mut self, seen: &Observation) -> Learned {
+        self.refused.see(seen);
         let learned = self.belief.observe(seen);
         if self.belief.is_stranger() && !learned.found.is_empty() {
             self.concerns = concerns(&self.goal, self.belief.graph());
@@ -213,7 +218,7 @@ impl Agent {
     /// What it would do now.
     pub fn decide(&mut self) -> Decision {
         self.keep_promises();
-        let decision = self.think_on();
+        let decision = self.think_twice();
         if let Decision::Act(_, plan) = &decision {
             self.promise(plan);
         }
@@ -224,11 +229,14 @@ impl Agent {
     pub fn did(&mut self, action: &Action) {
         self.belief.expect(action);
         self.planner.touched.note(action);
+        self.refused.did(action);
         self.history.push(Event { agent: self.id, action: *action });
     }
 
-    /// Takes note that an action was refused: what it planned does not hold.
-    pub fn refused(&mut self, _: &Action) {
+    /// Takes note that an action was refused: what it planned does not hold, and while nothing changes it does
+    /// not try that again.
+    pub fn refused(&mut self, action: &Action) {
+        self.refused.note(action);
         self.forget_plans();
     }
 

@@ -15,7 +15,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use vc_graph::{Kind, Node, NodeId, Observation, Place, Property, Relation, SceneGraph, State, StateSet};
 
-use crate::prior::{Supposed, Tidiness};
+use crate::prior::{Kinds, Supposed, Tidiness};
 use crate::{Known, Prior};
 
 /// Where things are, as far as an agent knows, and for the others a guess.
@@ -40,8 +40,9 @@ pub struct Belief {
     /// Where things can be; `seen` says which of them have been looked at.
     places: Vec<Place>,
     seen: Vec<bool>,
-    /// The room of each place.
+    /// The room of each place, and its kind.
     rooms: Vec<Option<NodeId>>,
+    kinds: Kinds,
     prior: Prior,
     /// What is supposed about each class of missing things.
     supposed: BTreeMap<Arc<str>, Supposed>,
@@ -80,9 +81,7 @@ impl Belief {
     pub fn by_prior(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
         let mut belief = Self::with(graph, agent, seed);
         belief.prior = prior;
-        belief.places = places::all(graph);
-        belief.seen = vec![false; belief.places.len()];
-        belief.rooms = belief.places.iter().map(|p| graph.room_of(p.at)).collect();
+        belief.look_for_places(graph);
         let held: Vec<NodeId> = graph.carried_with(agent);
         let movable = |n: &&Node| n.kind() == Kind::Object && n.affords(Property::Graspable) && !held.contains(&n.id());
         let hidden: Vec<NodeId> = graph.nodes().filter(movable).map(Node::id).collect();
@@ -112,9 +111,8 @@ impl Belief {
             let _ = edit.remove(id);
         }
         edit.commit();
-        belief.places = places::all(&belief.graph);
-        belief.seen = vec![false; belief.places.len()];
-        belief.rooms = belief.places.iter().map(|p| graph.room_of(p.at)).collect();
+        let rooms = belief.graph.clone();
+        belief.look_for_places(&rooms);
         belief.known = graph.rooms().iter().copied().chain(carried).collect();
         belief
     }
@@ -134,6 +132,7 @@ impl Belief {
             places: Vec::new(),
             seen: Vec::new(),
             rooms: Vec::new(),
+            kinds: Kinds::default(),
             prior: Prior::Uniform,
             supposed: BTreeMap::new(),
             tidiness: Tidiness::default(),

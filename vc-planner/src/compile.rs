@@ -112,6 +112,14 @@ impl Compiler<'_> {
                 open.push((demand, short));
             }
         }
+        // Packed plans do not tell the hands apart: where the goal does, what is held is left to regression.
+        let in_hand =
+            |d: &Demand<'_>| matches!(d.predicate, Predicate::Relation(Relation::HoldsRight | Relation::HoldsLeft));
+        if demands.all.iter().any(in_hand) {
+            let before = open.len();
+            open.retain(|(demand, _)| demand.predicate != Predicate::Holds);
+            self.out.rest |= open.len() < before;
+        }
         // Which of several doors is left how is best said when it is known what is opened.
         let (words, others): (Vec<_>, Vec<_>) = open.into_iter().partition(|(d, _)| is_door_or_switch(d));
         others.into_iter().try_for_each(|(demand, short)| self.demand(demand, short))?;
@@ -300,8 +308,13 @@ impl Compiler<'_> {
         let graph = self.now.graph;
         let me = self.now.agent;
         let room = |id: &NodeId| graph.node(*id).is_some_and(|n| n.kind() == Kind::Room);
+        // A book is a surface for a bookmark, and for little else.
+        let takes = |id: &NodeId| {
+            !self.affords(*id, Property::Readable)
+                || demand.subjects().iter().any(|s| Condition::Fits(*s, *id).holds(graph, me))
+        };
         let fits = |id: &NodeId| match verb {
-            Verb::Place => Condition::Carries(*id).holds(graph, me),
+            Verb::Place => Condition::Carries(*id).holds(graph, me) && takes(id),
             _ => room(id) || Condition::Encloses(*id).holds(graph, me),
         };
         let others = demand.others();

@@ -327,7 +327,14 @@ impl<'a, 'g> Reader<'a, 'g> {
             Term::Variable(name) => {
                 self.bound.iter().rev().find(|(n, _)| n == name).map_or(Few::NONE, |&(_, id)| Few::One(id))
             }
-            Term::Node(_, id) => Few::One(*id),
+            // Who has not been told what there is knows no thing by its number before it has seen it.
+            Term::Node(_, id) => {
+                if self.now.graph.node(*id).is_some() {
+                    Few::One(*id)
+                } else {
+                    Few::NONE
+                }
+            }
             Term::Me => Few::One(self.now.agent),
             Term::Anything => Few::NONE,
             Term::Class(_) => Few::Many(self.now.candidates(term)),

@@ -188,13 +188,17 @@ const IDLE: usize = 4;
 
 /// Lets several policies act in one world, in rounds, each for an agent of its own, until
 /// the task's goal holds for the first of them, nobody does anything any more, or the
-/// step limit is reached. Who is in view is seen doing what it does.
+/// step limit is reached. Who is in view is seen doing what it does. A task whose goal has a label of
+/// another class than its node is lost at once.
 pub fn run_together(
     policies: &mut [(NodeId, &mut dyn Policy)],
     task: &Task,
     world: &mut dyn World,
     seed: vc_graph::Seed,
 ) -> TeamEpisode {
+    if let Some(lost) = TeamEpisode::misnamed(&task.goal, world.graph()) {
+        return lost;
+    }
     for (agent, policy) in policies.iter_mut() {
         policy.begin(&Brief { scene: world.graph(), agent: *agent, task, seed });
     }
@@ -209,7 +213,7 @@ pub fn run_together(
     let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
     let outcome = if holds(world, first) { Outcome::Won } else { lost };
     let score = first.map_or(0.0, |id| task.score(world, id));
-    TeamEpisode { outcome, rounds, actions, score }
+    TeamEpisode::ended(outcome, (rounds, actions), score)
 }
 
 /// One policy looks, decides and acts; the others see it, if they can. Whether it did

@@ -230,6 +230,13 @@ impl<'a> Regression<'a> {
                 let place = self.graph.place(id).map(|p| p.at);
                 place.or_else(room).map(|at| Action::one(Verb::Walk, at)).into_iter().collect()
             }
+            // What is in the hand in which it is wanted is put down last.
+            Condition::FreeHand | Condition::FreeHandOrHolding(_) => {
+                let mut found = rule::regress::achievers(self.graph, self.agent, want);
+                let wanted = |a: &Action| a.object.is_some_and(|id| self.hints.is_in_its_hand(&self.now(), id));
+                found.sort_by_cached_key(wanted);
+                found
+            }
             _ => rule::regress::achievers(self.graph, self.agent, want),
         }
     }

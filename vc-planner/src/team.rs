@@ -30,17 +30,33 @@ pub struct TeamEpisode {
     pub actions: usize,
     /// How much of the goal holds at the end, 0 to 1.
     pub score: f64,
+    /// Why it was not won; `None` if it was.
+    pub reason: Option<String>,
 }
 
 impl From<&TeamEpisode> for Summary {
     fn from(episode: &TeamEpisode) -> Self {
-        let reason = match episode.outcome {
-            Outcome::Won => None,
-            Outcome::TimedOut => Some("step limit reached"),
-            _ => Some("none of the agents knows what else to do"),
-        };
         let (outcome, score, steps) = (episode.outcome, episode.score, episode.actions);
-        Self { outcome, score, steps, reason: reason.map(Into::into) }
+        Self { outcome, score, steps, reason: episode.reason.clone() }
+    }
+}
+
+impl TeamEpisode {
+    /// An episode that is lost before it begins, as the goal has a label of another class than its node.
+    pub(crate) fn misnamed(goal: &Goal, graph: &SceneGraph) -> Option<Self> {
+        let misnomer = goal.misnomers(graph).into_iter().next()?;
+        let reason = Some(misnomer.to_string());
+        Some(Self { outcome: Outcome::Lost, rounds: 0, actions: 0, score: 0.0, reason })
+    }
+
+    /// An episode that has ended after so many rounds and actions.
+    pub(crate) fn ended(outcome: Outcome, (rounds, actions): (usize, usize), score: f64) -> Self {
+        let reason = match outcome {
+            Outcome::Won => None,
+            Outcome::TimedOut => Some("step limit reached".to_owned()),
+            _ => Some("none of the agents knows what else to do".to_owned()),
+        };
+        Self { outcome, rounds, actions, score, reason }
     }
 }
 
@@ -69,8 +85,8 @@ impl Team {
     /// task's limit of steps is reached, in rounds. A task whose goal has a label of another class than
     /// its node is lost at once.
     pub fn run(&mut self, task: &Task, world: &mut dyn World) -> TeamEpisode {
-        if !task.goal.misnomers(world.graph()).is_empty() {
-            return TeamEpisode { outcome: Outcome::Lost, rounds: 0, actions: 0, score: 0.0 };
+        if let Some(lost) = TeamEpisode::misnamed(&task.goal, world.graph()) {
+            return lost;
         }
         let (mut rounds, mut actions, mut idle) = (0, 0, 0);
         while rounds < task.step_limit && idle < IDLE && !self.holds(task, world) {
@@ -82,7 +98,7 @@ impl Team {
         let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
         let outcome = if self.holds(task, world) { Outcome::Won } else { lost };
         let score = self.ids.first().map_or(0.0, |&id| task.score(world, id));
-        TeamEpisode { outcome, rounds, actions, score }
+        TeamEpisode::ended(outcome, (rounds, actions), score)
     }
 
     /// Whether the goal holds for the one of whom it speaks, the first agent.

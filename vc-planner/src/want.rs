@@ -103,6 +103,9 @@ pub enum Unreachable {
     /// A missing thing can be nowhere: there are no rooms and nothing that holds or carries.
     #[error("`{0}` is out of sight, and this scene has no room and no place where it could be")]
     Nowhere(String),
+    /// An action without which there is no way is refused again and again.
+    #[error("`{0}` is refused whenever it is tried, and there is no other way")]
+    Refused(String),
     /// Every place has been searched.
     #[error("everything has been searched {0} times and something is still missing")]
     Searched(usize),

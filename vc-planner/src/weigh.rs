@@ -1,7 +1,7 @@
 //! In which order to go about what is wanted, and what is nearest.
 
-use vc_graph::goal::{Goal, Predicate, Term};
-use vc_graph::{Condition, NodeId, Relation, State, Verb};
+use vc_graph::goal::{Goal, Predicate, Situation, Term};
+use vc_graph::{Condition, Edge, NodeId, Relation, State, Verb};
 
 use crate::subgoal::View;
 use crate::want::Want;
@@ -13,6 +13,8 @@ pub(crate) struct Hints {
     named: Vec<NodeId>,
     /// It wants the agent to lie.
     pub(crate) lying: bool,
+    /// Which hand it wants to hold what.
+    hands: Vec<(Relation, Term)>,
 }
 
 impl Hints {
@@ -26,6 +28,11 @@ impl Hints {
         match goal {
             Goal::Literal(literal) | Goal::Count { literal, .. } => {
                 self.lying |= literal.predicate == Predicate::State(State::Lying);
+                if let (Predicate::Relation(hand @ (Relation::HoldsRight | Relation::HoldsLeft)), [_, thing]) =
+                    (literal.predicate, &*literal.terms)
+                {
+                    self.hands.push((hand, thing.clone()));
+                }
                 let node = |t: &Term| if let Term::Node(_, id) = t { Some(*id) } else { None };
                 self.named.extend(literal.terms.iter().filter_map(node));
             }
@@ -34,6 +41,14 @@ impl Hints {
             Goal::ForAll(q) | Goal::Exists(q) => self.gather(&q.body),
             _ => {}
         }
+    }
+}
+
+impl Hints {
+    /// Whether a thing is in the hand in which the goal wants it.
+    pub(crate) fn is_in_its_hand(&self, now: &Situation<'_>, id: NodeId) -> bool {
+        let held = |hand| now.graph.has(Edge::new(now.agent, hand, id));
+        self.hands.iter().any(|(hand, term)| held(*hand) && now.candidates(term).contains(&id))
     }
 }
 
@@ -59,7 +74,9 @@ impl View<'_> {
             Want::Hold(Condition::In(_, State::On)) => 4,
             Want::Hold(Condition::In(..)) => 2,
             Want::Hold(Condition::Holding(_)) => 5,
-            Want::Hold(Condition::Related(_, Relation::HoldsRight | Relation::HoldsLeft, _)) => 5,
+            // The right hand is filled first.
+            Want::Hold(Condition::Related(_, Relation::HoldsRight, _)) => 4,
+            Want::Hold(Condition::Related(_, Relation::HoldsLeft, _)) => 6,
             Want::Do(action) => self.stage_of(action.verb),
             Want::Hold(Condition::Near(_)) => 6,
             Want::Hold(Condition::Related(_, Relation::InRoom, _)) => 6,

@@ -333,3 +333,63 @@ fn what_has_been_done_cannot_be_undone() {
     let why = plan(&mut scene, me, &"!Eat(apple)".parse().unwrap(), &history).unwrap_err();
     assert!(matches!(why, Unreachable::Irrevocable(_)), "{why:?}");
 }
+
+/// A thing that is said to be on one thing and inside another that is elsewhere, as real graphs have it,
+/// counts as inside: it is hidden while that is closed, and is got at there.
+#[test]
+fn what_is_both_on_and_inside_is_got_out_of_what_it_is_inside() {
+    for apart in [false, true] {
+        for box_first in [false, true] {
+            for poses in [false, true] {
+                let (scene, pot) = contradiction(apart, box_first, poses);
+                for (text, most) in [
+                    ("Holds(pot)", 4),
+                    ("On(pot, sofa)", 6),
+                    ("Inside(pot, fridge) & Closed(fridge)", 9),
+                    ("On(pot, stove) & Closed(dishwasher)", 8),
+                    ("HoldsLeft(me, pot)", 8),
+                ] {
+                    let task = Task::new("contradiction", text.parse().unwrap());
+                    // Who does not know where the pot is can only go by one of its two rooms.
+                    let mut policies: Vec<Box<dyn Policy>> = vec![Box::new(Resident::default())];
+                    if !apart {
+                        policies
+                            .extend([Box::new(Newcomer::best()) as Box<dyn Policy>, Box::new(Newcomer::stranger())]);
+                    }
+                    for (mut policy, spare) in policies.into_iter().zip([0, 8, 8]) {
+                        let mut world = Simulator::new(scene.clone());
+                        let episode = Run::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+                        let told = format!("{text} {apart} {box_first} {poses} {}: {episode:?}", policy.name());
+                        assert_eq!(episode.outcome, Outcome::Won, "{told}");
+                        assert!(episode.steps <= most + spare, "{told}");
+                        assert!(World::graph(&world).places(pot).count() <= 1, "{told}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A pot on a table and in a closed dishwasher, which are in one room or in two.
+fn contradiction(apart: bool, box_first: bool, poses: bool) -> (SceneGraph, NodeId) {
+    let mut scene = SceneBuilder::new("contradiction");
+    let rooms = ["kitchen", "living_room"].map(|r| scene.add(Draft::new(r)).unwrap());
+    let there = rooms[usize::from(apart)];
+    let mut x = 0.0;
+    let mut draft = |class: &str| {
+        x += 4.0;
+        let pose = vc_graph::Pose::translation(x, 0.0, 0.5);
+        if poses { Draft::new(class).at(pose) } else { Draft::new(class) }
+    };
+    let [stove, fridge] = ["stove", "fridge"].map(|c| scene.add_in(rooms[0], draft(c)).unwrap());
+    let order = if box_first { ["dishwasher", "kitchen_table"] } else { ["kitchen_table", "dishwasher"] };
+    let both = order.map(|c| scene.add_in(if c == "dishwasher" { there } else { rooms[0] }, draft(c)).unwrap());
+    let (dishwasher, table) = if box_first { (both[0], both[1]) } else { (both[1], both[0]) };
+    scene.add_in(rooms[1], draft("sofa")).unwrap();
+    scene.add_on(stove, draft("mug")).unwrap();
+    let pot = scene.add_on(table, draft("pot")).unwrap();
+    scene.add_in(rooms[1], draft("character")).unwrap();
+    scene.link_all(&[vc_graph::Edge::new(pot, vc_graph::Relation::Inside, dishwasher)]).unwrap();
+    assert!(scene.graph().hidden_in(pot) == Some(dishwasher) && fridge != dishwasher);
+    (scene.build(), pot)
+}

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-use vc_graph::{Draft, NodeId, Place, Property, Relation, SceneBuilder, SceneGraph, Scope, Simulator, State};
+use vc_graph::{Draft, NodeId, Place, Property, Relation, SceneBuilder, SceneGraph, Scope, Simulator, State, Verb};
 use vc_planner::{Agent, Belief, Decision};
 
 /// A flat of two rooms with closed cupboards; the apple is in the one of a number.
@@ -219,5 +219,49 @@ fn a_plate_is_not_looked_for_in_a_bathroom() {
         let all: f64 = belief.distribution(plate).iter().map(|(_, chance)| chance).sum();
         assert!((all - 1.0).abs() < 1e-9, "{all}");
         assert!(belief.probability(plate, toilet) < 0.01 && belief.probability(plate, bedroom) < 0.01, "{belief}");
+    }
+}
+
+/// A made-up world in which plates live in bookshelves: once one has been found in one, the others
+/// are looked for in bookshelves, after two other looks at most.
+#[test]
+fn where_one_was_found_the_others_are_looked_for() {
+    for seed in 0..10 {
+        let mut scene = SceneBuilder::new("odd");
+        let [living, kitchen] = ["living_room", "kitchen"].map(|r| scene.add(Draft::new(r)).unwrap());
+        let table = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+        for class in ["fridge", "dishwasher", "stove", "microwave"] {
+            scene.add_in(kitchen, Draft::new(class)).unwrap();
+        }
+        for _ in 0..6 {
+            scene.add_in(kitchen, Draft::new("kitchen_cabinet")).unwrap();
+        }
+        let shelves = [0; 5].map(|_| scene.add_in(living, Draft::new("bookshelf")).unwrap());
+        for (i, &shelf) in shelves.iter().enumerate() {
+            let mut edit = scene.edit();
+            edit.enter_state(shelf, State::Closed).unwrap();
+            edit.commit();
+            if i % 2 == 0 {
+                scene.add_in(shelf, Draft::new("plate")).unwrap();
+            }
+        }
+        let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
+        let mut world = Simulator::new(scene.build());
+        let mut agent = Agent::newcomer(world.graph(), me, "On(plate, kitchen_table), 3".parse().unwrap(), seed);
+        let plates = world.graph().of_class("plate");
+        let mut wrong = 0;
+        loop {
+            agent.see(&world.graph().observe(me, Scope::Room));
+            let Decision::Act(action, _) = agent.decide() else { break };
+            let opened = action.object.filter(|_| action.verb == Verb::Open);
+            let elsewhere = opened.filter(|id| &**world.graph().node(*id).unwrap().class() != "bookshelf");
+            let found = plates.iter().any(|id| !agent.belief().is_missing(*id));
+            wrong += usize::from(found && elsewhere.is_some());
+            world.step(me, &action).unwrap();
+            agent.did(&action);
+        }
+        let laid = plates.iter().filter(|id| world.graph().rests_at(**id, table)).count();
+        assert_eq!(laid, 3, "{seed}");
+        assert!(wrong <= 2, "{seed}: {wrong} looks elsewhere");
     }
 }

@@ -6,7 +6,8 @@
 mod brute;
 
 use vc_graph::{Action, Draft, Goal, History, NodeId, Place, Relation, SceneBuilder, SceneGraph, Simulator, Verb};
-use vc_planner::plan;
+use vc_planner::{Newcomer, Policy, Resident, Run, plan};
+use vc_tasks::{Outcome, Task};
 
 /// A desk in one room, a closed cabinet and a fridge in another, a book, a mug and an apple.
 struct Home {
@@ -111,4 +112,58 @@ fn a_full_hand_is_emptied_on_the_table_at_hand() {
     assert!(held == [apple] || held == [book], "{:?}", found.actions);
     assert_eq!(graph.place(put), on(table), "{:?}", found.actions);
     assert_eq!(found.actions.len(), 6, "{:?}", found.actions);
+}
+
+/// Which hand is to hold what, whatever is in the hands before: each goal that the rule can bring about is
+/// reached, by who knows everything and by who is new, in little more than the fewest actions.
+#[test]
+fn each_hand_holds_what_the_goal_says() {
+    let goals = [
+        "HoldsLeft(me, toothbrush)",
+        "HoldsRight(me, toothbrush)",
+        "HoldsLeft(me, toothbrush) & HoldsRight(me, apple)",
+        "HoldsLeft(me, apple) & HoldsRight(me, toothbrush)",
+        "HoldsLeft(me, mug) & On(apple, table)",
+        "HoldsRight(me, mug) & Holds(apple)",
+        "HoldsLeft(me, mug) & Holds(apple) & On(toothbrush, table)",
+        "HoldsLeft(me, apple) & !HoldsRight(me, toothbrush)",
+    ];
+    let held: [&[&str]; 6] =
+        [&[], &["apple"], &["toothbrush"], &["apple", "toothbrush"], &["toothbrush", "apple"], &["mug", "apple"]];
+    for hands in held {
+        let (scene, me, actions) = washroom(hands);
+        for text in goals {
+            let goal: Goal = text.parse().unwrap();
+            let within = brute::World { scene: &scene, me, actions: &actions, remembered: &|_| Vec::new() };
+            let best = brute::shortest(&within, &goal, 9, 200_000).unwrap().unwrap();
+            let task = Task::new("hands", goal);
+            let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
+            for mut policy in policies {
+                let mut world = Simulator::new(scene.clone());
+                let episode = Run::seeded(2).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+                assert_eq!(episode.outcome, Outcome::Won, "{hands:?} {text} {}: {episode:?}", policy.name());
+                assert!(episode.steps <= best + 3, "{hands:?} {text} {}: {episode:?} for {best}", policy.name());
+            }
+        }
+    }
+}
+
+/// A table with things on it, some of them already taken; and all that can be done with them.
+fn washroom(hands: &[&str]) -> (SceneGraph, NodeId, Vec<Action>) {
+    let mut scene = SceneBuilder::new("washroom");
+    let bathroom = scene.add(Draft::new("bathroom")).unwrap();
+    let table = scene.add_in(bathroom, Draft::new("table")).unwrap();
+    let classes = ["toothbrush", "apple", "mug"];
+    let things = classes.map(|class| scene.add_on(table, Draft::new(class)).unwrap());
+    let me = scene.add_in(bathroom, Draft::new("character")).unwrap();
+    let mut world = Simulator::new(scene.build());
+    world.step(me, &Action::one(Verb::Walk, table)).unwrap();
+    for class in hands {
+        let id = things[classes.iter().position(|c| c == class).unwrap()];
+        world.step(me, &Action::one(Verb::Grab, id)).unwrap();
+    }
+    let singles = |id: &NodeId| {
+        [Action::one(Verb::Grab, *id), Action::one(Verb::Drop, *id), Action::two(Verb::Place, *id, table)]
+    };
+    (world.into_graph(), me, things.iter().flat_map(singles).collect())
 }

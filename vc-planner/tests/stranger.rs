@@ -108,3 +108,66 @@ fn what_can_be_nowhere_is_given_up_at_once() {
     let belief = Belief::of_newcomer(&scene, me, 0);
     assert_eq!(apples.map(|id| belief.distribution(id).len()), [0, 0]);
 }
+
+/// Things that the goal numbers are found as those are that it names by class.
+#[test]
+fn numbered_things_in_rooms_not_seen_are_found() {
+    let mut scene = SceneBuilder::new("flat");
+    let [living, hall, kitchen] = ["living_room", "hallway", "kitchen"].map(|r| scene.add(Draft::new(r)).unwrap());
+    let chair = scene.add_in(living, Draft::new("chair")).unwrap();
+    let table = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+    let fridge = scene.add_in(kitchen, Draft::new("fridge")).unwrap();
+    let pudding = scene.add_in(fridge, Draft::new("pudding")).unwrap();
+    scene.add_in(hall, Draft::new("plant")).unwrap();
+    scene.add_in(living, Draft::new("character")).unwrap();
+    let scene = scene.build();
+    let (chair, table, fridge, pudding) = (chair.0, table.0, fridge.0, pudding.0);
+    let pairs = [
+        (
+            format!("On(pudding, #{table}) & SittingOn(me, #{chair})"),
+            "On(pudding, kitchen_table) & SittingOn(me, chair)",
+        ),
+        (
+            format!("SittingOn(me, #{chair}) & On(#{pudding}, #{table})"),
+            "SittingOn(me, chair) & On(pudding, kitchen_table)",
+        ),
+        (format!("Holds(#{pudding}) & Closed(#{fridge})"), "Holds(pudding) & Closed(fridge)"),
+        (format!("Open(#{fridge})"), "Open(fridge)"),
+        (format!("Near(me, #{table}) & !Sitting(me)"), "Near(me, kitchen_table) & !Sitting(me)"),
+        (format!("did eat(#{pudding}) & SittingOn(me, #{chair})"), "did eat(pudding) & SittingOn(me, chair)"),
+        (
+            format!("HoldsLeft(me, #{pudding}) | On(#{pudding}, #{table})"),
+            "HoldsLeft(me, pudding) | On(pudding, kitchen_table)",
+        ),
+    ];
+    for (numbered, named) in &pairs {
+        let steps = |goal: &str| {
+            let task = Task::new("numbers", goal.parse().unwrap());
+            let mut world = Simulator::new(scene.clone());
+            let episode = Run::seeded(1).episode(&mut Newcomer::stranger(), &task, &mut world, &mut |_| {});
+            assert_eq!(episode.outcome, Outcome::Won, "{goal}: {episode:?}");
+            episode.steps
+        };
+        let (by_number, by_name) = (steps(numbered), steps(named));
+        assert!(by_number <= by_name + 2, "{numbered}: {by_number} steps, by name {by_name}");
+    }
+    // What there is not is lost, once all has been seen.
+    let task = Task::new("numbers", "On(pudding, #999) & SittingOn(me, chair)".parse().unwrap());
+    let mut world = Simulator::new(scene.clone());
+    let episode = Run::seeded(1).episode(&mut Newcomer::stranger(), &task, &mut world, &mut |_| {});
+    assert!(episode.outcome == Outcome::Lost && episode.steps < 20, "{episode:?}");
+}
+
+/// A scene of one character and one apple, and nothing where it could be.
+#[test]
+fn a_scene_without_any_place_is_lost_with_a_reason() {
+    let text = r#"{"nodes": [{"id": 1, "class_name": "character", "category": "Characters"},
+        {"id": 2, "class_name": "apple", "category": "Food"}], "edges": []}"#;
+    let scene = vc_graph::format::virtualhome::read(text, &vc_graph::ClassTable::builtin()).unwrap();
+    for mut policy in [Newcomer::best(), Newcomer::stranger(), Newcomer::faithful()] {
+        let task = Task::new("nowhere", "Holds(apple)".parse().unwrap());
+        let episode = Run::seeded(0).episode(&mut policy, &task, &mut Simulator::new(scene.clone()), &mut |_| {});
+        assert_eq!((episode.outcome, episode.steps), (Outcome::Lost, 0), "{}", policy.name());
+        assert!(episode.reason.unwrap().contains("apple"), "{}", policy.name());
+    }
+}

@@ -186,3 +186,22 @@ fn a_helper_that_has_just_moved_in_saves_steps_too() {
     assert!(right >= 18, "{right}");
     assert!(helped * 100 <= alone * 92, "{helped} of {alone}");
 }
+
+#[test]
+fn a_goal_that_calls_a_thing_what_it_is_not_is_lost_and_names_both() {
+    let scene = home(3);
+    let (ids, apple) = (scene.agents().to_vec(), scene.of_class("apple")[0].0);
+    let task = Task::new("misnamed", format!("Inside(plate.{apple}, fridge)").parse().unwrap());
+    let told = format!("`plate.{apple}` names a thing that is apple.{apple}");
+    let mut team = Team::newcomers(&scene, &ids, &task.goal, 3);
+    let mut newcomer = Newcomer::best();
+    let mut world = Simulator::new(scene.clone());
+    for episode in [
+        team.run(&task, &mut world),
+        run_together(&mut [(ids[0], &mut newcomer as &mut dyn Policy)], &task, &mut world, Seed(3)),
+    ] {
+        assert_eq!((episode.outcome, episode.rounds), (Outcome::Lost, 0));
+        let summary = vc_planner::Summary::from(&episode);
+        assert!(summary.reason.as_ref().is_some_and(|why| why.starts_with(&told)), "{summary:?}");
+    }
+}

@@ -28,6 +28,8 @@ pub(crate) struct Traits {
     pub(crate) fixed: bool,
     pub(crate) door: bool,
     pub(crate) agent: bool,
+    /// People move it, or it moves itself.
+    pub(crate) moves: bool,
     pub(crate) sittable: bool,
     pub(crate) lieable: bool,
     pub(crate) lookable: bool,
@@ -44,11 +46,13 @@ impl Traits {
         let door = matches!(category, "door" | "Doors");
         let boxed = node.spec().asset.is_none();
         let carries = [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(|p| node.affords(p));
+        let agent = node.kind() == vc_graph::Kind::Agent;
         Self {
             structure,
             fixed: structure || door || matches!(category, "window" | "Windows"),
             door,
-            agent: node.kind() == vc_graph::Kind::Agent,
+            agent,
+            moves: agent || node.affords(Property::Graspable) || node.affords(Property::Movable),
             sittable: node.affords(Property::Sittable),
             lieable: node.affords(Property::Lieable),
             lookable: node.affords(Property::Lookable),

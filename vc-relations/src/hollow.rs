@@ -6,7 +6,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::form::{Cavity, Form, Space};
 use crate::solid::{Round, Solid, gap};
-use crate::threshold::{GRID_EVENLY, GRID_FILL, GRID_PLANES, GRID_THINNEST, HOLLOW_DEPTH, HOLLOW_VOLUME};
+use crate::threshold::{
+    GRID_EVENLY, GRID_FILL, GRID_PLANES, GRID_THINNEST, HOLLOW_DEPTH, HOLLOW_VOLUME, THROUGH_SHARE,
+};
 
 /// Label of a cell in which there is something of the asset.
 const SOLID: u16 = u16::MAX;
@@ -162,6 +164,15 @@ impl Cells {
         met
     }
 
+    /// Whether some cells go through most of the asset along an axis.
+    fn goes_through(&self, cells: &[usize], axis: usize) -> bool {
+        let along = cells.iter().map(|&at| self.cell(at)[axis]);
+        let (low, high) = along.fold((usize::MAX, 0), |(l, h), i| (l.min(i), h.max(i)));
+        let planes = &self.planes[axis];
+        let whole = planes[self.count(axis)] - planes[0];
+        low != usize::MAX && planes[high + 1] - planes[low] >= THROUGH_SHARE * whole
+    }
+
     /// Whether some cells are deep and large enough to hold anything.
     fn holds(&self, cells: &[usize]) -> bool {
         let layers = cells.iter().map(|&at| self.cell(at)[2]);
@@ -200,23 +211,28 @@ pub(crate) fn thin_out(planes: &mut Vec<f32>, most: usize) {
 }
 
 /// The hollows of an asset: free cells with something below and either four walls, or
-/// three walls and a roof (a shelf is open in front). Under a table nothing is below; on a
+/// three walls and a roof (a shelf is open in front); then what is left with two walls that face each
+/// other and a roof, if it goes through most of the asset (a bookcase without a back, but not the strip
+/// between two legs over a table's lower board). Under a table nothing is below; on a
 /// sofa is no roof. Costs some hundred microseconds.
 pub(crate) fn find(form: &Form) -> Vec<Cavity> {
     let solids: Vec<Solid> = form.pieces.iter().map(|p| Solid::new(p.centre, p.axes, p.half, p.round)).collect();
     let Some(mut cells) = Cells::over(form, &solids) else { return Vec::new() };
     solids.iter().for_each(|s| cells.fill(s));
     let walls = cells.walls();
-    let hollow: Vec<bool> = walls.iter().zip(&cells.labels).map(|(&w, &l)| l == 0 && is_enclosed(w)).collect();
     let mut found = Vec::new();
     let mut label = 0;
-    for start in 0..hollow.len() {
-        if hollow[start] && cells.labels[start] == 0 && label < SOLID - 1 {
-            label += 1;
-            let met = cells.flood(start, label, &hollow);
-            let open = met.iter().any(|&at| walls[at] & ROOF == 0);
-            if cells.holds(&met) {
-                found.push((label, open));
+    for through in [None, Some(0), Some(1)] {
+        let counts = |w: u8| through.map_or(is_enclosed(w), |axis| is_tunnel(w, axis));
+        let hollow: Vec<bool> = walls.iter().zip(&cells.labels).map(|(&w, &l)| l == 0 && counts(w)).collect();
+        for start in 0..hollow.len() {
+            if hollow[start] && cells.labels[start] == 0 && label < SOLID - 1 {
+                label += 1;
+                let met = cells.flood(start, label, &hollow);
+                let open = met.iter().any(|&at| walls[at] & ROOF == 0);
+                if cells.holds(&met) && through.is_none_or(|axis| cells.goes_through(&met, axis)) {
+                    found.push((label, open));
+                }
             }
         }
     }
@@ -231,4 +247,10 @@ const ROOF: u8 = 0b10_0000;
 fn is_enclosed(walls: u8) -> bool {
     let sides = (walls & 0b1111).count_ones();
     walls & FLOOR != 0 && (sides == 4 || (sides == 3 && walls & ROOF != 0))
+}
+
+/// Whether what is open along one level axis has walls along the other, a floor and a roof.
+fn is_tunnel(walls: u8, axis: usize) -> bool {
+    let sides = 0b11 << (2 * (1 - axis));
+    walls & FLOOR != 0 && walls & ROOF != 0 && walls & sides == sides
 }

@@ -35,7 +35,7 @@
 //! | relation | holds if |
 //! |---|---|
 //! | on | a joint holds it; else contacts push it up, each by a tenth of all at least; else the trace down from one of its parts meets the other at most [`SUPPORT_GAP`](threshold::SUPPORT_GAP) below, not steeper than 60 degrees, and no deeper than the nearest by more than [`SUPPORT_TIE`](threshold::SUPPORT_TIE); else it hangs: on a hook, a wall, a ceiling, or what it touches |
-//! | inside | its centre and four of its eight corners are in a hollow of the other: where the asset says it holds things inside, or where its parts leave room with a floor, and four walls or three and a roof. Then it is not also on it |
+//! | inside | its centre and four of its eight corners are in a hollow of the other: where the asset says it holds things inside, or where its parts leave room with a floor, and four walls, or three and a roof, or a roof and two walls from one side through to the other (a bookcase without a back); a rim of three centimetres is a wall. Then it is not also on it |
 //! | under | the other is the first above the middle of its box that does not rest on it or in it; not the building, not what holds it |
 //! | sitting, lying on | an agent that sits (by state, or as its box has a seat at the height of the hips) or lies, on what affords it. Then it is not on anything |
 //! | near, near at a side | the boxes are at most [`NEAR_REACH`](threshold::NEAR_REACH) apart, and they are in one room or no part of the building is between their centres. The side is that of the thing's own axes on which the other is; none above and below |
@@ -58,6 +58,7 @@
 //! | [`Relations`] | the relations of a scene: [`edges`](Relations::edges), [`of`](Relations::of), [`has`](Relations::has); [`update`](Relations::update) after moves |
 //! | [`Evidence`] | contacts, joints, positions of drawers and doors, what is held |
 //! | [`Support`], [`Near`], [`Side`] | the figures beside on and near |
+//! | [`Proximity`] | touching distance, arm's reach, near, behind a wall, far: told apart by name |
 //! | [`Explanation`] | why a relation holds or does not: which trace met what, where; how far within rooms, off the front, from seat and hook |
 //! | [`Rule`] | which rule decides |
 //!
@@ -104,6 +105,7 @@ mod hollow;
 mod lanes;
 mod near;
 mod pair;
+mod proximity;
 mod region;
 mod relations;
 mod room;
@@ -125,6 +127,7 @@ pub use error::{Flaw, InputError};
 pub use evidence::{Attachment, Contact, Evidence};
 pub use explanation::{Explanation, Hit, Hook, Seat, Sight, Traced, Verdict, Within};
 pub use near::Side;
+pub use proximity::Proximity;
 pub use relations::{Near, Relations, relations};
 pub use rule::Rule;
 pub use support::{Ground, Support};

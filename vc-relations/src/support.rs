@@ -153,8 +153,9 @@ impl<'w> Supports<'w> {
     }
 
     fn traced(&self, index: usize, out: &mut Vec<Candidate>) {
-        let (pairs, stands) = (&self.world.pairs[index], self.stands(index));
-        let pairs = || pairs.iter().filter(|p| !stands || !self.is_held(p.other as usize));
+        let stands = self.stands(index);
+        let may = |p: &&Pair| self.may_carry(index, p) && !(stands && self.is_held(p.other as usize));
+        let pairs = || self.world.pairs[index].iter().filter(|p| p.rest.is_finite()).filter(may);
         let best = pairs().map(|p| p.rest.abs()).fold(f32::INFINITY, f32::min);
         if best.is_infinite() {
             return self.hung(index, out);
@@ -169,6 +170,29 @@ impl<'w> Supports<'w> {
         }
         let share = 1.0 / (out.len() - start) as f32;
         out[start..].iter_mut().for_each(|c| c.support.share = share);
+    }
+
+    /// Whether one body may rest on the other of a pair: with a hand goes only what people move, and not the
+    /// switch on the wall that a full laundry basket brushes.
+    fn may_carry(&self, index: usize, pair: &Pair) -> bool {
+        let moves = self.world.bodies[index].as_deref().is_some_and(|b| b.traits.moves);
+        moves || !self.is_in_hand(pair.other as usize)
+    }
+
+    /// Whether a body is somebody's, or somebody holds or wears it or what it rests on.
+    fn is_in_hand(&self, index: usize) -> bool {
+        let (mut below, mut next) = (vec![index], 0);
+        while let Some(&at) = below.get(next) {
+            next += 1;
+            let Some(body) = self.world.bodies[at].as_deref().filter(|b| b.traits.moves) else { continue };
+            if body.traits.agent || self.held(body.id).next().is_some() {
+                return true;
+            }
+            let further =
+                self.candidates(at).iter().map(|c| c.index).filter(|i| !below.contains(i)).collect::<Vec<_>>();
+            below.extend(further);
+        }
+        false
     }
 
     /// Of several supports those with none between.
@@ -222,6 +246,7 @@ impl<'w> Supports<'w> {
             return None;
         }
         match pair {
+            p if !self.may_carry(index, p) => None,
             p if p.hooked => Some(0),
             p if p.inside => Some(1),
             p if self.is_building(p) => Some(2),

@@ -64,6 +64,13 @@ pub const UNDER_CORE: f32 = 0.5;
 /// also the length of the thesis's sideways traces here.
 pub const NEAR_REACH: f32 = 1.0;
 
+/// Two things that are at most so far apart are at touching distance, metres: a hand that holds one
+/// touches the other.
+pub const TOUCHING_DISTANCE: f32 = 0.05;
+
+/// Two things that are at most so far apart are within arm's reach of each other, metres: a grown person's arm.
+pub const ARMS_REACH: f32 = 0.75;
+
 /// How much farther pairs are looked for than they are measured, metres: more than the rounding
 /// of any coordinate up to [`WORLD_REACH`], so that which pairs are measured never depends on
 /// which of the two was asked first.
@@ -89,9 +96,13 @@ pub const ROUND_CORNER_SHARE: f32 = 0.636;
 /// of them, as content may stand out.
 pub const CORNERS_WITHIN: u32 = 4;
 
-/// The least depth of a hollow that is found from geometry, metres: a plate's is less, a
-/// bowl's more.
-pub const HOLLOW_DEPTH: f32 = 0.025;
+/// The least depth of a hollow that is found from geometry, metres: a plate's is less (12 mm), that
+/// of a tray whose rim is three centimetres high, and a bowl's, more.
+pub const HOLLOW_DEPTH: f32 = 0.018;
+
+/// A hollow that is open at two sides goes through so much of the asset at least: a bookcase's compartment
+/// through all of it, the strip between two legs of a table through a tenth.
+pub const THROUGH_SHARE: f32 = 0.6;
 
 /// The least volume of a hollow that is found from geometry, cubic metres: a shot glass has
 /// twice that; less is a joint between parts.

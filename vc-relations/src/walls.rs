@@ -28,6 +28,20 @@ impl Walls {
     }
 }
 
+impl Walls {
+    /// Whether part of the building is between the middles of bodies, whatever room they are in.
+    pub(crate) fn is_between(&self, a: &Body, b: &Body) -> bool {
+        let (from, to) = (a.whole.centre, b.whole.centre);
+        let (way, region) = (to - from, Region::around(&from, &to));
+        let mut crossed = false;
+        self.tree.each(&region, |wall| {
+            let wall = &self.pieces[wall];
+            crossed |= wall.meets(&region, 0.0) && wall.is_crossed(&from, &way);
+        });
+        crossed
+    }
+}
+
 /// The pieces that can be between one body and some others.
 #[derive(Debug)]
 pub(crate) struct Among<'w> {

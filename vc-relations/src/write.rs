@@ -1,5 +1,7 @@
 //! Writing relations back into the scene they were read from.
 
+use std::collections::BTreeMap;
+
 use vc_graph::{ChangeSet, Edge, EditError, Kind, NodeId, Place, Relation, SceneGraph};
 
 use crate::relations::Relations;
@@ -44,7 +46,7 @@ impl Relations {
         let mut edit = graph.edit();
         let there = |id: &NodeId| graph_has(edit.graph(), *id);
         let there: Vec<NodeId> = nodes.iter().copied().filter(there).collect();
-        let own = self.of_each(&there);
+        let own = carriers_first(self.of_each(&there));
         // All that go elsewhere leave their old places first, so that no old place makes a new
         // one a cycle.
         for (id, edges) in &own {
@@ -60,6 +62,24 @@ impl Relations {
         }
         Ok(edit.commit())
     }
+}
+
+/// Nodes with their edges, each after those of them that it rests on: what changes rooms together with its
+/// support finds that there already, and stays on it.
+fn carriers_first(own: Vec<(NodeId, Vec<Edge>)>) -> Vec<(NodeId, Vec<Edge>)> {
+    let mut open: Vec<(NodeId, Option<Vec<Edge>>)> = own.iter().rev().map(|(id, _)| (*id, None)).collect();
+    let mut left: BTreeMap<NodeId, Vec<Edge>> = own.into_iter().collect();
+    let mut ordered = Vec::with_capacity(left.len());
+    while let Some((id, edges)) = open.pop() {
+        if let Some(edges) = edges {
+            ordered.push((id, edges));
+        } else if let Some(edges) = left.remove(&id) {
+            let carriers: Vec<NodeId> = edges.iter().filter(|e| rests(e)).map(|e| e.to).collect();
+            open.push((id, Some(edges)));
+            open.extend(carriers.into_iter().map(|at| (at, None)));
+        }
+    }
+    ordered
 }
 
 /// Writes the relations of one kind that start at a node, if the graph has others. Those that go

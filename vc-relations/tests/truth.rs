@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 use vc_graph::Relation;
-use vc_relations::{Relations, Rule};
+use vc_relations::{Proximity, Relations, Rule};
 
 /// Relations of which a configuration names all that hold; the others it names if it
 /// wants them to hold, or to `not` hold.
@@ -87,6 +87,42 @@ fn every_configuration_is_right_by_the_default_rule() {
     let wrong: Vec<String> = all.iter().filter_map(|c| judge(c, Rule::Repaired)).collect();
     assert!(all.len() >= 200, "only {} configurations", all.len());
     assert!(wrong.is_empty(), "{} of {} wrong:\n{}", wrong.len(), all.len(), wrong.join("\n"));
+}
+
+/// What has a low rim, and what is open in front and behind.
+#[test]
+fn low_rims_and_missing_backs_hold_things() {
+    let all = configurations(include_str!("data/rims_and_backs.jsonl"));
+    let wrong: Vec<String> = all.iter().filter_map(|c| judge(c, Rule::Repaired)).collect();
+    assert!(all.len() == 10 && wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Near in four ways, each by its name, from both sides.
+#[test]
+fn nearness_has_names() {
+    use Proximity::{ArmsReach, BehindWall, Far, Near, TouchingDistance};
+    let lines = |more: &[&str]| {
+        let base: BTreeMap<String, Value> = serde_json::from_str(include_str!("data/scenes.json")).unwrap();
+        words(&base["room"]).into_iter().chain(more.iter().map(|l| (*l).to_owned())).collect::<Vec<String>>()
+    };
+    let partition = "p = wall 0.1 2 2.5 @ 0.35 0 0";
+    let cases: [(&[&str], &str, Proximity, bool); 6] = [
+        (&["b = box 0.1 0.1 0.1 @ 0.13 0 0"], "b", TouchingDistance, true),
+        (&["b = box 0.1 0.1 0.1 @ 0.7 0 0"], "b", ArmsReach, true),
+        (&["b = box 0.1 0.1 0.1 @ 1.0 0 0"], "b", Near, true),
+        (&["b = box 0.1 0.1 0.1 @ 0.7 0 0", partition], "b", BehindWall, true),
+        (&["b = box 0.1 0.1 0.1 @ 0.7 1.5 0", partition], "b", Far, false),
+        (&["b = box 0.1 0.1 0.1 @ 2.5 0 0"], "b", Far, false),
+    ];
+    for (more, other, proximity, near) in cases {
+        let lines = lines(&[&["a = box 0.1 0.1 0.1"], more].concat());
+        let scene = shared::scene(lines.iter().map(String::as_str));
+        let relations = Relations::new(&scene.graph, Rule::Repaired, scene.evidence.clone()).unwrap();
+        let (a, b) = (scene.id("a"), scene.id(other));
+        assert_eq!([(a, b), (b, a)].map(|(a, b)| relations.proximity(a, b)), [Some(proximity); 2], "{more:?}");
+        assert_eq!(relations.between(a, b).contains(&Relation::Near), near, "{more:?}");
+        assert_eq!(relations.proximity(a, scene.id("wall_e")), None, "a wall is no thing");
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::Read;
+use std::io::{Read, Write};
 use std::path::PathBuf;
 
 use vc_graph::{ClassTable, Edge, NodeId, Relation, SceneGraph};
@@ -17,7 +17,9 @@ fn scenes() -> Vec<SceneGraph> {
     let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
     let folder = std::env::var_os("VC_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from);
     if !folder.is_dir() {
-        eprintln!("SKIPPED: no shared data at {}; set VC_DATA to where it is", folder.display());
+        // Past the harness, which keeps what passing tests print.
+        let told = format!("SKIPPED: no shared data at {}; set VC_DATA to where it is\n", folder.display());
+        std::io::stderr().write_all(told.as_bytes()).unwrap();
         return Vec::new();
     }
     let read = |n: u32| {

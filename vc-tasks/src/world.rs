@@ -78,7 +78,7 @@ impl World for Simulator {
     }
 
     fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError> {
-        *self = Simulator::new(graph.clone());
+        *self = Simulator::with(graph.clone(), self.semantics());
         Ok(())
     }
 }

@@ -1,6 +1,9 @@
 //! Domains and problems say nothing that they do not declare, and read back.
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
+#[path = "pddl/walk.rs"]
+mod walk;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use vc_graph::{Draft, Goal, NodeId, SceneBuilder, SceneGraph};

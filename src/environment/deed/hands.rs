@@ -114,7 +114,9 @@ impl Deed<'_> {
         let inside = place.relation == Relation::Inside;
         let rolled = !inside && far(id, &spot) > ROLLED;
         let across = || !inside && self.world.supports(id).contains(&place.at);
-        !rolled && (self.world.is_at(id, place.at, inside) || across()) && around.iter().all(|(id, was)| far(*id, was) < ASIDE)
+        !rolled
+            && (self.world.is_at(id, place.at, inside) || across())
+            && around.iter().all(|(id, was)| far(*id, was) < ASIDE)
     }
 
     /// Takes a thing out of the way, and brings back those around it.

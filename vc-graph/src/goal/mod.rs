@@ -64,6 +64,7 @@
 //! [`Goal::holds`] judges one [`Situation`], which knows one state: earlier steps
 //! are those of its events, and their states are taken to be as now.
 
+pub mod eai;
 mod evaluate;
 mod judge;
 mod literal;

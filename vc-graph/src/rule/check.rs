@@ -67,6 +67,18 @@ impl Condition {
     }
 }
 
+/// What judges an agent's needs without wording reasons; `None` if it is no agent of the scene.
+pub(super) fn judge_of(graph: &SceneGraph, agent: NodeId) -> Option<Judge<'_, Untold>> {
+    let body = graph.node(agent).filter(|body| body.kind() == Kind::Agent)?;
+    Some(Judge { graph, agent, body, why: PhantomData })
+}
+
+impl Judge<'_, Untold> {
+    pub(super) fn meets(&self, need: &Condition) -> bool {
+        self.judge(need).is_ok()
+    }
+}
+
 /// The vehicle an agent is in.
 pub(super) fn vehicle_of(graph: &SceneGraph, agent: NodeId) -> Option<NodeId> {
     let drivable = |id: &NodeId| graph.node(*id).is_some_and(|n| n.affords(Property::Drivable));

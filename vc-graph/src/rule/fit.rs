@@ -2,11 +2,13 @@
 
 use crate::class::SlotKind;
 use crate::node::Node;
+use crate::validate::is_leaves;
 use crate::{Property, Relation, SceneGraph};
 
 /// Why a thing has no room on or in another, where the sizes of both are known.
 /// A container with a lid must take the thing in some turn, together with its contents; things may
-/// stick out of a container that is open at the top, and hang over the edge of a surface.
+/// stick out of a container that is open at the top, and hang over the edge of a surface. On a book lies
+/// what is of paper and no larger.
 pub(super) fn misfit(graph: &SceneGraph, thing: &Node, target: &Node) -> Option<&'static str> {
     if thing.id() == target.id() || graph.rests_at(target.id(), thing.id()) {
         return Some("rests on or in it");
@@ -16,7 +18,15 @@ pub(super) fn misfit(graph: &SceneGraph, thing: &Node, target: &Node) -> Option<
     if slots > 0 && inside().count() >= slots as usize {
         return Some("has no free slot");
     }
+    let leaves = is_leaves(target);
+    if leaves && !thing.affords(Property::Paper) {
+        return Some("carries only what is of paper");
+    }
     let (size, space) = (thing.spec().bounds?, target.spec().bounds?);
+    if leaves {
+        let ([_, a, b], [_, width, length]) = (sorted(size.size()), sorted(space.size()));
+        return (a > width + SLACK || b > length + SLACK).then_some("is too small");
+    }
     if target.affords(Property::Surface) || !target.affords(Property::Openable) {
         return None;
     }

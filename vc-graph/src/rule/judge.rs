@@ -1,6 +1,8 @@
 //! Judging an agent's needs in a scene.
 
+use std::collections::BTreeSet;
 use std::marker::PhantomData;
+use std::sync::LazyLock;
 
 use crate::class::SlotKind;
 use crate::node::{Kind, Node};
@@ -9,6 +11,7 @@ use crate::rule::condition::Condition;
 use crate::rule::fit::misfit;
 use crate::rule::refusal::Refusal;
 use crate::validate::{carries, encloses, soaks};
+use crate::vocabulary::{Word, key};
 use crate::{Edge, NodeId, Place, Property, Relation, SceneGraph, State};
 
 /// Classes besides clothes that can be squeezed.
@@ -30,6 +33,9 @@ const SOFT: &[&str] = &[
     "washing_sponge",
     "lotion_bottle",
 ];
+
+/// The classes of [`SOFT`], by what of their names counts.
+static SOFT_KEYS: LazyLock<BTreeSet<String>> = LazyLock::new(|| SOFT.iter().map(|name| key(name)).collect());
 
 /// A graph in which an agent's needs are judged; `W` says whether reasons are asked for.
 pub(super) struct Judge<'a, W> {
@@ -123,7 +129,7 @@ impl<'a, W: Why> Judge<'a, W> {
 
     fn affords(&self, id: NodeId, any: &[Property]) -> Result<(), W> {
         let node = self.node(id)?;
-        let word = any.first().map_or("", |p| crate::vocabulary::Word::as_str(*p));
+        let word = any.first().map_or("", |p| p.as_str());
         self.require(any.iter().any(|&p| node.affords(p)), || Refusal::NotAfforded(node.label(), word))
     }
 
@@ -228,7 +234,7 @@ impl<'a, W: Why> Judge<'a, W> {
 
     fn on_heat(&self, id: NodeId) -> Result<(), W> {
         let hot = |id: &NodeId| self.graph.node(*id).is_some_and(|n| n.affords(Property::Heater) && n.is(State::On));
-        let heated = self.graph.support_chain(id).iter().any(hot);
+        let heated = self.graph.climb(id, &mut |place| hot(&place.at)).is_some();
         self.require(heated, || Refusal::NoHeat(self.graph.label(id)))
     }
 
@@ -241,8 +247,8 @@ impl<'a, W: Why> Judge<'a, W> {
 
     fn soft(&self, id: NodeId) -> Result<(), W> {
         let node = self.node(id)?;
-        let known = SOFT.iter().any(|&name| crate::vocabulary::same_word(name, node.class()));
-        let soft = known || [Property::Wearable, Property::Wiper, Property::Cream].into_iter().any(|p| node.affords(p));
+        let gives = [Property::Wearable, Property::Wiper, Property::Cream].into_iter().any(|p| node.affords(p));
+        let soft = gives || SOFT_KEYS.contains(&key(node.class()));
         self.require(soft, || Refusal::NotAfforded(node.label(), "soft"))
     }
 

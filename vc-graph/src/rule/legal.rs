@@ -3,9 +3,10 @@
 use std::cmp::Reverse;
 use std::sync::LazyLock;
 
-use crate::node::Kind;
+use crate::rule::check::{Untold, judge_of};
 use crate::rule::condition::Condition;
 use crate::rule::effect::Role;
+use crate::rule::judge::Judge;
 use crate::rule::table::RULES;
 use crate::vocabulary::{Set, Word};
 use crate::{Action, Node, NodeId, SceneGraph, Verb};
@@ -36,22 +37,17 @@ pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
 /// As [`legal_actions`], with some things only: those at hand, say, or those in view. They come
 /// in the order of the things given.
 pub fn legal_actions_with(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec<Action> {
-    if graph.node(agent).is_none_or(|n| n.kind() != Kind::Agent) {
-        return Vec::new();
-    }
-    let now = Now { graph, agent };
-    let verbs = now.open(&NEEDS.of_agent, Verbs::of(Verb::ALL), &NOTHING);
-    let known: Vec<NodeId> = things.iter().copied().filter(|&id| graph.node(id).is_some()).collect();
-    let firsts = now.ask(&NEEDS.of_first, verbs, &known, first);
-    let begun = firsts.iter().fold(Verbs::EMPTY, |all, (_, verbs)| all.union(*verbs));
-    let paired: Verbs = begun.iter().filter(|verb| verb.arity() == 2).collect();
-    let seconds = if paired.is_empty() { Vec::new() } else { now.ask(&NEEDS.of_second, paired, &known, second) };
-    let mut found = Vec::new();
+    let Some(now) = judge_of(graph, agent) else { return Vec::new() };
+    let verbs = NEEDS.of_agent.iter().fold(Verbs::of(Verb::ALL), |verbs, (need, having)| {
+        if need.ground(&NOTHING).is_some_and(|need| now.meets(&need)) { verbs } else { verbs.minus(*having) }
+    });
+    let open = Open::of(&now, verbs, things);
+    let mut found = Vec::with_capacity(open.first.iter().map(Vec::len).sum());
     for verb in verbs.iter() {
         match verb.arity() {
             0 => found.push(Action::zero(verb)),
-            1 => found.extend(open_to(&firsts, verb).map(|id| Action::one(verb, id))),
-            _ => found.extend(now.pairs(verb, &firsts, &seconds)),
+            1 => found.extend(open.first[verb.index()].iter().map(|&id| Action::one(verb, id))),
+            _ => found.extend(open.pairs(&now, verb)),
         }
     }
     found
@@ -59,15 +55,18 @@ pub fn legal_actions_with(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) 
 
 type Verbs = Set<Verb>;
 
-/// A need, and the verbs that have it.
-type Shared = (Condition<Role>, Verbs);
+/// A need of one thing, and the verbs that have it of their first and of their second thing.
+struct OfThing {
+    need: Condition<Role>,
+    first: Verbs,
+    second: Verbs,
+}
 
 /// The needs of the verbs, each once; needs of two things at once are left out.
 #[derive(Default)]
 struct Needs {
-    of_agent: Vec<Shared>,
-    of_first: Vec<Shared>,
-    of_second: Vec<Shared>,
+    of_agent: Vec<(Condition<Role>, Verbs)>,
+    of_thing: Vec<OfThing>,
 }
 
 static NEEDS: LazyLock<Needs> = LazyLock::new(Needs::read);
@@ -75,77 +74,90 @@ static NEEDS: LazyLock<Needs> = LazyLock::new(Needs::read);
 /// An action with nothing to ground a need on.
 const NOTHING: Action = Action::zero(Verb::Dance);
 
-fn first(id: NodeId) -> Action {
-    Action { object: Some(id), ..NOTHING }
+/// An action with one thing in both roles, to ground a need on whichever it names.
+fn both(id: NodeId) -> Action {
+    Action { object: Some(id), target: Some(id), ..NOTHING }
 }
 
-fn second(id: NodeId) -> Action {
-    Action { target: Some(id), ..NOTHING }
+/// Whether a need is of two things at once: neither alone grounds it.
+fn is_of_two(need: Condition<Role>) -> bool {
+    let one = both(NodeId(0));
+    [Action { object: None, ..one }, Action { target: None, ..one }].iter().all(|a| need.ground(a).is_none())
 }
 
 impl Needs {
     fn read() -> Self {
         let mut needs = Self::default();
         for (need, verb) in RULES.iter().flat_map(|rule| rule.needs.iter().map(|need| (*need, rule.verb))) {
-            let told_by = |action: Action| need.ground(&action).is_some();
-            match (told_by(NOTHING), told_by(first(NodeId(0))), told_by(second(NodeId(0)))) {
-                (true, _, _) => note(&mut needs.of_agent, need, verb),
-                (_, true, _) => note(&mut needs.of_first, need, verb),
-                (_, _, true) => note(&mut needs.of_second, need, verb),
-                _ => {}
+            match need.ground(&NOTHING) {
+                Some(_) => needs.note_of_agent(need, verb),
+                None if is_of_two(need) => {}
+                None => needs.note_of_thing(need, verb),
             }
         }
         // The need that most verbs share comes first: where it is not met, least is left to ask.
-        for shared in [&mut needs.of_first, &mut needs.of_second] {
-            shared.sort_by_key(|(_, verbs)| Reverse(verbs.len()));
-        }
+        needs.of_thing.sort_by_key(|shared| Reverse(shared.first.len() + shared.second.len()));
         needs
     }
-}
 
-fn note(shared: &mut Vec<Shared>, need: Condition<Role>, verb: Verb) {
-    match shared.iter_mut().find(|(known, _)| *known == need) {
-        Some((_, verbs)) => *verbs = verbs.with(verb),
-        None => shared.push((need, Verbs::of(&[verb]))),
+    fn note_of_agent(&mut self, need: Condition<Role>, verb: Verb) {
+        match self.of_agent.iter_mut().find(|(known, _)| *known == need) {
+            Some((_, verbs)) => *verbs = verbs.with(verb),
+            None => self.of_agent.push((need, Verbs::of(&[verb]))),
+        }
+    }
+
+    fn note_of_thing(&mut self, need: Condition<Role>, verb: Verb) {
+        let thing = both(NodeId(0));
+        let of_first = need.ground(&Action { target: None, ..thing }).is_some();
+        let at = self.of_thing.iter().position(|known| known.need.ground(&thing) == need.ground(&thing));
+        let at = at.unwrap_or_else(|| {
+            self.of_thing.push(OfThing { need, first: Verbs::EMPTY, second: Verbs::EMPTY });
+            self.of_thing.len() - 1
+        });
+        let verbs = if of_first { &mut self.of_thing[at].first } else { &mut self.of_thing[at].second };
+        *verbs = verbs.with(verb);
     }
 }
 
-/// A scene and the agent that is to act in it.
-struct Now<'a> {
-    graph: &'a SceneGraph,
-    agent: NodeId,
+/// For each verb the things that can be its first, and those that can be its second.
+struct Open {
+    first: Vec<Vec<NodeId>>,
+    second: Vec<Vec<NodeId>>,
 }
 
-/// A thing, and the verbs that can have it.
-type Asked = (NodeId, Verbs);
-
-/// The things a verb can have.
-fn open_to(things: &[Asked], verb: Verb) -> impl Iterator<Item = NodeId> + '_ {
-    things.iter().filter(move |(_, verbs)| verbs.contains(verb)).map(|(id, _)| *id)
-}
-
-impl Now<'_> {
-    /// The verbs whose shared needs are all met. A need is not asked after once no verb depends
-    /// on it.
-    fn open(&self, needs: &[Shared], verbs: Verbs, action: &Action) -> Verbs {
-        needs.iter().fold(verbs, |verbs, (need, having)| {
-            let met = || need.ground(action).is_some_and(|need| need.holds(self.graph, self.agent));
-            if verbs.intersects(*having) && !met() { verbs.minus(*having) } else { verbs }
-        })
-    }
-
-    fn ask(&self, needs: &[Shared], verbs: Verbs, things: &[NodeId], role: fn(NodeId) -> Action) -> Vec<Asked> {
-        things.iter().map(|&id| (id, self.open(needs, verbs, &role(id)))).collect()
+impl Open {
+    fn of(now: &Judge<'_, Untold>, verbs: Verbs, things: &[NodeId]) -> Self {
+        let none = || vec![Vec::new(); Verb::ALL.len()];
+        let mut open = Self { first: none(), second: none() };
+        for &id in things.iter().filter(|id| now.graph.node(**id).is_some()) {
+            let (first, second) = open_to(now, verbs, id);
+            first.iter().for_each(|verb| open.first[verb.index()].push(id));
+            second.iter().for_each(|verb| open.second[verb.index()].push(id));
+        }
+        open
     }
 
     /// The actions of a verb with two things.
-    fn pairs(&self, verb: Verb, firsts: &[Asked], seconds: &[Asked]) -> Vec<Action> {
-        let apart = |need: &&Condition<Role>| {
-            [NOTHING, first(NodeId(0)), second(NodeId(0))].iter().all(|action| need.ground(action).is_none())
-        };
-        let of_both: Vec<Condition<Role>> = verb.rule().needs.iter().filter(apart).copied().collect();
-        let met = |a: &Action| of_both.iter().filter_map(|c| c.ground(a)).all(|c| c.holds(self.graph, self.agent));
-        let with = |x: NodeId| open_to(seconds, verb).filter(move |y| *y != x).map(move |y| Action::two(verb, x, y));
-        open_to(firsts, verb).flat_map(with).filter(met).collect()
+    fn pairs<'a>(&'a self, now: &'a Judge<'_, Untold>, verb: Verb) -> impl Iterator<Item = Action> + 'a {
+        let needs = verb.rule().needs.iter();
+        let of_two: Vec<Condition<Role>> = needs.filter(|need| is_of_two(**need)).copied().collect();
+        let met = move |a: &Action| of_two.iter().filter_map(|need| need.ground(a)).all(|need| now.meets(&need));
+        let seconds = &self.second[verb.index()];
+        let with = move |&x: &NodeId| seconds.iter().filter(move |y| **y != x).map(move |&y| Action::two(verb, x, y));
+        self.first[verb.index()].iter().flat_map(with).filter(met)
     }
+}
+
+/// The verbs that can have a thing as their first and as their second. A need is asked after once, and not once no
+/// verb depends on it.
+fn open_to(now: &Judge<'_, Untold>, verbs: Verbs, id: NodeId) -> (Verbs, Verbs) {
+    let (thing, mut first, mut second) = (both(id), verbs, verbs);
+    for of in &NEEDS.of_thing {
+        let matters = first.intersects(of.first) || second.intersects(of.second);
+        if matters && !of.need.ground(&thing).is_some_and(|need| now.meets(&need)) {
+            (first, second) = (first.minus(of.first), second.minus(of.second));
+        }
+    }
+    (first, second)
 }

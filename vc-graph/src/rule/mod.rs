@@ -23,6 +23,16 @@
 //!   where sizes are known;
 //! - fridges and ovens open while they are on;
 //! - seats are taken by people, not by the cushions on them.
+//!
+//! Some programs of others leave it to common sense whether they can be done. Here
+//!
+//! - a book, a magazine or a sheet carries what is of paper and no larger: a bookmark lies on a novel;
+//! - what a scene says is open or closed opens, though its properties do not say so: a desk has drawers;
+//! - what a scene says is inside itself is not shut in by itself: a closed basket that is can be opened;
+//! - water can be poured over hands, which then hold it;
+//! - clothes that are taken off are in hand: whose hands are full of them grabs nothing before one is put down.
+//!
+//! Their verdicts instead of these are those of [`virtual_home`].
 
 mod check;
 pub mod condition;
@@ -33,12 +43,15 @@ mod legal;
 pub mod refusal;
 pub mod regress;
 pub mod table;
+pub mod virtual_home;
 
 pub use condition::Condition;
 pub use effect::{Effect, Role};
 pub use legal::{legal_actions, legal_actions_with};
 pub use refusal::Refusal;
 pub use table::Rule;
+pub(crate) use virtual_home::Memory;
+pub use virtual_home::Semantics;
 
 use crate::{Action, ChangeSet, EditError, NodeId, SceneGraph};
 

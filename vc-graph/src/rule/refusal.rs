@@ -149,6 +149,9 @@ pub enum Refusal {
     /// The relation does not hold.
     #[error("not: {0} {1} {2}")]
     NotRelated(Label, Relation, Label),
+    /// VirtualHome's simulator has no such action.
+    #[error("VirtualHome's simulator has no action `{0}`")]
+    NotInVirtualHome(Verb),
     /// The effects could not be carried out.
     #[error(transparent)]
     Edit(#[from] EditError),

@@ -153,14 +153,16 @@ fn put_downs(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     at.iter().flat_map(place).chain(held.iter().map(|&id| Action::one(Verb::Drop, id))).collect()
 }
 
-/// Ways to have a thing in one hand rather than the other: that hand must be free,
-/// the right one is filled first, and what is in the wrong hand is put down.
+/// Ways to have a thing in one hand rather than the other: that hand must be free, and what is in the
+/// wrong hand is put down. As the right hand is filled first, it takes something else where the left one
+/// is to be filled.
 fn into_hand(graph: &SceneGraph, agent: NodeId, hand: Relation, id: NodeId) -> Vec<Action> {
     let occupied = graph.related(agent, hand).next();
     let wrong = graph.held(agent).find(|&held| held == id || Some(held) == occupied);
     match wrong {
         Some(held) => put_downs(graph, agent).into_iter().filter(|a| a.object == Some(held)).collect(),
-        None => vec![Action::one(Verb::Grab, id)],
+        None if graph.free_hand(agent) == Some(hand) => vec![Action::one(Verb::Grab, id)],
+        None => grabs(graph, agent, |other| other != id && !graph.rests_at(id, other)),
     }
 }
 

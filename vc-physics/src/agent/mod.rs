@@ -278,7 +278,8 @@ impl World {
 
     /// Puts an agent somewhere at once, standing, its feet at a pose of which only
     /// the turn around the vertical counts; where something as low as a rug lies, it stands on
-    /// that. What it holds comes along.
+    /// that. What it holds comes along. Over nothing it falls, and is among the [stopped](Self::stopped) in
+    /// the end.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NotFinite`].
@@ -287,6 +288,7 @@ impl World {
         if !convert::is_sound(&feet) {
             return Err(PhysicsError::NotFinite("the pose", id).into());
         }
+        self.stopped.retain(|other| *other != id);
         let agent = self.agent_mut(id)?;
         agent.feet = upright(&feet);
         agent.posture = Posture::Standing;

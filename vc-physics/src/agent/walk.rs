@@ -216,9 +216,16 @@ impl World {
         let fall = if agent.grounded { 0.0 } else { agent.fall + self.settings.gravity * dt };
         let desired = Vector::new(wish.x * dt, wish.y * dt, -fall * dt);
         let (mut moved, mut grounded, hits) = self.slide(agent, desired);
-        // Nobody steps, or falls, to where nothing is below.
-        if !grounded && fall >= 0.0 && self.is_over_nothing(&(agent.feet * Point3::from(moved)), agent.body) {
+        // Nobody who stands steps, and nobody who jumps falls, to where nothing is below; who is put there does
+        // fall, until the fall ends.
+        let over_nothing = |way: Vector3<f32>| self.is_over_nothing(&(agent.feet * Point3::from(way)), agent.body);
+        let ends = self.is_in_abyss(agent);
+        let stays = || ends || agent.grounded || !over_nothing(Vector3::zeros());
+        if !grounded && fall >= 0.0 && over_nothing(moved) && stays() {
             (moved, grounded) = (Vector3::zeros(), true);
+        }
+        if ends && !self.stopped.contains(&id) {
+            self.stopped.push(id);
         }
         hits.iter().for_each(|hit| self.push_aside(id, hit, wish));
         // Who goes up has left the ground, however near it is.
@@ -227,7 +234,7 @@ impl World {
         agent.feet.translation.vector += moved;
         (agent.grounded, agent.fall) = (grounded, if grounded { 0.0 } else { fall });
         agent.velocity = [moved.x / dt, moved.y / dt];
-        if grounded {
+        if grounded && !ends {
             agent.floor = agent.feet.translation.z;
         }
         if wish.norm() > 0.05 {

@@ -46,6 +46,8 @@ pub(crate) struct Link {
     pub(crate) mass: MassProperties,
     pub(crate) friction: f32,
     pub(crate) restitution: f32,
+    /// Whether it can roll: it has a round part, as balls, bottles and pots have.
+    pub(crate) round: bool,
     pieces: Vec<Piece>,
     mesh: OnceLock<Vec<[Point3<f32>; 3]>>,
     hulls: OnceLock<Vec<Vec<Point3<f32>>>>,
@@ -73,16 +75,10 @@ impl Link {
         self.footprints.get_or_init(|| footprint::of(&self.pieces))
     }
 
-    /// Whether it can roll: it has a round piece, as balls, bottles and bowls have.
-    pub(crate) fn rolls(&self) -> bool {
-        use rapier3d::geometry::ShapeType::{Ball, Capsule, Cone, Cylinder};
-        self.pieces.iter().any(|p| matches!(p.shape.shape_type(), Ball | Capsule | Cone | Cylinder))
-    }
-
-    /// Its shape, reaching farther down by so many metres, and where that is in the asset's frame.
+    /// Its shape, all of it reaching farther down by so many metres, and where that is in the asset's frame.
     pub(crate) fn deepened(&self, by: f32) -> Option<(SharedShape, EnginePose)> {
-        let deeper: Vec<Piece> = self.pieces.iter().map(|piece| scale::deepened(piece, by)).collect();
-        compound(&deeper)
+        let deeper: Option<Vec<Piece>> = self.pieces.iter().map(|piece| scale::deepened(piece, by)).collect();
+        compound(&deeper?)
     }
 
     /// Number of convex pieces.
@@ -199,6 +195,7 @@ impl Link {
             }
             _ => hollow::pieces(part, by, surfaces),
         };
+        let round = solid.iter().any(|p| is_round(&p.shape));
         let felt = if joins { without_trim(solid) } else { solid.to_vec() };
         let pieces = felt.iter().flat_map(pieces).collect();
         let pieces = if joins { merge::merged(pieces, surfaces) } else { pieces };
@@ -210,12 +207,18 @@ impl Link {
             mass,
             friction,
             restitution,
+            round,
             pieces,
             mesh: OnceLock::new(),
             hulls: OnceLock::new(),
             footprints: OnceLock::new(),
         }
     }
+}
+
+fn is_round(shape: &Shape) -> bool {
+    use Shape::{Capsule, Cone, Cylinder, Lathe, Sphere};
+    matches!(shape, Sphere { .. } | Capsule { .. } | Cylinder { .. } | Cone { .. } | Lathe { .. })
 }
 
 /// The parts but for those that are in a box that is another part, or stick out of it by no more

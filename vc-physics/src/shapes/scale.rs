@@ -74,19 +74,19 @@ pub(crate) fn stretched(piece: &Piece, by: &Vector3<f32>) -> Option<Piece> {
     Piece::hull(&points, &Vector3::z())
 }
 
-/// A piece that reaches farther down in the asset's frame.
-pub(crate) fn deepened(piece: &Piece, by: f32) -> Piece {
+/// A piece that reaches farther down in the asset's frame; nothing where there is no such hull.
+pub(crate) fn deepened(piece: &Piece, by: f32) -> Option<Piece> {
     let up = piece.at.rotation.inverse_transform_vector(&Vector3::z());
     if let TypedShape::Cuboid(s) = piece.shape.as_typed_shape()
         && up.z.abs() > UPRIGHT
     {
         let half = convert::vector3(s.half_extents) + Vector3::z() * (by / 2.0);
-        return Piece { shape: cuboid(half), at: Pose::translation(0.0, 0.0, -by / 2.0) * piece.at };
+        return Some(Piece { shape: cuboid(half), at: Pose::translation(0.0, 0.0, -by / 2.0) * piece.at });
     }
     let mut points = corners(piece);
     let lower: Vec<Point3<f32>> = points.iter().map(|p| p - Vector3::z() * by).collect();
     points.extend(lower);
-    Piece::hull(&points, &Vector3::z()).unwrap_or_else(|| piece.clone())
+    Piece::hull(&points, &Vector3::z())
 }
 
 /// Corners of a piece in the asset's frame; of round pieces, of a polyhedron within.

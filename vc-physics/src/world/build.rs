@@ -119,6 +119,9 @@ impl World {
         self.drain(id);
         let hung = |t: &&Thing| t.state.role == Role::Hung && t.state.rests.is_some_and(|place| place.at == id);
         let hung: Vec<NodeId> = self.things.iter().filter(hung).map(|t| t.id).collect();
+        if thing.state.role == Role::Fixed {
+            self.find_bottom();
+        }
         hung.into_iter().try_for_each(|id| self.set_role(id, Role::Loose))
     }
 
@@ -129,8 +132,9 @@ impl World {
         let mass_range = class.and_then(|c| c.mass).filter(|_| self.settings.class_masses);
         let mass_factor = form.mass_factor(mass_range, node.spec().scale.product());
         let Some(role) = rules.roles.of(node, class, &form, form.mass() * mass_factor) else { return false };
-        let fixed = role == Role::Fixed;
-        let ground = if fixed { rules.storeys.ground_below(node, graph.classes(), &form, &pose) } else { 0.0 };
+        let below = || rules.storeys.ground_below(node, graph.classes(), &form, &pose);
+        let ground = if role == Role::Fixed { below() } else { 0.0 };
+        let deepened = if ground > 0.0 { form.links[0].deepened(ground) } else { None };
         let state = State {
             role,
             base: RigidBodyHandle::invalid(),
@@ -147,17 +151,18 @@ impl World {
             door: class.is_some_and(|c| c.category == Category::Door),
             graspable: node.affords(Property::Graspable),
             rolling: rolling::resistance(graph.classes(), node.class()),
-            ground,
+            ground: deepened.as_ref().map_or(0.0, |_| ground),
         };
         let mut thing = Thing { id: node.id(), form, places: Places::of(node), state };
-        thing.state.base = self.add_base(&thing, &pose);
+        thing.state.base = self.add_base(&thing, deepened, &pose);
         joints::add(&mut self.engine, &mut thing, &self.settings, node.is(vc_graph::State::Open));
         let at = self.things.partition_point(|t| t.id < thing.id);
         self.things.insert(at, thing);
         true
     }
 
-    fn add_base(&mut self, thing: &Thing, pose: &Pose) -> RigidBodyHandle {
+    /// Adds the body of a thing's base, with a shape in place of its own if there is one.
+    fn add_base(&mut self, thing: &Thing, instead: Option<(SharedShape, EnginePose)>, pose: &Pose) -> RigidBodyHandle {
         let builder = match thing.state.role {
             Role::Loose => RigidBodyBuilder::dynamic(),
             _ => RigidBodyBuilder::fixed(),
@@ -165,8 +170,7 @@ impl World {
         let link = &thing.form.links[0];
         let builder = builder.pose(convert::pose(pose)).user_data(group::mark(thing.id, 0));
         let body = self.engine.add_body(builder);
-        let deepened = if thing.state.ground > 0.0 { link.deepened(thing.state.ground) } else { None };
-        if let Some((shape, at)) = deepened.as_ref().or(link.solid.as_ref()) {
+        if let Some((shape, at)) = instead.as_ref().or(link.solid.as_ref()) {
             let collider =
                 collider(link, shape, at, thing.state.mass_factor).collision_groups(group::base(thing.state.role));
             self.engine.add_collider(collider.user_data(group::mark(thing.id, 0)).build(), body);

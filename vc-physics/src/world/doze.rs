@@ -116,7 +116,8 @@ impl World {
     /// carried as it was.
     fn is_where_it_slept(&self, thing: &Thing, rigid: &RigidBody, size: f32) -> bool {
         let still = rigid.linvel().length() + rigid.angvel().length() * size <= STILL;
-        still && thing.state.slept.is_some_and(|spot| spot.distance(&Spot::of(rigid.position()), size) <= SAME)
+        let now = Spot::of(rigid.position());
+        still && thing.state.slept.is_some_and(|spot| spot.distance(&now, thing.form.extent) <= SAME)
     }
 
     /// Whether a body cannot tip: see above.

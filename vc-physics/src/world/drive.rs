@@ -88,6 +88,9 @@ impl World {
         if stopped {
             self.set_going(id)?;
         }
+        if self.thing(id)?.state.role == Role::Fixed {
+            self.find_bottom();
+        }
         match self.fills.get(&id) {
             Some(&level) => self.fill(id, level),
             None => Ok(()),

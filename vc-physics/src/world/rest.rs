@@ -2,14 +2,16 @@
 //!
 //! The engine has no rolling resistance, and it lets bodies sleep by how far they move
 //! in a single step. Things on small feet can tremble for long, to and fro by less than
-//! a millimetre. They are watched: what stays about where it is counts as at rest.
+//! a millimetre; things with small rims creep on, as their contact points jump. They are watched: what stays
+//! about where it is, or is for long so slow that rolling resistance would have stopped it, counts as at rest.
 
-use rapier3d::dynamics::{RigidBodyActivation, RigidBodyHandle};
-use rapier3d::math::Pose as EnginePose;
+use nalgebra::Point3;
+use rapier3d::dynamics::{RigidBody, RigidBodyActivation, RigidBodyHandle};
+use rapier3d::math::{Pose as EnginePose, Vector};
 use serde::{Deserialize, Serialize};
-use vc_graph::portable::Portable;
+use vc_graph::NodeId;
 
-use super::World;
+use super::{Thing, World};
 use crate::group;
 
 /// Least lever of rolling resistance, however hard a thing is, metres: 0.2 to 0.5 mm for steel and wood
@@ -29,28 +31,30 @@ const LOOKS: u8 = 4;
 /// How fast what stays where it is may tremble, metres a second.
 const TREMBLES: f32 = 1.0;
 
+/// Smallest and largest corner of a thing in its own frame.
+type Extent = (Point3<f32>, Point3<f32>);
+
 /// Where a thing is and how it is turned.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
-pub(crate) struct Spot([f32; 7]);
+pub(crate) struct Spot(EnginePose);
 
 impl Spot {
     pub(super) fn of(pose: &EnginePose) -> Self {
-        Self(std::array::from_fn(|i| match i {
-            0..3 => pose.translation.to_array()[i],
-            _ => pose.rotation.to_array()[i - 3],
-        }))
+        Self(*pose)
     }
 
-    /// How far a thing of a size is from another spot with any of its points, about, metres.
-    pub(super) fn distance(&self, other: &Self, size: f32) -> f32 {
-        let far = |from: usize, to: usize| (from..to).map(|i| (self.0[i] - other.0[i]).raised(2)).sum::<f32>().sqrt();
-        // A turn by an angle moves the imaginary parts by half of it.
-        far(0, 3) + 2.0 * far(3, 7) * size
+    /// How far the corners of a thing are from where they are at another spot, at most, metres. What only
+    /// rolls about its axis goes no farther than its rim.
+    pub(super) fn distance(&self, other: &Self, (low, high): Extent) -> f32 {
+        let corner =
+            |i: usize| Vector::from_array(std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] }));
+        let far = |p: Vector| (self.0 * p).distance(other.0 * p);
+        (0..8).map(|i| far(corner(i))).fold(0.0, f32::max)
     }
 }
 
-/// Where a thing was first seen that has not gone far since, and how often it has been
-/// seen there.
+/// Where a thing was first seen that has not gone far since, or has been slow all the time, and how often
+/// it has been seen so.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Watch {
     at: Spot,
@@ -58,13 +62,17 @@ pub(crate) struct Watch {
 }
 
 impl Watch {
-    /// Looks again at a thing of a size; gives whether it has stayed.
-    fn look(&mut self, pose: &EnginePose, size: f32) -> bool {
+    /// Looks again at a thing.
+    fn look(&mut self, pose: &EnginePose, extent: Extent, slow: bool) {
         let now = Spot::of(pose);
-        if now.distance(&self.at, size) > ABOUT {
-            (self.at, self.looks) = (now, 0);
+        if now.distance(&self.at, extent) > ABOUT {
+            (self.at, self.looks) = (now, if slow { self.looks } else { 0 });
         }
         self.looks = self.looks.saturating_add(1);
+    }
+
+    /// Whether the thing is where it was, or has been slow, for long.
+    fn is_calm(&self) -> bool {
         self.looks > LOOKS
     }
 }
@@ -82,14 +90,18 @@ impl World {
             let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic()) else { continue };
             let (pose, (id, link)) = (*body.position(), group::marked(body.user_data));
             let body_limit = body.activation().normalized_linear_threshold;
+            let slow = self.thing(id).is_ok_and(|thing| self.would_have_stopped(thing));
             let Some(thing) = self.thing_mut(id).ok().filter(|_| link == 0) else { continue };
-            let (low, high) = thing.form.extent;
-            let calm = thing.state.watch.look(&pose, (high - low).norm() / 2.0);
+            thing.state.watch.look(&pose, thing.form.extent, slow);
+            let calm = thing.state.watch.is_calm();
             let limit = if calm { TREMBLES } else { RigidBodyActivation::default_normalized_linear_threshold() };
             if body_limit != limit
                 && let Some(body) = self.engine.bodies.get_mut(handle)
             {
                 body.activation_mut().normalized_linear_threshold = limit;
+            }
+            if calm && slow && self.rolls(handle) {
+                self.halt(id);
             }
         }
     }
@@ -105,17 +117,35 @@ impl World {
         for handle in rolling {
             let Some(body) = self.engine.bodies.get(handle) else { continue };
             let Ok(thing) = self.thing(group::marked(body.user_data).0) else { continue };
-            let (low, high) = thing.form.extent;
-            let soft = thing.state.rolling * (high - low).min() / 2.0;
-            let round = thing.form.links[0].rolls();
-            let lever = if round { soft.max(FLATTENED) } else { (soft + FLATTENED).min(TIPS) };
             let (spin, speed) = (body.angvel(), body.angvel().length());
             let axis = spin / speed;
             let ease = (body.mass_properties().effective_world_inv_inertia * axis).dot(axis);
-            let kept = (1.0 - lever * body.mass() * gravity * ease * dt / speed).max(0.0);
+            let kept = (1.0 - lever(thing) * body.mass() * gravity * ease * dt / speed).max(0.0);
             if let Some(body) = self.engine.bodies.get_mut(handle) {
                 body.set_angvel(spin * kept, false);
             }
+        }
+    }
+
+    /// Whether a thing has no more energy, its parts with it, than rolling resistance takes from it on a way
+    /// that is too short to count: whatever has so little for long is kept going by the engine alone.
+    fn would_have_stopped(&self, thing: &Thing) -> bool {
+        let bodies = || thing.bodies().filter_map(|b| self.engine.bodies.get(b));
+        let weight = bodies().map(RigidBody::mass).sum::<f32>() * self.settings.gravity.abs();
+        // What is not round is no easier to roll than what is.
+        let part = thing.state.rolling.max(lever(thing) / radius(thing));
+        bodies().map(RigidBody::kinetic_energy).sum::<f32>() <= part * weight * ABOUT
+    }
+
+    /// Stops a thing that creeps on, and tells the engine that it has been still for long enough.
+    fn halt(&mut self, id: NodeId) {
+        let bodies: Vec<RigidBodyHandle> = self.thing(id).map_or_else(|_| Vec::new(), |t| t.bodies().collect());
+        for handle in bodies {
+            let Some(body) = self.engine.bodies.get_mut(handle).filter(|b| b.is_dynamic()) else { continue };
+            body.set_linvel(Vector::ZERO, false);
+            body.set_angvel(Vector::ZERO, false);
+            let activation = body.activation_mut();
+            activation.time_since_can_sleep = activation.time_until_sleep;
         }
     }
 
@@ -126,4 +156,16 @@ impl World {
         let touches = || body.colliders().iter().flat_map(|&c| self.engine.narrow.contact_pairs_with(c));
         turns && touches().any(|pair| pair.has_any_active_contact())
     }
+}
+
+/// The lever of rolling resistance of a thing, metres.
+fn lever(thing: &Thing) -> f32 {
+    let soft = thing.state.rolling * radius(thing);
+    if thing.form.links[0].round { soft.max(FLATTENED) } else { (soft + FLATTENED).min(TIPS) }
+}
+
+/// The radius of a thing that rolls on its side: half of its least measure, metres.
+fn radius(thing: &Thing) -> f32 {
+    let (low, high) = thing.form.extent;
+    (high - low).min() / 2.0
 }

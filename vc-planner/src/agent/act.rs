@@ -44,7 +44,11 @@ impl Agent {
             let Some(refusal) = self.refusals(&action).into_iter().next() else { return Some(action) };
             action = match refusal {
                 Refusal::NotUpright => Action::zero(Verb::Stand),
-                Refusal::NotNear { thing, .. } => Action::one(Verb::Walk, anchor(self.belief.graph(), thing.id)),
+                Refusal::NotNear { thing, .. } => {
+                    // What is said to be in one room and in something in another is not near that.
+                    let (graph, at) = (self.belief.graph(), anchor(self.belief.graph(), thing.id));
+                    Action::one(Verb::Walk, if graph.near(self.id, at) { thing.id } else { at })
+                }
                 Refusal::Hidden { inside, .. } => Action::one(Verb::Open, inside.id),
                 Refusal::Shut(container) => Action::one(Verb::Open, container.id),
                 Refusal::NoFreeHand => self.put_down()?,

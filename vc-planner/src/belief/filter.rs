@@ -8,7 +8,7 @@ use vc_graph::{Draft, NodeId, Place, Relation, SceneBuilder, SceneGraph, Scope, 
 
 use super::{Belief, places};
 use crate::Prior;
-use crate::prior::{self, SHARES};
+use crate::prior::{self, CAUTION, HYPOTHESES, Kinds, Likely, Weights};
 
 const ITEMS: [&str; 4] = ["apple", "mug", "mug", "book"];
 
@@ -38,23 +38,62 @@ fn home(seed: u64) -> Home {
     Home { scene: scene.build(), me, items, fixed }
 }
 
-/// A home there could be: how likely it is, and the number of the place of each item.
-type Possible = (f64, Vec<usize>);
+/// A home there could be: the number of the place of each item.
+type Possible = Vec<usize>;
 
-fn possible(home: &Home, places: &[Place], prior: &Prior) -> Vec<Possible> {
-    let even = 1.0 / places.len() as f64;
-    let mut all = Vec::new();
-    for (share, chance) in SHARES {
-        let mut homes: Vec<Possible> = vec![(chance, Vec::new())];
-        for &item in &home.items {
-            let likely = prior.places(&home.scene, item, places);
-            let likely = |p: usize| likely.as_ref().map_or(even, |l| prior::chance(share, l[p], even));
-            let with = |(c, at): &Possible, p: usize| (c * likely(p), [at.as_slice(), &[p]].concat());
-            homes = homes.iter().flat_map(|h| (0..places.len()).map(|p| with(h, p)).collect::<Vec<_>>()).collect();
-        }
-        all.extend(homes);
+fn possible(places: &[Place]) -> Vec<Possible> {
+    let mut homes = vec![Vec::new()];
+    for _ in ITEMS {
+        let with = |at: &Possible, p: usize| [at.as_slice(), &[p]].concat();
+        homes = homes.iter().flat_map(|h| (0..places.len()).map(|p| with(h, p)).collect::<Vec<_>>()).collect();
     }
-    all
+    homes
+}
+
+/// What is supposed about each item, and what those that were found say for each hypothesis.
+struct Judge {
+    kinds: Kinds,
+    weights: Vec<Option<Weights>>,
+    likely: Vec<Option<Likely>>,
+    found: Vec<bool>,
+    by: [f64; HYPOTHESES.len()],
+    even: f64,
+}
+
+impl Judge {
+    fn new(home: &Home, places: &[Place], prior: &Prior) -> Self {
+        let kinds = Kinds::of(&home.scene, places);
+        let weights: Vec<_> = home.items.iter().map(|&item| prior.weights(&home.scene, item, &kinds)).collect();
+        let likely = weights.iter().map(|w| w.as_ref().map(|w| w.likely(&kinds))).collect();
+        let (found, even) = (vec![false; weights.len()], 1.0 / places.len() as f64);
+        Self { kinds, weights, likely, found, by: [1.0; HYPOTHESES.len()], even }
+    }
+
+    fn chance(&self, hypothesis: usize, item: usize, place: usize) -> f64 {
+        let likely = self.likely[item].as_ref().map(|likely| likely[place]);
+        likely.map_or(self.even, |likely| prior::chance(HYPOTHESES[hypothesis].0, likely, self.even))
+    }
+
+    /// Items that are found tell of the home, and of others of their class.
+    fn find(&mut self, new: &[(usize, usize)]) {
+        for &(item, place) in new {
+            let told: [f64; HYPOTHESES.len()] = std::array::from_fn(|h| self.by[h] * self.chance(h, item, place));
+            (self.by, self.found[item]) = (told, true);
+        }
+        for &(item, place) in new {
+            for other in (0..ITEMS.len()).filter(|&other| ITEMS[other] == ITEMS[item]) {
+                let Some(weights) = &mut self.weights[other] else { continue };
+                weights.find(self.kinds.of_place(place));
+                self.likely[other] = Some(weights.likely(&self.kinds));
+            }
+        }
+    }
+
+    /// How likely a home is by a hypothesis, what has been found apart.
+    fn weight(&self, hypothesis: usize, at: &Possible) -> f64 {
+        let missing = at.iter().enumerate().filter(|(item, _)| !self.found[*item]);
+        missing.map(|(item, &place)| self.chance(hypothesis, item, place)).product()
+    }
 }
 
 #[test]
@@ -62,7 +101,7 @@ fn marginals_are_those_of_a_brute_force_filter() {
     for (seed, prior) in (0..24).flat_map(|seed| [(seed, Prior::Kept), (seed, Prior::Uniform)]) {
         let home = home(seed);
         let places = places::all(&home.scene);
-        let mut homes = possible(&home, &places, &prior);
+        let (mut homes, mut judge) = (possible(&places), Judge::new(&home, &places, &prior));
         let mut belief = Belief::by_prior(&home.scene, home.me, seed, prior);
         let mut world = Simulator::new(home.scene.clone());
         let mut stream = Seed(seed).child("walk").stream();
@@ -71,10 +110,13 @@ fn marginals_are_those_of_a_brute_force_filter() {
             belief.observe(&seen);
             strike_out(&mut homes, &home, &places, world.graph());
             // Once all is seen the belief may widen.
-            if homes.len() <= SHARES.len() {
+            if homes.len() <= 1 {
                 break;
             }
-            compare(&belief, &homes, &home, &places, seed);
+            let new = |i: &usize| !judge.found[*i] && seen.sees(home.items[*i]);
+            let new: Vec<(usize, usize)> = (0..ITEMS.len()).filter(new).map(|i| (i, homes[0][i])).collect();
+            judge.find(&new);
+            compare(&belief, &homes, &judge, &home, &places, seed);
             let at = *stream.pick(&home.fixed).unwrap();
             let label = world.graph().label(at).to_string();
             for verb in ["walk", "open"] {
@@ -104,14 +146,22 @@ fn strike_out(homes: &mut Vec<Possible>, home: &Home, places: &[Place], real: &S
             home.items.iter().zip(at).all(|(&item, &supposed)| (supposed == number) == really(item, place))
         })
     };
-    homes.retain(|(_, at)| agrees(at));
+    homes.retain(|at| agrees(at));
 }
 
-fn compare(belief: &Belief, homes: &[Possible], home: &Home, places: &[Place], seed: u64) {
-    let all: f64 = homes.iter().map(|(chance, _)| chance).sum();
+fn compare(belief: &Belief, homes: &[Possible], judge: &Judge, home: &Home, places: &[Place], seed: u64) {
+    // What is seen tells for a hypothesis with caution, and within it in full.
+    let mut weights = vec![0.0; homes.len()];
+    for hypothesis in 0..HYPOTHESES.len() {
+        let each: Vec<f64> = homes.iter().map(|at| judge.weight(hypothesis, at)).collect();
+        let sum: f64 = each.iter().sum();
+        let posterior = HYPOTHESES[hypothesis].1 * (judge.by[hypothesis] * sum).powf(CAUTION);
+        weights.iter_mut().zip(each).for_each(|(weight, each)| *weight += posterior * each / sum);
+    }
+    let all: f64 = weights.iter().sum();
     for (index, &item) in home.items.iter().enumerate() {
         for (number, &place) in places.iter().enumerate() {
-            let here: f64 = homes.iter().filter(|(_, at)| at[index] == number).map(|(chance, _)| chance).sum();
+            let here: f64 = homes.iter().zip(&weights).filter(|(at, _)| at[index] == number).map(|(_, w)| w).sum();
             let (filtered, believed) = (here / all, belief.probability(item, place));
             assert!(
                 (filtered - believed).abs() < 1e-9,

@@ -3,7 +3,7 @@
 use rand_chacha::rand_core::Rng;
 use vc_graph::{Kind, Node, NodeId, Observation, Place, Property, Relation};
 
-use super::places::in_view;
+use super::places::{in_view, left};
 use super::{Belief, Learned};
 use crate::prior::Supposed;
 
@@ -12,22 +12,27 @@ impl Belief {
     pub(super) fn weigh(&mut self, id: NodeId) {
         let Some(class) = self.graph.node(id).map(|n| n.class().clone()) else { return };
         if let Some(known) = self.supposed.get_mut(&class) {
-            known.missing += 1;
+            (known.missing, known.stale) = (known.missing + 1, true);
+            self.spread();
             return;
         }
-        let places = self.prior.places(&self.graph, id, &self.places);
-        self.supposed.insert(class, Supposed { places, left: [1.0; 2], missing: 1 });
+        let weights = self.prior.weights(&self.graph, id, &self.kinds);
+        let places = weights.as_ref().map(|w| w.likely(&self.kinds));
+        let left = places.as_deref().map_or([1.0; 2], |places| left(places, &self.seen));
+        self.supposed.insert(class, Supposed { example: id, weights, places, stale: false, left, missing: 1 });
     }
 
     /// Notes what is found and which places are in view, and guesses anew what that
     /// disproves.
     pub(super) fn look(&mut self, seen: &Observation, learned: &mut Learned) {
+        self.spread();
         let mut lost = self.lost(seen);
         if self.missing.is_empty() && lost.is_empty() && !self.stranger {
             return;
         }
         let found: Vec<NodeId> = self.missing.iter().map(|(id, _)| *id).filter(|id| seen.sees(*id)).collect();
         found.iter().for_each(|&id| self.find(seen, id));
+        self.spread();
         // Both are in the order of numbers.
         self.missing.retain(|(id, _)| found.binary_search(id).is_err());
         if self.look_at_places(seen) || !found.is_empty() {
@@ -82,6 +87,7 @@ impl Belief {
         // Where it is found again after it was moved says nothing.
         if let (Some(places), Some(at)) = (&class.places, at.filter(|&at| !self.seen[at])) {
             self.tidiness.found(places[at], even);
+            class.find(self.kinds.of_place(at));
         }
     }
 

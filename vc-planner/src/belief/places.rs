@@ -3,6 +3,7 @@
 use vc_graph::{Kind, Node, NodeId, Observation, Place, Property, Relation, SceneGraph};
 
 use super::Belief;
+use crate::prior::Kinds;
 
 impl Belief {
     /// A container that can be carried is a place from when it has been seen; for who was not
@@ -10,29 +11,53 @@ impl Belief {
     pub(super) fn learn_places(&mut self, node: &Node, room: Option<NodeId>) {
         let opens = [Property::Graspable, Property::Container, Property::Openable];
         if (self.stranger || !self.missing.is_empty()) && opens.into_iter().all(|p| node.affords(p)) {
-            self.learn_place(Place { relation: Relation::Inside, at: node.id() }, None);
+            self.learn_place(Place { relation: Relation::Inside, at: node.id() }, room, false);
         }
         if self.stranger {
-            fixed(node).for_each(|place| self.learn_place(place, room));
+            fixed(node).for_each(|place| self.learn_place(place, room, true));
         }
     }
 
-    fn learn_place(&mut self, place: Place, room: Option<NodeId>) {
+    /// A place in a room; what does not stay there may be in another later.
+    fn learn_place(&mut self, place: Place, room: Option<NodeId>, stays: bool) {
         if self.places.contains(&place) {
             return;
         }
         self.places.push(place);
         self.seen.push(false);
-        self.rooms.push(room);
-        let share = self.even();
-        for class in self.supposed.values_mut() {
-            if let Some(places) = &mut class.places {
-                let less = |likely: &[f64; 2]| likely.map(|w| w * (1.0 - share));
-                *places = places.iter().map(less).chain([[share; 2]]).collect();
-                class.left = class.left.map(|left| left * (1.0 - share) + share);
+        self.rooms.push(room.filter(|_| stays));
+        self.kinds.add(&self.graph, &place, room);
+    }
+
+    /// Where things can be in a scene, none of it seen.
+    pub(super) fn look_for_places(&mut self, graph: &SceneGraph) {
+        self.places = all(graph);
+        self.seen = vec![false; self.places.len()];
+        self.rooms = self.places.iter().map(|p| graph.room_of(p.at)).collect();
+        self.kinds = Kinds::of(graph, &self.places);
+    }
+
+    /// Spreads what is supposed anew where places have become known, or things of the class.
+    pub(super) fn spread(&mut self) {
+        let number = self.places.len();
+        for class in self.supposed.values_mut().filter(|class| class.missing > 0) {
+            let Some(weights) = &mut class.weights else { continue };
+            let grown = class.places.as_ref().is_none_or(|p| p.len() < number);
+            if !grown && !class.stale {
+                continue;
             }
+            weights.meet(&self.graph, class.example, &self.kinds);
+            let places = weights.likely(&self.kinds);
+            class.left = left(&places, &self.seen);
+            (class.places, class.stale) = (Some(places), false);
         }
     }
+}
+
+/// How much of what is likely is at places not seen.
+pub(super) fn left(places: &[[f64; 2]], seen: &[bool]) -> [f64; 2] {
+    let unseen = places.iter().zip(seen).filter(|(_, seen)| !**seen);
+    unseen.fold([0.0; 2], |[a, b], ([x, y], _)| [a + x, b + y])
 }
 
 /// Every fixed surface and container, floors included; of a room without a floor

@@ -13,12 +13,14 @@ const LOOKS: [f32; 2] = [0.25, 0.5];
 /// Items that do not open, each with the first thing that a part of it meets before it is half
 /// open: the building, or furniture that nobody pushes aside.
 ///
-/// Doors and windows are left out: they have zones of their own.
+/// Doors and windows are left out: they have zones of their own. So is what people carry, as books in a shelf:
+/// they open it in their hands.
 pub(super) fn jams(items: &[Item]) -> Vec<(usize, usize)> {
     let table = ClassTable::builtin();
     let affords =
         |item: &Item, property| table.get(item.object.class).is_some_and(|c| c.affordances.contains(property));
-    let opens = |item: &Item| !matches!(item.rest, Rest::Built) && affords(item, Property::Openable);
+    let stands = |item: &Item| !matches!(item.rest, Rest::Built) && !affords(item, Property::Graspable);
+    let opens = |item: &Item| stands(item) && affords(item, Property::Openable);
     let stays = |item: &Item| {
         let fixed = matches!(item.rest, Rest::Built | Rest::Floor | Rest::Wall | Rest::Ceiling);
         fixed && !affords(item, Property::Movable) && !affords(item, Property::Graspable)

@@ -2,7 +2,7 @@
 //! the file says what carries it and what it is in. Doors are nodes of their own here, held by
 //! joints.
 
-use std::io::Read;
+use std::io::{Read, Write};
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
@@ -64,7 +64,9 @@ pub(crate) fn read(objects: u32) -> Option<Peers> {
     let folder = std::env::var_os("VC_PEERS").map_or_else(|| beside.into(), std::path::PathBuf::from);
     let path = folder.join(format!("scene_{objects}.json.gz"));
     let Ok(file) = std::fs::File::open(&path) else {
-        eprintln!("SKIPPED: no scene at {}; set VC_PEERS to the folder that has it", path.display());
+        // Past the harness, which keeps what passing tests print.
+        let told = format!("SKIPPED: no scene at {}; set VC_PEERS to the folder that has it\n", path.display());
+        std::io::stderr().write_all(told.as_bytes()).unwrap();
         return None;
     };
     let mut text = String::new();

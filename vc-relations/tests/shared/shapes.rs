@@ -196,6 +196,23 @@ pub(crate) fn make(name: &str, m: &[f32], slots: bool) -> (&'static str, Asset) 
             "dresser"
         }
         "basket" => (k.tub([-m(0) / 2.0, -m(1) / 2.0, 0.0], [m(0) / 2.0, m(1) / 2.0, m(2)], 0.01), "basket").1,
+        "deep_tray" => (k.tub([-m(0) / 2.0, -m(1) / 2.0, 0.0], [m(0) / 2.0, m(1) / 2.0, m(2)], 0.006), "tray").1,
+        "rack" => {
+            // A case without a back.
+            let (x, y, h, n, t) = (m(0) / 2.0, m(1) / 2.0, m(2), m(3) as usize, 0.02);
+            k.block([-x, -y, 0.0], [x, -y + t, h]).block([-x, y - t, 0.0], [x, y, h]);
+            for i in 0..=n {
+                let z = (h - t) * i as f32 / n as f32;
+                k.block([-x, -y + t, z], [x, y - t, z + t]);
+            }
+            "bookshelf"
+        }
+        "two_storey_table" => {
+            k.legs(m(0), m(1), m(2) - 0.03, 0.05);
+            k.block([-m(0) / 2.0, -m(1) / 2.0, m(2) - 0.03], [m(0) / 2.0, m(1) / 2.0, m(2)]);
+            k.block([-m(0) / 2.0, -m(1) / 2.0, 0.1], [m(0) / 2.0, m(1) / 2.0, 0.12]);
+            "table"
+        }
         "tray" => (k.tub([-m(0) / 2.0, -m(1) / 2.0, 0.0], [m(0) / 2.0, m(1) / 2.0, 0.02], 0.006), "tray").1,
         "bag" => (k.tub([-m(0) / 2.0, -m(1) / 2.0, 0.0], [m(0) / 2.0, m(1) / 2.0, m(2)], 0.004), "bag").1,
         "bath" => {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::RenderError;
 use crate::frame::Frame;
@@ -48,39 +48,33 @@ impl Coco {
     /// # Errors
     /// [`RenderError::Missing`] for a frame without boxes or masks; then nothing is added.
     pub fn add(&mut self, file_name: impl Into<String>, frame: &Frame, snapshot: &Snapshot) -> Result<(), RenderError> {
-        if ![Modality::Boxes, Modality::Masks].iter().all(|modality| frame.holds.has(*modality)) {
-            return Err(RenderError::Missing { wanted: "COCO", needs: "a frame with boxes and masks" });
-        }
-        let image_id = self.images.len() + 1;
-        let (width, height) = (frame.width, frame.height);
-        self.images.push(Image { id: image_id, file_name: file_name.into(), width, height });
-        for (label, mask) in frame.boxes.iter().zip(frame.masks()) {
-            let (rle, category_id) = (mask.rle(), self.category(label.class, snapshot));
-            self.annotations.push(Annotation {
-                id: self.annotations.len() + 1,
-                image_id,
-                category_id,
-                node: label.node.0,
-                segmentation: Segmentation { size: rle.size, counts: rle.compressed() },
-                area: label.area,
-                bbox: [label.visible.x, label.visible.y, label.visible.width, label.visible.height],
-                iscrowd: 0,
-            });
-        }
+        self.push(CocoPicture::of(file_name, frame, snapshot)?);
         Ok(())
     }
 
+    /// Adds a picture by what was seen in it.
+    pub fn push(&mut self, picture: CocoPicture) {
+        let image_id = self.images.len() + 1;
+        let CocoPicture { file_name, width, height, objects } = picture;
+        self.images.push(Image { id: image_id, file_name, width, height });
+        for seen in objects {
+            let category_id = self.category(seen.class, seen.name, seen.category);
+            let SeenObject { node, segmentation, area, bbox, .. } = seen;
+            let (id, iscrowd) = (self.annotations.len() + 1, 0);
+            let one = Annotation { id, image_id, category_id, node, segmentation, area, bbox, iscrowd };
+            self.annotations.push(one);
+        }
+    }
+
     /// The number of a class's category, which is the class's own unless another class has it.
-    fn category(&mut self, class: u16, snapshot: &Snapshot) -> u32 {
-        let named = |found: Option<&Arc<str>>| found.cloned().unwrap_or_default();
-        let name = named(snapshot.class(class));
+    fn category(&mut self, class: u16, name: Arc<str>, category: Arc<str>) -> u32 {
         if let Some((id, _)) = self.classes.get(&name) {
             return *id;
         }
         let (own, taken) = (u32::from(class), self.classes.values().map(|(id, _)| *id));
         let most = taken.clone().max().unwrap_or_default();
         let id = if taken.into_iter().any(|id| id == own) { most + 1 } else { own };
-        self.classes.insert(name, (id, named(snapshot.category(class))));
+        self.classes.insert(name, (id, category));
         id
     }
 
@@ -102,6 +96,59 @@ impl Coco {
             Document { info: INFO, licenses: [], images: &self.images, annotations: &self.annotations, categories };
         serde_json::to_string(&document).map_err(|e| RenderError::Encoding(e.to_string()))
     }
+}
+
+/// All that a document says of one picture. It can be kept as JSON and added later, also by another process.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CocoPicture {
+    file_name: String,
+    width: usize,
+    height: usize,
+    objects: Vec<SeenObject>,
+}
+
+impl CocoPicture {
+    /// The objects seen in a frame, under the name of its picture's file; a snapshot of its scene has the names of
+    /// the classes. Costs as [`Coco::add`].
+    ///
+    /// # Errors
+    /// [`RenderError::Missing`] for a frame without boxes or masks.
+    pub fn of(file_name: impl Into<String>, frame: &Frame, snapshot: &Snapshot) -> Result<Self, RenderError> {
+        if ![Modality::Boxes, Modality::Masks].iter().all(|modality| frame.holds.has(*modality)) {
+            return Err(RenderError::Missing { wanted: "COCO", needs: "a frame with boxes and masks" });
+        }
+        let objects = frame.boxes.iter().zip(frame.masks()).map(|(label, mask)| {
+            let rle = mask.rle();
+            SeenObject {
+                class: label.class,
+                name: snapshot.class(label.class).cloned().unwrap_or_default(),
+                category: snapshot.category(label.class).cloned().unwrap_or_default(),
+                node: label.node.0,
+                segmentation: Segmentation { size: rle.size, counts: rle.compressed() },
+                area: label.area,
+                bbox: [label.visible.x, label.visible.y, label.visible.width, label.visible.height],
+            }
+        });
+        Ok(Self { file_name: file_name.into(), width: frame.width, height: frame.height, objects: objects.collect() })
+    }
+
+    /// The name of the picture's file.
+    pub fn file_name(&self) -> &str {
+        &self.file_name
+    }
+}
+
+/// An object seen in a picture.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+struct SeenObject {
+    class: u16,
+    /// The class's name.
+    name: Arc<str>,
+    category: Arc<str>,
+    node: u32,
+    segmentation: Segmentation,
+    area: u32,
+    bbox: [i32; 4],
 }
 
 /// The document's `info`, without a date: the same pictures give the same bytes.
@@ -145,7 +192,7 @@ struct Annotation {
     iscrowd: u8,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 struct Segmentation {
     size: [u32; 2],
     counts: String,

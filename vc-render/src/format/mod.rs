@@ -4,6 +4,6 @@ mod coco;
 mod exr;
 mod npy;
 
-pub use coco::Coco;
+pub use coco::{Coco, CocoPicture};
 pub use exr::exr;
 pub use npy::{Number, npy};

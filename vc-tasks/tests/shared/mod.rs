@@ -2,13 +2,16 @@
 #![allow(dead_code, reason = "each test file uses a part")]
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// The activities of BEHAVIOR under the folder `VC_BDDL`, by file name and sorted: where
 /// the packages bddl 3.6.0 and 1.0.1 are unpacked.
 pub(crate) fn activities() -> Vec<(String, String)> {
     let Some(folder) = std::env::var_os("VC_BDDL") else {
-        eprintln!("SKIPPED: set VC_BDDL to where the PyPI packages bddl 3.6.0 and 1.0.1 are unpacked");
+        // Past the harness, which keeps what passing tests print.
+        let told = b"SKIPPED: set VC_BDDL to where the PyPI packages bddl 3.6.0 and 1.0.1 are unpacked\n";
+        std::io::stderr().write_all(told).unwrap();
         return Vec::new();
     };
     let mut files = Vec::new();

@@ -9,10 +9,11 @@
 //! opens, or within `air`. So being near is `(by x s) (at s)`, and being accessible
 //! `(within x c) (lets_in c)`.
 //!
-//! What is said is never more than the rule allows, but less in these points: what
-//! carries something is not moved, one sits and lies down standing, a container
-//! inside another one that opens takes nothing, and a plan does not see a surface
-//! fill up.
+//! What is said is never more than the rule allows, but for one point: a plan does not see
+//! a container fill up. It is less in these: what carries something, or ever did, is not moved,
+//! heated or cooled; one sits and lies down standing, and only on what rests on something that
+//! is not carried; a container inside another one that opens takes nothing; of what is between
+//! a thing and the heat or cold only one thing is seen.
 
 use std::collections::BTreeSet;
 
@@ -62,6 +63,10 @@ pub(super) const HERE: &str = "here";
 pub(super) const HANDS: &str = "self";
 /// What nothing in particular is within, and rests on.
 pub(super) const AIR: &str = "air";
+/// That a thing is not carried, and is none of those that can be.
+pub(super) const STILL: &str = "still";
+/// That a machine has no switch.
+pub(super) const UNSWITCHED: &str = "unswitched";
 
 impl Rules {
     pub(super) fn of(verbs: &[Verb]) -> Self {
@@ -261,33 +266,49 @@ fn condition(needed: Condition<Role>, verb: Verb) -> Result<Vec<Way>, String> {
         }
         C::OnHeat(t) => return Ok(on_heat(variable(t))),
         C::InCold(t) => return Ok(in_cold(variable(t))),
-        // A thing in a hand rests on nothing.
-        C::Steady(t) => facts(&[("rests", &[variable(t), "?r"])]),
+        // A thing in a hand rests on nothing, and what it rests on may be in one.
+        C::Steady(t) => {
+            let mut steady = facts(&[("rests", &[variable(t), "?r"]), (STILL, &["?r"])]);
+            steady.lasting = vec![(STILL.to_owned(), C::Steady(x))];
+            steady
+        }
         other => return Err(format!("the condition {other:?}")),
     }])
 }
 
-/// On or in a heater, or on or in something that is.
+/// On or in a heater that is on.
 fn on_heat(x: &str) -> Vec<Way> {
-    at_work(Property::Heater, x, &["on", "in"], "on")
+    let hot = Way { needs: vec![Atom::new(is(State::On), &["?k"])], ..Way::default() };
+    at_machine(Property::Heater, x, &["on", "in"], &hot)
 }
 
-/// In a cooler, or on or in something that is.
+/// In a cooler that is on, or that has no switch.
 fn in_cold(x: &str) -> Vec<Way> {
-    at_work(Property::Cooler, x, &["in"], "in")
+    let on = Way { needs: vec![Atom::new(is(State::On), &["?k"])], ..Way::default() };
+    let lasting = vec![(UNSWITCHED.to_owned(), Condition::Affords(Role::X, Property::Cooler))];
+    let always = Way { needs: vec![Atom::new(UNSWITCHED, &["?k"])], lasting, ..Way::default() };
+    [on, always].iter().flat_map(|cold| at_machine(Property::Cooler, x, &["in"], cold)).collect()
 }
 
-/// At a machine of a kind that is on: directly, or at something that is.
-fn at_work(kind: Property, x: &str, directly: &[&str], carried: &str) -> Vec<Way> {
-    let machine = |mut needs: Vec<Atom>| {
-        let affords = affords(kind, Role::X).lasting;
-        let name = format!("affords_{kind}");
-        needs.extend([Atom::new(name, &["?k"]), Atom::new(is(State::On), &["?k"])]);
-        Way { needs, lasting: affords, ..Way::default() }
+/// At a machine of a kind that works: directly, or on or in something that is at it.
+fn at_machine(kind: Property, x: &str, how: &[&str], works: &Way) -> Vec<Way> {
+    let affords = format!("affords_{kind}");
+    let machine = Way {
+        needs: vec![Atom::new(&*affords, &["?k"])],
+        lasting: vec![(affords, Condition::Affords(Role::X, kind))],
+        ..Way::default()
     };
-    let direct = directly.iter().map(|how| machine(vec![Atom::new(*how, &[x, "?k"])]));
-    let within = |how| machine(vec![Atom::new(how, &[x, "?p"]), Atom::new(carried, &["?p", "?k"])]);
-    direct.chain(["on", "in"].map(within)).collect()
+    let at = |needs: Vec<Atom>| Way { needs, ..Way::default() }.with(&machine).with(works);
+    let direct = how.iter().map(|how| at(vec![Atom::new(*how, &[x, "?k"])]));
+    let carried = |on, how| at(vec![Atom::new(on, &[x, "?p"]), Atom::new(how, &["?p", "?k"])]);
+    direct
+        .chain(
+            ["on", "in"]
+                .into_iter()
+                .flat_map(|on| how.iter().map(move |how| (on, *how)))
+                .map(|(on, how)| carried(on, how)),
+        )
+        .collect()
 }
 
 impl Way {
@@ -318,8 +339,12 @@ impl Way {
 
     fn effect(&mut self, effect: Effect<Role>) -> Result<(), String> {
         match effect {
-            // The domain leaves out that the things on or in it enter the state as well.
-            Effect::Enter(t, state) | Effect::EnterWith(t, state) => self.enter(variable(t), state),
+            Effect::Enter(t, state) => self.enter(variable(t), state),
+            // What is on or in it would enter the state as well.
+            Effect::EnterWith(t, state) => {
+                self.need(Atom::new("free", &[variable(t)]));
+                self.enter(variable(t), state);
+            }
             Effect::EnterOwn(state) => self.add(is(state), &[HANDS]),
             Effect::LeaveOwn(state) => self.delete(is(state), &[HANDS]),
             Effect::GoTo(t) => {
@@ -340,6 +365,7 @@ impl Way {
                 self.add("upright", &[]);
                 self.delete("sitting_on", &["?k"]);
                 self.delete("lying_on", &["?k"]);
+                self.add("vacant", &["?k"]);
                 self.delete(is(State::Asleep), &[HANDS]);
             }
             Effect::FillWithWater(t) => self.enter(variable(t), State::Filled),
@@ -375,6 +401,7 @@ impl Way {
             return self.delete("worn", &[x]);
         }
         self.need(Atom::new("free", &[x]));
+        self.need(Atom::new("vacant", &[x]));
         self.need(Atom::new("rests", &[x, "?r"]));
         for (predicate, was) in [("rests", "?r"), ("on", "?r"), ("in", "?r"), ("by", "?sx"), ("within", "?cx")] {
             self.delete(predicate, &[x, was]);
@@ -398,6 +425,7 @@ impl Way {
 
     fn rest(&mut self, how: &str, x: &str) {
         self.delete("upright", &[]);
+        self.delete("vacant", &[x]);
         self.add(how, &[x]);
     }
 

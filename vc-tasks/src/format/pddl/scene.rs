@@ -7,7 +7,7 @@ use vc_graph::rule::Condition;
 use vc_graph::{Action, Node, NodeId, Property, Relation, SceneGraph, State, Verb, Word};
 
 use super::goal::{Way, class_fact, met, ways};
-use super::rules::{AIR, HANDS, HERE, LeftOut, Rules, atoms, is, is_not};
+use super::rules::{AIR, HANDS, HERE, LeftOut, Rules, STILL, UNSWITCHED, atoms, is, is_not};
 use super::{Atom, Change, Domain, Formula, Operator, Problem, Typed};
 use crate::format::Unwritable;
 
@@ -217,7 +217,7 @@ impl Scene<'_> {
 
     fn agent_facts(&self, facts: &mut BTreeSet<Atom>) {
         facts.extend([Atom::new("at", &[HERE]), Atom::new("at", &[HANDS]), Atom::new("leaves", &[HERE])]);
-        facts.insert(Atom::new("lets_in", &[AIR]));
+        facts.extend([Atom::new("lets_in", &[AIR]), Atom::new(STILL, &[AIR])]);
         for (relation, hand) in Relation::hands().into_iter().zip(["right", "left"]) {
             let mut held = self.graph.related(self.agent, relation).peekable();
             if held.peek().is_none() {
@@ -262,6 +262,12 @@ impl Scene<'_> {
 
     fn place_facts(&self, id: NodeId, facts: &mut BTreeSet<Atom>) {
         let thing = self.name(id);
+        if self.graph.places(self.agent).all(|place| place.at != id) {
+            facts.insert(Atom::new("vacant", &[&thing]));
+        }
+        if self.graph.resting_at(id).all(|other| other == self.agent) {
+            facts.insert(Atom::new("free", &[&thing]));
+        }
         let by_me = self.graph.holder(id).is_some_and(|p| p.at == self.agent);
         let worn = self.graph.related(id, Relation::WornBy).any(|at| at == self.agent);
         if worn {
@@ -269,13 +275,11 @@ impl Scene<'_> {
         }
         if by_me || worn {
             facts.extend([Atom::new("by", &[&thing, HANDS]), Atom::new("within", &[&thing, AIR])]);
-            if self.graph.resting_at(id).next().is_none() {
-                facts.insert(Atom::new("free", &[&thing]));
-            }
             return;
         }
         let placed = self.placed(id);
-        let spot = self.name(placed.spot);
+        let in_hand = self.graph.rests_at(id, self.agent);
+        let spot = if in_hand { HANDS.to_owned() } else { self.name(placed.spot) };
         facts.insert(Atom::new("by", &[&thing, &spot]));
         match *placed.covers {
             [] => drop(facts.insert(Atom::new("within", &[&thing, AIR]))),
@@ -283,14 +287,13 @@ impl Scene<'_> {
             // Two lids at once are more than a fact can say: it stays out of reach.
             _ => {}
         }
-        let support = placed.rests.map_or_else(|| AIR.to_owned(), |(_, at)| self.name(at));
-        facts.insert(Atom::new("rests", &[&thing, &support]));
+        if self.graph.holder(id).is_none() {
+            let support = placed.rests.map_or_else(|| AIR.to_owned(), |(_, at)| self.name(at));
+            facts.insert(Atom::new("rests", &[&thing, &support]));
+        }
         if let Some((relation, at)) = placed.rests {
             let how = if relation == Relation::On { "on" } else { "in" };
             facts.insert(Atom::new(how, &[&thing, &self.name(at)]));
-        }
-        if self.graph.resting_at(id).next().is_none() {
-            facts.insert(Atom::new("free", &[&thing]));
         }
         if placed.spot == id && self.graph.room_of(id).is_some() {
             facts.extend([Atom::new("spot", &[&thing]), Atom::new("leaves", &[&thing])]);
@@ -318,6 +321,8 @@ impl Scene<'_> {
             let yes = match fact.as_str() {
                 "spot" => false,
                 "always_open" => !self.affords(id, Property::Openable),
+                STILL => !self.movable(id) && holds(grounded),
+                UNSWITCHED => !self.affords(id, Property::Switchable),
                 "fits" => {
                     self.fits(id, condition, facts);
                     false

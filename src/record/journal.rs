@@ -1,0 +1,67 @@
+//! What is known of the pictures of a dataset while it is being made, so that a run that was broken off goes on.
+
+use std::collections::VecDeque;
+use std::fs::{File, OpenOptions};
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use vc_render::format::CocoPicture;
+
+/// A file of JSON Lines: what a picture is of, and what was seen in it. Each line is there from the moment its
+/// picture is.
+#[derive(Debug)]
+pub(super) struct Journal {
+    path: PathBuf,
+    file: File,
+    /// Pictures of a run that was broken off, which are not yet asked for again, with the ends of their lines.
+    left: VecDeque<((String, CocoPicture), u64)>,
+    /// The end of the last line that counts.
+    end: u64,
+}
+
+impl Journal {
+    /// Opens the journal of a run that was broken off, or begins one. A last line that is not whole does not count.
+    pub(super) fn open(path: PathBuf) -> io::Result<Self> {
+        let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path)?;
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes)?;
+        let (mut left, mut end) = (VecDeque::new(), 0);
+        for line in bytes.split_inclusive(|byte| *byte == b'\n').filter(|line| line.ends_with(b"\n")) {
+            let Ok(picture) = serde_json::from_slice(line) else { break };
+            end += line.len() as u64;
+            left.push_back((picture, end));
+        }
+        Ok(Self { path, file, left, end: 0 })
+    }
+
+    /// What was seen in the next picture, if it was made of the same before and its file in the folder is there. From
+    /// the first picture on for which this is not so, all are made anew.
+    pub(super) fn next(&mut self, of: &str, folder: &Path) -> Option<CocoPicture> {
+        let same = |(known, picture): &(String, CocoPicture)| known == of && folder.join(picture.file_name()).is_file();
+        match self.left.pop_front().filter(|(known, _)| same(known)) {
+            Some(((_, picture), end)) => {
+                self.end = end;
+                Some(picture)
+            }
+            None => {
+                self.left.clear();
+                None
+            }
+        }
+    }
+
+    /// Notes a picture whose file is written.
+    pub(super) fn note(&mut self, of: &str, picture: &CocoPicture) -> io::Result<()> {
+        let line = format!("{}\n", serde_json::to_string(&(of, picture))?);
+        self.file.set_len(self.end)?;
+        self.file.seek(SeekFrom::Start(self.end))?;
+        self.file.write_all(line.as_bytes())?;
+        self.end += line.len() as u64;
+        Ok(())
+    }
+
+    /// Removes the file: the document is written.
+    pub(super) fn remove(self) -> io::Result<()> {
+        std::fs::remove_file(&self.path)
+    }
+}

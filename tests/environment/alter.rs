@@ -1,0 +1,119 @@
+//! Things that appear or are put elsewhere, and agents elsewhere at once.
+
+use virtualcity::graph::{NodeId, Place, Relation, Verb};
+use virtualcity::physics::Posture;
+use virtualcity::relations::{Relations, Rule};
+use virtualcity::{AlterError, Environment, Spot};
+
+use super::{act, home};
+
+/// Relations are those that a home as it is would be read to have.
+pub(super) fn is_as_read(home: &Environment) {
+    let read = Relations::new(home.graph(), Rule::Repaired, home.relations().evidence().clone()).unwrap();
+    assert_eq!(home.relations().edges(), read.edges());
+}
+
+/// A spawned thing is there as if it had always been: it stands, is related, is taken, saved and restored.
+#[test]
+fn things_appear_where_they_are_wanted() {
+    let mut home = home(42, 1);
+    let me = home.agents()[0];
+    let first = |home: &Environment, class: &str| home.graph().of_class(class)[0];
+    let (table, fridge, kitchen) = (first(&home, "coffee_table"), first(&home, "fridge"), first(&home, "kitchen"));
+    let on = |at| Place { relation: Relation::On, at };
+    let apple = home.spawn("apple", on(table)).unwrap();
+    let milk = home.spawn("milk", Place { relation: Relation::Inside, at: fridge }).unwrap();
+    let chair = home.spawn("chair", on(kitchen)).unwrap();
+    assert!(home.graph().has(virtualcity::graph::Edge::new(apple, Relation::On, table)));
+    assert_eq!((home.graph().hidden_in(milk), home.graph().room_of(milk)), (Some(fridge), Some(kitchen)));
+    assert_eq!(home.graph().room_of(chair), Some(kitchen));
+    is_as_read(&home);
+    // The apple is put into a basket, and comes along when the basket is put elsewhere.
+    let bedroom = first(&home, "bedroom");
+    let basket = home.spawn("laundry_basket", on(kitchen)).unwrap();
+    home.put(apple, Place { relation: Relation::Inside, at: basket }).unwrap();
+    home.put(basket, on(bedroom)).unwrap();
+    let where_it_is = (home.graph().place(apple).map(|p| p.at), home.graph().room_of(apple));
+    assert_eq!(
+        where_it_is,
+        (Some(basket), Some(bedroom)),
+        "{:?} {:?}",
+        home.world().pose(apple),
+        home.world().aabb(basket)
+    );
+    is_as_read(&home);
+    let mut restored = home.restore(&home.save().unwrap()).unwrap();
+    assert_eq!(restored.digest(), home.digest());
+    for home in [&mut home, &mut restored] {
+        act(home, me, Verb::Walk, &[apple]);
+        act(home, me, Verb::Grab, &[apple]);
+        assert!(home.graph().held(me).eq([apple]));
+        assert_eq!(home.history().events().len(), 2);
+    }
+    assert_eq!(restored.digest(), home.digest());
+    let start = home.start().clone();
+    assert_eq!(home.reset(&start).unwrap().removed, []);
+    assert!(home.graph().node(apple).is_none());
+}
+
+#[test]
+fn what_cannot_appear_is_said_and_changes_nothing() {
+    let mut home = home(42, 1);
+    let (me, table) = (home.agents()[0], home.graph().of_class("coffee_table")[0]);
+    let sofa = home.graph().of_class("sofa")[0];
+    let before = home.digest();
+    let place = |relation, at| Place { relation, at };
+    let spawned = [
+        home.spawn("flooble", place(Relation::On, table)).unwrap_err(),
+        home.spawn("apple", place(Relation::WornBy, me)).unwrap_err(),
+        home.spawn("apple", place(Relation::On, NodeId(9_999_999))).unwrap_err(),
+        home.spawn("double_bed", place(Relation::Inside, table)).unwrap_err(),
+    ];
+    assert!(spawned[0].to_string().starts_with("there is no class `flooble`: "), "{}", spawned[0]);
+    let misspelt = home.spawn("aple", place(Relation::On, table)).unwrap_err();
+    let AlterError::NoSuchClass { class, nearest } = &misspelt else { panic!("{misspelt:?}") };
+    assert_eq!((class.as_str(), &nearest[..]), ("aple", &["apple".to_owned()][..]));
+    assert!(misspelt.to_string().contains("(did you mean `apple`?)"), "{misspelt}");
+    assert_eq!(spawned[1], AlterError::NotAPlace(Relation::WornBy));
+    assert_eq!(spawned[2], AlterError::NoSuchNode(NodeId(9_999_999)));
+    assert!(matches!(spawned[3], AlterError::Unplaced(_)), "{:?}", spawned[3]);
+    let wall = home.graph().of_class("wall")[0];
+    assert!(matches!(home.put(wall, place(Relation::On, table)), Err(AlterError::NotLoose(_))));
+    assert!(matches!(home.teleport(sofa, table), Err(AlterError::NotAnAgent(_))));
+    let middle = home.graph().node(table).unwrap().position().unwrap();
+    let refused = home.teleport(me, middle.xy()).unwrap_err();
+    assert!(refused.to_string().contains("the free floor nearest to it is at"), "{refused}");
+    assert_eq!(home.digest(), before);
+}
+
+/// An agent that is put elsewhere stands there, still holds its things, and can go on.
+#[test]
+fn agents_are_elsewhere_at_once() {
+    let mut home = home(42, 2);
+    let (me, other) = (home.agents()[0], home.agents()[1]);
+    let seen = home.room_observation(me);
+    let novel = seen.nodes().find(|n| &**n.class() == "novel").unwrap().id();
+    act(&mut home, me, Verb::Walk, &[novel]);
+    act(&mut home, me, Verb::Grab, &[novel]);
+    let sofa = home.graph().of_class("sofa")[0];
+    act(&mut home, me, Verb::Walk, &[sofa]);
+    act(&mut home, me, Verb::Sit, &[sofa]);
+    for room in home.graph().rooms().to_vec() {
+        match home.teleport(me, room) {
+            Ok(()) => {}
+            Err(AlterError::FullRoom(_)) => continue,
+            Err(other) => panic!("{other}"),
+        }
+        assert_eq!(home.posture(me), Some(Posture::Standing));
+        assert!(home.graph().related(me, Relation::SittingOn).next().is_none());
+        assert_eq!((home.graph().room_of(me), home.graph().room_of(novel)), (Some(room), Some(room)));
+        assert!(home.graph().held(me).eq([novel]));
+        is_as_read(&home);
+    }
+    // Nobody stands where somebody else does.
+    let taken = home.world().pose(other).unwrap().translation.vector.xy();
+    assert!(home.teleport(me, Spot::At(taken.into())).is_err());
+    let table = home.graph().of_class("coffee_table")[0];
+    act(&mut home, me, Verb::Walk, &[table]);
+    act(&mut home, me, Verb::Place, &[novel, table]);
+}

@@ -1,0 +1,152 @@
+//! Single actions with bodies: what opens, is fetched, put down and refused.
+
+use virtualcity::graph::{Action, Kind, NodeId, Place, Pose, Relation, State, Verb};
+use virtualcity::physics::{Hand, Role};
+use virtualcity::{ActionError, Environment};
+
+use super::{act, home};
+
+/// Plates, bowls and spoons come out with the racks, and go in again with them.
+#[test]
+fn what_is_in_racks_comes_along() {
+    let mut home = home(5, 1);
+    let (me, dishwasher) = (home.agents()[0], home.graph().of_class("dishwasher")[0]);
+    let inside = home.graph().carried_with(dishwasher);
+    let things: Vec<NodeId> = inside.into_iter().filter(|id| *id != dishwasher).collect();
+    assert!(things.len() > 3, "{things:?}");
+    let places = |home: &Environment| things.iter().map(|id| home.world().pose(*id).unwrap()).collect::<Vec<_>>();
+    let far = |a: &[Pose], b: &[Pose]| -> Vec<f32> {
+        a.iter().zip(b).map(|(a, b)| (a.translation.vector - b.translation.vector).norm()).collect()
+    };
+    let shut = places(&home);
+    act(&mut home, me, Verb::Walk, &[dishwasher]);
+    act(&mut home, me, Verb::Open, &[dishwasher]);
+    let open = places(&home);
+    assert!(far(&shut, &open).iter().all(|d| *d > 0.3), "{:?}", far(&shut, &open));
+    act(&mut home, me, Verb::Close, &[dishwasher]);
+    let again = places(&home);
+    assert!(far(&shut, &again).iter().all(|d| *d < 0.08), "{:?}", far(&shut, &again));
+}
+
+/// What is refused says why and changes nothing.
+#[test]
+fn refusals_change_nothing() {
+    let mut home = home(8, 1);
+    let (me, before) = (home.agents()[0], home.digest());
+    let far = home.graph().nodes().filter(|n| n.kind() == Kind::Object).map(|n| n.id());
+    let far = far.filter(|id| !home.graph().near(me, *id)).last().unwrap();
+    let refused = home.set_action(me, Action::one(Verb::Touch, far)).unwrap_err();
+    assert!(matches!(&refused, ActionError::Refused(why) if !why.is_empty()), "{refused}");
+    assert!(home.set_action(NodeId(u32::MAX), Action::zero(Verb::Dance)).is_err());
+    assert!(home.set_action(me, Action::one(Verb::Grab, NodeId(u32::MAX))).is_err());
+    let twice = home.set_actions(&[(me, Action::zero(Verb::Wave)), (me, Action::zero(Verb::Dance))]);
+    assert!(twice.iter().all(|o| matches!(o, Err(ActionError::Twice(_)))));
+    assert_eq!(home.digest(), before);
+}
+
+/// A thing inside something that opens, both in one home.
+pub(crate) fn kept_thing(home: &Environment) -> Option<(NodeId, NodeId)> {
+    let graph = home.graph();
+    let moves = |id: NodeId| !home.world().moving_parts(id).is_empty();
+    let small = |id: &NodeId| home.world().role(*id) == Some(Role::Loose);
+    let inside = |at: NodeId| graph.relating(Relation::Inside, at).find(small).map(|id| (id, at));
+    graph.nodes().filter(|n| n.hides_contents() && moves(n.id())).find_map(|n| inside(n.id()))
+}
+
+/// Fetching a thing out of what is shut: the door really opens, the thing is in the hand,
+/// and then it stands on a table at rest.
+#[test]
+fn a_thing_is_fetched_and_put_on_a_table() {
+    let mut home = home(42, 1);
+    let me = home.agents()[0];
+    let (thing, cupboard) = kept_thing(&home).unwrap();
+    act(&mut home, me, Verb::Walk, &[cupboard]);
+    act(&mut home, me, Verb::Open, &[cupboard]);
+    assert!(home.world().openness(cupboard).unwrap() > 0.3);
+    act(&mut home, me, Verb::Grab, &[thing]);
+    assert_eq!(home.world().held(me, Hand::Right), Some(thing));
+    let (body, held) = (home.world().pose(me).unwrap(), home.world().aabb(thing).unwrap().centre());
+    let local = body.inverse_transform_point(&held);
+    assert!(local.x > 0.2 && local.x < 0.8 && local.z > 0.7, "{local:?}");
+    act(&mut home, me, Verb::Close, &[cupboard]);
+    assert_eq!(home.world().open_state(cupboard), Some(State::Closed));
+    let table = ["kitchen_table", "dining_table", "coffee_table", "desk"];
+    let table = table.iter().find_map(|c| home.graph().of_class(c).first().copied()).unwrap();
+    act(&mut home, me, Verb::Walk, &[table]);
+    act(&mut home, me, Verb::Place, &[thing, table]);
+    assert!(home.graph().places(thing).any(|p| p == Place { relation: Relation::On, at: table }));
+    assert!(home.world().supports(thing).contains(&table) && home.world().is_asleep(thing));
+    assert_eq!(home.history().events().len(), 6);
+    // Back to the beginning.
+    let start = home.start().clone();
+    home.reset(&start).unwrap();
+    assert_eq!(home.graph(), &start);
+    assert!(home.history().events().is_empty());
+}
+
+/// In time and at once lead to the same end, and nobody walks faster than people do.
+#[test]
+fn time_changes_nothing_but_what_is_seen() {
+    let (mut at_once, mut in_time) = (home(42, 2), home(42, 2));
+    let agents = at_once.agents().to_vec();
+    let (_, cupboard) = kept_thing(&at_once).unwrap();
+    let room = at_once.graph().room_of(cupboard).unwrap();
+    let both = [(agents[0], Action::one(Verb::Walk, cupboard)), (agents[1], Action::one(Verb::Walk, room))];
+    let open = [(agents[0], Action::one(Verb::Open, cupboard)), (agents[1], Action::zero(Verb::Wave))];
+    let mut ticks = 0;
+    for actions in [both, open] {
+        assert!(at_once.set_actions(&actions).iter().all(Result::is_ok));
+        let mut last = in_time.world().pose(agents[0]).unwrap().translation.vector;
+        let outcomes = in_time.set_actions_in_time(&actions, |now| {
+            let at = now.world().pose(agents[0]).unwrap().translation.vector;
+            assert!((at - last).norm() < 0.1, "a leap of {} m", (at - last).norm());
+            (last, ticks) = (at, ticks + 1);
+        });
+        assert!(outcomes.iter().all(Result::is_ok));
+        assert_eq!(at_once.digest(), in_time.digest());
+    }
+    assert!(ticks > 100, "{ticks}");
+}
+
+/// Blinds hang higher than hands reach: their cords hang down.
+#[test]
+fn blinds_are_let_down_by_their_cords() {
+    let mut let_down = 0;
+    for seed in 0..3 {
+        let mut home = home(seed, 1);
+        let me = home.agents()[0];
+        for id in home.graph().of_class("blinds") {
+            act(&mut home, me, Verb::Walk, &[id]);
+            act(&mut home, me, Verb::Close, &[id]);
+            assert!(home.graph().node(id).is_some_and(|n| n.is(State::Closed)));
+            let_down += 1;
+        }
+    }
+    assert!(let_down >= 3, "{let_down} blinds");
+}
+
+/// Bowls that hop on a rack come back with it.
+#[test]
+fn a_dishwasher_shuts_however_its_bowls_lie() {
+    let mut home = Environment::make("apartment/5", 1).unwrap();
+    let me = home.agents()[0];
+    let dishwasher = home.graph().of_class("dishwasher")[0];
+    let inside = |home: &Environment| {
+        let mut all: Vec<NodeId> = home.graph().relating(Relation::Inside, dishwasher).collect();
+        all.sort_unstable();
+        all
+    };
+    let full = inside(&home);
+    assert!(full.len() > 4, "{full:?}");
+    let plate = home.graph().of_class("soup_plate")[0];
+    let cabinet = home.graph().hidden_in(plate).unwrap();
+    for (verb, thing) in [(Verb::Walk, dishwasher), (Verb::Open, cabinet), (Verb::Grab, plate)] {
+        home.set_action(me, Action::one(verb, thing)).unwrap();
+    }
+    for _ in 0..3 {
+        for verb in [Verb::Open, Verb::Close] {
+            home.set_action(me, Action::one(verb, dishwasher)).unwrap();
+            assert_eq!(inside(&home), full, "{verb:?}");
+        }
+    }
+}

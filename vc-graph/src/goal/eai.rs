@@ -1,0 +1,262 @@
+//! The Embodied Agent Interface's own verdicts on its formulas, beside ours.
+//!
+//! | | [`Goal::holds_on`] | [`Goal::eai_verdict`] |
+//! |---|---|---|
+//! | a formula without `then` | holds at the end | holds at some step, all of it at the same |
+//! | a thing done | was done at some step | is done at the step whose state the rest is about, from that state on |
+//! | `a then b` | `a` holds at the end of some stretch, `b` at the end of what is left | `b` holds at some step after the first at which `a` does |
+//! | a `then` in brackets before another `then` | is cut from the rest as any part | takes up all there is: what comes after it never holds |
+//! | `not` | the part does not hold at the end | at some step it does not; of a `then`, it holds nowhere |
+//! | `forn` | so many at the end | so many at some one step; of a `then`, so many over all steps |
+//! | `and` of parts with and without `then` | as any other | has no verdict |
+//! | `ONTOP`, `INSIDE`, `NEXT_TO`, `FACING` | as goals mean them: through other things, by poses | the very edge is in the graph |
+//!
+//! So a state that held once and no longer does is enough there, and not here; and what was done is
+//! told apart from what was so only there.
+
+use super::{Comparison, Goal, Literal, Predicate, Quantified, Term, Trace};
+use crate::{Edge, NodeId, Relation, SceneGraph};
+
+/// Why a goal has no verdict by the Embodied Agent Interface.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoVerdict {
+    /// The goal is of a kind that its formulas lack.
+    #[error("`{0}`: its formulas have and, or, not, imply, then, forall, exists and forn over literals")]
+    NoFormula(String),
+    /// A part with `then` and one without are joined.
+    #[error("`{0}`: its formulas do not join a part with `then` and one without by `and` or `imply`")]
+    Mixed(String),
+    /// Its evaluator goes past an end of the trajectory: a quantifier over a part with `then` is asked when no
+    /// step is left, or what follows a `not` of such a part.
+    #[error("`{0}`: its evaluator goes past an end of what happened")]
+    Ended(String),
+}
+
+type Verdict<T> = Result<T, NoVerdict>;
+
+impl Goal {
+    /// The verdict that the Embodied Agent Interface's evaluator gives on what happened; the module
+    /// [`eai`](self) says in what it differs from [`Goal::holds_on`].
+    ///
+    /// ```
+    /// use vc_graph::goal::{Goal, Trace};
+    /// use vc_graph::{Draft, Event, SceneBuilder, Simulator};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let mut world = Simulator::new(scene.build());
+    /// let mut trace = Trace::new(world.graph().clone(), me);
+    /// for line in ["walk fridge.2", "open fridge.2", "close fridge.2"] {
+    ///     let action = line.parse()?;
+    ///     world.step(me, &action).map_err(|refusals| refusals[0].clone())?;
+    ///     trace.push(world.graph().clone(), [Event { agent: me, action }]);
+    /// }
+    /// let opened = Goal::from_eai("OPEN(fridge.2)")?;
+    /// // It was open on the way. At the end it is not.
+    /// assert_eq!((opened.eai_verdict(&trace)?, opened.holds_on(&trace)), (true, false));
+    /// let twice = Goal::from_eai("OPEN(fridge.2) then CLOSED(fridge.2) then OPEN(fridge.2)")?;
+    /// assert!(!twice.eai_verdict(&trace)?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`NoVerdict`] where its evaluator stops with an error, and for goals that are no formulas of its kind.
+    pub fn eai_verdict(&self, trace: &Trace) -> Result<bool, NoVerdict> {
+        Ok(Evaluator { trace, bound: Vec::new() }.after(self, 0)?.is_some())
+    }
+
+    /// Whether a goal is about one step alone.
+    fn is_of_one_step(&self) -> Verdict<bool> {
+        let parts = self.parts().into_iter().map(Self::is_of_one_step).collect::<Verdict<Vec<bool>>>()?;
+        let (all, any) = (parts.iter().all(|p| *p), parts.iter().any(|p| *p));
+        match self {
+            Self::Literal(_) => Ok(true),
+            Self::And(_) if all || !any => Ok(all),
+            Self::Imply(..) if all => Ok(true),
+            Self::And(_) | Self::Imply(..) => Err(NoVerdict::Mixed(self.to_string())),
+            Self::Or(_) | Self::Not(_) | Self::ForAll(_) | Self::Exists(_) => Ok(all),
+            Self::ForN { comparison: Comparison::Exactly, .. } => Ok(all),
+            Self::Then(_) => Ok(false),
+            _ => Err(NoVerdict::NoFormula(self.to_string())),
+        }
+    }
+}
+
+/// Where a part was found to hold: after so many steps, counted from where it was looked for. What holds
+/// nowhere is found to do so one step before that.
+type Found = Option<i64>;
+
+/// How far off a quantifier finds what it finds nowhere.
+const NOWHERE: i64 = 1_000_000_000;
+
+struct Evaluator<'g, 'a> {
+    trace: &'a Trace,
+    bound: Vec<(&'g str, NodeId)>,
+}
+
+impl<'g> Evaluator<'g, '_> {
+    /// How many steps of the trace there are from one on, the end included.
+    fn left(&self, from: usize) -> usize {
+        (self.trace.steps() + 1).saturating_sub(from)
+    }
+
+    /// Whether a goal holds on what is left from a step on, and after how many steps.
+    fn after(&mut self, goal: &'g Goal, from: usize) -> Verdict<Found> {
+        if goal.is_of_one_step()? {
+            let step = (from..=self.trace.steps()).find(|&step| self.at(goal, step));
+            return Ok(step.map(|step| (step - from + 1) as i64));
+        }
+        match goal {
+            Goal::And(parts) => self.all(parts.iter().map(|part| (None, part)), from),
+            Goal::Or(parts) => self.any(parts.iter().map(|part| (None, part)), from),
+            Goal::Not(part) => Ok(if self.after(part, from)?.is_some() { None } else { Some(-1) }),
+            Goal::ForAll(q) => self.all(self.choices(goal, q, from)?, from),
+            Goal::Exists(q) => self.any(self.choices(goal, q, from)?, from),
+            Goal::ForN { number, of, .. } => {
+                let found: Vec<i64> = self.each(self.choices(goal, of, from)?, from)?.into_iter().flatten().collect();
+                let first = found.iter().copied().min().unwrap_or(NOWHERE);
+                Ok((found.len() == *number as usize).then_some(first))
+            }
+            Goal::Then(parts) => self.in_order(goal, parts, from),
+            _ => Err(NoVerdict::NoFormula(goal.to_string())),
+        }
+    }
+
+    fn each<I>(&mut self, parts: I, from: usize) -> Verdict<Vec<Found>>
+    where
+        I: IntoIterator<Item = (Option<(&'g str, NodeId)>, &'g Goal)>,
+    {
+        let judge = |(variable, part): (Option<(&'g str, NodeId)>, &'g Goal)| {
+            let outer = self.bound.len();
+            self.bound.extend(variable);
+            let found = self.after(part, from);
+            self.bound.truncate(outer);
+            found
+        };
+        parts.into_iter().map(judge).collect()
+    }
+
+    /// The first to hold, unless that is nowhere.
+    fn any<I>(&mut self, parts: I, from: usize) -> Verdict<Found>
+    where
+        I: IntoIterator<Item = (Option<(&'g str, NodeId)>, &'g Goal)>,
+    {
+        Ok(self.each(parts, from)?.into_iter().flatten().min().filter(|first| *first < NOWHERE))
+    }
+
+    fn all<I>(&mut self, parts: I, from: usize) -> Verdict<Found>
+    where
+        I: IntoIterator<Item = (Option<(&'g str, NodeId)>, &'g Goal)>,
+    {
+        let found: Option<Vec<i64>> = self.each(parts, from)?.into_iter().collect();
+        Ok(found.map(|found| found.into_iter().max().unwrap_or(-1)))
+    }
+
+    /// Things are looked for at the first step that is left.
+    fn choices(
+        &self,
+        goal: &Goal,
+        q: &'g Quantified,
+        from: usize,
+    ) -> Verdict<Vec<(Option<(&'g str, NodeId)>, &'g Goal)>> {
+        let graph = self.trace.graph(from).ok_or_else(|| NoVerdict::Ended(goal.to_string()))?;
+        Ok(range(graph, q).into_iter().map(|id| (Some((&*q.variable, id)), &*q.body)).collect())
+    }
+
+    /// One part after the other; all there is is used up by it.
+    fn in_order(&mut self, goal: &'g Goal, parts: &'g [Goal], from: usize) -> Verdict<Found> {
+        let mut used = 0;
+        for part in parts {
+            match self.after(part, self.skip(goal, from, used)?)? {
+                Some(more) => used += more,
+                None => return Ok(None),
+            }
+        }
+        Ok(Some(self.left(from) as i64))
+    }
+
+    /// The step so many after another. Before it is only the whole of what is left.
+    fn skip(&self, goal: &Goal, from: usize, used: i64) -> Verdict<usize> {
+        let left = self.left(from) as i64;
+        match used {
+            0.. => Ok(from + used.min(left) as usize),
+            _ if -used >= left => Ok(from),
+            _ => Err(NoVerdict::Ended(goal.to_string())),
+        }
+    }
+
+    /// Whether a goal about one step holds at it.
+    fn at(&mut self, goal: &'g Goal, step: usize) -> bool {
+        match goal {
+            Goal::Literal(literal) => self.literal(literal, step),
+            Goal::And(parts) => parts.iter().all(|part| self.at(part, step)),
+            Goal::Or(parts) => parts.iter().any(|part| self.at(part, step)),
+            Goal::Not(part) => !self.at(part, step),
+            Goal::Imply(condition, part) => !self.at(condition, step) || self.at(part, step),
+            Goal::ForAll(q) => self.number(q, step) == self.range_at(q, step).len(),
+            Goal::Exists(q) => self.number(q, step) > 0,
+            Goal::ForN { number, of, .. } => self.number(of, step) == *number as usize,
+            _ => false,
+        }
+    }
+
+    fn range_at(&self, q: &Quantified, step: usize) -> Vec<NodeId> {
+        self.trace.graph(step).map_or_else(Vec::new, |graph| range(graph, q))
+    }
+
+    fn number(&mut self, q: &'g Quantified, step: usize) -> usize {
+        let mut number = 0;
+        for id in self.range_at(q, step) {
+            self.bound.push((&q.variable, id));
+            number += usize::from(self.at(&q.body, step));
+            self.bound.pop();
+        }
+        number
+    }
+
+    fn literal(&self, literal: &Literal, step: usize) -> bool {
+        let Some(graph) = self.trace.graph(step) else { return false };
+        let things: Option<Vec<NodeId>> = literal.terms.iter().map(|term| self.meant(graph, term)).collect();
+        match (literal.predicate, things.as_deref()) {
+            (Predicate::State(state), Some([id])) => graph.node(*id).is_some_and(|n| n.is(state)),
+            (Predicate::Relation(relation), Some([from, to])) => is_edge(graph, *from, relation, *to),
+            (Predicate::Did(verb), Some(things)) => self
+                .trace
+                .events(step + 1)
+                .iter()
+                .any(|event| event.action.verb == verb && event.action.things().eq(things.iter().copied())),
+            _ => false,
+        }
+    }
+
+    /// The thing a term is the name of; a class alone is no name.
+    fn meant(&self, graph: &SceneGraph, term: &Term) -> Option<NodeId> {
+        match term {
+            Term::Me => Some(self.trace.agent()),
+            Term::Variable(name) => self.bound.iter().rev().find(|(bound, _)| bound == name).map(|&(_, id)| id),
+            Term::Node(None, id) => Some(*id),
+            Term::Node(Some(class), id) => graph.node(*id).filter(|n| *n.spec().spelling == **class).map(|_| *id),
+            Term::Class(_) | Term::Anything => None,
+        }
+    }
+}
+
+fn range(graph: &SceneGraph, q: &Quantified) -> Vec<NodeId> {
+    match &q.class {
+        Some(class) => graph.of_class(class),
+        None => graph.nodes().map(crate::Node::id).collect(),
+    }
+}
+
+/// Whether VirtualHome's graph has an edge.
+fn is_edge(graph: &SceneGraph, from: NodeId, relation: Relation, to: NodeId) -> bool {
+    use Relation::{InRoom, Inside, LyingOn, On, PouredInto, SittingOn, WornBy};
+    let names: &[Relation] = match relation {
+        On => &[On, SittingOn, LyingOn, WornBy],
+        Inside | InRoom => &[Inside, InRoom, PouredInto],
+        _ => &[relation],
+    };
+    names.iter().any(|&r| graph.has(Edge::new(from, r, to)))
+}

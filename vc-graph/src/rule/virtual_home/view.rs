@@ -1,0 +1,129 @@
+//! A scene as VirtualHome's simulator reads it.
+
+use super::order::walked;
+use crate::node::Kind;
+use crate::{Edge, Node, NodeId, Property, Relation, SceneGraph, State};
+
+/// The relations that VirtualHome's actions go by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Link {
+    On,
+    Inside,
+    Close,
+    Facing,
+    HoldsRight,
+    HoldsLeft,
+}
+
+impl Link {
+    pub(super) const HANDS: [Self; 2] = [Self::HoldsRight, Self::HoldsLeft];
+
+    /// What it is called here: who sits on something is `ON` it there, what is in a room is `INSIDE` it.
+    pub(super) fn relations(self) -> &'static [Relation] {
+        use Relation::{
+            Facing, HoldsLeft, HoldsRight, InRoom, Inside, LyingOn, Near, On, PouredInto, SittingOn, WornBy,
+        };
+        match self {
+            Self::On => &[On, WornBy, SittingOn, LyingOn],
+            Self::Inside => &[Inside, InRoom, PouredInto],
+            Self::Close => &[Near],
+            Self::Facing => &[Facing],
+            Self::HoldsRight => &[HoldsRight],
+            Self::HoldsLeft => &[HoldsLeft],
+        }
+    }
+}
+
+/// A scene, and who is to act in it.
+#[derive(Clone, Copy)]
+pub(super) struct View<'a> {
+    pub(super) graph: &'a SceneGraph,
+    pub(super) agent: NodeId,
+}
+
+impl<'a> View<'a> {
+    /// Where a relation leads, in the order in which Python walks a set.
+    pub(super) fn targets(self, id: NodeId, link: Link) -> Vec<NodeId> {
+        let mut all: Vec<u32> = link.relations().iter().flat_map(|&r| self.graph.related(id, r)).map(|n| n.0).collect();
+        all.sort_unstable();
+        walked(all).map(NodeId).collect()
+    }
+
+    /// Where a relation comes from.
+    pub(super) fn sources(self, link: Link, id: NodeId) -> Vec<NodeId> {
+        let mut all: Vec<NodeId> = link.relations().iter().flat_map(|&r| self.graph.relating(r, id)).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    pub(super) fn has(self, from: NodeId, link: Link, to: NodeId) -> bool {
+        link.relations().iter().any(|&r| self.graph.has(Edge::new(from, r, to)))
+    }
+
+    pub(super) fn node(self, id: NodeId) -> Option<&'a Node> {
+        self.graph.node(id)
+    }
+
+    pub(super) fn is_room(self, id: NodeId) -> bool {
+        self.node(id).is_some_and(|n| n.kind() == Kind::Room)
+    }
+
+    /// Whether a thing's own properties, as they are written, have one of these.
+    pub(super) fn is_any(self, id: NodeId, properties: &[Property]) -> bool {
+        self.node(id).is_some_and(|n| properties.iter().any(|&p| n.spec().properties.contains(p)))
+    }
+
+    /// The class as it is written.
+    pub(super) fn name(self, id: NodeId) -> &'a str {
+        self.node(id).map_or("", |n| &n.spec().spelling)
+    }
+
+    pub(super) fn is(self, id: NodeId, state: State) -> bool {
+        self.node(id).is_some_and(|n| n.is(state))
+    }
+
+    /// The room a thing is in: the first of those that it is directly inside.
+    pub(super) fn room(self, id: NodeId) -> Option<NodeId> {
+        if self.is_room(id) {
+            return Some(id);
+        }
+        self.targets(id, Link::Inside).into_iter().find(|&n| self.is_room(n))
+    }
+
+    pub(super) fn held(self) -> Vec<NodeId> {
+        Link::HANDS.into_iter().flat_map(|hand| self.targets(self.agent, hand)).collect()
+    }
+
+    pub(super) fn holds(self, id: NodeId) -> bool {
+        Link::HANDS.into_iter().any(|hand| self.has(self.agent, hand, id))
+    }
+
+    pub(super) fn free_hand(self) -> Option<Link> {
+        Link::HANDS.into_iter().find(|&hand| self.targets(self.agent, hand).is_empty())
+    }
+
+    /// Close, close to something close, or on it.
+    pub(super) fn near(self, id: NodeId) -> bool {
+        let through = |at: NodeId| self.has(at, Link::Close, id) || self.has(id, Link::On, at);
+        self.has(self.agent, Link::Close, id) || self.graph.related(self.agent, Relation::Near).any(through)
+    }
+
+    /// Faced, or faced by something faced.
+    pub(super) fn faces(self, id: NodeId) -> bool {
+        self.has(self.agent, Link::Facing, id)
+            || self.targets(self.agent, Link::Facing).into_iter().any(|at| self.has(at, Link::Facing, id))
+    }
+
+    /// The closed thing that something is directly inside.
+    pub(super) fn shut_in(self, id: NodeId) -> Option<NodeId> {
+        self.targets(id, Link::Inside).into_iter().find(|&at| !self.is_room(at) && self.is(at, State::Closed))
+    }
+
+    /// What something is on, inside or close to, first come first: where it is grabbed from.
+    pub(super) fn origin(self, id: NodeId) -> Option<(NodeId, Link)> {
+        [Link::On, Link::Inside, Link::Close]
+            .into_iter()
+            .find_map(|link| Some((self.targets(id, link).into_iter().find(|&at| !self.is_room(at))?, link)))
+    }
+}

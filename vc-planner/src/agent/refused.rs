@@ -1,0 +1,123 @@
+//! An agent learns from each refusal: what was refused is not tried again while nothing has changed.
+
+use vc_graph::{Action, Digest, NodeId, Observation, Verb};
+
+use super::{Agent, Decision};
+use crate::Plan;
+use crate::compile::anchor;
+use crate::want::Unreachable;
+
+/// After so many refusals an action is not tried any more, whatever has changed.
+const MOST: usize = 3;
+/// How many other decisions are sought in place of one that would be in vain.
+const OTHERS: usize = 12;
+
+/// What has been refused, and whether anything has changed since.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Refused {
+    all: Vec<Refusal>,
+    /// How often something has changed: by what was done, and by what was seen to be otherwise.
+    changes: usize,
+    /// What was seen last, since something was refused.
+    seen: Option<Digest>,
+}
+
+#[derive(Debug, Clone)]
+struct Refusal {
+    action: Action,
+    times: usize,
+    /// How often something had changed when it was refused last.
+    changes: usize,
+}
+
+impl Refused {
+    fn of(&self, action: &Action) -> Option<&Refusal> {
+        self.all.iter().find(|refusal| refusal.action == *action)
+    }
+
+    fn times(&self, action: &Action) -> usize {
+        self.of(action).map_or(0, |refusal| refusal.times)
+    }
+
+    pub(super) fn note(&mut self, action: &Action) {
+        let (times, changes) = (self.times(action) + 1, self.changes);
+        self.all.retain(|refusal| refusal.action != *action);
+        self.all.push(Refusal { action: *action, times, changes });
+    }
+
+    pub(super) fn did(&mut self, action: &Action) {
+        self.changes += 1;
+        self.all.retain(|refusal| refusal.action != *action);
+    }
+
+    /// Takes note of what is seen, while there is a refusal that it may explain.
+    pub(super) fn see(&mut self, seen: &Observation) {
+        let now = (!self.all.is_empty()).then(|| seen.digest());
+        self.changes += usize::from(self.seen.is_some() && now != self.seen);
+        self.seen = now;
+    }
+}
+
+impl Agent {
+    /// Decides; what would be tried in vain is gone about otherwise, and if it cannot be, given up.
+    pub(super) fn think_twice(&mut self) -> Decision {
+        let mut vain = None;
+        for _ in 0..OTHERS {
+            let decision = self.think_on();
+            let Decision::Act(action, _) = &decision else { return decision };
+            let action = *action;
+            if !self.is_vain(&action) {
+                return decision;
+            }
+            vain = Some(action);
+            self.forget_plans();
+            if let Some(detour) = self.detour(&action) {
+                return detour;
+            }
+            if !self.bar(&action) {
+                break;
+            }
+        }
+        let told = vain.map_or_else(String::new, |action| action.describe(self.belief.graph()).to_string());
+        Decision::GiveUp(Unreachable::Refused(told))
+    }
+
+    /// Whether an action was refused and nothing has changed since, or was refused too often.
+    fn is_vain(&self, action: &Action) -> bool {
+        let refusal = self.refused.of(action);
+        refusal.is_some_and(|refusal| refusal.times >= MOST || refusal.changes == self.refused.changes)
+    }
+
+    /// Something else first, after which what was refused is tried again: for what bodies could not do where
+    /// they stood. What can be done without is left alone after two refusals.
+    fn detour(&mut self, action: &Action) -> Option<Decision> {
+        if self.refused.times(action) >= MOST {
+            return None;
+        }
+        let again = self.refused.times(action) > 1;
+        let walk = self.way_round(action).filter(|_| !again).map(|at| Action::one(Verb::Walk, at));
+        let turn =
+            || action.object.or_else(|| self.belief.graph().room_of(self.id)).map(|at| Action::one(Verb::TurnTo, at));
+        let needed = matches!(action.verb, Verb::Stand | Verb::Drop | Verb::Walk | Verb::Leave);
+        let turn = || turn().filter(|_| !again || needed);
+        let fits = |first: &Action| !self.is_vain(first) && self.refusals(first).is_empty();
+        let first = walk.filter(fits).or_else(|| turn().filter(fits))?;
+        self.next = [*action].into();
+        Some(Decision::Act(first, Plan { actions: vec![first, *action], ..Plan::default() }))
+    }
+
+    /// Where one goes to try again: up to the thing, or, if that is where one could not go, to its room, or to
+    /// something else in the room.
+    fn way_round(&self, action: &Action) -> Option<NodeId> {
+        let graph = self.belief.graph();
+        let at = action.target.or(action.object)?;
+        if action.verb != Verb::Walk {
+            return Some(anchor(graph, at));
+        }
+        let room = graph.room_of(at)?;
+        if room != at {
+            return Some(room);
+        }
+        graph.in_room(room).find(|&id| id != self.id && self.belief.known().contains(id) && anchor(graph, id) == id)
+    }
+}
