@@ -88,6 +88,9 @@ impl Goal {
 /// nowhere is found to do so one step before that.
 type Found = Option<i64>;
 
+/// A goal, with what a variable in it stands for.
+type Part<'g> = (Option<(&'g str, NodeId)>, &'g Goal);
+
 /// How far off a quantifier finds what it finds nowhere.
 const NOWHERE: i64 = 1_000_000_000;
 
@@ -126,9 +129,9 @@ impl<'g> Evaluator<'g, '_> {
 
     fn each<I>(&mut self, parts: I, from: usize) -> Verdict<Vec<Found>>
     where
-        I: IntoIterator<Item = (Option<(&'g str, NodeId)>, &'g Goal)>,
+        I: IntoIterator<Item = Part<'g>>,
     {
-        let judge = |(variable, part): (Option<(&'g str, NodeId)>, &'g Goal)| {
+        let judge = |(variable, part): Part<'g>| {
             let outer = self.bound.len();
             self.bound.extend(variable);
             let found = self.after(part, from);
@@ -141,26 +144,21 @@ impl<'g> Evaluator<'g, '_> {
     /// The first to hold, unless that is nowhere.
     fn any<I>(&mut self, parts: I, from: usize) -> Verdict<Found>
     where
-        I: IntoIterator<Item = (Option<(&'g str, NodeId)>, &'g Goal)>,
+        I: IntoIterator<Item = Part<'g>>,
     {
         Ok(self.each(parts, from)?.into_iter().flatten().min().filter(|first| *first < NOWHERE))
     }
 
     fn all<I>(&mut self, parts: I, from: usize) -> Verdict<Found>
     where
-        I: IntoIterator<Item = (Option<(&'g str, NodeId)>, &'g Goal)>,
+        I: IntoIterator<Item = Part<'g>>,
     {
         let found: Option<Vec<i64>> = self.each(parts, from)?.into_iter().collect();
         Ok(found.map(|found| found.into_iter().max().unwrap_or(-1)))
     }
 
     /// Things are looked for at the first step that is left.
-    fn choices(
-        &self,
-        goal: &Goal,
-        q: &'g Quantified,
-        from: usize,
-    ) -> Verdict<Vec<(Option<(&'g str, NodeId)>, &'g Goal)>> {
+    fn choices(&self, goal: &Goal, q: &'g Quantified, from: usize) -> Verdict<Vec<Part<'g>>> {
         let graph = self.trace.graph(from).ok_or_else(|| NoVerdict::Ended(goal.to_string()))?;
         Ok(range(graph, q).into_iter().map(|id| (Some((&*q.variable, id)), &*q.body)).collect())
     }

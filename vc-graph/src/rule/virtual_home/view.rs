@@ -45,7 +45,8 @@ impl<'a> View<'a> {
     /// Where a relation leads, in the order in which Python walks a set.
     pub(super) fn targets(self, id: NodeId, link: Link) -> Vec<NodeId> {
         let mut all: Vec<u32> = link.relations().iter().flat_map(|&r| self.graph.related(id, r)).map(|n| n.0).collect();
-        all.sort_unstable();
+        // Theirs puts new relations in before old ones, and an agent's are new.
+        all.sort_unstable_by_key(|&n| (!self.graph.agents().contains(&NodeId(n)), n));
         walked(all).map(NodeId).collect()
     }
 
