@@ -69,5 +69,13 @@ fn attempt(instance: &Instance, scene: &SceneGraph, name: &str) -> Result {
         actions.push(step.described.clone() + step.refused.as_deref().map_or("", |_| " (refused)"));
     });
     let won = episode.outcome == Outcome::Won;
-    Result { name: instance.name.clone(), policy: name.into(), won, steps: episode.steps, opened, actions, why: episode.reason }
+    Result {
+        name: instance.name.clone(),
+        policy: name.into(),
+        won,
+        steps: episode.steps,
+        opened,
+        actions,
+        why: episode.reason,
+    }
 }

@@ -29,7 +29,10 @@ fn main() {
     if scenes.is_empty() {
         return;
     }
-    println!("{:<16}{:>8}{:>8}{:>10}{:>10}{:>8}{:>8}", "things are", "errands", "won", "planner", "uniform", "ratio", "oracle");
+    println!(
+        "{:<16}{:>8}{:>8}{:>10}{:>10}{:>8}{:>8}",
+        "things are", "errands", "won", "planner", "uniform", "ratio", "oracle"
+    );
     for (name, rule) in RULES {
         let (mut won, mut steps, mut all) = (0, [0; 3], 0);
         for (scene, seed) in scenes.iter().flat_map(|scene| (0..number).map(move |seed| (scene, seed))) {

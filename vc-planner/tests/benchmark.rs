@@ -34,11 +34,8 @@ fn what_the_oracle_can_do_the_planners_can() {
             task.goal = activity.goal.clone();
             task.step_limit = 200;
             made += 1;
-            let mut policies: [Box<dyn Policy>; 3] = [
-                Box::new(Resident::default()),
-                Box::new(Newcomer::best()),
-                Box::new(Newcomer::faithful()),
-            ];
+            let mut policies: [Box<dyn Policy>; 3] =
+                [Box::new(Resident::default()), Box::new(Newcomer::best()), Box::new(Newcomer::faithful())];
             let mut solvable = false;
             for (i, policy) in policies.iter_mut().enumerate() {
                 world.reset(&initial.scene).unwrap();

@@ -15,8 +15,7 @@ use placements::{Rule, errand};
 use vc_graph::{Action, Draft, NodeId, Relation, SceneBuilder, SceneGraph, Seed, Simulator};
 use vc_planner::language::{Answer, AnswerError, read_answer};
 use vc_planner::{
-    Belief, Fault, LanguageModel, Newcomer, Policy, Prior, Random, Resident, Run, Scripted, Trajectory,
-    run_episode,
+    Belief, Fault, LanguageModel, Newcomer, Policy, Prior, Random, Resident, Run, Scripted, Trajectory, run_episode,
 };
 use vc_tasks::{Outcome, Task};
 

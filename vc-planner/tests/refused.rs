@@ -55,7 +55,8 @@ fn another_thing_is_taken_and_another_place_found() {
     let cannot = vec![Action::one(Verb::Grab, mugs[0]), place(mugs[1], near)];
     let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
     for mut policy in policies {
-        let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), forbids: false, failures: 0 };
+        let mut world =
+            Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), forbids: false, failures: 0 };
         let task = Task::new("lay", "On(mug, kitchen_table)".parse().unwrap());
         let episode = Run::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
         assert_eq!(episode.outcome, Outcome::Won, "{}: {episode:?}", policy.name());
@@ -112,7 +113,8 @@ fn what_there_is_no_way_to_is_left_alone() {
     for seed in 0..20 {
         let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
         for mut policy in policies {
-            let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), forbids: false, failures: 0 };
+            let mut world =
+                Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), forbids: false, failures: 0 };
             let episode = Run::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
             assert_eq!(episode.outcome, Outcome::Won, "{} {seed}: {episode:?}", policy.name());
             assert!(World::graph(&world).place(mugs[1]).is_some_and(|p| p.at == table));

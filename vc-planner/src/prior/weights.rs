@@ -72,7 +72,8 @@ impl Weights {
             [habit, stray / kind.number as f64]
         });
         let each: Vec<[f64; 2]> = each.collect();
-        let sum = |i: usize| kinds.all().iter().zip(&each).map(|(kind, each)| kind.number as f64 * each[i]).sum::<f64>();
+        let sum =
+            |i: usize| kinds.all().iter().zip(&each).map(|(kind, each)| kind.number as f64 * each[i]).sum::<f64>();
         let sums = [sum(HABIT), sum(STRAY)];
         let (trust, found) = self.like_the_found(kinds);
         let part = |kind: usize| {
