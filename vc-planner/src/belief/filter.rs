@@ -152,10 +152,10 @@ fn strike_out(homes: &mut Vec<Possible>, home: &Home, places: &[Place], real: &S
 fn compare(belief: &Belief, homes: &[Possible], judge: &Judge, home: &Home, places: &[Place], seed: u64) {
     // What is seen tells for a hypothesis with caution, and within it in full.
     let mut weights = vec![0.0; homes.len()];
-    for hypothesis in 0..HYPOTHESES.len() {
+    for (hypothesis, (_, supposed)) in HYPOTHESES.into_iter().enumerate() {
         let each: Vec<f64> = homes.iter().map(|at| judge.weight(hypothesis, at)).collect();
         let sum: f64 = each.iter().sum();
-        let posterior = HYPOTHESES[hypothesis].1 * (judge.by[hypothesis] * sum).powf(CAUTION);
+        let posterior = supposed * (judge.by[hypothesis] * sum).powf(CAUTION);
         weights.iter_mut().zip(each).for_each(|(weight, each)| *weight += posterior * each / sum);
     }
     let all: f64 = weights.iter().sum();
