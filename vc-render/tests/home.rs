@@ -8,7 +8,7 @@ mod common;
 mod home;
 
 use common::caster::Caster;
-use vc_render::{Frame, Modality, NOTHING, Renderer, Shot};
+use vc_render::{Daylight, Frame, Modality, NOTHING, Renderer, Shot};
 
 #[test]
 fn ids_and_depths_at_the_usual_detail_are_those_of_a_ray_caster() {
@@ -44,4 +44,22 @@ fn ids_and_depths_at_the_usual_detail_are_those_of_a_ray_caster() {
     // Curves are as coarse as an image of this size lets them be: with finer meshes there is no difference.
     assert!(deep * 100 < pixels, "{deep} of {pixels} depths differ");
     assert!(far * 2000 < pixels, "{far} of {pixels} depths are far off");
+}
+
+#[test]
+fn colours_of_a_home_are_the_same_for_any_number_of_threads() {
+    let graph = home::home(4, 300).graph;
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&graph).unwrap();
+    let lighting = renderer.light(&snapshot, &Daylight::noon());
+    for (number, camera) in home::cameras(96, 160).iter().enumerate() {
+        let of = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let mut frame = Frame::new();
+            let shot = Shot { lighting: Some(&lighting), ..Shot::new(&snapshot, camera, Modality::Rgb) };
+            pool.install(|| renderer.render(&shot, &mut frame)).unwrap();
+            frame.rgb
+        };
+        assert!(of(1) == of(3), "camera {number}: walls and doors have faces to several rooms");
+    }
 }

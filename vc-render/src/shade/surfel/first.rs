@@ -70,9 +70,11 @@ impl Writer<'_> {
     /// The number of what pixels of an instance's surface have in common, one of whose triangles is given.
     fn look(&self, triangle: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
         let instance = self.visible[triangle as usize].instance;
+        // A wall or a door has faces to several rooms.
+        let room = self.lighting.room_seen(self.view.snapshot, &self.visible[triangle as usize]);
         let mut at = known.heads[instance as usize];
         while let Some(look) = known.looks.get(at as usize)
-            && (look.surface, look.facet) != (surface, facet)
+            && (look.surface, look.facet, look.room) != (surface, facet, room)
         {
             at = look.next;
         }
@@ -92,7 +94,6 @@ impl Writer<'_> {
         let shine = self.lighting.through(of, own).unwrap_or(shine);
         let next = known.heads[instance as usize];
         known.heads[instance as usize] = known.looks.len() as u32;
-        let room = self.lighting.room_seen(self.view.snapshot, &self.visible[triangle as usize]);
         let mirror = of.is_mirror();
         known.looks.push(Look { surface, facet, room, mirror, glow, shine, next, paints: [NONE; 9] });
         known.looks.len() as u32 - 1
