@@ -76,8 +76,8 @@ impl SceneGraph {
 /// let me = scene.add_in(room, Draft::new("character"))?;
 /// let graph = scene.build();
 /// let read = |text: String| text.parse::<Action>();
-/// assert!(rule::refusals(&graph, me, &read(format!("touch table.{}", table.0))?).is_empty());
-/// let wrong = rule::refusals(&graph, me, &read(format!("touch apple.{}", table.0))?);
+/// assert!(rule::refusals(&graph, me, &read(format!("walk table.{}", table.0))?).is_empty());
+/// let wrong = rule::refusals(&graph, me, &read(format!("walk apple.{}", table.0))?);
 /// assert!(wrong[0].to_string().starts_with("kitchen_table.2 is not what the action calls it"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -277,8 +277,7 @@ fn actions_are_done_to_what_they_name() {
     let graph = scene.build();
     let refusals = |text: &str| rule::refusals(&graph, me, &text.parse().unwrap());
     let label = graph.label(table);
-    for good in
-        ["touch kitchen_table.2", "touch KitchenTable.2", "touch table.2", "touch #2", "[TOUCH] <kitchentable> (2)"]
+    for good in ["walk kitchen_table.2", "walk KitchenTable.2", "walk table.2", "walk #2", "[WALK] <kitchentable> (2)"]
     {
         assert_eq!(refusals(good), [], "{good}");
     }
