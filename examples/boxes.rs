@@ -1,13 +1,15 @@
 //! Tries how much agents can do in homes of which only boxes are known.
 //!
 //! `cargo run --release --example boxes -- FILE...` takes scenes (VirtualHome's, the thesis's; `.gz` is
-//! unpacked) and prints, for each, between which rooms one can walk and how many of the things that
+//! unpacked; those that cannot be read are named, and it ends with 1)
+//! and prints, for each, between which rooms one can walk and how many of the things that
 //! can be carried are taken and put back where the scene has them. `--out DIR` draws each from above.
 
 mod support;
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 use clap::Parser;
 use support::{Complaint, say};
@@ -38,29 +40,42 @@ struct Options {
     out: Option<PathBuf>,
 }
 
-fn main() -> Result<(), Complaint> {
+fn main() -> Result<ExitCode, Complaint> {
     let options = Options::parse();
-    let mut won = (0, 0);
+    let (mut won, mut failed) = ((0, 0), 0);
     for file in &options.files {
-        let assets = if options.plain { Assets::None } else { Assets::Generated };
-        let home = Environment::make_with(&format!("scene:{}", file.display()), 1, &SceneOptions { assets });
-        let home = home.map_err(Complaint::new)?;
-        say!("{}: {} nodes, left out {:?}", file.display(), home.graph().len(), home.left_out());
-        say!("  {} things are elsewhere by geometry", home.elsewhere().len());
-        rooms(&home);
-        if !options.rooms_only {
-            places(&home);
-        }
-        if options.goals {
-            goals(&home, &mut won)?;
-        }
-        #[cfg(feature = "render")]
-        if let Some(out) = &options.out {
-            picture(&home, out, file)?;
+        if let Err(complaint) = look_at(file, &options, &mut won) {
+            let (file, why) = (file.display().to_string(), format!("{complaint:?}"));
+            say!("{}", if why.starts_with(&file) { why } else { format!("{file}: {why}") });
+            failed += 1;
         }
     }
     if options.goals {
         say!("{} of {} goals won", won.0, won.1);
+    }
+    if failed > 0 {
+        say!("{failed} of {} scenes could not be looked at", options.files.len());
+    }
+    Ok(if failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Tries all that is asked for in one scene.
+fn look_at(file: &Path, options: &Options, won: &mut (usize, usize)) -> Result<(), Complaint> {
+    let assets = if options.plain { Assets::None } else { Assets::Generated };
+    let home = Environment::make_with(&format!("scene:{}", file.display()), 1, &SceneOptions { assets });
+    let home = home.map_err(Complaint::new)?;
+    say!("{}: {} nodes, left out {:?}", file.display(), home.graph().len(), home.left_out());
+    say!("  {} things are elsewhere by geometry", home.elsewhere().len());
+    rooms(&home);
+    if !options.rooms_only {
+        places(&home);
+    }
+    if options.goals {
+        goals(&home, won)?;
+    }
+    #[cfg(feature = "render")]
+    if let Some(out) = &options.out {
+        picture(&home, out, file)?;
     }
     Ok(())
 }

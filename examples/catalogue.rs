@@ -29,7 +29,7 @@ struct Options {
     #[arg(long = "class")]
     classes: Vec<String>,
     /// At most so many objects of each class.
-    #[arg(long)]
+    #[arg(long, value_parser = at_least_one)]
     per_class: Option<usize>,
     /// Open doors and drawers.
     #[arg(long)]
@@ -49,6 +49,11 @@ struct Options {
     /// Rows of tiles on a sheet.
     #[arg(long, default_value_t = 9)]
     rows: usize,
+}
+
+/// A number of objects.
+fn at_least_one(text: &str) -> Result<usize, String> {
+    text.parse().ok().filter(|number| *number > 0).ok_or_else(|| "a whole number from 1 up".to_owned())
 }
 
 /// One object on a sheet.

@@ -1,7 +1,8 @@
 //! Looks for what is wrong or odd with tasks.
 //!
 //! `cargo run --release --example lint -- FILE...` takes activities in BDDL
-//! (`.bddl`), lists of tasks (`.txt`) and our task files (`.json`); a folder stands
+//! (`.bddl`), lists of tasks (`.txt`) and our task files (`.json`); of PDDL (`.pddl`) it says whether it can
+//! be read; a folder stands
 //! for all activities in it. `--remarks` shows what is no fault as well, `--scene`
 //! tells which things there are. Files and lines that cannot be read are named, and the rest is checked.
 //! It ends with 1 if something is wrong, with 2 if something could not be read.
@@ -19,6 +20,7 @@ use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, SceneGraph};
 use vc_tasks::format::bddl::Activity;
 use vc_tasks::format::json;
+use vc_tasks::format::pddl::{Domain, Problem};
 use vc_tasks::lint::{self, Finding, Kind};
 use vc_tasks::{Task, TaskError};
 
@@ -90,6 +92,7 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>, tally: &mut Tally) {
         Ok(entries) => entries,
         Err(why) => return tally.cannot_read(format!("{}: {why}", path.display())),
     };
+    let before = files.len();
     entries.sort();
     // Domains are no tasks.
     let task = |p: &&PathBuf| {
@@ -97,6 +100,12 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>, tally: &mut Tally) {
         p.is_dir() || (name.ends_with(".bddl") && !name.starts_with("domain"))
     };
     entries.iter().filter(task).for_each(|entry| collect(entry, files, tally));
+    if files.len() == before {
+        tally.cannot_read(format!(
+            "{}: no activity (.bddl) is in this folder; name other files one by one",
+            path.display()
+        ));
+    }
 }
 
 fn findings(file: &Path, scene: Option<&SceneGraph>, tally: &mut Tally) -> Vec<Finding> {
@@ -107,6 +116,9 @@ fn findings(file: &Path, scene: Option<&SceneGraph>, tally: &mut Tally) -> Vec<F
             return Vec::new();
         }
     };
+    if file.extension().is_some_and(|e| e == "pddl") {
+        return planning(file, &text, tally);
+    }
     if file.extension().is_some_and(|e| e == "bddl") {
         let activity = Activity::read(&text).map_err(|why| tally.cannot_read(why.in_file(file)));
         return activity.map(|activity| lint::activity(&activity)).unwrap_or_default();
@@ -116,6 +128,21 @@ fn findings(file: &Path, scene: Option<&SceneGraph>, tally: &mut Tally) -> Vec<F
         lint::goal(&task.goal, scene).into_iter().map(titled).collect::<Vec<_>>()
     };
     tasks(file, &text, tally).iter().flat_map(of).collect()
+}
+
+/// Domains and problems of planners are read, and no more.
+fn planning(file: &Path, text: &str, tally: &mut Tally) -> Vec<Finding> {
+    let read = match text.parse::<Domain>() {
+        Ok(domain) => Ok(format!("the PDDL domain {}, with {} operators", domain.name, domain.operators.len())),
+        Err(_) => {
+            text.parse::<Problem>().map(|p| format!("the PDDL problem {}, with {} things", p.name, p.objects.len()))
+        }
+    };
+    match read {
+        Ok(about) => say!("{}: {about}; PDDL is read here, and looked at no further", file.display()),
+        Err(why) => tally.cannot_read(why.in_file(file)),
+    }
+    Vec::new()
 }
 
 /// The tasks of a list or of a file of ours.

@@ -9,6 +9,9 @@
 #[cfg(feature = "environment")]
 #[path = "support/bodies.rs"]
 mod bodies;
+#[cfg(feature = "environment")]
+#[path = "support/plain.rs"]
+mod plain;
 mod support;
 
 use std::path::{Path, PathBuf};
@@ -31,7 +34,7 @@ struct Options {
     /// The scene in which .txt programs run: any scene file, or one with graphs before and after.
     #[arg(long)]
     scene: Option<PathBuf>,
-    /// Run the programs of .jsonl with bodies in --scene, if they fit it: every number that a program names
+    /// Run the programs with bodies in --scene. Those of .jsonl have to fit it: every number that a program names
     /// has the same class there.
     #[cfg(feature = "environment")]
     #[arg(long)]
@@ -70,7 +73,12 @@ fn main() -> Result<ExitCode, Complaint> {
             return Err(Complaint::new("bodies go by our own rule: leave out --semantics, or --bodies"));
         }
         let scene = options.scene.as_deref().ok_or_else(|| Complaint::new("--bodies needs --scene FILE"))?;
-        let all_read = bodies::replay(&options.files, scene)?;
+        let (plain, records): (Vec<PathBuf>, Vec<PathBuf>) =
+            options.files.iter().cloned().partition(|file| plain::is_program(file));
+        let mut all_read = plain.is_empty() || plain::replay(&plain, scene);
+        if !records.is_empty() {
+            all_read &= bodies::replay(&records, scene)?;
+        }
         return Ok(if all_read { ExitCode::SUCCESS } else { ExitCode::FAILURE });
     }
     let classes = ClassTable::builtin();

@@ -11,6 +11,8 @@
 //! 9. [Ways over the floor by your own planner](#ways-over-the-floor-by-your-own-planner)
 //! 10. [A language model](#a-language-model)
 //! 11. [Pictures as data](#pictures-as-data)
+//! 12. [What one may do with what one sees](#what-one-may-do-with-what-one-sees)
+//! 13. [Tasks that are sure to be possible](#tasks-that-are-sure-to-be-possible)
 //!
 //! # Many homes at once
 //!
@@ -341,5 +343,57 @@
 //! let png: Vec<u8> = picture::png(&picture::rgb(&frame))?;
 //! let npy: Vec<u8> = format::npy(&frame.depth, &[frame.height, frame.width])?;
 //! assert!(png.starts_with(b"\x89PNG") && npy.len() > 4 * 64 * 48);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # What one may do with what one sees
+//!
+//! [`legal_actions`](crate::Environment::legal_actions) lists what can be done in the whole home. For an agent that is
+//! to choose among what it sees, the things are given. [`objects_in_view`](crate::Environment::objects_in_view) is what it
+//! sees as a list for JSON.
+//!
+//! ```
+//! use virtualcity::Environment;
+//! use virtualcity::graph::{Action, NodeId, Verb, rule};
+//!
+//! let home = Environment::make("apartment/42", 1)?;
+//! let me = home.agents()[0];
+//! let view: Vec<NodeId> = home.room_observation(me).ids().collect();
+//! let mut able = rule::legal_actions_with(home.graph(), me, &view);
+//! // Rooms are always known; a table is not to be typed on.
+//! able.retain(|action| !matches!(action.verb, Verb::Rinse | Verb::Type));
+//! assert!(able.iter().flat_map(Action::things).all(|id| view.contains(&id)));
+//! assert!(able.len() < home.legal_actions(me).len());
+//! println!("{}", serde_json::to_string(&home.objects_in_view(me))?);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Tasks that are sure to be possible
+//!
+//! A home out of a seed may have no mug, and then an episode about mugs is lost at once: its
+//! [`reason`](crate::planner::Episode::reason) says what the home has too little of. `Task::obstacles` says so before.
+//! For the 145 tasks of the benchmark, and tasks of your own in that form,
+//! [`at_home_that`](crate::initial::at_home_that) finds a home and puts into it what is missing, so that nothing is done
+//! yet and all of it can be.
+//!
+//! ```
+//! use virtualcity::Environment;
+//! use virtualcity::graph::Seed;
+//! use virtualcity::initial::{at_home_that, feasible, generator};
+//! use virtualcity::planner::{Newcomer, run_episode};
+//! use virtualcity::tasks::library::Benchmark;
+//! use virtualcity::tasks::{Outcome, Task, WorldError};
+//!
+//! let home = Environment::make("apartment/42", 1)?;
+//! let asked = Task::new("to the sea", "Holds(surfboard)".parse()?);
+//! println!("{}", asked.obstacles(home.graph())[0]);
+//!
+//! let benchmark = Benchmark::v1();
+//! let activity = benchmark.get("put_fridge-01").ok_or("no such task")?;
+//! let open = |scene| Environment::of(scene, 1).map_err(|e| WorldError::Failed(e.to_string()));
+//! let suits = |home: &Environment, initial: &_| feasible(activity, home, initial);
+//! let mut made = at_home_that(activity, Seed(3), &generator(), open, suits)?;
+//! let episode = run_episode(&mut Newcomer::best(), &made.initial.task, &mut made.world);
+//! assert_eq!(episode.outcome, Outcome::Won, "{:?}", episode.reason);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

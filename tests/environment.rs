@@ -14,6 +14,8 @@ mod common;
 mod deeds;
 #[path = "environment/made.rs"]
 mod made;
+#[path = "environment/wishes.rs"]
+mod wishes;
 
 use deeds::kept_thing;
 use virtualcity::graph::{Action, NodeId, SceneGraph, Seed, Verb};

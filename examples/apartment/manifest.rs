@@ -94,6 +94,14 @@ pub(crate) fn complete(set: &Set, volume: &Volume) -> Result<Option<Sidecar>, Co
             "{path} is of another set, made after {made}: choose another --out, or delete that set"
         )));
     }
+    if sidecar.seeds > volume.seeds {
+        return Err(Complaint::new(format!(
+            "{} is of another set, of {} seeds and not of {}: choose another --out, or delete that set",
+            path.display(),
+            sidecar.seeds,
+            volume.seeds
+        )));
+    }
     let bytes = std::fs::metadata(set.out.join(volume.name())).map(|m| m.len());
     let whole = sidecar.seeds == volume.seeds && bytes.is_ok_and(|b| b == sidecar.bytes);
     Ok(whole.then_some(sidecar))

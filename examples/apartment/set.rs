@@ -72,8 +72,11 @@ pub(crate) struct Volume {
 impl Volume {
     /// The file's name.
     pub(crate) fn name(&self) -> String {
-        format!("homes_{:012}.jsonl.gz", self.first)
+        format!("{}{:012}{}", Self::NAME.0, self.first, Self::NAME.1)
     }
+
+    /// A name's parts, around the first seed.
+    const NAME: (&str, &str) = ("homes_", ".jsonl.gz");
 
     fn batches(&self) -> usize {
         self.seeds.div_ceil(BATCH) as usize
@@ -85,10 +88,16 @@ impl Volume {
     }
 }
 
+/// The first seed of a file by its name, if it is one of a set.
+fn first_of(name: &str) -> Option<u64> {
+    name.strip_prefix(Volume::NAME.0)?.strip_suffix(Volume::NAME.1)?.parse().ok()
+}
+
 /// Makes what is not there yet, then writes the manifest.
 pub(crate) fn run(set: &Set) -> Result<(), Complaint> {
     let start = Instant::now();
     let volumes = set.volumes()?;
+    set.stands_alone()?;
     let total: u64 = volumes.iter().map(|v| v.seeds).sum();
     let progress = ProgressBar::new(total);
     let style = ProgressStyle::with_template("{wide_bar} {pos}/{len} homes, {per_sec}, {eta} left");
@@ -115,11 +124,31 @@ impl Set {
             return Err(Complaint::new(format!("these would be {files} files: choose a higher --per-file")));
         }
         let mine = |i: &u64| self.shard.is_none_or(|s| i % s.of == s.index);
-        let volume = |i| Volume {
-            first: self.seed + i * self.per_file,
-            seeds: self.per_file.min(self.count - i * self.per_file),
-        };
-        Ok((0..files).filter(mine).map(volume).collect())
+        Ok((0..files).filter(mine).map(|i| self.volume(i)).collect())
+    }
+
+    fn volume(&self, index: u64) -> Volume {
+        let before = index * self.per_file;
+        Volume { first: self.seed + before, seeds: self.per_file.min(self.count - before) }
+    }
+
+    /// Refuses a folder in which there are files of a set of other seeds or other lengths: its manifest and this
+    /// one's would be at odds with them.
+    fn stands_alone(&self) -> Result<(), Complaint> {
+        let Ok(entries) = std::fs::read_dir(&self.out) else { return Ok(()) };
+        let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+        let mut others: Vec<String> =
+            names.filter(|name| first_of(name).is_some_and(|first| !self.has(first))).collect();
+        others.sort();
+        let Some(other) = others.first() else { return Ok(()) };
+        let path = self.out.join(other);
+        Err(Complaint::new(format!("{} is of another set: choose another --out, or delete that set", path.display())))
+    }
+
+    /// Whether a file of this set, of any shard, begins with a seed.
+    fn has(&self, first: u64) -> bool {
+        let after = first.checked_sub(self.seed);
+        after.is_some_and(|after| after < self.count && after.is_multiple_of(self.per_file))
     }
 
     /// The batches of a file that are there already, of a run that was broken off.
@@ -371,6 +400,29 @@ mod tests {
         let other = Set { recipe: wishes.recipe(), ..small };
         let complaint = format!("{:?}", run(&other).unwrap_err());
         assert!(complaint.contains("another set"), "{complaint}");
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn a_set_grows_and_is_not_overwritten_by_another() {
+        let folder = folder("grows");
+        let first = Set { count: 4, per_file: 2, ..set(&folder, 1, None) };
+        run(&first).unwrap();
+        let whole = files(&folder);
+        let others = [
+            Set { count: 2, ..set(&folder, 1, None) },
+            Set { count: 4, per_file: 1, ..set(&folder, 1, None) },
+            Set { count: 4, per_file: 4, ..set(&folder, 1, None) },
+            Set { count: 4, per_file: 2, seed: 8, ..set(&folder, 1, None) },
+            Set { count: 4, per_file: 2, seed: 50, ..set(&folder, 1, None) },
+        ];
+        for other in others {
+            let complaint = format!("{:?}", run(&other).unwrap_err());
+            assert!(complaint.contains("another set"), "{complaint}");
+            assert_eq!(files(&folder), whole);
+        }
+        run(&Set { count: 5, per_file: 2, ..set(&folder, 1, None) }).unwrap();
+        assert!(whole.keys().filter(|n| n.starts_with("homes_")).all(|n| files(&folder)[n] == whole[n]));
         std::fs::remove_dir_all(&folder).unwrap();
     }
 

@@ -37,10 +37,10 @@ struct Options {
     #[arg(long, default_value_t = 240, value_parser = clap::value_parser!(u32).range(16..=2048))]
     height: u32,
     /// Pictures a second.
-    #[arg(long, default_value_t = 12)]
+    #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u16).range(1..=240))]
     rate: u16,
     /// Metres a second.
-    #[arg(long, default_value_t = 1.2)]
+    #[arg(long, default_value_t = 1.2, value_parser = speed)]
     speed: f32,
     /// Shows instances and depth as well.
     #[arg(long)]
@@ -50,12 +50,18 @@ struct Options {
     exr: bool,
 }
 
+/// Metres a second.
+fn speed(text: &str) -> Result<f32, String> {
+    let speed = text.parse().ok().filter(|speed| (0.01..=100.0).contains(speed));
+    speed.ok_or_else(|| "a speed is a number from 0.01 to 100, metres a second".to_owned())
+}
+
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
     std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
     let mut scene = Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene();
     let walk = path::through(&mut scene)?;
-    let step = options.speed.clamp(0.01, 100.0) / f32::from(options.rate.max(1));
+    let step = options.speed / f32::from(options.rate);
     let camera = Camera::with_fov(options.width, options.height, 1.2);
     let cameras = walk.cameras(camera, step, options.pictures as usize + 1);
     let mut renderer = Renderer::new();
@@ -68,8 +74,7 @@ fn main() -> Result<(), Complaint> {
         if options.labels || options.exr {
             wanted |= Modality::Instance | Modality::Depth;
         }
-        let adapts =
-            (!pictures.is_empty()).then(|| Adaptation::after(frame.exposure, 1.0 / f32::from(options.rate.max(1))));
+        let adapts = (!pictures.is_empty()).then(|| Adaptation::after(frame.exposure, 1.0 / f32::from(options.rate)));
         let shot = Shot::new(&snapshot, &pair[0], wanted).lit(&lighting).after(&snapshot, &pair[1]);
         let shot = Shot { adapts, ..shot };
         renderer.render(&shot, &mut frame).map_err(Complaint::new)?;

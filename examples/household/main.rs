@@ -11,9 +11,11 @@
 //! are done again from the beginning, and have to lead to the same home.
 //! `--symbolic` does it without bodies: by default the bundled
 //! apartment, three apples to the kitchen table, and the fridge closed at the end; the folder then has
-//! `trajectory.jsonl` and a page with belief and log.
+//! `trajectory.jsonl` and a page with belief and log. What an earlier run wrote into the folder and this one does
+//! not is removed.
 //! `--list` shows what can be asked of the home or scene.
 
+mod asked;
 mod choose;
 mod physical;
 #[path = "../support/mod.rs"]
@@ -29,20 +31,20 @@ use vc_planner::{Newcomer, Policy, Random, Resident};
 /// An agent pursues a household goal, seeing only the room it stands in.
 #[derive(Parser)]
 pub(crate) struct Options {
-    /// The home's seed; what the agent guesses by.
-    #[arg(long, default_value_t = 9)]
-    seed: u64,
+    /// The home's seed, 9 if not said; what the agent guesses by.
+    #[arg(long)]
+    seed: Option<u64>,
     /// A scene: the thesis's JSON, VirtualHome's environment graph or our own.
     #[arg(long)]
     scene: Option<PathBuf>,
     /// A task of the library, by the beginning of its title.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "goal")]
     task: Option<String>,
     /// The goal, such as "Inside(plate, dishwasher), 2 & Closed(dishwasher)".
     #[arg(long)]
     goal: Option<String>,
     /// How many agents are in the home. Planners share the goal; of the others the first one acts.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = agents)]
     agents: usize,
     /// The folder to write to.
     #[arg(long, default_value = "out/household")]
@@ -65,15 +67,28 @@ pub(crate) struct Options {
     /// Write a dataset as well: frames with their boxes and masks as COCO, the scene as glTF.
     #[arg(long)]
     dataset: bool,
-    /// Pixels across of each picture; it is three quarters as high.
-    #[arg(long, default_value_t = 480, value_parser = clap::value_parser!(u32).range(64..=1280))]
-    width: u32,
-    /// How many times finer pictures are made along each side before they are shrunk, which smooths edges.
-    #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=4))]
-    finer: u32,
+    /// Pixels across of each picture, 480 if not said; it is three quarters as high.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(64..=1280))]
+    width: Option<u32>,
+    /// How many times finer pictures are made along each side before they are shrunk, which smooths edges; twice if
+    /// not said.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=4))]
+    finer: Option<u32>,
     /// The hour of the day whose light comes in: 12 is noon, 19 dusk, 23 night.
     #[arg(long, value_parser = hour)]
     hour: Option<f32>,
+}
+
+impl Options {
+    fn seed(&self) -> u64 {
+        self.seed.unwrap_or(9)
+    }
+}
+
+/// How many agents act.
+fn agents(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|number| *number > 0);
+    number.ok_or_else(|| "somebody has to act: a whole number from 1 up".to_owned())
 }
 
 /// An hour of the day.
@@ -108,5 +123,6 @@ impl Who {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
+    asked::check(&options)?;
     if options.symbolic { symbolic::main(&options) } else { physical::main(&options) }
 }

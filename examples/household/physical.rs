@@ -24,9 +24,9 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     let start = Instant::now();
     let name = match &options.scene {
         Some(file) => format!("scene:{}", file.display()),
-        None => format!("apartment/{}", options.seed),
+        None => format!("apartment/{}", options.seed()),
     };
-    let home = Environment::make(&name, options.agents.max(1)).map_err(Complaint::new)?;
+    let home = Environment::make(&name, options.agents).map_err(Complaint::new)?;
     for (id, class) in home.left_out() {
         say!("left out  {class}.{}, which fell out of the home", id.0);
     }
@@ -39,12 +39,13 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     say!("home   {name}: {} rooms, {} nodes", home.graph().rooms().len(), home.graph().len());
     say!("agent  {} in {}", home.graph().label(me), room(&home, me));
     say!("task   {}: {}\n", task.title, task.goal);
-    let (width, finer, daylight) = (options.width, options.finer, options.hour.map(Daylight::at));
-    let wanted = RecordOptions { width, dataset: options.dataset, finer, daylight };
+    let usual = RecordOptions::default();
+    let (width, finer) = (options.width.unwrap_or(usual.width), options.finer.unwrap_or(usual.finer));
+    let wanted = RecordOptions { width, dataset: options.dataset, finer, daylight: options.hour.map(Daylight::at) };
     let first = home.clone();
     let mut recorder = Recorder::create(&options.out, home, me, &task, wanted).map_err(Complaint::new)?;
     let mut policy = options.policy.policy();
-    let episode = match team(options, recorder.environment(), &task) {
+    let episode = match team(options, recorder.environment().graph(), &task) {
         Some(team) => act_together(options, team, &task, &mut recorder)?,
         None => act(options, me, &task, policy.as_mut(), &mut recorder)?,
     };
@@ -87,7 +88,7 @@ fn act(
     recorder: &mut Recorder,
 ) -> Result<Summary, Complaint> {
     let bar = bar(options)?;
-    let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
+    let run = Run { agent: Some(me), ..Run::seeded(options.seed()) };
     let mut lines = Lines::of(recorder.graph());
     let episode = run.episode(policy, task, recorder, &mut |step| {
         bar.inc(1);
@@ -100,11 +101,11 @@ fn act(
 }
 
 /// The agents as a team, where there are several and they plan.
-fn team(options: &Options, home: &Environment, task: &Task) -> Option<Team> {
-    let (graph, ids) = (home.graph(), home.agents());
+fn team(options: &Options, graph: &SceneGraph, task: &Task) -> Option<Team> {
+    let ids = graph.agents();
     match options.policy {
         _ if ids.len() < 2 => None,
-        Who::Planner => Some(Team::newcomers(graph, ids, &task.goal, options.seed)),
+        Who::Planner => Some(Team::newcomers(graph, ids, &task.goal, options.seed())),
         Who::Oracle => Some(Team::residents(graph, ids, &task.goal)),
         Who::Faithful | Who::Random => None,
     }

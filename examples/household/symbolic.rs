@@ -9,7 +9,7 @@ use vc_graph::goal::Situation;
 use vc_graph::{Action, ClassTable, Kind, NodeId, SceneGraph, Simulator, Verb, Word};
 use vc_planner::{Episode, Header, Run, Step, Trajectory};
 use vc_tasks::{Outcome, Task};
-use virtualcity::Page;
+use virtualcity::{Page, Recorder};
 
 use crate::Options;
 use crate::choose::{choose, told};
@@ -56,7 +56,9 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     say!("task   {}: {}\n", task.title, task.goal);
     let mut policy = options.policy.policy();
     let mut world = Simulator::new(scene.clone());
-    let run = Run { agent: Some(me), ..Run::seeded(options.seed) };
+    let run = Run { agent: Some(me), ..Run::seeded(options.seed()) };
+    // What an earlier run with bodies wrote would stay beside this one's.
+    Recorder::clear(&options.out).map_err(Complaint::new)?;
     let mut record = Record::create(&options.out.join("trajectory.jsonl"))?;
     let header = Header::of(&run, policy.as_ref(), task, scene);
     record.line(&header)?;
@@ -219,6 +221,39 @@ mod tests {
     use vc_planner::Trajectory;
 
     use super::*;
+
+    #[test]
+    fn options_without_a_meaning_are_refused() {
+        let symbolic = ["--agents=2", "--dataset", "--hour=19", "--finer=3", "--width=320", "--list --goal=Holds(mug)"];
+        let bodies = ["--classes=none", "--list --task=zzz", "--list --dataset", "--classes=none --list"];
+        let cases = symbolic.map(|more| format!("--symbolic {more}")).into_iter().chain(bodies.map(str::to_owned));
+        for words in cases {
+            let options = Options::parse_from(std::iter::once("household").chain(words.split(' ')));
+            let complaint = format!("{:?}", crate::asked::check(&options).unwrap_err());
+            assert!(complaint.contains("does not apply: "), "{words}: {complaint}");
+        }
+        for words in ["--symbolic --seed=3", "--seed=7 --agents=2 --hour=19", "--list --seed=3", "--symbolic --list"] {
+            let options = Options::parse_from(std::iter::once("household").chain(words.split(' ')));
+            assert!(crate::asked::check(&options).is_ok(), "{words}");
+        }
+        for words in ["--agents=0", "--agents=x", "--task=a --goal=Holds(mug)"] {
+            assert!(Options::try_parse_from(std::iter::once("household").chain(words.split(' '))).is_err(), "{words}");
+        }
+    }
+
+    #[test]
+    fn what_an_earlier_run_left_is_removed() {
+        let out = std::env::temp_dir().join(format!("vc-household-left-{}", std::process::id()));
+        std::fs::create_dir_all(out.join("film")).unwrap();
+        for name in ["film.gif", "map.png", "end.png", "film/000.jpg", "mine.png", "film/mine.txt"] {
+            std::fs::write(out.join(name), "old").unwrap();
+        }
+        super::main(&Options::parse_from(["household", "--symbolic", "--out", out.to_str().unwrap()])).unwrap();
+        let there = |name: &str| out.join(name).exists();
+        assert!(["film.gif", "map.png", "end.png", "film/000.jpg"].iter().all(|name| !there(name)));
+        assert!(["mine.png", "film/mine.txt", "index.html", "trajectory.jsonl"].iter().all(|name| there(name)));
+        std::fs::remove_dir_all(out).unwrap();
+    }
 
     #[test]
     fn what_is_written_is_read_back_and_replays() {

@@ -15,6 +15,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Parser;
+use indicatif::ProgressBar;
 use support::{Complaint, say};
 use vc_graph::{SceneGraph, Seed, Simulator, did_you_mean};
 use vc_tasks::initial::{Added, Generator, Purpose};
@@ -32,17 +33,23 @@ struct Options {
     #[arg(long, default_value = "")]
     task: String,
     /// How many environments of each task.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     seeds: u64,
     /// The first seed.
     #[arg(long, default_value_t = 0)]
     seed: u64,
-    /// How many things to add that are of no use.
-    #[arg(long, default_value_t = 0)]
+    /// How many things to add that are of no use, at most a thousand.
+    #[arg(long, default_value_t = 0, value_parser = distractors)]
     distractors: usize,
     /// How many added things to draw.
     #[arg(long, default_value_t = 40)]
     pictures: usize,
+}
+
+/// More than a thousand would take minutes, and find no place in a home.
+fn distractors(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|number| *number <= 1000);
+    number.ok_or_else(|| "a whole number from 0 to 1000: a home has no place for more".to_owned())
 }
 
 type Home = AtHome<Simulator>;
@@ -73,7 +80,12 @@ fn main() -> Result<(), Complaint> {
     let mut sums: BTreeMap<&str, Sum> = BTreeMap::new();
     let mut tiles = Vec::new();
     let mut failed = Vec::new();
+    if options.seed.checked_add(options.seeds).is_none() {
+        return Err(Complaint::new(format!("seeds end at {}: choose a lower --seed", u64::MAX)));
+    }
+    let bar = ProgressBar::new(chosen.len() as u64 * options.seeds);
     for (activity, seed) in chosen.iter().flat_map(|a| (0..options.seeds).map(move |i| (*a, options.seed + i))) {
+        bar.inc(1);
         let start = Instant::now();
         let generator = Generator::new(&Catalogue).distractors(options.distractors);
         match at_home(activity, Seed(seed), &generator, |home| Ok(Simulator::new(home))) {
@@ -87,6 +99,7 @@ fn main() -> Result<(), Complaint> {
             Err(error) => failed.push(format!("{} {seed}: {error}", activity.id)),
         }
     }
+    bar.finish_and_clear();
     support::write(&path("environments.jsonl"), list)?;
     table(&sums);
     tiles.truncate(options.pictures);

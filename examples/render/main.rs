@@ -46,7 +46,8 @@ struct Options {
     #[arg(long, value_enum, default_value_t = Hour::Day)]
     daylight: Hour,
     /// Also make the reference picture, with so many paths for each pixel.
-    #[arg(long, num_args = 0..=1, default_missing_value = "48")]
+    #[arg(long, num_args = 0..=1, default_missing_value = "48",
+        value_parser = clap::value_parser!(u32).range(1..=100_000))]
     reference: Option<u32>,
     /// Do not smooth the reference picture.
     #[arg(long)]

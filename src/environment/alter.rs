@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use nalgebra::Point2;
+use vc_graph::class::Category;
 use vc_graph::{
-    Draft, EditError, Effect, Label, NodeId, Place, Pose, Relation, SceneBuilder, Seed, did_you_mean, rule,
+    Class, Draft, EditError, Effect, Label, NodeId, Place, Pose, Property, Relation, SceneBuilder, Seed, did_you_mean,
+    rule,
 };
 use vc_physics::{PhysicsError, Posture, Role};
 use vc_tasks::initial::Stock;
@@ -36,11 +38,22 @@ pub enum AlterError {
     /// There is no generator for things of the class.
     #[error("there is no generator for the class `{0}`: `procgen::object::generator` has those there are")]
     NoGenerator(String),
+    /// Things of the class are not set down in a home.
+    #[error("no {class} is set down in a home: {why}")]
+    NoThing {
+        /// The class.
+        class: String,
+        /// Why not, and what to do instead.
+        why: &'static str,
+    },
+    /// Things are not put on people.
+    #[error("{0} is an agent: things get into its hands by `grab`, onto its body by `wear`")]
+    OnAgent(Label),
     /// The node is not there.
     #[error("there is no node {0}")]
     NoSuchNode(NodeId),
     /// Things are put on or in others; nothing else can be asked for.
-    #[error("a thing is put on or inside something, not `{0}`")]
+    #[error("a thing is put `on` or `inside` something, or `in_room` a room, not `{0}` something")]
     NotAPlace(Relation),
     /// The thing is part of the home, or held or worn by somebody.
     #[error("{0} cannot be put elsewhere: it is fixed, held or worn")]
@@ -100,7 +113,8 @@ impl From<NodeId> for Spot {
 }
 
 impl Environment {
-    /// Adds a thing of a class at a place: on or in something, or on the floor of a room. It looks as the
+    /// Adds a thing of a class at a place: on or in something, or on the floor of a room, for which a room stands
+    /// with any of these relations. It looks as the
     /// generator makes it, the same in the same scene, and comes to rest. The history is kept, and other
     /// things stay as they are: [`reset`](Self::reset) with an edited graph begins anew instead.
     ///
@@ -121,6 +135,9 @@ impl Environment {
     /// [`AlterError`]; then nothing has changed.
     pub fn spawn(&mut self, class: &str, place: Place) -> Result<NodeId, AlterError> {
         let known = self.graph.classes().get(class).ok_or_else(|| self.no_such_class(class))?;
+        if let Some(why) = no_thing(known) {
+            return Err(AlterError::NoThing { class: known.name.to_string(), why });
+        }
         let place = self.checked(place)?;
         let mut library = self.graph.assets().as_ref().clone();
         let seed = Seed(self.graph.len() as u64).child("spawn");
@@ -232,10 +249,14 @@ impl Environment {
 
     /// A place where something can be put; a room stands for its floor.
     fn checked(&self, place: Place) -> Result<Place, AlterError> {
-        if !matches!(place.relation, Relation::On | Relation::Inside) {
+        let in_room = place.relation == Relation::InRoom && self.graph.rooms().contains(&place.at);
+        if !in_room && !matches!(place.relation, Relation::On | Relation::Inside) {
             return Err(AlterError::NotAPlace(place.relation));
         }
         self.graph.node(place.at).ok_or(AlterError::NoSuchNode(place.at))?;
+        if self.agents().contains(&place.at) {
+            return Err(AlterError::OnAgent(self.graph.label(place.at)));
+        }
         let floors = || self.graph.of_class("floor");
         let floor = self.graph.rooms().contains(&place.at).then(floors);
         let floor = floor.and_then(|all| all.into_iter().find(|id| self.graph.room_of(*id) == Some(place.at)));
@@ -297,6 +318,22 @@ impl Environment {
     fn stands_at(&self, agent: NodeId, at: &Point2<f32>) -> bool {
         let feet = Pose::translation(at.x, at.y, self.floor.plan().level);
         self.floor.is_free(*at) && self.world.stands_free(agent, &feet).is_ok_and(|free| free)
+    }
+}
+
+/// Why things of a class are not set down in a home, if so.
+fn no_thing(class: &Class) -> Option<&'static str> {
+    match class.category {
+        Category::Room | Category::Structure | Category::Door | Category::Window => {
+            Some("it is part of the building; edit the scene and make an environment of it")
+        }
+        Category::Character => Some("agents are there from the start; ask `make` for more"),
+        _ if class.affordances.contains(Property::Drivable) => Some("vehicles stay outdoors"),
+        // What one drinks and cannot take is what vessels hold.
+        _ if class.affordances.contains(Property::Pourable) && !class.affordances.contains(Property::Graspable) => {
+            Some("it is a liquid; let an agent `fill` a vessel")
+        }
+        _ => None,
     }
 }
 

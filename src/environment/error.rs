@@ -77,7 +77,11 @@ pub enum MakeError {
 #[non_exhaustive]
 pub enum ResetError {
     /// The graph's agents are not those of this environment.
-    #[error("the graph has agents {found:?}, this environment has {expected:?}")]
+    #[error(
+        "the graph has {}, this environment has {}: its agents cannot be added, removed or replaced",
+        agents(.found),
+        agents(.expected)
+    )]
     OtherAgents {
         /// Of the environment.
         expected: Vec<Label>,
@@ -96,6 +100,10 @@ pub enum ResetError {
     /// Shapes cannot be made for things that lack one.
     #[error(transparent)]
     Dress(#[from] DressError),
+}
+
+fn agents(labels: &[Label]) -> String {
+    if labels.is_empty() { "no agents".to_owned() } else { format!("the agents {}", in_a_row(labels)) }
 }
 
 /// Why an action was not done; then nothing has changed.
@@ -239,6 +247,9 @@ pub enum SaveError {
     /// The bytes do not begin as saved environments do, or are cut off.
     #[error("these bytes are not a saved environment")]
     NotSaved,
+    /// More follows after a saved environment.
+    #[error("{0} bytes follow after the saved environment: give the bytes of `save` alone")]
+    More(usize),
     /// They were saved by an environment that began otherwise.
     #[error("the environment was saved from another start: {found} instead of {expected}")]
     OtherStart {

@@ -18,6 +18,9 @@ use crate::figure;
 const LANDING: u32 = 24;
 /// Free floor kept between agents, metres from middle to middle.
 const APART: f32 = 0.8;
+/// Rings of half a metre around the middle of each room in which somebody is to stand, and the most that are looked at.
+const RINGS: i32 = 32;
+const FARTHEST: i32 = 2000;
 /// How far from the middle of its room an agent may stand, metres.
 const ASTRAY: f32 = 2.5;
 
@@ -182,21 +185,25 @@ fn standing_places(
     let there: Vec<Point2<f32>> = world.agents().filter_map(|a| Some(at(&world.pose(a)?))).collect();
     let middles: Vec<(NodeId, Point2<f32>)> = graph.rooms().iter().filter_map(|&r| middle(graph, floor, r)).collect();
     let rooms = if missing > 0 { most_joined(floor, middles) } else { Vec::new() };
-    let mut taken = there;
+    let mut taken = Spaced::new(&there);
     let mut found = Vec::new();
     if let Some(&(_, base)) = rooms.first() {
-        let within = |p: &Point2<f32>| floor.route(base, *p).is_some();
-        for ring in 0..32 {
-            for (room, middle) in &rooms {
-                if found.len() == missing {
-                    return Ok(found);
-                }
-                let free = |p: &Point2<f32>| taken.iter().all(|t| (t - p).norm() >= APART);
-                let spot =
-                    around(middle, ring).find(|p| floor.is_free(*p) && free(p) && is_in(graph, *room, p) && within(p));
-                if let Some(spot) = spot {
-                    taken.push(spot);
-                    found.push((*room, Pose::translation(spot.x, spot.y, floor.plan().level)));
+        let suits = |room: NodeId, p: &Point2<f32>, taken: &Spaced| {
+            floor.is_free(*p) && taken.is_free(p) && is_in(graph, room, p) && floor.route(base, *p).is_some()
+        };
+        // One for each room and ring, so that all rooms have somebody; then the whole floor.
+        for (ring, most) in (0..RINGS).map(|ring| (ring, 1)).chain((0..FARTHEST).map(|ring| (ring, usize::MAX))) {
+            for (room, middle) in rooms.iter().filter(|(room, middle)| reaches(graph, *room, middle, ring)) {
+                let mut here = 0;
+                for spot in around(middle, ring) {
+                    if found.len() == missing || here == most {
+                        break;
+                    }
+                    if suits(*room, &spot, &taken) {
+                        taken.take(spot);
+                        here += 1;
+                        found.push((*room, Pose::translation(spot.x, spot.y, floor.plan().level)));
+                    }
                 }
             }
         }
@@ -206,6 +213,40 @@ fn standing_places(
         return Err(MakeError::NoRoom { asked: agents, found });
     }
     Ok(found)
+}
+
+/// Whether a ring around a point of a room has a part in the room's box.
+fn reaches(graph: &SceneGraph, room: NodeId, middle: &Point2<f32>, ring: i32) -> bool {
+    let aabb = graph.node(room).and_then(vc_graph::Node::aabb);
+    let far = |b: vc_graph::Aabb| {
+        [middle.x - b.min.x, b.max.x - middle.x, middle.y - b.min.y, b.max.y - middle.y].into_iter().fold(0.0, f32::max)
+    };
+    aabb.is_some_and(|b| 0.5 * ring as f32 <= far(b))
+}
+
+/// Points of the floor that are taken, in squares as wide as the distance to be kept.
+struct Spaced(BTreeMap<(i32, i32), Vec<Point2<f32>>>);
+
+impl Spaced {
+    fn new(points: &[Point2<f32>]) -> Self {
+        let mut all = Self(BTreeMap::new());
+        points.iter().for_each(|point| all.take(*point));
+        all
+    }
+
+    fn square(point: &Point2<f32>) -> (i32, i32) {
+        ((point.x / APART).floor() as i32, (point.y / APART).floor() as i32)
+    }
+
+    fn take(&mut self, point: Point2<f32>) {
+        self.0.entry(Self::square(&point)).or_default().push(point);
+    }
+
+    fn is_free(&self, point: &Point2<f32>) -> bool {
+        let (x, y) = Self::square(point);
+        let near = (-1..=1).flat_map(|i| (-1..=1).map(move |j| (x.saturating_add(i), y.saturating_add(j))));
+        near.filter_map(|square| self.0.get(&square)).flatten().all(|taken| (taken - point).norm() >= APART)
+    }
 }
 
 /// Of the middles of rooms the most between which one can walk.
@@ -245,7 +286,8 @@ pub(super) fn is_in(graph: &SceneGraph, room: NodeId, point: &Point2<f32>) -> bo
 /// Points on a square ring around a point, so many half-metres away.
 pub(super) fn around(middle: &Point2<f32>, ring: i32) -> impl Iterator<Item = Point2<f32>> + use<> {
     let middle = *middle;
-    let all = (-ring..=ring).flat_map(move |x| (-ring..=ring).map(move |y| (x, y)));
-    let own = all.filter(move |(x, y)| x.abs().max(y.abs()) == ring);
+    let whole = move |x: i32| x.abs() == ring;
+    let step = move |x: i32| if whole(x) || ring == 0 { 1 } else { 2 * ring as usize };
+    let own = (-ring..=ring).flat_map(move |x| (-ring..=ring).step_by(step(x)).map(move |y| (x, y)));
     own.map(move |(x, y)| middle + nalgebra::Vector2::new(x as f32, y as f32) * 0.5)
 }

@@ -47,7 +47,10 @@ impl Environment {
         }
         let (scene, rest) = part(rest)?;
         let (world, rest) = part(rest)?;
-        let (history, _) = part(rest)?;
+        let (history, rest) = part(rest)?;
+        if !rest.is_empty() {
+            return Err(SaveError::More(rest.len()));
+        }
         let text = |bytes| std::str::from_utf8(bytes).map_err(|_| SaveError::NotSaved);
         let mut graph = native::read(text(scene)?, self.start.graph.classes())?;
         let mut builder = SceneBuilder::of(graph);

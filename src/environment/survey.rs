@@ -1,7 +1,7 @@
 //! Questions that a program asks about a home before it acts: which actions are possible, which things
 //! there are, where one can walk.
 
-use vc_graph::format::objects::{Object, objects};
+use vc_graph::format::objects::{Object, objects, seen};
 use vc_graph::{Action, NodeId, rule};
 use vc_physics::Occupancy;
 
@@ -10,6 +10,10 @@ use super::{ActionError, Environment};
 impl Environment {
     /// Every action an agent can do now by the transition rule: those for which `rule::refusals` is empty.
     /// Bodies may still refuse a few, for want of a free spot or of a way: [`can_do`](Self::can_do) asks them.
+    ///
+    /// The whole home is listed, as the rule knows all of it: one may walk to and look for what one has never seen, and
+    /// use what is near in other ways than people would: `rinse living_room.0`, or `type radiator.133`, as what has a
+    /// switch is a device. The [guide](crate::guide#what-one-may-do-with-what-one-sees) lists those with what is in view.
     ///
     /// ```
     /// use virtualcity::Environment;
@@ -46,6 +50,21 @@ impl Environment {
     /// ```
     pub fn objects(&self) -> Vec<Object> {
         objects(&self.graph)
+    }
+
+    /// What an agent sees of its room ([`room_observation`](Self::room_observation)) as such a list.
+    ///
+    /// ```
+    /// let home = virtualcity::Environment::make("apartment/42", 1)?;
+    /// let me = home.agents()[0];
+    /// let seen = home.objects_in_view(me);
+    /// assert!(seen.iter().any(|object| object.id == me) && seen.len() < home.objects().len());
+    /// let json = serde_json::to_string(&seen)?;
+    /// assert!(json.contains("\"relations\""));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn objects_in_view(&self, agent: NodeId) -> Vec<Object> {
+        seen(&self.room_observation(agent))
     }
 
     /// The floor on which one can walk now, as a grid for planners of one's own: `Floor::occupancy`. Doors

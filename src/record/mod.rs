@@ -171,6 +171,15 @@ impl Recorder {
         Ok(Self { home, task, folder, film, dataset, trajectory, ways, time: 0.0, actions, failed })
     }
 
+    /// Removes the files of a record from a folder, if it has any, and no others: they would stay among those of
+    /// another record. [`create`](Self::create) begins with it.
+    ///
+    /// # Errors
+    /// [`RecordError::File`].
+    pub fn clear(folder: impl AsRef<Path>) -> Result<(), RecordError> {
+        clear(folder.as_ref(), false)
+    }
+
     /// The environment as it is.
     pub fn environment(&self) -> &Environment {
         &self.home
@@ -179,7 +188,8 @@ impl Recorder {
     /// How far the agents have gone, metres, all together.
     pub fn metres(&self) -> f32 {
         let length = |way: &Vec<Point2<f32>>| -> f32 { way.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum() };
-        self.ways.iter().map(length).sum()
+        // A sum of nothing is minus zero.
+        self.ways.iter().map(length).sum::<f32>() + 0.0
     }
 
     /// The home's time, seconds.

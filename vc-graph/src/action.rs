@@ -2,17 +2,18 @@
 
 use std::fmt;
 
+use crate::called::Called;
 use crate::vocabulary::{same_word, vocabulary};
 use crate::{Deed, NodeId, SceneGraph};
 
 vocabulary! {
     /// A verb. [`Verb::rule`](crate::Verb::rule) says what each needs and does.
     Verb, "verb" {
-        /// Go to a room or a thing.
+        /// Go to a room or a thing, seen or not: the rule knows where everything is.
         Walk = "walk",
         /// Go there fast.
         Run = "run",
-        /// Go to a thing unless it is near.
+        /// Go to a thing unless it is near, seen or not.
         Find = "find",
         /// Turn towards a thing.
         TurnTo = "turn_to",
@@ -66,7 +67,7 @@ vocabulary! {
         Wipe = "wipe",
         /// Wash a thing.
         Wash = "wash",
-        /// Rinse a thing.
+        /// Rinse anything near, with nothing.
         Rinse = "rinse",
         /// Scrub a thing.
         Scrub = "scrub",
@@ -94,7 +95,7 @@ vocabulary! {
         Move = "move",
         /// Squeeze a thing.
         Squeeze = "squeeze",
-        /// Type on a keyboard or device.
+        /// Type on a keyboard, or on anything with a switch.
         Type = "type",
         /// Greet a person.
         Greet = "greet",
@@ -193,7 +194,8 @@ impl Verb {
 /// A verb with the things it is done to.
 ///
 /// Prints with plain numbers, `grab #12`; [`Action::describe`] adds the classes,
-/// `grab cup.12`. Both read back.
+/// `grab cup.12`. Both read back. An action that is read with labels is refused
+/// where a thing is not what its label says: [`Called`].
 ///
 /// ```
 /// use vc_graph::{Action, NodeId, Verb};
@@ -210,6 +212,8 @@ pub struct Action {
     pub object: Option<NodeId>,
     /// With, on or into what.
     pub target: Option<NodeId>,
+    /// What the text it was read from calls its things.
+    pub called: Called,
 }
 
 /// Text that is no action.
@@ -249,17 +253,17 @@ pub enum ActionError {
 impl Action {
     /// An action on nothing: `stand`.
     pub const fn zero(verb: Verb) -> Self {
-        Self { verb, object: None, target: None }
+        Self { verb, object: None, target: None, called: Called::NOTHING }
     }
 
     /// An action on one thing: `grab #12`.
     pub const fn one(verb: Verb, object: NodeId) -> Self {
-        Self { verb, object: Some(object), target: None }
+        Self { object: Some(object), ..Self::zero(verb) }
     }
 
     /// An action on two things: `place #12 #3`.
     pub const fn two(verb: Verb, object: NodeId, target: NodeId) -> Self {
-        Self { verb, object: Some(object), target: Some(target) }
+        Self { object: Some(object), target: Some(target), ..Self::zero(verb) }
     }
 
     /// An action on as many things as are given.
@@ -274,7 +278,7 @@ impl Action {
             return Err(ActionError::Arity { verb, takes, given });
         }
         let (object, target) = (things.first().copied(), things.get(1).copied());
-        Ok(Self { verb, object: object.filter(|_| takes > 0), target })
+        Ok(Self { object: object.filter(|_| takes > 0), target, ..Self::zero(verb) })
     }
 
     /// The things it is done to.
@@ -324,7 +328,10 @@ impl std::str::FromStr for Action {
 
     fn from_str(text: &str) -> Result<Self, ActionError> {
         let deed: Deed = text.parse()?;
-        if deed.character == 0 { Ok(deed.action) } else { Err(ActionError::Character(deed.character)) }
+        match deed.character {
+            0 => Ok(Self { called: Called::of(&deed.action, &deed.labels), ..deed.action }),
+            someone => Err(ActionError::Character(someone)),
+        }
     }
 }
 

@@ -1,7 +1,11 @@
 //! Checking labels: `milk.8` may name a node that is a knife.
 
-use crate::vocabulary::{clip, same_word};
-use crate::{Label, NodeId, SceneGraph, nearest};
+use std::cmp::Ordering;
+use std::hash::{Hash, Hasher};
+use std::num::NonZeroU32;
+
+use crate::vocabulary::{clip, folded, same_word};
+use crate::{Action, Label, Node, NodeId, SceneGraph, nearest};
 
 /// A label whose class is not that of its node.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -59,4 +63,83 @@ impl SceneGraph {
     pub fn check_label(&self, label: &Label) -> Result<(), Misnomer> {
         self.check_name(&label.class, label.id)
     }
+}
+
+/// What a text calls the two things of an action, as marks of the names: small enough that an action stays
+/// a few words long. It makes no other action of it, so that all are equal.
+///
+/// ```
+/// use vc_graph::{Action, Draft, SceneBuilder, rule};
+/// let mut scene = SceneBuilder::new("flat");
+/// let room = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(room, Draft::new("kitchen_table"))?;
+/// let me = scene.add_in(room, Draft::new("character"))?;
+/// let graph = scene.build();
+/// let read = |text: String| text.parse::<Action>();
+/// assert!(rule::refusals(&graph, me, &read(format!("walk table.{}", table.0))?).is_empty());
+/// let wrong = rule::refusals(&graph, me, &read(format!("walk apple.{}", table.0))?);
+/// assert!(wrong[0].to_string().starts_with("kitchen_table.2 is not what the action calls it"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Called([Option<NonZeroU32>; 2]);
+
+impl Called {
+    /// Nothing is called anything.
+    pub const NOTHING: Self = Self([None; 2]);
+
+    /// The names that labels give the things of an action.
+    pub(crate) fn of(action: &Action, labels: &[Label]) -> Self {
+        let name = |id: NodeId| labels.iter().find(|label| label.id == id).map(|label| mark(&label.class));
+        Self([action.object, action.target].map(|id| id.and_then(name)))
+    }
+
+    /// The first thing of an action that is not what it is called.
+    pub(crate) fn misnamed(self, graph: &SceneGraph, action: &Action) -> Option<Label> {
+        let things = [action.object, action.target].into_iter().zip(self.0);
+        let nodes = things.filter_map(|(id, name)| Some((graph.node(id?)?, name?)));
+        nodes.into_iter().find(|(node, name)| !graph.is_called(node, *name)).map(|(node, _)| node.label())
+    }
+}
+
+impl SceneGraph {
+    /// Whether a name of a node, of its class or of a class that it is a kind of has a mark.
+    fn is_called(&self, node: &Node, name: NonZeroU32) -> bool {
+        let spec = node.spec();
+        let own = std::iter::once(&*spec.spelling).chain(spec.name.as_deref()).chain([&*spec.class]);
+        let table = self.classes();
+        let is_kind = |ancestor: &&crate::Class| table.is_a(&spec.class, &ancestor.name);
+        let names = |class: &crate::Class| std::iter::once(&class.name).chain(&class.aliases).any(|n| mark(n) == name);
+        own.into_iter().any(|own| mark(own) == name) || table.iter().filter(|class| names(class)).any(|c| is_kind(&c))
+    }
+}
+
+/// A number for a name, the same for all its spellings (FNV-1a).
+fn mark(name: &str) -> NonZeroU32 {
+    let mix = |sum: u32, c: char| (sum ^ u32::from(c)).wrapping_mul(0x0100_0193);
+    NonZeroU32::new(folded(name).fold(0x811c_9dc5, mix)).unwrap_or(NonZeroU32::MAX)
+}
+
+impl PartialEq for Called {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Eq for Called {}
+
+impl PartialOrd for Called {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Called {
+    fn cmp(&self, _: &Self) -> Ordering {
+        Ordering::Equal
+    }
+}
+
+impl Hash for Called {
+    fn hash<H: Hasher>(&self, _: &mut H) {}
 }

@@ -96,13 +96,20 @@ fn virtualhome(text: &str) -> Result<(Action, Vec<Label>), ActionError> {
     while let Some((name, after)) = rest.split_once('(') {
         let name = name.trim().strip_prefix('<').ok_or_else(bad)?;
         let (number, tail) = after.split_once(')').ok_or_else(bad)?;
-        let number = number.rsplit('.').next().unwrap_or(number).trim();
-        let id = NodeId(number.parse().map_err(|_| bad())?);
+        let id = instance(number).map(NodeId).ok_or_else(bad)?;
         labels.push(Label { class: name.trim_end_matches('>').trim().into(), id });
         rest = tail;
     }
     let things: Vec<NodeId> = labels.iter().map(|label| label.id).collect();
     if things.len() > 2 || !is_tail(rest.trim()) { Err(bad()) } else { Ok((Action::with(verb, &things)?, labels)) }
+}
+
+/// `12`, or `1.12`, where the instance comes after the dot.
+fn instance(number: &str) -> Option<u32> {
+    match number.split_once('.') {
+        Some((before, number)) => before.trim().parse::<u32>().ok().and(number.trim().parse().ok()),
+        None => number.trim().parse().ok(),
+    }
 }
 
 /// Nothing, or a number in brackets.

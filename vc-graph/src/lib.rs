@@ -39,7 +39,7 @@ pub use nalgebra;
 pub use action::{Action, ActionError, Verb};
 pub use asset::{Asset, AssetId, AssetLibrary};
 pub use builder::SceneBuilder;
-pub use called::Misnomer;
+pub use called::{Called, Misnomer};
 pub use change::{Change, ChangeSet, Misfit};
 pub use class::{Class, ClassError, ClassTable};
 pub use deed::Deed;

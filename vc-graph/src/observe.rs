@@ -14,7 +14,8 @@ use crate::{Edge, Node, NodeId, Place, Relation, SceneGraph};
 pub enum Scope {
     /// The agent's room, as the thesis's belief uses it.
     Room,
-    /// A radius around the agent, metres; needs poses.
+    /// A radius around the agent, metres; needs poses. Below zero, or no number, it reaches nothing: one sees
+    /// the rooms there are, oneself and what one carries.
     Radius(f32),
     /// Everything, closed containers included: full knowledge.
     Whole,
@@ -34,7 +35,7 @@ pub struct Observation {
 }
 
 impl SceneGraph {
-    /// What an agent sees. Costs a look at each node in reach.
+    /// What an agent sees; nothing, if there is no such node. Costs a look at each node in reach.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder, Scope};
@@ -50,6 +51,9 @@ impl SceneGraph {
     /// ```
     pub fn observe(&self, agent: NodeId, scope: Scope) -> Observation {
         let room = self.room_of(agent);
+        if self.node(agent).is_none() {
+            return Observation { agent, scope, room, nodes: Vec::new() };
+        }
         let mut seen: Vec<NodeId> = match scope {
             Scope::Whole => self.nodes().map(Node::id).collect(),
             Scope::Room => room.into_iter().flat_map(|r| self.in_room(r)).filter(|&id| self.open_to_view(id)).collect(),

@@ -10,7 +10,9 @@ use proptest::prelude::*;
 use shared::cases;
 use shared::edits::{apply, plans};
 use shared::scenes::{CLASSES, scene, steps};
-use vc_graph::{Kind, NEAR, Node, NodeId, Place, Property, Relation, SceneGraph, State, Word};
+use vc_graph::{
+    Draft, Kind, NEAR, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph, Scope, State, Word,
+};
 
 /// A scene that shows itself as its file.
 struct Shown(SceneGraph);
@@ -250,4 +252,21 @@ fn what_hangs_behind_the_wall_is_not_near() {
         let graph = scene.build();
         assert_eq!(pictures.map(|id| graph.near(me, id)), [true, !posed]);
     }
+}
+
+/// Who is not there sees nothing; who looks no way sees the rooms there are and what is its own.
+#[test]
+fn nobody_sees_nothing() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let me = scene.add_in(kitchen, Draft::new("character").at(Pose::identity())).unwrap();
+    scene.add_in(kitchen, Draft::new("cup").at(Pose::identity())).unwrap();
+    let graph = scene.build();
+    for scope in [Scope::Room, Scope::Radius(5.0), Scope::Whole] {
+        assert!(graph.observe(NodeId(99), scope).is_empty(), "{scope:?}");
+    }
+    for radius in [f32::NAN, -1.0, f32::NEG_INFINITY] {
+        assert_eq!(graph.observe(me, Scope::Radius(radius)).ids().collect::<Vec<_>>(), [kitchen, me]);
+    }
+    assert_eq!(graph.observe(me, Scope::Radius(f32::INFINITY)).len(), 3);
 }

@@ -264,3 +264,42 @@ fn misspelt_words_get_the_nearest() {
     assert!(classes.nearest("unicorn").is_empty());
     assert!(vc_graph::nearest("", ["a", "on"]).is_empty());
 }
+
+/// An action that names things is not done to others; whoever writes numbers alone says nothing about classes.
+#[test]
+fn actions_are_done_to_what_they_name() {
+    use vc_graph::{Draft, Refusal, SceneBuilder, rule};
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let table = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+    let apple = scene.add_on(table, Draft::new("apple")).unwrap();
+    let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let graph = scene.build();
+    let refusals = |text: &str| rule::refusals(&graph, me, &text.parse().unwrap());
+    let label = graph.label(table);
+    for good in ["walk kitchen_table.2", "walk KitchenTable.2", "walk table.2", "walk #2", "[WALK] <kitchentable> (2)"]
+    {
+        assert_eq!(refusals(good), [], "{good}");
+    }
+    for wrong in ["touch apple.2", "walk apple.2", "find milk.2", "[TOUCH] <apple> (2)", "grab apple.2"] {
+        assert_eq!(refusals(wrong), [Refusal::Misnamed(label.clone())], "{wrong}");
+        assert!(!rule::allows(&graph, me, &wrong.parse().unwrap()), "{wrong}");
+    }
+    let second = format!("place apple.{} apple.{}", apple.0, table.0);
+    assert_eq!(refusals(&second), [Refusal::Misnamed(label)]);
+    // It stays the same action, and prints as the scene calls things.
+    let (named, plain): (Action, Action) = ("grab apple.3".parse().unwrap(), Action::one(Verb::Grab, apple));
+    assert_eq!((named, named.to_string()), (plain, "grab #3".to_owned()));
+}
+
+#[test]
+fn numbers_that_no_node_can_have_are_errors() {
+    for text in ["On(#4294967296, a)", "Holds(apple.99999999999)", "Holds(apple.1x)", "Eat(#x)", "Eat(#)"] {
+        let error = text.parse::<Goal>().unwrap_err().to_string();
+        assert!(error.contains("expected the number of a node"), "{text}: {error}");
+    }
+    for text in ["[GRAB] <cup> (1.6.7)", "[GRAB] <cup> (a.7)", "[GRAB] <cup> (4294967296)", "[GRAB] <cup> (1.)"] {
+        assert!(text.parse::<Action>().is_err(), "{text}");
+    }
+    assert_eq!("[GRAB] <cup> (1.7)".parse::<Action>().unwrap(), Action::one(Verb::Grab, NodeId(7)));
+}

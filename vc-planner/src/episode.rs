@@ -6,7 +6,7 @@ use vc_tasks::{Outcome, Task, World};
 
 use crate::offline::as_json;
 use crate::policy::{Brief, Policy, Reaction};
-use crate::{Decision, Learned, Plan};
+use crate::{Decision, Learned, Plan, Unreachable};
 
 /// One step of an episode, as it is recorded.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -167,7 +167,7 @@ impl Running<'_> {
             }
             Decision::Act(action, plan) => (action, plan),
             Decision::Done => return Some((Outcome::Lost, None)),
-            Decision::GiveUp(why) => return Some((Outcome::Lost, Some(why.to_string()))),
+            Decision::GiveUp(why) => return Some((Outcome::Lost, Some(self.why(&why)))),
         };
         let mut step = describe(self.world.graph(), policy, &seen, &learned, action, &plan);
         step.observation = self.keeps_observations.then(|| as_json(&seen));
@@ -189,6 +189,16 @@ impl Running<'_> {
         step.digest = self.world.graph().digest().to_string();
         watch(&step);
         end
+    }
+
+    /// Why a policy gives up, and what the scene, which it need not know, has too little of.
+    fn why(&self, reason: &Unreachable) -> String {
+        let obstacles = match reason {
+            Unreachable::NoInstance(_) => self.task.obstacles(self.world.graph()),
+            _ => Vec::new(),
+        };
+        let obstacles: Vec<String> = obstacles.iter().map(ToString::to_string).collect();
+        if obstacles.is_empty() { reason.to_string() } else { format!("{reason}: {}", obstacles.join("; ")) }
     }
 
     fn holds(&self) -> bool {

@@ -55,6 +55,12 @@ pub enum RecordError {
         /// What is wrong with it.
         error: serde_json::Error,
     },
+    /// The first line is that of a `Recorder`, which writes what bodies did, with times and places.
+    #[error(
+        "line 1 is of a record with bodies, which the `Recorder` of the crate `virtualcity` writes: its lines are read \
+         as JSON; a `Trajectory` is what `to_json_lines` writes"
+    )]
+    WithBodies,
     /// There is no header or no summary.
     #[error("a record has a first line about the episode and a last one about how it ended")]
     TooShort,
@@ -140,6 +146,9 @@ impl Trajectory {
         let lines: Vec<(usize, &str)> =
             unmarked(text).lines().enumerate().map(|(i, l)| (i + 1, l)).filter(|(_, l)| !l.trim().is_empty()).collect();
         let [first, middle @ .., last] = lines.as_slice() else { return Err(RecordError::TooShort) };
+        if is_with_bodies(first.1) {
+            return Err(RecordError::WithBodies);
+        }
         let steps: Result<Vec<Step>, RecordError> = middle.iter().map(read).collect();
         Ok(Self { header: read(first)?, steps: steps?, summary: read(last)? })
     }
@@ -228,6 +237,12 @@ fn saw(step: &Step, seen: &Observation, graph: &SceneGraph) -> bool {
     let room = seen.room().map(|id| graph.label(id).to_string());
     let whole = step.observation.as_ref().is_none_or(|told| *told == as_json(seen));
     whole && room == step.room && seen.len() == step.seen && seen.digest().to_string() == step.sight
+}
+
+/// Whether a first line names its agent, as records with bodies do; ours give the agent's number.
+fn is_with_bodies(line: &str) -> bool {
+    let header = serde_json::from_str::<serde_json::Value>(line);
+    header.is_ok_and(|header| header.get("agent").is_some_and(serde_json::Value::is_string))
 }
 
 fn read<T: serde::de::DeserializeOwned>(&(line, text): &(usize, &str)) -> Result<T, RecordError> {

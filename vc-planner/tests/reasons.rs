@@ -83,3 +83,17 @@ fn a_thing_that_is_called_what_it_is_not_is_refused() {
         assert!(plan(&mut scene.clone(), me, &goal.parse().unwrap(), &History::default()).is_ok(), "{goal}");
     }
 }
+
+/// An episode that is lost because the scene has too little of something says of what, and how much there is.
+#[test]
+fn what_the_scene_lacks_is_named() {
+    let (scene, _) = flat();
+    let task = vc_tasks::Task::new("tea", "On(mug, kitchen_table), 2 & Holds(apple)".parse().unwrap());
+    let mut world = vc_graph::Simulator::new(scene);
+    for policy in
+        [&mut vc_planner::Newcomer::best() as &mut dyn vc_planner::Policy, &mut vc_planner::Resident::default()]
+    {
+        let reason = vc_planner::run_episode(policy, &task, &mut world).reason.unwrap();
+        assert!(reason.contains("needs 2 of `mug`, the scene has 0"), "{reason}");
+    }
+}

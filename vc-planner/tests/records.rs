@@ -117,3 +117,12 @@ fn a_header_is_whole_or_refused() {
         assert!(error.starts_with("line 1") && error.contains(field), "{error}");
     }
 }
+
+/// What a recorder of bodies writes is another format, which is said.
+#[test]
+fn records_with_bodies_are_told_apart() {
+    let text = "{\"scene\":\"home\",\"digest\":\"0\",\"agent\":\"character.4\",\"task\":\"t\",\"goal\":\"Holds(mug)\"}\n\
+                {\"step\":1}\n{\"outcome\":\"won\"}\n";
+    let error = Trajectory::read_json_lines(text).unwrap_err().to_string();
+    assert!(error.contains("with bodies") && error.contains("`Recorder`"), "{error}");
+}

@@ -234,7 +234,7 @@ fn what_is_wrong_is_said() {
     let file = gltf::asset(&cabinet(), &library()).unwrap();
     let said =
         |edit: Change| gltf::read(&edited(&file, edit), &plain()).err().map(|e| e.to_string()).unwrap_or_default();
-    let cases: [(Change, &str); 13] = [
+    let cases: [(Change, &str); 14] = [
         (|d| d["asset"]["version"] = json!("1.0"), "version is not 2"),
         (|d| d["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]), "export without it"),
         (|d| d["buffers"][0]["uri"] = json!("a.bin"), "export as .glb"),
@@ -248,6 +248,7 @@ fn what_is_wrong_is_said() {
         (|d| d["nodes"][0]["extras"] = json!({"vc": {"jiont": {}}}), "unknown field `jiont`"),
         (|d| d["nodes"][0]["scale"] = json!([1e30, 1.0, 1.0]), "too long"),
         (|d| root(d)["scale"] = json!([1e30, 1.0, 1.0]), "100 km"),
+        (|d| root(d)["rotation"] = json!([0.0, 0.0, 0.0, 0.0]), "has no length"),
     ];
     for (edit, expected) in cases {
         let message = said(edit);

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use vc_graph::{Asset, AssetId, AssetLibrary, Edge, Node, NodeId, Relation, SceneGraph};
+use vc_graph::{Asset, AssetId, AssetLibrary, Edge, Label, Node, NodeId, Relation, SceneGraph};
 
 use crate::evidence::Evidence;
 use crate::threshold::{ROTATION_SLACK, WORLD_REACH};
@@ -16,32 +16,32 @@ pub enum Flaw {
     #[error("{what} of {node} is not finite")]
     NotFinite {
         /// Which node.
-        node: NodeId,
+        node: Label,
         /// What of it.
         what: &'static str,
     },
     /// A place or size beyond what single precision resolves to a millimetre.
-    #[error("{what} of {node} is {value} m, more than {WORLD_REACH} m")]
+    #[error("{what} of {node} is {} m, more than {WORLD_REACH} m", short(*.value))]
     TooFar {
         /// Which node.
-        node: NodeId,
+        node: Label,
         /// What of it.
         what: &'static str,
         /// What it is, metres.
         value: f32,
     },
     /// A size below zero, or a scale of zero.
-    #[error("{what} of {node} is {value}: nothing is of that size")]
+    #[error("{what} of {node} is {}: nothing is of that size", short(*.value))]
     NoSize {
         /// Which node.
-        node: NodeId,
+        node: Label,
         /// What of it.
         what: &'static str,
         /// What it is.
         value: f32,
     },
     /// A shape beyond what single precision resolves to a millimetre.
-    #[error("asset `{name}` reaches {value} m from its origin, more than {WORLD_REACH} m")]
+    #[error("asset `{name}` reaches {} m from its origin, more than {WORLD_REACH} m", short(*.value))]
     HugeAsset {
         /// The asset's name.
         name: Arc<str>,
@@ -52,13 +52,18 @@ pub enum Flaw {
     #[error("the rotation of {node} has length {length} instead of 1")]
     NoRotation {
         /// Which node.
-        node: NodeId,
+        node: Label,
         /// Length of its quaternion.
         length: f32,
     },
     /// An edge of the evidence says neither who holds nor who wears something.
     #[error("evidence: {} {:?} {} is neither holding nor wearing", .0.from, .0.relation, .0.to)]
     NotHolding(Edge),
+}
+
+/// A number in a few digits.
+fn short(value: f32) -> String {
+    if value == 0.0 || (1e-3..1e7).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }
 
 /// Everything that keeps a scene from being read; never empty.
@@ -112,27 +117,27 @@ pub(crate) fn check_assets(library: &AssetLibrary) -> Result<(), InputError> {
 }
 
 fn check_node(node: &Node, flaws: &mut Vec<Flaw>) {
-    let id = node.id();
+    let id = || node.label();
     if let Some(pose) = node.pose() {
-        check(id, "position", pose.translation.vector.as_slice(), -WORLD_REACH, flaws);
+        check(&id, "position", pose.translation.vector.as_slice(), -WORLD_REACH, flaws);
         let length = pose.rotation.norm();
         if (length - 1.0).abs() > ROTATION_SLACK || !length.is_finite() {
-            flaws.push(Flaw::NoRotation { node: id, length });
+            flaws.push(Flaw::NoRotation { node: id(), length });
         }
     }
     if let Some(bounds) = node.spec().bounds {
-        check(id, "offset", bounds.offset.as_slice(), -WORLD_REACH, flaws);
-        check(id, "size", bounds.half.as_slice(), 0.0, flaws);
+        check(&id, "offset", bounds.offset.as_slice(), -WORLD_REACH, flaws);
+        check(&id, "size", bounds.half.as_slice(), 0.0, flaws);
     }
     let scale = node.spec().scale.abs();
-    check(id, "scale", scale.as_slice(), f32::MIN_POSITIVE, flaws);
+    check(&id, "scale", scale.as_slice(), f32::MIN_POSITIVE, flaws);
 }
 
-fn check(node: NodeId, what: &'static str, numbers: &[f32], least: f32, flaws: &mut Vec<Flaw>) {
+fn check(node: &dyn Fn() -> Label, what: &'static str, numbers: &[f32], least: f32, flaws: &mut Vec<Flaw>) {
     let flaw = |&value: &f32| match value {
-        v if !v.is_finite() => Some(Flaw::NotFinite { node, what }),
-        v if v.abs() > WORLD_REACH => Some(Flaw::TooFar { node, what, value }),
-        v if v < least => Some(Flaw::NoSize { node, what, value }),
+        v if !v.is_finite() => Some(Flaw::NotFinite { node: node(), what }),
+        v if v.abs() > WORLD_REACH => Some(Flaw::TooFar { node: node(), what, value }),
+        v if v < least => Some(Flaw::NoSize { node: node(), what, value }),
         _ => None,
     };
     flaws.extend(numbers.iter().find_map(flaw));
@@ -141,8 +146,8 @@ fn check(node: NodeId, what: &'static str, numbers: &[f32], least: f32, flaws: &
 /// # Errors
 /// Every flaw of what is said beside the geometry. Nodes that the scene does not have are
 /// passed over: they may come later.
-pub(crate) fn check_evidence(evidence: &Evidence) -> Result<(), InputError> {
-    let not_finite = |node, what| Flaw::NotFinite { node, what };
+pub(crate) fn check_evidence(graph: &SceneGraph, evidence: &Evidence) -> Result<(), InputError> {
+    let not_finite = |id, what| Flaw::NotFinite { node: graph.label(id), what };
     let contacts = evidence.contacts.iter().filter(|c| !c.impulse.iter().all(|v| v.is_finite()));
     let positions = evidence.positions.iter().filter(|p| !p.1.is_finite());
     let holding = [Relation::HoldsRight, Relation::HoldsLeft, Relation::WornBy];

@@ -66,7 +66,7 @@ impl Relations {
     /// # Errors
     /// [`InputError`] with every number that is not finite, too large, or no size or rotation.
     pub fn new(graph: &SceneGraph, rule: Rule, evidence: Evidence) -> Result<Self, InputError> {
-        check_evidence(&evidence)?;
+        check_evidence(graph, &evidence)?;
         let mut relations =
             Self { rule, world: World::default(), facts: Facts::default(), evidence, fixed: Arc::default() };
         relations.rebuild(graph)?;
@@ -140,7 +140,7 @@ impl Relations {
         changed: &[NodeId],
         evidence: Evidence,
     ) -> Result<Vec<NodeId>, InputError> {
-        check_evidence(&evidence)?;
+        check_evidence(graph, &evidence)?;
         let old = std::mem::replace(&mut self.evidence, evidence);
         self.facts = Facts::of(graph, &self.evidence);
         let turned = |(key, position): (&(NodeId, u32), &f32), other: &Evidence| {

@@ -202,8 +202,9 @@ fn flaws_are_named_and_change_nothing() {
     edit.set_pose(NodeId(1), Some(Pose::translation(0.0, 20_000.0, 0.0))).unwrap();
     edit.commit();
     let error = relations.update(&graph, &[NodeId(1)]).unwrap_err();
-    assert_eq!(error.flaws, [Flaw::TooFar { node: NodeId(1), what: "position", value: 20_000.0 }]);
-    assert_eq!(error.to_string(), "position of #1 is 20000 m, more than 10000 m");
+    assert_eq!(error.flaws, [Flaw::TooFar { node: graph.label(NodeId(1)), what: "position", value: 20_000.0 }]);
+    let label = graph.label(NodeId(1));
+    assert_eq!(error.to_string(), format!("position of {label} is 20000 m, more than 10000 m"));
     assert_eq!(relations.edges(), before);
     let nan = Vector3::new(0.0, 0.0, f32::NAN);
     let contact = vc_relations::Contact { between: (NodeId(1), NodeId(2)), impulse: nan };

@@ -56,8 +56,10 @@ pub struct Camera {
 
 impl Camera {
     /// A camera at the origin that looks along X, with a vertical field of view in
-    /// radians and square pixels.
+    /// radians and square pixels. No picture is made with a field of view that is not above 0 and below half a turn:
+    /// [`RenderError::BadCamera`].
     pub fn with_fov(width: u32, height: u32, vertical: f32) -> Self {
+        let vertical = if vertical > 0.0 && vertical < std::f32::consts::PI { vertical } else { f32::NAN };
         let focal = 0.5 * height as f32 / (0.5 * vertical).tangent();
         Self::with_intrinsics(width, height, (focal, focal), (0.5 * width as f32, 0.5 * height as f32))
     }
@@ -223,7 +225,9 @@ impl Camera {
         }
         let length = |v: f32| v.is_finite() && v > 0.0 && v < 1e9;
         if !length(self.focal.0) || !length(self.focal.1) {
-            return Err(RenderError::BadCamera("focal lengths are to be above 0 and below 1e9 pixels"));
+            return Err(RenderError::BadCamera(
+                "focal lengths are to be above 0 and below 1e9 pixels, its field of view above 0 and below half a turn",
+            ));
         }
         if !(self.centre.0.abs() < 1e6 && self.centre.1.abs() < 1e6) {
             return Err(RenderError::BadCamera("principal point is to be within 1e6 pixels"));

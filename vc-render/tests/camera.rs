@@ -5,7 +5,7 @@ mod common;
 use common::{Stage, block, pose};
 use nalgebra::Point3;
 use vc_graph::portable::Portable;
-use vc_graph::{NodeId, Pose};
+use vc_graph::{NodeId, Pose, SceneBuilder};
 use vc_render::{Camera, Frame, Modality, RenderError, Renderer, Shot};
 
 /// Where a point is on the image.
@@ -122,4 +122,17 @@ fn pictures_show_things_on_that_side() -> Result<(), RenderError> {
     let [u, v] = middle(&frame, above);
     assert!(u < -5.0 && v < -5.0, "{u}, {v}: ahead, from overhead");
     Ok(())
+}
+
+/// There is no picture with a field of view of nothing, of half a turn or more, or of no number.
+#[test]
+fn fields_of_view_are_angles() {
+    let scene = SceneBuilder::new("empty").build();
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&scene).unwrap();
+    for angle in [0.0, -1.0, std::f32::consts::PI, 6.3, 1e9, f32::NAN, f32::INFINITY] {
+        let camera = Camera::with_fov(32, 24, angle);
+        let made = renderer.render(&Shot::new(&snapshot, &camera, Modality::Depth), &mut Frame::new());
+        assert!(matches!(made, Err(RenderError::BadCamera(_))), "{angle}");
+    }
 }

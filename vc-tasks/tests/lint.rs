@@ -201,3 +201,29 @@ fn a_scene_tells_what_it_lacks() {
     }
     assert_eq!(found("Holds(glass.3) & On(knife, table)"), Vec::<String>::new());
 }
+
+/// A class that no table knows is found without a scene, wherever in a goal it stands; so is what always holds.
+#[test]
+fn unknown_classes_and_goals_that_always_hold_are_found() {
+    let found = |goal: &str| {
+        let found = lint::goal(&goal.parse().unwrap(), None);
+        found.into_iter().map(|f| (f.kind, f.part)).collect::<Vec<_>>()
+    };
+    for goal in ["On(mugg, table)", "!On(mugg, table)", "forall ?m: mugg. Clean(?m)", "Holds(mugg.3)"] {
+        assert_eq!(found(goal), [(Kind::UnknownClass, "`mugg` (did you mean `mug`?)".to_owned())], "{goal}");
+    }
+    for goal in ["On(mug, kitchen table)", "On(DishTable, kitchentable) | Holds(apple)", "Eat(me) & Holds(#3)"] {
+        assert!(!found(goal).iter().any(|(kind, _)| *kind == Kind::UnknownClass), "{goal}");
+    }
+    assert_eq!(found("Holds(apple), 0")[0].0, Kind::TrueAtStart);
+    // What a scene has is known there; what an obstacle tells is not told twice.
+    let mut scene = vc_graph::SceneBuilder::new("flat");
+    let kitchen = scene.add(vc_graph::Draft::new("kitchen")).unwrap();
+    scene.add_in(kitchen, vc_graph::Draft::new("flooble")).unwrap();
+    let graph = scene.build();
+    let kinds =
+        |goal: &str| lint::goal(&goal.parse().unwrap(), Some(&graph)).iter().map(|f| f.kind).collect::<Vec<_>>();
+    assert!(!kinds("Clean(flooble)").contains(&Kind::UnknownClass));
+    assert!(kinds("Clean(floo)").contains(&Kind::Obstacle) && !kinds("Clean(floo)").contains(&Kind::UnknownClass));
+    assert!(kinds("!Clean(floo)").contains(&Kind::UnknownClass));
+}

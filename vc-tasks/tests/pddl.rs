@@ -183,3 +183,17 @@ fn either_costs_metric_and_what_is_denied_are_read() {
     assert_eq!((metric.maximize, metric.to_string().as_str()), (false, "(:metric minimize (total-cost))"));
     assert_eq!(problem.to_string().parse::<Problem>().unwrap(), problem);
 }
+
+/// Letters beyond ASCII have no case either, and a comment ends where its line does, by whichever sign.
+#[test]
+fn case_and_line_ends_are_those_of_all_texts() {
+    let text = |thing: &str, end: &str| {
+        format!("(define (problem p) ; a comment{end}(:domain d) (:objects {thing} - t) (:init) (:goal (wet {thing})))")
+    };
+    let read = |text: String| text.parse::<vc_tasks::format::pddl::Problem>().unwrap();
+    for end in ["\n", "\r", "\r\n"] {
+        assert_eq!(read(text("BÜGELÉ", end)), read(text("bügelé", "\n")), "{end:?}");
+    }
+    // What is small in another length stays as it is.
+    assert_eq!(read(text("\u{130}X", "\n")).objects[0].name, "\u{130}x");
+}

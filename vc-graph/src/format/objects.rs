@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Aabb, Edge, Node, NodeId, Pose, SceneGraph};
+use crate::{Aabb, Edge, Node, NodeId, Observation, Pose, SceneGraph};
 
 /// A node as plain data: class, room, pose, box, states and relations. Lengths are metres, axes right-handed,
 /// Z up, X forward.
@@ -66,9 +66,37 @@ pub struct Related {
 
 /// All nodes of a scene but rooms, by number.
 pub fn objects(graph: &SceneGraph) -> Vec<Object> {
-    let mut all: Vec<Object> =
-        graph.nodes().filter(|n| n.kind() != crate::Kind::Room).map(|n| bare(graph, n)).collect();
-    for Edge { from, relation, to } in graph.edges() {
+    listed(graph.nodes(), |id| graph.room_of(id), graph.edges())
+}
+
+/// What is seen but rooms, by number, with the relations whose both ends are seen.
+///
+/// ```
+/// use vc_graph::format::objects::seen;
+/// use vc_graph::{Draft, SceneBuilder, Scope};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// scene.add_in(fridge, Draft::new("milk"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let seen = seen(&scene.build().observe(me, Scope::Room));
+/// // The fridge is shut.
+/// assert_eq!(seen.iter().map(|object| object.id).collect::<Vec<_>>(), [fridge, me]);
+/// assert_eq!(seen[0].room, Some(kitchen));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn seen(observation: &Observation) -> Vec<Object> {
+    listed(observation.nodes(), |id| observation.room_of(id), observation.relations())
+}
+
+fn listed<'a>(
+    nodes: impl Iterator<Item = &'a Node>,
+    room_of: impl Fn(NodeId) -> Option<NodeId>,
+    edges: impl Iterator<Item = Edge>,
+) -> Vec<Object> {
+    let things = nodes.filter(|n| n.kind() != crate::Kind::Room);
+    let mut all: Vec<Object> = things.map(|n| bare(n, room_of(n.id()))).collect();
+    for Edge { from, relation, to } in edges {
         if let Ok(at) = all.binary_search_by_key(&from, |object| object.id) {
             all[at].relations.push(Related { relation: relation.to_string(), to });
         }
@@ -77,7 +105,7 @@ pub fn objects(graph: &SceneGraph) -> Vec<Object> {
 }
 
 /// An object without its relations.
-fn bare(graph: &SceneGraph, node: &Node) -> Object {
+fn bare(node: &Node, room: Option<NodeId>) -> Object {
     let position = |pose: &Pose| pose.translation.vector.into();
     let rotation = |pose: &Pose| pose.rotation.coords.into();
     let corners = |b: Aabb| Corners { min: b.min.into(), max: b.max.into() };
@@ -85,7 +113,7 @@ fn bare(graph: &SceneGraph, node: &Node) -> Object {
         id: node.id(),
         class: node.class().to_string(),
         category: node.spec().category.to_string(),
-        room: graph.room_of(node.id()),
+        room,
         position: node.pose().map(position),
         rotation: node.pose().map(rotation),
         bounds: node.aabb().map(corners),

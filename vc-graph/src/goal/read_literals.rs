@@ -112,7 +112,7 @@ impl Reader {
         while more(self, 0) {
             name = format!("{name}_{}", self.name("a class")?);
         }
-        Ok(self.named(&name))
+        self.named(&name)
     }
 
     /// A term of one word.
@@ -123,7 +123,7 @@ impl Reader {
             Some(Token::Quoted(class, Some(id))) => Term::Node(Some(class.clone()), *id),
             Some(Token::Variable(name)) if !self.bound.contains(name) => return Err(unbound(self, name)),
             Some(Token::Variable(name)) => Term::Variable(name.clone()),
-            Some(Token::Name(name)) => match self.named(name) {
+            Some(Token::Name(name)) => match self.named(name)? {
                 Term::Class(name) if name.starts_with('?') => {
                     return Err(unbound(self, name.trim_start_matches('?')));
                 }
@@ -136,25 +136,20 @@ impl Reader {
     }
 
     /// What a name stands for.
-    fn named(&self, name: &str) -> Term {
+    fn named(&self, name: &str) -> Result<Term, GoalError> {
         let variable = name.trim_start_matches('?');
         if self.bound.iter().any(|b| b == variable) {
-            return Term::Variable(variable.to_owned());
+            return Ok(Term::Variable(variable.to_owned()));
         }
-        let number = |digits: &str| digits.parse().ok().map(NodeId);
-        match name {
-            "_" | "*" => Term::Anything,
-            "me" | "character" => Term::Me,
-            other => match (other.strip_prefix('#').and_then(number), other.rsplit_once('.')) {
-                (Some(id), _) => Term::Node(None, id),
-                (_, Some((class, _))) if self.dialect == Dialect::Eai && class == "character" => Term::Me,
-                (_, Some((class, digits))) => match number(digits) {
-                    Some(id) => Term::Node(Some(class.to_owned()), id),
-                    None => Term::Class(name.to_owned()),
-                },
-                _ => Term::Class(name.to_owned()),
-            },
-        }
+        let number = |digits: &str| digits.parse().map(NodeId).map_err(|_| self.expected("the number of a node"));
+        Ok(match (name, name.strip_prefix('#'), name.rsplit_once('.')) {
+            ("_" | "*", ..) => Term::Anything,
+            ("me" | "character", ..) => Term::Me,
+            (_, Some(digits), _) => Term::Node(None, number(digits)?),
+            (_, _, Some((class, _))) if self.dialect == Dialect::Eai && class == "character" => Term::Me,
+            (_, _, Some((class, digits))) => Term::Node(Some(class.to_owned()), number(digits)?),
+            _ => Term::Class(name.to_owned()),
+        })
     }
 
     fn predicate(&self, name: &str, did: bool, given: usize) -> Option<Predicate> {

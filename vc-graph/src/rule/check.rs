@@ -21,6 +21,9 @@ pub(super) fn check_things(graph: &SceneGraph, agent: NodeId, action: &Action) -
     if let Some(missing) = action.things().find(|&id| graph.node(id).is_none()) {
         return Some(Refusal::NoSuchThing(missing));
     }
+    if let Some(found) = action.called.misnamed(graph, action) {
+        return Some(Refusal::Misnamed(found));
+    }
     let itself = action.object.filter(|_| action.object == action.target);
     itself.map(|id| Refusal::WithItself(graph.label(id)))
 }

@@ -10,6 +10,9 @@ pub enum Refusal {
     /// There is no such thing.
     #[error("there is no node {0} in this scene")]
     NoSuchThing(NodeId),
+    /// The text that the action was read from calls the thing otherwise.
+    #[error("{0} is not what the action calls it; write the class and the number of one thing")]
+    Misnamed(Label),
     /// The one who is to act is no agent.
     #[error("{0} is no agent and cannot act")]
     NoAgent(Label),

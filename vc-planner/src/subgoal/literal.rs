@@ -124,8 +124,8 @@ impl View<'_> {
     fn fit_for(&self, verb: Verb, position: usize) -> Vec<NodeId> {
         let fits = |node: &&Node| {
             let id = node.id();
-            let probe =
-                if position == 0 { Action::one(verb, id) } else { Action { verb, object: None, target: Some(id) } };
+            let second = Action { target: Some(id), ..Action::zero(verb) };
+            let probe = if position == 0 { Action::one(verb, id) } else { second };
             let needs = vc_graph::rule::preconditions(&probe);
             needs.iter().filter(|c| c.is_lasting()).all(|c| c.holds(self.graph(), self.now.agent))
         };

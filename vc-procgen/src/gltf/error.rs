@@ -52,6 +52,9 @@ pub enum GltfError {
     /// A node is its own ancestor, or has two parents.
     #[error("node {0} has more than one parent: every node may be listed once")]
     NotATree(usize),
+    /// A node's rotation is no quaternion that turns anything.
+    #[error("the rotation of node {0} has no length: glTF asks for a quaternion of length 1")]
+    NoRotation(usize),
     /// An annotation is not as documented.
     #[error("the annotation `vc` of {place} {reason}")]
     BadNote {

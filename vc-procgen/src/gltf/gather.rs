@@ -73,7 +73,7 @@ pub(super) fn gather(document: &Document, buffers: &Buffers<'_>, frame: Matrix4<
         if std::mem::replace(&mut visited[index], true) {
             return Err(GltfError::NotATree(index));
         }
-        let frame = frame * local(node);
+        let frame = frame * local(node).ok_or(GltfError::NoRotation(index))?;
         let joint = all.visit(document, buffers, (index, node), &frame, joint)?;
         left.extend(node.children.iter().rev().map(|&child| (child, frame, joint)));
     }
@@ -94,15 +94,16 @@ fn roots(document: &Document) -> Result<Vec<usize>, GltfError> {
     Ok(document.scenes.get(index).ok_or(GltfError::missing("scene", index))?.nodes.clone())
 }
 
-fn local(node: &Node) -> Matrix4<f64> {
+/// A node's frame in its parent's; none where its rotation is no rotation.
+fn local(node: &Node) -> Option<Matrix4<f64>> {
     if let Some(columns) = &node.matrix {
-        return Matrix4::from_column_slice(columns);
+        return Some(Matrix4::from_column_slice(columns));
     }
     let wide = |v: [f32; 3]| Vector3::from(v).cast::<f64>();
     let [x, y, z, w] = node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]).map(f64::from);
-    let turn = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)).to_homogeneous();
+    let turn = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-6)?.to_homogeneous();
     let shift = Translation3::from(wide(node.translation.unwrap_or_default())).to_homogeneous();
-    shift * turn * Matrix4::new_nonuniform_scaling(&wide(node.scale.unwrap_or([1.0; 3])))
+    Some(shift * turn * Matrix4::new_nonuniform_scaling(&wide(node.scale.unwrap_or([1.0; 3]))))
 }
 
 impl Gathered {

@@ -65,17 +65,19 @@ impl Daylight {
 
     /// A clear day's light at an hour of the day, 0 to 24: [`noon`](Self::noon) at 12, the sun half as high at 8 in the
     /// east and at 16 in the west, dusk from 17.5 to 19.5, [`night`](Self::night), and dawn from 4.5 to 6.5. Hours
-    /// beyond 0 to 24 are those of the day before or after.
+    /// beyond 0 to 24 are those of the day before or after; an hour that is no finite number is midday.
     ///
     /// ```
     /// use vc_render::Daylight;
     /// assert_eq!(Daylight::at(12.0), Daylight::noon());
     /// assert_eq!(Daylight::at(23.0), Daylight::night());
+    /// assert_eq!(Daylight::at(f32::NAN), Daylight::noon());
     /// let [morning, evening] = [Daylight::at(8.0), Daylight::at(19.0)];
     /// assert!(morning.sun.x > 0.0 && evening.sun.x == 0.0 && evening.zenith.z < morning.zenith.z);
     /// ```
     pub fn at(hour: f32) -> Self {
         use std::f32::consts::PI;
+        let hour = if hour.is_finite() { hour } else { 12.0 };
         // Hours from midday, -12 to 12.
         let off = (hour - 12.0) - 24.0 * ((hour - 12.0) / 24.0).round();
         let rise = NOON.0 * (off * PI / 12.0).cosine();

@@ -43,7 +43,7 @@ struct Node {
 
 impl Tree {
     /// Reads a text of one expression. Case does not matter in these languages: the
-    /// text is read in lower case (that of ASCII).
+    /// text is read in lower case.
     ///
     /// # Errors
     /// [`ReadError`] for brackets that do not match, more than one expression, text
@@ -53,7 +53,7 @@ impl Tree {
             let found = format!("one of {} bytes", text.len());
             return Err(ReadError::at(format, "", 0, format!("a text of at most {LARGEST} bytes"), found));
         }
-        let text = unmarked(text).to_ascii_lowercase().into_boxed_str();
+        let text = lower(unmarked(text)).into_boxed_str();
         match scan(&text) {
             Ok(nodes) => Ok(Self { format, text, nodes }),
             Err((at, expected, found)) => Err(ReadError::at(format, &text, at, expected, found)),
@@ -68,6 +68,15 @@ impl Tree {
     pub(crate) fn expr(&self, index: u32) -> Expr<'_> {
         Expr { tree: self, index }
     }
+}
+
+/// A text in lower case; a letter whose small one has another length stays, so that places in the text do too.
+fn lower(text: &str) -> String {
+    if text.is_ascii() {
+        return text.to_ascii_lowercase();
+    }
+    let small = |c: char| Some(c.to_lowercase().next()?).filter(|s| s.len_utf8() == c.len_utf8());
+    text.chars().map(|c| small(c).unwrap_or(c)).collect()
 }
 
 type Fault = (usize, &'static str, String);
@@ -85,7 +94,7 @@ fn scan(text: &str) -> Result<Vec<Node>, Fault> {
         }
         let start = at;
         match byte {
-            b';' => at = bytes[at..].iter().position(|&b| b == b'\n').map_or(bytes.len(), |n| at + n),
+            b';' => at = bytes[at..].iter().position(|b| matches!(b, b'\n' | b'\r')).map_or(bytes.len(), |n| at + n),
             b'(' => {
                 let Some(top) = open.get_mut(depth) else {
                     return Err((at, "at most 128 brackets within each other", "another one".to_owned()));

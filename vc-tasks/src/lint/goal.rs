@@ -2,14 +2,14 @@
 
 use std::collections::{BTreeSet, HashSet};
 
-use vc_graph::goal::{Goal, Literal, Predicate, Situation, Term};
+use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Situation, Term};
 use vc_graph::rule::table::RULES;
-use vc_graph::{Effect, History, NodeId, Refusal, Relation, SceneGraph, State};
+use vc_graph::{ClassTable, Effect, History, NodeId, Refusal, Relation, SceneGraph, State, did_you_mean};
 
 use super::circle::{first_in_circle, rests};
 use super::{Finding, Kind, LARGEST, satisfiability};
-use crate::Task;
 use crate::compile::{CompileError, Compiler, Program, Things};
+use crate::{Obstacle, Task};
 
 /// Everything that is wrong or odd with a goal. A scene tells which things there
 /// are: without one, things of a class are taken to be as many as it takes, and
@@ -18,16 +18,36 @@ pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     let mut found = Vec::new();
     look(goal, &mut Vec::new(), Some(true), &mut found);
     found.extend(circle(goal));
+    found.extend(unknown(goal, scene));
     found.extend(scene.into_iter().flat_map(|graph| lacking(goal, graph)));
     let program = compiled(goal, scene);
     found.extend(program.and_then(|p| satisfiability(&p, &goal.to_string())));
     if let Some((graph, agent)) = scene.and_then(|g| Some((g, *g.agents().first()?))) {
         let history = History::default();
-        if goal.holds(&Situation::new(graph, agent, &history)) {
-            found.push(Finding { kind: Kind::TrueAtStart, at: None, part: goal.to_string() });
+        let finding = Finding { kind: Kind::TrueAtStart, at: None, part: goal.to_string() };
+        if goal.holds(&Situation::new(graph, agent, &history)) && !found.contains(&finding) {
+            found.push(finding);
         }
     }
     found
+}
+
+/// Findings about classes that no table knows and no scene has; those that an obstacle names are left to it.
+fn unknown(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
+    let builtin = ClassTable::builtin();
+    let table = scene.map_or(&builtin, SceneGraph::classes);
+    let obstacles = scene.map(|graph| Task::new("", goal.clone()).obstacles(graph)).unwrap_or_default();
+    let told =
+        |class: &str| obstacles.iter().any(|o| matches!(o, Obstacle::TooFew { class: told, .. } if told == class));
+    let is_there = |class: &str| scene.is_some_and(|graph| !graph.of_class(class).is_empty());
+    let named = goal.terms().into_iter().filter_map(|term| match term {
+        Term::Class(class) | Term::Node(Some(class), _) => Some(class),
+        _ => None,
+    });
+    let lost = named.filter(|class| table.get(class).is_none() && !is_there(class) && !told(class));
+    let part = |class: String| format!("`{class}`{}", did_you_mean(&class, table.nearest(&class)));
+    let lost: BTreeSet<String> = lost.collect();
+    lost.into_iter().map(|class| Finding { kind: Kind::UnknownClass, at: None, part: part(class) }).collect()
 }
 
 /// Findings about labels of another class than their node, and about things that the scene lacks.
@@ -135,6 +155,9 @@ fn look<'g>(goal: &'g Goal, bound: &mut Vec<Bound<'g>>, wanted: Option<bool>, fo
         }
         Goal::Literal(literal) | Goal::Count { literal, .. } if with_itself(literal) => {
             found.push(Finding { kind: Kind::WithItself, at: None, part: goal.to_string() });
+        }
+        Goal::Count { comparison: Comparison::AtLeast, number: 0, .. } if wanted == Some(true) => {
+            found.push(Finding { kind: Kind::TrueAtStart, at: None, part: goal.to_string() });
         }
         Goal::Literal(literal) | Goal::Count { literal, .. }
             if wanted == Some(true) && !brought_about(literal.predicate) =>

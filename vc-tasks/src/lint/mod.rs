@@ -56,6 +56,8 @@ pub enum Kind {
     UnknownDomain,
     /// A label is of another class than its node in the scene.
     Misnomer,
+    /// No class table knows a class of the goal, and no thing of the scene is of it.
+    UnknownClass,
     /// The scene lacks what the goal needs.
     Obstacle,
     /// A word or section that means nothing.
@@ -95,6 +97,7 @@ impl Kind {
             Self::Circle => "things rest on each other in a circle",
             Self::UnknownDomain => "an unknown domain",
             Self::Misnomer => "a thing called what it is not",
+            Self::UnknownClass => "an unknown class",
             Self::Obstacle => "the scene lacks what it needs",
             Self::Stray => "a stray word",
             Self::NothingBringsAbout => "nothing brings it about",

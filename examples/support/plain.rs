@@ -1,0 +1,57 @@
+//! Plain programs run with bodies, each in the scene as it begins.
+
+use std::path::{Path, PathBuf};
+
+use vc_graph::format::program::{self, Program};
+use virtualcity::Environment;
+
+use crate::support::{Complaint, read, say};
+
+/// Whether a file holds a plain program, not records with graphs; what cannot be read is told by who reads it next.
+pub(crate) fn is_program(file: &Path) -> bool {
+    read(file).is_ok_and(|text| !text.trim_start().starts_with('{'))
+}
+
+/// Runs every program in a scene and says how it went. Files that are no programs, and programs of others than the
+/// scene has, are named; whether there were none of them.
+pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> bool {
+    let (mut executable, mut unread) = (0, 0);
+    for file in files {
+        match run(file, scene) {
+            Ok(Ok(done)) => {
+                executable += 1;
+                say!("{}: executable, {done} actions", file.display());
+            }
+            Ok(Err(refusal)) => say!("{}: {refusal}", file.display()),
+            Err(complaint) => {
+                unread += 1;
+                say!("{}: {complaint:?}", file.display());
+            }
+        }
+    }
+    say!("\n{} programs, {executable} executable with bodies", files.len() - unread);
+    unread == 0
+}
+
+/// The number of actions of a program, or after how many of them it was refused, and why.
+fn run(file: &Path, scene: &Path) -> Result<Result<usize, String>, Complaint> {
+    let program = program::read(&read(file)?).map_err(Complaint::new)?;
+    let mut home =
+        Environment::make(&format!("scene:{}", scene.display()), characters(&program)).map_err(Complaint::new)?;
+    let mut done = 0;
+    for event in program.cast(home.graph()).map_err(Complaint::new)?.into_iter().flatten() {
+        if let Err(error) = home.set_action(event.agent, event.action) {
+            let action = event.action.describe(home.graph());
+            return Ok(Err(format!("refused after {done} actions: {action}: {error}")));
+        }
+        done += 1;
+    }
+    Ok(Ok(done))
+}
+
+/// The number of characters that a program needs.
+fn characters(program: &Program) -> usize {
+    const MOST: u32 = 64;
+    let last = program.steps.iter().flatten().map(|deed| deed.character.min(MOST)).max().unwrap_or(0);
+    last as usize + 1
+}
