@@ -26,6 +26,7 @@ fn agents_find_room_on_all_the_floor() {
     assert_eq!(feet.len(), 60);
     let apart = |i: usize| feet[i + 1..].iter().all(|other| (other - feet[i]).norm() > 0.75);
     assert!((0..feet.len()).all(apart));
+    assert_eq!(Environment::of(hall(60.0), 1000).unwrap().agents().len(), 1000);
     match Environment::of(hall(4.0), 100).unwrap_err() {
         MakeError::NoRoom { asked: 100, found } => assert!((9..=25).contains(&found), "{found}"),
         other => panic!("{other}"),
