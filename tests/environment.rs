@@ -6,6 +6,8 @@ mod agreement;
 #[path = "environment/astray.rs"]
 mod astray;
 mod common;
+#[path = "environment/stays.rs"]
+mod stays;
 
 use flate2::Compression;
 use flate2::write::GzEncoder;

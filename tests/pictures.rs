@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
+#[path = "pictures/seen.rs"]
+mod seen;
+
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use virtualcity::graph::{
