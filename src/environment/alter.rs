@@ -223,7 +223,8 @@ impl Environment {
     fn make_way(&mut self, agent: NodeId, point: &Point2<f32>) -> Result<(), AlterError> {
         for (id, part, open) in self.gives_way(agent, point).unwrap_or_default() {
             self.world.put_open(id, part, open).map_err(|e| self.impossible(e))?;
-            if self.world.open_state(id) == Some(State::Open) && !self.graph.node(id).is_some_and(|n| n.is(State::Open)) {
+            if self.world.open_state(id) == Some(State::Open) && !self.graph.node(id).is_some_and(|n| n.is(State::Open))
+            {
                 rule::carry_out(&mut self.graph, agent, &Effect::Enter(id, State::Open))?;
             }
         }

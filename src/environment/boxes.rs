@@ -111,11 +111,16 @@ pub(super) fn hold(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Re
 
 /// Puts back and holds what has moved though it was free to stay: a glass that stands on the edge of a
 /// mat falls over. Returns whether there was any.
-pub(super) fn hold_moved(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Result<bool, PhysicsError> {
+/// Of a scene that was at rest, things that have lost what they were on fall.
+pub(super) fn hold_moved(
+    world: &mut World,
+    graph: &SceneGraph,
+    bare: &[NodeId],
+    at_rest: bool,
+) -> Result<bool, PhysicsError> {
     let wanted = |id: &NodeId| Some((*id, *graph.node(*id)?.pose()?));
     let loose = bare.iter().filter(|id| world.role(**id) == Some(Role::Loose)).filter_map(wanted);
-    let free = was_at_rest(graph);
-    let supported = |id: &NodeId| !free || is_by_its_place(world, graph, *id);
+    let supported = |id: &NodeId| !at_rest || is_by_its_place(world, graph, *id);
     let far = |a: &Pose, b: &Pose| (a.translation.vector - b.translation.vector).norm() > STILL;
     let moved: Vec<(NodeId, Pose)> =
         loose.filter(|(id, pose)| world.pose(*id).is_some_and(|now| far(&now, pose)) && supported(id)).collect();
@@ -198,6 +203,11 @@ pub(super) fn keep(
                 inside && (!held || within.contains(p) || scene.places(id).any(|q| q == *p))
             };
             keep_those(graph, id, counts)?;
+            let more = within.iter().filter(|p| !graph.places(id).any(|q| q == **p)).copied();
+            let all: Vec<Place> = graph.places(id).chain(more).collect();
+            if all.len() > graph.places(id).count() {
+                place_where_possible(graph, id, &all, None)?;
+            }
             continue;
         }
         let now = graph.place(id);
@@ -214,8 +224,17 @@ pub(super) fn keep(
 /// The containers in which a thing is by geometry that stand where the scene has the thing itself: peppers that a
 /// scene has on the counter are in the bowl there, too.
 fn nested(graph: &SceneGraph, id: NodeId, wanted: Place) -> Vec<Place> {
-    let within = |p: &Place| p.relation == Relation::Inside && p.at != wanted.at && graph.rests_at(p.at, wanted.at);
-    graph.places(id).filter(within).collect()
+    let there = |p: &Place| p.at != wanted.at && graph.rests_at(p.at, wanted.at);
+    let inside = |p: &Place| p.relation == Relation::Inside || sticks_out(graph, id, p.at);
+    let within = graph.places(id).filter(|p| there(p) && inside(p));
+    within.map(|p| Place { relation: Relation::Inside, at: p.at }).collect()
+}
+
+/// Whether a thing is wider than the vessel that it lies on: it reaches below the rim.
+fn sticks_out(graph: &SceneGraph, id: NodeId, vessel: NodeId) -> bool {
+    let (Some(own), Some(at)) = (graph.node(id), graph.node(vessel)) else { return false };
+    let below = own.aabb().zip(at.aabb()).is_some_and(|(own, at)| own.min.z < at.max.z - STILL);
+    below && (at.affords(Property::Recipient) || at.affords(Property::Container))
 }
 
 /// Puts a thing at places; leaves it where it is if one of them rests on the thing itself.

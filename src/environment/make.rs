@@ -114,7 +114,7 @@ impl Environment {
         boxes::hold(&mut world, builder.graph(), &staying)?;
         undress(&mut world, builder.graph())?;
         let left_out = astray::calm(&mut world, &mut builder)?;
-        if boxes::hold_moved(&mut world, builder.graph(), &staying)? {
+        if boxes::hold_moved(&mut world, builder.graph(), &staying, at_rest)? {
             act::calm(&mut world);
         }
         let floor = Floor::of(&world, FloorPlan::default());

@@ -1,8 +1,8 @@
 //! Questions that a program asks about a home before it acts: which actions are possible, which things
 //! there are, where one can walk.
 
-use vc_graph::format::objects::{Object, objects};
 use nalgebra::Point2;
+use vc_graph::format::objects::{Object, objects};
 use vc_graph::{Action, NodeId, Pose, rule};
 use vc_physics::{Occupancy, PartsAside};
 

@@ -55,7 +55,8 @@ fn what_is_carried_is_in_view() {
 /// Who opens a fridge or a wardrobe sees what is in it.
 #[test]
 fn who_opens_something_sees_into_it() {
-    for (seed, class) in [(55053, "fridge"), (61482, "fridge"), (98341, "fridge"), (7123, "wardrobe"), (98341, "wardrobe")]
+    for (seed, class) in
+        [(55053, "fridge"), (61482, "fridge"), (98341, "fridge"), (7123, "wardrobe"), (98341, "wardrobe")]
     {
         let mut home = home(seed);
         let Some(&thing) = home.graph().of_class(class).first() else { continue };
