@@ -14,6 +14,8 @@ mod common;
 mod deeds;
 #[path = "environment/made.rs"]
 mod made;
+#[path = "environment/stays.rs"]
+mod stays;
 #[path = "environment/wishes.rs"]
 mod wishes;
 

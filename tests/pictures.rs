@@ -2,12 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-#[path = "pictures/bounds.rs"]
-mod bounds;
-#[path = "pictures/light.rs"]
-mod light;
-#[path = "pictures/people.rs"]
-mod people;
+#[path = "pictures/seen.rs"]
+mod seen;
 
 use nalgebra::Vector3;
 use virtualcity::graph::{Action, NodeId, State, Verb};

@@ -192,7 +192,7 @@ impl Environment {
         folded.iter().for_each(|(id, scale)| drop(edit.set_scale(*id, *scale)));
         let sizes = edit.commit();
         let changed: Vec<NodeId> = changes.changes().iter().filter_map(holder).chain([agent]).collect();
-        let looked = observe::look_again(&mut observed, &self.world, &mut self.relations, &changed);
+        let looked = observe::look_again(&mut observed, &self.start, &self.world, &mut self.relations, &changed);
         let action_text = action.describe(&self.graph).to_string();
         let impossible = |why| ActionError::Impossible { action: action_text.clone(), why };
         let (met, seen) = looked.map_err(impossible)?;

@@ -101,7 +101,9 @@ impl Outcome<'_> {
         let is_built = |graph: &SceneGraph, id| graph.node(id).is_none_or(vc_graph::Node::is_building);
         let end = |graph: &SceneGraph| graph.support_chain(id).into_iter().rfind(|at| !is_built(graph, *at));
         let same_end = || end(self.ruled).is_some_and(|at| end(self.observed) == Some(at));
-        rule == bodies || same_end() || self.lies_still(id)
+        // What is lifted in a bowl is no longer on the table below the bowl.
+        let lost_some = !bodies.is_empty() && bodies.iter().all(|p| rule.contains(p));
+        rule == bodies || lost_some || same_end() || self.lies_still(id)
     }
 
     /// Whether a thing is where it was, about. What lay half on a newspaper that was taken away

@@ -5,14 +5,14 @@ use std::sync::Arc;
 use nalgebra::Point2;
 use vc_graph::class::Category;
 use vc_graph::{
-    Class, Draft, EditError, Effect, Label, NodeId, Place, Pose, Property, Relation, SceneBuilder, Seed, did_you_mean,
-    rule,
+    Class, Draft, EditError, Effect, Label, NodeId, Place, Pose, Property, Relation, SceneBuilder, Seed, State,
+    did_you_mean, rule,
 };
 use vc_physics::{PhysicsError, Posture, Role};
 use vc_tasks::initial::Stock;
 
 use super::undo::Undo;
-use super::{Elsewhere, Environment, Impossible, Unplaced, Why, act, deed, make, observe, reset};
+use super::{Elsewhere, Environment, Impossible, Unplaced, Why, act, deed, make, observe, outlook, reset};
 use crate::initial::Catalogue;
 
 /// Number of rings, half a metre apart, around the middle of a room in which a free place is sought.
@@ -199,8 +199,9 @@ impl Environment {
         Ok(())
     }
 
-    /// Puts an agent elsewhere at once: at a point of the free floor, or near the middle of a room. It stands there,
-    /// facing the same way; the things it holds and wears come along. The history does not contain this.
+    /// Puts an agent elsewhere at once: at a point of the free floor, facing the same way as before, or near the
+    /// middle of a room, facing where most of it is in view. The things it holds and wears come along. Where one can
+    /// stand only in an open doorway, the door stands open then. The history does not contain this.
     ///
     /// `Floor::is_free`, `World::teleport`, `Relations::update_with`. Costs a millisecond or two.
     ///
@@ -225,12 +226,18 @@ impl Environment {
         };
         let mut next = self.clone();
         next.floor.update(&next.world);
-        let point = next.standing(agent, to.into())?;
+        let to = to.into();
+        let point = next.standing(agent, to)?;
         let feet = nalgebra::Translation3::new(point.x, point.y, next.floor.plan().level);
+        next.make_way(agent, &point)?;
+        let turn = match to {
+            Spot::Room(room) => outlook::into_room(&next.world, &next.graph, room, (agent, feet.vector.into())),
+            Spot::At(_) => before.rotation,
+        };
         if next.world.posture(agent) != Some(Posture::Standing) {
             rule::carry_out(&mut next.graph, agent, &Effect::StandUp)?;
         }
-        next.world.teleport(agent, Pose::from_parts(feet, before.rotation)).map_err(|e| self.impossible(e))?;
+        next.world.teleport(agent, Pose::from_parts(feet, turn)).map_err(|e| self.impossible(e))?;
         if let Some(room) = next.room_at(point) {
             let mut edit = next.graph.edit();
             edit.move_to_room(agent, room)?;
@@ -245,6 +252,18 @@ impl Environment {
     fn no_such_class(&self, class: &str) -> AlterError {
         let nearest = self.graph.classes().nearest(class).into_iter().map(str::to_owned).collect();
         AlterError::NoSuchClass { class: class.to_owned(), nearest }
+    }
+
+    /// Opens a door, or moves what stands open, where an agent is to stand.
+    fn make_way(&mut self, agent: NodeId, point: &Point2<f32>) -> Result<(), AlterError> {
+        for (id, part, open) in self.gives_way(agent, point).unwrap_or_default() {
+            self.world.put_open(id, part, open).map_err(|e| self.impossible(e))?;
+            if self.world.open_state(id) == Some(State::Open) && !self.graph.node(id).is_some_and(|n| n.is(State::Open))
+            {
+                rule::carry_out(&mut self.graph, agent, &Effect::Enter(id, State::Open))?;
+            }
+        }
+        Ok(())
     }
 
     /// A place where something can be put; a room stands for its floor.
@@ -285,7 +304,7 @@ impl Environment {
     /// Lets all come to rest and observes it; nothing can be taken back to before that.
     fn settle(&mut self, changed: &[NodeId]) -> Result<(), AlterError> {
         act::calm(&mut self.world);
-        observe::look_again(&mut self.graph, &self.world, &mut self.relations, changed)?;
+        observe::look_again(&mut self.graph, &self.start, &self.world, &mut self.relations, changed)?;
         self.floor.update(&self.world);
         self.undo = Undo::default();
         Ok(())
@@ -300,11 +319,8 @@ impl Environment {
     /// The point at which an agent is to stand.
     fn standing(&self, agent: NodeId, spot: Spot) -> Result<Point2<f32>, AlterError> {
         match spot {
-            Spot::At(at) if self.stands_at(agent, &at) => Ok(at),
-            Spot::At(at) => {
-                let nearest = self.floor.nearest(at, INSTEAD).map(Into::into);
-                Err(AlterError::NoFloor { at: at.into(), nearest })
-            }
+            Spot::At(at) if self.floor.is_free(at) && self.gives_way(agent, &at).is_some() => Ok(at),
+            Spot::At(at) => Err(AlterError::NoFloor { at: at.into(), nearest: self.free_near(agent, &at) }),
             Spot::Room(room) => {
                 let middle = make::middle(&self.graph, &self.floor, room).map(|(_, middle)| middle);
                 let rings = |middle: Point2<f32>| (0..RINGS).flat_map(move |ring| make::around(&middle, ring));
@@ -313,6 +329,18 @@ impl Environment {
                 found.ok_or_else(|| AlterError::FullRoom(self.graph.label(room)))
             }
         }
+    }
+
+    /// The middle of the cell nearest to a point where an agent can stand.
+    fn free_near(&self, agent: NodeId, at: &Point2<f32>) -> Option<[f32; 2]> {
+        let grid = self.floor.occupancy();
+        let cells = (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |column| (column, row)));
+        let free = cells.filter(|(column, row)| grid.is_free(*column, *row));
+        let mut near: Vec<Point2<f32>> = free.map(|(column, row)| grid.centre(column, row)).collect();
+        let far = |p: &Point2<f32>| (p - at).norm();
+        near.retain(|p| far(p) <= INSTEAD);
+        near.sort_by(|a, b| far(a).total_cmp(&far(b)));
+        near.into_iter().find(|p| self.stands_at(agent, p)).map(Into::into)
     }
 
     fn stands_at(&self, agent: NodeId, at: &Point2<f32>) -> bool {

@@ -10,7 +10,7 @@ use vc_graph::{
 use vc_physics::{Floor, PhysicsError, Role, World};
 use vc_procgen::dress::{self, DressError};
 
-use super::{Assets, Elsewhere};
+use super::{Assets, Elsewhere, Start};
 use crate::figure;
 
 /// How far above its support a thing may hover in the scene, metres, and how far it may fall.
@@ -26,6 +26,20 @@ const ASIDE: f32 = 2.5;
 /// Things of which a scene has only boxes.
 pub(super) fn bare(graph: &SceneGraph) -> Vec<NodeId> {
     graph.nodes().filter(|n| vc_geometry::is_bare(n)).map(Node::id).collect()
+}
+
+/// Whether a scene was an environment: its people have figures. Then it is at rest, and stays as it is.
+pub(super) fn was_at_rest(graph: &SceneGraph) -> bool {
+    let has_figure = |id: &NodeId| graph.node(*id).is_some_and(|n| n.spec().asset.is_some() && n.pose().is_some());
+    graph.agents().iter().any(has_figure)
+}
+
+/// The things that stay where a scene has them: all of one that was at rest, else those of which it has only boxes.
+pub(super) fn staying(graph: &SceneGraph) -> Vec<NodeId> {
+    if !was_at_rest(graph) {
+        return bare(graph);
+    }
+    graph.nodes().filter(|n| n.kind() == Kind::Object && n.pose().is_some()).map(Node::id).collect()
 }
 
 /// Gives a shape to everything that has only a box, and a figure to people. `None` if nothing lacks one.
@@ -97,17 +111,32 @@ pub(super) fn hold(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Re
 
 /// Puts back and holds what has moved though it was free to stay: a glass that stands on the edge of a
 /// mat falls over. Returns whether there was any.
-pub(super) fn hold_moved(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Result<bool, PhysicsError> {
+/// Of a scene that was at rest, things that have lost what they were on fall.
+pub(super) fn hold_moved(
+    world: &mut World,
+    graph: &SceneGraph,
+    bare: &[NodeId],
+    at_rest: bool,
+) -> Result<bool, PhysicsError> {
     let wanted = |id: &NodeId| Some((*id, *graph.node(*id)?.pose()?));
     let loose = bare.iter().filter(|id| world.role(**id) == Some(Role::Loose)).filter_map(wanted);
+    let supported = |id: &NodeId| !at_rest || is_by_its_place(world, graph, *id);
     let far = |a: &Pose, b: &Pose| (a.translation.vector - b.translation.vector).norm() > STILL;
     let moved: Vec<(NodeId, Pose)> =
-        loose.filter(|(id, pose)| world.pose(*id).is_some_and(|now| far(&now, pose))).collect();
+        loose.filter(|(id, pose)| world.pose(*id).is_some_and(|now| far(&now, pose)) && supported(id)).collect();
     for (id, pose) in &moved {
         world.place(*id, *pose)?;
         pin(world, graph, *id)?;
     }
     Ok(!moved.is_empty())
+}
+
+/// Holds in a world that was built anew what was held at the start and is where it was.
+pub(super) fn hold_as(start: &Start, world: &mut World, graph: &SceneGraph) -> Result<(), PhysicsError> {
+    let same = |id: NodeId| graph.place(id) == start.graph.place(id) && is_still(&start.graph, graph, id);
+    let held = |id: &NodeId| start.world.role(*id) == Some(Role::Hung) && world.role(*id) == Some(Role::Loose);
+    let held: Vec<NodeId> = graph.nodes().map(Node::id).filter(|id| held(id) && same(*id)).collect();
+    held.into_iter().try_for_each(|id| pin(world, graph, id))
 }
 
 fn pin(world: &mut World, graph: &SceneGraph, id: NodeId) -> Result<(), PhysicsError> {
@@ -129,6 +158,12 @@ fn would_move(world: &World, graph: &SceneGraph, id: NodeId) -> Result<bool, Phy
     }
     let at = |p: Place| world.aabb(p.at).is_some_and(|at| meets(&own, &at));
     Ok(lowered(HOVER)? || graph.places(id).any(at))
+}
+
+/// Whether the scene has a thing at another one: what was at rest and has lost its table falls.
+fn is_by_its_place(world: &World, graph: &SceneGraph, id: NodeId) -> bool {
+    let Some(own) = graph.node(id).and_then(Node::aabb) else { return false };
+    graph.places(id).any(|p| world.aabb(p.at).is_some_and(|at| meets(&own, &at)))
 }
 
 fn meets(a: &Aabb, b: &Aabb) -> bool {
@@ -158,30 +193,114 @@ pub(super) fn keep(
     bare: &[NodeId],
 ) -> Result<Vec<Elsewhere>, EditError> {
     let mut told = Vec::new();
-    let rests = |p: &Place| matches!(p.relation, Relation::On | Relation::Inside);
     for &id in bare {
         let Some(wanted) = scene.place(id).filter(rests) else { continue };
         if graph.places(id).any(|p| p == wanted) {
             let held = world.role(id) == Some(Role::Hung);
+            let within = nested(graph, id, wanted);
             let counts = |p: &Place| {
                 let inside = wanted.relation != Relation::Inside || p.relation == Relation::Inside;
-                inside && (!held || scene.places(id).any(|q| q == *p))
+                inside && (!held || within.contains(p) || scene.places(id).any(|q| q == *p))
             };
             keep_those(graph, id, counts)?;
+            let more = within.iter().filter(|p| !graph.places(id).any(|q| q == **p)).copied();
+            let all: Vec<Place> = graph.places(id).chain(more).collect();
+            if all.len() > graph.places(id).count() {
+                place_where_possible(graph, id, &all, None)?;
+            }
             continue;
         }
         let now = graph.place(id);
         told.push(Elsewhere { thing: graph.label(id), wanted, now });
         let carried = scene.node(id).is_some_and(|n| n.affords(Property::Graspable));
         if carried && is_still(scene, graph, id) {
-            let mut edit = graph.edit();
-            match edit.place_as_seen(id, &[wanted], scene.room_of(id)) {
-                Ok(()) | Err(EditError::SupportCycle { .. }) => drop(edit.commit()),
-                Err(error) => return Err(error),
-            }
+            let places: Vec<Place> = std::iter::once(wanted).chain(nested(graph, id, wanted)).collect();
+            place_where_possible(graph, id, &places, scene.room_of(id))?;
         }
     }
     Ok(told)
+}
+
+/// The containers in which a thing is by geometry that stand where the scene has the thing itself: peppers that a
+/// scene has on the counter are in the bowl there, too.
+fn nested(graph: &SceneGraph, id: NodeId, wanted: Place) -> Vec<Place> {
+    let there = |p: &Place| p.at != wanted.at && graph.rests_at(p.at, wanted.at);
+    let inside = |p: &Place| p.relation == Relation::Inside || sticks_out(graph, id, p.at);
+    let within = graph.places(id).filter(|p| there(p) && inside(p));
+    within.map(|p| Place { relation: Relation::Inside, at: p.at }).collect()
+}
+
+/// Whether a thing is wider than the vessel that it lies on: it reaches below the rim.
+fn sticks_out(graph: &SceneGraph, id: NodeId, vessel: NodeId) -> bool {
+    let (Some(own), Some(at)) = (graph.node(id), graph.node(vessel)) else { return false };
+    let below = own.aabb().zip(at.aabb()).is_some_and(|(own, at)| own.min.z < at.max.z - STILL);
+    below && (at.affords(Property::Recipient) || at.affords(Property::Container))
+}
+
+/// Puts a thing at places; leaves it where it is if one of them rests on the thing itself.
+fn place_where_possible(
+    graph: &mut SceneGraph,
+    id: NodeId,
+    places: &[Place],
+    room: Option<NodeId>,
+) -> Result<(), EditError> {
+    let mut edit = graph.edit();
+    match edit.place_as_seen(id, places, room) {
+        Ok(()) => drop(edit.commit()),
+        Err(EditError::SupportCycle { .. }) => {}
+        Err(error) => return Err(error),
+    }
+    Ok(())
+}
+
+/// Keeps all places of a scene that was at rest, of the things that have not moved.
+pub(super) fn keep_all(scene: &SceneGraph, graph: &mut SceneGraph) -> Result<(), EditError> {
+    for node in scene.nodes().filter(|n| n.kind() == Kind::Object) {
+        let (id, wanted) = (node.id(), places(scene, node.id()));
+        if wanted.iter().all(rests) && is_still(scene, graph, id) && places(graph, id) != wanted {
+            place_where_possible(graph, id, &wanted, scene.room_of(id))?;
+        }
+    }
+    Ok(())
+}
+
+/// The places of things where they are not those that geometry gives.
+pub(super) fn kept(traced: &SceneGraph, graph: &SceneGraph, staying: &[NodeId]) -> BTreeMap<NodeId, Vec<Place>> {
+    let differ = |id: &NodeId| places(traced, *id) != places(graph, *id);
+    staying.iter().copied().filter(differ).map(|id| (id, places(graph, id))).collect()
+}
+
+/// Those places that the scene gave to a thing and geometry does not, at which it still is: it lies there as it lay
+/// at the start, and nothing has put it elsewhere. `None` if geometry decides.
+pub(super) fn still_at(start: &Start, graph: &SceneGraph, world: &World, id: NodeId) -> Option<Vec<Place>> {
+    let holds = |p: &Place| graph.places(id).any(|q| q == *p) && lies_as(&start.world, world, id, p.at);
+    let still: Vec<Place> = start.kept.get(&id)?.iter().copied().filter(holds).collect();
+    (!still.is_empty()).then_some(still)
+}
+
+/// Whether a thing is against another, or against one of its moving parts, as it was.
+fn lies_as(before: &World, now: &World, id: NodeId, at: NodeId) -> bool {
+    let (Some(was), Some(is)) = (before.pose(id), now.pose(id)) else { return false };
+    let against = |frame: Pose, pose: &Pose| (frame.inverse() * pose).translation.vector;
+    let mut pairs = frames(before, at).into_iter().zip(frames(now, at));
+    pairs.any(|(a, b)| (against(a, &was) - against(b, &is)).norm() < STILL)
+}
+
+/// Where a thing and its moving parts are; rooms are where they were.
+fn frames(world: &World, at: NodeId) -> Vec<Pose> {
+    let parts = (0..world.moving_parts(at).len()).filter_map(|part| world.part_pose(at, part));
+    std::iter::once(world.pose(at).unwrap_or_else(Pose::identity)).chain(parts).collect()
+}
+
+fn rests(place: &Place) -> bool {
+    matches!(place.relation, Relation::On | Relation::Inside)
+}
+
+/// The places of a thing, in order.
+fn places(graph: &SceneGraph, id: NodeId) -> Vec<Place> {
+    let mut places: Vec<Place> = graph.places(id).collect();
+    places.sort_unstable();
+    places
 }
 
 /// Keeps those places of a thing that count: a thing in a container is not also on the container's

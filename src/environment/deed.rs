@@ -13,7 +13,7 @@ use super::beat::{Beat, Course, Drive};
 use super::undo::{Care, Step};
 use super::{ActionError, Impossible, Start};
 
-pub(super) use hands::comes_along;
+pub(super) use hands::{comes_along, load_of};
 
 /// Steps after which a door that moves counts as stuck.
 const DRIVING: u32 = 300;
@@ -325,7 +325,7 @@ fn goals(places: &[Pose], lying: bool) -> impl Iterator<Item = Point3<f32>> {
 }
 
 /// The turn around the vertical whose X points along a way.
-pub(super) fn towards(way: nalgebra::Vector2<f32>) -> nalgebra::UnitQuaternion<f32> {
+pub(in crate::environment) fn towards(way: nalgebra::Vector2<f32>) -> nalgebra::UnitQuaternion<f32> {
     use vc_graph::portable::Portable;
     nalgebra::UnitQuaternion::from_axis_angle(&Vector3::z_axis(), way.y.angle_to(way.x))
 }

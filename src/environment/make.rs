@@ -30,8 +30,10 @@ struct Made {
     floor: Floor,
     shapes: Shapes,
     left_out: LeftOut,
-    /// Things of which the scene had only boxes, and which shapes they got.
-    bare: Vec<NodeId>,
+    /// Things that stay where the scene has them, and whether that was an environment's.
+    staying: Vec<NodeId>,
+    at_rest: bool,
+    /// Which shapes things got of which the scene had only boxes.
     assets: Assets,
 }
 
@@ -100,8 +102,9 @@ impl Environment {
     /// # Errors
     /// [`MakeError`].
     pub fn of_with(graph: SceneGraph, agents: usize, options: &SceneOptions) -> Result<Self, MakeError> {
-        // Things that had only a box stay where the scene has them, whichever shape they get.
-        let bare = boxes::bare(&graph);
+        // Things that had only a box stay where the scene has them, whichever shape they get; so do all that were
+        // at rest.
+        let (at_rest, staying) = (boxes::was_at_rest(&graph), boxes::staying(&graph));
         let graph = scene::shaped(&graph)?.unwrap_or(graph);
         let graph = boxes::shaped(&graph, options.assets)?.unwrap_or(graph);
         let posed = |n: &&vc_graph::Node| n.kind() == Kind::Object && n.pose().is_some();
@@ -111,14 +114,14 @@ impl Environment {
         let mut builder = SceneBuilder::of(graph);
         let shapes = Shapes::new();
         let mut world = World::build(builder.graph(), &shapes, Settings::default())?;
-        boxes::hold(&mut world, builder.graph(), &bare)?;
+        boxes::hold(&mut world, builder.graph(), &staying)?;
         undress(&mut world, builder.graph())?;
         let left_out = astray::calm(&mut world, &mut builder)?;
-        if boxes::hold_moved(&mut world, builder.graph(), &bare)? {
+        if boxes::hold_moved(&mut world, builder.graph(), &staying, at_rest)? {
             act::calm(&mut world);
         }
         let floor = Floor::of(&world, FloorPlan::default());
-        if !bare.is_empty() {
+        if !at_rest && !staying.is_empty() {
             boxes::step_aside(&mut world, builder.graph(), &floor)?;
         }
         astray::stand_on_floor(&mut world, &floor)?;
@@ -138,19 +141,25 @@ impl Environment {
         if builder.graph().agents().is_empty() {
             return Err(MakeError::NoAgents);
         }
-        let made = Made { world, floor, shapes, left_out, bare, assets: options.assets };
+        let made = Made { world, floor, shapes, left_out, staying, at_rest, assets: options.assets };
         Self::begin(builder.build(), made)
     }
 
     fn begin(mut graph: SceneGraph, made: Made) -> Result<Self, MakeError> {
-        let Made { world, floor, shapes, left_out, bare, assets } = made;
+        let Made { world, floor, shapes, left_out, staying, at_rest, assets } = made;
         let scene = graph.clone();
         observe::write_poses(&mut graph, &world)?;
         let relations = Relations::new(&graph, Rule::Repaired, observe::evidence(&world))?;
         let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
         relations.write(&mut graph, &all)?;
-        let elsewhere = boxes::keep(&scene, &mut graph, &world, &bare)?;
-        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, assets };
+        let traced = graph.clone();
+        let elsewhere = if at_rest {
+            boxes::keep_all(&scene, &mut graph).map(|()| Vec::new())?
+        } else {
+            boxes::keep(&scene, &mut graph, &world, &staying)?
+        };
+        let kept = boxes::kept(&traced, &graph, &staying);
+        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, kept, assets };
         Ok(Self::at(Arc::new(start)))
     }
 

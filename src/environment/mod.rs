@@ -12,6 +12,7 @@ mod export;
 mod feasible;
 mod make;
 mod observe;
+mod outlook;
 mod reset;
 mod save;
 mod scene;
@@ -100,6 +101,8 @@ struct Start {
     shapes: Shapes,
     left_out: Vec<(NodeId, Arc<str>)>,
     elsewhere: Vec<Elsewhere>,
+    /// Places that the scene gives to things and geometry does not: they hold while these have not moved.
+    kept: std::collections::BTreeMap<NodeId, Vec<vc_graph::Place>>,
     /// Which shapes things get that have only boxes.
     assets: Assets,
 }

@@ -4,7 +4,7 @@ use vc_graph::{ChangeSet, EditError, NodeId, Pose, Relation, SceneGraph};
 use vc_physics::World;
 use vc_relations::{Evidence, Relations};
 
-use super::Impossible;
+use super::{Impossible, Start, boxes};
 
 /// Height of worn things above the wearer's feet, metres.
 const WORN: f32 = 0.9;
@@ -44,9 +44,10 @@ pub(super) fn evidence(world: &World) -> Evidence {
 /// graph. Returns all whose relations may be different, and what changed.
 ///
 /// `changed` are those that the rule puts elsewhere. The graph then says the same as a scene read anew,
-/// whatever it said before.
+/// whatever it said before; a thing that has not moved keeps the places that the scene gave it.
 pub(super) fn look_again(
     graph: &mut SceneGraph,
+    start: &Start,
     world: &World,
     relations: &mut Relations,
     changed: &[NodeId],
@@ -55,6 +56,7 @@ pub(super) fn look_again(
     let (mut moved, poses) = write_poses(graph, world).map_err(|e| unreadable(&e))?;
     moved.extend_from_slice(changed);
     let met = relations.update_with(graph, &moved, evidence(world)).map_err(|e| unreadable(&e))?;
-    let edges = relations.write(graph, &met).map_err(|e| unreadable(&e))?;
+    let kept = |graph: &SceneGraph, id: NodeId| boxes::still_at(start, graph, world, id);
+    let edges = relations.write_but(graph, &met, kept).map_err(|e| unreadable(&e))?;
     Ok((met, poses.then(edges)))
 }

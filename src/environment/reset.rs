@@ -123,7 +123,10 @@ impl Environment {
         let mut wanted = shaped.unwrap_or_else(|| graph.clone());
         let mut plan = Plan::of(&self.start.graph, &wanted);
         plan.lend_poses(&mut wanted)?;
-        let (mut world, _) = self.start.world.reset(&wanted, &self.start.shapes)?;
+        let (mut world, how) = self.start.world.reset(&wanted, &self.start.shapes)?;
+        if how.built {
+            boxes::hold_as(&self.start, &mut world, &wanted)?;
+        }
         undress(&mut world, &wanted)?;
         plan.settle_places(&mut world, &mut wanted)?;
         plan.lower(&mut world)?;
@@ -172,7 +175,7 @@ impl Environment {
             relations.set_evidence(graph, evidence)?;
             graph.nodes().map(vc_graph::Node::id).collect()
         };
-        relations.write(graph, &met)?;
+        relations.write_but(graph, &met, |graph, id| boxes::still_at(&self.start, graph, world, id))?;
         let kept: Vec<NodeId> = self.start.elsewhere.iter().map(|e| e.thing.id).collect();
         boxes::keep(&wanted, graph, world, &kept)?;
         Ok(relations)

@@ -67,7 +67,7 @@ impl Environment {
             self.world.face(agent, ahead).map_err(|e| impossible(e.into()))?;
         }
         self.world.go(agent, Vector2::zeros()).map_err(|e| impossible(e.into()))?;
-        let seen = observe::look_again(&mut self.graph, &self.world, &mut self.relations, &[]);
+        let seen = observe::look_again(&mut self.graph, &self.start, &self.world, &mut self.relations, &[]);
         seen.map(|(_, changes)| changes).map_err(impossible)
     }
 }

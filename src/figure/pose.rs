@@ -20,6 +20,8 @@ const EYES: Vector3<f32> = Vector3::new(0.14, 0.0, 0.13);
 const NECK: (f32, f32) = (1.2, 1.4);
 /// How much of the way a free arm comes to hang straight down from a bent trunk.
 const HANGS: f32 = 0.7;
+/// How far down one looks who carries something, radians.
+const GLANCE: f32 = 0.3;
 /// From the ankle to the ball of the foot, metres.
 const SOLE: f32 = 0.13;
 
@@ -57,7 +59,7 @@ impl Skeleton {
     pub(crate) fn new(attitude: Attitude, doing: &Doing, hands: [Option<Point3<f32>>; 2]) -> Self {
         let mut skeleton = Self { bones: [Pose::identity(); Bone::ALL.len()] };
         match attitude {
-            Attitude::Standing => skeleton.stand(doing),
+            Attitude::Standing => skeleton.stand(doing, hands.iter().any(Option::is_some)),
             Attitude::Sitting(height) => skeleton.sit(height, doing),
             Attitude::Lying => skeleton.lie(),
         }
@@ -119,14 +121,15 @@ impl Skeleton {
         }
     }
 
-    fn stand(&mut self, doing: &Doing) {
+    fn stand(&mut self, doing: &Doing, carries: bool) {
         let stoop = doing.reach.map_or_else(Stoop::default, |reach| Stoop::to(&reach, None));
         let bob = doing.walked.map_or(0.0, |way| 0.018 * (1.0 - (2.0 * phase(way)).cosine()));
         let hips = stoop.hips();
         self.carry(Pose::translation(hips.x, 0.0, hips.z - bob));
         let forward = if doing.walked.is_some() { pitch(0.06) } else { UnitQuaternion::identity() };
         self.turn(Bone::Chest, stoop.chest() * forward);
-        self.turn(Bone::Head, pitch(-0.4 * stoop.bend));
+        let glance = if carries { GLANCE } else { 0.0 };
+        self.turn(Bone::Head, pitch(glance - 0.4 * stoop.bend));
         self.look(doing);
         for side in Side::BOTH {
             let ankle = step(side, doing.walked) + Vector3::z() * stoop.toes();

@@ -14,6 +14,18 @@ const CUT: f32 = 2.1;
 const LOOK: (u32, u32) = (64, 48);
 /// Height of cameras in corners above the floor, and of what they look at, metres.
 const CORNER: (f32, f32) = (2.05, 0.8);
+/// How far down such a camera looks at most, as a slope: in small rooms it looks over the middle.
+const STEEP: f32 = 0.5;
+/// What is nearer to a camera in a room is in its way, panes too, metres.
+const CLOSE: f32 = 1.0;
+/// Rays by which this is found, across and down.
+const RAYS: (u32, u32) = (8, 6);
+/// How much the parts of a picture count against a thing that is in it: what is in the way, what is beyond the room,
+/// and the room's floor, of which up to a share helps.
+const WEIGHTS: [f32; 3] = [60.0, 20.0, 30.0];
+const FLOOR: f32 = 0.3;
+/// How much somebody counts who is in the room as the home begins, as things.
+const PERSON: f32 = 5.0;
 
 /// Where a camera is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,11 +92,14 @@ impl Environment {
     fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError> {
         let bounds = self.bounds_of(room)?;
         let (low, high, middle) = (bounds.min, bounds.max, bounds.centre());
-        let target = Point3::new(middle.x, middle.y, low.z + CORNER.1);
+        let target = |eye: &Point3<f32>| {
+            let far = (middle.xy() - eye.xy()).norm();
+            Point3::new(middle.x, middle.y, (low.z + CORNER.1).max(eye.z - STEEP * far))
+        };
         // A thread that panicked left nothing half done here. The lock is not held while pictures are made.
         let known = || self.sight().corners.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(eye) = known().get(&room) {
-            return Ok(camera.looking(*eye, target));
+            return Ok(camera.looking(*eye, target(eye)));
         }
         let base = self.base()?;
         let small = Camera::with_fov(LOOK.0, LOOK.1, FIELD);
@@ -97,30 +112,45 @@ impl Environment {
                 _ => (low + high) / 2.0,
             };
             let eye = Point3::new(along(x, low.x, high.x), along(y, low.y, high.y), low.z + CORNER.0);
-            let small = small.looking(eye, target);
-            base.renderer
-                .render(&Shot::new(&base.snapshot, &small, Modality::Instance | Modality::Depth), &mut frame)?;
-            let score = self.shown(room, &frame);
+            let small = small.looking(eye, target(&eye));
+            base.renderer.render(&Shot::new(&base.snapshot, &small, Modality::Instance), &mut frame)?;
+            let score = self.shown(room, &frame) - WEIGHTS[0] * self.blocked(&small);
             if best.is_none_or(|b| score > b.0) {
                 best = Some((score, eye));
             }
         }
-        let eye = best.map_or(target, |(_, eye)| eye);
+        let eye = best.map_or(middle, |(_, eye)| eye);
         known().insert(room, eye);
-        Ok(camera.looking(eye, target))
+        Ok(camera.looking(eye, target(&eye)))
     }
 
-    /// How many things of a room a picture shows, less what is in the way.
+    /// Which share of a camera's view something is in that is close to it, panes too; the floor does not count.
+    fn blocked(&self, camera: &Camera) -> f32 {
+        let eye = camera.eye();
+        let (graph, world) = self.origin();
+        let is_floor = |id: NodeId| graph.node(id).is_some_and(|n| &**n.class() == "floor");
+        let at = |i: u32, count: u32, size: u32| (i as f32 + 0.5) * size as f32 / count as f32;
+        let rays = (0..RAYS.1).flat_map(|row| (0..RAYS.0).map(move |column| (column, row)));
+        let met = |(column, row): &(u32, u32)| {
+            let to = camera.unproject(at(*column, RAYS.0, camera.width), at(*row, RAYS.1, camera.height), CLOSE);
+            world.ray(eye, to, &[]).is_some_and(|(id, _)| !is_floor(id))
+        };
+        rays.filter(met).count() as f32 / (RAYS.0 * RAYS.1) as f32
+    }
+
+    /// How many things of a room a picture shows, and how much of its floor, less what is beyond the room.
     fn shown(&self, room: NodeId, frame: &Frame) -> f32 {
         let mut seen: Vec<NodeId> = frame.instance.clone();
         let (pixels, graph) = (seen.len().max(1) as f32, self.origin().0);
         let foreign = |id: &&NodeId| graph.room_of(**id) != Some(room);
         let others = seen.iter().filter(foreign).count() as f32 / pixels;
-        let close = frame.depth.iter().filter(|d| **d < 0.7).count() as f32 / pixels;
+        let is_floor = |id: &&NodeId| graph.node(**id).is_some_and(|n| &**n.class() == "floor") && !foreign(id);
+        let floor = (seen.iter().filter(is_floor).count() as f32 / pixels).min(FLOOR);
         seen.sort_unstable();
         seen.dedup();
-        let own = seen.iter().filter(|id| !foreign(id)).count() as f32;
-        own - 60.0 * close - 20.0 * others
+        let own: Vec<&NodeId> = seen.iter().filter(|id| !foreign(id)).collect();
+        let people = own.iter().filter(|id| graph.agents().contains(id)).count() as f32;
+        own.len() as f32 + PERSON * people + WEIGHTS[2] * floor - WEIGHTS[1] * others
     }
 }
 

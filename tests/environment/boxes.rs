@@ -44,7 +44,7 @@ fn boxes(text: &str) -> Environment {
     Environment::of(read_scene(text, &ClassTable::builtin()).unwrap(), 1).unwrap()
 }
 
-fn one(home: &Environment, class: &str) -> NodeId {
+pub(super) fn one(home: &Environment, class: &str) -> NodeId {
     home.graph().of_class(class)[0]
 }
 

@@ -43,10 +43,31 @@ impl Relations {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn write(&self, graph: &mut SceneGraph, nodes: &[NodeId]) -> Result<ChangeSet, EditError> {
+        self.write_but(graph, nodes, |_, _| None)
+    }
+
+    /// As [`Self::write`]; of some things the caller knows where they rest, whatever geometry says: `known` is given
+    /// the graph as it was and a node, and names its places. Such a thing stays in the room that the graph has it in.
+    ///
+    /// # Errors
+    /// As [`Self::write`].
+    pub fn write_but(
+        &self,
+        graph: &mut SceneGraph,
+        nodes: &[NodeId],
+        known: impl Fn(&SceneGraph, NodeId) -> Option<Vec<Place>>,
+    ) -> Result<ChangeSet, EditError> {
         let mut edit = graph.edit();
         let there = |id: &NodeId| graph_has(edit.graph(), *id);
         let there: Vec<NodeId> = nodes.iter().copied().filter(there).collect();
-        let own = carriers_first(self.of_each(&there));
+        let mut own = self.of_each(&there);
+        for (id, edges) in &mut own {
+            if let Some(places) = known(edit.graph(), *id) {
+                edges.retain(|e| !rests(e) && e.relation != Relation::InRoom);
+                edges.extend(places.into_iter().map(|p| Edge::new(*id, p.relation, p.at)));
+            }
+        }
+        let own = carriers_first(own);
         // All that go elsewhere leave their old places first, so that no old place makes a new
         // one a cycle.
         for (id, edges) in &own {

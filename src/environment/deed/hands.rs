@@ -32,7 +32,7 @@ impl Deed<'_> {
         if self.world.pose(id).is_none() {
             return self.undress(hand, id);
         }
-        self.world.grab_with(self.agent, hand, id, |load| comes_along(self.before, load, id))?;
+        self.world.grab_all(self.agent, hand, id, &load_of(self.before, id))?;
         self.course.push(Beat::Take(hand, id));
         Ok(())
     }
@@ -239,11 +239,18 @@ impl Deed<'_> {
     }
 }
 
-/// Whether a thing comes along when another is taken: if it rests on nothing else. What touches
-/// that only from above, or is carried by the table as well, stays behind.
+/// Whether a thing comes along when another is taken: if it rests on nothing else, or is in that and else only on
+/// what that stands on. What touches it only from above, or is carried by the table as well, stays behind.
 pub(in crate::environment) fn comes_along(graph: &SceneGraph, load: NodeId, taken: NodeId) -> bool {
-    let on_it = |p: Place| p.at == taken || graph.rests_at(p.at, taken);
-    graph.rests_at(load, taken) && graph.places(load).all(on_it)
+    let on_it = |p: &Place| p.at == taken || graph.rests_at(p.at, taken);
+    let inside = graph.places(load).any(|p| p.relation == Relation::Inside && on_it(&p));
+    let below = |p: &Place| inside && graph.rests_at(taken, p.at);
+    graph.rests_at(load, taken) && graph.places(load).all(|p| on_it(&p) || below(&p))
+}
+
+/// All that comes along when a thing is taken.
+pub(in crate::environment) fn load_of(graph: &SceneGraph, taken: NodeId) -> Vec<NodeId> {
+    graph.carried_with(taken).into_iter().filter(|id| *id != taken && comes_along(graph, *id, taken)).collect()
 }
 
 /// A graph in which a thing has another scale.

@@ -1,12 +1,14 @@
 //! Where to stand for what is to be done, and getting there.
 
 use nalgebra::{Point2, Point3, Vector2};
-use vc_graph::{Kind, NodeId, Pose};
-use vc_physics::Stand;
+use vc_graph::asset::JointKind;
+use vc_graph::{Kind, NodeId, Pose, Property};
+use vc_physics::{Stand, World};
 
 use super::{Deed, Done, towards};
 use crate::environment::Impossible;
 use crate::environment::beat::Beat;
+use crate::environment::outlook;
 
 /// Free floor that agents keep from each other, metres.
 const APART: f32 = 0.55;
@@ -14,6 +16,8 @@ const APART: f32 = 0.55;
 const INNER: f32 = 0.1;
 /// What one goes up to counts as near then, metres.
 const NEAR: f32 = vc_graph::NEAR - 0.02;
+/// Of how many of the points in a thing one is to see who opens it.
+const SHOWN: usize = 6;
 
 impl Deed<'_> {
     /// Brings a thing within reach of the hands: by turning, by a step or by a walk.
@@ -270,19 +274,29 @@ impl Deed<'_> {
     }
 
     /// Stands where a door is reached, and not in its way while it opens or closes; if there
-    /// is no such spot, at least not in its way then.
+    /// is no such spot, at least not in its way then. Who opens a container stands where it is seen into, if there
+    /// is such a spot.
     pub(super) fn stand_clear(&mut self, id: NodeId, open: f32) -> Done {
         let swing = [open, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0 - open];
         let clear_here = self.world.stands_clear(self.agent, &self.feet(), id, &swing)?;
         let free = |feet: &Pose, at: &[f32]| self.world.stands_clear(self.agent, feet, id, at).unwrap_or(false);
         let clear = |feet: &Pose| free(feet, &swing);
-        if self.world.reach_to(self.agent, id)? <= self.plan().reach && clear_here {
+        self.floor.update(self.world);
+        let stays = self.world.reach_to(self.agent, id)? <= self.plan().reach && clear_here;
+        let opened = if open > 0.5 { self.opened(id)? } else { None };
+        let shows = |feet: &Pose| opened.as_ref().is_none_or(|opened| self.shows_inside(opened, feet, id));
+        if stays && shows(&self.feet()) {
             return self.face(id);
         }
-        self.floor.update(self.world);
         let ends = |feet: &Pose| free(feet, &swing[..1]);
         let room = self.before.room_of(self.agent);
-        let mut found = self.stand_where(id, room, |feet| clear(feet) && self.sees(feet, id))?;
+        let mut found = self.stand_where(id, room, |feet| clear(feet) && shows(feet))?;
+        if found.is_none() && stays {
+            return self.face(id);
+        }
+        if found.is_none() {
+            found = self.stand_where(id, room, |feet| clear(feet) && self.sees(feet, id))?;
+        }
         for at_the_end in [false, true] {
             if found.is_none() {
                 found = self.stand_where(id, room, |feet| if at_the_end { ends(feet) } else { clear(feet) })?;
@@ -293,6 +307,23 @@ impl Deed<'_> {
             found = self.stand_beside(id, clear);
         }
         self.walk(found.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?)
+    }
+
+    /// The world with a container standing open, if it has a door that turns.
+    fn opened(&self, id: NodeId) -> Result<Option<World>, Impossible> {
+        let turns = self.world.moving_parts(id).iter().any(|part| part.kind == JointKind::Hinge);
+        if !turns || !self.before.node(id).is_some_and(|n| n.affords(Property::Container)) {
+            return Ok(None);
+        }
+        let mut opened = self.world.clone();
+        opened.put_all_open(id, 1.0)?;
+        Ok(Some(opened))
+    }
+
+    /// Whether somebody who stands somewhere sees into a thing when it stands open.
+    fn shows_inside(&self, opened: &World, feet: &Pose, id: NodeId) -> bool {
+        let Some(closed) = self.world.aabb(id) else { return false };
+        outlook::into_thing(opened, self.before, (id, &closed), (feet, self.plan().eye())) >= SHOWN
     }
 
     /// Whether a thing covers a window from above.

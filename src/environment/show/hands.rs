@@ -8,7 +8,7 @@ use vc_physics::Hand;
 use super::{Player, between};
 use crate::environment::Environment;
 use crate::environment::beat::{Drive, Put};
-use crate::environment::deed::comes_along;
+use crate::environment::deed::load_of;
 use crate::figure::{Doing, Reach, Side};
 
 /// Seconds in which a hand goes out, and in which it comes back.
@@ -43,7 +43,7 @@ impl Player {
         if before < REACHING && self.time >= REACHING {
             self.handling.out = show.world.pose(id).map(|pose| feet.inverse() * pose);
             let Environment { world, graph, .. } = &mut *show;
-            drop(world.grab_with(agent, hand, id, |load| comes_along(graph, load, id)));
+            drop(world.grab_all(agent, hand, id, &load_of(graph, id)));
             self.handling.rest = world.grip(agent, hand);
             self.come_true(show);
         }

@@ -116,7 +116,7 @@ impl Environment {
     fn look(&mut self, changed: &[NodeId]) {
         // For the moment between two ticks things may be where no relation can be told; then those
         // before hold.
-        let _ = observe::look_again(&mut self.graph, &self.world, &mut self.relations, changed);
+        let _ = observe::look_again(&mut self.graph, &self.start, &self.world, &mut self.relations, changed);
     }
 }
 

@@ -29,15 +29,35 @@ impl World {
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
     pub fn parts_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsAside>, AgentError> {
+        self.parts_moved(agent, feet, false)
+    }
+
+    /// As [`parts_aside`](Self::parts_aside); doors between rooms that are shut but not locked give way too, and
+    /// stand open then.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`].
+    pub fn doors_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsAside>, AgentError> {
+        self.parts_moved(agent, feet, true)
+    }
+
+    fn parts_moved(&self, agent: NodeId, feet: &Pose, opens: bool) -> Result<Option<PartsAside>, AgentError> {
         let body = self.agent(agent)?;
         let aside = |(id, link): (NodeId, usize)| {
             let part = link.checked_sub(1)?;
-            Some((id, part, self.part_aside(body, feet, id, part)?))
+            let opens = opens && self.is_shut_by_hand(id, part);
+            Some((id, part, self.part_aside(body, feet, id, part, if opens { 0.0 } else { AJAR })?))
         };
         let met = self.met_at(body, feet);
         // What lies in a drawer goes along with it.
         let load: Vec<NodeId> = met.iter().flat_map(|(id, link)| self.load_of_link(*id, *link)).collect();
         Ok(met.into_iter().filter(|(id, _)| !load.contains(id)).map(aside).collect())
+    }
+
+    /// Whether a part is the leaf of a door between rooms and not locked.
+    fn is_shut_by_hand(&self, id: NodeId, part: usize) -> bool {
+        let free = |thing: &crate::world::Thing| thing.state.moving.get(part).is_some_and(|m| !m.locked);
+        self.thing(id).is_ok_and(|thing| thing.state.door && free(thing))
     }
 
     /// What lies on or in a moving part.
@@ -59,8 +79,9 @@ impl World {
     }
 
     /// How far open a part would be that is out of a body's way, nearest to how far it is.
-    fn part_aside(&self, body: &Agent, feet: &Pose, id: NodeId, part: usize) -> Option<f32> {
-        let now = self.moving_parts(id).get(part).map(|p| p.open).filter(|open| *open >= AJAR)?;
+    /// It gives way if it stands open so far already.
+    fn part_aside(&self, body: &Agent, feet: &Pose, id: NodeId, part: usize, least: f32) -> Option<f32> {
+        let now = self.moving_parts(id).get(part).map(|p| p.open).filter(|open| *open >= least)?;
         let look = |i: u8| AJAR + (1.0 - AJAR) * f32::from(i) / f32::from(LOOKS);
         let mut looks: Vec<f32> = (0..=LOOKS).map(look).collect();
         looks.sort_by(|a, b| (a - now).abs().total_cmp(&(b - now).abs()));

@@ -19,6 +19,16 @@ const TORSO: f32 = 0.29;
 
 /// Least distance of what is held from the body, metres.
 const BEFORE: f32 = 0.02;
+/// Where hands hold things: how far ahead of the body and to its side, metres, and how high, as a part of the height:
+/// before the chest, so that the eyes have it in view.
+const AHEAD: f32 = 0.3;
+const ASIDE: f32 = 0.2;
+const CHEST: f32 = 0.74;
+/// How far below the eyes the top of what is held is at least, as a part of how far its far side is ahead: one looks
+/// over it.
+const BELOW: f32 = 0.5;
+/// How far above the floor what is held is at least, metres.
+const OFF: f32 = 0.05;
 
 /// A hand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -91,9 +101,9 @@ impl Agent {
         }
     }
 
-    /// Where a hand is against the feet: before the body, at the height of the elbow.
+    /// Where a hand is against the feet: before the chest.
     fn hand(&self, hand: Hand) -> Point3<f32> {
-        Point3::new(self.plan.radius + 0.2, 0.2 * hand.side(), 0.62 * self.plan.height)
+        Point3::new(self.plan.radius + AHEAD, ASIDE * hand.side(), CHEST * self.plan.height)
     }
 }
 
@@ -236,21 +246,34 @@ impl World {
         id: NodeId,
         comes: impl Fn(NodeId) -> bool,
     ) -> Result<(), AgentError> {
-        let distance = self.reach_to(agent, id)?;
-        let reach = self.agent(agent)?.plan.reach;
-        if distance > reach {
-            return Err(AgentError::OutOfReach { agent, id, distance, reach });
-        }
-        self.take(agent, hand, id, comes)
+        self.check_reach(agent, id)?;
+        self.take(agent, hand, id, comes, &[])
     }
 
-    /// As [`Self::grab_with`], from any distance.
+    /// As [`Self::grab`]; exactly these things come along, also those that do not touch the thing: what a scene has
+    /// in a bowl through whose side it sticks. What has no body is passed over.
+    ///
+    /// # Errors
+    /// As [`Self::grab`].
+    pub fn grab_all(&mut self, agent: NodeId, hand: Hand, id: NodeId, load: &[NodeId]) -> Result<(), AgentError> {
+        self.check_reach(agent, id)?;
+        self.take(agent, hand, id, |id| load.contains(&id), load)
+    }
+
+    fn check_reach(&self, agent: NodeId, id: NodeId) -> Result<(), AgentError> {
+        let distance = self.reach_to(agent, id)?;
+        let reach = self.agent(agent)?.plan.reach;
+        if distance > reach { Err(AgentError::OutOfReach { agent, id, distance, reach }) } else { Ok(()) }
+    }
+
+    /// As [`Self::grab_with`], from any distance, and with more that does not lie on it.
     pub(crate) fn take(
         &mut self,
         agent: NodeId,
         hand: Hand,
         id: NodeId,
         comes: impl Fn(NodeId) -> bool,
+        more: &[NodeId],
     ) -> Result<(), AgentError> {
         let body = self.agent(agent)?;
         if let Some(held) = &body.hands[hand as usize] {
@@ -271,7 +294,10 @@ impl World {
         }
         let pose = self.engine.pose(base).unwrap_or_else(Pose::identity);
         let grip = grip(body, hand, &pose, thing.form.extent);
-        let load = self.load_of(base);
+        let mut load = self.load_of(base);
+        let free = |other: &NodeId| matches!(self.role(*other), Some(Role::Loose | Role::Hung)) && *other != id;
+        let more: Vec<NodeId> = more.iter().copied().filter(|other| free(other) && !load.contains(other)).collect();
+        load.extend(more);
         let pinned = |load: NodeId| self.role(load) == Some(Role::Hung);
         let at = |load: NodeId| Some(Loaded { id: load, at: pose.inverse() * self.pose(load)?, pinned: pinned(load) });
         let (load, left): (Vec<NodeId>, Vec<NodeId>) = load.into_iter().partition(|id| comes(*id));
@@ -377,13 +403,16 @@ impl World {
 }
 
 /// Where a thing is held: upright as it was, turned with the agent, its middle in the
-/// hand; large things as much farther ahead as keeps them out of the body.
+/// hand; large things as much farther ahead as keeps them out of the body, tall ones lower.
 fn grip(agent: &Agent, hand: Hand, pose: &Pose, (low, high): (Point3<f32>, Point3<f32>)) -> Pose {
     let turn = agent.feet.rotation.inverse() * pose.rotation;
     let (middle, half) = (nalgebra::center(&low, &high), (high - low) / 2.0);
-    let deep = (turn.inverse() * Vector3::x()).abs().dot(&half);
+    let along = |axis: Vector3<f32>| (turn.inverse() * axis).abs().dot(&half);
+    let (deep, tall) = (along(Vector3::x()), along(Vector3::z()));
     let mut at = agent.hand(hand).coords;
     at.x = at.x.max(agent.plan.radius + BEFORE + deep);
+    let top = agent.plan.eye() - BELOW * (at.x + deep - agent.plan.radius);
+    at.z = at.z.min(top - tall).max(tall + OFF);
     Pose::from_parts((at - turn * middle.coords).into(), turn)
 }
 
