@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use vc_graph::{Draft, EditError, Effect, Label, NodeId, Place, Pose, Relation, SceneBuilder, Seed, rule};
+use vc_graph::class::Category;
+use vc_graph::{Draft, EditError, Effect, Label, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder};
+use vc_graph::{SceneGraph, Seed, State, rule};
 use vc_physics::{Posture, Role};
 use vc_tasks::initial::Stock;
 
@@ -212,6 +214,33 @@ impl Environment {
         Ok(())
     }
 
+    /// Switches the home's lamps on or off at once, as people who are at home in the evening have them: all that can be
+    /// switched, but those that lie about without being plugged in, as torches and spare bulbs do. Gives those that
+    /// were switched. The history does not contain this.
+    ///
+    /// `Edit::enter_state`. Costs some microseconds.
+    ///
+    /// ```
+    /// use virtualcity::Environment;
+    /// let mut home = Environment::make("apartment/42", 1)?;
+    /// let lamps = home.switch_lamps(true)?;
+    /// assert!(!lamps.is_empty());
+    /// assert_eq!(home.switch_lamps(false)?, lamps);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`AlterError`]; then nothing has changed.
+    pub fn switch_lamps(&mut self, on: bool) -> Result<Vec<NodeId>, AlterError> {
+        let state = if on { State::On } else { State::Off };
+        let switched = |n: &&Node| is_lamp(&self.graph, n) && n.is(State::On) != on;
+        let lamps: Vec<NodeId> = self.graph.nodes().filter(switched).map(Node::id).collect();
+        let mut edit = self.graph.edit();
+        lamps.iter().try_for_each(|id| edit.enter_state(*id, state))?;
+        edit.commit();
+        Ok(lamps)
+    }
+
     /// A place where something can be put; a room stands for its floor.
     fn checked(&self, place: Place) -> Result<Place, AlterError> {
         if !matches!(place.relation, Relation::On | Relation::Inside) {
@@ -273,6 +302,13 @@ impl Environment {
         let feet = Pose::translation(at.x, at.y, self.floor.plan().level);
         self.floor.is_free(*at) && self.world.stands_free(agent, &feet).is_ok_and(|free| free)
     }
+}
+
+/// Whether something is a lamp that lights a home where it is.
+fn is_lamp(graph: &SceneGraph, node: &Node) -> bool {
+    let known = graph.classes().get(node.class()).is_some_and(|class| class.category == Category::Lamp);
+    let lies_about = node.affords(Property::Graspable) && !node.is(State::PluggedIn);
+    known && node.affords(Property::Switchable) && !lies_about
 }
 
 fn unreadable(error: vc_relations::InputError) -> AlterError {

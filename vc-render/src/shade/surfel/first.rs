@@ -3,6 +3,7 @@
 use super::{BENT, Known, Look, NONE, Paint, UNMOVED, Writer};
 use crate::affine;
 use crate::label::{Bent, bent};
+use crate::scene::Stands;
 use crate::shade::texture::Texture;
 use crate::surface::{Coat, Pattern, Role, Surface, Tile};
 
@@ -36,7 +37,7 @@ impl Writer<'_> {
         let plain = surface.pattern == Pattern::Plain;
         let turned = || affine::longest(affine::normal(&instance.inverse, mesh.normals[visible.index()][0]));
         let facing = if built { turned() } else { face.axis };
-        let (u, v) = if plain { (0, 0) } else { crate::shade::look::plane(facing, face.grain) };
+        let (u, v) = if plain { (0, 0) } else { crate::shade::look::plane(surface.pattern, (facing, face.grain)) };
         let way = 3 * u + v;
         if known.looks[look as usize].paints[way] == NONE {
             let texture = (!plain).then(|| {
@@ -69,21 +70,24 @@ impl Writer<'_> {
 
     /// The number of what pixels of an instance's surface have in common, one of whose triangles is given.
     fn look(&self, triangle: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
-        let instance = self.visible[triangle as usize].instance;
+        let (snapshot, seen) = (self.view.snapshot, &self.visible[triangle as usize]);
+        let instance = seen.instance;
+        let own = &snapshot.instances[instance as usize];
+        let index = own.body;
+        let body = &snapshot.bodies[index as usize];
+        // The edges of a door's panels face alike on both of its sides.
+        let between = (body.stands == Stands::Between).then(|| self.lighting.room_seen(snapshot, seen));
         let mut at = known.heads[instance as usize];
         while let Some(look) = known.looks.get(at as usize)
-            && (look.surface, look.facet) != (surface, facet)
+            && ((look.surface, look.facet) != (surface, facet) || between.is_some_and(|room| room != look.room))
         {
             at = look.next;
         }
         if at != NONE {
             return at;
         }
-        let own = &self.view.snapshot.instances[instance as usize];
-        let index = own.body;
-        let body = &self.view.snapshot.bodies[index as usize];
         let of = &self.renderer.store.surfaces[usize::from(surface)];
-        let glow = if body.lit { self.lighting.glow(of, index) } else { [0.0; 3] };
+        let glow = if body.lit { self.lighting.shown(of, index, self.exposure) } else { [0.0; 3] };
         // A picture colours light that falls on it; so it does that which comes from behind it.
         let (glow, shine) = match of.picture {
             Some(_) => ([0.0; 3], of.as_fallen(glow)),
@@ -92,7 +96,7 @@ impl Writer<'_> {
         let shine = self.lighting.through(of, own).unwrap_or(shine);
         let next = known.heads[instance as usize];
         known.heads[instance as usize] = known.looks.len() as u32;
-        let room = self.lighting.room_seen(self.view.snapshot, &self.visible[triangle as usize]);
+        let room = between.unwrap_or_else(|| self.lighting.room_seen(snapshot, seen));
         let mirror = of.is_mirror();
         known.looks.push(Look { surface, facet, room, mirror, glow, shine, next, paints: [NONE; 9] });
         known.looks.len() as u32 - 1
