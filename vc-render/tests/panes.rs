@@ -161,7 +161,7 @@ fn what_is_seen_through_a_pane_is_smooth() {
 /// The light that the film shows so, by halving.
 fn film_undone(shown: f64) -> f64 {
     let film = |light: f64| {
-        let strength = light.powf(1.4) / (1.0 + light).powf(0.8);
+        let strength = light.powf(1.2) / (1.0 + (light / 2.0).powi(4)).powf(0.15);
         strength / (1.0 + strength)
     };
     let half = |(low, high): (f64, f64)| {

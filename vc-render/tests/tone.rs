@@ -82,7 +82,7 @@ fn more_light_is_never_darker_in_fast_pictures() {
     assert!(shown[23] - shown[0] > 150, "{shown:?}");
 }
 
-/// Ten times as bright as walls in the room's light, the sky is still blue, and the horizon lighter than it.
+/// Several times as bright as walls in the room's light, the sky is not white: it is blue, and the horizon lighter.
 #[test]
 fn the_sky_is_seen_from_a_room() {
     let stage = Stage::new();
@@ -96,7 +96,8 @@ fn the_sky_is_seen_from_a_room() {
     let mut frame = Frame::new();
     renderer.render(&shot, &mut frame).unwrap();
     let (high, low) = (frame.rgb[2 * 48 + 24], frame.rgb[46 * 48 + 24]);
-    assert!(high[2] > high[0] + 15 && high[0] + 10 < low[0], "{high:?} high up, {low:?} low");
+    assert!(high[2] > high[0] + 8 && high[0] + 8 < low[0], "{high:?} high up, {low:?} low");
+    assert!(high.iter().chain(&low).all(|v| *v < 246), "{high:?} high up, {low:?} low");
 }
 
 /// The lower the sun, the warmer its light and that of the sky, and the less of it.
@@ -105,7 +106,7 @@ fn evenings_are_warm() {
     let warmth = |of: Vector3<f32>| of.x / of.z;
     let days: Vec<Daylight> = [12.0, 15.0, 16.5, 17.4].map(Daylight::at).to_vec();
     for pair in days.windows(2) {
-        assert!(warmth(pair[1].sun) > 1.1 * warmth(pair[0].sun) && warmth(pair[1].horizon) > warmth(pair[0].horizon));
+        assert!(warmth(pair[1].sun) > 1.05 * warmth(pair[0].sun) && warmth(pair[1].horizon) > warmth(pair[0].horizon));
         assert!(pair[1].zenith.sum() <= pair[0].zenith.sum() && pair[1].sun.sum() < pair[0].sun.sum());
     }
 }
@@ -135,5 +136,6 @@ fn screens_are_readable_in_the_dark() {
         frame.rgb[seen.y as usize * 48 + seen.x as usize]
     };
     let (sky, land) = (at(0.3), at(-0.3));
-    assert!(sky[2] > sky[0] + 20 && land[1] > land[2] + 20, "{sky:?}, {land:?}");
+    assert!(sky[2] > sky[0] + 8 && land[1] > land[2] + 20, "{sky:?}, {land:?}");
+    assert!(sky.iter().chain(&land).all(|v| *v < 240), "{sky:?}, {land:?}");
 }

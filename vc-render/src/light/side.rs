@@ -13,8 +13,8 @@ const AHEAD: f32 = 0.3;
 const ALONG: f32 = 0.3;
 
 impl Lighting {
-    /// The room whose light falls on a triangle that is seen.
-    pub(crate) fn room_seen(&self, snapshot: &Snapshot, seen: &Visible) -> u16 {
+    /// The room whose light falls on a triangle that is seen from somewhere.
+    pub(crate) fn room_seen(&self, snapshot: &Snapshot, seen: &Visible, eye: [f32; 3]) -> u16 {
         let instance = &snapshot.instances[seen.instance as usize];
         let body = &snapshot.bodies[instance.body as usize];
         if body.stands == Stands::Within {
@@ -23,7 +23,12 @@ impl Lighting {
         let (mesh, index) = (seen.mesh(&snapshot.instances), seen.index());
         let [a, b, c] = mesh.triangle(mesh.cluster_of(index), index);
         let at = affine::point(&instance.world.narrow(), three(|i| (a[i] + b[i] + c[i]) / 3.0));
-        self.room_of(body, instance, at, unit(affine::normal(&instance.inverse, mesh.normals[index][0])))
+        let normal = unit(affine::normal(&instance.inverse, mesh.normals[index][0]));
+        match body.stands {
+            // Of what reaches through a wall, an eye sees what is on its own side.
+            Stands::Between => self.room_beside(instance, (at, eye), normal).unwrap_or(body.room),
+            _ => self.room_of(body, instance, at, normal),
+        }
     }
 
     /// The room whose light falls on a face of a body: the body's own, or, if the body stands between two rooms or
@@ -32,17 +37,17 @@ impl Lighting {
         match body.stands {
             Stands::Within => body.room,
             Stands::Around => self.room_before(body.room, at, normal),
-            Stands::Between => self.room_beside(instance, at, normal).unwrap_or(body.room),
+            Stands::Between => self.room_beside(instance, (at, at), normal).unwrap_or(body.room),
         }
     }
 
     /// The room before a face of a leaf or a frame, wherever its joint has it. A face that looks along the leaf, as
-    /// those at the edges of panels, belongs to the room on its side of it.
-    fn room_beside(&self, leaf: &Instance, at: [f32; 3], normal: [f32; 3]) -> Option<u16> {
+    /// those at the edges of panels, belongs to the room on the side of it that a place is on.
+    fn room_beside(&self, leaf: &Instance, (at, from): ([f32; 3], [f32; 3]), normal: [f32; 3]) -> Option<u16> {
         let world = leaf.world.narrow();
         let out = unit(affine::vector(&world, [1.0, 0.0, 0.0]));
         let middle = affine::point(&world, leaf.link.levels[0].bounds.centre);
-        let side = dot(three(|i| at[i] - middle[i]), out).signum();
+        let side = dot(three(|i| from[i] - middle[i]), out).signum();
         let ahead = |along: [f32; 3]| three(|i| at[i] + AHEAD * along[i]);
         let room = |at: [f32; 3]| self.room_around(at).map(|room| room as u16);
         let aside = || room(ahead(out.map(|v| v * side)));

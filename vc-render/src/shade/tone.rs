@@ -30,19 +30,19 @@ static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
 
 /// A film's response, linear on a screen: that of the eye's cells (Naka and Rushton 1966), which never
 /// burns out, with a shoulder that keeps the sky and what is close to lamps apart from white. A white wall in the light
-/// of its room comes to a half, ten times that to five sixths, a hundred times that to nineteen twentieths.
+/// of its room comes to a half, ten times that to six sevenths, a hundred times that to nineteen twentieths.
 pub(crate) fn film(x: f32) -> f32 {
     use vc_graph::portable::Portable;
-    let light = SPEED * x.max(0.0);
-    let strength = light.power(CONTRAST) / (1.0 + light).power(SHOULDER);
+    let light = 1.9 * x.max(0.0);
+    let beyond = (light / SHOULDER).raised(4);
+    let strength = light.power(CONTRAST) / (1.0 + beyond).power(FLATTER / 4.0);
     if light < 1e9 { strength / (1.0 + strength) } else { 1.0 }
 }
 
-/// How sensitive the film is.
-const SPEED: f32 = 3.42;
-/// How steep the film's response is in shadows, and by how much less in what is bright.
-const CONTRAST: f32 = 1.4;
-const SHOULDER: f32 = 0.8;
+/// How steep the film's response is in the middle, from which light on it is flatter, and by how much.
+const CONTRAST: f32 = 1.2;
+const SHOULDER: f32 = 2.0;
+const FLATTER: f32 = 0.6;
 
 /// A linear colour in sRGB.
 #[inline(always)]

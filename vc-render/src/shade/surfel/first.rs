@@ -76,7 +76,8 @@ impl Writer<'_> {
         let index = own.body;
         let body = &snapshot.bodies[index as usize];
         // The edges of a door's panels face alike on both of its sides.
-        let between = (body.stands == Stands::Between).then(|| self.lighting.room_seen(snapshot, seen));
+        let room = || self.lighting.room_seen(snapshot, seen, self.view.camera.eye().into());
+        let between = (body.stands == Stands::Between).then(room);
         let mut at = known.heads[instance as usize];
         while let Some(look) = known.looks.get(at as usize)
             && ((look.surface, look.facet) != (surface, facet) || between.is_some_and(|room| room != look.room))
@@ -96,7 +97,7 @@ impl Writer<'_> {
         let shine = self.lighting.through(of, own).unwrap_or(shine);
         let next = known.heads[instance as usize];
         known.heads[instance as usize] = known.looks.len() as u32;
-        let room = between.unwrap_or_else(|| self.lighting.room_seen(snapshot, seen));
+        let room = between.unwrap_or_else(room);
         let mirror = of.is_mirror();
         known.looks.push(Look { surface, facet, room, mirror, glow, shine, next, paints: [NONE; 9] });
         known.looks.len() as u32 - 1
