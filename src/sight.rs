@@ -9,7 +9,8 @@ use std::sync::{Mutex, OnceLock};
 
 use nalgebra::Point3;
 use vc_graph::asset::Joint;
-use vc_graph::{Kind, Node, NodeId, Pose, Property, Relation, State};
+use vc_graph::class::Category;
+use vc_graph::{Kind, Node, NodeId, Pose, Property, Relation, SceneGraph, State, Word};
 use vc_physics::Role;
 use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
@@ -21,9 +22,9 @@ use crate::environment::position;
 use crate::figure::{Bone, clothes};
 
 /// Categories of what lets light in.
-const OPENINGS: [&str; 2] = ["door", "window"];
+const OPENINGS: [Category; 2] = [Category::Door, Category::Window];
 /// By which share of the way rooms seen from above are made as bright as each other.
-const EVEN: f32 = 0.8;
+const EVEN: f32 = 0.9;
 
 /// Uploaded meshes and the light, made when first asked for and shared by clones.
 #[derive(Debug, Default)]
@@ -70,7 +71,9 @@ impl Environment {
     /// [`render_relit`](Self::render_relit) makes it anew for that, too. `benches/README.md` has the costs.
     ///
     /// From above each room is seen about as bright as it is to a person in it: `Lighting::evened`. From all other
-    /// viewpoints a room without a window whose lamps are off is dark.
+    /// viewpoints a room without a window whose lamps are off is dim: it has the light that comes through its doorways,
+    /// and around doors that are closed. In the evening people have lamps on:
+    /// [`switch_lamps`](Self::switch_lamps).
     /// Optical flow needs a second moment: see [`render_until`](Self::render_until).
     ///
     /// # Errors
@@ -220,6 +223,14 @@ impl Environment {
     }
 }
 
+/// The category of a thing's class; if the table lacks the class, the category that the scene says. Scenes of others have
+/// categories of their own.
+fn category(graph: &SceneGraph, id: NodeId) -> Option<Category> {
+    let node = graph.node(id)?;
+    let known = graph.classes().get(node.class()).map(|class| class.category);
+    known.or_else(|| Category::parse(&node.spec().category).ok())
+}
+
 impl Base {
     fn of(environment: &Environment) -> Result<Self, RenderError> {
         let (graph, world) = environment.origin();
@@ -232,7 +243,7 @@ impl Base {
         let fixed = |id: &NodeId| world.role(*id) == Some(Role::Fixed);
         let loose = seen.iter().copied().filter(|id| !fixed(id)).collect();
         let jointed: Vec<NodeId> = world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect();
-        let lets_in = |id: &NodeId| graph.node(*id).is_some_and(|n| OPENINGS.contains(&&*n.spec().category));
+        let lets_in = |id: &NodeId| category(graph, *id).is_some_and(|category| OPENINGS.contains(&category));
         let openings = jointed.iter().copied().filter(lets_in).collect();
         let node = |id: &NodeId| graph.node(*id).filter(|n| n.affords(Property::Recipient));
         let vessels = seen.iter().filter_map(|id| Some((*id, node(id)?.contents().is_some()))).collect();

@@ -6,7 +6,8 @@
 //! modalities, the home from above with the way it went; `trajectory.jsonl` has every step.
 //! `--scene FILE` takes a scene file with poses, `--task TITLE` a task of the library,
 //! `--goal TEXT` any goal; `--dataset` writes frames with COCO annotations and the scene as glTF
-//! as well; `--hour 19` is dusk and `--hour 23` night, `--finer 3` smooths edges more. With
+//! as well; `--hour 19` is dusk and `--hour 23` night, at which lamps are on as it begins, unless
+//! `--lamps as-is` leaves them as they are; `--finer 3` smooths edges more. With
 //! `--agents 2` two agents share the goal and tell each other what they see. In the end all actions
 //! are done again from the beginning, and have to lead to the same home.
 //! `--symbolic` does it without bodies: by default the bundled
@@ -77,6 +78,18 @@ pub(crate) struct Options {
     /// The hour of the day whose light comes in: 12 is noon, 19 dusk, 23 night.
     #[arg(long, value_parser = hour)]
     hour: Option<f32>,
+    /// Whether lamps are on as it begins.
+    #[arg(long, value_enum, default_value = "at-dark")]
+    lamps: Lamps,
+}
+
+/// When the home's lamps are on as it begins.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Lamps {
+    /// On if it is dark outside, as people who are at home have them.
+    AtDark,
+    /// As the scene has them.
+    AsIs,
 }
 
 impl Options {

@@ -12,7 +12,7 @@ use virtualcity::{Environment, RecordOptions, Recorder};
 use crate::choose::choose;
 use crate::support::{Complaint, say};
 use crate::symbolic;
-use crate::{Options, Who};
+use crate::{Lamps, Options, Who};
 
 /// Most things of a picture of a belief.
 const BELIEVED: usize = 16;
@@ -26,7 +26,11 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
         Some(file) => format!("scene:{}", file.display()),
         None => format!("apartment/{}", options.seed()),
     };
-    let home = Environment::make(&name, options.agents).map_err(Complaint::new)?;
+    let mut home = Environment::make(&name, options.agents).map_err(Complaint::new)?;
+    let daylight = options.hour.map(Daylight::at);
+    if options.lamps == Lamps::AtDark && daylight.is_some_and(|daylight| daylight.is_dark()) {
+        home.switch_lamps(true).map_err(Complaint::new)?;
+    }
     for (id, class) in home.left_out() {
         say!("left out  {class}.{}, which fell out of the home", id.0);
     }
@@ -41,7 +45,7 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     say!("task   {}: {}\n", task.title, task.goal);
     let usual = RecordOptions::default();
     let (width, finer) = (options.width.unwrap_or(usual.width), options.finer.unwrap_or(usual.finer));
-    let wanted = RecordOptions { width, dataset: options.dataset, finer, daylight: options.hour.map(Daylight::at) };
+    let wanted = RecordOptions { width, dataset: options.dataset, finer, daylight };
     let first = home.clone();
     let mut recorder = Recorder::create(&options.out, home, me, &task, wanted).map_err(Complaint::new)?;
     let mut policy = options.policy.policy();

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use nalgebra::Point2;
 use vc_graph::class::Category;
 use vc_graph::{
-    Class, Draft, EditError, Effect, Label, NodeId, Place, Pose, Property, Relation, SceneBuilder, Seed, State,
-    did_you_mean, rule,
+    Class, Draft, EditError, Effect, Label, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
+    Seed, State, did_you_mean, rule,
 };
 use vc_physics::{PhysicsError, Posture, Role};
 use vc_tasks::initial::Stock;
@@ -266,6 +266,33 @@ impl Environment {
         Ok(())
     }
 
+    /// Switches the home's lamps on or off at once, as people who are at home in the evening have them: all that can be
+    /// switched, but those that lie about without being plugged in, as torches and spare bulbs do. Gives those that
+    /// were switched. The history does not contain this.
+    ///
+    /// `Edit::enter_state`. Costs some microseconds.
+    ///
+    /// ```
+    /// use virtualcity::Environment;
+    /// let mut home = Environment::make("apartment/42", 1)?;
+    /// let lamps = home.switch_lamps(true)?;
+    /// assert!(!lamps.is_empty());
+    /// assert_eq!(home.switch_lamps(false)?, lamps);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`AlterError`]; then nothing has changed.
+    pub fn switch_lamps(&mut self, on: bool) -> Result<Vec<NodeId>, AlterError> {
+        let state = if on { State::On } else { State::Off };
+        let switched = |n: &&Node| is_lamp(&self.graph, n) && n.is(State::On) != on;
+        let lamps: Vec<NodeId> = self.graph.nodes().filter(switched).map(Node::id).collect();
+        let mut edit = self.graph.edit();
+        lamps.iter().try_for_each(|id| edit.enter_state(*id, state))?;
+        edit.commit();
+        Ok(lamps)
+    }
+
     /// A place where something can be put; a room stands for its floor.
     fn checked(&self, place: Place) -> Result<Place, AlterError> {
         let in_room = place.relation == Relation::InRoom && self.graph.rooms().contains(&place.at);
@@ -363,6 +390,13 @@ fn no_thing(class: &Class) -> Option<&'static str> {
         }
         _ => None,
     }
+}
+
+/// Whether something is a lamp that lights a home where it is.
+fn is_lamp(graph: &SceneGraph, node: &Node) -> bool {
+    let known = graph.classes().get(node.class()).is_some_and(|class| class.category == Category::Lamp);
+    let lies_about = node.affords(Property::Graspable) && !node.is(State::PluggedIn);
+    known && node.affords(Property::Switchable) && !lies_about
 }
 
 fn unreadable(error: vc_relations::InputError) -> AlterError {

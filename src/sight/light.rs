@@ -10,7 +10,7 @@ use super::Base;
 use crate::Environment;
 
 /// How far open what lets light in counts as open, 0 to 1.
-const AJAR: f32 = 0.5;
+const AJAR: f32 = 0.25;
 /// How many lights are kept.
 const LIGHTS: usize = 8;
 

@@ -260,3 +260,22 @@ fn light_can_be_made_of_what_has_moved() {
     assert!(home.render_relit(Viewpoint::Room(room), wanted, 64, 48).unwrap().rgb == anew.rgb);
     assert!(home.render(Viewpoint::Room(room), wanted, 64, 48).unwrap().rgb == usual.rgb, "nothing is kept");
 }
+
+/// Lamps that people switch on in the evening light a home that is dark without them.
+#[test]
+fn lamps_are_on_in_the_evening() {
+    let mut home = home(7, 1);
+    home.set_pictures(PictureOptions { daylight: Daylight::at(23.0), ..PictureOptions::default() });
+    let view = Viewpoint::Room(home.graph().of_class("living_room")[0]);
+    let level = |home: &Environment| home.render(view, Modality::Rgb, 64, 48).unwrap().exposure[1];
+    let dark = level(&home);
+    let lamps = home.switch_lamps(true).unwrap();
+    assert!(lamps.iter().all(|id| home.graph().node(*id).is_some_and(|n| n.is(State::On))));
+    assert!(lamps.len() >= home.graph().rooms().len() / 2 && home.switch_lamps(true).unwrap().is_empty());
+    assert!(level(&home) < 0.1 * dark, "the eye opens {} times as wide, {dark} without lamps", level(&home));
+    // Lamps are switched by hand as ever.
+    let (me, lamp) = (home.agents()[0], lamps[0]);
+    act(&mut home, me, Verb::Walk, &[lamp]);
+    act(&mut home, me, Verb::SwitchOff, &[lamp]);
+    assert!(home.graph().node(lamp).is_some_and(|n| !n.is(State::On)));
+}

@@ -44,6 +44,8 @@ pub enum Family {
     Liquid,
     /// What shines when its object is on.
     Glow,
+    /// A small light or a reading, seen when its object is on: it lights nothing.
+    Indicator,
     /// Parts of a screen, which show their colour when their object is on, and are black when it is off.
     Screen,
 }
@@ -68,7 +70,7 @@ const fn physics(family: Family) -> [f32; 6] {
         Family::Organic => [800.0, 0.5, 0.2, 0.8, 0.0, 0.0],
         Family::Rubber => [1100.0, 0.9, 0.6, 0.9, 0.0, 0.0],
         Family::Liquid => [1000.0, 0.1, 0.0, 0.02, 0.0, 0.8],
-        Family::Glow | Family::Screen => [1000.0, 0.4, 0.3, 0.4, 0.0, 0.0],
+        Family::Glow | Family::Indicator | Family::Screen => [1000.0, 0.4, 0.3, 0.4, 0.0, 0.0],
     }
 }
 
@@ -208,7 +210,7 @@ materials! {
     PICTURE_LAND "picture_land" Screen 0x5b8a4a;
     PICTURE_SUN "picture_sun" Screen 0xf3d27a;
     PICTURE_DARK "picture_dark" Screen 0x2b3a55;
-    LED "led" Glow 0x7ae08a;
+    LED "led" Indicator 0x7ae08a;
     WARM_BULB "warm_bulb" Glow 0xffe2b0;
     COOL_BULB "cool_bulb" Glow 0xf4f6ff;
     FLAME "flame" Glow 0xff9d3b;
@@ -339,10 +341,11 @@ pub fn join(library: &mut AssetLibrary) -> Result<u32, AssetError> {
 fn material(name: &str, family: Family, colour: u32) -> Material {
     let [density, friction, restitution, roughness, metallic, transmission] = physics(family);
     let of = |colour: u32| [16, 8, 0].map(|shift: u32| linear(((colour >> shift) & 0xff) as f32 / 255.0));
-    let shines = |colour: [f32; 3]| colour.map(|c| c * 40.0);
+    let shines = |by: f32| of(colour).map(|c| c * by);
     let (colour, emission) = match family {
-        Family::Glow => (of(colour), shines(of(colour))),
-        Family::Screen => (of(OFF), shines(of(colour))),
+        Family::Glow => (of(colour), shines(40.0)),
+        Family::Indicator => (of(colour), shines(4.0)),
+        Family::Screen => (of(OFF), shines(40.0)),
         _ => (of(colour), [0.0; 3]),
     };
     let (name, texture) = (name.into(), None);

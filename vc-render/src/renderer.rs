@@ -311,7 +311,7 @@ fn seen_rooms<'a>(
     camera.strewn().filter_map(move |[x, y]| {
         let band = bands.iter().find(|band| band.rows.contains(&(y as i32)))?;
         let triangle = *band.layers.solid().triangle_row(y as i32).get(x as usize)?;
-        Some(lighting.room_seen(snapshot, band.layers.visible.get(triangle as usize)?))
+        Some(lighting.room_seen(snapshot, band.layers.visible.get(triangle as usize)?, camera.eye().into()))
     })
 }
 

@@ -15,6 +15,13 @@ const GLOW: [[f32; 3]; 2] = [[30.0, 10.0, 4.0], [4.0, 10.0, 30.0]];
 
 /// Two rooms with a lamp each, a wall between them, and a closed door in it that belongs to the second.
 fn home() -> (SceneGraph, Vec<NodeId>) {
+    home_with(|stage| {
+        stage.one("door", block([0.02, 0.5, 1.0]), Pose::translation(0.0, 0.0, 1.0), 1);
+    })
+}
+
+/// The same with another door.
+fn home_with(door: impl Fn(&mut Stage)) -> (SceneGraph, Vec<NodeId>) {
     let mut stage = Stage::new();
     let mut lamps = Vec::new();
     for (glow, side) in GLOW.into_iter().zip([-1.0, 1.0]) {
@@ -39,7 +46,7 @@ fn home() -> (SceneGraph, Vec<NodeId>) {
         let at = Pose::translation(side * 1.5, 0.0, 2.2);
         lamps.push(stage.one("ceiling_lamp", Shape::Sphere { radius: 0.1 }, at, bulb));
     }
-    stage.one("door", block([0.02, 0.5, 1.0]), Pose::translation(0.0, 0.0, 1.0), 1);
+    door(&mut stage);
     (stage.build(), lamps)
 }
 
@@ -62,4 +69,47 @@ fn each_side_of_a_door_is_in_the_light_of_its_room() {
             assert!(i32::from(*more) > i32::from(*less) + 20, "from side {side}: {red} red, {blue} blue");
         }
     }
+}
+
+/// A door whose leaf is flush with one side of the wall, with panels: all that is seen of it from either room is in the
+/// light of that room. And a room behind a closed door without any light of its own is dim, not black.
+#[test]
+fn a_panelled_door_is_in_the_light_of_the_room_it_is_seen_from() {
+    let leaf = |stage: &mut Stage| {
+        let frame = |half: [f32; 3], at: [f32; 3]| part("leaf", block(half), at, 1);
+        let parts = vec![
+            frame([0.02, 0.1, 1.0], [0.02, 0.4, 0.0]),
+            frame([0.02, 0.1, 1.0], [0.02, -0.4, 0.0]),
+            frame([0.02, 0.3, 0.1], [0.02, 0.0, 0.9]),
+            frame([0.02, 0.3, 0.1], [0.02, 0.0, -0.9]),
+            part("infill", block([0.005, 0.3, 0.8]), [0.02, 0.0, 0.0], 1),
+        ];
+        let asset = stage.asset(parts);
+        stage.put("door", asset, Pose::translation(0.0, 0.0, 1.0));
+    };
+    let (graph, lamps) = home_with(leaf);
+    let mut renderer = Renderer::new();
+    let mut snapshot = renderer.snapshot(&graph).unwrap();
+    let dark = Vector3::zeros();
+    let night = Daylight { sun: dark, zenith: dark, horizon: dark, ground: dark, ..Daylight::noon() };
+    let mut frame = Frame::new();
+    lamps.iter().for_each(|lamp| snapshot.switch(*lamp, true).unwrap());
+    let lighting = renderer.light(&snapshot, &night);
+    for side in [-1.0, 1.0] {
+        let eye = Point3::new(side * 1.2, 0.8, 1.6);
+        let camera = Camera::with_fov(64, 64, 0.7).looking(eye, Point3::new(0.0, 0.0, 1.0));
+        let shot = Shot::new(&snapshot, &camera, Modality::Rgb | Modality::Class).lit(&lighting);
+        renderer.render(&shot, &mut frame).unwrap();
+        let door = |(_, class): &(&[u8; 3], &u16)| snapshot.class(**class).is_some_and(|class| &**class == "door");
+        for ([red, _, blue], _) in frame.rgb.iter().zip(&frame.class).filter(door) {
+            let (more, less) = if side < 0.0 { (red, blue) } else { (blue, red) };
+            assert!(more > less, "from side {side}: {red} red, {blue} blue");
+        }
+    }
+    snapshot.switch(lamps[0], false).unwrap();
+    let lighting = renderer.light(&snapshot, &night);
+    let camera = Camera::with_fov(32, 32, 1.2).looking(Point3::new(-0.5, 0.0, 1.5), Point3::new(-3.0, 0.3, 0.5));
+    renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame).unwrap();
+    let mean = frame.rgb.iter().map(|c| u32::from(c[2])).sum::<u32>() / 1024;
+    assert!((15..150).contains(&mean), "{mean} in the room whose lamp is off");
 }

@@ -158,12 +158,25 @@ fn what_is_seen_through_a_pane_is_smooth() {
     assert!(behind < 4.0 * bare, "{behind} behind a pane, {bare} without");
 }
 
+/// The light that the film shows so, by halving.
+fn film_undone(shown: f64) -> f64 {
+    let film = |light: f64| {
+        let strength = light.powf(1.2) / (1.0 + (light / 2.0).powi(4)).powf(0.15);
+        strength / (1.0 + strength)
+    };
+    let half = |(low, high): (f64, f64)| {
+        let middle = 0.5 * (low + high);
+        if film(middle) < shown { (middle, high) } else { (low, middle) }
+    };
+    (0..60).fold((0.0, 1e3), |within, _| half(within)).0
+}
+
 /// Mean light by colour for a picture's bytes, up to what it is exposed by: the film's curve undone.
 fn undone(pixels: &[[u8; 3]]) -> [f64; 3] {
     let light = |byte: u8| {
         let v = f64::from(byte) / 255.0;
         let shown = if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) };
-        (shown / (1.0 - shown).max(0.02)).powf(1.0 / 1.2)
+        film_undone(shown)
     };
     [0, 1, 2].map(|c: usize| pixels.iter().map(|p| light(p[c])).sum::<f64>() / pixels.len() as f64)
 }

@@ -237,3 +237,31 @@ fn any_coordinates_are_taken() {
         assert!(shown.photograph(&cameras()[1]).iter().flatten().all(|v| v.is_finite()));
     }
 }
+
+/// Courses of bricks lie level on a pillar as on a long wall.
+#[test]
+fn bricks_lie_level_however_long_their_wall_is() {
+    for (half, made) in [([0.05, 0.3, 1.2], "wall"), ([0.05, 1.5, 0.4], "wall"), ([0.05, 0.3, 1.2], "chimney")] {
+        let mut stage = Stage::new();
+        let brick = stage.library.add_material(material("brick", [0.4, 0.2, 0.15])).unwrap();
+        let asset = stage.asset(vec![common::part(made, common::block(half), [0.0; 3], brick)]);
+        stage.put(made, asset, Pose::identity());
+        let mut renderer = Renderer::new();
+        let snapshot = renderer.snapshot(&stage.build()).unwrap();
+        let lighting = renderer.light(&snapshot, &Daylight::overcast());
+        let camera = Camera::with_fov(96, 96, 0.4).looking(Point3::new(-1.0, 0.0, 0.0), Point3::origin());
+        let mut frame = Frame::new();
+        renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame).unwrap();
+        // Joints go through along courses: means of rows differ more than means of columns.
+        let mean = |at: &dyn Fn(usize, usize) -> usize, i: usize| {
+            (0..96).map(|j| f32::from(frame.rgb[at(i, j)][1])).sum::<f32>() / 96.0
+        };
+        let spread = |at: &dyn Fn(usize, usize) -> usize| {
+            let means: Vec<f32> = (0..96).map(|i| mean(at, i)).collect();
+            let middle = means.iter().sum::<f32>() / 96.0;
+            means.iter().map(|m| (m - middle).powi(2)).sum::<f32>() / 96.0
+        };
+        let (rows, columns) = (spread(&|i, j| 96 * i + j), spread(&|i, j| 96 * j + i));
+        assert!(rows > 2.0 * columns, "{made} of {half:?}: {rows} between rows, {columns} between columns");
+    }
+}

@@ -8,7 +8,7 @@ use common::{Stage, block, material};
 use nalgebra::{Point3, Vector3};
 use vc_graph::Pose;
 use vc_graph::asset::Material;
-use vc_render::{Camera, Daylight, Exposure, Frame, Modality, Photograph, Renderer, Shot};
+use vc_render::{Adaptation, Camera, Daylight, Exposure, Frame, Modality, Photograph, Renderer, Shot};
 
 fn even() -> Daylight {
     let one = Vector3::repeat(1.0);
@@ -80,4 +80,62 @@ fn more_light_is_never_darker_in_fast_pictures() {
         .collect();
     assert!(shown.is_sorted(), "{shown:?}");
     assert!(shown[23] - shown[0] > 150, "{shown:?}");
+}
+
+/// Several times as bright as walls in the room's light, the sky is not white: it is blue, and the horizon lighter.
+#[test]
+fn the_sky_is_seen_from_a_room() {
+    let stage = Stage::new();
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let lighting = renderer.light(&snapshot, &Daylight::noon());
+    let eye = Point3::new(0.0, 0.0, 1.5);
+    let camera = Camera::with_fov(48, 48, 1.0).looking(eye, eye + Vector3::new(-1.0, -1.0, 0.9));
+    let indoors = Adaptation { from: [8.0; 3], share: 0.0 };
+    let shot = Shot { adapts: Some(indoors), ..Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting) };
+    let mut frame = Frame::new();
+    renderer.render(&shot, &mut frame).unwrap();
+    let (high, low) = (frame.rgb[2 * 48 + 24], frame.rgb[46 * 48 + 24]);
+    assert!(high[2] > high[0] + 8 && high[0] + 8 < low[0], "{high:?} high up, {low:?} low");
+    assert!(high.iter().chain(&low).all(|v| *v < 246), "{high:?} high up, {low:?} low");
+}
+
+/// The lower the sun, the warmer its light and that of the sky, and the less of it.
+#[test]
+fn evenings_are_warm() {
+    let warmth = |of: Vector3<f32>| of.x / of.z;
+    let days: Vec<Daylight> = [12.0, 15.0, 16.5, 17.4].map(Daylight::at).to_vec();
+    for pair in days.windows(2) {
+        assert!(warmth(pair[1].sun) > 1.05 * warmth(pair[0].sun) && warmth(pair[1].horizon) > warmth(pair[0].horizon));
+        assert!(pair[1].zenith.sum() <= pair[0].zenith.sum() && pair[1].sun.sum() < pair[0].sun.sum());
+    }
+}
+
+/// A screen that is on in a dark room shows its picture: no part of it is white.
+#[test]
+fn screens_are_readable_in_the_dark() {
+    let mut stage = Stage::new();
+    let room = [([2.0, 2.0, 0.1], -0.1), ([2.0, 2.0, 0.1], 2.6)];
+    for (half, z) in room {
+        stage.one("floor", block(half), Pose::translation(0.0, 0.0, z), 1);
+    }
+    let glow = |colour: [f32; 3]| Material { emission: colour.map(|c| 40.0 * c), ..material("picture", [0.01; 3]) };
+    let colours = [[0.21, 0.45, 0.69], [0.1, 0.25, 0.07]].map(|c| stage.library.add_material(glow(c)).unwrap());
+    let half = |side: f32, mat| common::part("picture", block([0.01, 0.3, 0.3]), [0.0, 0.3 * side, 0.0], mat);
+    let asset = stage.asset(vec![half(1.0, colours[0]), half(-1.0, colours[1])]);
+    let screen = stage.put("television", asset, Pose::translation(1.5, 0.0, 1.2));
+    let mut renderer = Renderer::new();
+    let mut snapshot = renderer.snapshot(&stage.build()).unwrap();
+    snapshot.switch(screen, true).unwrap();
+    let lighting = renderer.light(&snapshot, &Daylight::night());
+    let camera = Camera::with_fov(48, 48, 0.9).looking(Point3::new(-1.0, 0.0, 1.2), Point3::new(1.5, 0.0, 1.2));
+    let mut frame = Frame::new();
+    renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame).unwrap();
+    let at = |y: f32| {
+        let seen = camera.project(&Point3::new(1.49, y, 1.2)).unwrap();
+        frame.rgb[seen.y as usize * 48 + seen.x as usize]
+    };
+    let (sky, land) = (at(0.3), at(-0.3));
+    assert!(sky[2] > sky[0] + 8 && land[1] > land[2] + 20, "{sky:?}, {land:?}");
+    assert!(sky.iter().chain(&land).all(|v| *v < 240), "{sky:?}, {land:?}");
 }

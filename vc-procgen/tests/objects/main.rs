@@ -18,8 +18,9 @@ use std::collections::{BTreeMap, HashSet};
 
 use cases::{FINDINGS, Rule, chosen};
 use vc_graph::Seed;
-use vc_procgen::catalogue;
-use vc_procgen::object::{Realm, generators};
+use vc_procgen::material::{Family, Mat};
+use vc_procgen::object::{self, Realm, generators};
+use vc_procgen::{Style, catalogue};
 
 /// Fails with all violations of a rule, some of each class.
 fn holds(rule: Rule) {
@@ -164,4 +165,19 @@ fn lumps_are_as_large_as_what_is_seen() {
         }
     }
     assert!(lumps > 100 || !generators().all(|g| chosen(g.class)), "{lumps}");
+}
+
+/// Whatever a screen shows is dark when it is off: all of its picture, whichever it is.
+#[test]
+fn pictures_of_screens_are_of_light() {
+    for class in ["television", "monitor", "laptop", "tablet", "digital_photo_frame"] {
+        let generator = object::generator(class).unwrap();
+        for seed in 0..40 {
+            let made = generator.object(&Style::from_seed(Seed(seed)), Seed(seed));
+            for part in made.asset.parts.iter().filter(|part| &*part.name == "picture") {
+                let mat = Mat(part.material);
+                assert_eq!(mat.family(), Some(Family::Screen), "{class} {seed}: {} in its picture", mat.name());
+            }
+        }
+    }
 }

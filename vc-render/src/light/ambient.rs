@@ -22,9 +22,10 @@ impl Ambient {
     /// Inside of things, where nothing is known.
     pub(super) const UNKNOWN: Self = Self([f32::NAN; SIDES]);
 
-    /// The same radiance from all sides.
-    pub(super) fn even(radiance: f32) -> Self {
-        Self([std::f32::consts::PI * radiance; SIDES])
+    /// Radiance from above, and less of it from each side, so that things are seen that have all one colour.
+    pub(super) fn from_above(radiance: f32) -> Self {
+        const SHARES: [f32; 6] = [0.8, 0.55, 1.0, 0.4, 0.65, 0.5];
+        Self(std::array::from_fn(|i| std::f32::consts::PI * radiance * SHARES[i / 4]))
     }
 
     pub(super) fn is_known(&self) -> bool {

@@ -8,12 +8,12 @@ use crate::affine::scaled;
 use crate::scene::{Body, NO_ROOM};
 
 /// Levels of light below this count as dark.
-const DARK: f32 = 1e-4;
+const DARK: f32 = 1e-5;
 
 impl Lighting {
     /// The same light with the brightness of rooms, and of the outside, brought nearer to each other: `share` is 0 for
     /// no change and 1 for all alike. For plans and maps, where an eye would get used to each room by itself. Shadows
-    /// and patches of sun stay as they are within each room; a room that is all but dark is lit evenly, with half as
+    /// and patches of sun stay as they are within each room; a room that is all but dark is lit from above, with half as
     /// much light as others have. Costs a copy of the light that rooms throw back, about a millisecond. Only fast
     /// pictures use it: mirrors and reference pictures show light as it is.
     ///

@@ -73,7 +73,8 @@ impl Renderer {
         let count = lighting.lamps.len();
         let mut all: Vec<Lamp> = lighting.lamps.par_iter().filter(stays).map(followed).collect();
         if all.len() < count {
-            (lighting.gains, all) = lamps(self, &lighting.tracer, &all);
+            let anew = lamps(self, &lighting.tracer, &all);
+            (lighting.gains, lighting.screens, all) = (anew.gains, anew.screens, anew.lamps);
         }
         lighting.lamps = Arc::new(all);
     }

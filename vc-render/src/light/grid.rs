@@ -48,10 +48,10 @@ impl Grid {
         all
     }
 
-    /// The same grid with all light multiplied by a factor, and with some radiance from all sides added.
+    /// The same grid with all light multiplied by a factor, and with some radiance from above added.
     pub(super) fn dimmed(&self, by: f32, more: f32) -> Self {
         let dimmed = |point: &Ambient| {
-            let mut light = Ambient::even(more);
+            let mut light = Ambient::from_above(more);
             light.mix(point, by);
             light
         };

@@ -38,9 +38,19 @@ pub(crate) struct Lamp {
     pub(crate) shadows: Cube,
 }
 
+/// What shines in a scene.
+pub(super) struct Shining {
+    /// By body, how much what glows of it is to be turned up, and its shade.
+    pub(super) gains: Vec<[f32; 2]>,
+    /// Bodies that glow and are no lamps, and how bright the brightest of each is by its material.
+    pub(super) screens: Vec<(u32, f32)>,
+    pub(super) lamps: Vec<Lamp>,
+}
+
 /// What glows of a body.
 struct Glow {
     area: f32,
+    most: f32,
     flux: [f32; 3],
     middle: [f32; 3],
     shade: f32,
@@ -51,16 +61,16 @@ pub(super) fn others(snapshot: &Snapshot, body: u32) -> impl Iterator<Item = u32
     (0..snapshot.instances.len() as u32).filter(move |i| snapshot.instances[*i as usize].body != body)
 }
 
-/// How much what glows of each body is to be turned up, and the lamps among them.
-/// Those of `kept` have their shadows already.
-pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> (Vec<[f32; 2]>, Vec<Lamp>) {
+/// What shines in a scene. Lamps of `kept` have their shadows already.
+pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> Shining {
     let snapshot = &tracer.snapshot;
     let mut gains = vec![[0.0; 2]; snapshot.bodies.len()];
-    let mut found = Vec::new();
+    let (mut found, mut screens) = (Vec::new(), Vec::new());
     for (index, body) in snapshot.bodies.iter().enumerate().filter(|(_, b)| b.lit) {
         let glow = Glow::of(renderer, snapshot, body);
         let Some(target) = lumens(snapshot, body, glow.area) else {
             gains[index] = [FAINT, 0.0];
+            screens.push((index as u32, glow.most));
             continue;
         };
         if glow.area > 0.0 {
@@ -77,7 +87,7 @@ pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> (Vec
         known.unwrap_or_else(|| Lamp::new(renderer, tracer, (body, &gains[body as usize]), &glow))
     };
     let lamps = found.into_par_iter().map(lamp).collect();
-    (gains, lamps)
+    Shining { gains, screens, lamps }
 }
 
 /// Lumens of a lamp, by how large its bulbs are; none for what is no lamp.
@@ -92,7 +102,7 @@ fn lumens(snapshot: &Snapshot, body: &Body, area: f32) -> Option<f32> {
 
 impl Glow {
     fn of(renderer: &Renderer, snapshot: &Snapshot, body: &Body) -> Self {
-        let mut glow = Self { area: 0.0, flux: [0.0; 3], middle: [0.0; 3], shade: 0.0 };
+        let mut glow = Self { area: 0.0, most: 0.0, flux: [0.0; 3], middle: [0.0; 3], shade: 0.0 };
         for instance in &snapshot.instances[body.instances.start as usize..body.instances.end as usize] {
             let mesh = &*instance.link.levels[0];
             let world = instance.world.narrow();
@@ -117,6 +127,7 @@ impl Glow {
     fn add(&mut self, corners: [[f32; 3]; 3], emission: [f32; 3]) {
         let (_, area) = area(corners);
         self.area += area;
+        self.most = self.most.max(brightness(emission));
         for i in 0..3 {
             self.flux[i] += std::f32::consts::PI * emission[i] * area;
             self.middle[i] += (corners[0][i] + corners[1][i] + corners[2][i]) / 3.0 * area;

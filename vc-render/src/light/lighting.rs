@@ -7,7 +7,7 @@ use nalgebra::Point3;
 
 use super::ambient::Ambient;
 use super::grid::Grid;
-use super::lamp::{Lamp, lamps};
+use super::lamp::{Lamp, Shining, lamps};
 use super::shadow::ShadowMap;
 use super::{Daylight, extent::rooms, room};
 use crate::RenderError;
@@ -57,6 +57,8 @@ pub struct Lighting {
     pub(crate) lamps: Arc<Vec<Lamp>>,
     /// By body: what its glow and its shade's glow are multiplied with.
     pub(super) gains: Vec<[f32; 2]>,
+    /// By body that glows and is no lamp, how much the brightest of it is to be turned up.
+    pub(super) screens: Vec<(u32, f32)>,
     pub(super) grids: Arc<Vec<Grid>>,
     /// By room, what share of the sun's light panes leave.
     pub(super) sunlight: Vec<f32>,
@@ -73,7 +75,14 @@ const BALANCE: f32 = 0.6;
 /// How many times brighter than the mean of all rooms in view a room counts at most.
 const BRIGHTER: f32 = 4.0;
 /// Levels of light below which an eye does not adapt: in rooms, and outside.
-const DARK: [f32; 2] = [1e-4, 5e-4];
+const DARK: [f32; 2] = [1e-7, 5e-4];
+/// The level of light below which an eye adapts to a part only, so that what is dim looks dim, and to which part.
+const DIM: f32 = 0.01;
+const PART: f32 = 0.75;
+/// What is so much darker than the mean of all in view is as good as black: no eye gets used to it.
+const BLACK: f32 = 1e-3;
+/// The brightest that a screen is shown, as often as middle grey: an eye that looks at it gets used to it.
+const SCREEN: f32 = 1.6;
 
 /// How bright a colour is to the eye (Rec. 709).
 #[inline(always)]
@@ -120,6 +129,7 @@ impl Renderer {
             sun: None,
             lamps: Arc::default(),
             gains: Vec::new(),
+            screens: Vec::new(),
             grids: Arc::default(),
             sunlight: Vec::new(),
             cloth: Vec::new(),
@@ -196,14 +206,14 @@ impl Renderer {
     /// Finds the light in the scene of its tracer; shadows that are there are right.
     fn shine(&self, lighting: &mut Lighting) {
         let (snapshot, daylight) = (&lighting.tracer.snapshot, &lighting.daylight);
-        let (gains, lamps) = lamps(self, &lighting.tracer, &lighting.lamps);
+        let Shining { gains, screens, lamps } = lamps(self, &lighting.tracer, &lighting.lamps);
         if lighting.sun.is_none() && daylight.sun.norm() > 0.0 {
             let (middle, radius) = ball(snapshot);
             let map = ShadowMap::sun(self, snapshot, daylight.towards_sun, middle, radius);
             lighting.sun = Some(Arc::new(map));
         }
         lighting.rooms = rooms(snapshot);
-        (lighting.gains, lighting.lamps) = (gains, Arc::new(lamps));
+        (lighting.gains, lighting.screens, lighting.lamps) = (gains, screens, Arc::new(lamps));
         let (grids, sunlight) = room::grids(self, lighting);
         (lighting.grids, lighting.sunlight) = (Arc::new(grids), sunlight);
         lighting.cloth = super::cloth::lit(self, lighting);
@@ -291,9 +301,18 @@ impl Lighting {
         }
     }
 
+    /// The same as it is shown by an exposure.
+    pub(crate) fn shown(&self, surface: &Surface, body: u32, exposure: [f32; 3]) -> [f32; 3] {
+        let glow = self.glow(surface, body);
+        let Ok(at) = self.screens.binary_search_by_key(&body, |(body, _)| *body) else { return glow };
+        let most = self.screens[at].1 * self.gains[body as usize][0] * brightness(exposure);
+        scaled(glow, (SCREEN / most.max(1e-9)).min(1.0))
+    }
+
     /// The factors that bring the light that an eye sees to a picture's middle grey, and its colour partly to white.
     /// They are for the light of the rooms in view, weighted by how much is seen of each, so that they change with the
-    /// view and do not jump in a doorway; where nothing is seen, for the light of the eye's own room.
+    /// view and do not jump in a doorway; where nothing is seen, for the light of the eye's own room. In dim light they
+    /// go a part of the way only.
     pub(crate) fn exposure(&self, eye: [f32; 3], seen: impl IntoIterator<Item = u16>) -> [f32; 3] {
         use vc_graph::portable::Portable;
         // Outside is as bright as it is; a little of a sunny balcony does not make its room dark.
@@ -305,7 +324,9 @@ impl Lighting {
         if levels.is_empty() {
             levels.push(self.level(self.room_for(eye)));
         }
-        let (count, first) = (levels.len() as f32, levels[0].0.max(dark));
+        let count = levels.len() as f32;
+        let dark = dark.max(BLACK * levels.iter().map(|(level, _)| level / count).sum::<f32>());
+        let first = levels[0].0.max(dark);
         // Relative to the first level, so that the mean of equal levels is exactly that level.
         let off = levels.iter().map(|(level, _)| (level.max(dark) / first).logarithm()).sum::<f32>() / count;
         let most = BRIGHTER * first * off.exponential();
@@ -314,7 +335,9 @@ impl Lighting {
             let share = 1.0 / brightness(*c);
             three(|i| sum[i] + share * c[i])
         });
-        three(|c| 0.8 / mean.max(dark) / (colour[c] / count).max(0.1).power(BALANCE))
+        let mean = mean.max(dark);
+        let adapted = if mean < DIM { DIM * (mean / DIM).power(PART) } else { mean };
+        three(|c| 0.8 / adapted / (colour[c] / count).max(0.1).power(BALANCE))
     }
 
     /// Mean radiance of a room if it were grey, thrown back and straight from its lamps, and its colour.

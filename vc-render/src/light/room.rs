@@ -11,7 +11,7 @@ use super::grid::Grid;
 use super::{Ambient, Daylight, Lighting, brightness, dot};
 use crate::affine::three;
 use crate::renderer::Renderer;
-use crate::scene::NO_ROOM;
+use crate::scene::{Body, NO_ROOM, Stands};
 use crate::trace::{Met, Ray};
 
 /// Rays from each point.
@@ -22,6 +22,10 @@ const FAR: f32 = 0.05;
 pub(super) const STRIDE: usize = 97;
 /// Share of light thrown back again at most.
 const MOST: f32 = 0.95;
+/// The share of the light on a closed door that comes around its leaf: gaps of some millimetres, of a centimetre below.
+const GAPS: f32 = 0.01;
+/// Thickness of a leaf, metres.
+const LEAF: f32 = 0.05;
 /// How often light is thrown on before the rest is foreseen.
 const BOUNCES: usize = 7;
 
@@ -34,6 +38,8 @@ pub(super) struct Seen {
     pub(super) direct: [f32; 3],
     /// Where that is; none where there is nothing.
     pub(super) place: Option<Thrown>,
+    /// Where light falls on the far side of a closed door, and the share of it that comes through its gaps.
+    pub(super) gaps: Option<Thrown>,
     /// The share of the sun's light that panes leave there; zero where the sun does not shine.
     pub(super) sun: f32,
 }
@@ -161,18 +167,24 @@ fn look(
         };
         seen.push(match met {
             Some(met) if !inside => lighting.seen(renderer, &met, room).behind(share()),
-            Some(_) => Seen { direct: [0.0; 3], place: None, sun: 0.0 },
-            None => Seen { direct: lighting.daylight.radiance(ray.along), place: None, sun: 0.0 }.behind(share()),
+            Some(_) => Seen::only([0.0; 3]),
+            None => Seen::only(lighting.daylight.radiance(ray.along)).behind(share()),
         });
     }
     (behind * 5 < directions.len()).then_some(seen)
 }
 
 impl Seen {
+    /// Light from where nothing throws any back.
+    fn only(direct: [f32; 3]) -> Self {
+        Self { direct, place: None, gaps: None, sun: 0.0 }
+    }
+
     /// The same behind panes that leave a share of light.
     pub(super) fn behind(self, share: [f32; 3]) -> Self {
-        let place = self.place.map(|(at, normal, colour, room)| (at, normal, three(|i| colour[i] * share[i]), room));
-        Self { direct: three(|i| self.direct[i] * share[i]), place, ..self }
+        let less = |(at, normal, colour, room): Thrown| (at, normal, three(|i| colour[i] * share[i]), room);
+        let (place, gaps) = (self.place.map(less), self.gaps.map(less));
+        Self { direct: three(|i| self.direct[i] * share[i]), place, gaps, ..self }
     }
 }
 
@@ -196,14 +208,27 @@ impl Lighting {
         let lit = self.sunshine(met.at, met.normal).is_some_and(|lit| lit > 0.0);
         let sunny = lit && !self.tracer.blocked(&towards());
         let sun = if sunny { self.panes(renderer, met) } else { 0.0 };
-        let into = self.room_of(body, met.at, met.flat);
+        let into = self.room_of(body, met.instance, met.at, met.flat);
         let direct = self.direct(met.at, met.normal, into, sun);
+        let gaps = self.gaps(body, met, into);
+        let past = gaps.map_or([0.0; 3], |(at, normal, share, room)| {
+            let falls = self.direct(at, normal, room, 0.0);
+            three(|i| share[i] * falls[i])
+        });
         let over = 1.0 / std::f32::consts::PI;
         Seen {
-            direct: three(|i| own[i] + colour[i] * direct[i] * over),
+            direct: three(|i| own[i] + (colour[i] * direct[i] + past[i]) * over),
             place: Some((met.at, met.normal, colour, into)),
+            gaps,
             sun,
         }
+    }
+
+    /// What comes around a closed leaf from the room behind it.
+    fn gaps(&self, body: &Body, met: &Met<'_>, into: u16) -> Option<Thrown> {
+        let back = met.flat.map(|v| -v);
+        let from = (body.stands == Stands::Between).then(|| self.room_of(body, met.instance, met.at, back))?;
+        (from != into).then(|| (three(|i| met.at[i] + LEAF * back[i]), back, [GAPS; 3], from))
     }
 
     /// The share of the sun's light that panes leave at a surface.
@@ -224,7 +249,7 @@ fn gathered(grids: &[Grid], directions: &[[f32; 3]], seen: &[Seen]) -> Ambient {
     let each = 4.0 * std::f32::consts::PI / RAYS as f32;
     for (towards, one) in directions.iter().zip(seen) {
         let mut radiance = one.direct;
-        if let Some((at, normal, colour, room)) = &one.place {
+        for (at, normal, colour, room) in one.place.iter().chain(&one.gaps) {
             let falling = grids[usize::from(*room).min(grids.len() - 1)].at(*at).falls(*normal);
             radiance = three(|i| radiance[i] + colour[i] * falling[i] / std::f32::consts::PI);
         }

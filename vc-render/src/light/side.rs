@@ -1,20 +1,20 @@
 //! The room whose light falls on a surface.
 
-use nalgebra::Vector3;
-
-use super::Lighting;
+use super::{Lighting, dot};
 use crate::affine::{self, three};
 use crate::label::unit;
 use crate::raster::Visible;
-use crate::scene::{Body, NO_ROOM, Snapshot, Stands};
+use crate::scene::{Body, Instance, NO_ROOM, Snapshot, Stands};
 use crate::trace::Ray;
 
 /// Distance from a door's or wall's surface at which a point is in the room before it, metres.
 const AHEAD: f32 = 0.3;
+/// Cosine between a face's normal and a leaf's below which the face looks along the leaf.
+const ALONG: f32 = 0.3;
 
 impl Lighting {
-    /// The room whose light falls on a triangle that is seen.
-    pub(crate) fn room_seen(&self, snapshot: &Snapshot, seen: &Visible) -> u16 {
+    /// The room whose light falls on a triangle that is seen from somewhere.
+    pub(crate) fn room_seen(&self, snapshot: &Snapshot, seen: &Visible, eye: [f32; 3]) -> u16 {
         let instance = &snapshot.instances[seen.instance as usize];
         let body = &snapshot.bodies[instance.body as usize];
         if body.stands == Stands::Within {
@@ -23,25 +23,41 @@ impl Lighting {
         let (mesh, index) = (seen.mesh(&snapshot.instances), seen.index());
         let [a, b, c] = mesh.triangle(mesh.cluster_of(index), index);
         let at = affine::point(&instance.world.narrow(), three(|i| (a[i] + b[i] + c[i]) / 3.0));
-        self.room_of(body, at, unit(affine::normal(&instance.inverse, mesh.normals[index][0])))
+        let normal = unit(affine::normal(&instance.inverse, mesh.normals[index][0]));
+        match body.stands {
+            // Of what reaches through a wall, an eye sees what is on its own side.
+            Stands::Between => self.room_beside(instance, (at, eye), normal).unwrap_or(body.room),
+            _ => self.room_of(body, instance, at, normal),
+        }
     }
 
     /// The room whose light falls on a face of a body: the body's own, or, if the body stands between two rooms or
     /// bounds its room, the one that the face looks into.
-    pub(crate) fn room_of(&self, body: &Body, at: [f32; 3], normal: [f32; 3]) -> u16 {
+    pub(crate) fn room_of(&self, body: &Body, instance: &Instance, at: [f32; 3], normal: [f32; 3]) -> u16 {
         match body.stands {
             Stands::Within => body.room,
             Stands::Around => self.room_before(body.room, at, normal),
-            Stands::Between => {
-                let (out, middle) = (body.pose.rotation * Vector3::x(), body.pose.translation.vector);
-                let side = (Vector3::from(at) - middle).dot(&out).signum();
-                // A face that looks along the wall belongs to the room on its side of the body.
-                let [before, aside] = [normal, (out * side).into()].map(|along| three(|i| at[i] + AHEAD * along[i]));
-                let room = |at: [f32; 3]| self.room_around(at).map(|room| room as u16);
-                let open = || self.is_open(at, normal).then_some(NO_ROOM);
-                room(before).or_else(open).or_else(|| room(aside)).unwrap_or(body.room)
-            }
+            Stands::Between => self.room_beside(instance, (at, at), normal).unwrap_or(body.room),
         }
+    }
+
+    /// The room before a face of a leaf or a frame, wherever its joint has it. A face that looks along the leaf, as
+    /// those at the edges of panels, belongs to the room on the side of it that a place is on.
+    fn room_beside(&self, leaf: &Instance, (at, from): ([f32; 3], [f32; 3]), normal: [f32; 3]) -> Option<u16> {
+        let world = leaf.world.narrow();
+        let out = unit(affine::vector(&world, [1.0, 0.0, 0.0]));
+        let middle = affine::point(&world, leaf.link.levels[0].bounds.centre);
+        let side = dot(three(|i| from[i] - middle[i]), out).signum();
+        let ahead = |along: [f32; 3]| three(|i| at[i] + AHEAD * along[i]);
+        let room = |at: [f32; 3]| self.room_around(at).map(|room| room as u16);
+        let aside = || room(ahead(out.map(|v| v * side)));
+        if dot(normal, out).abs() < ALONG
+            && let Some(room) = aside()
+        {
+            return Some(room);
+        }
+        let open = || self.is_open(at, normal).then_some(NO_ROOM);
+        room(ahead(normal)).or_else(open).or_else(aside)
     }
 
     /// The room before a face of a room's wall: its own, another, or none if it looks out into the open.

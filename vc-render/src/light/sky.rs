@@ -32,6 +32,8 @@ pub struct Daylight {
 const NOON: (f32, f32) = (0.85, 0.7);
 /// Least elevation of the sun while it lights a home, radians.
 const LOW: f32 = 0.12;
+/// Radiance of the sky above below which people switch lamps on.
+const DARK: f32 = 0.1;
 /// When dusk begins and ends, hours from midday.
 const DUSK: (f32, f32) = (5.5, 7.5);
 
@@ -45,16 +47,16 @@ impl Daylight {
         // Air the light passes (Kasten and Young's formula, rounded), and what each colour loses in it.
         let air = 1.0 / (rise.max(0.0) + 0.05);
         let through = Vector3::new(0.12, 0.19, 0.32).map(|k: f32| (-k * air).exponential());
-        let day = (rise * 4.0).clamp(0.0, 1.0);
-        let warm = 1.0 - (rise * 2.5).clamp(0.0, 1.0);
-        let blue = Vector3::new(0.30, 0.52, 0.95) * (0.9 * day);
-        let haze = Vector3::new(0.95 + 0.4 * warm, 1.02, 1.10 - 0.4 * warm) * (1.1 * day);
+        let day = (rise * 1.6).clamp(0.0, 1.0);
+        let warm = 1.0 - (rise * 1.6).clamp(0.0, 1.0);
+        let blue = Vector3::new(0.30 + 0.25 * warm, 0.52, 0.95 - 0.25 * warm) * (0.9 * day);
+        let haze = Vector3::new(0.95 + 0.9 * warm, 1.02, 1.10 - 0.6 * warm) * (1.1 * day);
         Self {
             towards_sun: Vector3::new(level * c, level * s, rise),
             sun: if rise > 0.0 { through * 16.0 } else { Vector3::zeros() },
             zenith: blue,
             horizon: haze,
-            ground: Vector3::new(0.20, 0.22, 0.14) * (0.3 + day),
+            ground: Vector3::new(0.20 + 0.08 * warm, 0.22, 0.14 - 0.04 * warm) * (0.3 + day),
         }
     }
 
@@ -109,6 +111,17 @@ impl Daylight {
         // A town's night sky, some tenths of a candela per square metre: far darker than walls by lamplight.
         let dark = Vector3::new(1.0e-5, 1.5e-5, 3.0e-5);
         Self { sun: Vector3::zeros(), zenith: dark, horizon: dark * 1.8, ground: dark * 0.4, ..Self::noon() }
+    }
+
+    /// Whether people would have their lamps on: after sunset and before sunrise, or under as dark a sky.
+    ///
+    /// ```
+    /// use vc_render::Daylight;
+    /// assert!(Daylight::at(19.0).is_dark() && Daylight::night().is_dark());
+    /// assert!(!Daylight::at(8.0).is_dark() && !Daylight::overcast().is_dark());
+    /// ```
+    pub fn is_dark(&self) -> bool {
+        self.sun == Vector3::zeros() && super::brightness(self.zenith.into()) < DARK
     }
 
     pub(crate) fn check(&self) -> Result<(), RenderError> {

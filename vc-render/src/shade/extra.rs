@@ -129,7 +129,8 @@ impl Lighting {
     /// Light that a surface throws back towards any side, its sheen left out.
     pub(crate) fn thrown(&self, renderer: &Renderer, met: &Met<'_>, footprint: f32) -> [f32; 3] {
         let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
-        let room = self.room_of(&self.tracer.snapshot.bodies[met.instance.body as usize], met.at, met.flat);
+        let room =
+            self.room_of(&self.tracer.snapshot.bodies[met.instance.body as usize], met.instance, met.at, met.flat);
         let look = met.look(surface, footprint);
         let falling = self.around(met.at, look.normal, room);
         let direct = self.direct(met.at, look.normal, room, self.sunlight(room));

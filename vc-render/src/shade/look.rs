@@ -2,7 +2,7 @@
 
 use crate::affine::{self, Narrow, three};
 use crate::label::unit;
-use crate::surface::{Surface, Tile};
+use crate::surface::{Pattern, Surface, Tile};
 
 /// What light meets at a point.
 #[derive(Debug, Clone, Copy)]
@@ -23,7 +23,7 @@ pub(crate) fn look(
     footprint: f32,
 ) -> Look {
     let tile = Tile::of(surface.pattern);
-    let (u, v) = plane(facing, grain);
+    let (u, v) = plane(surface.pattern, (facing, grain));
     let touch = tile.at(tile.level(footprint), local[u], local[v]);
     let colour = three(|i| surface.colour[i] * touch.tint[i]);
     let roughness = (surface.roughness * touch.roughness).clamp(0.02, 1.0);
@@ -39,9 +39,11 @@ pub(crate) fn look(
     Look { colour, roughness, normal: unit(three(|i| normal[i] + a[i] + b[i])) }
 }
 
-/// The axes a texture lies along, across and with the grain, where a surface faces along an axis.
+/// The axes a texture lies along, across and with the grain, where a surface faces along an axis. Courses of bricks lie
+/// level on all that stands, however long it is.
 #[inline(always)]
-pub(super) fn plane(facing: u8, grain: u8) -> (usize, usize) {
+pub(super) fn plane(pattern: Pattern, (facing, grain): (u8, u8)) -> (usize, usize) {
     let (a, b) = [(1, 2), (0, 2), (0, 1)][usize::from(facing)];
-    if usize::from(grain) == a { (b, a) } else { (a, b) }
+    let level = pattern == Pattern::Bricks && b == 2;
+    if usize::from(grain) == a && !level { (b, a) } else { (a, b) }
 }

@@ -99,7 +99,7 @@ impl Shading<'_> {
         shading.lattice.prepare(camera.width as usize, count);
         shading.linear.iter_mut().for_each(|l| l.resize(camera.width as usize, 0.0));
         shading.edges.clear();
-        let writer = Writer::new(self.renderer, self.lighting, self.view, layers, &strip.rows);
+        let writer = Writer::new(self.renderer, (self.lighting, self.exposure), self.view, layers, &strip.rows);
         let lamps = Lamps::new(&writer, self.open, layers.solid());
         let mut rows =
             Rows { shading: self, layers, writer: &writer, lamps, scratch: shading, start: strip.rows.start, count };

@@ -79,6 +79,7 @@ pub(super) struct Writer<'a> {
     pub(super) renderer: &'a Renderer,
     pub(super) lighting: &'a Lighting,
     pub(super) view: View<'a>,
+    pub(super) exposure: [f32; 3],
     pub(super) visible: &'a [Visible],
     pub(super) frustum: Frustum,
     /// From (x, y, 1) times depth to the world.
@@ -148,14 +149,14 @@ impl Known {
 impl<'a> Writer<'a> {
     pub(super) fn new(
         renderer: &'a Renderer,
-        lighting: &'a Lighting,
+        (lighting, exposure): (&'a Lighting, [f32; 3]),
         view: View<'a>,
         layers: &'a Layers,
         rows: &std::ops::Range<i32>,
     ) -> Self {
         let frustum = Frustum::new(view.camera, rows);
         let world = frustum.map.inverse().unwrap_or(Affine::IDENTITY).narrow();
-        Self { renderer, lighting, view, visible: &layers.visible, frustum, world }
+        Self { renderer, lighting, view, exposure, visible: &layers.visible, frustum, world }
     }
 
     /// Writes down a row of the image.

@@ -29,15 +29,20 @@ static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
 });
 
 /// A film's response, linear on a screen: that of the eye's cells (Naka and Rushton 1966), which never
-/// burns out. A white wall in the light of its room comes to a half, ten times that to nineteen twentieths.
+/// burns out, with a shoulder that keeps the sky and what is close to lamps apart from white. A white wall in the light
+/// of its room comes to a half, ten times that to six sevenths, a hundred times that to nineteen twentieths.
 pub(crate) fn film(x: f32) -> f32 {
     use vc_graph::portable::Portable;
-    let strength = (1.9 * x.max(0.0)).power(CONTRAST);
-    if strength < 1e9 { strength / (1.0 + strength) } else { 1.0 }
+    let light = 1.9 * x.max(0.0);
+    let beyond = (light / SHOULDER).raised(4);
+    let strength = light.power(CONTRAST) / (1.0 + beyond).power(FLATTER / 4.0);
+    if light < 1e9 { strength / (1.0 + strength) } else { 1.0 }
 }
 
-/// How steep the film's response is in the middle.
+/// How steep the film's response is in the middle, from which light on it is flatter, and by how much.
 const CONTRAST: f32 = 1.2;
+const SHOULDER: f32 = 2.0;
+const FLATTER: f32 = 0.6;
 
 /// A linear colour in sRGB.
 #[inline(always)]
@@ -56,7 +61,7 @@ pub(crate) fn decoded(colour: [u8; 3]) -> [f32; 3] {
 /// Bits of a float between neighbouring entries of the table from light to colours, and its first entry.
 const PART: u32 = 15;
 const DARK: f32 = 1.0 / 4096.0;
-const BRIGHT: f32 = 1024.0;
+const BRIGHT: f32 = 65536.0;
 
 /// Entries of the table, a power of two; the last ones are not asked for.
 const ENTRIES: usize = 8192;

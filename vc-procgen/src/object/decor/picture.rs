@@ -19,12 +19,20 @@ pub(in crate::object) struct Inks {
     land: Mat,
     sun: Mat,
     dark: Mat,
+    /// Faces, of which one is drawn, and every second flower.
+    faces: [Mat; 3],
+    flower: Mat,
 }
 
+/// Faces and flowers of pictures that are no screen's.
+const FACES: [Mat; 3] = [SKIN, BROWN_SKIN, EGGSHELL];
+const FLOWER: Mat = PETAL_PINK;
+
 impl Inks {
-    /// A picture of light: on a screen that is on.
+    /// A picture of light: on a screen that is on. All of it is dark when the screen is off.
     pub(in crate::object) fn screen() -> Self {
-        Self { sky: PICTURE_SKY, land: PICTURE_LAND, sun: PICTURE_SUN, dark: PICTURE_DARK }
+        let (sky, land, sun, dark) = (PICTURE_SKY, PICTURE_LAND, PICTURE_SUN, PICTURE_DARK);
+        Self { sky, land, sun, dark, faces: [sun; 3], flower: sun }
     }
 
     /// Oil on canvas.
@@ -34,6 +42,8 @@ impl Inks {
             land: b.one(&[SAGE, FOREST, GREEN, TERRACOTTA, NAVY, BLUE]),
             sun: b.one(&[YELLOW, ORANGE, RED, WHITE, MUSTARD]),
             dark: b.one(&[NAVY, BLACK, ANTHRACITE, FOREST, TERRACOTTA]),
+            faces: FACES,
+            flower: FLOWER,
         }
     }
 
@@ -44,12 +54,14 @@ impl Inks {
             land: b.one(&[GREEN_CARD, BLUE_CARD, TEAL_CARD, ORANGE_CARD]),
             sun: b.one(&[YELLOW_CARD, ORANGE_CARD, RED_CARD, WHITE_PAPER]),
             dark: b.one(&[BLACK_CARD, PURPLE_CARD, BLUE_CARD, RED_CARD]),
+            faces: FACES,
+            flower: FLOWER,
         }
     }
 
     /// A photograph.
     pub(in crate::object) fn photo() -> Self {
-        Self { sky: WALL_BLUE, land: SAGE, sun: SKIN, dark: CHARCOAL_FABRIC }
+        Self { sky: WALL_BLUE, land: SAGE, sun: SKIN, dark: CHARCOAL_FABRIC, faces: FACES, flower: FLOWER }
     }
 }
 
@@ -144,7 +156,7 @@ fn fields(p: &mut Brush<'_, '_>, inks: Inks) {
 }
 
 fn portrait(p: &mut Brush<'_, '_>, inks: Inks) {
-    let skin = p.b.one(&[SKIN, BROWN_SKIN, EGGSHELL]);
+    let skin = p.b.one(&inks.faces);
     p.fill(1, &[(-0.75, -1.0), (0.75, -1.0), (0.6, -0.5), (0.25, -0.3), (-0.25, -0.3), (-0.6, -0.5)], inks.land);
     p.disc(1, (0.0, 0.22), 0.46, inks.dark);
     p.disc(2, (0.0, 0.12), 0.38, skin);
@@ -156,7 +168,7 @@ fn flowers(p: &mut Brush<'_, '_>, inks: Inks) {
     for (i, u) in [-0.55, -0.2, 0.2, 0.55].into_iter().enumerate() {
         let v = p.b.vary(0.15, 0.65);
         p.fill(1, &[(u * 0.2 - 0.02, -0.15), (u * 0.2 + 0.02, -0.15), (u + 0.02, v), (u - 0.02, v)], inks.land);
-        p.disc(2, (u, v), 0.17, if i % 2 == 0 { inks.sun } else { PETAL_PINK });
+        p.disc(2, (u, v), 0.17, if i % 2 == 0 { inks.sun } else { inks.flower });
     }
 }
 

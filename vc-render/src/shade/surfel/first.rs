@@ -36,7 +36,7 @@ impl Writer<'_> {
         let plain = surface.pattern == Pattern::Plain;
         let turned = || affine::longest(affine::normal(&instance.inverse, mesh.normals[visible.index()][0]));
         let facing = if built { turned() } else { face.axis };
-        let (u, v) = if plain { (0, 0) } else { crate::shade::look::plane(facing, face.grain) };
+        let (u, v) = if plain { (0, 0) } else { crate::shade::look::plane(surface.pattern, (facing, face.grain)) };
         let way = 3 * u + v;
         if known.looks[look as usize].paints[way] == NONE {
             let texture = (!plain).then(|| {
@@ -69,9 +69,13 @@ impl Writer<'_> {
 
     /// The number of what pixels of an instance's surface have in common, one of whose triangles is given.
     fn look(&self, triangle: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
-        let instance = self.visible[triangle as usize].instance;
-        // A wall or a door has faces to several rooms.
-        let room = self.lighting.room_seen(self.view.snapshot, &self.visible[triangle as usize]);
+        let (snapshot, seen) = (self.view.snapshot, &self.visible[triangle as usize]);
+        let instance = seen.instance;
+        let own = &snapshot.instances[instance as usize];
+        let index = own.body;
+        let body = &snapshot.bodies[index as usize];
+        // A wall or a door has faces to several rooms, and the edges of a door's panels face alike on both sides.
+        let room = self.lighting.room_seen(snapshot, seen, self.view.camera.eye().into());
         let mut at = known.heads[instance as usize];
         while let Some(look) = known.looks.get(at as usize)
             && (look.surface, look.facet, look.room) != (surface, facet, room)
@@ -81,11 +85,8 @@ impl Writer<'_> {
         if at != NONE {
             return at;
         }
-        let own = &self.view.snapshot.instances[instance as usize];
-        let index = own.body;
-        let body = &self.view.snapshot.bodies[index as usize];
         let of = &self.renderer.store.surfaces[usize::from(surface)];
-        let glow = if body.lit { self.lighting.glow(of, index) } else { [0.0; 3] };
+        let glow = if body.lit { self.lighting.shown(of, index, self.exposure) } else { [0.0; 3] };
         // A picture colours light that falls on it; so it does that which comes from behind it.
         let (glow, shine) = match of.picture {
             Some(_) => ([0.0; 3], of.as_fallen(glow)),
