@@ -3,10 +3,11 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Point3, Vector3};
-use vc_graph::{Change, ChangeSet, Kind, Node, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
-use vc_physics::{Floor, Order, Role, World};
+use nalgebra::{Point2, Point3, Vector3};
+use vc_graph::{Aabb, Change, ChangeSet, Kind, Node, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
+use vc_physics::{Floor, Order, Posture, Role, World};
 
+use super::make::{RINGS, Spaced, around};
 use super::{MakeError, act};
 
 /// Things of the scene that are not in the environment, with their classes.
@@ -17,8 +18,10 @@ const FALL: f32 = 0.1;
 /// Where things wait for their place, metres: how low, and how far from each other.
 const BELOW: f32 = -200.0;
 const APART: f32 = 5.0;
-/// How far an agent that stands beside all floors is moved at most, metres.
-const ASIDE: f32 = 10.0;
+/// Agents whose feet are nearer than this are in one place, metres.
+const TOGETHER: f32 = 0.2;
+/// A thing that is farther than this from what it is said to be at, or from all that stands still, is astray, metres.
+const FAR: f32 = 3.0;
 
 /// Lets a world come to rest. Things that are astray before or after are put to a free spot at the place
 /// that the scene gives them; those for which there is none are taken out of the scene, and named.
@@ -26,6 +29,7 @@ pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<Left
     // Steps would take long to part things that are in one place, and would throw them far.
     let mut astray = world.outside();
     astray.extend(world.crowded());
+    astray.extend(far_off(world, builder.graph()));
     let mut left_out = put_back(world, builder, astray)?;
     act::calm(world);
     let fallen = fallen(world, builder.graph());
@@ -42,6 +46,26 @@ pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<Left
         leave_out(world, builder, outside, &mut left_out)?;
         act::calm(world);
     }
+}
+
+/// Loose things that are far from where the scene says they are, or from the home.
+fn far_off(world: &World, graph: &SceneGraph) -> Vec<NodeId> {
+    let free = |id: &NodeId| matches!(world.role(*id), Some(Role::Loose | Role::Hung));
+    let fixed = graph.nodes().map(Node::id).filter(|id| world.role(*id) == Some(Role::Fixed));
+    let home =
+        fixed.filter_map(|id| world.aabb(id)).reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) });
+    let things = graph.nodes().filter(|n| n.kind() == Kind::Object).map(Node::id).filter(free);
+    let is_far = |id: &NodeId| {
+        let rests = |p: &Place| matches!(p.relation, Relation::On | Relation::Inside);
+        let at = graph.place(*id).filter(rests).and_then(|p| world.aabb(p.at)).or(home);
+        world.aabb(*id).zip(at).is_some_and(|(own, at)| gap(&own, &at) > FAR)
+    };
+    things.filter(is_far).collect()
+}
+
+/// How far apart two boxes are along the axis along which they are farthest apart, metres.
+fn gap(a: &Aabb, b: &Aabb) -> f32 {
+    (0..3).map(|i| (a.min[i] - b.max[i]).max(b.min[i] - a.max[i])).fold(0.0, f32::max)
 }
 
 /// Places, each with the size of a thing for which there was no room. A search that fails takes long.
@@ -70,7 +94,12 @@ fn put_back(world: &mut World, builder: &mut SceneBuilder, mut astray: Vec<NodeI
         let (place, size) = (builder.graph().place(id), world.aabb(id).map(|b| b.max - b.min));
         let found = if full.is_for(place, size) { None } else { spot(world, builder.graph(), id, near)? };
         match found {
-            Some(spot) => world.place(id, spot)?,
+            Some(spot) => {
+                world.place(id, spot)?;
+                let mut edit = builder.edit();
+                edit.set_pose(id, Some(spot))?;
+                edit.commit();
+            }
             None => {
                 full.0.extend(place.zip(size));
                 lost.push(id);
@@ -137,15 +166,27 @@ pub(super) fn fell_out(world: &World, changes: &ChangeSet) -> Option<NodeId> {
     world.outside_among(&free).first().copied()
 }
 
-/// Puts agents that the scene has where no floor is onto the nearest one.
-pub(super) fn stand_on_floor(world: &mut World, floor: &Floor) -> Result<(), MakeError> {
+/// Puts agents that the scene has where no floor is, or several in one place, to the nearest free places on the floor.
+/// Returns those that were moved.
+pub(super) fn stand_on_floor(world: &mut World, floor: &Floor) -> Vec<NodeId> {
+    let (mut taken, mut moved) = (Spaced::new(&[]), Vec::new());
     for agent in world.agents().collect::<Vec<_>>() {
-        let Some(feet) = world.pose(agent).filter(|_| world.is_beside_floors(agent)) else { continue };
-        if let Some(spot) = floor.nearest(feet.translation.vector.xy().into(), ASIDE) {
-            let to = Pose::from_parts([spot.x, spot.y, floor.plan().level].into(), feet.rotation);
-            // The agent has a body, so this cannot fail.
-            let _ = world.teleport(agent, to);
+        let standing = world.posture(agent) == Some(Posture::Standing);
+        let Some(feet) = world.pose(agent).filter(|_| standing) else { continue };
+        let own = Point2::from(feet.translation.vector.xy());
+        let on_floor = !world.is_beside_floors(agent);
+        if on_floor && !taken.has_within(&own, TOGETHER) {
+            taken.take(own);
+            continue;
         }
+        let start = if on_floor { Some(own) } else { floor.nearest(own, f32::INFINITY) };
+        let spots = start.into_iter().flat_map(|start| (0..RINGS).flat_map(move |ring| around(&start, ring)));
+        let Some(spot) = spots.into_iter().find(|p| floor.is_free(*p) && taken.is_free(p)) else { continue };
+        taken.take(spot);
+        let to = Pose::from_parts([spot.x, spot.y, floor.plan().level].into(), feet.rotation);
+        // The agent has a body, so this cannot fail.
+        let _ = world.teleport(agent, to);
+        moved.push(agent);
     }
-    Ok(())
+    moved
 }

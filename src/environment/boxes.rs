@@ -16,8 +16,9 @@ use crate::figure;
 /// How far above its support a thing may hover in the scene, metres, and how far it may fall.
 const HOVER: f32 = 0.06;
 const REST: f32 = 0.002;
-/// How far from the box of its place a thing may be, metres.
+/// How far from the box of its place a thing may be, metres; and how far from it a thing has lost it.
 const BESIDE: f32 = 0.1;
+const LOST: f32 = 0.3;
 /// A thing that has moved less is still where the scene has it, metres.
 const STILL: f32 = 0.02;
 /// How far an agent that stands in something is moved aside at most, metres.
@@ -156,18 +157,19 @@ fn would_move(world: &World, graph: &SceneGraph, id: NodeId) -> Result<bool, Phy
     if lowered(REST)? {
         return Ok(false);
     }
-    let at = |p: Place| world.aabb(p.at).is_some_and(|at| meets(&own, &at));
+    let at = |p: Place| world.aabb(p.at).is_some_and(|at| meets(&own, &at, BESIDE));
     Ok(lowered(HOVER)? || graph.places(id).any(at))
 }
 
 /// Whether the scene has a thing at another one: what was at rest and has lost its table falls.
 fn is_by_its_place(world: &World, graph: &SceneGraph, id: NodeId) -> bool {
     let Some(own) = graph.node(id).and_then(Node::aabb) else { return false };
-    graph.places(id).any(|p| world.aabb(p.at).is_some_and(|at| meets(&own, &at)))
+    graph.places(id).any(|p| world.aabb(p.at).is_some_and(|at| meets(&own, &at, LOST)))
 }
 
-fn meets(a: &Aabb, b: &Aabb) -> bool {
-    (0..3).all(|i| a.min[i] < b.max[i] + BESIDE && b.min[i] < a.max[i] + BESIDE)
+/// Whether boxes overlap or are no farther apart than so many metres.
+fn meets(a: &Aabb, b: &Aabb, apart: f32) -> bool {
+    (0..3).all(|i| a.min[i] < b.max[i] + apart && b.min[i] < a.max[i] + apart)
 }
 
 /// Moves agents that the scene has standing in something to free floor.

@@ -19,7 +19,7 @@ const LANDING: u32 = 24;
 /// Free floor kept between agents, metres from middle to middle.
 const APART: f32 = 0.8;
 /// Rings of half a metre around the middle of each room in which somebody is to stand, and the most that are looked at.
-const RINGS: i32 = 32;
+pub(super) const RINGS: i32 = 32;
 const FARTHEST: i32 = 2000;
 /// How far from the middle of its room an agent may stand, metres.
 const ASTRAY: f32 = 2.5;
@@ -124,7 +124,7 @@ impl Environment {
         if !at_rest && !staying.is_empty() {
             boxes::step_aside(&mut world, builder.graph(), &floor)?;
         }
-        astray::stand_on_floor(&mut world, &floor)?;
+        astray::stand_on_floor(&mut world, &floor);
         let places = standing_places(builder.graph(), &world, &floor, agents)?;
         let mut library = builder.graph().assets().as_ref().clone();
         let people = (0..places.len()).map(|i| figure::add_to(&mut library, i));
@@ -234,10 +234,10 @@ fn reaches(graph: &SceneGraph, room: NodeId, middle: &Point2<f32>, ring: i32) ->
 }
 
 /// Points of the floor that are taken, in squares as wide as the distance to be kept.
-struct Spaced(BTreeMap<(i32, i32), Vec<Point2<f32>>>);
+pub(super) struct Spaced(BTreeMap<(i32, i32), Vec<Point2<f32>>>);
 
 impl Spaced {
-    fn new(points: &[Point2<f32>]) -> Self {
+    pub(super) fn new(points: &[Point2<f32>]) -> Self {
         let mut all = Self(BTreeMap::new());
         points.iter().for_each(|point| all.take(*point));
         all
@@ -247,14 +247,19 @@ impl Spaced {
         ((point.x / APART).floor() as i32, (point.y / APART).floor() as i32)
     }
 
-    fn take(&mut self, point: Point2<f32>) {
+    pub(super) fn take(&mut self, point: Point2<f32>) {
         self.0.entry(Self::square(&point)).or_default().push(point);
     }
 
-    fn is_free(&self, point: &Point2<f32>) -> bool {
+    pub(super) fn is_free(&self, point: &Point2<f32>) -> bool {
+        !self.has_within(point, APART)
+    }
+
+    /// Whether a taken point is nearer than a distance, at most that to be kept.
+    pub(super) fn has_within(&self, point: &Point2<f32>, distance: f32) -> bool {
         let (x, y) = Self::square(point);
         let near = (-1..=1).flat_map(|i| (-1..=1).map(move |j| (x.saturating_add(i), y.saturating_add(j))));
-        near.filter_map(|square| self.0.get(&square)).flatten().all(|taken| (taken - point).norm() >= APART)
+        near.filter_map(|square| self.0.get(&square)).flatten().any(|taken| (taken - point).norm() < distance)
     }
 }
 

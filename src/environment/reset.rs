@@ -8,7 +8,7 @@ use vc_physics::{Order, PhysicsError, World};
 use vc_relations::Relations;
 
 use super::undo::Undo;
-use super::{Environment, ResetError, act, boxes, observe, scene};
+use super::{Environment, ResetError, act, astray, boxes, observe, scene};
 
 /// How far below a thing its support may be, metres.
 const HOVER: f32 = 0.02;
@@ -28,8 +28,8 @@ pub struct ResetReport {
     pub removed: Vec<NodeId>,
     /// Things for which there was no place; they are not in the scene.
     pub unplaced: Vec<Unplaced>,
-    /// Things that have come to rest elsewhere than the graph has them, and agents who stand beside
-    /// what they are to sit or lie on.
+    /// Things that have come to rest elsewhere than the graph has them, agents who stand beside what they are to sit or
+    /// lie on, and agents who were put onto the floor or apart, as nobody can stand where the graph has them.
     pub elsewhere: Vec<Elsewhere>,
 }
 
@@ -131,10 +131,16 @@ impl Environment {
         plan.settle_places(&mut world, &mut wanted)?;
         plan.lower(&mut world)?;
         seat(&mut world, &mut wanted, &mut plan.report)?;
+        let mut floor = self.start.floor.clone();
+        floor.update(&world);
+        for agent in astray::stand_on_floor(&mut world, &floor) {
+            let Some(at) = wanted.room_of(agent) else { continue };
+            let place = Place { relation: Relation::InRoom, at };
+            plan.report.elsewhere.push(Elsewhere { thing: wanted.label(agent), wanted: place, now: None });
+        }
         act::calm(&mut world);
         plan.take_out(&mut world, &mut wanted)?;
         let relations = self.observed(&mut wanted, &world, new_shapes)?;
-        let mut floor = self.start.floor.clone();
         floor.update(&world);
         let report = plan.report(graph, &wanted);
         (self.graph, self.world, self.relations, self.floor) = (wanted, world, relations, floor);

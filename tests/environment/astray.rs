@@ -1,7 +1,8 @@
 //! Nothing leaves the world in silence: things that are or fall below or beside the floor, or are in the
 //! place of others, are put back where the scene has them, or left out and named.
 
-use virtualcity::graph::{Bounds, Draft, Kind, NodeId, Place, Pose, Relation, SceneBuilder};
+use virtualcity::graph::format::read_scene;
+use virtualcity::graph::{Action, Bounds, ClassTable, Draft, Kind, NodeId, Place, Pose, Relation, SceneBuilder, Verb};
 use virtualcity::physics::Role;
 use virtualcity::{Environment, MakeError};
 
@@ -173,4 +174,56 @@ fn what_loses_its_support_falls() {
         is_whole(&home);
     }
     assert!(clothes > 0, "no wardrobe with clothes in twelve homes");
+}
+
+/// In a scene of boxes a thing that is far from where the scene says it is, above, below or beside, is put back;
+/// what is said to be in no more than the room is left out and named.
+#[test]
+fn what_is_far_from_its_place_is_put_back() {
+    let text = include_str!("../data/boxes_table.json");
+    let made = |text: &str| {
+        let scene = read_scene(text, &ClassTable::builtin()).unwrap();
+        Environment::of(scene, 1).unwrap()
+    };
+    for at in ["1.5, -5, 0", "1.5, -3, 0", "1.5, 20, 0", "1.5, 9000, 0", "60, 0.84, 0"] {
+        let home = made(&text.replace("\"center\": [1.5, 0.84, 0]", &format!("\"center\": [{at}]")));
+        let [apple, table] = ["apple", "kitchen_table"].map(|class| home.graph().of_class(class)[0]);
+        assert!(home.graph().places(apple).eq([Place { relation: Relation::On, at: table }]), "{at}");
+        let (own, below) = (home.world().aabb(apple).unwrap(), home.world().aabb(table).unwrap());
+        assert!((own.min.z - below.max.z).abs() < 0.02, "{at}: {own:?}");
+        is_whole(&home);
+    }
+    let text = text.replace("  {\"from_id\": 4, \"relation_type\": \"ON\", \"to_id\": 3},\n", "");
+    let home = made(&text.replace("\"center\": [1.5, 0.84, 0]", "\"center\": [10, 0.9, 10]"));
+    assert!(home.graph().of_class("apple").is_empty());
+    assert!(home.left_out().iter().any(|(_, class)| &**class == "apple"), "{:?}", home.left_out());
+}
+
+/// Agents that a graph has in the void, or several in one place, are put onto the floor, apart, and told.
+#[test]
+fn agents_in_the_void_or_in_one_place_are_put_apart() {
+    let mut home = home(3, 3);
+    let agents = home.agents().to_vec();
+    for [x, y] in [[500.0, 0.0], [9000.0, -9000.0]] {
+        let mut graph = home.start().clone();
+        let mut edit = graph.edit();
+        edit.set_pose(agents[0], Some(Pose::translation(x, y, 1.0))).unwrap();
+        edit.commit();
+        let report = home.reset(&graph).unwrap();
+        assert!(report.elsewhere.iter().any(|e| e.thing.id == agents[0]), "{:?}", report.elsewhere);
+        assert!(!home.world().is_beside_floors(agents[0]));
+        let room = home.graph().room_of(agents[0]).unwrap();
+        home.set_action(agents[0], Action::one(Verb::Walk, room)).unwrap();
+    }
+    let mut graph = home.start().clone();
+    let first = *graph.node(agents[0]).unwrap().pose().unwrap();
+    let mut edit = graph.edit();
+    agents.iter().for_each(|agent| edit.set_pose(*agent, Some(first)).unwrap());
+    edit.commit();
+    let report = home.reset(&graph).unwrap();
+    assert_eq!(report.elsewhere.iter().map(|e| e.thing.id).collect::<Vec<_>>(), agents[1..]);
+    let at = |agent: NodeId| home.world().pose(agent).unwrap().translation.vector.xy();
+    for (i, a) in agents.iter().enumerate() {
+        assert!(agents[..i].iter().all(|b| (at(*a) - at(*b)).norm() > 0.5));
+    }
 }

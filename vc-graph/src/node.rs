@@ -162,9 +162,10 @@ impl Node {
         matches!(&*self.spec.category, "structure" | "Floor" | "Floors" | "Walls" | "Ceiling")
     }
 
-    /// Whether it is closed and what is inside therefore hidden.
+    /// Whether it is closed and what is inside therefore hidden. A sink in a counter that opens at best has no lid.
     pub fn hides_contents(&self) -> bool {
-        self.is(State::Closed) && self.affords(Property::Openable)
+        let holds = self.affords(Property::Container) || self.affords(Property::Recipient);
+        self.is(State::Closed) && self.affords(Property::Openable) && holds
     }
 
     pub(crate) fn has(&self, relation: Relation, node: NodeId) -> bool {

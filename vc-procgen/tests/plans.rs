@@ -8,7 +8,7 @@ use vc_procgen::{Apartment, Specification};
 
 /// Digests of the scenes of seeds 0, 1, 2 and so on. They are the same on every
 /// machine; who changes what is generated puts the new ones here.
-const DIGESTS: [&str; 4] = ["c5e6ac1944d3b584", "b5d2fe0999a842a7", "cd9c2432839f5efc", "30350635c337181e"];
+const DIGESTS: [&str; 4] = ["8ddc615364341bf4", "b5d2fe0999a842a7", "cd9c2432839f5efc", "30350635c337181e"];
 
 #[test]
 fn every_machine_makes_the_same_bytes() {

@@ -117,7 +117,12 @@ impl Deed<'_> {
 
     /// Walks to a spot at once; what stands open in its way there gives way.
     pub(super) fn walk(&mut self, stand: Stand) -> Done {
-        let Stand { feet, route } = stand;
+        let Stand { feet, mut route } = stand;
+        // A way begins on the free floor, somebody perhaps a step beside it.
+        let from = Point2::from(self.feet().translation.vector.xy());
+        if route.points.first().is_some_and(|first| (first - from).norm() > 0.01) {
+            route.points.insert(0, from);
+        }
         let aside = self.world.parts_aside(self.agent, &feet)?.unwrap_or_default();
         aside.iter().try_for_each(|(id, part, open)| self.world.put_open(*id, *part, *open))?;
         self.world.teleport(self.agent, feet)?;

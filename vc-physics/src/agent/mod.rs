@@ -325,6 +325,15 @@ impl World {
     }
 }
 
+impl Agent {
+    /// Whether two bodies are in one place: an agent is so with itself.
+    fn is_with(&self, other: &Self) -> bool {
+        let between = self.feet.translation.vector - other.feet.translation.vector;
+        let high = if between.z > 0.0 { other.plan.height } else { self.plan.height };
+        between.xy().norm() < self.plan.radius + other.plan.radius && between.z.abs() < high
+    }
+}
+
 /// A pose without pitch and roll.
 fn upright(pose: &Pose) -> Pose {
     let front = pose.rotation * Vector3::x();

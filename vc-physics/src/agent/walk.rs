@@ -246,8 +246,9 @@ impl World {
 
     /// How far an agent gets, whether it then stands on something, and what it hit.
     fn slide(&self, agent: &Agent, desired: Vector) -> (Vector3<f32>, bool, Vec<CharacterCollision>) {
-        let own = agent.body;
-        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(own);
+        // Those who are in one place, as who walks by at set times may be, part as they go and do not climb each other.
+        let own = |c: &Collider| self.agents.values().any(|a| c.parent() == Some(a.body) && a.is_with(agent));
+        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && !own(c);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
         let plan = &agent.plan;
         let middle = agent.feet * vc_graph::Pose::translation(0.0, 0.0, plan.height / 2.0);
@@ -260,11 +261,11 @@ impl World {
         (convert::vector3(moved.translation), moved.grounded, hits)
     }
 
-    /// Lifts an agent that was put down in something low onto it.
+    /// Lifts an agent that was put down in something low onto it, though not onto people.
     pub(super) fn step_up(&mut self, id: NodeId) {
         let Some(agent) = self.agents.get(&id) else { return };
-        let own = agent.body;
-        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(own);
+        let is_person = |c: &Collider| self.agents.values().any(|a| c.parent() == Some(a.body));
+        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && !is_person(c);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
         let above = agent.feet * vc_graph::Pose::translation(0.0, 0.0, agent.plan.height / 2.0 + SUNK);
         let options = ShapeCastOptions { max_time_of_impact: SUNK, ..ShapeCastOptions::default() };

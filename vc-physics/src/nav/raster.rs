@@ -125,7 +125,7 @@ impl Raster {
             return Some(*p);
         }
         let (x, y) = self.cells(p);
-        let reach = (within.max(0.0) / self.cell).min(1000.0) as i64 + 1;
+        let reach = (within.max(0.0) / self.cell).min(1e9) as i64 + 1;
         let rows = (y as i64 - reach).max(0)..(y as i64 + reach + 1).min(self.rows as i64);
         let columns = (x as i64 - reach).max(0)..(x as i64 + reach + 1).min(self.columns as i64);
         let cells = rows.flat_map(|r| columns.clone().map(move |c| (c as usize, r as usize)));
