@@ -33,16 +33,16 @@ const HEAPED: [f32; 8] = [0.04, 0.08, 0.12, 0.16, 0.2, 0.25, 0.3, 0.4];
 const ACROSS: [f32; 8] = [0.04, 0.08, 0.12, 0.16, 0.2, 0.24, 0.28, 0.32];
 /// How much of its half width may be over the edges of what is put down with its middle over them.
 const POISED: f32 = 0.9;
-/// How things are put into containers, the better ways first: as they stand, on their side, leaning, over
-/// the edge of a turntable.
-const INTO: [Way; 4] = [
-    WITHIN,
-    Way { tips: &Tip::ALL, ..WITHIN },
+/// How things are put into containers, the better ways first: as they stand, or on their side.
+const INTO: [Way; 2] = [WITHIN, Way { tips: &Tip::ALL, ..WITHIN }];
+/// How they are put in there otherwise: on what is in there, leaning, over the edge of a turntable.
+const HEAP: [Way; 4] = [
+    Way { heights: &HEAPED, ..WITHIN },
+    Way { tips: &Tip::ALL, heights: &HEAPED, ..WITHIN },
     Way { tips: &Tip::ALL, slender: 0.0, ..WITHIN },
-    Way { over: 0.4, ..WITHIN },
+    TURNTABLE,
 ];
-/// How they are put on what is in there.
-const HEAP: [Way; 2] = [Way { heights: &HEAPED, ..WITHIN }, Way { tips: &Tip::ALL, heights: &HEAPED, ..WITHIN }];
+const TURNTABLE: Way = Way { over: 0.4, ..WITHIN };
 /// How things are put on others: within the edges, a little over them, as a pan on a burner, or as far as
 /// their middle stays over them: a cushion on a chair. At last across what rises beside the surface, as the
 /// arms of a chair.
@@ -72,6 +72,22 @@ struct Way {
     slender: f32,
     /// Whether it is carried by what rises beside the surface.
     across: bool,
+}
+
+impl Way {
+    /// Whether a thing of an extent may be put so: far over the edges only what is wider than what it is put on, or on
+    /// what is no larger than a seat, and leaning only what is as slender as a tube of toothpaste.
+    fn is_for(&self, (low, high): (Point3<f32>, Point3<f32>), shelf: &Shelf) -> bool {
+        const THIN: f32 = 0.1;
+        const SEAT: f32 = 0.35;
+        let sides = high - low;
+        let (wide, long) = (sides.x.min(sides.y) / 2.0, sides.x.max(sides.y) / 2.0);
+        let (width, length) = (shelf.half.0.min(shelf.half.1), shelf.half.0.max(shelf.half.1));
+        let is_wider = wide > width || long > length || length < SEAT;
+        let leans = self.slender < SLENDER;
+        let thin = [sides.x, sides.y, sides.z].into_iter().filter(|side| *side < THIN).count() > 1;
+        (self.over < POISED && !self.across || is_wider) && (!leans || thin)
+    }
 }
 
 /// How a thing is put down.
@@ -350,6 +366,9 @@ impl World {
         free: impl Fn(&Pose) -> bool + Copy,
     ) -> Option<Pose> {
         let Way { tips, heights, over, slender, across } = way;
+        if !way.is_for(thing.form.extent, shelf) {
+            return None;
+        }
         // What reaches over the edges is balanced, and what is put on a burner is put on its middle.
         let order = if *over > 0.0 || is_burner(shelf) { Order::Middle } else { order };
         let (low, high) = thing.form.extent;
@@ -399,7 +418,7 @@ impl World {
         };
         // What is wider than a turntable reaches over its edges.
         let reaches = |shelf: &Shelf| {
-            let over = |half: f32, room: f32| (half - room).clamp(0.0, INTO[3].over * half);
+            let over = |half: f32, room: f32| (half - room).clamp(0.0, TURNTABLE.over * half);
             let half = (aabb.max - aabb.min) / 2.0;
             over(half.x.min(half.y), shelf.half.0.min(shelf.half.1))
                 .max(over(half.x.max(half.y), shelf.half.0.max(shelf.half.1)))

@@ -175,8 +175,12 @@ impl<'w> Supports<'w> {
     /// Whether one body may rest on the other of a pair: with a hand goes only what people move, and not the
     /// switch on the wall that a full laundry basket brushes, or the chair that a cushion does.
     fn may_carry(&self, index: usize, pair: &Pair) -> bool {
-        let small = |b: &Body| b.traits.moves && !b.traits.sittable && !b.traits.lieable;
-        self.world.bodies[index].as_deref().is_some_and(small) || !self.is_in_hand(pair.other as usize)
+        let other = pair.other as usize;
+        let Some(body) = self.world.bodies[index].as_deref().filter(|b| b.traits.moves) else {
+            return !self.is_in_hand(other);
+        };
+        let furniture = body.traits.sittable || body.traits.lieable;
+        !furniture || !self.is_held(other)
     }
 
     /// Whether a body is somebody's, or somebody holds or wears it or what it rests on.
