@@ -55,6 +55,10 @@ const ONTO: [Way; 4] = [
 /// As they stand, within the edges.
 const WITHIN: Way = Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.0, slender: SLENDER, across: false };
 
+/// What is no longer than this from its middle is no larger than a seat, metres.
+const SEAT: f32 = 0.35;
+/// What has two sides shorter than this may lean, metres.
+const THIN: f32 = 0.1;
 /// Least width of what is laid on its side, as a part of its height then.
 const SLENDER: f32 = 0.25;
 
@@ -75,18 +79,20 @@ struct Way {
 }
 
 impl Way {
-    /// Whether a thing of an extent may be put so: far over the edges only what is wider than what it is put on, or on
-    /// what is no larger than a seat, and leaning only what is as slender as a tube of toothpaste.
+    /// Whether a thing of an extent may be put so: over the edge of a board in a container goes only what is wider than
+    /// the board, far over an edge otherwise also what lies on something no larger than a seat, and leaning only
+    /// what is as slender as a tube of toothpaste.
     fn is_for(&self, (low, high): (Point3<f32>, Point3<f32>), shelf: &Shelf) -> bool {
-        const THIN: f32 = 0.1;
-        const SEAT: f32 = 0.35;
         let sides = high - low;
         let (wide, long) = (sides.x.min(sides.y) / 2.0, sides.x.max(sides.y) / 2.0);
         let (width, length) = (shelf.half.0.min(shelf.half.1), shelf.half.0.max(shelf.half.1));
-        let is_wider = wide > width || long > length || length < SEAT;
+        let is_wider = wide > width || long > length;
+        let overhangs = match shelf.hold {
+            Hold::Inside => self.over == 0.0 || is_wider,
+            _ => self.over < POISED || is_wider || length < SEAT,
+        };
         let leans = self.slender < SLENDER;
-        let thin = [sides.x, sides.y, sides.z].into_iter().filter(|side| *side < THIN).count() > 1;
-        (self.over < POISED && !self.across || is_wider) && (!leans || thin)
+        overhangs && (!leans || [sides.x, sides.y, sides.z].into_iter().filter(|side| *side < THIN).count() > 1)
     }
 }
 
