@@ -42,7 +42,7 @@ struct Options {
     /// Also show differences in CLOSE and FACING.
     #[arg(long)]
     all: bool,
-    /// Whose transition rule programs go by: virtualcity or virtualhome.
+    /// The transition rule by which programs run: virtualcity or virtualhome.
     #[arg(long, default_value = "virtualcity")]
     semantics: Semantics,
 }

@@ -205,10 +205,11 @@ fn actions_cost_what_the_first_did() {
     }
 }
 
-/// What an action is, and whether it succeeded.
+/// The kind of an action, and whether it succeeded.
 type Sort = (String, bool);
 
-/// What some actions cost as a part of what others cost: of each sort as many as both have, at their means.
+/// The cost of some actions as a part of the cost of others: each sort counts as often as both have it, at its mean
+/// cost in each.
 fn like_with_like(first: &[(Sort, f64)], last: &[(Sort, f64)]) -> f64 {
     let by_sort = |costs: &[(Sort, f64)]| {
         let mut all: std::collections::BTreeMap<Sort, Vec<f64>> = std::collections::BTreeMap::new();

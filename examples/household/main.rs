@@ -12,8 +12,8 @@
 //! are done again from the beginning, and have to lead to the same home.
 //! `--symbolic` does it without bodies: by default the bundled
 //! apartment, three apples to the kitchen table, and the fridge closed at the end; the folder then has
-//! `trajectory.jsonl` and a page with belief and log. What an earlier run wrote into the folder and this one does
-//! not is removed.
+//! `trajectory.jsonl` and a page with belief and log. A run removes the files in the folder that an earlier run
+//! wrote and that it does not write itself.
 //! `--list` shows what can be asked of the home or scene.
 
 mod asked;

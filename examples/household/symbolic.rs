@@ -57,7 +57,7 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     let mut policy = options.policy.policy();
     let mut world = Simulator::new(scene.clone());
     let run = Run { agent: Some(me), ..Run::seeded(options.seed()) };
-    // What an earlier run with bodies wrote would stay beside this one's.
+    // Files that an earlier run with bodies wrote would stay beside those of this one.
     Recorder::clear(&options.out).map_err(Complaint::new)?;
     let mut record = Record::create(&options.out.join("trajectory.jsonl"))?;
     let header = Header::of(&run, policy.as_ref(), task, scene);

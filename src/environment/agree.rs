@@ -63,7 +63,7 @@ impl Outcome<'_> {
         let let_go = |id: NodeId| effects.contains(&Effect::LetGo(id)) || self.lost_origin(&effects, id);
         let kept = nodes.iter().filter(|id| !let_go(**id));
         let mut found: Vec<Difference> = kept.filter_map(|&id| self.place(id)).collect();
-        // What is let go lies where it falls, and that may be beyond a threshold.
+        // A thing that is let go lies where it falls, which may be in the next room, beyond a threshold.
         let fell = |id: NodeId| self.fell_with(&effects, id);
         found.extend(nodes.iter().filter(|id| !fell(**id)).filter_map(|&id| self.room(id)));
         found.extend(nodes.iter().filter_map(|&id| self.open(id)));
@@ -101,7 +101,7 @@ impl Outcome<'_> {
         let is_built = |graph: &SceneGraph, id| graph.node(id).is_none_or(vc_graph::Node::is_building);
         let end = |graph: &SceneGraph| graph.support_chain(id).into_iter().rfind(|at| !is_built(graph, *at));
         let same_end = || end(self.ruled).is_some_and(|at| end(self.observed) == Some(at));
-        // What is lifted in a bowl is no longer on the table below the bowl.
+        // A thing in a bowl that is lifted is no longer on the table below the bowl.
         let lost_some = !bodies.is_empty() && bodies.iter().all(|p| rule.contains(p));
         rule == bodies || lost_some || same_end() || self.lies_still(id)
     }

@@ -165,7 +165,7 @@ impl Environment {
     }
 
     /// Puts a thing at a place at once, together with its load: on or in something, or on the floor of a room.
-    /// What hung, or was held where it was, is taken down. The history is kept, and other things stay as they are.
+    /// A thing that hung or was held in place is taken down. The history is kept, and other things stay as they are.
     ///
     /// `World::free_spot_at`, `World::place`, `World::step`, `Relations::update_with`. Costs a millisecond or two.
     ///
@@ -182,7 +182,7 @@ impl Environment {
         let load: Vec<(NodeId, Pose)> = load.filter_map(|id| Some((id, self.world.pose(id)?))).collect();
         let mut next = self.clone();
         next.set_down(thing, place)?;
-        // What hung is taken down.
+        // A thing that hung is taken down.
         next.world.wake(thing).map_err(|e| self.impossible(e))?;
         let motion = next.world.pose(thing).map_or_else(Pose::identity, |pose| pose * before.inverse());
         for (id, pose) in &load {
@@ -384,7 +384,7 @@ fn no_thing(class: &Class) -> Option<&'static str> {
         }
         Category::Character => Some("agents are there from the start; ask `make` for more"),
         _ if class.affordances.contains(Property::Drivable) => Some("vehicles stay outdoors"),
-        // What one drinks and cannot take is what vessels hold.
+        // A thing that can be poured and not grasped is a liquid: only vessels hold it.
         _ if class.affordances.contains(Property::Pourable) && !class.affordances.contains(Property::Graspable) => {
             Some("it is a liquid; let an agent `fill` a vessel")
         }

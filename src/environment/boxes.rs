@@ -110,9 +110,9 @@ pub(super) fn hold(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Re
     held.into_iter().try_for_each(|id| pin(world, graph, id))
 }
 
-/// Puts back and holds what has moved though it was free to stay: a glass that stands on the edge of a
-/// mat falls over. Returns whether there was any.
-/// Of a scene that was at rest, things that have lost what they were on fall.
+/// Puts loose things that have moved back where the scene has them, and holds them there: a glass that stands on
+/// the edge of a mat would fall over. If the scene was at rest, things that have lost their support are not put
+/// back and fall. Returns whether any was put back.
 pub(super) fn hold_moved(
     world: &mut World,
     graph: &SceneGraph,

@@ -56,7 +56,7 @@ impl Environment {
         objects(&self.graph)
     }
 
-    /// What an agent sees of its room ([`room_observation`](Self::room_observation)) as such a list.
+    /// The things that an agent sees in its room ([`room_observation`](Self::room_observation)), as such a list.
     ///
     /// ```
     /// let home = virtualcity::Environment::make("apartment/42", 1)?;
@@ -101,8 +101,8 @@ impl Environment {
         self.world.pose(agent).map(|feet| feet.translation.vector.xy().into())
     }
 
-    /// What has to give way so that an agent can stand at a point of the floor that is free but for doors, and
-    /// how far it would be open; nothing, if the agent stands free there. `None` if it cannot stand there.
+    /// The doors that have to give way so that an agent can stand at a point of the floor that is free but for doors,
+    /// and how far each would then be open; empty if the agent stands free there. `None` if it cannot stand there.
     pub(super) fn gives_way(&self, agent: NodeId, at: &Point2<f32>) -> Option<PartsAside> {
         let feet = Pose::translation(at.x, at.y, self.floor.plan().level);
         if self.world.stands_free(agent, &feet).ok()? {

@@ -1,4 +1,5 @@
-//! What is known of the pictures of a dataset while it is being made, so that a run that was broken off goes on.
+//! The journal of a dataset while it is being made: it lists the pictures that are finished, so that a run that was
+//! broken off goes on.
 
 use std::collections::VecDeque;
 use std::fs::{File, OpenOptions};
@@ -34,8 +35,8 @@ impl Journal {
         Ok(Self { path, file, left, end: 0 })
     }
 
-    /// What was seen in the next picture, if it was made of the same before and its file in the folder is there. From
-    /// the first picture on for which this is not so, all are made anew.
+    /// The next picture with what was seen in it, if the earlier run made it of the same home, view, size and light and
+    /// its file is in the folder. From the first picture on for which this is not so, all are made anew.
     pub(super) fn next(&mut self, of: &str, folder: &Path) -> Option<CocoPicture> {
         let same = |(known, picture): &(String, CocoPicture)| known == of && folder.join(picture.file_name()).is_file();
         match self.left.pop_front().filter(|(known, _)| same(known)) {

@@ -16,7 +16,7 @@ const LOOK: (u32, u32) = (64, 48);
 const CORNER: (f32, f32) = (2.05, 0.8);
 /// How far down such a camera looks at most, as a slope: in small rooms it looks over the middle.
 const STEEP: f32 = 0.5;
-/// What is nearer to a camera in a room is in its way, panes too, metres.
+/// A thing or pane that is nearer than this to a camera in a room is in its way, metres.
 const CLOSE: f32 = 1.0;
 /// Rays by which this is found, across and down.
 const RAYS: (u32, u32) = (8, 6);

@@ -108,7 +108,7 @@ fn many_in_one_place_are_spread() {
     is_whole(&home);
 }
 
-/// What it costs to make homes with more and more things in one place.
+/// Prints the time that it takes to make homes with more and more things in one place.
 #[test]
 #[ignore = "measures"]
 #[allow(clippy::print_stdout, reason = "it is a report")]

@@ -95,8 +95,8 @@ fn contents_of_boxes_go_along() {
     assert_eq!(home.graph().digest(), start.digest());
 }
 
-/// What is held where it is, as it reaches into the walls of its box, is put elsewhere all the same; what is
-/// held in a box goes along when that is.
+/// A thing that is held where it is, as it reaches into the walls of its box, can be put elsewhere all the same; it
+/// goes along when its box is put elsewhere.
 #[test]
 fn what_is_held_in_boxes_is_put_elsewhere() {
     let mut home = boxes(include_str!("../data/boxes_mug.json"));

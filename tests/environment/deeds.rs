@@ -28,7 +28,7 @@ fn what_is_in_racks_comes_along() {
     assert!(far(&shut, &again).iter().all(|d| *d < 0.08), "{:?}", far(&shut, &again));
 }
 
-/// What is refused says why and changes nothing.
+/// A refused action says why and changes nothing.
 #[test]
 fn refusals_change_nothing() {
     let mut home = home(8, 1);

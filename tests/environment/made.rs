@@ -106,7 +106,7 @@ fn resets_report() {
     let seated = |id: NodeId| home.posture(id) != Some(virtualcity::physics::Posture::Standing);
     assert!(!sits(me) && !seated(me));
     assert_eq!(sits(other), seated(other), "graph and body say the same of who sits on the sofa");
-    // What falls comes to lie on whatever is there.
+    // A thing that falls comes to lie on whatever is there.
     let known = home.start().validate();
     let news = home.graph().validate().into_iter().filter(|v| !known.contains(v));
     let broken: Vec<Violation> = news.filter(|v| !matches!(v, Violation::NotASurface(..))).collect();
@@ -117,7 +117,7 @@ fn resets_report() {
     assert_eq!(home.graph(), &start);
 }
 
-/// Of a glTF file, how the nodes below the node of a name are turned: the scalars of their rotations.
+/// How the nodes below the node of a name in a glTF file are turned: the scalars of their rotations.
 fn turns(file: &[u8], name: &str) -> Vec<f64> {
     let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
     let document: serde_json::Value = serde_json::from_slice(&file[20..20 + length]).unwrap();

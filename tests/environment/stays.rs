@@ -1,4 +1,4 @@
-//! What has not moved stays where it is and at what it is: however a home is made, and whatever is done beside it.
+//! Things that nobody moves keep their spots and their places, however a home is made and whatever is done beside them.
 
 use virtualcity::graph::format::{native, read_scene};
 use virtualcity::graph::{ClassTable, Edge, NodeId, Place, Relation, SceneGraph, Verb};

@@ -42,7 +42,7 @@ fn rooms_without_windows_are_exposed_for_their_lamps() {
     }
 }
 
-/// What covers a window, and a camera in its room that looks at it.
+/// A blind or curtain that covers a window, and a camera in its room that looks at it.
 fn covered(home: &Environment) -> (NodeId, Camera) {
     let graph = home.graph();
     let cover = [graph.of_class("blinds"), graph.of_class("curtain")].concat()[0];

@@ -73,7 +73,7 @@ fn agents_are_seen_in_every_modality() {
     assert!(held.iter().any(|p| beside(p).iter().any(|n| frame.instance.get(*n) == Some(&me))));
 }
 
-/// What large things one holds are before the body and not in it.
+/// Large things that somebody holds are before the body and not in it.
 #[test]
 fn what_is_held_is_not_in_the_body() {
     let (home, ..) = holding();
@@ -100,7 +100,7 @@ fn what_is_held_is_not_in_the_body() {
     assert!(held > 5, "{held} of forty large things can be held");
 }
 
-/// What somebody puts on is seen on the body, and no more where it was.
+/// Clothes that somebody puts on are seen on the body, and no longer where they were.
 #[test]
 fn clothes_are_worn() {
     let mut home = home(42, 1);

@@ -1,4 +1,4 @@
-//! What people see, and cameras in rooms: what is carried, what stands open, and rooms rather than walls.
+//! People, and cameras in rooms, see what is carried and what stands open, and rooms rather than walls.
 
 use virtualcity::graph::{Action, NodeId, Property, Relation, Verb};
 use virtualcity::nalgebra::Vector3;
@@ -25,7 +25,7 @@ fn done(home: &mut Environment, verb: Verb, thing: NodeId) -> bool {
     home.set_action(home.agents()[0], Action::with(verb, &[thing]).unwrap()).is_ok()
 }
 
-/// Who carries something sees it below the middle of the picture, and sees past it.
+/// An agent that carries something sees it below the middle of the picture, and sees past it.
 #[test]
 fn what_is_carried_is_in_view() {
     for seed in [3, 42] {
@@ -52,7 +52,7 @@ fn what_is_carried_is_in_view() {
     }
 }
 
-/// Who opens a fridge or a wardrobe sees what is in it.
+/// An agent that opens a fridge or a wardrobe sees what is in it.
 #[test]
 fn who_opens_something_sees_into_it() {
     for (seed, class) in
@@ -68,7 +68,7 @@ fn who_opens_something_sees_into_it() {
     }
 }
 
-/// Who comes into a room looks into it, not at a wall.
+/// An agent that comes into a room looks into it, not at a wall.
 #[test]
 fn who_comes_into_a_room_faces_it() {
     for seed in [42, 7123] {

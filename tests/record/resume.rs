@@ -45,7 +45,7 @@ fn datasets_of_many_homes_go_on_where_they_were_broken_off() {
     assert!(!at.join("annotations.json").exists());
     take(&at, &homes, 6).unwrap().finish().unwrap();
     assert!(files(&at) == whole);
-    // What was there is not made again, unless it is missing, and then all that follows is.
+    // Pictures that are there are not made again; if one is missing, it and all that follow are.
     drop(take(&at, &homes, 6).unwrap());
     mark(&at, "frames/000001.png");
     mark(&at, "frames/000004.png");

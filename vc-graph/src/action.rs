@@ -212,7 +212,7 @@ pub struct Action {
     pub object: Option<NodeId>,
     /// With, on or into what.
     pub target: Option<NodeId>,
-    /// What the text it was read from calls its things.
+    /// The names of its things in the text it was read from.
     pub called: Called,
 }
 

@@ -65,8 +65,8 @@ impl SceneGraph {
     }
 }
 
-/// What a text calls the two things of an action, as marks of the names: small enough that an action stays
-/// a few words long. It makes no other action of it, so that all are equal.
+/// The names by which a text calls the two things of an action, as marks that are small enough for an action to
+/// stay a few words long. All are equal, as other names do not make another action.
 ///
 /// ```
 /// use vc_graph::{Action, Draft, SceneBuilder, rule};

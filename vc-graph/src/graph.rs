@@ -291,8 +291,8 @@ impl SceneGraph {
         None
     }
 
-    /// The closed container that hides a node, if one does: nearest first. What is said to be inside itself, directly
-    /// or through others, does not hide itself.
+    /// The closed container that hides a node, if one does; the nearest, if several do. A container that is said to be
+    /// inside itself, directly or through others, does not hide itself.
     pub fn hidden_in(&self, id: NodeId) -> Option<NodeId> {
         let shut = |p: Place| p.relation == Relation::Inside && self.node(p.at).is_some_and(Node::hides_contents);
         let closed = |p: Place| shut(p) && p.at != id && !self.rests_at(p.at, id);

@@ -35,7 +35,7 @@ pub struct Observation {
 }
 
 impl SceneGraph {
-    /// What an agent sees; nothing, if there is no such node. Costs a look at each node in reach.
+    /// The part of the scene that an agent sees; empty if there is no such node. Costs a look at each node in reach.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder, Scope};

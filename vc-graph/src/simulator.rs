@@ -68,7 +68,7 @@ pub struct Simulator {
     graph: SceneGraph,
     history: History,
     semantics: Semantics,
-    /// What VirtualHome's simulator remembers; of no use to ours.
+    /// The memory of VirtualHome's simulator, which ours does not use.
     memory: Memory,
 }
 
@@ -102,7 +102,7 @@ impl Simulator {
         Self { graph, history: History::default(), semantics, memory: Memory::default() }
     }
 
-    /// Whose transition rule it goes by.
+    /// The transition rule by which actions are done.
     pub fn semantics(&self) -> Semantics {
         self.semantics
     }

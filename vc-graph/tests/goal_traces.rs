@@ -203,14 +203,14 @@ fn formulas_are_judged_as_published_beside_our_way() {
         trace.push(world.graph().clone(), [Event { agent: me, action }]);
     }
     let cases = [
-        // What was so once is enough for theirs.
+        // By theirs a condition is met if it held at any step.
         ("OPEN(fridge.2)", false, Some(true)),
         ("exists x0. (OPEN(x0))", false, Some(true)),
         ("forn 1. x0. (OPEN(x0))", false, Some(true)),
         ("CLOSED(fridge.2) then OPEN(fridge.2)", false, Some(true)),
         ("OPEN(fridge.2) then CLOSED(fridge.2)", true, Some(true)),
         ("OPEN(fridge.2) then OPEN(fridge.2)", false, Some(false)),
-        // What is done is done in the state from which it leads.
+        // By theirs an action belongs to the state in which it begins.
         ("CLOSED(fridge.2) and CLOSE(fridge.2)", true, Some(false)),
         ("OPEN(fridge.2) and CLOSE(fridge.2)", false, Some(true)),
         ("CLOSE(fridge.2) then CLOSED(fridge.2)", true, Some(true)),
@@ -219,7 +219,7 @@ fn formulas_are_judged_as_published_beside_our_way() {
         ("(WALK(fridge.2) then OPEN(fridge.2)) then CLOSED(fridge.2)", true, Some(false)),
         ("not (OPEN(fridge.2) then CLOSED(fridge.2))", false, Some(false)),
         ("not (OPEN(fridge.2) then OPEN(fridge.2))", true, Some(true)),
-        // Of a graph's edges theirs knows those that are written.
+        // Theirs knows only the edges that are written in a graph.
         ("NEXT_TO(character.3, kitchen.1)", true, Some(false)),
         ("OPEN(cup.2)", false, Some(false)),
         ("OPEN(fridge.2) and (OPEN(fridge.2) then CLOSED(fridge.2))", false, None),

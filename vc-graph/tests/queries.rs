@@ -254,7 +254,7 @@ fn what_hangs_behind_the_wall_is_not_near() {
     }
 }
 
-/// Who is not there sees nothing; who looks no way sees the rooms there are and what is its own.
+/// A node that is not there sees nothing; an agent with a negative radius or NaN sees only the rooms and itself.
 #[test]
 fn nobody_sees_nothing() {
     let mut scene = SceneBuilder::new("flat");

@@ -184,7 +184,7 @@ impl World {
         let (mut seen, mut open) = (vec![id], vec![self.thing(id).ok()?.state.base]);
         while let Some(body) = open.pop() {
             let carriers = self.carriers(body);
-            // What stands on a box's top stays there if a door below its edge opens.
+            // A thing on the top of a box stays there if a door below the top's edge opens.
             let stands = carriers.iter().any(|&(below, link)| link == 0 && self.role(below) == Some(Role::Fixed));
             for (below, link) in carriers {
                 let Ok(thing) = self.thing(below) else { continue };

@@ -422,7 +422,7 @@ impl World {
             let at = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
             pose * Point3::new(at(0), at(1), at(2))
         };
-        // What is wider than a turntable reaches over its edges.
+        // A thing that is wider than a turntable reaches over its edges.
         let reaches = |shelf: &Shelf| {
             let over = |half: f32, room: f32| (half - room).clamp(0.0, TURNTABLE.over * half);
             let half = (aabb.max - aabb.min) / 2.0;

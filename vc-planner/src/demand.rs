@@ -327,7 +327,7 @@ impl<'a, 'g> Reader<'a, 'g> {
             Term::Variable(name) => {
                 self.bound.iter().rev().find(|(n, _)| n == name).map_or(Few::NONE, |&(_, id)| Few::One(id))
             }
-            // Who has not been told what there is knows no thing by its number before it has seen it.
+            // An agent that has not been told what there is knows no thing by its number before seeing it.
             Term::Node(_, id) => {
                 if self.now.graph.node(*id).is_some() {
                     Few::One(*id)

@@ -188,7 +188,7 @@ const IDLE: usize = 4;
 
 /// Lets several policies act in one world, in rounds, each for an agent of its own, until
 /// the task's goal holds for the first of them, nobody does anything any more, or the
-/// step limit is reached. Who is in view is seen doing what it does. A task whose goal has a label of
+/// step limit is reached. Each agent sees what the agents in its view do. A task whose goal has a label of
 /// another class than its node is lost at once.
 pub fn run_together(
     policies: &mut [(NodeId, &mut dyn Policy)],

@@ -79,7 +79,7 @@ pub struct Habit {
 }
 
 impl Prior {
-    /// What is supposed about a thing, place by place; `None` where all places are alike.
+    /// The weights of places for a thing; `None` where all places are alike.
     pub(crate) fn weights(&self, graph: &SceneGraph, id: NodeId, kinds: &Kinds) -> Option<Weights> {
         let rows = match self {
             Self::Uniform => return None,

@@ -230,7 +230,7 @@ impl<'a> Regression<'a> {
                 let place = self.graph.place(id).map(|p| p.at);
                 place.or_else(room).map(|at| Action::one(Verb::Walk, at)).into_iter().collect()
             }
-            // What is in the hand in which it is wanted is put down last.
+            // The agent puts down last a thing in the hand in which the goal wants it.
             Condition::FreeHand | Condition::FreeHandOrHolding(_) => {
                 let mut found = rule::regress::achievers(self.graph, self.agent, want);
                 let wanted = |a: &Action| a.object.is_some_and(|id| self.hints.is_in_its_hand(&self.now(), id));

@@ -350,7 +350,7 @@ fn what_is_both_on_and_inside_is_got_out_of_what_it_is_inside() {
                     ("HoldsLeft(me, pot)", 8),
                 ] {
                     let task = Task::new("contradiction", text.parse().unwrap());
-                    // Who does not know where the pot is can only go by one of its two rooms.
+                    // A policy that does not know where the pot is can only go by one of its two rooms.
                     let mut policies: Vec<Box<dyn Policy>> = vec![Box::new(Resident::default())];
                     if !apart {
                         policies

@@ -118,7 +118,7 @@ fn a_header_is_whole_or_refused() {
     }
 }
 
-/// What a recorder of bodies writes is another format, which is said.
+/// A recorder of bodies writes another format, and the error says so.
 #[test]
 fn records_with_bodies_are_told_apart() {
     let text = "{\"scene\":\"home\",\"digest\":\"0\",\"agent\":\"character.4\",\"task\":\"t\",\"goal\":\"Holds(mug)\"}\n\

@@ -18,7 +18,7 @@ use vc_tasks::{Outcome, Task, World, WorldError};
 struct Clumsy {
     world: Simulator,
     cannot: Vec<Action>,
-    /// What it says: that it could not, or that the rule forbids it.
+    /// Whether it says that the rule forbids the action, rather than that the action failed.
     forbids: bool,
     failures: usize,
 }
@@ -135,9 +135,9 @@ fn what_there_is_no_way_to_is_left_alone() {
 struct Moody {
     world: Simulator,
     stream: Stream,
-    /// In how many of a hundred cases.
+    /// In how many of a hundred cases it refuses.
     percent: usize,
-    /// What was refused since something was last done.
+    /// The actions that were refused since something was last done.
     vain: Vec<Action>,
     refused: BTreeMap<Action, usize>,
 }

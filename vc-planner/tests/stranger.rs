@@ -151,7 +151,7 @@ fn numbered_things_in_rooms_not_seen_are_found() {
         let (by_number, by_name) = (steps(numbered), steps(named));
         assert!(by_number <= by_name + 2, "{numbered}: {by_number} steps, by name {by_name}");
     }
-    // What there is not is lost, once all has been seen.
+    // A goal about a thing that the scene lacks is lost once all has been seen.
     let task = Task::new("numbers", "On(pudding, #999) & SittingOn(me, chair)".parse().unwrap());
     let mut world = Simulator::new(scene.clone());
     let episode = Run::seeded(1).episode(&mut Newcomer::stranger(), &task, &mut world, &mut |_| {});

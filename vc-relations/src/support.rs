@@ -199,7 +199,7 @@ impl<'w> Supports<'w> {
         false
     }
 
-    /// Of several supports those with none between.
+    /// Those of several supports that have none of the others between them and the body.
     fn uncovered(&self, tied: &[Candidate]) -> Vec<Candidate> {
         let is_covered = |c: &&Candidate| tied.iter().any(|other| self.covers(other, c));
         tied.iter().filter(|c| !is_covered(c)).copied().collect()

@@ -89,7 +89,7 @@ fn every_configuration_is_right_by_the_default_rule() {
     assert!(wrong.is_empty(), "{} of {} wrong:\n{}", wrong.len(), all.len(), wrong.join("\n"));
 }
 
-/// What has a low rim, and what is open in front and behind.
+/// Things with a low rim, and things that are open in front and behind.
 #[test]
 fn low_rims_and_missing_backs_hold_things() {
     let all = configurations(include_str!("data/rims_and_backs.jsonl"));

@@ -294,7 +294,7 @@ fn what_is_said_of_nodes_that_are_not_there_counts_for_nothing() {
     assert!(met.contains(&cup) && relations.has(Edge::new(cup, Relation::On, table)));
 }
 
-/// What is in a container stays in it when both change rooms, whichever of them comes first: the graph written to
+/// Things in a container stay in it when both change rooms, whichever of them comes first: the graph written to
 /// step by step says the same as one written anew.
 #[test]
 fn contents_change_rooms_with_their_container() {

@@ -216,7 +216,7 @@ fn unknown_classes_and_goals_that_always_hold_are_found() {
         assert!(!found(goal).iter().any(|(kind, _)| *kind == Kind::UnknownClass), "{goal}");
     }
     assert_eq!(found("Holds(apple), 0")[0].0, Kind::TrueAtStart);
-    // What a scene has is known there; what an obstacle tells is not told twice.
+    // A class that the scene has is known there; a class that an obstacle reports is not reported twice.
     let mut scene = vc_graph::SceneBuilder::new("flat");
     let kitchen = scene.add(vc_graph::Draft::new("kitchen")).unwrap();
     scene.add_in(kitchen, vc_graph::Draft::new("flooble")).unwrap();

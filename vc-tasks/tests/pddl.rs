@@ -194,6 +194,6 @@ fn case_and_line_ends_are_those_of_all_texts() {
     for end in ["\n", "\r", "\r\n"] {
         assert_eq!(read(text("BÜGELÉ", end)), read(text("bügelé", "\n")), "{end:?}");
     }
-    // What is small in another length stays as it is.
+    // A letter whose small form has another length stays as it is.
     assert_eq!(read(text("\u{130}X", "\n")).objects[0].name, "\u{130}x");
 }

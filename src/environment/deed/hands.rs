@@ -239,8 +239,9 @@ impl Deed<'_> {
     }
 }
 
-/// Whether a thing comes along when another is taken: if it rests on nothing else, or is in that and else only on
-/// what that stands on. What touches it only from above, or is carried by the table as well, stays behind.
+/// Whether a load comes along when the thing it rests on is taken: it does if it rests on nothing else, or if it is
+/// inside the taken thing and otherwise only on what that thing stands on. A load that touches the taken thing only
+/// from above, or that the table carries as well, stays behind.
 pub(in crate::environment) fn comes_along(graph: &SceneGraph, load: NodeId, taken: NodeId) -> bool {
     let on_it = |p: &Place| p.at == taken || graph.rests_at(p.at, taken);
     let inside = graph.places(load).any(|p| p.relation == Relation::Inside && on_it(&p));

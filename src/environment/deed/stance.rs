@@ -12,11 +12,11 @@ use crate::environment::outlook;
 
 /// Free floor that agents keep from each other, metres.
 const APART: f32 = 0.55;
-/// How far one keeps from where the next room begins, metres: so that it is plain in which one is.
+/// How far an agent keeps from where the next room begins, metres, so that it is plain in which room it is.
 const INNER: f32 = 0.1;
-/// What one goes up to counts as near then, metres.
+/// Within this distance a thing counts as near to the agent that walked up to it, metres.
 const NEAR: f32 = vc_graph::NEAR - 0.02;
-/// Of how many of the points in a thing one is to see who opens it.
+/// How many of the points in a container must be visible to the agent that opens it.
 const SHOWN: usize = 6;
 
 impl Deed<'_> {
@@ -278,9 +278,9 @@ impl Deed<'_> {
         }
     }
 
-    /// Stands where a door is reached, and not in its way while it opens or closes; if there
-    /// is no such spot, at least not in its way then. Who opens a container stands where it is seen into, if there
-    /// is such a spot.
+    /// Moves the agent to a spot from which it reaches a door and where it is not in the door's way while that opens
+    /// or closes; if there is no such spot, to one where it is at least not in the way. An agent that opens a
+    /// container stands where it sees into it, if there is such a spot.
     pub(super) fn stand_clear(&mut self, id: NodeId, open: f32) -> Done {
         let swing = [open, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0 - open];
         let clear_here = self.world.stands_clear(self.agent, &self.feet(), id, &swing)?;

@@ -69,7 +69,7 @@ pub fn objects(graph: &SceneGraph) -> Vec<Object> {
     listed(graph.nodes(), |id| graph.room_of(id), graph.edges())
 }
 
-/// What is seen but rooms, by number, with the relations whose both ends are seen.
+/// All nodes of an observation but rooms, by number, with the relations of which both ends are seen.
 ///
 /// ```
 /// use vc_graph::format::objects::seen;

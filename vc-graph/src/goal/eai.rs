@@ -84,8 +84,8 @@ impl Goal {
     }
 }
 
-/// Where a part was found to hold: after so many steps, counted from where it was looked for. What holds
-/// nowhere is found to do so one step before that.
+/// Where a part was found to hold: after so many steps, counted from where it was looked for; `None` if it holds
+/// nowhere. The negation of such a part, and a conjunction of no parts, are found at -1.
 type Found = Option<i64>;
 
 /// A goal, with what a variable in it stands for.

@@ -70,7 +70,7 @@ impl Condition {
     }
 }
 
-/// What judges an agent's needs without wording reasons; `None` if it is no agent of the scene.
+/// A judge of an agent's needs that does not word reasons; `None` if the node is no agent of the scene.
 pub(super) fn judge_of(graph: &SceneGraph, agent: NodeId) -> Option<Judge<'_, Untold>> {
     let body = graph.node(agent).filter(|body| body.kind() == Kind::Agent)?;
     Some(Judge { graph, agent, body, why: PhantomData })

@@ -48,7 +48,7 @@ fn home() -> SceneGraph {
     virtualhome::read(HOME, &ClassTable::builtin()).unwrap()
 }
 
-/// What becomes of a program: the scene, or the line that was refused.
+/// The result of a program: the scene, or the line that was refused.
 fn run(semantics: Semantics, program: &str) -> Result<SceneGraph, String> {
     let mut world = Simulator::with(home(), semantics);
     for line in program.lines().map(str::trim).filter(|l| !l.is_empty()) {
@@ -105,7 +105,7 @@ fn what_is_near_is_said_by_the_graph() {
     assert_eq!(done("walk bed.15\n touch teeth.9"), [true, true]);
     assert_eq!(edge("walk kitchen.1", 3, Relation::Near, 1), [false, true]);
     assert_eq!(edge("walk table.4", 3, Relation::Near, 7), [true, true]);
-    // Of what is on something on the table nothing is said.
+    // A thing on something on the table is near by both, though no edge says so.
     assert_eq!(edge("walk plate.5\n grab plate.5", 3, Relation::Near, 4), [true, true]);
     assert_eq!(done("walk table.4\n grab bread.6"), [true, true]);
 }
@@ -139,7 +139,7 @@ fn what_needs_sense_is_possible() {
     assert!(sliced(&ours) && !sliced(&theirs));
 }
 
-/// What programs of others leave to common sense, by our own rule.
+/// Our own rule does as common sense has it where programs of others leave things open.
 #[test]
 fn common_sense_decides_what_others_leave_open() {
     let read = |nodes: &str, edges: &str| {

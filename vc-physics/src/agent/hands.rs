@@ -250,8 +250,8 @@ impl World {
         self.take(agent, hand, id, comes, &[])
     }
 
-    /// As [`Self::grab`]; exactly these things come along, also those that do not touch the thing: what a scene has
-    /// in a bowl through whose side it sticks. What has no body is passed over.
+    /// As [`Self::grab`], but exactly the things of `load` come along, even those that do not touch the grabbed thing,
+    /// such as one that a scene has in a bowl through whose side it sticks. Nodes without a body are passed over.
     ///
     /// # Errors
     /// As [`Self::grab`].

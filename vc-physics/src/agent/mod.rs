@@ -278,8 +278,8 @@ impl World {
 
     /// Puts an agent somewhere at once, standing, its feet at a pose of which only
     /// the turn around the vertical counts; where something as low as a rug lies, it stands on
-    /// that. What it holds comes along. Over nothing it falls, and is among the [stopped](Self::stopped) in
-    /// the end.
+    /// that. The things in its hands come along. An agent with nothing below its feet falls, and is among the
+    /// [stopped](Self::stopped) in the end.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NotFinite`].

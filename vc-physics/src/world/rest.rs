@@ -43,8 +43,8 @@ impl Spot {
         Self(*pose)
     }
 
-    /// How far the corners of a thing are from where they are at another spot, at most, metres. What only
-    /// rolls about its axis goes no farther than its rim.
+    /// The greatest distance of a corner of a thing from where it is at another spot, metres. If a thing only
+    /// turns about its axis, that is at most its diagonal across the axis.
     pub(super) fn distance(&self, other: &Self, (low, high): Extent) -> f32 {
         let corner =
             |i: usize| Vector::from_array(std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] }));
@@ -132,7 +132,7 @@ impl World {
     fn would_have_stopped(&self, thing: &Thing) -> bool {
         let bodies = || thing.bodies().filter_map(|b| self.engine.bodies.get(b));
         let weight = bodies().map(RigidBody::mass).sum::<f32>() * self.settings.gravity.abs();
-        // What is not round is no easier to roll than what is.
+        // A thing that is not round is no easier to roll than one that is.
         let part = thing.state.rolling.max(lever(thing) / radius(thing));
         bodies().map(RigidBody::kinetic_energy).sum::<f32>() <= part * weight * ABOUT
     }

@@ -45,7 +45,7 @@ impl Agent {
             action = match refusal {
                 Refusal::NotUpright => Action::zero(Verb::Stand),
                 Refusal::NotNear { thing, .. } => {
-                    // What is said to be in one room and in something in another is not near that.
+                    // A thing said to be in one room, and inside something in another room, is not near the latter.
                     let (graph, at) = (self.belief.graph(), anchor(self.belief.graph(), thing.id));
                     Action::one(Verb::Walk, if graph.near(self.id, at) { thing.id } else { at })
                 }

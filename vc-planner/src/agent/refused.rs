@@ -1,4 +1,4 @@
-//! An agent learns from each refusal: what was refused is not tried again while nothing has changed.
+//! An agent learns from each refusal: it does not try a refused action again while nothing has changed.
 
 use vc_graph::{Action, Digest, NodeId, Observation, Verb};
 
@@ -12,13 +12,13 @@ const MOST: usize = 3;
 /// How many other decisions are sought in place of one that would be in vain.
 const OTHERS: usize = 12;
 
-/// What has been refused, and whether anything has changed since.
+/// The actions that have been refused, and whether anything has changed since.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Refused {
     all: Vec<Refusal>,
-    /// How often something has changed: by what was done, and by what was seen to be otherwise.
+    /// How often something has changed: an action was done, or an observation differed from the one before.
     changes: usize,
-    /// What was seen last, since something was refused.
+    /// The last observation since something was refused.
     seen: Option<Digest>,
 }
 
@@ -88,8 +88,8 @@ impl Agent {
         refusal.is_some_and(|refusal| refusal.times >= MOST || refusal.changes == self.refused.changes)
     }
 
-    /// Something else first, after which what was refused is tried again: for what bodies could not do where
-    /// they stood. What can be done without is left alone after two refusals.
+    /// Another action first, after which the agent tries the refused one again, as its body may only have failed where
+    /// it stood. After two refusals the agent does this only for actions that it can hardly do without.
     fn detour(&mut self, action: &Action) -> Option<Decision> {
         if self.refused.times(action) >= MOST {
             return None;

@@ -50,7 +50,7 @@ fn possible(places: &[Place]) -> Vec<Possible> {
     homes
 }
 
-/// What is supposed about each item, and what those that were found say for each hypothesis.
+/// The weights of places for each item, and how far the items that were found speak for each hypothesis.
 struct Judge {
     kinds: Kinds,
     weights: Vec<Option<Weights>>,
@@ -150,7 +150,7 @@ fn strike_out(homes: &mut Vec<Possible>, home: &Home, places: &[Place], real: &S
 }
 
 fn compare(belief: &Belief, homes: &[Possible], judge: &Judge, home: &Home, places: &[Place], seed: u64) {
-    // What is seen tells for a hypothesis with caution, and within it in full.
+    // Observations count for a hypothesis with caution, and within a hypothesis in full.
     let mut weights = vec![0.0; homes.len()];
     for (hypothesis, (_, supposed)) in HYPOTHESES.into_iter().enumerate() {
         let each: Vec<f64> = homes.iter().map(|at| judge.weight(hypothesis, at)).collect();

@@ -23,7 +23,7 @@ pub(crate) struct PlaceKind {
     pub(crate) room: Arc<str>,
     /// It can be carried away: habit counts on nothing in it.
     pub(crate) carried: bool,
-    /// Of the floor itself there is nothing to be on or in.
+    /// It is the floor of a room itself, and no furniture.
     pub(crate) floor: bool,
     /// Depth, width and height, metres.
     pub(crate) size: Option<[f64; 3]>,

@@ -8,9 +8,9 @@ use super::kinds::PlaceKind;
 /// How much less likely something is astray in a room where things like it are not kept
 /// anywhere: a plate in a bathroom.
 const FOREIGN: f64 = 0.2;
-/// What counts for any place beside the part of its kin that is kept there.
+/// The weight that any place has beside the part of the thing's kin that is kept there.
 const ANY: f64 = 0.1;
-/// What does not go in, or lies over the edge, is hardly there.
+/// How much less likely a thing is at a place where it does not go in, or lies over the edge.
 const MISFIT: f64 = 0.02;
 /// How the chance grows with the volume: a place of eight times the volume holds twice as much.
 const GROWTH: f64 = 1.0 / 3.0;

@@ -4,9 +4,9 @@ use vc_graph::NodeId;
 
 use super::{HABIT, Likely, STRAY, Weights};
 
-/// What a home may be like: which parts of its things are where habit puts them, astray, and
-/// simply anywhere; and how likely that is before anything has been seen. Something is anywhere
-/// in all of them, so that no place is ever ruled out.
+/// The kinds of home that there may be: which parts of the things are where habit puts them, astray,
+/// and simply anywhere; and how likely the kind is before anything has been seen. Each kind has some
+/// things anywhere, so that no place is ever ruled out.
 pub(crate) const HYPOTHESES: [([f64; 3], f64); 5] = [
     ([0.0, 0.0, 1.0], 0.05),
     ([0.0, 0.9, 0.1], 0.2),
@@ -22,12 +22,12 @@ pub(crate) const CAUTION: f64 = 0.3;
 /// Guards a logarithm and a division.
 const LEAST: f64 = 1e-12;
 
-/// What is supposed about the things of one class that have not been found.
+/// The chances of places for the things of one class that have not been found.
 #[derive(Debug, Clone)]
 pub(crate) struct Supposed {
     /// One of them.
     pub(crate) example: NodeId,
-    /// What habit and kin say, if they say anything.
+    /// The weights that habit and kin give to kinds of place, if they say anything.
     pub(crate) weights: Option<Weights>,
     /// How likely each place is by that.
     pub(crate) places: Option<Likely>,

@@ -1,4 +1,4 @@
-//! What is supposed about one class of things, kind of place by kind of place.
+//! The weights of kinds of place for the things of one class.
 
 use std::sync::Arc;
 

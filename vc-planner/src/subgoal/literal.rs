@@ -114,7 +114,7 @@ impl View<'_> {
                 bound.iter().rev().find(|(n, _)| n == name).map(|&(_, id)| id).into_iter().collect()
             }
             (Term::Anything, Predicate::Did(verb)) => self.fit_for(verb, position),
-            // Who has not been told what there is knows no thing by its number before it has seen it.
+            // An agent that has not been told what there is knows no thing by its number before seeing it.
             (Term::Node(_, id), _) => self.graph().node(*id).map(Node::id).into_iter().collect(),
             _ => self.now.candidates(term),
         }

@@ -17,7 +17,7 @@ pub(crate) enum Rule {
     In(&'static str),
 }
 
-/// What [`Rule::Foreign`] uses.
+/// The furniture that [`Rule::Foreign`] uses.
 const FURNITURE: [(Relation, &str); 10] = [
     (Relation::Inside, "kitchen_cabinet"),
     (Relation::Inside, "cabinet"),
@@ -31,7 +31,7 @@ const FURNITURE: [(Relation, &str); 10] = [
     (Relation::On, "kitchen_table"),
 ];
 
-/// What is to be brought where.
+/// The things that errands are about, and the furniture to which the agent is to bring them.
 const DISHES: [&str; 4] = ["plate", "water_glass", "wine_glass", "fork"];
 const FOOD: [&str; 7] = ["cupcake", "juice", "pancake", "pound_cake", "wine", "pudding", "apple"];
 const ERRANDS: [(&str, &str, &[&str]); 4] = [

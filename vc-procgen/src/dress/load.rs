@@ -1,4 +1,4 @@
-//! What a thing carries in its scene, and how well the surfaces made for it carry that.
+//! The load of a thing in its scene, and how well the surfaces made for the thing carry it.
 
 use nalgebra::{Isometry3, Point3, Vector3};
 use vc_graph::asset::{Hold, Surface};

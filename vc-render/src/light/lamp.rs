@@ -38,9 +38,9 @@ pub(crate) struct Lamp {
     pub(crate) shadows: Cube,
 }
 
-/// What shines in a scene.
+/// The bodies of a scene that shine: lamps and screens.
 pub(super) struct Shining {
-    /// By body, how much what glows of it is to be turned up, and its shade.
+    /// By body, how much its glowing parts are to be turned up, and its shade.
     pub(super) gains: Vec<[f32; 2]>,
     /// Bodies that glow and are no lamps, and how bright the brightest of each is by its material.
     pub(super) screens: Vec<(u32, f32)>,
@@ -61,7 +61,7 @@ pub(super) fn others(snapshot: &Snapshot, body: u32) -> impl Iterator<Item = u32
     (0..snapshot.instances.len() as u32).filter(move |i| snapshot.instances[*i as usize].body != body)
 }
 
-/// What shines in a scene. Lamps of `kept` have their shadows already.
+/// The bodies of a scene that shine. Lamps of `kept` have their shadows already.
 pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> Shining {
     let snapshot = &tracer.snapshot;
     let mut gains = vec![[0.0; 2]; snapshot.bodies.len()];

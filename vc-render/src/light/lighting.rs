@@ -79,7 +79,7 @@ const DARK: [f32; 2] = [1e-7, 5e-4];
 /// The level of light below which an eye adapts to a part only, so that what is dim looks dim, and to which part.
 const DIM: f32 = 0.01;
 const PART: f32 = 0.75;
-/// What is so much darker than the mean of all in view is as good as black: no eye gets used to it.
+/// A level of light below this part of the mean of all in view is as good as black: no eye gets used to it.
 const BLACK: f32 = 1e-3;
 /// The brightest that a screen is shown, as often as middle grey: an eye that looks at it gets used to it.
 const SCREEN: f32 = 1.6;

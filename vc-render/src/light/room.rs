@@ -224,7 +224,7 @@ impl Lighting {
         }
     }
 
-    /// What comes around a closed leaf from the room behind it.
+    /// The light that comes around a closed leaf from the room behind it.
     fn gaps(&self, body: &Body, met: &Met<'_>, into: u16) -> Option<Thrown> {
         let back = met.flat.map(|v| -v);
         let from = (body.stands == Stands::Between).then(|| self.room_of(body, met.instance, met.at, back))?;

@@ -25,7 +25,7 @@ impl Lighting {
         let at = affine::point(&instance.world.narrow(), three(|i| (a[i] + b[i] + c[i]) / 3.0));
         let normal = unit(affine::normal(&instance.inverse, mesh.normals[index][0]));
         match body.stands {
-            // Of what reaches through a wall, an eye sees what is on its own side.
+            // An eye sees only the near side of a body that reaches through a wall.
             Stands::Between => self.room_beside(instance, (at, eye), normal).unwrap_or(body.room),
             _ => self.room_of(body, instance, at, normal),
         }

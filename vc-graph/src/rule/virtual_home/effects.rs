@@ -1,4 +1,4 @@
-//! What an action does in VirtualHome's simulator, change by change and in its order.
+//! The effects of actions in VirtualHome's simulator, change by change and in its order.
 
 use super::Memory;
 use super::view::{Link, View};
@@ -7,7 +7,7 @@ use crate::{Action, Edge, Edit, EditError, NodeId, Property, Relation, State, Ve
 
 type Done = Result<(), EditError>;
 
-/// Who does something, in the scene as it becomes.
+/// An agent that acts, and the scene as its action changes it.
 struct Doing<'e, 'g> {
     edit: &'e mut Edit<'g>,
     agent: NodeId,
@@ -149,7 +149,7 @@ impl Doing<'_, '_> {
         faced.into_iter().for_each(|id| self.cut(self.agent, Link::Facing, id));
     }
 
-    /// What is held moves along, but its room and what is in it do not.
+    /// Things in hand move along, but stay in the room that the agent came from, and what is in them falls out.
     fn walk(&mut self, x: NodeId) {
         let Some(room) = self.view().room(x) else { return };
         let (me, before) = (self.agent, self.view().room(self.agent));
@@ -206,7 +206,7 @@ impl Doing<'_, '_> {
         self.change(self.agent, leave, enter)
     }
 
-    /// What one rested on one is now simply on.
+    /// The agent is now simply on the things on which it sat or lay.
     fn rise(&mut self) {
         for relation in [Relation::SittingOn, Relation::LyingOn] {
             let seats: Vec<NodeId> = self.edit.graph().related(self.agent, relation).collect();

@@ -1,9 +1,9 @@
-//! VirtualHome's own transition rule, beside ours: for who compares with results made by it.
+//! VirtualHome's own transition rule, beside ours, for comparisons with results made by it.
 //!
 //! It is the symbolic simulator that made the graphs after VirtualHome's programs (its release of 2019), which
-//! the Embodied Agent Interface took over; [`Semantics`] tells it apart from ours. What is an accident there is
-//! the same accident here, as a [`Simulator`](crate::Simulator) of [`Semantics::VirtualHome`] is to end in the
-//! very states and edges that theirs ends in.
+//! the Embodied Agent Interface took over; [`Semantics`] tells it apart from ours. Its accidents happen here as
+//! well, as a [`Simulator`](crate::Simulator) of [`Semantics::VirtualHome`] is to end in the very states and edges
+//! in which theirs ends.
 //!
 //! | | [`Semantics::VirtualCity`] | [`Semantics::VirtualHome`] |
 //! |---|---|---|
@@ -59,7 +59,7 @@ use crate::{Action, ChangeSet, NodeId, Refusal, SceneGraph};
 use view::{Link, View};
 
 vocabulary! {
-    /// Whose transition rule actions go by; [`virtual_home`](crate::rule::virtual_home) has a table of the
+    /// The transition rule by which actions are done; [`virtual_home`](crate::rule::virtual_home) has a table of the
     /// differences.
     Semantics, "semantics" {
         /// Ours: what a sensible person would expect.
@@ -69,7 +69,7 @@ vocabulary! {
     }
 }
 
-/// What VirtualHome's simulator remembers between actions: where each thing was grabbed.
+/// The memory of VirtualHome's simulator between actions: where each thing was grabbed.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Memory {
     taken: BTreeMap<NodeId, (NodeId, Link)>,

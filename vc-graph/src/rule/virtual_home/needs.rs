@@ -1,4 +1,4 @@
-//! What VirtualHome's simulator asks of an action.
+//! The conditions under which VirtualHome's simulator does an action.
 
 use super::Memory;
 use super::view::{Link, View};
@@ -11,7 +11,7 @@ const SEATS: &[(&str, usize)] =
     &[("couch", 4), ("bed", 4), ("loveseat", 2), ("sofa", 4), ("pianobench", 2), ("bench", 2)];
 const BEDS: &[(&str, usize)] = &[("couch", 2), ("bathtub", 2), ("bed", 3), ("loveseat", 2), ("sofa", 2)];
 
-/// What can be squeezed besides clothes.
+/// Classes of things that can be squeezed besides clothes.
 const SOFT: &[&str] = &[
     "cleaning_solution",
     "tooth_paste",

@@ -18,7 +18,8 @@ pub(crate) enum Link {
 impl Link {
     pub(super) const HANDS: [Self; 2] = [Self::HoldsRight, Self::HoldsLeft];
 
-    /// What it is called here: who sits on something is `ON` it there, what is in a room is `INSIDE` it.
+    /// The relations by which ours says the same: an agent that sits on something is `ON` it in theirs, and a thing in
+    /// a room is `INSIDE` it.
     pub(super) fn relations(self) -> &'static [Relation] {
         use Relation::{
             Facing, HoldsLeft, HoldsRight, InRoom, Inside, LyingOn, Near, On, PouredInto, SittingOn, WornBy,
@@ -121,7 +122,7 @@ impl<'a> View<'a> {
         self.targets(id, Link::Inside).into_iter().find(|&at| !self.is_room(at) && self.is(at, State::Closed))
     }
 
-    /// What something is on, inside or close to, first come first: where it is grabbed from.
+    /// The first node but a room that a thing is on, else inside, else close to: from there it is grabbed.
     pub(super) fn origin(self, id: NodeId) -> Option<(NodeId, Link)> {
         [Link::On, Link::Inside, Link::Close]
             .into_iter()

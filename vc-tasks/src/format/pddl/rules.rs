@@ -9,11 +9,11 @@
 //! opens, or within `air`. So being near is `(by x s) (at s)`, and being accessible
 //! `(within x c) (lets_in c)`.
 //!
-//! What is said is never more than the rule allows, but for one point: a plan does not see
-//! a container fill up. It is less in these: what carries something, or ever did, is not moved,
-//! heated or cooled; one sits and lies down standing, and only on what rests on something that
-//! is not carried; a container inside another one that opens takes nothing; of what is between
-//! a thing and the heat or cold only one thing is seen.
+//! The domain never allows more than the rule does, but for one point: a plan does not see a
+//! container fill up. The domain allows less in these points: a thing that carries something, or
+//! ever did, is not moved, heated or cooled; the agent sits and lies down only from standing, and
+//! only on a thing that rests on something that is not carried; a container inside another one
+//! that opens takes nothing; heat and cold reach a thing through one other thing at most.
 
 use std::collections::BTreeSet;
 
@@ -340,7 +340,7 @@ impl Way {
     fn effect(&mut self, effect: Effect<Role>) -> Result<(), String> {
         match effect {
             Effect::Enter(t, state) => self.enter(variable(t), state),
-            // What is on or in it would enter the state as well.
+            // Things on or in it would enter the state as well.
             Effect::EnterWith(t, state) => {
                 self.need(Atom::new("free", &[variable(t)]));
                 self.enter(variable(t), state);
