@@ -7,6 +7,7 @@ use vc_graph::format::eai::{Record, read_record};
 use vc_graph::{ClassTable, NodeId, SceneGraph};
 use virtualcity::{ActionError, Environment, Impossible};
 
+use crate::plain::characters;
 use crate::support::{Complaint, read, say};
 
 /// Runs every program that fits a scene in it, and counts how many are executable, and the reasons why
@@ -20,7 +21,11 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<bool, Complaint>
         });
         for (number, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
             match read_record(line) {
-                Ok(record) => tally.add(&record)?,
+                Ok(record) => {
+                    if let Err(complaint) = tally.add(&record) {
+                        tally.unread(format!("{}, line {}: {complaint:?}", file.display(), number + 1));
+                    }
+                }
                 Err(error) => tally.unread(format!("{}, line {}: {error}", file.display(), number + 1)),
             }
         }
@@ -49,8 +54,7 @@ impl Tally<'_> {
     }
 
     fn add(&mut self, record: &Record) -> Result<(), Complaint> {
-        let characters = record.program.steps.iter().flatten().map(|deed| deed.character as usize + 1).max();
-        let mut home = self.home(characters.unwrap_or(1))?;
+        let mut home = self.home(characters(&record.program))?;
         self.all += 1;
         if !fits(record, home.graph())? {
             return Ok(());
@@ -93,7 +97,8 @@ fn run(home: &mut Environment, record: &Record) -> Result<(), (usize, ActionErro
     let agents = home.agents().to_vec();
     let mut numbered = record.program.steps.iter().flatten().enumerate();
     numbered.try_for_each(|(index, deed)| {
-        let agent = agents[deed.character as usize];
+        // More characters than the scene has room for are nobody.
+        let agent = agents.get(deed.character as usize).copied().unwrap_or(NodeId(u32::MAX));
         home.set_action(agent, deed.action).map(drop).map_err(|error| (index, error))
     })
 }

@@ -50,7 +50,7 @@ fn run(file: &Path, scene: &Path) -> Result<Result<usize, String>, Complaint> {
 }
 
 /// The number of characters that a program needs.
-fn characters(program: &Program) -> usize {
+pub(crate) fn characters(program: &Program) -> usize {
     const MOST: u32 = 64;
     let last = program.steps.iter().flatten().map(|deed| deed.character.min(MOST)).max().unwrap_or(0);
     last as usize + 1

@@ -102,7 +102,8 @@ impl Outcome<'_> {
         let end = |graph: &SceneGraph| graph.support_chain(id).into_iter().rfind(|at| !is_built(graph, *at));
         let same_end = || end(self.ruled).is_some_and(|at| end(self.observed) == Some(at));
         // A thing in a bowl that is lifted is no longer on the table below the bowl.
-        let lost_some = !bodies.is_empty() && bodies.iter().all(|p| rule.contains(p));
+        let lifted = || self.observed.support_chain(id).iter().any(|at| self.observed.holder(*at).is_some());
+        let lost_some = !bodies.is_empty() && bodies.iter().all(|p| rule.contains(p)) && lifted();
         rule == bodies || lost_some || same_end() || self.lies_still(id)
     }
 

@@ -4,11 +4,11 @@
 use std::sync::Arc;
 
 use nalgebra::{Point2, Point3, Vector3};
-use vc_graph::{Aabb, Change, ChangeSet, Kind, Node, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
+use vc_graph::{Change, ChangeSet, Kind, Node, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
 use vc_physics::{Floor, Order, Posture, Role, World};
 
 use super::make::{RINGS, Spaced, around};
-use super::{MakeError, act};
+use super::{Elsewhere, MakeError, act};
 
 /// Things of the scene that are not in the environment, with their classes.
 pub(super) type LeftOut = Vec<(NodeId, Arc<str>)>;
@@ -52,20 +52,14 @@ pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<Left
 fn far_off(world: &World, graph: &SceneGraph) -> Vec<NodeId> {
     let free = |id: &NodeId| matches!(world.role(*id), Some(Role::Loose | Role::Hung));
     let fixed = graph.nodes().map(Node::id).filter(|id| world.role(*id) == Some(Role::Fixed));
-    let home =
-        fixed.filter_map(|id| world.aabb(id)).reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) });
+    let home = fixed.filter_map(|id| world.aabb(id)).reduce(|a, b| a.joined(&b));
     let things = graph.nodes().filter(|n| n.kind() == Kind::Object).map(Node::id).filter(free);
     let is_far = |id: &NodeId| {
         let rests = |p: &Place| matches!(p.relation, Relation::On | Relation::Inside);
         let at = graph.place(*id).filter(rests).and_then(|p| world.aabb(p.at)).or(home);
-        world.aabb(*id).zip(at).is_some_and(|(own, at)| gap(&own, &at) > FAR)
+        world.aabb(*id).zip(at).is_some_and(|(own, at)| own.gap(&at) > FAR)
     };
     things.filter(is_far).collect()
-}
-
-/// How far apart two boxes are along the axis along which they are farthest apart, metres.
-fn gap(a: &Aabb, b: &Aabb) -> f32 {
-    (0..3).map(|i| (a.min[i] - b.max[i]).max(b.min[i] - a.max[i])).fold(0.0, f32::max)
 }
 
 /// Places, each with the size of a thing for which there was no room. A search that fails takes long.
@@ -180,13 +174,26 @@ pub(super) fn stand_on_floor(world: &mut World, floor: &Floor) -> Vec<NodeId> {
             continue;
         }
         let start = if on_floor { Some(own) } else { floor.nearest(own, f32::INFINITY) };
-        let spots = start.into_iter().flat_map(|start| (0..RINGS).flat_map(move |ring| around(&start, ring)));
-        let Some(spot) = spots.into_iter().find(|p| floor.is_free(*p) && taken.is_free(p)) else { continue };
+        let Some(start) = start else { continue };
+        let free = || {
+            let spots = (0..RINGS).flat_map(move |ring| around(&start, ring));
+            spots.filter(|p| floor.is_free(*p) && taken.is_free(p))
+        };
+        // A spot to which there is a way comes before one behind a wall.
+        let reached = free().find(|p| floor.route(start, *p).is_some());
+        let Some(spot) = reached.or_else(|| free().next()) else { continue };
         taken.take(spot);
         let to = Pose::from_parts([spot.x, spot.y, floor.plan().level].into(), feet.rotation);
-        // The agent has a body, so this cannot fail.
-        let _ = world.teleport(agent, to);
-        moved.push(agent);
+        if world.teleport(agent, to).is_ok() {
+            moved.push(agent);
+        }
     }
     moved
+}
+
+/// What a report says of agents that were put onto the floor or apart: they are no longer where the graph had them.
+pub(super) fn told(graph: &SceneGraph, agents: &[NodeId]) -> Vec<Elsewhere> {
+    let in_room = |agent: NodeId| Some(Place { relation: Relation::InRoom, at: graph.room_of(agent)? });
+    let tell = |&agent: &NodeId| Some(Elsewhere { thing: graph.label(agent), wanted: in_room(agent)?, now: None });
+    agents.iter().filter_map(tell).collect()
 }

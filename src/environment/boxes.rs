@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use vc_graph::{
-    Aabb, Asset, Draft, EditError, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
+    Asset, Draft, EditError, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
 };
 use vc_physics::{Floor, PhysicsError, Role, World};
 use vc_procgen::dress::{self, DressError};
@@ -157,19 +157,14 @@ fn would_move(world: &World, graph: &SceneGraph, id: NodeId) -> Result<bool, Phy
     if lowered(REST)? {
         return Ok(false);
     }
-    let at = |p: Place| world.aabb(p.at).is_some_and(|at| meets(&own, &at, BESIDE));
+    let at = |p: Place| world.aabb(p.at).is_some_and(|at| own.gap(&at) < BESIDE);
     Ok(lowered(HOVER)? || graph.places(id).any(at))
 }
 
 /// Whether the scene has a thing at another one: what was at rest and has lost its table falls.
 fn is_by_its_place(world: &World, graph: &SceneGraph, id: NodeId) -> bool {
     let Some(own) = graph.node(id).and_then(Node::aabb) else { return false };
-    graph.places(id).any(|p| world.aabb(p.at).is_some_and(|at| meets(&own, &at, LOST)))
-}
-
-/// Whether boxes overlap or are no farther apart than so many metres.
-fn meets(a: &Aabb, b: &Aabb, apart: f32) -> bool {
-    (0..3).all(|i| a.min[i] < b.max[i] + apart && b.min[i] < a.max[i] + apart)
+    graph.places(id).any(|p| world.aabb(p.at).is_some_and(|at| own.gap(&at) < LOST))
 }
 
 /// Moves agents that the scene has standing in something to free floor.

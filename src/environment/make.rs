@@ -35,6 +35,8 @@ struct Made {
     at_rest: bool,
     /// Which shapes things got of which the scene had only boxes.
     assets: Assets,
+    /// Agents of the scene that were put onto the floor or apart.
+    put_apart: Vec<NodeId>,
 }
 
 impl Environment {
@@ -124,7 +126,7 @@ impl Environment {
         if !at_rest && !staying.is_empty() {
             boxes::step_aside(&mut world, builder.graph(), &floor)?;
         }
-        astray::stand_on_floor(&mut world, &floor);
+        let put_apart = astray::stand_on_floor(&mut world, &floor);
         let places = standing_places(builder.graph(), &world, &floor, agents)?;
         let mut library = builder.graph().assets().as_ref().clone();
         let people = (0..places.len()).map(|i| figure::add_to(&mut library, i));
@@ -141,23 +143,24 @@ impl Environment {
         if builder.graph().agents().is_empty() {
             return Err(MakeError::NoAgents);
         }
-        let made = Made { world, floor, shapes, left_out, staying, at_rest, assets: options.assets };
+        let made = Made { world, floor, shapes, left_out, staying, at_rest, assets: options.assets, put_apart };
         Self::begin(builder.build(), made)
     }
 
     fn begin(mut graph: SceneGraph, made: Made) -> Result<Self, MakeError> {
-        let Made { world, floor, shapes, left_out, staying, at_rest, assets } = made;
+        let Made { world, floor, shapes, left_out, staying, at_rest, assets, put_apart } = made;
         let scene = graph.clone();
         observe::write_poses(&mut graph, &world)?;
         let relations = Relations::new(&graph, Rule::Repaired, observe::evidence(&world))?;
         let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
         relations.write(&mut graph, &all)?;
         let traced = graph.clone();
-        let elsewhere = if at_rest {
+        let mut elsewhere = if at_rest {
             boxes::keep_all(&scene, &mut graph).map(|()| Vec::new())?
         } else {
             boxes::keep(&scene, &mut graph, &world, &staying)?
         };
+        elsewhere.extend(astray::told(&scene, &put_apart));
         let kept = boxes::kept(&traced, &graph, &staying);
         let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, kept, assets };
         Ok(Self::at(Arc::new(start)))

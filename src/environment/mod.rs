@@ -52,7 +52,7 @@ const WAIST: f32 = 0.9;
 /// | [`reset`](Self::reset) | `World::reset`, `World::free_spot_at`, `World::lower`, `World::step`, `World::doze`, `Relations::update_with` |
 /// | [`observation`](Self::observation) | `SceneGraph::observe` |
 /// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::follow`, `Renderer::render` |
-/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::stand`, `World::grab_with`, `World::free_spot_at`, `World::put`, `World::drive` ..., then `Relations::update_with` |
+/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::stand`, `World::grab_all`, `World::free_spot_at`, `World::put`, `World::drive` ..., then `Relations::update_with` |
 ///
 /// Before one acts: [`legal_actions`](Self::legal_actions), [`objects`](Self::objects),
 /// [`occupancy`](Self::occupancy). To arrange a home: [`spawn`](Self::spawn), [`put`](Self::put),

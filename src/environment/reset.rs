@@ -133,11 +133,8 @@ impl Environment {
         seat(&mut world, &mut wanted, &mut plan.report)?;
         let mut floor = self.start.floor.clone();
         floor.update(&world);
-        for agent in astray::stand_on_floor(&mut world, &floor) {
-            let Some(at) = wanted.room_of(agent) else { continue };
-            let place = Place { relation: Relation::InRoom, at };
-            plan.report.elsewhere.push(Elsewhere { thing: wanted.label(agent), wanted: place, now: None });
-        }
+        let moved = astray::stand_on_floor(&mut world, &floor);
+        plan.report.elsewhere.extend(astray::told(&wanted, &moved));
         act::calm(&mut world);
         plan.take_out(&mut world, &mut wanted)?;
         let relations = self.observed(&mut wanted, &world, new_shapes)?;

@@ -333,9 +333,10 @@ fn feet(home: &Environment, agent: NodeId) -> Point2<f32> {
 }
 
 /// The files of a record, besides those of its film and its dataset.
-const FILES: [&str; 11] = [
+const FILES: [&str; 12] = [
     "index.html",
-    "trajectory.jsonl",
+    trajectory::FILES[0],
+    trajectory::FILES[1],
     "film.gif",
     "film.png",
     "map.png",

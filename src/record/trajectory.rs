@@ -12,6 +12,9 @@ use vc_tasks::Task;
 use super::{RecordError, at};
 use crate::Environment;
 
+/// The file of a trajectory until it is whole, and then.
+pub(super) const FILES: [&str; 2] = ["trajectory.jsonl.part", "trajectory.jsonl"];
+
 /// A line about the run, one for each action, and the result.
 pub(super) struct Trajectory {
     file: BufWriter<File>,
@@ -21,7 +24,7 @@ pub(super) struct Trajectory {
 
 impl Trajectory {
     pub(super) fn begin(folder: &Path, home: &Environment, agent: NodeId, task: &Task) -> Result<Self, RecordError> {
-        let paths = ["trajectory.jsonl.part", "trajectory.jsonl"].map(|name| folder.join(name));
+        let paths = FILES.map(|name| folder.join(name));
         let file = File::create(&paths[0]).map_err(at(&paths[0]))?;
         let mut all = Self { file: BufWriter::new(file), paths };
         all.line(&json!({

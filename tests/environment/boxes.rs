@@ -120,8 +120,7 @@ fn what_is_held_in_boxes_is_put_elsewhere() {
     is_as_read(&home);
 }
 
-/// VirtualHome's scenes: one walks to every room that they have, doors lead where the scenes say, and
-/// things are taken and put back.
+/// VirtualHome's scenes: nothing is moved, agents walk to every room that they have, and doors lead where the scenes say.
 #[test]
 fn scenes_of_boxes_are_lived_in() {
     for number in common::SCENES {

@@ -88,6 +88,26 @@ impl Aabb {
         nalgebra::distance(&self.nearest(point), point)
     }
 
+    /// The distance between two boxes along the axis along which they are farthest apart, metres: none is above zero
+    /// where they overlap or touch.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use vc_graph::Aabb;
+    /// let unit = Aabb { min: Point3::origin(), max: Point3::new(1.0, 1.0, 1.0) };
+    /// let above = Aabb { min: Point3::new(0.0, 0.0, 1.5), max: Point3::new(1.0, 1.0, 2.0) };
+    /// assert_eq!(unit.gap(&above), 0.5);
+    /// assert_eq!(unit.joined(&above).max.z, 2.0);
+    /// ```
+    pub fn gap(&self, other: &Self) -> f32 {
+        (0..3).map(|i| (self.min[i] - other.max[i]).max(other.min[i] - self.max[i])).fold(f32::NEG_INFINITY, f32::max)
+    }
+
+    /// The least box that contains both.
+    pub fn joined(&self, other: &Self) -> Self {
+        Self { min: self.min.inf(&other.min), max: self.max.sup(&other.max) }
+    }
+
     /// Whether the box contains the point, borders included.
     pub fn contains(&self, point: &Point3<f32>) -> bool {
         self.nearest(point) == *point

@@ -55,9 +55,9 @@ const ONTO: [Way; 4] = [
 /// As they stand, within the edges.
 const WITHIN: Way = Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.0, slender: SLENDER, across: false };
 
-/// What is no longer than this from its middle is no larger than a seat, metres.
+/// A surface that reaches no farther from its middle is no larger than a seat, metres.
 const SEAT: f32 = 0.35;
-/// What has two sides shorter than this may lean, metres.
+/// A thing with two sides shorter than this may lean, metres.
 const THIN: f32 = 0.1;
 /// Least width of what is laid on its side, as a part of its height then.
 const SLENDER: f32 = 0.25;

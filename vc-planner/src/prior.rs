@@ -31,8 +31,8 @@ pub enum Prior {
     Habits(Arc<[Habit]>),
 }
 
-/// That things of a class are found at a place, so many times as likely as at one
-/// with weight 1.
+/// That people keep things of a class at a place: of those that are where habit puts them so many times as many
+/// as at one with weight 1.
 ///
 /// Things that are not where habit puts them are somewhere near it or anywhere, so no chance is
 /// zero: the weights say how much is added to that.

@@ -247,7 +247,7 @@ impl World {
     /// How far an agent gets, whether it then stands on something, and what it hit.
     fn slide(&self, agent: &Agent, desired: Vector) -> (Vector3<f32>, bool, Vec<CharacterCollision>) {
         // Those who are in one place, as who walks by at set times may be, part as they go and do not climb each other.
-        let own = |c: &Collider| self.agents.values().any(|a| c.parent() == Some(a.body) && a.is_with(agent));
+        let own = |c: &Collider| self.agents.get(&group::marked(c.user_data).0).is_some_and(|a| a.is_with(agent));
         let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && !own(c);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
         let plan = &agent.plan;
@@ -264,7 +264,7 @@ impl World {
     /// Lifts an agent that was put down in something low onto it, though not onto people.
     pub(super) fn step_up(&mut self, id: NodeId) {
         let Some(agent) = self.agents.get(&id) else { return };
-        let is_person = |c: &Collider| self.agents.values().any(|a| c.parent() == Some(a.body));
+        let is_person = |c: &Collider| self.agents.contains_key(&group::marked(c.user_data).0);
         let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && !is_person(c);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
         let above = agent.feet * vc_graph::Pose::translation(0.0, 0.0, agent.plan.height / 2.0 + SUNK);

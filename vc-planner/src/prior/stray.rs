@@ -17,8 +17,9 @@ const GROWTH: f64 = 1.0 / 3.0;
 /// Room above a surface that counts, metres, and the volume of a floor, cubic metres.
 const ABOVE: f64 = 0.3;
 const FLOOR: f64 = 0.03;
-/// The volume of what has no known size, cubic metres, and the most that counts.
+/// The volume where none is known, cubic metres; the least, as no chance is zero, and the most that count.
 const UNKNOWN: f64 = 0.1;
+const LEAST: f64 = 1e-6;
 const LARGEST: f64 = 1.0;
 
 /// How likely a thing is at places of a kind, all of them together; only how it compares with
@@ -62,5 +63,5 @@ fn volume(kind: &PlaceKind) -> f64 {
         (Some([x, y, z]), Relation::Inside) => x * y * z,
         (Some([x, y, _]), _) => x * y * ABOVE,
     };
-    volume.min(LARGEST)
+    volume.clamp(LEAST, LARGEST)
 }
