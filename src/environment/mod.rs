@@ -24,6 +24,7 @@ mod undo;
 use std::sync::Arc;
 
 use nalgebra::{Point2, Point3};
+use vc_graph::hash::Digester;
 use vc_graph::{Action, ChangeSet, Digest, Event, History, NodeId, Observation, SceneGraph, Scope};
 use vc_physics::{Floor, Posture, Shapes, World};
 use vc_relations::Relations;
@@ -181,16 +182,12 @@ impl Environment {
     /// the graph, the bodies and what has been done, each action. Costs as much as the graph's and
     /// the bodies' own, a millisecond, and a microsecond for each action done.
     pub fn digest(&self) -> Digest {
-        // FNV-1a over words, folded, as in vc-graph.
-        let mix = |sum: u64, word: u64| {
-            let mixed = (sum ^ word).wrapping_mul(0x0000_0100_0000_01b3);
-            mixed ^ (mixed >> 32)
-        };
-        let sum = [self.graph.digest().0, self.world.digest().0].into_iter().fold(0xcbf2_9ce4_8422_2325, mix);
-        let done = |sum, event: &Event| {
-            event.action.to_string().bytes().map(u64::from).fold(mix(sum, u64::from(event.agent.0)), mix)
-        };
-        Digest(self.history.events().iter().fold(sum, done))
+        let mut hash = Digester::new();
+        hash.words([self.graph.digest().0, self.world.digest().0]);
+        for event in self.history.events() {
+            hash.word(u64::from(event.agent.0)).words(event.action.to_string().bytes().map(u64::from));
+        }
+        hash.digest()
     }
 
     /// The room whose floor is at a point of the ground, metres: [`Relations::room_at`].

@@ -20,9 +20,10 @@ const JOURNAL: &str = "annotations.jsonl.part";
 /// `frames`, and one COCO document for `pycocotools`, `annotations.json`.
 ///
 /// A program that was broken off goes on when it is started again: a picture that is there already is not made
-/// again, as long as it is of the same home with the same assets in the same state, from the same viewpoint, of the same size and in the
+/// again, as long as it is of the same home in the same state, from the same viewpoint, of the same size and in the
 /// same light as the one asked for. From the first other one on all are made anew. So the files are in the end
-/// those of a run that was not broken off.
+/// those of a run that was not broken off. Assets count by their numbers alone: if the shape of one changes between
+/// two runs, begin in another folder.
 ///
 /// ```no_run
 /// use virtualcity::{Dataset, Environment, Viewpoint};

@@ -16,6 +16,7 @@ mod geometry;
 pub mod goal;
 mod graph;
 mod grid;
+pub mod hash;
 mod id;
 pub mod mesh;
 mod met;

@@ -5,6 +5,8 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng};
 use serde::{Deserialize, Serialize};
 
+use crate::hash::{fnv1a, splitmix};
+
 /// What everything random comes from. The same seed gives the same result on every
 /// machine; sub-seeds by label and index make each choice independent of how many
 /// others were made before it.
@@ -23,30 +25,19 @@ impl Seed {
     /// The sub-seed of a label.
     #[must_use]
     pub fn child(self, label: &str) -> Self {
-        // FNV-1a over the label, from the seed.
-        let hash = label.bytes().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3));
-        Self(mix(self.0 ^ mix(hash)))
+        Self(splitmix(self.0 ^ splitmix(fnv1a(label.bytes()))))
     }
 
     /// The sub-seed of a number.
     #[must_use]
     pub fn nth(self, index: u64) -> Self {
-        Self(mix(self.0.rotate_left(32) ^ mix(index.wrapping_add(1))))
+        Self(splitmix(self.0.rotate_left(32) ^ splitmix(index.wrapping_add(1))))
     }
 
     /// The random numbers that come from this seed.
     pub fn stream(self) -> Stream {
         Stream { numbers: ChaCha8Rng::seed_from_u64(self.0) }
     }
-}
-
-/// The finaliser of splitmix64 (Steele, Lea and Flood 2014): a bijection that
-/// spreads every bit over all others.
-fn mix(value: u64) -> u64 {
-    let v = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let v = (v ^ (v >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let v = (v ^ (v >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    v ^ (v >> 31)
 }
 
 /// A stream of random numbers (ChaCha with eight rounds): the same on every machine.

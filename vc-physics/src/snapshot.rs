@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use vc_graph::hash::Digester;
 use vc_graph::{Digest, NodeId, SceneGraph};
 
 use crate::agent::Agent;
@@ -107,31 +108,31 @@ impl World {
     /// bodies, parts on joints, agents, vehicles, water, fill levels and the time. Equal worlds have
     /// equal digests, whatever made them.
     pub fn digest(&self) -> Digest {
-        let mut hash = Fnv::default();
-        hash.number(self.ticks);
+        let mut hash = Digester::new();
+        hash.word(self.ticks);
         for (handle, body) in self.engine.bodies.iter() {
             let (pose, linear, spin) = (body.position(), body.linvel(), body.angvel());
-            hash.number(u64::from(handle.into_raw_parts().0) << 1 | u64::from(body.is_sleeping()));
-            hash.reals(&pose.translation.to_array());
-            hash.reals(&pose.rotation.to_array());
-            hash.reals(&linear.to_array());
-            hash.reals(&spin.to_array());
+            hash.word(u64::from(handle.into_raw_parts().0) << 1 | u64::from(body.is_sleeping()));
+            hash.reals(pose.translation.to_array());
+            hash.reals(pose.rotation.to_array());
+            hash.reals(linear.to_array());
+            hash.reals(spin.to_array());
         }
         for thing in &self.things {
-            hash.number(u64::from(thing.id.0) << 8 | thing.state.role as u64);
+            hash.word(u64::from(thing.id.0) << 8 | thing.state.role as u64);
             for moving in &thing.state.moving {
-                hash.reals(&[moving.position, moving.target.unwrap_or(f32::MAX)]);
-                hash.number(u64::from(moving.locked) << 1 | u64::from(moving.latched));
+                hash.reals([moving.position, moving.target.unwrap_or(f32::MAX)]);
+                hash.word(u64::from(moving.locked) << 1 | u64::from(moving.latched));
             }
         }
         self.agents.iter().for_each(|(id, agent)| agent.feed(*id, &mut hash));
         self.fills.iter().for_each(|(id, fill)| {
-            hash.number(u64::from(id.0));
-            hash.reals(&[*fill]);
+            hash.word(u64::from(id.0));
+            hash.reals([*fill]);
         });
         self.waters.iter().for_each(|water| water.feed(&mut hash));
         self.vehicles.iter().for_each(|(id, vehicle)| vehicle.feed(*id, &mut hash));
-        Digest(hash.0)
+        hash.digest()
     }
 }
 
@@ -150,32 +151,5 @@ fn decoded(bytes: &[u8]) -> Result<Content, SnapshotError> {
 }
 
 fn checksum(bytes: &[u8]) -> u64 {
-    let mut hash = Fnv::default();
-    hash.number(bytes.len() as u64);
-    for chunk in bytes.chunks(8) {
-        let mut word = [0; 8];
-        word[..chunk.len()].copy_from_slice(chunk);
-        hash.number(u64::from_le_bytes(word));
-    }
-    hash.0
-}
-
-/// FNV-1a over 64-bit words, folded, as in `vc-graph`.
-pub(crate) struct Fnv(u64);
-
-impl Default for Fnv {
-    fn default() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-}
-
-impl Fnv {
-    pub(crate) fn number(&mut self, number: u64) {
-        let mixed = (self.0 ^ number).wrapping_mul(0x0000_0100_0000_01b3);
-        self.0 = mixed ^ (mixed >> 32);
-    }
-
-    pub(crate) fn reals(&mut self, values: &[f32]) {
-        values.iter().for_each(|v| self.number(u64::from(v.to_bits())));
-    }
+    Digester::new().bytes(bytes).digest().0
 }

@@ -10,9 +10,9 @@ use rapier3d::dynamics::RigidBody;
 use rapier3d::math::Vector;
 use rapier3d::pipeline::QueryFilter;
 use serde::{Deserialize, Serialize};
+use vc_graph::hash::Digester;
 use vc_graph::{NodeId, Pose};
 
-use crate::snapshot::Fnv;
 use crate::world::World;
 use crate::{PhysicsError, Role, convert};
 
@@ -225,10 +225,10 @@ impl World {
 
 impl Vehicle {
     /// Feeds what it does and how its wheels stand into a hash.
-    pub(crate) fn feed(&self, id: NodeId, hash: &mut Fnv) {
-        hash.number(u64::from(id.0));
-        hash.reals(&[self.controls.throttle, self.controls.brake, self.controls.steering]);
-        self.controller.wheels().iter().for_each(|w| hash.reals(&[w.steering, w.rotation]));
+    pub(crate) fn feed(&self, id: NodeId, hash: &mut Digester) {
+        hash.word(u64::from(id.0));
+        hash.reals([self.controls.throttle, self.controls.brake, self.controls.steering]);
+        self.controller.wheels().iter().for_each(|w| _ = hash.reals([w.steering, w.rotation]));
     }
 
     /// Spreads what the driver does over the wheels.

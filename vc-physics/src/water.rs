@@ -8,11 +8,11 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::RigidBody;
 use serde::{Deserialize, Serialize};
 use vc_graph::asset::{Hold, Surface};
+use vc_graph::hash::Digester;
 use vc_graph::portable::Portable;
 use vc_graph::{Aabb, NodeId, Pose};
 
 use crate::agent::facing;
-use crate::snapshot::Fnv;
 use crate::world::{Thing, World};
 use crate::{PhysicsError, Role, convert};
 
@@ -75,10 +75,10 @@ impl Water {
     }
 
     /// Feeds what it pushes with into a hash.
-    pub(crate) fn feed(&self, hash: &mut Fnv) {
-        hash.reals(self.at.translation.vector.as_slice());
-        hash.reals(self.at.rotation.coords.as_slice());
-        hash.reals(&self.size);
+    pub(crate) fn feed(&self, hash: &mut Digester) {
+        hash.reals(self.at.translation.vector.iter().copied());
+        hash.reals(self.at.rotation.coords.iter().copied());
+        hash.reals(self.size);
     }
 }
 

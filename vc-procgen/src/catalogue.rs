@@ -1,6 +1,7 @@
 //! Every class's objects, counted and told apart.
 
 use vc_graph::asset::{Part, Shape};
+use vc_graph::hash::Digester;
 use vc_graph::{Digest, Pose, Seed};
 
 use crate::Style;
@@ -55,31 +56,26 @@ impl Object {
     /// largest measure where that is less; names and order of parts count too.
     pub fn shape_key(&self) -> Digest {
         let step = (self.size().max() * 0.05).min(0.01);
-        let mut key = Key { hash: 0xcbf2_9ce4_8422_2325, step };
+        let mut key = Key { hash: Digester::new(), step };
         key.text(self.class);
         self.asset.parts.iter().for_each(|p| key.part(p));
-        Digest(key.hash)
+        key.hash.digest()
     }
 }
 
-/// FNV-1a over words, with measures rounded.
+/// A digest of measures that are rounded.
 struct Key {
-    hash: u64,
+    hash: Digester,
     step: f32,
 }
 
 impl Key {
-    fn number(&mut self, number: u64) {
-        let mixed = (self.hash ^ number).wrapping_mul(0x0000_0100_0000_01b3);
-        self.hash = mixed ^ (mixed >> 32);
-    }
-
     fn text(&mut self, text: &str) {
-        text.bytes().for_each(|b| self.number(u64::from(b)));
+        self.hash.words(text.bytes().map(u64::from));
     }
 
     fn rounded(&mut self, value: f32, step: f32) {
-        self.number((value / step).round() as i64 as u64);
+        self.hash.word((value / step).round() as i64 as u64);
     }
 
     fn measures(&mut self, values: impl IntoIterator<Item = f32>) {
@@ -108,12 +104,12 @@ impl Key {
                 self.measures(pairs.iter().flat_map(|&(a, b)| [a, b]));
             }
             // The others are their extent, but a cone is no cylinder.
-            Shape::Cone { .. } => self.number(1),
-            Shape::Cylinder { .. } => self.number(2),
-            Shape::Capsule { .. } => self.number(3),
-            Shape::Sphere { .. } => self.number(4),
+            Shape::Cone { .. } => _ = self.hash.word(1),
+            Shape::Cylinder { .. } => _ = self.hash.word(2),
+            Shape::Capsule { .. } => _ = self.hash.word(3),
+            Shape::Sphere { .. } => _ = self.hash.word(4),
             Shape::RoundedBox { radius, .. } => self.measures([*radius]),
-            _ => self.number(5),
+            _ => self.hash.word(5),
         }
     }
 }

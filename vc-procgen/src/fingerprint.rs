@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
+use vc_graph::hash::splitmix;
 
 use crate::apartment::Apartment;
 use crate::furnish::Rest;
@@ -189,18 +190,17 @@ fn half_cells(cells: f32) -> i32 {
     2 * whole as i32 + between
 }
 
-/// Two 64-bit states, each stirred by the finaliser of splitmix64 (Steele, Lea and
-/// Flood 2014).
+/// Two 64-bit states, each mixed by `splitmix`.
 struct Mixer([u64; 2]);
 
 impl Mixer {
     fn new(start: u64) -> Self {
-        Self([stirred(start ^ 0x243f_6a88_85a3_08d3), stirred(start ^ 0x1319_8a2e_0370_7344)])
+        Self([splitmix(start ^ 0x243f_6a88_85a3_08d3), splitmix(start ^ 0x1319_8a2e_0370_7344)])
     }
 
     fn word(&mut self, word: u64) {
         let [a, b] = self.0;
-        self.0 = [stirred(a ^ word), stirred(b.rotate_left(23) ^ word.wrapping_mul(0x9e37_79b9_7f4a_7c15))];
+        self.0 = [splitmix(a ^ word), splitmix(b.rotate_left(23) ^ word.wrapping_mul(0x9e37_79b9_7f4a_7c15))];
     }
 
     fn wide(&mut self, value: u128) {
@@ -218,15 +218,8 @@ impl Mixer {
 
     fn value(&self) -> u128 {
         let [a, b] = self.0;
-        u128::from(stirred(a ^ b.rotate_left(32))) << 64 | u128::from(stirred(b ^ a))
+        u128::from(splitmix(a ^ b.rotate_left(32))) << 64 | u128::from(splitmix(b ^ a))
     }
-}
-
-fn stirred(value: u64) -> u64 {
-    let v = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let v = (v ^ (v >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let v = (v ^ (v >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    v ^ (v >> 31)
 }
 
 #[cfg(test)]

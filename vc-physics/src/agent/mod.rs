@@ -10,9 +10,9 @@ use rapier3d::dynamics::{RigidBodyBuilder, RigidBodyHandle};
 use rapier3d::geometry::{ColliderBuilder, InteractionGroups, SharedShape};
 use rapier3d::math::{Pose as EnginePose, Vector};
 use serde::{Deserialize, Serialize};
+use vc_graph::hash::Digester;
 use vc_graph::{NodeId, Pose, Relation, SceneGraph};
 
-use crate::snapshot::Fnv;
 use crate::world::World;
 use crate::{AgentError, PhysicsError, convert, group};
 
@@ -180,15 +180,15 @@ impl Agent {
         self.feet * Point3::new(0.0, 0.0, height)
     }
 
-    pub(crate) fn feed(&self, id: NodeId, hash: &mut Fnv) {
-        hash.number(u64::from(id.0));
-        hash.reals(self.feet.translation.vector.as_slice());
-        hash.reals(self.feet.rotation.coords.as_slice());
-        hash.reals(&[self.velocity[0], self.velocity[1], self.fall]);
+    pub(crate) fn feed(&self, id: NodeId, hash: &mut Digester) {
+        hash.word(u64::from(id.0));
+        hash.reals(self.feet.translation.vector.iter().copied());
+        hash.reals(self.feet.rotation.coords.iter().copied());
+        hash.reals([self.velocity[0], self.velocity[1], self.fall]);
         for held in &self.hands {
-            hash.number(held.as_ref().map_or(0, |h| u64::from(h.id.0) + 1));
+            hash.word(held.as_ref().map_or(0, |h| u64::from(h.id.0) + 1));
         }
-        hash.number(self.posture.seat().map_or(0, |(id, place)| (u64::from(id.0) << 32) | (u64::from(place) + 1)));
+        hash.word(self.posture.seat().map_or(0, |(id, place)| (u64::from(id.0) << 32) | (u64::from(place) + 1)));
     }
 }
 

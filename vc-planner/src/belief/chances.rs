@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use vc_graph::hash::fnv1a;
 use vc_graph::{NodeId, Place, SceneGraph};
 
 use super::Belief;
@@ -73,9 +74,7 @@ impl Belief {
     pub fn digest(&self) -> u64 {
         let seen = self.seen.iter().enumerate().filter(|(_, s)| **s).map(|(i, _)| i as u64);
         let missing = self.missing.iter().map(|&(id, place)| u64::from(id.0) << 32 | place as u64);
-        // FNV-1a over words.
-        let add = |hash: u64, word: u64| (hash ^ word).wrapping_mul(0x100_0000_01b3);
-        missing.chain(seen).fold(0xcbf2_9ce4_8422_2325, add)
+        fnv1a(missing.chain(seen))
     }
 
     /// How likely a thing is at a place, 0 to 1.

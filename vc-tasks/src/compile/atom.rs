@@ -3,6 +3,7 @@
 use std::fmt;
 
 use vc_graph::goal::{Literal, Predicate, Term};
+use vc_graph::hash::finalised;
 use vc_graph::{NodeId, Word};
 
 /// A predicate of given things: what is true or false in a scene.
@@ -30,16 +31,8 @@ impl Atom {
             _ => 769,
         } as u64;
         let [a, b] = self.things.map(|id| u64::from(id.map_or(u32::MAX, |id| id.0)));
-        mix(mix((predicate << 32) | a) ^ b)
+        finalised(finalised((predicate << 32) | a) ^ b)
     }
-}
-
-/// Spreads the bits of a number (the finaliser of `SplitMix64`; Steele, Lea and Flood,
-/// OOPSLA 2014).
-pub(super) fn mix(x: u64) -> u64 {
-    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
 }
 
 impl fmt::Display for Atom {

@@ -1,7 +1,8 @@
 //! Gates: what a goal is made of once its things are known.
 
+use vc_graph::hash::finalised;
+
 use super::Bits;
-use super::atom::mix;
 
 /// An atom, a gate or a constant, as it is or negated, in one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -152,7 +153,7 @@ impl Kind {
             Self::Exactly(k) => 4 | (u64::from(k) << 8),
             Self::Pairs(t) => 5 | (u64::from(t.need) << 8) ^ (u64::from(t.columns) << 40),
         };
-        inputs.iter().fold(own, |key, input| mix(key ^ u64::from(input.0)))
+        inputs.iter().fold(own, |key, input| finalised(key ^ u64::from(input.0)))
     }
 }
 

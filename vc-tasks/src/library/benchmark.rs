@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 use vc_graph::format::unmarked;
+use vc_graph::hash::fnv1a;
 use vc_graph::{Digest, Goal};
 
 use super::activity::nothing;
@@ -92,10 +93,8 @@ impl Benchmark {
 
     /// A number that changes when anything about the tasks does.
     pub fn digest(&self) -> Digest {
-        const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
-        const PRIME: u64 = 0x0000_0100_0000_01b3;
         let text = serde_json::to_string(&self.activities).unwrap_or_default();
-        Digest(text.bytes().fold(OFFSET, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME)))
+        Digest(fnv1a(text.bytes()))
     }
 }
 
