@@ -11,8 +11,8 @@ use crate::trace::{Met, Ray};
 /// Shares of light that pass a single face: of cloth, and of slats with gaps between them.
 const CLOTH: f32 = 0.4;
 const SLATS: f32 = 0.15;
-/// Diameter over which the pattern of a cover is averaged, metres: as in reference pictures, since seen from
-/// afar the averaged threads would be darker than the cloth.
+/// Diameter over which the pattern of a cover is averaged, metres: the same as in reference pictures, because threads
+/// seen close up are darker than the cloth seen from afar.
 const NEAR: f32 = 0.002;
 /// Greatest number of a cover's faces that a ray passes to find the light behind it.
 const FOLDS: usize = 16;

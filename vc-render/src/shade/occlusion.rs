@@ -236,7 +236,7 @@ impl Look<'_> {
             }
             for i in 0..lanes {
                 let other = there[i];
-                // Height above the plane, relative, and squared distance.
+                // Height above the plane, metres, and squared distance.
                 let rise = (1.0 - other * (here[i] + slope[0][i] * dx[i] + slope[1][i] * dy[i])) * over[i];
                 let (flat, deep) = (depth[i] * wide, other - depth[i]);
                 let square = (dx[i] * dx[i] + dy[i] * dy[i]) * flat * flat + deep * deep + 1e-8;
