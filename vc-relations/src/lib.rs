@@ -2,7 +2,7 @@
 //! connects; and where agents sit, lie and look.
 //!
 //! The input is a [`SceneGraph`](vc_graph::SceneGraph) whose nodes have poses and shapes: assets, or boxes
-//! only. The output are the relations of `vc-graph`, with figures (gaps, distances, sides, shares). It does not
+//! only. The output is the relations of `vc-graph`, with figures (gaps, distances, sides, shares). It does not
 //! matter whether physics or an edit moved the things. More exact knowledge of a physics engine can be passed
 //! as plain data ([`Evidence`]).
 //!
