@@ -104,7 +104,7 @@ impl Relations {
     /// Reads everything anew; the computed forms of assets are kept.
     ///
     /// # Errors
-    /// Those of [`Self::new`]; nothing is changed then.
+    /// [`InputError`] as for [`Self::new`]; nothing is changed then.
     pub fn rebuild(&mut self, graph: &SceneGraph) -> Result<(), InputError> {
         check_scene(graph)?;
         if !self.world.knows(graph.assets()) {
@@ -161,7 +161,7 @@ impl Relations {
     /// does any change under a rule other than [`Rule::Repaired`].
     ///
     /// # Errors
-    /// Those of [`Self::new`], for the changed nodes; nothing is changed then.
+    /// [`InputError`] as for [`Self::new`], for the changed nodes; nothing is changed then.
     pub fn update(&mut self, graph: &SceneGraph, changed: &[NodeId]) -> Result<Vec<NodeId>, InputError> {
         check_nodes(graph, changed)?;
         let mut changed = changed.to_vec();
@@ -304,7 +304,7 @@ impl Relations {
 /// The relations of a scene by the default rule, from geometry alone.
 ///
 /// # Errors
-/// Those of [`Relations::new`].
+/// [`InputError`] as for [`Relations::new`].
 ///
 /// ```
 /// let empty = vc_graph::SceneBuilder::new("nothing").build();

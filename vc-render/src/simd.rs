@@ -136,7 +136,7 @@ mod tests {
 
     use crate::{Camera, Daylight, Exposure, Frame, Modalities, Modality, Renderer, Shot, common};
 
-    /// Makes [`wide`] report a processor without vectors of eight.
+    /// Makes `wide` report a processor without vectors of eight.
     pub(super) static PLAIN: AtomicBool = AtomicBool::new(false);
 
     /// All modalities by day and by lamplight, and reference pictures of the path tracer.

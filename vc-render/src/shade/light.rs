@@ -148,7 +148,7 @@ impl<'a> Lamps<'a> {
     }
 }
 
-/// Row and column of a pixel in [`Spots`].
+/// Row and column of a pixel in a list of pixels of a strip.
 #[inline(always)]
 fn place(spot: u32) -> (usize, usize) {
     ((spot >> 16) as usize, (spot & 0xffff) as usize)

@@ -44,8 +44,8 @@ use crate::view::View;
 /// bands there are.
 pub(crate) const ALIGNED: usize = 8;
 
-/// Approximate number of pixels in a strip: it should stay in the processor's cache and have enough pixels to shade many
-/// at a time.
+/// Approximate number of pixels in a strip: it should stay in the processor's cache and have enough pixels to shade
+/// many at a time.
 const STRIP: usize = 2560;
 
 /// Number of pixels of a row processed together.
