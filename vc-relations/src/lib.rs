@@ -77,7 +77,7 @@
 //! lists every one, with its node, and nothing is changed. A node without a pose or without a shape has no
 //! relations.
 //!
-//! # What is approximate
+//! # Approximations
 //!
 //! Shapes are traced as boxes, cylinders and ellipsoids: a hull as its box, a cone as its cylinder, a lathe
 //! shape as discs and rings of eight boxes, an extruded outline as at most six slices (exact for right angles,
