@@ -147,8 +147,8 @@ impl Renderer {
     ///
     /// For 130,000 triangles at 640 by 480 pixels, labels, depth and flow took 3.2 to 4.7 ms on one core and
     /// all six modalities 15.8 to 23 ms, on two shared machines; both times grow about linearly with the number
-    /// of pixels. `benches/README.md` has the tables, and the times at a third of that speed. Modalities that
-    /// need light take it from [`Self::light`]. [`Frame`] and [`Shot`] have examples.
+    /// of pixels. `benches/README.md` has the tables, and these times scaled to the speed of a third machine.
+    /// Modalities that need light take it from [`Self::light`]. [`Frame`] and [`Shot`] have examples.
     ///
     /// Labels are read from a visibility buffer (Burns and Hunt 2013), which is filled with edge functions
     /// (Pineda 1988) after clusters have been culled against a coarse depth buffer (Greene, Kass and Miller

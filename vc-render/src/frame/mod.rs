@@ -22,8 +22,8 @@ pub const NOTHING: NodeId = NodeId(u32::MAX);
 /// Class and part of a pixel where nothing is visible, in [`Frame::class`] and [`Frame::part`].
 pub const NO_LABEL: u16 = u16::MAX;
 
-/// The wanted modalities of one view. Buffers hold `height * width` pixels, rows from the top, each from the
-/// left; buffers of modalities not requested are empty.
+/// A rendered view: the wanted modalities in typed buffers. Each buffer holds `height * width` pixels, row by row
+/// from the top left; buffers of modalities not requested are empty.
 ///
 /// A frame that is rendered into again keeps its memory. Bytes for each pixel: colours 3, depth and distance 4
 /// each, nodes 4, parts and classes 2 each, normals and points 12 each, flow 8 for each direction, occlusion 1
