@@ -25,7 +25,7 @@ use vc_graph::Pose;
 /// The sets of modalities that are timed.
 const SETS: [&str; 2] = ["labels, depth, flow", "all six"];
 
-/// A stage with a home of so many objects, whose meshes have `fine` cells along an edge.
+/// A stage with a home of `objects` objects, whose meshes have `fine` cells along an edge.
 fn ready(fine: i32, objects: usize) -> Stage {
     let home = home(fine, objects);
     Stage::new(&home.graph, &home.lamps)

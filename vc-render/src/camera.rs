@@ -262,7 +262,7 @@ impl Way {
         self.gone.last().copied()
     }
 
-    /// The point of the path after so many metres.
+    /// The point of the path at a distance from its start, metres.
     fn at(&self, gone: f32) -> Point3<f32> {
         let next = self.gone.partition_point(|g| *g <= gone).clamp(1, self.points.len().max(2) - 1);
         let (Some(a), Some(b)) = (self.points.get(next - 1), self.points.get(next)) else { return self.points[0] };

@@ -291,7 +291,7 @@ fn what_is_pasted_outside_is_left_out() {
     assert_eq!(black.pixels.iter().filter(|p| **p == [255; 3]).count(), 2);
 }
 
-/// Renders so many layers of a hundred by a hundred boxes from close by, and checks that the picture agrees
+/// Renders `layers` layers of a hundred by a hundred boxes from close by, and checks that the picture agrees
 /// with ray hits wherever no edge is near.
 fn boxes_are_seen(layers: u32) {
     let mut stage = Stage::new();

@@ -62,7 +62,7 @@ fn snapshots_of_the_same_scene_made_one_after_the_other_go_together() {
     }
 }
 
-/// A snapshot with so many materials, and its renderer.
+/// A snapshot with that many materials, and its renderer.
 fn many(materials: usize) -> (Renderer, Snapshot) {
     let mut stage = Stage::new();
     for i in 0..materials {

@@ -56,7 +56,7 @@ pub(crate) struct Peers {
     pub(crate) truth: Vec<(NodeId, NodeId, Option<NodeId>)>,
 }
 
-/// The scene with so many objects (100, 500 or 2000), from `../shared/peers/physics` or the folder that
+/// The scene with that many objects (100, 500 or 2000), from `../shared/peers/physics` or the folder that
 /// `VC_PEERS` names; `None`, with a message, if there is none.
 pub(crate) fn read(objects: u32) -> Option<Peers> {
     let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/peers/physics");

@@ -137,7 +137,7 @@ impl Site {
     }
 }
 
-/// The home with so many objects, each a mesh of 12 `fine` squared triangles: with 300 objects, 6 or 7 give
+/// The home with `objects` objects, each a mesh of 12 `fine` squared triangles: with 300 objects, 6 or 7 give
 /// 150,000 triangles and 17 a million.
 pub(crate) fn home(fine: i32, objects: usize) -> Home {
     let mut library = AssetLibrary::default();

@@ -40,7 +40,7 @@ impl Picture {
         }
     }
 
-    /// Arranges pictures of one size in a grid of so many columns, with white margins of so many pixels. The
+    /// Arranges pictures of one size in a grid of `columns` columns, with white margins of `margin` pixels. The
     /// first picture determines the size: larger ones are partly covered by the next or cut off. Costs a copy
     /// of all pixels.
     pub fn sheet(pictures: &[Self], columns: usize, margin: usize) -> Self {

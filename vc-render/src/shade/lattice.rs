@@ -58,7 +58,7 @@ pub(super) struct Between {
 }
 
 impl Lattice {
-    /// Allocates so many rows of this width, and one more.
+    /// Allocates `rows` rows of this width, and one more.
     pub(super) fn prepare(&mut self, width: usize, rows: usize) {
         self.width = width;
         self.combs.resize_with(rows / 2 + 1, Default::default);

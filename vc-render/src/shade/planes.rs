@@ -61,7 +61,7 @@ pub(super) fn unpacked(v: u32) -> [f32; 3] {
 }
 
 impl Cells {
-    /// Allocates so many entries.
+    /// Allocates `count` entries.
     pub(super) fn prepare(&mut self, count: usize) {
         for list in [&mut self.look, &mut self.drift] {
             list.clear();
@@ -83,7 +83,7 @@ impl Row {
 }
 
 impl Planes {
-    /// Allocates so many rows of this width, and one more.
+    /// Allocates `rows` rows of this width, and one more.
     pub(super) fn prepare(&mut self, width: usize, rows: usize) {
         self.0.resize_with(rows + 1, Row::default);
         let count = width.next_multiple_of(PART) + SPAN;

@@ -58,7 +58,7 @@ impl Texture {
         Self { cloth: Cloth::Picture(picture.clone(), density), places: [place(0), place(1)] }
     }
 
-    /// The texture's value, if it is constant for pixels that are so many metres wide.
+    /// The texture's value, if it is constant for pixels that are `footprint` metres wide.
     #[inline(always)]
     pub(super) fn even(&self, footprint: f32) -> Option<&'static Touch> {
         match &self.cloth {

@@ -9,7 +9,7 @@ pub(super) fn hash(x: i32, y: i32, seed: u32) -> f32 {
     ((h ^ (h >> 15)) >> 8) as f32 / (1 << 24) as f32
 }
 
-/// Smooth periodic noise from 0 to 1 over the unit square, with so many cells across and down.
+/// Smooth periodic noise from 0 to 1 over the unit square, with `across` by `down` cells.
 pub(super) fn value(u: f32, v: f32, (across, down): (i32, i32), seed: u32) -> f32 {
     let (x, y) = (u * across as f32, v * down as f32);
     let (cx, cy) = (x.floor(), y.floor());

@@ -52,7 +52,7 @@ impl Picture {
         (0.5 * twice.abs() * self.texture.width as f32 * self.texture.height as f32).sqrt()
     }
 
-    /// The mipmap level for a pixel that is so many texels wide.
+    /// The mipmap level for a pixel that is `texels` texels wide.
     #[inline(always)]
     pub(crate) fn level(&self, texels: f32) -> usize {
         // The exponent of a float is the integer part of its base-2 logarithm.

@@ -117,7 +117,7 @@ impl Tile {
         Self { levels: levels.collect(), texels, density: texels as f32 / pattern.side() }
     }
 
-    /// The mipmap level for a pixel that is so many metres wide.
+    /// The mipmap level for a pixel that is `footprint` metres wide.
     #[inline(always)]
     pub(crate) fn level(&self, footprint: f32) -> usize {
         // The exponent of a float is the integer part of its base-2 logarithm.
