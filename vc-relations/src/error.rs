@@ -31,7 +31,7 @@ pub enum Flaw {
         value: f32,
     },
     /// A negative size, or a scale of zero.
-    #[error("{what} of {node} is {}: nothing is of that size", short(*.value))]
+    #[error("{what} of {node} is {}, which is not a valid size", short(*.value))]
     NoSize {
         /// The node.
         node: Label,

@@ -19,7 +19,7 @@ pub enum RenderError {
     #[error("the camera cannot be used: its {0}")]
     BadCamera(&'static str),
     /// A node's pose, scale or joint is not finite, or the node would be farther away than 1e15 metres.
-    #[error("the pose, scale or joint of {0} is not finite, or is beyond 1e15 metres: mend it where it was set")]
+    #[error("the pose, scale or joint of {0} is not finite, or is beyond 1e15 metres: correct it where it was set")]
     BadPose(NodeId),
     /// A node points to an asset that its library does not have.
     #[error(
@@ -63,7 +63,7 @@ pub enum RenderError {
     #[error("{0} has no body in this snapshot: only nodes with a pose and an asset or a box have one")]
     NoBody(NodeId),
     /// There is no such room in the snapshot, or the graph has no box for it.
-    #[error("{0} is no room of this snapshot, or has no box around it: ask for one of the graph's rooms")]
+    #[error("{0} is not a room of this snapshot, or has no bounding box: ask for one of the graph's rooms")]
     NoRoom(NodeId),
     /// The number of frames differs from the number of shots.
     #[error("{shots} shots need as many frames, but {frames} are given")]
@@ -80,7 +80,7 @@ pub enum RenderError {
         classes: usize,
     },
     /// The length of an array does not match its shape.
-    #[error("{numbers} numbers are no array of shape {shape:?}")]
+    #[error("{numbers} numbers do not make an array of shape {shape:?}")]
     BadShape {
         /// Numbers given.
         numbers: usize,
